@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// l3d_pipeline: the application, as the dispatcher sees it.
+#ifndef L3D_PIPELINE_PIPELINE_H
+#define L3D_PIPELINE_PIPELINE_H
+
+#include "tool_2d/event.h"
+
+/// A program is a subclass of this; the dispatcher turns outside events into these calls.
+///
+/// Order:   events first, then update_event, then draw_event, once per frame.
+/// Lives:   borrowed by the dispatcher; owns (or borrows from main) its screen and rasterizer.
+class l3d_pipeline {
+public:
+    l3d_pipeline() = default;
+    l3d_pipeline(const l3d_pipeline&) = delete;
+    l3d_pipeline& operator=(const l3d_pipeline&) = delete;
+    virtual ~l3d_pipeline() = default;
+
+    /// Set to true to ask the dispatcher to finish after the current frame.
+    bool done = false;
+
+    /// A key was pressed: ASCII code or l3d_key.
+    virtual void key_event(int key) { static_cast<void>(key); }
+
+    /// A button, the pointer or the wheel moved.
+    virtual void pointer_event(const l3d_event& event) { static_cast<void>(event); }
+
+    /// The screen has a new size; earlier l3d_pixels views are invalid.
+    virtual void resize_event(l3d_size size) { static_cast<void>(size); }
+
+    /// Advances the world. Units: seconds since the last call; a fixed step without a display.
+    virtual void update_event(double seconds) { static_cast<void>(seconds); }
+
+    /// Draws into the screen's pixels. The dispatcher shows and stores them afterwards.
+    virtual void draw_event() {}
+
+    /// Whether anything would look different if draw_event were called now. The dispatcher
+    /// neither draws nor shows while this is false and no event came.
+    virtual bool needs_redraw() const { return true; }
+};
+
+#endif

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// l3d_depth_buffer: reciprocal depth per pixel.
+#ifndef L3D_RASTER_DEPTH_BUFFER_H
+#define L3D_RASTER_DEPTH_BUFFER_H
+
+#include "tool_2d/pixels.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+/// One float per pixel: 1 / (distance along the view axis); 0 where nothing is.
+///
+/// Reciprocal, because it is linear in the picture for a plane, and because 0 = infinitely far is
+/// then the value of an empty pixel.
+class l3d_depth_buffer {
+public:
+    /// Expects: width, height >= 0. Cost: allocates only when larger than before.
+    void resize(l3d_size size) {
+        size_ = size;
+        const auto count =
+            static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+        if (values_.size() < count)
+            values_.resize(count);
+    }
+
+    void clear() { std::fill(values_.begin(), values_.end(), 0.0f); }
+
+    l3d_size size() const { return size_; }
+
+    std::span<float> row(int y) {
+        return {values_.data() + static_cast<std::ptrdiff_t>(y) * size_.width,
+                static_cast<std::size_t>(size_.width)};
+    }
+    std::span<const float> row(int y) const {
+        return {values_.data() + static_cast<std::ptrdiff_t>(y) * size_.width,
+                static_cast<std::size_t>(size_.width)};
+    }
+
+private:
+    l3d_size size_;
+    std::vector<float> values_;
+};
+
+#endif

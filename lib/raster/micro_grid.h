@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// l3d_micro_grid: the vertices of a diced piece of surface, ready to be filled.
+#ifndef L3D_RASTER_MICRO_GRID_H
+#define L3D_RASTER_MICRO_GRID_H
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/// Sub-pixel resolution of every surface vertex: 8 fraction bits, so that products of two
+/// coordinate differences of a 64-pixel quad fit 32 bits (2 * (6 + 8) + 2 sign and sum bits = 30).
+inline constexpr int l3d_subpixel_bits = 8;
+inline constexpr std::int32_t l3d_subpixel_one = 1 << l3d_subpixel_bits;
+
+/// One vertex of a surface.
+///
+/// Units: x, y in 1/256 pixel from the top left corner of the picture, |x|, |y| <= 2^23;
+///        inv_w = 1 / distance along the view axis, in 1 / world units, > 0;
+///        normal: surface normal dS/du x dS/dv in world space, any length, not yet turned to the eye.
+struct l3d_micro_vertex {
+    std::int32_t x = 0, y = 0;
+    float inv_w = 0;
+    float normal[3] = {0, 0, 0};
+};
+
+/// A rows x columns array of vertices, one array per component so that a row can be stepped,
+/// projected and set up in SIMD lanes.
+///
+/// Shape: index = row * pitch + column; columns run along u, rows along v. pitch >= columns is a
+///        multiple of 16 so that every row starts a full vector.
+/// Cost:  resize allocates only when a grid is larger than any before.
+struct l3d_micro_grid {
+    int columns = 0, rows = 0, pitch = 0;
+    std::vector<std::int32_t> x, y;
+    std::vector<float> inv_w;
+    std::vector<float> normal[3];
+
+    void resize(int new_columns, int new_rows) {
+        columns = new_columns;
+        rows = new_rows;
+        pitch = (new_columns + 15) / 16 * 16;
+        const std::size_t count = static_cast<std::size_t>(pitch) * static_cast<std::size_t>(rows);
+        if (x.size() >= count)
+            return;
+        x.resize(count);
+        y.resize(count);
+        inv_w.resize(count);
+        for (auto& component : normal)
+            component.resize(count);
+    }
+
+    std::size_t index(int row, int column) const {
+        assert(row >= 0 && row < rows && column >= 0 && column < columns);
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(pitch) +
+               static_cast<std::size_t>(column);
+    }
+
+    l3d_micro_vertex vertex(int row, int column) const {
+        const std::size_t i = index(row, column);
+        return {x[i], y[i], inv_w[i], {normal[0][i], normal[1][i], normal[2][i]}};
+    }
+};
+
+#endif

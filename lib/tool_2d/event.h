@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// l3d_event and l3d_event_source: what happens to a window, without any window system's header.
+#ifndef L3D_TOOL_2D_EVENT_H
+#define L3D_TOOL_2D_EVENT_H
+
+#include "tool_2d/pixels.h"
+
+#include <chrono>
+
+/// Keys that have no printable character. Printable keys are their ASCII code.
+enum l3d_key : int {
+    l3d_key_backspace = 8,
+    l3d_key_tab = 9,
+    l3d_key_return = 13,
+    l3d_key_escape = 27,
+    l3d_key_left = 0x100,
+    l3d_key_right,
+    l3d_key_up,
+    l3d_key_down,
+    l3d_key_page_up,
+    l3d_key_page_down,
+    l3d_key_home,
+    l3d_key_end,
+    l3d_key_f1,
+    l3d_key_f11 = l3d_key_f1 + 10,
+};
+
+enum class l3d_event_type {
+    key_press,
+    key_release,
+    button_press,
+    button_release,
+    pointer_motion,
+    wheel,
+    resize,
+    expose,
+    close,
+    display_lost,
+};
+
+/// One event. Fields that do not belong to the type are zero.
+struct l3d_event {
+    l3d_event_type type{};
+    int key = 0;      ///< key_*: ASCII code or l3d_key
+    int button = 0;   ///< button_*: 1 left, 2 middle, 3 right; pointer_motion: the button held, or 0
+    int x = 0, y = 0; ///< pointer position in pixels; wheel: y is +1 away from the user, -1 towards
+    l3d_size size{};  ///< resize
+};
+
+/// A thing a dispatcher can pull events from (the book's marker class, given its two calls).
+class l3d_event_source {
+public:
+    l3d_event_source() = default;
+    l3d_event_source(const l3d_event_source&) = delete;
+    l3d_event_source& operator=(const l3d_event_source&) = delete;
+    virtual ~l3d_event_source() = default;
+
+    /// Takes the next pending event without waiting; false if there is none.
+    bool next_event(l3d_event& event) { return do_next_event(event); }
+
+    /// Sleeps until an event is pending or the time is over, whichever is first.
+    void wait(std::chrono::nanoseconds longest) { do_wait(longest); }
+
+private:
+    virtual bool do_next_event(l3d_event& event) = 0;
+    virtual void do_wait(std::chrono::nanoseconds longest) = 0;
+};
+
+#endif
