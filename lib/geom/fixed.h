@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+// l3d_fixed: binary fixed point with wide products and a stated behaviour on overflow.
+#ifndef L3D_GEOM_FIXED_H
+#define L3D_GEOM_FIXED_H
+
+#include <compare>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+/// What happens when a result does not fit.
+enum class l3d_overflow {
+    wrap,     ///< modulo 2^bits, as unsigned integers do; the fastest
+    saturate, ///< the nearest end of the range
+    trap,     ///< the program stops at once: __builtin_trap()
+};
+
+namespace l3d_detail {
+
+__extension__ typedef __int128 int128;
+__extension__ typedef unsigned __int128 uint128;
+
+/// Twice as wide as Storage, or more: holds any product of two, and any dividend.
+template <class Storage>
+using wide = std::conditional_t<(sizeof(Storage) < 8), std::int64_t, int128>;
+
+template <class Storage>
+using wide_unsigned = std::conditional_t<(sizeof(Storage) < 8), std::uint64_t, uint128>;
+
+/// value / 2^bits to nearest, ties to even. Expects: 0 < bits < width of Wide.
+template <class Wide> constexpr Wide shifted_to_nearest(Wide value, int bits) noexcept {
+    const Wide below = value >> bits;
+    const Wide rest = value - below * (Wide{1} << bits);
+    // An odd quotient goes up at a tie too. Nothing here can overflow, unlike value + half.
+    return below + Wide{rest + (below & 1) > (Wide{1} << (bits - 1))};
+}
+
+/// dividend / divisor to nearest, ties to even. Expects: divisor not 0, at most half as wide.
+template <class Wide> constexpr Wide divided_to_nearest(Wide dividend, Wide divisor) noexcept {
+    const Wide toward_zero = dividend / divisor;
+    const Wide rest = dividend % divisor;
+    const Wide twice = rest < 0 ? -2 * rest : 2 * rest;
+    const Wide whole = divisor < 0 ? -divisor : divisor;
+    if (twice + (toward_zero & 1) <= whole)
+        return toward_zero;
+    return (dividend < 0) == (divisor < 0) ? toward_zero + 1 : toward_zero - 1;
+}
+
+/// What saturate and trap do with a value beyond one end.
+template <class Storage, l3d_overflow Overflow> constexpr Storage beyond(bool negative) noexcept {
+    if constexpr (Overflow == l3d_overflow::trap)
+        __builtin_trap();
+    return negative ? std::numeric_limits<Storage>::min() : std::numeric_limits<Storage>::max();
+}
+
+/// A wide value brought back into Storage by the policy.
+template <class Storage, l3d_overflow Overflow, class Wide>
+constexpr Storage narrowed(Wide value) noexcept {
+    if constexpr (Overflow != l3d_overflow::wrap)
+        if (value < std::numeric_limits<Storage>::min() ||
+            value > std::numeric_limits<Storage>::max())
+            return beyond<Storage, Overflow>(value < 0);
+    return static_cast<Storage>(value);
+}
+
+/// An integral-valued or infinite double outside int64, modulo 2^64.
+constexpr std::uint64_t wrapped(double value) noexcept {
+    constexpr double modulus = 18446744073709551616.0;   // 2^64
+    constexpr double all_multiples = 9007199254740992.0; // 2^53: from here on ulp(value) >= 2^64
+    const double quotient = value / modulus;
+    if (!(quotient > -all_multiples && quotient < all_multiples))
+        return 0;
+    const double rest = value - static_cast<double>(static_cast<std::int64_t>(quotient)) * modulus;
+    return rest < 0 ? 0 - static_cast<std::uint64_t>(-rest) : static_cast<std::uint64_t>(rest);
+}
+
+} // namespace l3d_detail
+
+/// A number stored as an integer times 2^-FractionBits.
+///
+/// All rounding is to nearest, ties to even, so that -(a * b) == (-a) * b.
+/// Units:   raw() counts steps of 2^-FractionBits, which is epsilon().
+/// Expects: 0 < FractionBits < bits of Storage. A default-constructed value is uninitialised, as
+///          an int is.
+/// Errors:  a result out of range, min() / -1 and -min() among them, follows Overflow.
+///          x / 0 is 0 with wrap; max() for x > 0, min() for x < 0 and 0 for x = 0 with saturate;
+///          a trap with trap. NaN converts to 0, with trap to a trap. Infinity is out of range;
+///          modulo 2^bits it is 0.
+/// Cost:    + and - are one integer operation with wrap; * one wide product and four more;
+///          / one wide division.
+template <class Storage, int FractionBits, l3d_overflow Overflow = l3d_overflow::wrap>
+class l3d_fixed {
+    static_assert(std::signed_integral<Storage> && sizeof(Storage) <= 8);
+    static_assert(FractionBits > 0 && FractionBits < static_cast<int>(8 * sizeof(Storage)));
+
+    using wide = l3d_detail::wide<Storage>;
+    using bits = std::make_unsigned_t<Storage>;
+    static constexpr wide one = wide{1} << FractionBits;
+
+public:
+    using storage = Storage;
+    static constexpr int fraction_bits = FractionBits;
+    static constexpr l3d_overflow overflow = Overflow;
+
+    l3d_fixed() = default;
+
+    explicit constexpr l3d_fixed(int value) noexcept
+        : l3d_fixed(of_wide(static_cast<l3d_detail::int128>(value) * one)) {}
+
+    explicit constexpr l3d_fixed(double value) noexcept : raw_(raw_of(value)) {}
+
+    /// From another format: exact if it fits, else rounded and brought in range by Overflow.
+    template <class S, int F, l3d_overflow O>
+    explicit constexpr l3d_fixed(l3d_fixed<S, F, O> other) noexcept {
+        const l3d_detail::int128 raw = other.raw();
+        if constexpr (F > FractionBits)
+            *this = of_wide(l3d_detail::shifted_to_nearest(raw, F - FractionBits));
+        else
+            *this = of_wide(raw * (l3d_detail::int128{1} << (FractionBits - F)));
+    }
+
+    static constexpr l3d_fixed from_raw(Storage raw) noexcept {
+        l3d_fixed result;
+        result.raw_ = raw;
+        return result;
+    }
+    constexpr Storage raw() const noexcept { return raw_; }
+
+    static constexpr l3d_fixed min() noexcept {
+        return from_raw(std::numeric_limits<Storage>::min());
+    }
+    static constexpr l3d_fixed max() noexcept {
+        return from_raw(std::numeric_limits<Storage>::max());
+    }
+    /// The step between neighbours, and the least positive value.
+    static constexpr l3d_fixed epsilon() noexcept { return from_raw(1); }
+
+    /// Exact if raw() fits 53 bits, else rounded.
+    explicit constexpr operator double() const noexcept {
+        return static_cast<double>(raw_) / static_cast<double>(one);
+    }
+    constexpr std::int64_t floor_to_int() const noexcept { return raw_ >> FractionBits; }
+    constexpr std::int64_t round_to_int() const noexcept {
+        return static_cast<std::int64_t>(l3d_detail::shifted_to_nearest(wide{raw_}, FractionBits));
+    }
+
+    friend constexpr auto operator<=>(l3d_fixed, l3d_fixed) = default;
+
+    friend constexpr l3d_fixed operator+(l3d_fixed a, l3d_fixed b) noexcept {
+        if constexpr (Overflow == l3d_overflow::wrap)
+            return of_bits(static_cast<bits>(a.raw_) + static_cast<bits>(b.raw_));
+        return of_wide(wide{a.raw_} + b.raw_);
+    }
+    friend constexpr l3d_fixed operator-(l3d_fixed a, l3d_fixed b) noexcept {
+        if constexpr (Overflow == l3d_overflow::wrap)
+            return of_bits(static_cast<bits>(a.raw_) - static_cast<bits>(b.raw_));
+        return of_wide(wide{a.raw_} - b.raw_);
+    }
+    constexpr l3d_fixed operator-() const noexcept { return from_raw(0) - *this; }
+
+    friend constexpr l3d_fixed operator*(l3d_fixed a, l3d_fixed b) noexcept {
+        return of_wide(l3d_detail::shifted_to_nearest(wide{a.raw_} * b.raw_, FractionBits));
+    }
+    friend constexpr l3d_fixed operator/(l3d_fixed a, l3d_fixed b) noexcept {
+        if (b.raw_ == 0)
+            return divided_by_zero(a.raw_);
+        return of_wide(l3d_detail::divided_to_nearest(wide{a.raw_} * one, wide{b.raw_}));
+    }
+
+    /// Times 2^count, by the policy. Expects: 0 <= count < bits of Storage.
+    friend constexpr l3d_fixed operator<<(l3d_fixed a, int count) noexcept {
+        if constexpr (Overflow == l3d_overflow::wrap)
+            return of_bits(static_cast<wide>(a.raw_) * (wide{1} << count));
+        return of_wide(a.raw_ * (wide{1} << count));
+    }
+    /// Times 2^-count, rounded. Expects: 0 <= count < bits of Storage.
+    friend constexpr l3d_fixed operator>>(l3d_fixed a, int count) noexcept {
+        return count == 0 ? a : of_wide(l3d_detail::shifted_to_nearest(wide{a.raw_}, count));
+    }
+    constexpr l3d_fixed halved() const noexcept { return *this >> 1; }
+
+    constexpr l3d_fixed& operator+=(l3d_fixed b) noexcept { return *this = *this + b; }
+    constexpr l3d_fixed& operator-=(l3d_fixed b) noexcept { return *this = *this - b; }
+    constexpr l3d_fixed& operator*=(l3d_fixed b) noexcept { return *this = *this * b; }
+    constexpr l3d_fixed& operator/=(l3d_fixed b) noexcept { return *this = *this / b; }
+    constexpr l3d_fixed& operator<<=(int count) noexcept { return *this = *this << count; }
+    constexpr l3d_fixed& operator>>=(int count) noexcept { return *this = *this >> count; }
+
+private:
+    template <class Integer> static constexpr l3d_fixed of_bits(Integer value) noexcept {
+        return from_raw(static_cast<Storage>(value));
+    }
+    template <class Wide> static constexpr l3d_fixed of_wide(Wide value) noexcept {
+        return from_raw(l3d_detail::narrowed<Storage, Overflow>(value));
+    }
+
+    static constexpr l3d_fixed divided_by_zero(Storage dividend) noexcept {
+        if (Overflow == l3d_overflow::wrap || (Overflow == l3d_overflow::saturate && dividend == 0))
+            return from_raw(0);
+        return from_raw(l3d_detail::beyond<Storage, Overflow>(dividend < 0));
+    }
+
+    static constexpr Storage raw_of(double value) noexcept {
+        constexpr double end_of_int64 = 9223372036854775808.0;  // 2^63
+        const double scaled = value * static_cast<double>(one); // exact, or infinite
+        if (scaled >= -end_of_int64 && scaled < end_of_int64) {
+            const auto toward_zero = static_cast<std::int64_t>(scaled);
+            const double rest = scaled - static_cast<double>(toward_zero); // exact
+            const bool odd = (toward_zero & 1) != 0;
+            const int up = rest > 0.5 || (rest == 0.5 && odd);
+            const int down = rest < -0.5 || (rest == -0.5 && odd);
+            return l3d_detail::narrowed<Storage, Overflow>(toward_zero + up - down);
+        }
+        if constexpr (Overflow == l3d_overflow::wrap)
+            return static_cast<Storage>(l3d_detail::wrapped(scaled));
+        if (Overflow == l3d_overflow::saturate && value != value)
+            return 0;
+        return l3d_detail::beyond<Storage, Overflow>(scaled < 0);
+    }
+
+    Storage raw_;
+};
+
+template <class T> inline constexpr bool l3d_is_fixed = false;
+template <class S, int F, l3d_overflow O>
+inline constexpr bool l3d_is_fixed<l3d_fixed<S, F, O>> = true;
+
+/// (a + b) / 2 rounded once: the same for (b, a), and never out of range.
+template <class S, int F, l3d_overflow O>
+constexpr l3d_fixed<S, F, O> l3d_midpoint(l3d_fixed<S, F, O> a, l3d_fixed<S, F, O> b) noexcept {
+    const auto sum = l3d_detail::wide<S>{a.raw()} + b.raw();
+    return l3d_fixed<S, F, O>::from_raw(static_cast<S>(l3d_detail::shifted_to_nearest(sum, 1)));
+}
+
+/// A sum of products that is rounded, and brought in range, once: when it is read.
+///
+/// Expects: fewer than 2^31 products. Partial sums beyond the range cancel as they should.
+template <class S, int F, l3d_overflow O> class l3d_fixed_sum {
+public:
+    constexpr void add_product(l3d_fixed<S, F, O> a, l3d_fixed<S, F, O> b) noexcept {
+        const l3d_detail::wide<S> product = l3d_detail::wide<S>{a.raw()} * b.raw();
+        if (__builtin_add_overflow(low_, product, &low_))
+            turns_ += product < 0 ? -1 : 1;
+    }
+
+    constexpr l3d_fixed<S, F, O> rounded() const noexcept {
+        // Modulo 2^(2 bits) is enough for wrap: F + bits <= 2 bits.
+        if (O != l3d_overflow::wrap && turns_ != 0)
+            return l3d_fixed<S, F, O>::from_raw(l3d_detail::beyond<S, O>(turns_ < 0));
+        return l3d_fixed<S, F, O>::from_raw(
+            l3d_detail::narrowed<S, O>(l3d_detail::shifted_to_nearest(low_, F)));
+    }
+
+private:
+    l3d_detail::wide<S> low_ = 0; ///< the sum modulo 2^(bits of wide), signed
+    int turns_ = 0;               ///< how often the sum left that range upwards
+};
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// l3d_real: the number type of this build, and one interface to all number types.
+#ifndef L3D_GEOM_REAL_H
+#define L3D_GEOM_REAL_H
+
+#include "geom/fixed.h"
+
+#include <concepts>
+#include <cstdint>
+#include <type_traits>
+
+#if defined(L3D_REAL_FLOAT) + defined(L3D_REAL_DOUBLE) + defined(L3D_REAL_FIXED) != 1
+#error "define exactly one of L3D_REAL_FLOAT, L3D_REAL_DOUBLE, L3D_REAL_FIXED"
+#endif
+
+// Every object refers to the symbol of its own kind, and the library defines only one of them:
+// what was compiled for another number type does not link. The pointers have names of their own,
+// else the linker would keep one and drop the reference of the others.
+#if defined(L3D_REAL_FLOAT)
+using l3d_real = float;
+extern const char l3d_built_with_float_real;
+[[gnu::used]] inline constexpr const char* l3d_needs_float_real = &l3d_built_with_float_real;
+#elif defined(L3D_REAL_DOUBLE)
+using l3d_real = double;
+extern const char l3d_built_with_double_real;
+[[gnu::used]] inline constexpr const char* l3d_needs_double_real = &l3d_built_with_double_real;
+#else
+using l3d_real = l3d_fixed<std::int64_t, 32>;
+extern const char l3d_built_with_fixed_real;
+[[gnu::used]] inline constexpr const char* l3d_needs_fixed_real = &l3d_built_with_fixed_real;
+#endif
+
+/// The number type the library was built with: "float", "double" or "fixed".
+const char* l3d_real_name();
+
+/// What an algorithm must know of a number type: conversions, a wider type, and how it rounds.
+///
+/// Units: an operation on x errs by at most unit_roundoff * |result| + half_ulp, in range.
+template <class T> struct l3d_real_traits;
+
+template <std::floating_point T> struct l3d_real_traits<T> {
+    using wide = double;
+    static constexpr double unit_roundoff = sizeof(T) == 4 ? 0x1p-24 : 0x1p-53;
+    static constexpr double half_ulp = 0;
+
+    static constexpr T from_double(double value) noexcept { return static_cast<T>(value); }
+    static constexpr double to_double(T value) noexcept { return value; }
+    static constexpr T from_wide(wide value) noexcept { return static_cast<T>(value); }
+};
+
+template <class Storage, int FractionBits, l3d_overflow Overflow>
+struct l3d_real_traits<l3d_fixed<Storage, FractionBits, Overflow>> {
+    using fixed = l3d_fixed<Storage, FractionBits, Overflow>;
+    using wide =
+        std::conditional_t<sizeof(Storage) == 8, fixed, l3d_fixed<std::int64_t, 32, Overflow>>;
+    static constexpr double unit_roundoff = 0;
+    static constexpr double half_ulp = 0.5 / static_cast<double>(std::uint64_t{1} << FractionBits);
+
+    static constexpr fixed from_double(double value) noexcept { return fixed(value); }
+    static constexpr double to_double(fixed value) noexcept { return static_cast<double>(value); }
+    static constexpr fixed from_wide(wide value) noexcept { return fixed(value); }
+};
+
+template <class T> constexpr double l3d_to_double(T value) noexcept {
+    return l3d_real_traits<T>::to_double(value);
+}
+
+template <class T> constexpr T l3d_from_double(double value) noexcept {
+    return l3d_real_traits<T>::from_double(value);
+}
+
+/// (a + b) / 2, the same for (b, a). Expects: a + b finite.
+template <std::floating_point T> constexpr T l3d_midpoint(T a, T b) noexcept {
+    return (a + b) / 2;
+}
+
+#endif
