@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// l3d_image: the owner of a block of pixels.
+#ifndef L3D_TOOL_2D_IMAGE_H
+#define L3D_TOOL_2D_IMAGE_H
+
+#include "tool_2d/pixels.h"
+
+#include <vector>
+
+/// Owns the words that l3d_pixels views; black at first.
+class l3d_image {
+public:
+    l3d_image() = default;
+
+    /// Expects: width and height not negative, stride >= width.
+    /// Errors:  std::bad_alloc.
+    l3d_image(l3d_size size, std::ptrdiff_t stride)
+        : words_(static_cast<std::size_t>(stride) * static_cast<std::size_t>(size.height)),
+          size_(size), stride_(stride) {
+        assert(size.width >= 0 && size.height >= 0 && stride >= size.width);
+    }
+
+    /// Lives:   the view ends when the image does, or is assigned to.
+    l3d_pixels pixels() { return {words_.data(), size_.width, size_.height, stride_}; }
+
+private:
+    std::vector<std::uint32_t> words_;
+    l3d_size size_{};
+    std::ptrdiff_t stride_ = 0;
+};
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// l3d_screen_memory: the screen without a display; tests, batches and benches run on it.
+#ifndef L3D_TOOL_2D_SCREEN_MEMORY_H
+#define L3D_TOOL_2D_SCREEN_MEMORY_H
+
+#include "tool_2d/image.h"
+#include "tool_2d/screen.h"
+
+/// Pixels that nobody sees. There are no events, and wait returns at once.
+///
+/// Shape:   rows are longer than the picture, so that nobody comes to rely on stride == width.
+class l3d_screen_memory final : public l3d_screen {
+public:
+    /// Expects: width and height at least 1.
+    /// Errors:  std::bad_alloc.
+    explicit l3d_screen_memory(l3d_size size);
+
+private:
+    l3d_pixels do_pixels() override { return image_.pixels(); }
+    const l3d_screen_info& do_info() const override { return info_; }
+    void do_show() override {}
+    std::string do_describe() const override;
+    bool do_next_event(l3d_event&) override { return false; }
+    void do_wait(std::chrono::nanoseconds) override {}
+
+    l3d_image image_;
+    l3d_screen_info info_;
+};
+
+/// Makes screens without a display; serves everywhere.
+class l3d_screen_factory_memory final : public l3d_screen_factory {
+private:
+    /// Errors:  never false.
+    bool do_can_serve(std::string&) const override { return true; }
+
+    /// Errors:  null, with the size in `why`, if there is not enough memory for it.
+    std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
+                                          std::string& why) const override;
+};
+
+#endif

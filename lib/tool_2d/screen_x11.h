@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The factory of screens that are X11 windows.
+#ifndef L3D_TOOL_2D_SCREEN_X11_H
+#define L3D_TOOL_2D_SCREEN_X11_H
+
+#include "tool_2d/screen.h"
+
+/// Makes windows whose pixels travel over the connection (XPutImage): any display, remote too.
+///
+/// Every TrueColor visual of 8, 16, 24 or 32 bits per pixel and either byte order is served.
+/// A screen belongs to the thread that made it.
+class l3d_screen_factory_ximage final : public l3d_screen_factory {
+private:
+    /// Errors:  false, with one line in `why` that names the value of DISPLAY.
+    /// Cost:    one connection, closed again.
+    bool do_can_serve(std::string& why) const override;
+
+    /// Errors:  null, with one line in `why`: no display, no usable visual, no memory.
+    /// Lives:   the screen owns connection, window and pixels.
+    /// Cost:    returns once the window is on the screen, or after two seconds.
+    std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
+                                          std::string& why) const override;
+};
+
+#endif
