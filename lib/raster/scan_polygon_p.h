@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// scan_polygon: the pixels of a convex polygon, one span per row. The one fill rule.
+#ifndef L3D_RASTER_SCAN_POLYGON_P_H
+#define L3D_RASTER_SCAN_POLYGON_P_H
+
+#include "raster/scan_edge_p.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Rows top <= row < bottom.
+struct scan_rows {
+    std::int32_t top = 0, bottom = 0;
+};
+
+/// Converts convex polygons to spans: a pixel belongs to the polygon if its centre is inside, or on
+/// a left or top edge.
+///
+/// A row is covered if its centre lies in [highest, lowest corner), a pixel of the row if its
+/// centre lies in [left, right edge); both ends are exact. Lives: the spans of one polygon stay
+/// until the next convert.
+class scan_polygon {
+public:
+    /// Rows 0 <= row < height are kept from now on. Cost: allocates only when higher than before.
+    void set_height(std::int32_t height) {
+        height_ = height;
+        if (spans_.size() < static_cast<std::size_t>(height))
+            spans_.resize(static_cast<std::size_t>(height));
+    }
+
+    std::int32_t height() const { return height_; }
+
+    /// Finds the spans of a polygon.
+    ///
+    /// Shape:   at least three corners, in order; `clockwise` as seen on the screen (the area
+    ///          with y down is positive).
+    /// Expects: convex. Of another polygon some pixels are wrong, but no row is left undefined:
+    ///          a closed outline crosses every row downwards as often as upwards.
+    template <std::size_t Extent>
+    scan_rows convert(std::span<const scan_point, Extent> corners, bool clockwise) {
+        scan_rows rows{height_, 0};
+        scan_point from = corners.back();
+        for (const scan_point to : corners) {
+            const bool down = from.y < to.y;
+            const std::size_t side = down == clockwise ? right : left;
+            add_edge(down ? from : to, down ? to : from, side, rows);
+            from = to;
+        }
+        return rows;
+    }
+
+    /// The first column of a row, and the one after its last. Not clipped; first may be >= last.
+    std::int32_t first(std::int32_t row) const { return span_of(row)[left]; }
+    std::int32_t last(std::int32_t row) const { return span_of(row)[right]; }
+
+private:
+    static constexpr std::size_t left = 0, right = 1;
+    using ends = std::array<std::int32_t, 2>;
+
+    const ends& span_of(std::int32_t row) const { return spans_[static_cast<std::size_t>(row)]; }
+
+    void add_edge(scan_point upper, scan_point lower, std::size_t side, scan_rows& rows) {
+        const std::int32_t top = std::max(first_centre(upper.y), 0);
+        const std::int32_t bottom = std::min(first_centre(lower.y), height_);
+        if (top >= bottom)
+            return;
+        rows.top = std::min(rows.top, top);
+        rows.bottom = std::max(rows.bottom, bottom);
+        scan_edge edge(upper, lower, top);
+        for (std::int32_t row = top; row < bottom; ++row) {
+            spans_[static_cast<std::size_t>(row)][side] = edge.column();
+            edge.step();
+        }
+    }
+
+    std::int32_t height_ = 0;
+    std::vector<ends> spans_;
+};
+
+} // namespace l3d_detail
+
+#endif

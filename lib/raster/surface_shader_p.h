@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// The shaders: what is interpolated over a polygon, and the pixel word made of it.
+#ifndef L3D_RASTER_SURFACE_SHADER_P_H
+#define L3D_RASTER_SURFACE_SHADER_P_H
+
+#include "raster/micro_grid.h"
+
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+// A shader is a class with
+//   components            how many numbers are interpolated beside inv_w
+//   begin_polygon(v, s)   told the corners and s = +1 if they show their front, else -1
+//   corner(v, out)        the numbers of one corner
+//   word(values)          the pixel word for interpolated numbers
+
+namespace l3d_detail {
+
+using vector3 = std::array<float, 3>;
+
+inline float dot(const vector3& a, const float* b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// Least |n|^2 that is divided by: a zero normal then has cosine 0 instead of NaN.
+inline float safe_square(float square) {
+    return square > FLT_MIN ? square : FLT_MIN;
+}
+
+/// Cosine of the angle between a unit vector and a vector of any length.
+inline float cosine(const vector3& light, const float* normal) {
+    const float square = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
+    return dot(light, normal) / std::sqrt(safe_square(square));
+}
+
+/// 0.1 + 0.9 max(0, cosine). Written so that NaN gives 0.1.
+inline float intensity(float cosine) {
+    const float lit = cosine > 0.0f ? cosine : 0.0f;
+    return 0.1f + 0.9f * (lit < 1.0f ? lit : 1.0f);
+}
+
+/// A grey pixel. Expects: intensity in [0, 1].
+inline std::uint32_t grey_word(float intensity) {
+    const auto level = static_cast<std::uint32_t>(static_cast<int>(255.0f * intensity + 0.5f));
+    return level * 0x010101u;
+}
+
+inline vector3 turned(const std::array<float, 3>& light, float sign) {
+    return {sign * light[0], sign * light[1], sign * light[2]};
+}
+
+/// Grey from the interpolated normal. A polygon seen from behind turns the light, not its normals.
+class lambert_shader {
+public:
+    static constexpr std::size_t components = 3;
+
+    explicit lambert_shader(const std::array<float, 3>& light) : light_(light), turned_(light) {}
+
+    void begin_polygon(std::span<const l3d_micro_vertex>, float sign) {
+        turned_ = turned(light_, sign);
+    }
+    void corner(const l3d_micro_vertex& vertex, float* out) const {
+        for (std::size_t i = 0; i < components; ++i)
+            out[i] = vertex.normal[i];
+    }
+    std::uint32_t word(const float* normal) const {
+        return grey_word(intensity(cosine(turned_, normal)));
+    }
+
+private:
+    vector3 light_, turned_;
+};
+
+/// Grey interpolated from the corners' greys.
+class gouraud_shader {
+public:
+    static constexpr std::size_t components = 1;
+
+    explicit gouraud_shader(const std::array<float, 3>& light) : light_(light), turned_(light) {}
+
+    void begin_polygon(std::span<const l3d_micro_vertex>, float sign) {
+        turned_ = turned(light_, sign);
+    }
+    void corner(const l3d_micro_vertex& vertex, float* out) const {
+        *out = intensity(cosine(turned_, vertex.normal));
+    }
+    std::uint32_t word(const float* value) const {
+        const float least = *value > 0.0f ? *value : 0.0f;
+        return grey_word(least < 1.0f ? least : 1.0f);
+    }
+
+private:
+    vector3 light_, turned_;
+};
+
+/// One grey for the polygon, from the sum of its normals.
+class flat_shader {
+public:
+    static constexpr std::size_t components = 0;
+
+    explicit flat_shader(const std::array<float, 3>& light) : light_(light) {}
+
+    void begin_polygon(std::span<const l3d_micro_vertex> corners, float sign) {
+        vector3 sum{0, 0, 0};
+        for (const l3d_micro_vertex& vertex : corners)
+            for (std::size_t i = 0; i < sum.size(); ++i)
+                sum[i] += vertex.normal[i];
+        word_ = grey_word(intensity(cosine(turned(light_, sign), sum.data())));
+    }
+    void corner(const l3d_micro_vertex&, float*) const {}
+    std::uint32_t word(const float*) const { return word_; }
+
+private:
+    vector3 light_;
+    std::uint32_t word_ = 0;
+};
+
+/// The unit normal as a colour.
+class normals_shader {
+public:
+    static constexpr std::size_t components = 3;
+
+    void begin_polygon(std::span<const l3d_micro_vertex>, float sign) { sign_ = sign; }
+    void corner(const l3d_micro_vertex& vertex, float* out) const {
+        for (std::size_t i = 0; i < components; ++i)
+            out[i] = vertex.normal[i];
+    }
+    std::uint32_t word(const float* normal) const {
+        std::uint32_t word = 0;
+        for (std::size_t i = 0; i < components; ++i) {
+            vector3 axis{0, 0, 0};
+            axis[i] = sign_;
+            word = word << 8 | level(cosine(axis, normal));
+        }
+        return word;
+    }
+
+private:
+    static std::uint32_t level(float component) {
+        const float least = component > -1.0f ? component : -1.0f;
+        const float inside = least < 1.0f ? least : 1.0f;
+        return static_cast<std::uint32_t>(static_cast<int>(127.5f * (inside + 1.0f) + 0.5f));
+    }
+
+    float sign_ = 1;
+};
+
+/// The same word everywhere.
+class constant_shader {
+public:
+    static constexpr std::size_t components = 0;
+
+    explicit constant_shader(std::uint32_t word) : word_(word) {}
+
+    void begin_polygon(std::span<const l3d_micro_vertex>, float) {}
+    void corner(const l3d_micro_vertex&, float*) const {}
+    std::uint32_t word(const float*) const { return word_; }
+
+private:
+    std::uint32_t word_;
+};
+
+} // namespace l3d_detail
+
+#endif
