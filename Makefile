@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: MIT
+# The build of l3d. Its first lines are the architecture: who may include, call and link whom.
+
+LAYERS        := geom tool_2d raster pipeline system
+uses_geom     :=
+uses_tool_2d  :=
+uses_raster   := geom tool_2d
+uses_pipeline := geom tool_2d raster
+uses_system   := geom tool_2d raster pipeline
+uses_apps     := $(LAYERS)
+
+# tests/reference, the exact renderer, is a layer beside them that only these may use.
+uses_reference       := geom
+tests_with_reference := pipeline reference bench
+
+# What a layer links from outside.
+links_tool_2d := -lpng -lXext -lX11
+
+include config.mk
+
+# ---- variant: one folder per choice of scalar, mode and compiler --------------------------------
+
+flags_float   := -DL3D_REAL_FLOAT
+flags_double  := -DL3D_REAL_DOUBLE
+flags_fixed   := -DL3D_REAL_FIXED
+flags_release := -O3 -DNDEBUG
+flags_debug   := -O0 -g
+flags_asan    := -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
+                 -fsanitize=address,undefined,float-cast-overflow
+flags_tsan    := -O1 -g -fsanitize=thread
+flags_cov     := -O0 -g --coverage
+
+ifeq ($(filter $(REAL),float double fixed),)
+$(error REAL=$(REAL) is unknown; choose float, double or fixed)
+endif
+ifeq ($(filter $(MODE),release debug asan tsan cov),)
+$(error MODE=$(MODE) is unknown; choose release, debug, asan, tsan or cov)
+endif
+
+compiler := $(notdir $(lastword $(CXX)))
+OUT      := $(BUILD)/$(REAL)-$(MODE)$(if $(filter-out g++,$(compiler)),-$(compiler))
+
+# -ffp-contract=off: float results must not depend on whether the machine has fused operations.
+WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
+FLAGS     = -std=c++20 $(WARNINGS) -ffp-contract=off -fno-math-errno -pthread \
+            $(flags_$(REAL)) $(flags_$(MODE)) -Ilib $(CPPFLAGS) $(CXXFLAGS)
+LINK      = $(CXX) $(FLAGS) -Wl,--as-needed $(LDFLAGS)
+
+# ---- what there is ------------------------------------------------------------------------------
+
+reverse    = $(if $(1),$(call reverse,$(wordlist 2,99,$(1))) $(firstword $(1)))
+TOP_DOWN  := reference $(call reverse,$(LAYERS))
+objects    = $(patsubst %.cpp,$(OUT)/%.o,$(sort $(1)))
+archives   = $(patsubst %,$(OUT)/libl3d_%.a,$(filter $(1),$(TOP_DOWN)))
+links      = $(foreach layer,$(1),$(links_$(layer)))
+may_use    = $(1) $(uses_$(1)) $(if $(filter $(1),$(tests_with_reference)),reference)
+
+$(foreach l,$(LAYERS),$(eval objects_$(l) := $(call objects,$(wildcard lib/$(l)/*.cpp))))
+$(foreach l,$(LAYERS),$(eval objects_tests/$(l) := $(call objects,$(wildcard tests/$(l)/*.cpp))))
+objects_tests/reference := $(call objects,$(wildcard tests/reference/*_test.cpp))
+objects_reference := $(filter-out $(objects_tests/reference),\
+                     $(call objects,$(wildcard tests/reference/*.cpp)))
+apps := $(patsubst apps/%/main.cpp,%,$(wildcard apps/*/main.cpp))
+$(foreach a,$(apps),$(eval objects_apps/$(a) := $(call objects,$(wildcard apps/$(a)/*.cpp))))
+bench_objects := $(call objects,$(wildcard tests/bench/*.cpp))
+
+tested    := $(foreach l,$(LAYERS) reference,$(if $(objects_tests/$(l)),$(l)))
+ARCHIVES  := $(call archives,$(LAYERS))
+APPS      := $(apps:%=$(OUT)/bin/%)
+TESTERS   := $(tested:%=$(OUT)/tests/%_tests)
+BENCHES   := $(patsubst %_bench.o,%_bench,$(filter %_bench.o,$(bench_objects)))
+SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
+HEADERS   := $(sort $(wildcard lib/*/*.h))
+SOURCES   := $(sort $(wildcard lib/*/*.cpp apps/*/*.cpp tests/*/*.cpp))
+FORMATTED := $(SOURCES) $(HEADERS) $(sort $(wildcard apps/*/*.h tests/*.h tests/*/*.h))
+OBJECTS   := $(call objects,$(filter-out tests/fail/%,$(SOURCES)))
+LONE      := $(HEADERS:%=$(OUT)/%.ok)
+
+# A check writes a log; summary.awk judges any set of logs.
+CHECKS    := format-check headers layers errors-doc fail
+LINT_LOGS := $(CHECKS:%=$(OUT)/log/%.log)
+TEST_LOGS := $(tested:%=$(OUT)/log/%.log) $(SCRIPTS:tests/%=$(OUT)/log/%.log) \
+             $(OUT)/log/layers.log $(OUT)/log/fail.log
+
+# ---- targets ------------------------------------------------------------------------------------
+
+MAKEFLAGS += -rR --no-print-directory
+.SUFFIXES:
+.SECONDEXPANSION:
+.DELETE_ON_ERROR:
+.SECONDARY:
+.PHONY: FORCE all run test matrix lint $(CHECKS) tidy format bench packages hooks clean help
+
+Q    := $(if $(V),,@)
+say   = $(if $(V),,@printf '  %-5s %s\n' $(1) $(2:$(OUT)/%=%))
+# Both cores, unless the user said how many.
+again = $(MAKE) $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc 2>/dev/null || echo 2))
+judge = rm -f $(1); $(again) -k $(1) || true; awk -f tests/lint/summary.awk $(1)
+
+all: $(APPS) $(ARCHIVES) ## build the library and the programs (the default)
+
+run: ## build, then show the teapot: in a window, or as a PNG where there is no display
+	@$(again) $(OUT)/bin/teapot_afd
+	@if [ -n "$$DISPLAY" ]; then $(OUT)/bin/teapot_afd --no-input --backend auto; else \
+	    $(OUT)/bin/teapot_afd --no-input --backend memory --output $(OUT)/teapot.png && \
+	    echo $(OUT)/teapot.png; fi
+
+test: packages-test ## build and run every test; ends with "N passed, N failed"
+	@$(call judge,$(TEST_LOGS))
+
+test-%: packages-test ## the tests of one layer: make test-geom
+	@$(call judge,$(OUT)/log/$*.log)
+
+matrix: packages-test packages-matrix ## every test: each scalar, plain and sanitized, both compilers
+	@MAKE="$(again)" tests/lint/matrix.sh $(BUILD)/matrix
+
+lint: packages-lint ## every check of the source, that is:
+	@$(call judge,$(LINT_LOGS))
+
+$(CHECKS): ## one check alone
+	@$(call judge,$(OUT)/log/$@.log)
+
+tidy: packages-tidy ## clang-tidy, warnings are errors
+	@$(again) -k $(patsubst %.o,%.tidy,$(OBJECTS))
+
+format: packages-lint ## clang-format every file in place
+	$(Q)$(CLANG_FORMAT) -i $(FORMATTED)
+
+bench: packages-bench ## build and run the benchmarks
+	@$(again) $(BENCHES)
+	@set -e; for bench in $(BENCHES); do $$bench $(ARGS); done
+
+packages: packages-build packages-test packages-lint ## install the Debian packages that are missing
+packages-test packages-lint packages-tidy packages-bench packages-matrix: packages-build
+packages-%:
+	@CXX="$(CXX)" tests/lint/packages.sh $(PACKAGES_$*)
+
+hooks: ## run `make lint` before every commit
+	git config core.hooksPath .githooks
+
+clean: ## remove everything made
+	rm -rf $(BUILD)
+
+help: ## this list
+	@awk -F':.*## ' '/^[a-z$$].*:.*## /{sub(/^\$$\(CHECKS\)/, "$(CHECKS)", $$1); \
+	    printf "  %-14s %s\n", $$1, $$2}' Makefile
+	@echo "  REAL=float|double|fixed MODE=release|debug|asan|tsan|cov CXX=g++|clang++ V=1"
+
+# ---- rules --------------------------------------------------------------------------------------
+
+# A file that changes only when its text does: what depends on it is remade when flags or lists do.
+remember = @mkdir -p $(@D); echo '$(strip $(1))' | cmp -s - $@ || echo '$(strip $(1))' > $@
+$(OUT)/flags: FORCE
+	$(call remember,$(LINK))
+$(OUT)/list/%: FORCE
+	$(call remember,$(objects_$*))
+
+$(OUT)/%.o: %.cpp $(OUT)/flags | packages-build
+	$(call say,C++,$@)
+	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(if $(filter tests/%,$<),-Itests) -MD -MP -c $< -o $@
+
+$(OUT)/libl3d_%.a: $$(objects_$$*) $(OUT)/list/%
+	$(call say,AR,$@)
+	$(Q)rm -f $@; ar rcs $@ $(filter %.o,$^)
+
+$(APPS): $(OUT)/bin/%: $$(objects_apps/$$*) $(ARCHIVES) $(OUT)/list/apps/%
+	$(call say,LINK,$@)
+	$(Q)mkdir -p $(@D); $(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -o $@
+
+$(TESTERS): $(OUT)/tests/%_tests: $$(objects_tests/$$*) $$(call archives,$$(call may_use,$$*)) \
+        $(OUT)/list/tests/%
+	$(call say,LINK,$@)
+	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(call may_use,$*)) \
+	    -lgtest -lgtest_main -o $@
+
+$(BENCHES): %: %.o $(call archives,reference $(LAYERS))
+	$(call say,LINK,$@)
+	$(Q)$(LINK) $< $(filter %.a,$^) $(call links,$(LAYERS)) -lbenchmark -ldl -o $@
+
+# ---- logs: each ends with the exit status of what it ran ----------------------------------------
+
+logged = @mkdir -p $(@D); { $(1); } > $@ 2>&1; echo "exit status $$?" >> $@
+
+$(tested:%=$(OUT)/log/%.log): $(OUT)/log/%.log: $(OUT)/tests/%_tests FORCE
+	$(call say,TEST,$*)
+	$(call logged,timeout $(TEST_TIMEOUT) $< --gtest_color=no)
+
+$(OUT)/log/x11/%.log: tests/x11/% $(APPS) FORCE
+	$(call say,TEST,$<)
+	$(call logged,L3D_BIN=$(OUT)/bin timeout $(TEST_TIMEOUT) $<)
+
+$(OUT)/log/format-check.log: FORCE
+	$(call logged,$(CLANG_FORMAT) --dry-run -Werror $(FORMATTED) && echo ok format-check)
+
+$(OUT)/log/headers.log: FORCE
+	$(call logged,$(MAKE) -k $(LONE) && echo ok headers)
+
+$(OUT)/%.h.ok: %.h $(OUT)/flags | packages-build
+	$(Q)mkdir -p $(@D); echo '#include "$(<:lib/%=%)"' | \
+	    $(CXX) $(FLAGS) -MD -MP -MF $@.d -MT $@ -fsyntax-only -x c++ - && touch $@
+
+include_law = awk -f tests/lint/layers.awk -v out=$(OUT)/ \
+    -v law="$(foreach l,$(LAYERS) reference apps,$(l): $(uses_$(l));)" \
+    -v tests_with_reference="$(tests_with_reference)" $(wildcard $(OBJECTS:.o=.d) $(LONE:=.d))
+# Archives are lazy, so a whole one is linked: a call that climbs is an undefined symbol.
+link_law = echo 'int main() {}' | $(LINK) -x c++ - -x none -o $(OUT)/link_law \
+    -Wl,--whole-archive $(OUT)/libl3d_$(1).a -Wl,--no-whole-archive \
+    $(call archives,$(uses_$(1))) $(call links,$(1) $(uses_$(1))) && echo ok link $(1)
+$(OUT)/log/layers.log: $(OBJECTS) $(LONE) $(call archives,$(TOP_DOWN)) FORCE
+	$(call say,LAW,layers)
+	$(call logged,$(include_law) $(foreach l,$(LAYERS) reference,&& $(call link_law,$(l))))
+
+$(OUT)/log/errors-doc.log: FORCE
+	$(call logged,awk -f tests/lint/errors_doc.awk $(HEADERS) && echo ok errors-doc)
+
+$(OUT)/log/fail.log: FORCE | packages-build
+	$(call say,FAIL,tests/fail)
+	$(call logged,tests/lint/must_fail.sh '$(CXX) $(FLAGS)' $(wildcard tests/fail/*.cpp))
+
+$(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o
+	$(call say,TIDY,$<)
+	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ $(FLAGS) $(if $(filter tests/%,$<),-Itests) && touch $@
+
+-include $(wildcard $(OBJECTS:.o=.d) $(LONE:=.d))

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+# config.mk: everything a user may want to change; each value can also be given to make.
+
+VERSION := 0.1.0
+PREFIX  ?= /usr/local
+
+REAL  ?= float#    the scalar l3d_real: float, double or fixed
+MODE  ?= release#  release, debug, asan (with UBSan), tsan or cov
+BUILD ?= build#    where everything made goes, a folder per variant
+
+ifneq ($(filter default undefined,$(origin CXX)),)
+CXX := g++
+endif
+CLANG_FORMAT ?= clang-format
+CLANG_TIDY   ?= clang-tidy
+TEST_TIMEOUT ?= 900#  seconds a test program may take, sanitizers on a slow machine included
+
+# Debian packages, each with its proof: a header that must be found, or a program.
+PACKAGES_build  := g++:$(CXX) libglm-dev:glm/glm.hpp libpng-dev:png.h libx11-dev:X11/Xlib.h \
+    libxext-dev:X11/extensions/XShm.h libcli11-dev:CLI/CLI.hpp nlohmann-json3-dev:nlohmann/json.hpp
+PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool \
+    x11-utils:xwininfo
+PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
+PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
+PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h
+PACKAGES_bench  := libbenchmark-dev:benchmark/benchmark.h

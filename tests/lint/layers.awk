@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+# layers.awk: reads the compiler's dependency files and names every include that breaks the law.
+# Given: out, the variant's folder; law, "layer: layers it may use; ..."; tests_with_reference.
+
+BEGIN {
+    count = split(law, rows, ";")
+    for (i = 1; i <= count; ++i) {
+        split(rows[i], row, ":")
+        layer = row[1]
+        gsub(/ /, "", layer)
+        allow(layer, layer)
+        used = split(row[2], names, " ")
+        for (j = 1; j <= used; ++j)
+            allow(layer, names[j])
+    }
+    used = split(tests_with_reference, names, " ")
+    for (j = 1; j <= used; ++j)
+        allow("tests/" names[j], "reference")
+}
+
+function allow(layer, other) { may[layer, other] = 1 }
+
+# The layer a path of ours belongs to, "" for any other file.
+function layer_of(path,    part) {
+    split(path, part, "/")
+    if (path ~ /^tests\/reference\//)
+        return "reference"
+    return part[1] == "lib" ? part[2] : part[1] == "apps" ? "apps" : ""
+}
+
+function permitted(unit, other,    part) {
+    split(unit, part, "/")
+    if (unit !~ /^tests\//)
+        return (layer_of(unit), other) in may
+    if (part[2] == "bench")
+        return other == "reference" || ("apps", other) in may
+    return (part[2], other) in may || ("tests/" part[2], other) in may
+}
+
+function complain(text) {
+    if (!(text in told))
+        print "not ok include " text
+    told[text] = 1
+}
+
+function check(unit, path,    other, name) {
+    other = layer_of(path)
+    if (other != "" && !permitted(unit, other))
+        complain(unit " must not see " path)
+    name = unit
+    sub(/.*\//, "", name)
+    if (path ~ /\/(X11|GL|GLES[23]?|EGL)\// && name !~ /x11|shm|mesa/)
+        complain(unit " must not see " path " (only files named x11, shm, mesa may)")
+}
+
+# The target of a rule names the unit: build/<variant>/lib/geom/real.o is lib/geom/real.
+index($1, out) == 1 && $1 ~ /:$/ {
+    unit = substr($1, length(out) + 1)
+    sub(/(\.o|\.ok):$/, "", unit)
+    ++units
+}
+
+# Rules without prerequisites come from -MP.
+!(index($1, out) == 1) && $1 ~ /:$/ { next }
+
+{
+    for (i = 1; i <= NF; ++i)
+        if ($i !~ /:$/ && $i != "\\")
+            check(unit, $i)
+}
+
+END {
+    for (text in told)
+        exit 1
+    print units ? "ok include " units " files" : "not ok include: no dependency file"
+    exit !units
+}

@@ -1,0 +1,40 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# packages.sh PACKAGE:PROOF...: makes sure of Debian packages. A proof is a program, or a header.
+# Installs what is missing where that needs no password; else says in one line what to install.
+
+installed() {
+    case $2 in
+    *.h | *.hpp)
+        if command -v dpkg-query > /dev/null; then
+            dpkg-query -W -f '${db:Status-Status}' "$1" 2> /dev/null | grep -q '^installed'
+        else
+            echo "#include <$2>" | ${CXX:-c++} -std=c++20 -fsyntax-only -x c++ - 2> /dev/null
+        fi ;;
+    *) command -v "$2" > /dev/null ;;
+    esac
+}
+
+missing=
+for entry; do
+    installed "${entry%%:*}" "${entry#*:}" || missing="$missing ${entry%%:*}"
+done
+[ "$missing" ] || exit 0
+
+fail() {
+    echo "error: missing packages:$missing ($1)" >&2
+    exit 1
+}
+
+command -v apt-get > /dev/null || fail "Debian's names; no apt-get here to install them"
+as_root=
+if [ "$(id -u)" != 0 ]; then
+    as_root="sudo -n"
+    $as_root true 2> /dev/null || fail "try: sudo apt-get install$missing"
+fi
+echo "  APT  $missing"
+export DEBIAN_FRONTEND=noninteractive
+{
+    $as_root apt-get update &&
+        $as_root apt-get install -y --no-install-recommends $missing
+} > /dev/null || fail "apt-get could not install them"
