@@ -235,26 +235,35 @@ constexpr l3d_fixed<S, F, O> l3d_midpoint(l3d_fixed<S, F, O> a, l3d_fixed<S, F, 
 
 /// A sum of products that is rounded, and brought in range, once: when it is read.
 ///
-/// Expects: fewer than 2^31 products. Partial sums beyond the range cancel as they should.
-template <class S, int F, l3d_overflow O> class l3d_fixed_sum {
+/// Expects: Fixed is an l3d_fixed; fewer than 2^31 products. Partial sums out of range do no harm.
+template <class Fixed> class l3d_fixed_sum {
+    using wide = l3d_detail::wide<typename Fixed::storage>;
+
 public:
-    constexpr void add_product(l3d_fixed<S, F, O> a, l3d_fixed<S, F, O> b) noexcept {
-        const l3d_detail::wide<S> product = l3d_detail::wide<S>{a.raw()} * b.raw();
+    constexpr void add_product(Fixed a, Fixed b) noexcept {
+        const wide product = wide{a.raw()} * b.raw();
         if (__builtin_add_overflow(low_, product, &low_))
             turns_ += product < 0 ? -1 : 1;
     }
+    constexpr void subtract_product(Fixed a, Fixed b) noexcept {
+        const wide product = wide{a.raw()} * b.raw();
+        if (__builtin_sub_overflow(low_, product, &low_))
+            turns_ += product < 0 ? 1 : -1;
+    }
 
-    constexpr l3d_fixed<S, F, O> rounded() const noexcept {
-        // Modulo 2^(2 bits) is enough for wrap: F + bits <= 2 bits.
-        if (O != l3d_overflow::wrap && turns_ != 0)
-            return l3d_fixed<S, F, O>::from_raw(l3d_detail::beyond<S, O>(turns_ < 0));
-        return l3d_fixed<S, F, O>::from_raw(
-            l3d_detail::narrowed<S, O>(l3d_detail::shifted_to_nearest(low_, F)));
+    constexpr Fixed rounded() const noexcept {
+        using storage = typename Fixed::storage;
+        // Wrap needs no turns_: the bits it keeps, fraction_bits and up, are all in low_.
+        if constexpr (Fixed::overflow != l3d_overflow::wrap)
+            if (turns_ != 0)
+                return Fixed::from_raw(l3d_detail::beyond<storage, Fixed::overflow>(turns_ < 0));
+        return Fixed::from_raw(l3d_detail::narrowed<storage, Fixed::overflow>(
+            l3d_detail::shifted_to_nearest(low_, Fixed::fraction_bits)));
     }
 
 private:
-    l3d_detail::wide<S> low_ = 0; ///< the sum modulo 2^(bits of wide), signed
-    int turns_ = 0;               ///< how often the sum left that range upwards
+    wide low_ = 0;  ///< the sum modulo 2^(bits of wide)
+    int turns_ = 0; ///< how often the sum left that range at the upper end, less at the lower
 };
 
 #endif

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// l3d_matrix: four by four numbers that move and project points; GLM's for float and double.
+#ifndef L3D_GEOM_MATRIX_H
+#define L3D_GEOM_MATRIX_H
+
+#include "geom/vector.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <cmath>
+
+/// A linear map of homogeneous points: m * v with v a column, so (a * b) * v is a * (b * v).
+///
+/// Shape:   m(row, column), both 0 to 3; a translation is in column 3. Stored by columns, as GLM
+///          and OpenGL do.
+/// Cost:    in fixed point each component of a product is rounded once.
+template <class T> class l3d_matrix {
+public:
+    /// Uninitialised, as a number is; l3d_matrix<T>{} is all zero.
+    l3d_matrix() = default;
+
+    T& operator()(int row, int column) noexcept { return columns_[column][row]; }
+    const T& operator()(int row, int column) const noexcept { return columns_[column][row]; }
+
+    l3d_vector<T, 4> row(int i) const noexcept {
+        return {columns_[0][i], columns_[1][i], columns_[2][i], columns_[3][i]};
+    }
+    l3d_vector<T, 4> column(int i) const noexcept { return columns_[i]; }
+
+    friend l3d_vector<T, 4> operator*(const l3d_matrix& m, const l3d_vector<T, 4>& v) noexcept {
+        if constexpr (l3d_is_fixed<T>) {
+            l3d_vector<T, 4> result;
+            for (int i = 0; i < 4; ++i)
+                result[i] = l3d_dot<T, 4>(m.row(i), v);
+            return result;
+        } else {
+            return m.columns_ * v;
+        }
+    }
+
+    friend l3d_matrix operator*(const l3d_matrix& a, const l3d_matrix& b) noexcept {
+        l3d_matrix result;
+        for (int i = 0; i < 4; ++i)
+            result.columns_[i] = a * b.columns_[i];
+        return result;
+    }
+
+    friend bool operator==(const l3d_matrix& a, const l3d_matrix& b) noexcept {
+        return a.columns_ == b.columns_;
+    }
+
+private:
+    glm::mat<4, 4, T, glm::defaultp> columns_;
+};
+
+/// Leaves every vector as it is.
+template <class T> l3d_matrix<T> l3d_identity() noexcept {
+    l3d_matrix<T> result{};
+    for (int i = 0; i < 4; ++i)
+        result(i, i) = l3d_from_double<T>(1);
+    return result;
+}
+
+/// Adds (x, y, z) to points (w = 1), and nothing to directions (w = 0).
+template <class T> l3d_matrix<T> l3d_translation(double x, double y, double z) noexcept {
+    l3d_matrix<T> result = l3d_identity<T>();
+    result(0, 3) = l3d_from_double<T>(x);
+    result(1, 3) = l3d_from_double<T>(y);
+    result(2, 3) = l3d_from_double<T>(z);
+    return result;
+}
+
+/// Turns about an axis through the origin, counterclockwise for one at whom the axis points.
+///
+/// Units:   radians; the axis may have any length but zero.
+/// Source:  Rodrigues' formula: R = c I + s [a]x + (1 - c) a a^T for a unit axis a.
+template <class T>
+l3d_matrix<T> l3d_rotation(const l3d_vector<double, 3>& axis, double radians) noexcept {
+    const l3d_vector<double, 3> a = l3d_normalized(axis);
+    const double c = std::cos(radians);
+    const double s = std::sin(radians);
+    l3d_matrix<T> result = l3d_identity<T>();
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        const int k = (i + 2) % 3;
+        result(i, i) = l3d_from_double<T>(c + (1 - c) * a[i] * a[i]);
+        result(j, i) = l3d_from_double<T>((1 - c) * a[i] * a[j] + s * a[k]);
+        result(i, j) = l3d_from_double<T>((1 - c) * a[i] * a[j] - s * a[k]);
+    }
+    return result;
+}
+
+#endif

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// l3d_vector: two to four numbers of one type; GLM's for float and double.
+#ifndef L3D_GEOM_VECTOR_H
+#define L3D_GEOM_VECTOR_H
+
+#include "geom/real.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <type_traits>
+
+/// N components of type T: v[i], +, -, * scalar, ==, and the functions below.
+///
+/// For l3d_fixed, GLM gives the layout and what works component by component. What sums products
+/// is ours: GLM would round every product, and refuses types that are not IEEE 754.
+/// Shape:   2 <= N <= 4.
+template <class T, int N> using l3d_vector = glm::vec<N, T, glm::defaultp>;
+
+namespace l3d_detail {
+
+/// floor(sqrt(value)). Cost: some 7 divisions. Source: Newton's iteration, from above.
+template <class Unsigned> constexpr Unsigned integer_root(Unsigned value) noexcept {
+    if (value == 0)
+        return 0;
+    int digits = 0; // of base 4: value < 4^digits, so root < 2^digits
+    for (Unsigned rest = value; rest != 0; rest >>= 2)
+        ++digits;
+    Unsigned root = Unsigned{1} << digits;
+    for (;;) {
+        const Unsigned better = (root + value / root) >> 1;
+        if (better >= root)
+            return root;
+        root = better;
+    }
+}
+
+/// The Euclidean length of raw numbers, to nearest. Expects: N <= 4, each square fits Wide.
+template <class Wide, int N> constexpr Wide raw_length(const Wide (&raw)[N]) noexcept {
+    using wide_unsigned = std::conditional_t<sizeof(Wide) == 8, std::uint64_t, uint128>;
+    wide_unsigned squares = 0;
+    for (const Wide number : raw) {
+        const auto square = static_cast<wide_unsigned>(number * number);
+        // Only four times -2^(half - 1) leaves the range, half being half the bits of Wide.
+        if (__builtin_add_overflow(squares, square, &squares))
+            return Wide{1} << (4 * sizeof(Wide));
+    }
+    const auto root = integer_root(squares);
+    const bool up = squares - root * root > root; // (root + 1/2)^2 is never an integer: no ties
+    return static_cast<Wide>(root) + Wide{up};
+}
+
+} // namespace l3d_detail
+
+/// Fixed point rounds once, after the sum.
+template <class T, int N> T l3d_dot(const l3d_vector<T, N>& a, const l3d_vector<T, N>& b) noexcept {
+    if constexpr (l3d_is_fixed<T>) {
+        l3d_fixed_sum<T> sum;
+        for (int i = 0; i < N; ++i)
+            sum.add_product(a[i], b[i]);
+        return sum.rounded();
+    } else {
+        return glm::dot(a, b);
+    }
+}
+
+/// Fixed point rounds once per component.
+template <class T>
+l3d_vector<T, 3> l3d_cross(const l3d_vector<T, 3>& a, const l3d_vector<T, 3>& b) noexcept {
+    if constexpr (l3d_is_fixed<T>) {
+        l3d_vector<T, 3> result;
+        for (int i = 0; i < 3; ++i) {
+            const int j = (i + 1) % 3;
+            const int k = (i + 2) % 3;
+            l3d_fixed_sum<T> sum;
+            sum.add_product(a[j], b[k]);
+            sum.subtract_product(a[k], b[j]);
+            result[i] = sum.rounded();
+        }
+        return result;
+    } else {
+        return glm::cross(a, b);
+    }
+}
+
+/// Fixed point rounds the root, nothing before it.
+template <class T, int N> T l3d_length(const l3d_vector<T, N>& v) noexcept {
+    if constexpr (l3d_is_fixed<T>) {
+        using storage = typename T::storage;
+        l3d_detail::wide<storage> raw[N];
+        for (int i = 0; i < N; ++i)
+            raw[i] = v[i].raw();
+        return T::from_raw(l3d_detail::narrowed<storage, T::overflow>(l3d_detail::raw_length(raw)));
+    } else {
+        return glm::length(v);
+    }
+}
+
+namespace l3d_detail {
+
+template <class T, int N> l3d_vector<T, N> normalized_fixed(const l3d_vector<T, N>& v) noexcept {
+    using wide = wide<typename T::storage>;
+    wide raw[N];
+    wide largest = 0;
+    for (int i = 0; i < N; ++i) {
+        raw[i] = v[i].raw();
+        largest = std::max(largest, raw[i] < 0 ? -raw[i] : raw[i]);
+    }
+    if (largest == 0)
+        return v;
+    // A longer vector has the same direction, and a length with less relative rounding error.
+    // Squares still fit: |raw| < 2^(half - 1), half being half the bits of wide.
+    wide scale = 1;
+    while (largest * scale < wide{1} << (4 * sizeof(wide) - 2))
+        scale *= 2;
+    for (wide& number : raw)
+        number *= scale;
+    const wide length = raw_length(raw);
+    l3d_vector<T, N> result;
+    for (int i = 0; i < N; ++i)
+        result[i] = T::from_raw(narrowed<typename T::storage, T::overflow>(
+            divided_to_nearest(raw[i] * (wide{1} << T::fraction_bits), length)));
+    return result;
+}
+
+} // namespace l3d_detail
+
+/// v divided by its length; a vector of length zero is returned as it is.
+///
+/// Expects: in floating point, that the squares of the components neither overflow nor vanish.
+///          Fixed point has no such limit, and short vectors lose no accuracy.
+template <class T, int N> l3d_vector<T, N> l3d_normalized(const l3d_vector<T, N>& v) noexcept {
+    if constexpr (l3d_is_fixed<T>) {
+        return l3d_detail::normalized_fixed<T, N>(v);
+    } else {
+        const T length = glm::length(v);
+        return length > 0 ? v / length : v;
+    }
+}
+
+/// The same vector in another number type.
+template <class To, class From, int N>
+l3d_vector<To, N> l3d_converted(const l3d_vector<From, N>& v) noexcept {
+    l3d_vector<To, N> result;
+    for (int i = 0; i < N; ++i)
+        result[i] = l3d_from_double<To>(l3d_to_double(v[i]));
+    return result;
+}
+
+#endif
