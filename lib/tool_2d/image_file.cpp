@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// PNG by libpng's simplified interface; PPM and PFM by hand.
+#include "tool_2d/image_file.h"
+
+#include "tool_2d/error.h"
+#include "tool_2d/output_file_p.h"
+#include "tool_2d/screen_info.h"
+
+#include <algorithm>
+#include <bit>
+#include <cctype>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+#include <png.h>
+
+namespace {
+
+using l3d_detail::output_file;
+using l3d_detail::throw_write_error;
+
+constexpr std::size_t rgb_bytes = 3;
+
+void append_rgb(std::vector<std::uint8_t>& bytes, std::span<const std::uint32_t> words) {
+    for (const auto word : words) {
+        bytes.push_back(static_cast<std::uint8_t>(word >> 16));
+        bytes.push_back(static_cast<std::uint8_t>(word >> 8));
+        bytes.push_back(static_cast<std::uint8_t>(word));
+    }
+}
+
+void write_bytes(std::FILE* file, const std::string& name, std::span<const std::uint8_t> bytes) {
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size())
+        throw_write_error(name);
+}
+
+void write_text(std::FILE* file, const std::string& name, const std::string& text) {
+    if (std::fputs(text.c_str(), file) == EOF)
+        throw_write_error(name);
+}
+
+bool ends_with(std::string_view path, std::string_view lower_case_end) {
+    if (path.size() < lower_case_end.size())
+        return false;
+    const auto end = path.substr(path.size() - lower_case_end.size());
+    return std::equal(end.begin(), end.end(), lower_case_end.begin(), [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) == b;
+    });
+}
+
+/// libpng's picture, which holds memory between its calls.
+struct png_picture : png_image {
+    png_picture() : png_image{} { version = PNG_IMAGE_VERSION; }
+    png_picture(const png_picture&) = delete;
+    png_picture& operator=(const png_picture&) = delete;
+    ~png_picture() { png_image_free(this); }
+};
+
+} // namespace
+
+void l3d_write_png(const std::string& path, const l3d_pixels& pixels) {
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(rgb_bytes * static_cast<std::size_t>(pixels.width) *
+                  static_cast<std::size_t>(pixels.height));
+    for (int y = 0; y < pixels.height; ++y)
+        append_rgb(bytes, pixels.row(y));
+
+    png_picture picture;
+    picture.width = static_cast<png_uint_32>(pixels.width);
+    picture.height = static_cast<png_uint_32>(pixels.height);
+    picture.format = PNG_FORMAT_RGB;
+    output_file file(path);
+    errno = 0;
+    if (png_image_write_to_stdio(&picture, file.get(), 0, bytes.data(), 0, nullptr) == 0) {
+        if (errno != 0)
+            throw_write_error(path);
+        throw l3d_error(l3d_exit::failure, path + ": " + picture.message);
+    }
+    file.commit();
+}
+
+void l3d_write_ppm(std::FILE* file, const std::string& name, const l3d_pixels& pixels) {
+    write_text(file, name,
+               "P6\n" + std::to_string(pixels.width) + " " + std::to_string(pixels.height) +
+                   "\n255\n");
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(rgb_bytes * static_cast<std::size_t>(pixels.width));
+    for (int y = 0; y < pixels.height; ++y) {
+        bytes.clear();
+        append_rgb(bytes, pixels.row(y));
+        write_bytes(file, name, bytes);
+    }
+    if (std::fflush(file) != 0)
+        throw_write_error(name);
+}
+
+void l3d_write_ppm(const std::string& path, const l3d_pixels& pixels) {
+    output_file file(path);
+    l3d_write_ppm(file.get(), path, pixels);
+    file.commit();
+}
+
+void l3d_write_pfm(const std::string& path, int width, int height, std::span<const float> values) {
+    assert(values.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    output_file file(path);
+    // A negative scale says that the floats are little-endian.
+    write_text(file.get(), path,
+               "Pf\n" + std::to_string(width) + " " + std::to_string(height) + "\n-1.0\n");
+    std::vector<std::uint8_t> bytes;
+    for (int y = height - 1; y >= 0; --y) {
+        bytes.clear();
+        const auto columns = static_cast<std::size_t>(width);
+        for (const float value : values.subspan(static_cast<std::size_t>(y) * columns, columns)) {
+            const auto bits = std::bit_cast<std::uint32_t>(value);
+            for (int shift = 0; shift < 32; shift += 8)
+                bytes.push_back(static_cast<std::uint8_t>(bits >> shift));
+        }
+        write_bytes(file.get(), path, bytes);
+    }
+    file.commit();
+}
+
+void l3d_write_image(const std::string& path, const l3d_pixels& pixels) {
+    if (ends_with(path, ".png"))
+        l3d_write_png(path, pixels);
+    else if (ends_with(path, ".ppm"))
+        l3d_write_ppm(path, pixels);
+    else
+        throw l3d_error(l3d_exit::usage, path + ": the name must end in .png or .ppm");
+}
+
+l3d_image l3d_read_png(const std::string& path) {
+    const l3d_detail::unique_file file(std::fopen(path.c_str(), "rb"));
+    if (!file)
+        throw l3d_error(l3d_exit::bad_input, path + ": " + std::strerror(errno));
+    png_picture picture;
+    std::vector<std::uint8_t> bytes;
+    bool well = png_image_begin_read_from_stdio(&picture, file.get()) != 0;
+    if (well) {
+        picture.format = PNG_FORMAT_RGB;
+        bytes.resize(PNG_IMAGE_SIZE(picture));
+        const png_color black{};
+        well = png_image_finish_read(&picture, &black, bytes.data(), 0, nullptr) != 0;
+    }
+    if (!well)
+        throw l3d_error(l3d_exit::bad_input, path + ": " + picture.message);
+
+    l3d_image image({static_cast<int>(picture.width), static_cast<int>(picture.height)},
+                    static_cast<std::ptrdiff_t>(picture.width));
+    const auto* rgb = bytes.data();
+    for (int y = 0; y < image.pixels().height; ++y) {
+        for (auto& word : image.pixels().row(y)) {
+            word = l3d_screen_info::ext_to_native(rgb[0], rgb[1], rgb[2]);
+            rgb += rgb_bytes;
+        }
+    }
+    return image;
+}

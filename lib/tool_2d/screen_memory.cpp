@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// l3d_screen_memory: padded pixels, and nothing else.
+#include "tool_2d/screen_memory.h"
+
+#include <new>
+
+namespace {
+
+// One cache line of 64 bytes. At least one word of padding is always there.
+constexpr int words_per_line = 16;
+
+std::ptrdiff_t padded_stride(int width) {
+    return (static_cast<std::ptrdiff_t>(width) / words_per_line + 1) * words_per_line;
+}
+
+} // namespace
+
+l3d_screen_memory::l3d_screen_memory(l3d_size size) : image_(size, padded_stride(size.width)) {
+    assert(size.width >= 1 && size.height >= 1);
+}
+
+std::string l3d_screen_memory::do_describe() const {
+    return "memory: depth 24, 32 bits per pixel, this machine's byte order";
+}
+
+std::unique_ptr<l3d_screen> l3d_screen_factory_memory::do_create(const l3d_screen_request& request,
+                                                                 std::string& why) const {
+    try {
+        return std::make_unique<l3d_screen_memory>(request.size);
+    } catch (const std::bad_alloc&) {
+        why = "not enough memory for a picture of " + std::to_string(request.size.width) + "x" +
+              std::to_string(request.size.height);
+        return nullptr;
+    }
+}
