@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// All intersections of a piece of surface with the rays through a grid of picture points.
+#ifndef L3D_REFERENCE_HITS_H
+#define L3D_REFERENCE_HITS_H
+
+#include "reference/net.h"
+
+#include <functional>
+#include <optional>
+
+namespace reference {
+
+/// Sample (i, j) lies at the picture position (x0 + i step, y0 + j step).
+struct sample_grid {
+    double x0 = 0.5, y0 = 0.5, step = 1;
+    int columns = 0, rows = 0;
+
+    rect box() const { return {x0, y0, x0 + (columns - 1) * step, y0 + (rows - 1) * step}; }
+};
+
+/// The surface point (u, v) of the whole patch is seen exactly at sample (i, j).
+struct hit {
+    int i = 0, j = 0;
+    double u = 0, v = 0, w = 0;
+};
+
+/// Proof that a piece maps one to one onto the picture.
+///
+/// For every picture point c in the piece's box, F_c(u, v) = (x - c_x w, y - c_y w) vanishes where
+/// the surface is seen at c. With inverse = DF(middle)^-1, |inverse DF_c - 1| <= contraction in the
+/// maximum norm on the whole piece. Hence at most one zero, and no outline inside.
+struct chart {
+    double inverse[2][2];
+    double contraction;
+};
+/// Empty if no proof was found. Expects: all w > 0.
+std::optional<chart> make_chart(const net& piece);
+
+/// Calls `found` for every intersection with w >= near. One on a seam of pieces comes twice.
+/// Errors: std::runtime_error after 20 million pieces.
+void find_hits(const net& piece, double near, const sample_grid& grid,
+               const std::function<void(const hit&)>& found);
+
+} // namespace reference
+
+#endif

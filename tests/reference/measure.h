@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The verdict: a product's picture measured against the exact one.
+#ifndef L3D_REFERENCE_MEASURE_H
+#define L3D_REFERENCE_MEASURE_H
+
+#include "reference/exact.h"
+#include "reference/region.h"
+
+#include <cstdint>
+#include <span>
+
+namespace reference {
+
+/// Units: counts in pixels of the picture; distances in pixels; relative = |w - w'| / w'.
+struct measurement {
+    std::int64_t covered_product = 0, covered_exact = 0;
+    std::int64_t holes = 0;   ///< uncovered although it and its 8 neighbours are covered exactly
+    std::int64_t missing = 0; ///< covered exactly, not by the product (holes included)
+    std::int64_t extra = 0;   ///< covered by the product only
+
+    double max_extra_distance = 0;   ///< of an extra pixel's centre from the exact surface
+    double max_missing_distance = 0; ///< of a missing pixel's centre from the exact outside
+    bool distances_complete = true;  ///< false if there were more than `most_distances` to find
+
+    std::int64_t depth_compared = 0; ///< pixels away from outlines and jumps of depth
+    double max_depth_relative = 0, mean_depth_relative = 0;
+    double max_depth_px = 0, mean_depth_px = 0; ///< see depth_error_px
+    int worst_depth_x = -1, worst_depth_y = -1; ///< where max_depth_px was found
+};
+
+/// The shortest displacement, in pixels, that explains a depth error: the distance of the product's
+/// point from the exact tangent plane, in a space where depth is measured in pixels too
+/// (one pixel = w / focal).
+double depth_error_px(const exact_sample& exact, const camera_frame& frame, int x, int y, double w);
+
+/// Shape:   product_depth row by row, distance along the view axis, +inf (or 0) where nothing is.
+/// Expects: product_depth of the exact picture's size; region of the same patches and camera.
+measurement measure(std::span<const float> product_depth, const exact_image& exact,
+                    const exact_region& region, int most_distances = 20000);
+
+/// Differences of grey levels on the pixels that `measure` compares the depth of.
+struct shade_difference {
+    std::int64_t compared = 0;
+    int max = 0;
+    double mean = 0, rms = 0;
+};
+/// Shape: product_grey row by row, one byte per pixel; product_depth as for measure.
+shade_difference measure_lambert(std::span<const unsigned char> product_grey,
+                                 std::span<const float> product_depth, const exact_image& exact,
+                                 vec3 light);
+
+} // namespace reference
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Random surfaces in front of a camera, ordinary and nasty ones.
+#ifndef L3D_REFERENCE_RANDOM_PATCHES_H
+#define L3D_REFERENCE_RANDOM_PATCHES_H
+
+#include "reference/exact.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace reference {
+
+enum class patch_kind {
+    moderate,   ///< gently curved, a twentieth to half of the picture wide
+    thin,       ///< one side up to 1e6 times the other
+    folded,     ///< control points thrown about: folds, loops, several layers
+    coincident, ///< control points that coincide, edges collapsed into points
+    stiff,      ///< parametric speed changes up to 1e6 times within the patch
+};
+
+/// All control points lie at w >= 2 near. The same seed gives the same patches everywhere (own
+/// generator, no library distribution).
+std::vector<patch> random_patches(std::uint64_t seed, patch_kind kind, int count,
+                                  const camera& view, picture_size size);
+
+/// k x k patches that share their edges bit for bit and together cover the whole window.
+///
+/// Each patch's parameters are turned and mirrored at random (all eight ways). `fold` scales the
+/// displacement of inner control points in cells of the control lattice: below 0.3 hardly any fold,
+/// 2 folds everywhere. The depth of neighbouring control points differs by up to 1 : 1 + depth.
+///
+/// That they cover the window is sure: the outer control points, hence the hulls of the outer
+/// edges, stay beyond the window's sides, so the outer boundary runs round it once.
+std::vector<patch> random_tiling(std::uint64_t seed, int k, double fold, double depth,
+                                 const camera& view, picture_size size);
+
+} // namespace reference
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// How far a picture point is from what the exact surface covers, and from what it does not.
+#ifndef L3D_REFERENCE_REGION_H
+#define L3D_REFERENCE_REGION_H
+
+#include "reference/exact.h"
+#include "reference/hits.h"
+
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace reference {
+
+/// The part of the picture plane that the patches cover (union of the images of all surface points
+/// with w >= near), also outside the window.
+///
+/// Shape: holds the patches cut into pieces of about 32 pixels.
+class exact_region {
+public:
+    exact_region(std::span<const patch> patches, const camera& view, picture_size size);
+
+    bool covers(double x, double y) const;
+
+    /// Least distance from the picture point to the image of any patch; 0 if covered; infinite if
+    /// there is none. Units: pixels; too large by 1e-4 at most.
+    double distance_to_exact_surface(double x, double y) const;
+
+    /// lower is proved: the nearest point of any outline (patch boundary, silhouette, near plane),
+    /// seams inside the region included, less 2e-3. upper is witnessed by an uncovered point; it is
+    /// the distance itself up to about 1e-3 of it unless the uncovered part is a sliver.
+    struct interval {
+        double lower = 0, upper = std::numeric_limits<double>::infinity();
+    };
+    /// Both 0 if the point is not covered. upper is infinite if nothing was found within `limit`.
+    interval distance_to_uncovered(double x, double y, double limit = 32) const;
+
+private:
+    struct piece {
+        net surface;
+        rect box;
+        bool bounded; ///< false: reaches w <= 0, has no box
+    };
+    void add(const net& surface, const rect& window, int depth);
+    double outline_distance(double x, double y) const;
+    double nearest_gap(double x, double y, double radius) const;
+
+    double near_;
+    std::vector<piece> pieces_;
+};
+
+} // namespace reference
+
+#endif
