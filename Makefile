@@ -205,10 +205,12 @@ include_law = awk -f tests/lint/layers.awk -v out=$(OUT)/ \
 # Archives are lazy, so a whole one is linked: a call that climbs is an undefined symbol.
 link_law = echo 'int main() {}' | $(LINK) -x c++ - -x none -o $(OUT)/link_law \
     -Wl,--whole-archive $(OUT)/libl3d_$(1).a -Wl,--no-whole-archive \
-    $(call archives,$(uses_$(1))) $(call links,$(1) $(uses_$(1))) && echo ok link $(1)
+    $(call archives,$(uses_$(1))) $(call links,$(1) $(uses_$(1))) && \
+    echo ok link $(1) || { echo not ok link $(1); worst=1; }
 $(OUT)/log/layers.log: $(OBJECTS) $(LONE) $(call archives,$(TOP_DOWN)) FORCE
 	$(call say,LAW,layers)
-	$(call logged,$(include_law) $(foreach l,$(LAYERS) reference,&& $(call link_law,$(l))))
+	$(call logged,worst=0; $(include_law) || worst=1; \
+	    $(foreach l,$(LAYERS) reference,$(call link_law,$(l));) (exit $$worst))
 
 $(OUT)/log/errors-doc.log: FORCE
 	$(call logged,awk -f tests/lint/errors_doc.awk $(HEADERS) && echo ok errors-doc)

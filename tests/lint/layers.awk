@@ -37,26 +37,28 @@ function permitted(unit, other,    part) {
     return (part[2], other) in may || ("tests/" part[2], other) in may
 }
 
-function complain(text) {
-    if (!(text in told))
-        print "not ok include " text
-    told[text] = 1
+# One complaint per file and offended layer is enough.
+function complain(unit, what, path) {
+    if (!((unit, what) in told))
+        print "not ok include: " unit " must not see " path
+    told[unit, what] = 1
 }
 
 function check(unit, path,    other, name) {
     other = layer_of(path)
     if (other != "" && !permitted(unit, other))
-        complain(unit " must not see " path)
+        complain(unit, other, path)
     name = unit
     sub(/.*\//, "", name)
     if (path ~ /\/(X11|GL|GLES[23]?|EGL)\// && name !~ /x11|shm|mesa/)
-        complain(unit " must not see " path " (only files named x11, shm, mesa may)")
+        complain(unit, "a window system", path " (only files named x11, shm or mesa may)")
 }
 
-# The target of a rule names the unit: build/<variant>/lib/geom/real.o is lib/geom/real.
+# The target of a rule names the unit: build/<variant>/lib/geom/real.o is lib/geom/real.cpp.
 index($1, out) == 1 && $1 ~ /:$/ {
     unit = substr($1, length(out) + 1)
-    sub(/(\.o|\.ok):$/, "", unit)
+    sub(/\.o:$/, ".cpp", unit)
+    sub(/\.ok:$/, "", unit)
     ++units
 }
 
@@ -70,8 +72,8 @@ index($1, out) == 1 && $1 ~ /:$/ {
 }
 
 END {
-    for (text in told)
+    for (complaint in told)
         exit 1
-    print units ? "ok include " units " files" : "not ok include: no dependency file"
+    print units ? "ok include, " units " files" : "not ok include: no dependency file"
     exit !units
 }
