@@ -16,8 +16,8 @@ struct scan_point {
     std::int32_t x = 0, y = 0;
 };
 
-/// A numerator below is at most (2^28 + 2^7) 2^29 + 2^29 2^29 < 2^59, far from the end of 64 bits.
-inline constexpr std::int32_t scan_limit = 1 << 28;
+/// A numerator below is then at most (2^29 + 2^7) 2^30 + 2^30 2^30 < 2^61, inside 64 bits.
+inline constexpr std::int32_t scan_limit = 1 << 29;
 
 /// Index of the first pixel whose centre is not before a position: ceil((position - 128) / 256).
 constexpr std::int32_t first_centre(std::int32_t position) {
@@ -74,7 +74,7 @@ private:
 
     /// floor(n / d) and the rest in [0, d), exactly.
     ///
-    /// |n / d| <= 2^29, so the double quotient is wrong by less than 2^29 * 2^-51 = 2^-22 and its
+    /// |n / d| <= 2^30, so the double quotient is wrong by less than 2^30 * 2^-51 = 2^-21 and its
     /// nearest integer is the floor or one more; the integer rest tells which.
     static quotient floor_quotient(std::int64_t n, std::int64_t d, double inverse) {
         std::int64_t whole = std::lrint(static_cast<double>(n) * inverse);
