@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// Who compiles against the library must say which l3d_real it was built with.
+#ifdef L3D_MUST_FAIL
+#undef L3D_REAL_FLOAT
+#undef L3D_REAL_DOUBLE
+#undef L3D_REAL_FIXED
+#endif
+#include "geom/real.h"
