@@ -41,8 +41,8 @@ enum class l3d_event_type {
 /// One event. Fields that do not belong to the type are zero.
 struct l3d_event {
     l3d_event_type type{};
-    int key = 0;      ///< key_*: ASCII code or l3d_key
-    int button = 0;   ///< button_*: 1 left, 2 middle, 3 right; pointer_motion: the button held, or 0
+    int key = 0;    ///< key_*: ASCII code or l3d_key
+    int button = 0; ///< button_*: 1 left, 2 middle, 3 right; pointer_motion: the button held, or 0
     int x = 0, y = 0; ///< pointer position in pixels; wheel: y is +1 away from the user, -1 towards
     l3d_size size{};  ///< resize
 };

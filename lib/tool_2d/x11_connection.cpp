@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// x11_connection: opening, error handlers, sleeping.
+#include "tool_2d/x11_connection_p.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdlib>
+#include <mutex>
+#include <vector>
+
+#include <poll.h>
+
+namespace l3d_detail {
+
+/// The state of the process-wide handlers, which Xlib calls without any argument of ours.
+struct x11_handlers {
+    std::mutex mutex;
+    std::vector<x11_connection*> connections;
+    XErrorHandler previous_error = nullptr;
+    XIOErrorHandler previous_io_error = nullptr;
+
+    static x11_handlers& instance() {
+        static x11_handlers handlers;
+        return handlers;
+    }
+
+    void add(x11_connection& connection);
+    void remove(x11_connection& connection);
+
+    x11_connection* find(Display* display) {
+        const std::lock_guard lock(mutex);
+        const auto found = std::ranges::find(connections, display, &x11_connection::display_);
+        return found == connections.end() ? nullptr : *found;
+    }
+
+    static int on_error(Display* display, XErrorEvent* error);
+    static int on_io_error(Display* display);
+    static void on_io_exit(Display*, void* connection) {
+        static_cast<x11_connection*>(connection)->lost_ = true;
+    }
+};
+
+void x11_handlers::add(x11_connection& connection) {
+    const std::lock_guard lock(mutex);
+    if (connections.empty()) {
+        previous_error = XSetErrorHandler(on_error);
+        previous_io_error = XSetIOErrorHandler(on_io_error);
+    }
+    connections.push_back(&connection);
+    XSetIOErrorExitHandler(connection.display_, on_io_exit, &connection);
+}
+
+void x11_handlers::remove(x11_connection& connection) {
+    const std::lock_guard lock(mutex);
+    std::erase(connections, &connection);
+    if (!connections.empty())
+        return;
+    // Someone who came after us may stand in front now; then their handler stays.
+    if (const auto current = XSetErrorHandler(previous_error); current != on_error)
+        XSetErrorHandler(current);
+    if (const auto current = XSetIOErrorHandler(previous_io_error); current != on_io_error)
+        XSetIOErrorHandler(current);
+}
+
+int x11_handlers::on_error(Display* display, XErrorEvent* error) {
+    auto& handlers = instance();
+    auto* connection = handlers.find(display);
+    if (connection == nullptr)
+        return handlers.previous_error(display, error);
+    // Outside a trap: a window that someone else destroyed under us. DestroyNotify tells of it.
+    if (connection->trap_serial_ != 0 && error->serial >= connection->trap_serial_ &&
+        connection->trapped_error_ == 0)
+        connection->trapped_error_ = error->error_code;
+    return 0;
+}
+
+int x11_handlers::on_io_error(Display* display) {
+    auto& handlers = instance();
+    return handlers.find(display) == nullptr ? handlers.previous_io_error(display) : 0;
+}
+
+std::unique_ptr<x11_connection> x11_connection::open(std::string& why) {
+    const char* name = std::getenv("DISPLAY");
+    if (name == nullptr || *name == '\0') {
+        why = name == nullptr ? "DISPLAY is not set" : "DISPLAY is empty";
+        return nullptr;
+    }
+    Display* display = XOpenDisplay(name);
+    if (display == nullptr) {
+        why = std::string("cannot connect to DISPLAY \"") + name + "\"";
+        return nullptr;
+    }
+    return std::unique_ptr<x11_connection>(new x11_connection(display));
+}
+
+x11_connection::x11_connection(Display* display) : display_(display) {
+    x11_handlers::instance().add(*this);
+}
+
+x11_connection::~x11_connection() {
+    XCloseDisplay(display_);
+    x11_handlers::instance().remove(*this);
+}
+
+bool x11_connection::wait_readable(std::chrono::steady_clock::time_point deadline) const {
+    using namespace std::chrono;
+    const auto left = deadline - steady_clock::now();
+    if (lost_ || left <= left.zero())
+        return false;
+    const auto whole = duration_cast<seconds>(left);
+    const timespec timeout{whole.count(), duration_cast<nanoseconds>(left - whole).count()};
+    pollfd server{ConnectionNumber(display_), POLLIN, 0};
+    return ppoll(&server, 1, &timeout, nullptr) > 0;
+}
+
+x11_error_trap::x11_error_trap(x11_connection& connection) : connection_(connection) {
+    assert(connection.trap_serial_ == 0);
+    connection.trap_serial_ = NextRequest(connection.display_);
+    connection.trapped_error_ = 0;
+}
+
+x11_error_trap::~x11_error_trap() {
+    connection_.trap_serial_ = 0;
+}
+
+int x11_error_trap::sync() {
+    XSync(connection_.display_, False);
+    return connection_.trapped_error_;
+}
+
+} // namespace l3d_detail

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// x11_visual: lists, filters and ranks what the screen offers.
+#include "tool_2d/x11_visual_p.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <iomanip>
+#include <memory>
+#include <span>
+#include <sstream>
+#include <tuple>
+#include <vector>
+
+#include <X11/Xutil.h>
+
+namespace l3d_detail {
+namespace {
+
+struct x11_freer {
+    void operator()(void* memory) const { XFree(memory); }
+};
+template <class T> using x11_list = std::unique_ptr<T[], x11_freer>;
+
+/// Fills in how pixels of this depth are stored.
+void set_storage(Display* display, l3d_pixel_layout& layout) {
+    int count = 0;
+    const x11_list<XPixmapFormatValues> formats(XListPixmapFormats(display, &count));
+    layout.bits_per_pixel = 0;
+    layout.byte_order =
+        ImageByteOrder(display) == LSBFirst ? std::endian::little : std::endian::big;
+    for (int i = 0; i < count; ++i) {
+        if (formats[static_cast<std::size_t>(i)].depth == layout.depth) {
+            layout.bits_per_pixel = formats[static_cast<std::size_t>(i)].bits_per_pixel;
+            layout.scanline_pad = formats[static_cast<std::size_t>(i)].scanline_pad;
+        }
+    }
+}
+
+x11_visual with_layout(Display* display, const XVisualInfo& info) {
+    x11_visual visual;
+    visual.visual = info.visual;
+    visual.layout.depth = info.depth;
+    visual.layout.red_mask = static_cast<std::uint32_t>(info.red_mask);
+    visual.layout.green_mask = static_cast<std::uint32_t>(info.green_mask);
+    visual.layout.blue_mask = static_cast<std::uint32_t>(info.blue_mask);
+    set_storage(display, visual.layout);
+    return visual;
+}
+
+std::array<std::uint32_t, 3> masks_of(const l3d_pixel_layout& layout) {
+    return {layout.red_mask, layout.green_mask, layout.blue_mask};
+}
+
+bool convertible(const l3d_pixel_layout& layout) {
+    const auto whole_bytes =
+        layout.bits_per_pixel >= 8 && layout.bits_per_pixel <= 32 && layout.bits_per_pixel % 8 == 0;
+    // One run of at most 16 ones: shifted down and increased it is a power of two.
+    return whole_bytes && std::ranges::all_of(masks_of(layout), [](std::uint32_t mask) {
+               const auto run = mask == 0 ? 0 : mask >> std::countr_zero(mask);
+               return run != 0 && run <= 0xFFFF && std::has_single_bit(run + 1);
+           });
+}
+
+/// Orders visuals: no loss of our eight bits first, then no alpha, then more colours.
+auto rank(const x11_visual& visual) {
+    int fewest = 8, all = 0;
+    for (const auto mask : masks_of(visual.layout)) {
+        fewest = std::min(fewest, std::popcount(mask));
+        all += std::popcount(mask);
+    }
+    return std::tuple(fewest, visual.layout.depth != 32, all);
+}
+
+std::string refusal(const XVisualInfo& info) {
+    constexpr std::array names{"StaticGray",  "GrayScale", "StaticColor",
+                               "PseudoColor", "TrueColor", "DirectColor"};
+    std::ostringstream text;
+    text << "no usable TrueColor visual on this display; its default is "
+         << names.at(static_cast<std::size_t>(info.c_class)) << ", depth " << info.depth
+         << ", masks " << std::hex << info.red_mask << "/" << info.green_mask << "/"
+         << info.blue_mask;
+    return text.str();
+}
+
+} // namespace
+
+std::optional<x11_visual> choose_x11_visual(const x11_connection& connection, std::string& why) {
+    XVisualInfo wanted{};
+    wanted.screen = connection.screen();
+    int count = 0;
+    const x11_list<XVisualInfo> list(
+        XGetVisualInfo(connection.display(), VisualScreenMask, &wanted, &count));
+    const auto* default_visual = DefaultVisual(connection.display(), connection.screen());
+
+    std::optional<x11_visual> best;
+    for (const auto& info : std::span(list.get(), static_cast<std::size_t>(count))) {
+        const bool is_default = info.visual == default_visual;
+        const auto candidate = with_layout(connection.display(), info);
+        const bool usable = info.c_class == TrueColor && convertible(candidate.layout);
+        if (is_default && !usable)
+            why = refusal(info);
+        if (is_default && usable)
+            return candidate;
+        if (usable && (!best || rank(candidate) > rank(*best)))
+            best = candidate;
+    }
+    return best;
+}
+
+} // namespace l3d_detail

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// x11_window: a window, and everything that other programs want to know about it.
+#ifndef L3D_TOOL_2D_X11_WINDOW_P_H
+#define L3D_TOOL_2D_X11_WINDOW_P_H
+
+#include "tool_2d/screen.h"
+#include "tool_2d/x11_connection_p.h"
+#include "tool_2d/x11_visual_p.h"
+
+#include <memory>
+#include <string>
+
+namespace l3d_detail {
+
+/// Names that X knows by number.
+struct x11_atoms {
+    Atom wm_protocols = 0;
+    Atom wm_delete_window = 0;
+    Atom net_wm_ping = 0;
+    Atom net_wm_pid = 0;
+    Atom net_wm_name = 0;
+    Atom utf8_string = 0;
+    Atom l3d_put_done = 0; ///< ours: see x11_image::put
+};
+
+/// Owns connection, colormap, window and graphics context.
+class x11_window {
+public:
+    /// Makes a window that is not on the screen yet.
+    /// Errors:  null, with one line in `why`.
+    static std::unique_ptr<x11_window> open(const l3d_screen_request& request, std::string& why);
+
+    x11_window(const x11_window&) = delete;
+    x11_window& operator=(const x11_window&) = delete;
+    ~x11_window();
+
+    x11_connection& connection() const { return *connection_; }
+    Display* display() const { return connection_->display(); }
+    Window id() const { return window_; }
+    GC graphics() const { return graphics_; }
+    Visual* visual() const { return visual_.visual; }
+    const x11_atoms& atoms() const { return atoms_; }
+    const l3d_screen_info& info() const { return info_; }
+
+    void map() { XMapWindow(display(), window_); }
+
+    /// Takes the keyboard if there is no window manager, who would give it to us.
+    /// Expects: the window is on the screen.
+    void focus_if_unmanaged();
+
+private:
+    x11_window(std::unique_ptr<x11_connection> connection, const x11_visual& visual);
+
+    void create(l3d_size size);
+    void set_names(const l3d_screen_request& request);
+    void set_protocols();
+
+    std::unique_ptr<x11_connection> connection_;
+    x11_visual visual_;
+    l3d_screen_info info_;
+    x11_atoms atoms_;
+    Colormap colormap_ = 0;
+    Window window_ = 0;
+    GC graphics_ = nullptr;
+};
+
+} // namespace l3d_detail
+
+#endif
