@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// backend_survey: which back-ends can serve here, and the three ways to take one.
+#ifndef L3D_SYSTEM_BACKEND_SURVEY_P_H
+#define L3D_SYSTEM_BACKEND_SURVEY_P_H
+
+#include "system/factory_manager.h"
+
+#include <cstddef>
+#include <iosfwd>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace l3d_detail {
+
+/// The rows of the table, each asked at most once whether it can serve, and the display too:
+/// a silent one may cost seconds.
+///
+/// Lives:   borrows the rows.
+class backend_survey {
+public:
+    explicit backend_survey(std::span<const l3d_backend> rows)
+        : rows_(rows), reasons_(rows.size()) {}
+
+    /// One line per row: its name, whether it can serve, and why not.
+    void list(std::ostream& out);
+
+    /// The row of that name; `named_by` is the option or variable that holds it.
+    ///
+    /// Errors:  l3d_error: usage if there is none, no_display or no_backend if it cannot serve.
+    const l3d_backend& named(const std::string& name, const std::string& named_by);
+
+    /// The first automatic row that serves. A display that was named but cannot be opened is an
+    /// error: whoever set DISPLAY wants a window.
+    ///
+    /// Errors:  l3d_error: no_display, or no_backend with all reasons.
+    const l3d_backend& automatic();
+
+    /// The row that the user takes from a numbered list. Nonsense is asked again; an empty line
+    /// and the end of the input take the default.
+    ///
+    /// Errors:  l3d_error(no_backend), with all reasons, if there is nothing to choose from.
+    const l3d_backend& asked(std::istream& in, std::ostream& out);
+
+private:
+    bool serves(std::size_t i) { return reason(i).empty(); }
+    const std::string& reason(std::size_t i);
+    const std::string& display_problem();
+    bool lacks_display(std::size_t i) { return rows_[i].on_display && !display_problem().empty(); }
+    std::size_t preset(const std::vector<std::size_t>& serving) const;
+    [[noreturn]] void fail_without_display();
+    [[noreturn]] void fail_with_all_reasons();
+
+    std::span<const l3d_backend> rows_;
+    std::vector<std::optional<std::string>> reasons_; ///< why not; empty: it can serve
+    std::optional<std::string> display_problem_;
+};
+
+} // namespace l3d_detail
+
+#endif

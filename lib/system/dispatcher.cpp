@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// l3d_dispatcher: what all kinds share.
+#include "system/dispatcher.h"
+
+#include <cassert>
+
+void l3d_dispatcher::plug(l3d_pipeline& pipeline, l3d_screen& screen) {
+    pipeline_ = &pipeline;
+    screen_ = &screen;
+}
+
+l3d_exit l3d_dispatcher::start() {
+    assert(pipeline_ && screen_);
+    return do_start(*pipeline_, *screen_);
+}
+
+void l3d_dispatcher::deliver(const l3d_event& event, l3d_pipeline& pipeline) {
+    switch (event.type) {
+    case l3d_event_type::key_press:
+        pipeline.key_event(event.key);
+        break;
+    case l3d_event_type::button_press:
+    case l3d_event_type::button_release:
+    case l3d_event_type::pointer_motion:
+    case l3d_event_type::wheel:
+        pipeline.pointer_event(event);
+        break;
+    case l3d_event_type::resize:
+        pipeline.resize_event(event.size);
+        break;
+    case l3d_event_type::close:
+        pipeline.done = true;
+        break;
+    case l3d_event_type::key_release:
+    case l3d_event_type::expose:
+    case l3d_event_type::display_lost:
+        break;
+    }
+}

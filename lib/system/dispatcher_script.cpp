@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// l3d_dispatcher_script: the loop over frames.
+#include "system/dispatcher_script.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+l3d_dispatcher_script::l3d_dispatcher_script(const l3d_frame_settings& settings,
+                                             std::vector<l3d_script_event> script)
+    : settings_(settings), script_(std::move(script)), writer_(settings.output) {
+    assert(std::is_sorted(script_.begin(), script_.end(),
+                          [](const auto& a, const auto& b) { return a.frame < b.frame; }));
+}
+
+l3d_exit l3d_dispatcher_script::do_start(l3d_pipeline& pipeline, l3d_screen& screen) {
+    const int frames = std::max(settings_.frames, 1);
+    auto next = script_.begin();
+    bool stale = true;
+    l3d_exit result = l3d_exit::well;
+    for (int frame = 0; frame < frames; ++frame) {
+        for (; next != script_.end() && next->frame <= frame; ++next) {
+            deliver(next->event, pipeline);
+            stale |= next->event.type == l3d_event_type::resize;
+            if (next->event.type == l3d_event_type::display_lost)
+                result = l3d_exit::display_lost;
+        }
+        if (pipeline.done || result != l3d_exit::well)
+            break;
+        pipeline.update_event(settings_.step());
+        if (stale || pipeline.needs_redraw()) {
+            pipeline.draw_event();
+            screen.show();
+            stale = false;
+        }
+        writer_.frame(screen.pixels());
+        if (pipeline.done)
+            break;
+    }
+    if (stale && !settings_.output.empty())
+        pipeline.draw_event();
+    writer_.finish(screen.pixels());
+    return result;
+}
+
+std::unique_ptr<l3d_dispatcher>
+l3d_dispatcher_factory_script::do_create(const l3d_frame_settings& settings) const {
+    return std::make_unique<l3d_dispatcher_script>(settings);
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// l3d_dispatcher_x11: the dispatcher of programs with a window.
+#ifndef L3D_SYSTEM_DISPATCHER_X11_H
+#define L3D_SYSTEM_DISPATCHER_X11_H
+
+#include "system/dispatcher.h"
+#include "system/frame_writer.h"
+#include "system/signal_watch.h"
+
+#include <optional>
+
+/// Handles all pending events, then makes a frame when one is due, and sleeps in between. A frame
+/// is drawn and shown only if the pipeline needs it or the window has a new size; a window that
+/// was uncovered gets its last picture again. SIGINT and SIGTERM end the loop within 0.2 s.
+class l3d_dispatcher_x11 final : public l3d_dispatcher {
+public:
+    /// Errors:  as l3d_frame_writer.
+    explicit l3d_dispatcher_x11(const l3d_frame_settings& settings);
+
+private:
+    l3d_exit do_start(l3d_pipeline& pipeline, l3d_screen& screen) override;
+
+    l3d_frame_settings settings_;
+    l3d_frame_writer writer_;
+    std::optional<l3d_signal_watch> signals_; ///< kept until the screen is closed
+};
+
+/// Makes dispatchers for programs with a window.
+class l3d_dispatcher_factory_x11 final : public l3d_dispatcher_factory {
+private:
+    /// Errors:  as l3d_frame_writer.
+    std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const override;
+};
+
+#endif

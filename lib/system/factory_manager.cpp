@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// l3d_factory_manager: the rows, and the ways to choose one of them.
+#include "system/factory_manager.h"
+
+#include "tool_2d/screen_memory.h"
+#include "tool_2d/screen_x11.h"
+#include "raster/rasterizer_2d_sw.h"
+#include "system/backend_survey_p.h"
+#include "system/dispatcher_script.h"
+#include "system/dispatcher_x11.h"
+#include "system/options.h"
+
+#include <cassert>
+#include <cstdlib>
+#include <iostream>
+#include <unistd.h>
+#include <utility>
+
+namespace {
+
+/// Holds the place of a kind of screen that is yet to come.
+class screen_factory_missing final : public l3d_screen_factory {
+private:
+    /// Errors:  always false.
+    bool do_can_serve(std::string& why) const override {
+        why = "not built yet";
+        return false;
+    }
+
+    /// Errors:  always null.
+    std::unique_ptr<l3d_screen> do_create(const l3d_screen_request&,
+                                          std::string& why) const override {
+        do_can_serve(why);
+        return nullptr;
+    }
+};
+
+/// A row whose pictures are drawn by the CPU.
+template <class ScreenFactory, class DispatcherFactory>
+l3d_backend row(std::string name, std::string purpose) {
+    l3d_backend made;
+    made.name = std::move(name);
+    made.purpose = std::move(purpose);
+    made.screen_factory = std::make_unique<ScreenFactory>();
+    made.rasterizer_factory = std::make_unique<l3d_rasterizer_2d_sw_imp_factory>();
+    made.dispatcher_factory = std::make_unique<DispatcherFactory>();
+    return made;
+}
+
+/// The value of an environment variable; empty if there is none.
+std::string environment(const char* variable) {
+    const char* const value = std::getenv(variable);
+    return value ? value : "";
+}
+
+} // namespace
+
+l3d_factory_manager::l3d_factory_manager() {
+    l3d_backend xshm = row<screen_factory_missing, l3d_dispatcher_factory_x11>(
+        "xshm", "window, pixels in shared memory: a local display, the fast one");
+    xshm.automatic = true;
+    add(std::move(xshm));
+
+    l3d_backend ximage = row<l3d_screen_factory_ximage, l3d_dispatcher_factory_x11>(
+        "ximage", "window, pixels sent over the wire: any display, remote too");
+    ximage.automatic = true;
+    ximage.on_display = true;
+    add(std::move(ximage));
+
+    add(row<screen_factory_missing, l3d_dispatcher_factory_x11>(
+        "mesa", "Mesa software GL: polygons, a second opinion on every picture"));
+
+    l3d_backend memory = row<l3d_screen_factory_memory, l3d_dispatcher_factory_script>(
+        "memory", "no display: pictures into files");
+    memory.automatic = true;
+    memory.unseen = true;
+    add(std::move(memory));
+}
+
+l3d_factory_manager::~l3d_factory_manager() = default;
+
+void l3d_factory_manager::add(l3d_backend row) {
+    assert(row.screen_factory && row.rasterizer_factory && row.dispatcher_factory);
+    assert(chosen_ == nullptr); // it points into the rows
+    rows_.push_back(std::move(row));
+}
+
+bool l3d_factory_manager::choose(l3d_options& options) {
+    return choose(options, std::cin, std::cout, isatty(STDIN_FILENO) && isatty(STDOUT_FILENO));
+}
+
+bool l3d_factory_manager::choose(l3d_options& options, std::istream& in, std::ostream& out,
+                                 bool may_ask) {
+    const l3d_common_options& common = options.common();
+    l3d_detail::backend_survey survey(rows_);
+    if (common.diagnose)
+        out << "DISPLAY='" << environment("DISPLAY") << "' L3D_BACKEND='"
+            << environment("L3D_BACKEND") << "' terminal=" << (may_ask ? "yes" : "no") << '\n';
+    if (common.diagnose || common.list_backends) {
+        survey.list(out);
+        return false;
+    }
+    const bool by_option = !common.backend.empty();
+    const std::string name = by_option ? common.backend : environment("L3D_BACKEND");
+    verbose_ = common.verbose;
+    if (!name.empty() && name != "ask" && name != "auto") {
+        chosen_ = &survey.named(name, by_option ? "--backend" : "L3D_BACKEND");
+        return true;
+    }
+    const bool ask = may_ask && !common.no_input && name != "auto";
+    chosen_ = ask ? &survey.asked(in, out) : &survey.automatic();
+    if (chosen_->unseen && common.output.empty()) {
+        options.set_output(options.program() + ".png");
+        std::cerr << options.program() << ": no window; the picture goes to " << common.output
+                  << '\n';
+    }
+    return true;
+}
+
+const l3d_backend& l3d_factory_manager::chosen() const {
+    assert(chosen_);
+    return *chosen_;
+}
+
+std::unique_ptr<l3d_screen>
+l3d_factory_manager::create_screen(const l3d_screen_request& request) const {
+    std::string why;
+    auto screen = chosen().screen_factory->create(request, why);
+    if (!screen)
+        throw l3d_error(l3d_exit::no_backend,
+                        "back-end '" + chosen().name + "' cannot serve here: " + why);
+    if (verbose_)
+        std::cerr << chosen().name << ": " << screen->describe() << '\n';
+    return screen;
+}
+
+std::unique_ptr<l3d_rasterizer_2d_imp>
+l3d_factory_manager::create_rasterizer(l3d_pixels target) const {
+    return chosen().rasterizer_factory->create(target);
+}
+
+std::unique_ptr<l3d_dispatcher>
+l3d_factory_manager::create_dispatcher(const l3d_frame_settings& settings) const {
+    return chosen().dispatcher_factory->create(settings);
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// l3d_factory_manager: the table of back-ends, and the choice among them.
+#ifndef L3D_SYSTEM_FACTORY_MANAGER_H
+#define L3D_SYSTEM_FACTORY_MANAGER_H
+
+#include "tool_2d/screen.h"
+#include "raster/rasterizer_2d.h"
+#include "system/dispatcher.h"
+
+#include <cstddef>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+class l3d_options;
+
+/// One row of the table: a way to show pictures.
+struct l3d_backend {
+    std::string name;
+    std::string purpose;     ///< what it is for, in a few words
+    bool automatic = false;  ///< taken without asking if it is the first such row that can serve
+    bool on_display = false; ///< it needs a display
+    bool unseen = false;     ///< nobody sees its pictures unless they are written
+    std::unique_ptr<l3d_screen_factory> screen_factory;
+    std::unique_ptr<l3d_rasterizer_2d_imp_factory> rasterizer_factory;
+    std::unique_ptr<l3d_dispatcher_factory> dispatcher_factory;
+};
+
+/// Knows every back-end, asks each whether it can serve here, and takes one.
+///
+/// The only place that names concrete kinds. Not a global: each program has one in main.
+class l3d_factory_manager {
+public:
+    /// The rows of the library: xshm, ximage, mesa, memory.
+    l3d_factory_manager();
+    l3d_factory_manager(const l3d_factory_manager&) = delete;
+    l3d_factory_manager& operator=(const l3d_factory_manager&) = delete;
+    ~l3d_factory_manager();
+
+    /// One more row, at the end. Expects: all three factories; a name that no row has.
+    void add(l3d_backend row);
+
+    /// Takes the back-end named by --backend, else by the environment's L3D_BACKEND; else, at a
+    /// terminal, asks; else takes the first automatic row that can serve. The memory back-end
+    /// not named, without --output, gets the output `program`.png, and stderr a line about it.
+    /// False: --list-backends or --diagnose was given and answered; the program ends well.
+    ///
+    /// Errors:  l3d_error: usage for an unknown name; no_display if no display can be opened
+    ///          (naming DISPLAY and its value); no_backend, with all reasons, otherwise.
+    bool choose(l3d_options& options);
+
+    /// The same with the prompt's streams named; `may_ask` says whether both are a terminal.
+    bool choose(l3d_options& options, std::istream& in, std::ostream& out, bool may_ask);
+
+    /// Expects: choose() was true.
+    const l3d_backend& chosen() const;
+
+    /// Errors: l3d_error(no_backend) with the reason. Expects: choose() was true.
+    std::unique_ptr<l3d_screen> create_screen(const l3d_screen_request& request) const;
+
+    /// Errors: none. Expects: choose() was true.
+    std::unique_ptr<l3d_rasterizer_2d_imp> create_rasterizer(l3d_pixels target) const;
+
+    /// Errors: as l3d_dispatcher_factory::create. Expects: choose() was true.
+    std::unique_ptr<l3d_dispatcher> create_dispatcher(const l3d_frame_settings& settings) const;
+
+private:
+    std::vector<l3d_backend> rows_;
+    const l3d_backend* chosen_ = nullptr;
+    bool verbose_ = false;
+};
+
+#endif

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// l3d_frame_settings: how many frames a program makes, how fast, and where they are written.
+#ifndef L3D_SYSTEM_FRAME_SETTINGS_H
+#define L3D_SYSTEM_FRAME_SETTINGS_H
+
+#include <string>
+
+/// What a dispatcher is told when it is made.
+struct l3d_frame_settings {
+    /// Units: frames; 0: until the pipeline is done (with a window), one (without a display).
+    int frames = 0;
+
+    /// Units: frames per second; 0: as many as can be made.
+    double fps = 60;
+
+    /// Whether update_event gets 1 / fps instead of the time measured. Always so without a
+    /// display; with a window it makes the pictures repeatable.
+    bool fixed_step = false;
+
+    /// A name for l3d_frame_writer; empty: nothing is written.
+    std::string output;
+
+    /// Units: seconds; the step of time that frames without a measured one get.
+    double step() const { return 1 / (fps > 0 ? fps : 60); }
+};
+
+#endif

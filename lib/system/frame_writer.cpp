@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// l3d_frame_writer: names, numbers and streams.
+#include "system/frame_writer.h"
+
+#include "tool_2d/error.h"
+#include "tool_2d/image_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+namespace {
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+[[noreturn]] void refuse(const std::string& name, const std::string& reason) {
+    throw l3d_error(l3d_exit::usage, "--output: '" + name + "' " + reason);
+}
+
+void check_ending(const std::string& name) {
+    std::string ending = std::filesystem::path(name).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (ending != ".png" && ending != ".ppm")
+        refuse(name, "ends neither in .png nor in .ppm, nor is it - for a stream");
+}
+
+/// A run of frames should not end with the news that its folder never was there.
+void check_folder(const std::string& name) {
+    const auto folder = std::filesystem::path(name).parent_path();
+    std::error_code ignored;
+    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
+        throw l3d_error(l3d_exit::failure,
+                        "--output: '" + name + "': there is no folder '" + folder.string() + "'");
+}
+
+} // namespace
+
+l3d_frame_writer::l3d_frame_writer(const std::string& name) : name_(name) {
+    if (name.empty())
+        return;
+    if (name == "-") {
+        kind_ = kind::stream;
+        return;
+    }
+    check_ending(name);
+    const std::size_t percent = name.find('%');
+    kind_ = percent == std::string::npos ? kind::single : kind::numbered;
+    if (kind_ == kind::numbered)
+        read_number_field(percent);
+    check_folder(kind_ == kind::numbered ? numbered_name() : name);
+}
+
+void l3d_frame_writer::read_number_field(std::size_t percent) {
+    std::size_t at = percent + 1;
+    if (at < name_.size() && name_[at] == '0') {
+        fill_ = '0';
+        ++at;
+    }
+    // One digit is enough: 2^31 frames have ten.
+    if (at < name_.size() && is_digit(name_[at]))
+        digits_ = static_cast<std::size_t>(name_[at++] - '0');
+    if (at >= name_.size() || name_[at] != 'd' || name_.find('%', at) != std::string::npos)
+        refuse(name_, "needs exactly one number field, as in frame%04d.png, and no other %");
+    before_ = name_.substr(0, percent);
+    after_ = name_.substr(at + 1);
+}
+
+std::string l3d_frame_writer::numbered_name() const {
+    std::string number = std::to_string(next_number_);
+    if (number.size() < digits_)
+        number.insert(0, digits_ - number.size(), fill_);
+    return before_ + number + after_;
+}
+
+void l3d_frame_writer::frame(const l3d_pixels& pixels) {
+    if (kind_ == kind::numbered) {
+        l3d_write_image(numbered_name(), pixels);
+        ++next_number_;
+    } else if (kind_ == kind::stream) {
+        const std::string stream = "standard output";
+        l3d_write_ppm(stdout, stream, pixels);
+        if (std::fflush(stdout) != 0)
+            throw l3d_error(l3d_exit::failure, stream + ": " + std::strerror(errno));
+    }
+}
+
+void l3d_frame_writer::finish(const l3d_pixels& pixels) {
+    if (kind_ == kind::single)
+        l3d_write_image(name_, pixels);
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// l3d_frame_writer: puts the frames of a program into files, as --output says.
+#ifndef L3D_SYSTEM_FRAME_WRITER_H
+#define L3D_SYSTEM_FRAME_WRITER_H
+
+#include "tool_2d/pixels.h"
+
+#include <string>
+
+/// Writes what a name asks for:
+///   ""              nothing;
+///   name.png, .ppm  the last frame;
+///   name%04d.png    every frame, numbered from 0 (%d, %5d and %05d are understood);
+///   -               every frame, as a stream of PPM pictures on the standard output.
+class l3d_frame_writer {
+public:
+    /// Errors:  l3d_error: usage for a name that is none of these, failure if its folder is not
+    ///          there; nothing is opened yet.
+    explicit l3d_frame_writer(const std::string& name);
+
+    /// Takes a finished frame. Errors: l3d_error(failure) that names the file.
+    void frame(const l3d_pixels& pixels);
+
+    /// Takes the last picture once more, when no other will follow. Errors: as frame().
+    void finish(const l3d_pixels& pixels);
+
+private:
+    enum class kind { nothing, single, numbered, stream };
+
+    std::string numbered_name() const;
+    void read_number_field(std::size_t percent);
+
+    std::string name_;
+    kind kind_ = kind::nothing;
+    std::string before_, after_; ///< of the number in a numbered name
+    std::size_t digits_ = 0;     ///< its least width
+    char fill_ = ' ';
+    int next_number_ = 0;
+};
+
+#endif

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// l3d_options: the only file that knows the library behind it, CLI11, which is slow to compile.
+#include "system/options.h"
+
+#include "geom/real.h"
+#include "system/number_text.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <fcntl.h>
+#include <iostream>
+#include <limits>
+
+struct l3d_options::parser {
+    CLI::App app;
+};
+
+namespace {
+
+/// The build's VERSION.
+constexpr const char* version_number =
+#ifdef L3D_VERSION
+    L3D_VERSION;
+#else
+    "(no version)";
+#endif
+
+/// The long name of "-s,--long", as messages give it.
+std::string long_name(const std::string& name) {
+    return name.substr(name.rfind(',') + 1);
+}
+
+[[noreturn]] void refuse(const std::string& name, const std::string& text,
+                         const std::string& wanted) {
+    throw l3d_error(l3d_exit::usage, long_name(name) + ": '" + text + "' is not " + wanted);
+}
+
+/// An option with a value, read by ours instead of the library's conversions: these know no NaN
+/// and no ranges, and their messages leave out the value.
+void add_text(CLI::App& app, const std::string& name, const std::string& help,
+              const std::string& kind, const std::string& preset,
+              std::function<void(const std::string&)> read) {
+    app.add_option_function<std::string>(name, std::move(read), help)
+        ->type_name(kind)
+        ->default_str(preset)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+template <class T>
+void add_number(CLI::App& app, const std::string& name, T& value, const std::string& help,
+                const std::string& kind, T least, T most) {
+    const auto read = [name, &value, least, most](const std::string& text) {
+        T number{};
+        if (!l3d_read_number(text, number) || !(number >= least && number <= most))
+            refuse(name, text,
+                   "a number from " + l3d_number_text(least) + " to " + l3d_number_text(most));
+        value = number;
+    };
+    add_text(app, name, help, kind, l3d_number_text(value), read);
+}
+
+void print(std::ostream& out, const std::string& text) {
+    if (!(out << text << std::flush))
+        throw l3d_error(l3d_exit::failure, "cannot write to the standard output");
+}
+
+/// Opens the closed ones among descriptors 0, 1 and 2, for reading only: so that writing to a
+/// closed standard output is still an error.
+void open_standard_streams() {
+    for (int descriptor = 0; descriptor < 3; ++descriptor)
+        if (fcntl(descriptor, F_GETFD) == -1)
+            // The lowest free number is this one; a process without /dev/null has to live as is.
+            static_cast<void>(open("/dev/null", O_RDONLY));
+}
+
+} // namespace
+
+l3d_options::l3d_options(std::string program, const std::string& purpose, l3d_size default_size)
+    : program_(std::move(program)), parser_(std::make_unique<parser>()) {
+    parser_->app.name(program_);
+    parser_->app.description(purpose);
+    parser_->app.set_help_flag("-h,--help", "this text");
+    parser_->app.set_version_flag(
+        "--version", program_ + " (l3d) " + version_number + ", real numbers: " + l3d_real_name(),
+        "the version");
+    parser_->app.allow_extras();
+    parser_->app.get_formatter()->column_width(34);
+    add_common(default_size);
+}
+
+l3d_options::~l3d_options() = default;
+
+void l3d_options::add_common(l3d_size default_size) {
+    common_.size = default_size;
+    CLI::App& app = parser_->app;
+    add_text(app, "--backend", "what shows the pictures; see --list-backends", "NAME", "",
+             [this](const std::string& text) { common_.backend = text; });
+    add("--no-input", common_.no_input, "never ask anything");
+    add("--size", common_.size, "size of the picture");
+    add("--frames", common_.frames,
+        "stop after so many frames, in fixed steps of time; 0: go on (without a display: 1)", 0,
+        std::numeric_limits<int>::max());
+    add("--fps", common_.fps, "frames per second; 0: no limit", 0, 1000);
+    add_number(app, "--seed", common_.seed, "where random numbers start", "NUMBER",
+               std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max());
+    add("--output", common_.output,
+        "write the last frame (.png, .ppm), every frame (frame%04d.png), or - for a PPM stream",
+        "FILE");
+    add("--list-backends", common_.list_backends, "list them and whether they can serve here");
+    add("--diagnose", common_.diagnose, "tell all that the choice of a back-end depends on");
+    add("--verbose", common_.verbose, "tell what was chosen");
+}
+
+void l3d_options::add(const std::string& name, double& value, const std::string& help, double least,
+                      double most) {
+    add_number(parser_->app, name, value, help, "NUMBER", least, most);
+}
+
+void l3d_options::add(const std::string& name, int& value, const std::string& help, int least,
+                      int most) {
+    add_number(parser_->app, name, value, help, "NUMBER", least, most);
+}
+
+void l3d_options::add(const std::string& name, std::string& value, const std::string& help,
+                      const std::string& kind) {
+    add_text(parser_->app, name, help, kind, value, [name, kind, &value](const std::string& text) {
+        if (text.empty())
+            refuse(name, text, "a " + kind);
+        value = text;
+    });
+}
+
+void l3d_options::add(const std::string& name, bool& value, const std::string& help) {
+    parser_->app.add_flag(name, value, help);
+}
+
+void l3d_options::add(const std::string& name, std::array<double, 3>& value,
+                      const std::string& help) {
+    const std::string preset = l3d_number_text(value[0]) + ',' + l3d_number_text(value[1]) + ',' +
+                               l3d_number_text(value[2]);
+    add_text(parser_->app, name, help, "X,Y,Z", preset, [name, &value](const std::string& text) {
+        std::array<double, 3> numbers{};
+        if (!l3d_read_numbers(text, ',', numbers))
+            refuse(name, text, "three numbers X,Y,Z");
+        value = numbers;
+    });
+}
+
+void l3d_options::add(const std::string& name, l3d_size& value, const std::string& help) {
+    const std::string preset = std::to_string(value.width) + 'x' + std::to_string(value.height);
+    const auto read = [name, &value](const std::string& text) {
+        const auto fits = [](int side) { return side >= 1 && side <= l3d_largest_side; };
+        std::array<int, 2> sides{};
+        if (!l3d_read_numbers(text, 'x', sides) || !fits(sides[0]) || !fits(sides[1]))
+            refuse(name, text, "WIDTHxHEIGHT, each from 1 to " + std::to_string(l3d_largest_side));
+        value = {sides[0], sides[1]};
+    };
+    add_text(parser_->app, name, help, "WxH", preset, read);
+}
+
+void l3d_options::add_words(const std::string& name, const std::string& help,
+                            const std::vector<std::string>& words, std::size_t preset,
+                            std::function<void(std::size_t)> chosen) {
+    std::string list;
+    for (const std::string& word : words)
+        list += (list.empty() ? "" : "|") + word;
+    const auto read = [name, words, list, chosen = std::move(chosen)](const std::string& text) {
+        const auto found = std::find(words.begin(), words.end(), text);
+        if (found == words.end())
+            refuse(name, text, "one of " + list);
+        chosen(static_cast<std::size_t>(found - words.begin()));
+    };
+    add_text(parser_->app, name, help, list, words.at(preset), read);
+}
+
+bool l3d_options::parse(int argc, const char* const* argv) {
+    open_standard_streams();
+    return parse(argc, argv, std::cout);
+}
+
+bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
+    // The library wants the arguments last one first.
+    std::vector<std::string> arguments;
+    for (int i = argc - 1; i > 0; --i)
+        arguments.emplace_back(argv[i]);
+    try {
+        parser_->app.parse(std::move(arguments));
+    } catch (const CLI::CallForHelp&) {
+        print(out, parser_->app.help());
+        return false;
+    } catch (const CLI::CallForVersion& version) {
+        print(out, std::string(version.what()) + '\n');
+        return false;
+    } catch (const CLI::ParseError& error) {
+        throw l3d_error(l3d_exit::usage, std::string(error.what()) + " (see --help)");
+    }
+    if (const auto unknown = parser_->app.remaining(); !unknown.empty())
+        throw l3d_error(l3d_exit::usage, "unknown option '" + unknown.front() + "' (see --help)");
+    return true;
+}
+
+l3d_frame_settings l3d_options::frame_settings() const {
+    return {common_.frames, common_.fps, common_.frames > 0, common_.output};
+}
+
+int l3d_report(std::string_view program, const std::exception& error) {
+    std::cerr << program << ": " << error.what() << '\n';
+    const auto* known = dynamic_cast<const l3d_error*>(&error);
+    return static_cast<int>(known ? known->code() : l3d_exit::failure);
+}
+
+int l3d_report(std::string_view program, l3d_exit code) {
+    if (code == l3d_exit::display_lost)
+        std::cerr << program << ": the display was lost\n";
+    return static_cast<int>(code);
+}

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// l3d_options: the command line that all programs share, with room for a program's own options.
+#ifndef L3D_SYSTEM_OPTIONS_H
+#define L3D_SYSTEM_OPTIONS_H
+
+#include "tool_2d/error.h"
+#include "tool_2d/pixels.h"
+#include "system/frame_settings.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// What the options that every program has were set to.
+struct l3d_common_options {
+    std::string backend; ///< a back-end's name, "ask" or "auto"; empty: not given
+    bool no_input = false;
+    bool list_backends = false;
+    bool diagnose = false;
+    bool verbose = false;
+    l3d_size size{};
+    int frames = 0;
+    double fps = 60;
+    std::uint64_t seed = 1;
+    std::string output;
+};
+
+/// Largest width and height of --size: 16384 * 16384 pixels of 4 bytes are 1 GiB, and X11 counts
+/// window sizes in 16 bits.
+inline constexpr int l3d_largest_side = 16384;
+
+/// A command line: declared with add(), then read once with parse().
+///
+/// Every add() borrows a variable: what it holds now is the default that --help prints, and
+/// parse() replaces it. `name` is "--long" or "-s,--long".
+/// Expects: the variables outlive parse(); names are not used twice.
+class l3d_options {
+public:
+    l3d_options(std::string program, const std::string& purpose, l3d_size default_size);
+    l3d_options(const l3d_options&) = delete;
+    l3d_options& operator=(const l3d_options&) = delete;
+    ~l3d_options();
+
+    /// A number from `least` to `most`; NaN and trailing text are refused.
+    void add(const std::string& name, double& value, const std::string& help, double least,
+             double most);
+    void add(const std::string& name, int& value, const std::string& help, int least, int most);
+
+    /// Any text but the empty one; `kind` (FILE, say) is what --help calls it.
+    void add(const std::string& name, std::string& value, const std::string& help,
+             const std::string& kind);
+
+    /// A flag: true when given.
+    void add(const std::string& name, bool& value, const std::string& help);
+
+    /// Three finite numbers X,Y,Z.
+    void add(const std::string& name, std::array<double, 3>& value, const std::string& help);
+
+    /// WIDTHxHEIGHT, each from 1 to l3d_largest_side.
+    void add(const std::string& name, l3d_size& value, const std::string& help);
+
+    /// One of a few words, each meaning a value, as in {{"afd", kind::afd}, {"exact",
+    /// kind::exact}}. Expects: `value` is among them.
+    template <class T>
+    void add_choice(const std::string& name, T& value, const std::string& help,
+                    const std::vector<std::pair<std::string, T>>& choices);
+
+    /// Reads the command line. False: it asked for --help or --version, which `out` has got, and
+    /// the program ends well. A standard stream that was closed is opened on /dev/null first: the
+    /// next socket would get its number, and with it all that is printed.
+    ///
+    /// Errors: l3d_error(usage) that names the option and the value.
+    bool parse(int argc, const char* const* argv);
+    bool parse(int argc, const char* const* argv, std::ostream& out);
+
+    const std::string& program() const { return program_; }
+    const l3d_common_options& common() const { return common_; }
+
+    /// Replaces --output, for a program (or factory manager) that has a better default.
+    void set_output(const std::string& name) { common_.output = name; }
+
+    /// What a dispatcher needs to know. Given --frames, time goes by fixed steps, so that window
+    /// and memory show the same pictures.
+    l3d_frame_settings frame_settings() const;
+
+private:
+    struct parser;
+
+    void add_words(const std::string& name, const std::string& help,
+                   const std::vector<std::string>& words, std::size_t preset,
+                   std::function<void(std::size_t)> chosen);
+    void add_common(l3d_size default_size);
+
+    std::string program_;
+    l3d_common_options common_;
+    std::unique_ptr<parser> parser_;
+};
+
+/// One line on stderr, "program: text", and the exit code that main returns: that of an
+/// l3d_error, or l3d_exit::failure.
+int l3d_report(std::string_view program, const std::exception& error);
+
+/// The same for what l3d_dispatcher::start returned; says nothing if all went well.
+int l3d_report(std::string_view program, l3d_exit code);
+
+template <class T>
+void l3d_options::add_choice(const std::string& name, T& value, const std::string& help,
+                             const std::vector<std::pair<std::string, T>>& choices) {
+    std::vector<std::string> words;
+    std::vector<T> values;
+    std::size_t preset = 0;
+    for (const auto& [word, meaning] : choices) {
+        if (meaning == value)
+            preset = words.size();
+        words.push_back(word);
+        values.push_back(meaning);
+    }
+    add_words(name, help, words, preset, [values, &value](std::size_t i) { value = values[i]; });
+}
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// l3d_signal_watch: lets SIGINT and SIGTERM end a loop in good order.
+#ifndef L3D_SYSTEM_SIGNAL_WATCH_H
+#define L3D_SYSTEM_SIGNAL_WATCH_H
+
+#include <array>
+#include <csignal>
+
+/// While one lives, the first SIGINT or SIGTERM is only noted; a second one of that kind acts as
+/// it did before, for a program that hangs. When it dies, the signals mean again what they meant,
+/// and the one that was noted is raised: the parent process sees a death by that signal.
+/// A signal that was ignored (as by nohup) stays ignored.
+///
+/// Signal handlers are a property of the process: this is the library's only such state.
+/// Expects: at most one at a time.
+class l3d_signal_watch {
+public:
+    l3d_signal_watch();
+    l3d_signal_watch(const l3d_signal_watch&) = delete;
+    l3d_signal_watch& operator=(const l3d_signal_watch&) = delete;
+    ~l3d_signal_watch();
+
+    /// Whether one of the signals came.
+    bool caught() const;
+
+private:
+    std::array<struct sigaction, 2> before_{};
+};
+
+#endif
