@@ -17,8 +17,8 @@ struct l3d_size {
 
 /// A view of the pixels that rasterizers write and screens show.
 ///
-/// Shape:   height rows of `stride` words, of which the first `width` are the picture; row 0 on
-/// top. Units:   one word is 0x00RRGGBB in host byte order, whatever the display; screens convert
+/// Shape:   height rows of `stride` words, the first `width` of each the picture; row 0 on top.
+/// Units:   one word is 0x00RRGGBB in host byte order, whatever the display; screens convert
 ///          when they show.
 /// Lives:   borrows; the screen or image that made it owns the words.
 struct l3d_pixels {
