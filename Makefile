@@ -179,7 +179,7 @@ $(BENCHES): %: %.o $(call archives,reference $(LAYERS))
 
 # ---- logs: each ends with the exit status of what it ran ----------------------------------------
 
-logged = @mkdir -p $(@D); { $(1); } > $@ 2>&1; echo "exit status $$?" >> $@
+logged = $(Q)mkdir -p $(@D); { $(1); } > $@ 2>&1; echo "exit status $$?" >> $@
 
 $(tested:%=$(OUT)/log/%.log): $(OUT)/log/%.log: $(OUT)/tests/%_tests FORCE
 	$(call say,TEST,$*)

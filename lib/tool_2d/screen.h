@@ -46,7 +46,9 @@ public:
     l3d_screen_factory& operator=(const l3d_screen_factory&) = delete;
     virtual ~l3d_screen_factory() = default;
 
-    /// Whether this kind can serve here and now; if not, `why` gets the reason in one line.
+    /// Whether this kind can serve here and now.
+    ///
+    /// Errors: false, with one line in `why`, if it cannot.
     bool can_serve(std::string& why) const { return do_can_serve(why); }
 
     /// Errors: null, with one line in `why`, if this kind cannot serve here.

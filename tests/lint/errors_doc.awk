@@ -4,17 +4,18 @@
 FNR == 1 { comment = declaration = "" }
 
 /^ *\/\/\// { comment = comment $0 "\n"; next }
-/^ *(\/\/|#|$)/ { next }
+/^ *(\/\/|#|$|public:|protected:|private:)/ { next }
 
 {
     declaration = declaration $0
     if (declaration !~ /[;{}]/)
         next
+    sub(/ *[{}].*/, "", declaration)
     # What overrides, and the private half of a public call, is documented where it is first said.
-    fails = declaration ~ /^ *(virtual |static |\[\[nodiscard\]\] )*std::(unique_ptr|optional)<.*[a-z_] *\(/ ||
-            declaration ~ /[(,] *std::string& why/
+    fails = declaration ~ /std::unique_ptr<[^()]*[a-z_]\(/ || declaration ~ /std::string& why/
     if (fails && declaration !~ /override|[ >&*]do_/ && comment !~ /Errors:/) {
-        sub(/^ */, "", declaration)
+        gsub(/  +/, " ", declaration)
+        sub(/^ /, "", declaration)
         printf "%s:%d: no `Errors:` above: %s\n", FILENAME, FNR, declaration
         missing = 1
     }
