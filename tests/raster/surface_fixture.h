@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// A picture with a surface rasterizer in front of it, and random polygons, for the tests.
+#ifndef L3D_TESTS_RASTER_SURFACE_FIXTURE_H
+#define L3D_TESTS_RASTER_SURFACE_FIXTURE_H
+
+#include "raster/surface_rasterizer_sw.h"
+#include "reference_fill.h"
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+/// A picture whose stride is larger than its width, with a guard behind every row.
+struct surface_picture {
+    static constexpr std::uint32_t guard = 0xdeadbeef;
+    static constexpr int gap = 3;
+
+    surface_picture(int width, int height) : size{width, height} {
+        words.assign(static_cast<std::size_t>((width + gap) * height), guard);
+        depth.resize(size);
+    }
+
+    void begin(l3d_shade mode, std::array<float, 3> light = {0, 0, 1}) {
+        for (int y = 0; y < size.height; ++y)
+            for (std::uint32_t& word : pixels().row(y))
+                word = 0;
+        depth.clear();
+        rasterizer.begin(pixels(), depth, {mode, light});
+    }
+
+    l3d_pixels pixels() { return {words.data(), size.width, size.height, size.width + gap}; }
+
+    std::uint32_t word(int x, int y) { return pixels().row(y)[static_cast<std::size_t>(x)]; }
+    float inv_w(int x, int y) { return depth.row(y)[static_cast<std::size_t>(x)]; }
+
+    bool guards_intact() const {
+        for (std::size_t i = 0; i < words.size(); ++i)
+            if (i % static_cast<std::size_t>(size.width + gap) >=
+                    static_cast<std::size_t>(size.width) &&
+                words[i] != guard)
+                return false;
+        return true;
+    }
+
+    /// Draws three corners as a triangle, four as a grid of one cell.
+    void draw(const reference::corners& v) {
+        if (v.size() == 3)
+            return rasterizer.draw_triangle(v[0], v[1], v[2]);
+        l3d_micro_grid grid;
+        grid.resize(2, 2);
+        set(grid, 0, 0, v[0]);
+        set(grid, 0, 1, v[1]);
+        set(grid, 1, 1, v[2]);
+        set(grid, 1, 0, v[3]);
+        rasterizer.draw_grid(grid);
+    }
+
+    static void set(l3d_micro_grid& grid, int row, int column, const l3d_micro_vertex& v) {
+        const std::size_t i = grid.index(row, column);
+        grid.x[i] = v.x;
+        grid.y[i] = v.y;
+        grid.inv_w[i] = v.inv_w;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            grid.normal[axis][i] = v.normal[axis];
+    }
+
+    l3d_size size;
+    std::vector<std::uint32_t> words;
+    l3d_depth_buffer depth;
+    l3d_surface_rasterizer_sw rasterizer;
+};
+
+/// Random polygons of every awkward kind, near a picture of a given size.
+class random_polygons {
+public:
+    random_polygons(unsigned seed, l3d_size size) : random_(seed), size_(size) {}
+
+    int number(int least, int greatest) {
+        return std::uniform_int_distribution<int>(least, greatest)(random_);
+    }
+    float real(float least, float greatest) {
+        return std::uniform_real_distribution<float>(least, greatest)(random_);
+    }
+
+    reference::corners next() {
+        reference::corners v(static_cast<std::size_t>(number(3, 4)));
+        const int kind = number(0, 5);
+        const int x = number(-512, 256 * size_.width + 512);
+        const int y = number(-512, 256 * size_.height + 512);
+        for (l3d_micro_vertex& corner : v) {
+            corner = {x, y, real(0.05f, 2.0f), {real(-1, 1), real(-1, 1), real(-1, 1)}};
+            place(corner, kind);
+        }
+        if (kind == degenerate)
+            degrade(v);
+        else if (number(0, 2) == 0 && kind != far)
+            for (l3d_micro_vertex& corner : v) { // on pixel centres and corners: ties
+                corner.x = corner.x / 128 * 128;
+                corner.y = corner.y / 128 * 128;
+            }
+        return v;
+    }
+
+private:
+    enum { tiny, small, sliver, large, far, degenerate };
+
+    void place(l3d_micro_vertex& v, int kind) {
+        const int reach = kind == tiny ? 300 : kind == large ? 60000 : 3000;
+        if (kind == far) { // up to the ends of the range
+            v.x = number(-(1 << 23), 1 << 23);
+            v.y = number(-(1 << 23), 1 << 23);
+        } else if (kind == sliver) {
+            const int along = number(-8000, 8000);
+            v.x += along + number(-2, 2);
+            v.y += along * 3 / 7 + number(-40, 40);
+        } else {
+            v.x += number(-reach, reach);
+            v.y += number(-reach, reach);
+        }
+    }
+
+    /// Coincident or collinear corners.
+    void degrade(reference::corners& v) {
+        const std::size_t i = static_cast<std::size_t>(number(0, static_cast<int>(v.size()) - 1));
+        const std::size_t next = (i + 1) % v.size(), after = (i + 2) % v.size();
+        v[next].x = v[i].x;
+        v[next].y = v[i].y;
+        if (number(0, 1) == 0) {
+            v[next].x = (v[i].x + v[after].x) / 2;
+            v[next].y = (v[i].y + v[after].y) / 2;
+        }
+    }
+
+    std::mt19937 random_;
+    l3d_size size_;
+};
+
+#endif
