@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// l3d_bezier_patch: a bicubic Bezier patch with exact evaluation.
+#ifndef L3D_GEOM_BEZIER_PATCH_H
+#define L3D_GEOM_BEZIER_PATCH_H
+
+#include "geom/bezier_curve.h"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+/// A bicubic tensor-product Bezier patch in N dimensions.
+///
+/// Shape: 16 control points, index = 4 * row + column; columns run along u, rows along v;
+///        u, v in [0, 1].
+/// Rational form: with homogeneous control points (N = 4: x w, y w, z w, w) the same class is a
+///        rational patch; l3d_projected and l3d_rational_derivatives come back to three dimensions.
+template <class T, int N> struct l3d_bezier_patch {
+    using point = l3d_vector<T, N>;
+    using curve = l3d_bezier_curve<T, N>;
+    std::array<point, 16> points;
+
+    const point& at(int row, int column) const {
+        return points[static_cast<std::size_t>(4 * row + column)];
+    }
+    point& at(int row, int column) { return points[static_cast<std::size_t>(4 * row + column)]; }
+
+    /// Control points of one row (v index fixed) as a curve in u.
+    curve row(int r) const { return {{at(r, 0), at(r, 1), at(r, 2), at(r, 3)}}; }
+
+    /// Control points of one column (u index fixed) as a curve in v.
+    curve column(int c) const { return {{at(0, c), at(1, c), at(2, c), at(3, c)}}; }
+
+    /// The curve v -> S(u, v) for a fixed u.
+    curve curve_at_u(T u) const {
+        return {{row(0).evaluate(u), row(1).evaluate(u), row(2).evaluate(u), row(3).evaluate(u)}};
+    }
+
+    /// The point S(u, v), by de Casteljau's scheme in u, then in v.
+    point evaluate(T u, T v) const { return curve_at_u(u).evaluate(v); }
+
+    /// dS/du at (u, v).
+    point derivative_u(T u, T v) const {
+        curve in_u;
+        for (int c = 0; c < 4; ++c)
+            in_u.points[static_cast<std::size_t>(c)] = column(c).evaluate(v);
+        return evaluate_quadratic(in_u.derivative(), u);
+    }
+
+    /// dS/dv at (u, v).
+    point derivative_v(T u, T v) const { return evaluate_quadratic(curve_at_u(u).derivative(), v); }
+
+    /// The patch with u and v exchanged.
+    l3d_bezier_patch transposed() const {
+        l3d_bezier_patch result;
+        for (int r = 0; r < 4; ++r)
+            for (int c = 0; c < 4; ++c)
+                result.at(c, r) = at(r, c);
+        return result;
+    }
+
+    /// The halves u in [0, 1/2] and [1/2, 1]; see l3d_bezier_curve::split for symmetry.
+    std::pair<l3d_bezier_patch, l3d_bezier_patch> split_u() const {
+        std::pair<l3d_bezier_patch, l3d_bezier_patch> halves;
+        for (int r = 0; r < 4; ++r) {
+            const auto [low, high] = row(r).split();
+            for (int c = 0; c < 4; ++c) {
+                halves.first.at(r, c) = low.points[static_cast<std::size_t>(c)];
+                halves.second.at(r, c) = high.points[static_cast<std::size_t>(c)];
+            }
+        }
+        return halves;
+    }
+
+    /// The halves v in [0, 1/2] and [1/2, 1].
+    std::pair<l3d_bezier_patch, l3d_bezier_patch> split_v() const {
+        std::pair<l3d_bezier_patch, l3d_bezier_patch> halves;
+        for (int c = 0; c < 4; ++c) {
+            const auto [low, high] = column(c).split();
+            for (int r = 0; r < 4; ++r) {
+                halves.first.at(r, c) = low.points[static_cast<std::size_t>(r)];
+                halves.second.at(r, c) = high.points[static_cast<std::size_t>(r)];
+            }
+        }
+        return halves;
+    }
+
+    /// Componentwise bounds of the control points, hence (convex hull) of the whole patch.
+    std::pair<point, point> bounds() const {
+        std::pair<point, point> box{points[0], points[0]};
+        for (const point& p : points)
+            for (int i = 0; i < N; ++i) {
+                if (p[i] < box.first[i])
+                    box.first[i] = p[i];
+                if (p[i] > box.second[i])
+                    box.second[i] = p[i];
+            }
+        return box;
+    }
+
+private:
+    static point evaluate_quadratic(const std::array<point, 3>& b, T t) {
+        return l3d_lerp<T, N>(l3d_lerp<T, N>(b[0], b[1], t), l3d_lerp<T, N>(b[1], b[2], t), t);
+    }
+};
+
+/// The affine point of a homogeneous one. Expects: the last component is not zero.
+template <class T, int N> l3d_vector<T, N - 1> l3d_projected(const l3d_vector<T, N>& h) {
+    l3d_vector<T, N - 1> result;
+    for (int i = 0; i < N - 1; ++i)
+        result[i] = h[i] / h[N - 1];
+    return result;
+}
+
+/// First derivatives of the affine surface of a rational patch: (S w)' = S' w + S w', so
+/// S' = ((S w)' - S w') / w.
+/// Expects: the weight at (u, v) is not zero.
+template <class T, int N>
+std::pair<l3d_vector<T, N - 1>, l3d_vector<T, N - 1>>
+l3d_rational_derivatives(const l3d_bezier_patch<T, N>& patch, T u, T v) {
+    const l3d_vector<T, N> h = patch.evaluate(u, v);
+    const l3d_vector<T, N - 1> s = l3d_projected<T, N>(h);
+    const l3d_vector<T, N> hu = patch.derivative_u(u, v);
+    const l3d_vector<T, N> hv = patch.derivative_v(u, v);
+    std::pair<l3d_vector<T, N - 1>, l3d_vector<T, N - 1>> result;
+    for (int i = 0; i < N - 1; ++i) {
+        result.first[i] = (hu[i] - s[i] * hu[N - 1]) / h[N - 1];
+        result.second[i] = (hv[i] - s[i] * hv[N - 1]) / h[N - 1];
+    }
+    return result;
+}
+
+/// A patch with the same control points in another scalar.
+template <class To, class From, int N>
+l3d_bezier_patch<To, N> l3d_converted(const l3d_bezier_patch<From, N>& patch) {
+    l3d_bezier_patch<To, N> result;
+    for (std::size_t i = 0; i < 16; ++i)
+        for (int k = 0; k < N; ++k)
+            result.points[i][k] = l3d_from_double<To>(l3d_to_double(patch.points[i][k]));
+    return result;
+}
+
+#endif

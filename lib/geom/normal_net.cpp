@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// l3d_normal_net: product of the derivative nets, and removal of vanishing factors.
+#include "geom/normal_net.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace {
+
+using vector = l3d_normal_net::vector;
+
+constexpr int degree = 5;
+constexpr int order = degree + 1;
+
+/// An edge row counts as vanishing below this part of the largest coefficient: the product sums
+/// 36 terms of double precision, so cancellation leaves at most some 100 * 2^-53 = 1e-14.
+constexpr double vanishing = 1e-12;
+
+constexpr double binomial(int n, int k) {
+    double result = 1;
+    for (int i = 1; i <= k; ++i)
+        result = result * (n - k + i) / i;
+    return result;
+}
+
+double largest(const vector& v) {
+    return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+}
+
+/// Divides a degree-5 Bernstein polynomial that vanishes at t = 0 by t, and raises the quartic
+/// quotient back to degree 5. From t B4_j(t) = (j + 1)/5 B5_(j+1)(t).
+std::array<vector, order> divided_by_t(const std::array<vector, order>& b) {
+    std::array<vector, degree> quotient;
+    for (std::size_t j = 0; j < degree; ++j)
+        quotient[j] = b[j + 1] * (double(degree) / double(j + 1));
+    std::array<vector, order> raised;
+    for (std::size_t j = 0; j < order; ++j) {
+        const double s = double(j) / degree;
+        const vector low = j > 0 ? quotient[j - 1] : vector(0.0);
+        const vector high = j < degree ? quotient[j] : vector(0.0);
+        raised[j] = low * s + high * (1 - s);
+    }
+    return raised;
+}
+
+} // namespace
+
+l3d_normal_net::l3d_normal_net(const l3d_bezier_patch<double, 3>& patch) {
+    for (int ru = 0; ru < 4; ++ru)
+        for (int cu = 0; cu < 3; ++cu) {
+            const vector du = patch.at(ru, cu + 1) - patch.at(ru, cu);
+            for (int rv = 0; rv < 3; ++rv)
+                for (int cv = 0; cv < 4; ++cv) {
+                    const vector dv = patch.at(rv + 1, cv) - patch.at(rv, cv);
+                    const double weight = binomial(3, ru) * binomial(2, rv) /
+                                          binomial(degree, ru + rv) * binomial(2, cu) *
+                                          binomial(3, cv) / binomial(degree, cu + cv);
+                    vector& target = net_[static_cast<std::size_t>(order * (ru + rv) + cu + cv)];
+                    target = target + l3d_cross(du, dv) * weight;
+                }
+        }
+    scale_to_one();
+    // A polynomial of degree 5 by 5 has at most 5 factors of each of u, 1 - u, v, 1 - v.
+    for (int factors = 0; factors < 4 * degree && divide_by_vanishing_factor(); ++factors)
+        scale_to_one();
+}
+
+void l3d_normal_net::scale_to_one() {
+    double most = 0;
+    for (const vector& v : net_)
+        most = std::max(most, largest(v));
+    if (most > 0)
+        for (vector& v : net_)
+            v = v * (1 / most);
+}
+
+/// Looks at the four edges in turn; true if one was vanishing (and the net is not zero).
+bool l3d_normal_net::divide_by_vanishing_factor() {
+    if (std::all_of(net_.begin(), net_.end(), [](const vector& v) { return largest(v) == 0; }))
+        return false;
+    for (const bool along_u : {true, false})
+        for (const bool at_end : {false, true}) {
+            const auto index = [&](int step, int line) {
+                const int inward = at_end ? degree - step : step;
+                return static_cast<std::size_t>(along_u ? order * line + inward
+                                                        : order * inward + line);
+            };
+            bool vanishes = true;
+            for (int line = 0; line < order; ++line)
+                vanishes = vanishes && largest(net_[index(0, line)]) < vanishing;
+            if (!vanishes)
+                continue;
+            for (int line = 0; line < order; ++line) {
+                std::array<vector, order> b;
+                for (int step = 0; step < order; ++step)
+                    b[static_cast<std::size_t>(step)] = net_[index(step, line)];
+                b = divided_by_t(b);
+                for (int step = 0; step < order; ++step)
+                    net_[index(step, line)] = b[static_cast<std::size_t>(step)];
+            }
+            return true;
+        }
+    return false;
+}
+
+l3d_normal_net::vector l3d_normal_net::evaluate(double u, double v) const {
+    const auto collapse = [](std::array<vector, order> b, double t) {
+        for (int level = degree; level > 0; --level)
+            for (std::size_t i = 0; i < static_cast<std::size_t>(level); ++i)
+                b[i] = b[i] + (b[i + 1] - b[i]) * t;
+        return b[0];
+    };
+    std::array<vector, order> in_v;
+    for (int r = 0; r < order; ++r) {
+        std::array<vector, order> in_u;
+        for (int c = 0; c < order; ++c)
+            in_u[static_cast<std::size_t>(c)] = at(r, c);
+        in_v[static_cast<std::size_t>(r)] = collapse(in_u, u);
+    }
+    return collapse(in_v, v);
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// l3d_normal_net: the exact normal of a bicubic patch as a polynomial of degree 5 by 5.
+#ifndef L3D_GEOM_NORMAL_NET_H
+#define L3D_GEOM_NORMAL_NET_H
+
+#include "geom/bezier_patch.h"
+
+#include <array>
+
+/// The normal dS/du x dS/dv of a bicubic patch in Bernstein form, not normalised.
+///
+/// Where an edge of the patch is collapsed the cross product vanishes along it although the
+/// tangent plane exists. The net then holds the cross product divided by the vanishing factor
+/// (u, 1 - u, v or 1 - v, as often as needed): the same direction inside, the limit on the edge.
+/// A patch whose normal vanishes everywhere has the net 0.
+///
+/// Shape:  36 vectors, index 6 * row + column, columns along u.
+/// Units:  scaled so that the largest component is 1 (direction is all that counts).
+/// Source: product of Bernstein polynomials: Farin, Curves and Surfaces for CAGD, section 6.6;
+///         dS/du has degree 2 by 3, dS/dv 3 by 2, so the product has degree 5 by 5.
+class l3d_normal_net {
+public:
+    using vector = l3d_vector<double, 3>;
+
+    l3d_normal_net() = default;
+    explicit l3d_normal_net(const l3d_bezier_patch<double, 3>& patch);
+
+    const vector& at(int row, int column) const {
+        return net_[static_cast<std::size_t>(6 * row + column)];
+    }
+
+    /// The normal at (u, v), any length. Source: de Casteljau.
+    vector evaluate(double u, double v) const;
+
+private:
+    void scale_to_one();
+    bool divide_by_vanishing_factor();
+
+    std::array<vector, 36> net_{};
+};
+
+#endif

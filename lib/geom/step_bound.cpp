@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Bounds on image errors, from control nets.
+#include "geom/step_bound.h"
+
+#include <cmath>
+
+namespace {
+
+using point = l3d_image_point;
+
+point second_difference(const point& a, const point& b, const point& c) {
+    return a - b * 2.0 + c;
+}
+
+/// |D (x, y) - X0 D w| for the X0 in a disc, divided by w_low.
+class seen_in {
+public:
+    seen_in(const l3d_image_box& box, double w_low)
+        : x_((box.left + box.right) / 2), y_((box.top + box.bottom) / 2),
+          radius_(std::hypot(box.width(), box.height()) / 2), scale_(1 / w_low) {}
+
+    double operator()(const point& d) const {
+        const double dx = d[0] - x_ * d[2], dy = d[1] - y_ * d[2];
+        return (std::sqrt(dx * dx + dy * dy) + radius_ * std::abs(d[2])) * scale_;
+    }
+
+private:
+    double x_, y_, radius_, scale_;
+};
+
+struct depth_alone {
+    double operator()(const point& d) const { return std::abs(d[2]); }
+};
+
+template <class Norm> l3d_second_bounds bounds_of(const l3d_image_patch& patch, Norm norm) {
+    l3d_second_bounds result;
+    for (int line = 0; line < 4; ++line)
+        for (int i = 0; i < 2; ++i) {
+            const point uu = second_difference(patch.at(line, i), patch.at(line, i + 1),
+                                               patch.at(line, i + 2));
+            const point vv = second_difference(patch.at(i, line), patch.at(i + 1, line),
+                                               patch.at(i + 2, line));
+            result.uu = std::max(result.uu, 6 * norm(uu));
+            result.vv = std::max(result.vv, 6 * norm(vv));
+        }
+    for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c) {
+            const point uv = (patch.at(r, c) - patch.at(r, c + 1)) -
+                             (patch.at(r + 1, c) - patch.at(r + 1, c + 1));
+            result.uv = std::max(result.uv, 9 * norm(uv));
+        }
+    return result;
+}
+
+template <class Norm> double bound_of(const l3d_image_curve& curve, Norm norm) {
+    const auto& p = curve.points;
+    return 6 * std::max(norm(second_difference(p[0], p[1], p[2])),
+                        norm(second_difference(p[1], p[2], p[3])));
+}
+
+} // namespace
+
+l3d_depth_range l3d_depth_range_of(std::span<const point> net) {
+    l3d_depth_range range{net[0][2], net[0][2]};
+    for (const point& p : net) {
+        range.least = std::min(range.least, p[2]);
+        range.most = std::max(range.most, p[2]);
+    }
+    return range;
+}
+
+l3d_image_box l3d_image_box_of(std::span<const point> net) {
+    const double x = net[0][0] / net[0][2], y = net[0][1] / net[0][2];
+    l3d_image_box box{x, y, x, y};
+    for (const point& p : net) {
+        const double px = p[0] / p[2], py = p[1] / p[2];
+        box.left = std::min(box.left, px);
+        box.right = std::max(box.right, px);
+        box.top = std::min(box.top, py);
+        box.bottom = std::max(box.bottom, py);
+    }
+    return box;
+}
+
+bool l3d_outside(std::span<const point> net, const l3d_image_box& box, double near) {
+    bool left = true, right = true, above = true, below = true, behind = true;
+    for (const point& p : net) {
+        left = left && p[0] < box.left * p[2];
+        right = right && p[0] > box.right * p[2];
+        above = above && p[1] < box.top * p[2];
+        below = below && p[1] > box.bottom * p[2];
+        behind = behind && p[2] <= near;
+    }
+    return left || right || above || below || behind;
+}
+
+l3d_second_bounds l3d_second_bounds_of(const l3d_image_patch& patch, const l3d_image_box& visible,
+                                       double w_low) {
+    return bounds_of(patch, seen_in(visible, w_low));
+}
+
+double l3d_second_bound_of(const l3d_image_curve& curve, const l3d_image_box& visible,
+                           double w_low) {
+    return bound_of(curve, seen_in(visible, w_low));
+}
+
+l3d_second_bounds l3d_depth_bounds_of(const l3d_image_patch& patch) {
+    return bounds_of(patch, depth_alone{});
+}
+
+double l3d_depth_bound_of(const l3d_image_curve& curve) { return bound_of(curve, depth_alone{}); }
+
+double l3d_vertex_error(double e_xy, double e_w, double reach, double w_least) {
+    constexpr double root_two = 1.4142135623730951;
+    return (root_two * e_xy + reach * e_w) / (w_least - e_w);
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Bounds on the image error of straight pieces of rational cubic curves and bicubic patches.
+#ifndef L3D_GEOM_STEP_BOUND_H
+#define L3D_GEOM_STEP_BOUND_H
+
+#include "geom/bezier_patch.h"
+
+#include <algorithm>
+#include <span>
+
+/// A homogeneous image point (x, y, w): the pixel is (x / w, y / w), counted from the picture's
+/// centre; w > 0 is the distance along the view axis (times a constant).
+using l3d_image_point = l3d_vector<double, 3>;
+using l3d_image_curve = l3d_bezier_curve<double, 3>;
+using l3d_image_patch = l3d_bezier_patch<double, 3>;
+
+/// An upright rectangle of the image. Units: pixels from the picture's centre.
+struct l3d_image_box {
+    double left = 0, top = 0, right = 0, bottom = 0;
+
+    bool empty() const { return !(left <= right && top <= bottom); }
+    double width() const { return right - left; }
+    double height() const { return bottom - top; }
+
+    l3d_image_box intersected(const l3d_image_box& other) const {
+        return {std::max(left, other.left), std::max(top, other.top), std::min(right, other.right),
+                std::min(bottom, other.bottom)};
+    }
+
+    l3d_image_box grown(double by) const { return {left - by, top - by, right + by, bottom + by}; }
+
+    /// Largest |x| or |y| in the box.
+    double reach() const { return std::max({-left, -top, right, bottom}); }
+};
+
+/// Least and largest w of control points.
+struct l3d_depth_range {
+    double least = 0, most = 0;
+};
+l3d_depth_range l3d_depth_range_of(std::span<const l3d_image_point> net);
+
+/// The box of the projected control points, which holds the whole curve or patch.
+/// Expects: every w > 0.
+l3d_image_box l3d_image_box_of(std::span<const l3d_image_point> net);
+
+/// Whether the net lies wholly beyond one side of `box`, or wholly at w <= near. The test is
+/// made on homogeneous half-spaces, so it holds for points at and behind the eye too.
+bool l3d_outside(std::span<const l3d_image_point> net, const l3d_image_box& box, double near);
+
+/// Bounds of second derivatives as seen in the image, for steps of the piece's own parameters.
+///
+/// Drawn instead of the surface is the interpolant L of homogeneous points, whose image X0 is
+/// drawn inside `visible`. With S = (x, y, w) the exact point of the same parameters,
+///     S / w - X0 = (x - X0 w) / w = ((x - Lx) - X0 (w - Lw)) / w,
+/// and linear interpolation over a step h leaves |f - Lf| <= h^2 / 8 max |f''|. f'' of a cubic
+/// is 6 times a convex combination of second differences of control points (9 times for the
+/// mixed derivative), so
+///     uu = 6 max ( |D2 (x, y) - C D2 w| + r |D2 w| ) / w_low
+/// with C, r the centre and half diagonal of `visible`, in which X0 lies.
+/// Units:  pixels.
+/// Source: the polynomial case is Filip, Magedson, Markot, Surface Algorithms using Bounds on
+///         Derivatives, CAGD 3, 1986; the homogeneous form is derived above.
+struct l3d_second_bounds {
+    double uu = 0, uv = 0, vv = 0;
+
+    /// Of a convex micro-quad (a bilinear piece) with steps 1/nu by 1/nv. A folded quad is drawn
+    /// as four triangles around its centre; on each, s t differs from its linear interpolant by
+    /// at most 1/16, which multiplies the mixed difference, at most uv / (nu nv).
+    double quad_error(int nu, int nv) const {
+        const double hu = 1.0 / nu, hv = 1.0 / nv;
+        return (uu * hu * hu + vv * hv * hv) / 8 + uv * hu * hv / 16;
+    }
+
+    /// Of two triangles in place of the quad: the mixed difference counts with 1/4.
+    double triangle_error(int nu, int nv) const {
+        const double hu = 1.0 / nu, hv = 1.0 / nv;
+        return (uu * hu * hu + vv * hv * hv) / 8 + uv * hu * hv / 4;
+    }
+};
+
+/// Expects: w_low > 0, a lower bound of w wherever something is drawn; `visible` not empty.
+l3d_second_bounds l3d_second_bounds_of(const l3d_image_patch& patch, const l3d_image_box& visible,
+                                       double w_low);
+
+/// The same for a curve: its chord over a step 1/n is off by at most result / (8 n^2).
+double l3d_second_bound_of(const l3d_image_curve& curve, const l3d_image_box& visible,
+                           double w_low);
+
+/// The change of w between a patch (curve) and its interpolant, per squared step: at most
+/// (result.uu / nu^2 + result.vv / nv^2) / 8 + result.uv / (4 nu nv). Units: those of w.
+l3d_second_bounds l3d_depth_bounds_of(const l3d_image_patch& patch);
+double l3d_depth_bound_of(const l3d_image_curve& curve);
+
+/// Image error of a vertex whose homogeneous coordinates are off by e_xy (each of x, y) and e_w:
+/// |dX| <= (sqrt(2) e_xy + |X| e_w) / (w - e_w).
+/// Expects: e_w < w_least.
+double l3d_vertex_error(double e_xy, double e_w, double reach, double w_least);
+
+#endif

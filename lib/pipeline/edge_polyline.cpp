@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// l3d_edge_polyline: canonical direction, strips, steps from the edge's own bound.
+#include "pipeline/edge_polyline.h"
+
+#include "pipeline/snap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace {
+
+constexpr int most_steps = 32;
+
+/// 2^24 strips are more than any picture has pixels along an edge.
+constexpr int deepest = 24;
+
+/// Edges smaller than this are one strip, others four: below, the bound of the whole is as good
+/// as that of the quarters, and patches of few pixels should cost little.
+constexpr double small_size = 24;
+constexpr int usual_level = 2;
+
+template <class Wide>
+bool runs_backwards(const l3d_bezier_curve<Wide, 3>& edge) {
+    const auto& p = edge.points;
+    for (std::size_t i = 0; i < 2; ++i)
+        for (int k = 0; k < 3; ++k)
+            if (p[i][k] != p[3 - i][k])
+                return p[3 - i][k] < p[i][k];
+    return false;
+}
+
+template <class Wide> l3d_image_curve in_double(const l3d_bezier_curve<Wide, 3>& curve) {
+    l3d_image_curve result;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (int k = 0; k < 3; ++k)
+            result.points[i][k] = l3d_to_double(curve.points[i][k]);
+    return result;
+}
+
+double largest_of(const l3d_image_curve& curve, bool depth) {
+    double largest = 0;
+    for (const auto& p : curve.points)
+        largest = std::max(largest, depth ? std::abs(p[2])
+                                          : std::max(std::abs(p[0]), std::abs(p[1])));
+    return largest;
+}
+
+template <class Wide>
+double vertex_error(const l3d_image_curve& curve, double reach, double w_low,
+                    const l3d_dice_view& view) {
+    const double e_xy =
+        view.error_xy + l3d_evaluation_error<Wide>(largest_of(curve, false));
+    const double e_w = view.error_w + l3d_evaluation_error<Wide>(largest_of(curve, true));
+    return l3d_vertex_error(e_xy, e_w, reach, w_low) + l3d_snap_error<Wide>(reach);
+}
+
+} // namespace
+
+template <class Wide>
+l3d_clip_vertex l3d_canonical_vertex(const l3d_vector<Wide, 3>& h, const l3d_dice_view& view) {
+    l3d_clip_vertex result;
+    for (int k = 0; k < 3; ++k)
+        result.h[k] = l3d_to_double(h[k]);
+    result.drawable = l3d_drawable(result.h, view.near);
+    if (result.drawable) {
+        const l3d_snapped s = l3d_snap(h[0], h[1], h[2]);
+        result.dice.vertex.x = s.x + view.centre_x();
+        result.dice.vertex.y = s.y + view.centre_y();
+        result.dice.vertex.inv_w = s.inv_w * static_cast<float>(view.depth_scale);
+    }
+    return result;
+}
+
+template <class Wide>
+void l3d_edge_polyline::add_point(const l3d_vector<Wide, 3>& h, double t,
+                                  const l3d_dice_view& view) {
+    points_.push_back({t, l3d_canonical_vertex<Wide>(h, view)});
+}
+
+template <class Wide>
+void l3d_edge_polyline::build(const l3d_bezier_curve<Wide, 3>& edge, const l3d_dice_view& view) {
+    points_.clear();
+    bound_ = 0;
+    const bool backwards = runs_backwards(edge);
+    const auto canonical = backwards ? edge.reversed() : edge;
+    add_point<Wide>(canonical.points[0], 0, view);
+    add_strip(canonical, 0, 1, 0, view);
+    if (backwards) {
+        std::reverse(points_.begin(), points_.end());
+        for (l3d_edge_point& p : points_)
+            p.t = 1 - p.t;
+    }
+}
+
+template <class Wide>
+void l3d_edge_polyline::add_strip(const l3d_bezier_curve<Wide, 3>& strip, double t0, double t1,
+                                  int level, const l3d_dice_view& view) {
+    const l3d_image_curve net = in_double(strip);
+    const l3d_depth_range depth = l3d_depth_range_of(net.points);
+    const bool in_front = depth.least > view.near;
+    l3d_image_box box = view.margin();
+    bool visible = !l3d_outside(net.points, box, view.near);
+    bool small = false;
+    if (visible && in_front) {
+        const l3d_image_box whole = l3d_image_box_of(net.points);
+        small = whole.width() < small_size && whole.height() < small_size;
+        box = box.intersected(whole);
+        visible = !box.empty();
+    }
+    if (!visible)
+        return add_point<Wide>(strip.points[3], t1, view);
+
+    const double w_low = std::max(depth.least, view.near / 2);
+    const double vertex = vertex_error<Wide>(net, box.reach(), w_low, view);
+    const double budget = std::max(view.tolerance - vertex, view.tolerance / 2);
+    const double second = l3d_second_bound_of(net, box, w_low);
+    // Half the budget, as each direction of a quad gets: then an edge and the boundary row of a
+    // patch mostly have the same steps, and the slit between them is empty.
+    double wanted = std::ceil(std::sqrt(second / (4 * budget)));
+    const double depth_second = in_front ? 0 : l3d_depth_bound_of(net);
+    wanted = std::max({1.0, wanted, std::ceil(std::sqrt(depth_second / (4 * view.near)))});
+
+    if ((level < usual_level && !small) || (wanted > most_steps && level < deepest)) {
+        const auto [low, high] = strip.split();
+        const double middle = (t0 + t1) / 2;
+        add_strip(low, t0, middle, level + 1, view);
+        add_strip(high, middle, t1, level + 1, view);
+        return;
+    }
+    const int n = static_cast<int>(std::min<double>(wanted, most_steps));
+    for (int i = 1; i < n; ++i) {
+        const double t = static_cast<double>(i) / n;
+        add_point<Wide>(strip.evaluate(l3d_from_double<Wide>(t)), t0 + t * (t1 - t0), view);
+    }
+    add_point<Wide>(strip.points[3], t1, view);
+    const bool depth_kept = depth_second / (8.0 * n * n) <= view.near / 2;
+    bound_ = std::max(bound_, depth_kept ? second / (8.0 * n * n) + vertex
+                                         : std::numeric_limits<double>::infinity());
+}
+
+template void l3d_edge_polyline::build(const l3d_bezier_curve<double, 3>&, const l3d_dice_view&);
+template void l3d_edge_polyline::build(const l3d_bezier_curve<l3d_fixed<std::int64_t, 32>, 3>&,
+                                       const l3d_dice_view&);
+template l3d_clip_vertex l3d_canonical_vertex(const l3d_vector<double, 3>&, const l3d_dice_view&);
+template l3d_clip_vertex
+l3d_canonical_vertex(const l3d_vector<l3d_fixed<std::int64_t, 32>, 3>&, const l3d_dice_view&);

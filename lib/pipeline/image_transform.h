@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// l3d_image_transform: patches from world space to homogeneous image space.
+#ifndef L3D_PIPELINE_IMAGE_TRANSFORM_H
+#define L3D_PIPELINE_IMAGE_TRANSFORM_H
+
+#include "geom/bezier_patch.h"
+#include "geom/matrix.h"
+#include "pipeline/camera.h"
+#include "pipeline/patch_model.h"
+
+/// The camera's matrix in the wide type of the build, scaled so that nothing leaves its range.
+///
+/// Homogeneous points may be scaled freely and model coordinates absorbed into the matrix, so
+/// both are brought to a fixed-point format's middle by powers of two, which are exact:
+/// model coordinates to at most 2^10, w to at most 2^8, |x| and |y| to at most 2^28 (32.32 has
+/// 31 integer bits; differences of third order may grow eightfold). Floating types are not scaled.
+template <class Wide> class l3d_image_transform {
+public:
+    l3d_image_transform() = default;
+    l3d_image_transform(const l3d_camera& camera, l3d_size size, const l3d_patch_model& model);
+
+    /// The control net (x, y, w) of a patch of the model.
+    l3d_bezier_patch<Wide, 3> operator()(const l3d_patch_model::patch& patch) const;
+
+    /// Factor between the transformed w and the distance along the view axis.
+    double depth_scale() const { return depth_scale_; }
+
+    /// Bound of the error of each transformed x and y, and of w.
+    double error_xy() const { return error_xy_; }
+    double error_w() const { return error_w_; }
+
+private:
+    l3d_matrix<Wide> matrix_;
+    double model_scale_ = 1;
+    double depth_scale_ = 1;
+    double error_xy_ = 0;
+    double error_w_ = 0;
+};
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Triangles that reach behind the near plane or far beyond the window, cut to what can be drawn.
+#ifndef L3D_PIPELINE_NEAR_CLIP_H
+#define L3D_PIPELINE_NEAR_CLIP_H
+
+#include "pipeline/dice_sink.h"
+#include "pipeline/dice_view.h"
+
+#include <array>
+#include <vector>
+
+/// A surface point that may be anywhere, even behind the eye.
+struct l3d_clip_vertex {
+    l3d_image_point h{0.0, 0.0, 0.0};
+    l3d_dice_vertex dice; ///< the vertex is valid only if `drawable`
+    bool drawable = false;
+};
+
+/// Whether a homogeneous point is in front of the near plane and inside the guard band.
+bool l3d_drawable(const l3d_image_point& h, double near);
+
+/// Appends the part of triangle a b c that can be drawn, as triangles, to `out`.
+///
+/// A drawable corner keeps its vertex bit for bit. A new corner on the edge p q is a function of
+/// p and q alone, whatever their order, so triangles that share an edge still fit together.
+/// Source: Sutherland, Hodgman, Reentrant Polygon Clipping, CACM 17, 1974, in homogeneous space.
+void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b,
+                       const l3d_clip_vertex& c, const l3d_dice_view& view,
+                       std::vector<l3d_dice_vertex>& out);
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// l3d_patch_model: bounds and normal nets, once per model.
+#include "pipeline/patch_model.h"
+
+#include <algorithm>
+#include <utility>
+
+l3d_patch_model::l3d_patch_model(std::vector<patch> patches) : patches_(std::move(patches)) {
+    normals_.reserve(patches_.size());
+    for (const patch& p : patches_) {
+        normals_.emplace_back(p);
+        const auto [least, most] = p.bounds();
+        if (normals_.size() == 1) {
+            least_ = least;
+            most_ = most;
+        }
+        for (int i = 0; i < 3; ++i) {
+            least_[i] = std::min(least_[i], least[i]);
+            most_[i] = std::max(most_[i], most[i]);
+        }
+    }
+}
+
+std::optional<l3d_patch_model> l3d_patch_model::from_bpt(std::string_view text,
+                                                         std::string_view name, std::string& why) {
+    const auto read = l3d_read_bpt(text, name, why);
+    if (!read)
+        return std::nullopt;
+    std::vector<patch> patches;
+    patches.reserve(read->size());
+    for (const l3d_patch_points& points : *read) {
+        const auto bicubic = l3d_elevated_to_bicubic(points);
+        if (!bicubic) {
+            why = std::string(name) + ": patch " + std::to_string(patches.size() + 1) +
+                  " has degree " + std::to_string(points.degree_u) + " by " +
+                  std::to_string(points.degree_v) + "; at most 3 by 3 can be drawn";
+            return std::nullopt;
+        }
+        patch& p = patches.emplace_back();
+        for (std::size_t i = 0; i < 16; ++i)
+            for (int k = 0; k < 3; ++k)
+                p.points[i][k] = (*bicubic)[i][static_cast<std::size_t>(k)];
+    }
+    return l3d_patch_model(std::move(patches));
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// l3d_patch_model: bicubic patches with what can be known of them before any frame.
+#ifndef L3D_PIPELINE_PATCH_MODEL_H
+#define L3D_PIPELINE_PATCH_MODEL_H
+
+#include "geom/bezier_patch.h"
+#include "geom/normal_net.h"
+#include "geom/patch_file.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// A set of bicubic patches in world space, each with its exact normal net.
+class l3d_patch_model {
+public:
+    using patch = l3d_bezier_patch<double, 3>;
+    using vector = l3d_vector<double, 3>;
+
+    l3d_patch_model() = default;
+
+    /// Expects: finite coordinates of magnitude at most 1e12.
+    explicit l3d_patch_model(std::vector<patch> patches);
+
+    /// Reads a .bpt text; patches of lower degree are raised to bicubic ones.
+    /// Errors: nothing, with "name:line: what" in `why`.
+    static std::optional<l3d_patch_model> from_bpt(std::string_view text, std::string_view name,
+                                                   std::string& why);
+
+    std::span<const patch> patches() const { return patches_; }
+    const l3d_normal_net& normals(std::size_t index) const { return normals_[index]; }
+
+    /// The box of all control points.
+    const vector& least() const { return least_; }
+    const vector& most() const { return most_; }
+
+private:
+    std::vector<patch> patches_;
+    std::vector<l3d_normal_net> normals_;
+    vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
+};
+
+#endif
