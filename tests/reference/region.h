@@ -28,7 +28,7 @@ public:
 
     /// lower is proved: the nearest point of any outline (patch boundary, silhouette, near plane),
     /// seams inside the region included, less 2e-3. upper is witnessed by an uncovered point; it is
-    /// the distance itself up to about 1e-3 of it unless the uncovered part is a sliver.
+    /// about 1 % above the distance itself unless the uncovered part is a sliver.
     struct interval {
         double lower = 0, upper = std::numeric_limits<double>::infinity();
     };

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The exact picture, from all intersections.
+#include "reference/exact.h"
+#include "reference/hits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reference {
+
+exact_image::exact_image(std::span<const patch> patches, const camera& view, picture_size size)
+    : size_(size), view_(view) {
+    const std::size_t count =
+        static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    samples_.resize(count);
+    layers_.resize(count);
+    const camera_frame frame(view, size);
+    const sample_grid centers{0.5, 0.5, 1, size.width, size.height};
+    for (std::size_t k = 0; k < patches.size(); ++k)
+        find_hits(make_net(patches[k], frame), view.near, centers, [&](const hit& at) {
+            const std::size_t place = index(at.i, at.j);
+            ++layers_[place];
+            exact_sample& nearest = samples_[place];
+            if (at.w < nearest.w)
+                nearest = {at.w, at.u, at.v, {}, static_cast<int>(k)};
+        });
+    for (exact_sample& sample : samples_)
+        if (sample.covered())
+            sample.normal = exact_point(patches[static_cast<std::size_t>(sample.patch)], frame,
+                                        sample.u, sample.v)
+                                .normal;
+}
+
+std::vector<unsigned char> exact_image::lambert(vec3 light) const {
+    const camera_frame frame(view_, size_);
+    const double length = std::sqrt(light.x * light.x + light.y * light.y + light.z * light.z);
+    std::vector<unsigned char> result(samples_.size(), 0);
+    for (int y = 0; y < size_.height; ++y)
+        for (int x = 0; x < size_.width; ++x) {
+            const exact_sample& sample = at(x, y);
+            if (!sample.covered())
+                continue;
+            const vec3 seen = frame.unproject(x + 0.5, y + 0.5, sample.w);
+            const vec3& n = sample.normal;
+            const double away = n.x * (seen.x - view_.eye.x) + n.y * (seen.y - view_.eye.y) +
+                                n.z * (seen.z - view_.eye.z);
+            const double turn = away > 0 ? -1 : 1;
+            const double cosine = turn * (n.x * light.x + n.y * light.y + n.z * light.z) / length;
+            result[index(x, y)] =
+                static_cast<unsigned char>(std::lround(255 * (0.1 + 0.9 * std::max(0.0, cosine))));
+        }
+    return result;
+}
+
+} // namespace reference

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// Counts and errors of a product's picture against the exact one.
+#include "reference/measure.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+
+namespace reference {
+namespace {
+
+/// A neighbour this far from the tangent plane, in pixels, lies on another layer or on a bend that
+/// the tangent plane of one pixel does not describe.
+constexpr double jump_px = 1;
+
+double dot(const long double (&a)[3], const vec3& b) {
+    return static_cast<double>(a[0] * b.x + a[1] * b.y + a[2] * b.z);
+}
+
+/// The picture, and what the comparison needs to know of a pixel's neighbourhood.
+class comparison {
+public:
+    comparison(std::span<const float> depth, const exact_image& exact)
+        : depth_(depth), exact_(exact), frame_(exact.view(), exact.size()) {
+        assert(depth.size() == static_cast<std::size_t>(exact.size().width) *
+                                   static_cast<std::size_t>(exact.size().height));
+    }
+
+    double depth(int x, int y) const {
+        return depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(exact_.size().width) +
+                      static_cast<std::size_t>(x)];
+    }
+    bool product_covers(int x, int y) const {
+        return std::isfinite(depth(x, y)) && depth(x, y) > 0;
+    }
+
+    double error_px(int x, int y) const {
+        return depth_error_px(exact_.at(x, y), frame_, x, y, depth(x, y));
+    }
+
+    /// All nine pixels exist and satisfy the predicate.
+    template <class Predicate> bool around(int x, int y, Predicate predicate) const {
+        if (x < 1 || y < 1 || x + 1 >= exact_.size().width || y + 1 >= exact_.size().height)
+            return false;
+        for (int j = y - 1; j <= y + 1; ++j)
+            for (int i = x - 1; i <= x + 1; ++i)
+                if (!predicate(i, j))
+                    return false;
+        return true;
+    }
+
+    bool surrounded(int x, int y) const {
+        return around(x, y, [&](int i, int j) { return exact_.covered(i, j); });
+    }
+
+    /// Neither an outline nor a jump of depth within one pixel.
+    bool is_smooth(int x, int y) const {
+        const exact_sample& middle = exact_.at(x, y);
+        return around(x, y, [&](int i, int j) {
+            return exact_.covered(i, j) && product_covers(i, j) &&
+                   depth_error_px(middle, frame_, i, j, exact_.at(i, j).w) <= jump_px;
+        });
+    }
+
+private:
+    std::span<const float> depth_;
+    const exact_image& exact_;
+    camera_frame frame_;
+};
+
+} // namespace
+
+/// With d the direction through the pixel, scaled to 1 along the axis, the tangent plane at the
+/// exact point of pixel p is met at w = w_p (n.d_p) / (n.d); one pixel sideways changes w focal / w
+/// by -(n.right) / (n.d), and down by (n.up) / (n.d).
+double depth_error_px(const exact_sample& exact, const camera_frame& frame, int x, int y,
+                      double w) {
+    const double along_x = dot(frame.right, exact.normal), along_y = dot(frame.up, exact.normal);
+    const double focal = static_cast<double>(frame.focal);
+    const double toward = dot(frame.forward, exact.normal) +
+                          (x + 0.5 - static_cast<double>(frame.center_x)) / focal * along_x +
+                          (static_cast<double>(frame.center_y) - y - 0.5) / focal * along_y;
+    return std::abs((w - exact.w) / exact.w * focal * toward) /
+           std::sqrt(toward * toward + along_x * along_x + along_y * along_y);
+}
+
+measurement measure(std::span<const float> product_depth, const exact_image& exact,
+                    const exact_region& region, int most_distances) {
+    const comparison pictures(product_depth, exact);
+    measurement result;
+    const auto next_distance = [&] { return result.distances_complete = most_distances-- > 0; };
+    for (int y = 0; y < exact.size().height; ++y)
+        for (int x = 0; x < exact.size().width; ++x) {
+            const bool is = pictures.product_covers(x, y), should = exact.covered(x, y);
+            result.covered_product += is;
+            result.covered_exact += should;
+            if (is && !should) {
+                ++result.extra;
+                if (next_distance())
+                    result.max_extra_distance =
+                        std::max(result.max_extra_distance,
+                                 region.distance_to_exact_surface(x + 0.5, y + 0.5));
+            } else if (should && !is) {
+                ++result.missing;
+                result.holes += pictures.surrounded(x, y);
+                if (next_distance())
+                    result.max_missing_distance =
+                        std::max(result.max_missing_distance,
+                                 region.distance_to_uncovered(x + 0.5, y + 0.5).upper);
+            } else if (is && pictures.is_smooth(x, y)) {
+                ++result.depth_compared;
+                const double w = exact.at(x, y).w;
+                const double relative = std::abs(pictures.depth(x, y) - w) / w;
+                const double px = pictures.error_px(x, y);
+                result.max_depth_relative = std::max(result.max_depth_relative, relative);
+                result.mean_depth_relative += relative;
+                result.mean_depth_px += px;
+                if (px > result.max_depth_px) {
+                    result.max_depth_px = px;
+                    result.worst_depth_x = x;
+                    result.worst_depth_y = y;
+                }
+            }
+        }
+    if (result.depth_compared > 0) {
+        result.mean_depth_relative /= static_cast<double>(result.depth_compared);
+        result.mean_depth_px /= static_cast<double>(result.depth_compared);
+    }
+    return result;
+}
+
+shade_difference measure_lambert(std::span<const unsigned char> product_grey,
+                                 std::span<const float> product_depth, const exact_image& exact,
+                                 vec3 light) {
+    const comparison pictures(product_depth, exact);
+    const std::vector<unsigned char> wanted = exact.lambert(light);
+    assert(product_grey.size() == wanted.size());
+    shade_difference result;
+    for (int y = 0; y < exact.size().height; ++y)
+        for (int x = 0; x < exact.size().width; ++x) {
+            if (!pictures.is_smooth(x, y))
+                continue;
+            const std::size_t k =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(exact.size().width) +
+                static_cast<std::size_t>(x);
+            const int difference = std::abs(int(product_grey[k]) - int(wanted[k]));
+            ++result.compared;
+            result.max = std::max(result.max, difference);
+            result.mean += difference;
+            result.rms += difference * difference;
+        }
+    if (result.compared > 0) {
+        result.mean /= static_cast<double>(result.compared);
+        result.rms = std::sqrt(result.rms / static_cast<double>(result.compared));
+    }
+    return result;
+}
+
+} // namespace reference
