@@ -62,18 +62,17 @@ objects_reference := $(filter-out $(objects_tests/reference),\
                      $(call objects,$(wildcard tests/reference/*.cpp)))
 apps := $(patsubst apps/%/main.cpp,%,$(wildcard apps/*/main.cpp))
 $(foreach a,$(apps),$(eval objects_apps/$(a) := $(call objects,$(wildcard apps/$(a)/*.cpp))))
-bench_objects := $(call objects,$(wildcard tests/bench/*.cpp))
 
 tested    := $(foreach l,$(LAYERS) reference,$(if $(objects_tests/$(l)),$(l)))
 ARCHIVES  := $(call archives,$(LAYERS))
 APPS      := $(apps:%=$(OUT)/bin/%)
 TESTERS   := $(tested:%=$(OUT)/tests/%_tests)
-BENCHES   := $(patsubst %_bench.o,%_bench,$(filter %_bench.o,$(bench_objects)))
+BENCHES   := $(patsubst %.cpp,$(OUT)/%,$(wildcard tests/bench/*_bench.cpp))
 SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
 HEADERS   := $(sort $(wildcard lib/*/*.h))
 SOURCES   := $(sort $(wildcard lib/*/*.cpp apps/*/*.cpp tests/*/*.cpp))
 FORMATTED := $(SOURCES) $(HEADERS) $(sort $(wildcard apps/*/*.h tests/*.h tests/*/*.h))
-OBJECTS   := $(call objects,$(filter-out tests/fail/%,$(SOURCES)))
+OBJECTS   := $(call objects,$(filter-out tests/fail/% tests/bench/%,$(SOURCES)))
 LONE      := $(HEADERS:%=$(OUT)/%.ok)
 
 # A check writes a log; summary.awk judges any set of logs.
@@ -114,10 +113,10 @@ test-%: packages-test ## the tests of one layer: make test-geom
 matrix: packages-test packages-matrix ## every test: each scalar, plain and sanitized, both compilers
 	@MAKE="$(again)" tests/lint/matrix.sh $(BUILD)/matrix
 
-lint: packages-lint ## every check of the source, that is:
+lint: packages-lint packages-test ## every check of the source, that is:
 	@$(call judge,$(LINT_LOGS))
 
-$(CHECKS): ## one check alone
+$(CHECKS): packages-lint packages-test ## one check alone
 	@$(call judge,$(OUT)/log/$@.log)
 
 tidy: packages-tidy ## clang-tidy, warnings are errors
@@ -201,7 +200,7 @@ $(OUT)/%.h.ok: %.h $(OUT)/flags | packages-build
 
 include_law = awk -f tests/lint/layers.awk -v out=$(OUT)/ \
     -v law="$(foreach l,$(LAYERS) reference apps,$(l): $(uses_$(l));)" \
-    -v tests_with_reference="$(tests_with_reference)" $(wildcard $(OBJECTS:.o=.d) $(LONE:=.d))
+    -v tests_with_reference="$(tests_with_reference)" $(OBJECTS:.o=.d) $(LONE:=.d)
 # Archives are lazy, so a whole one is linked: a call that climbs is an undefined symbol.
 link_law = echo 'int main() {}' | $(LINK) -x c++ - -x none -o $(OUT)/link_law \
     -Wl,--whole-archive $(OUT)/libl3d_$(1).a -Wl,--no-whole-archive \
@@ -223,4 +222,4 @@ $(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o
 	$(call say,TIDY,$<)
 	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ $(FLAGS) $(if $(filter tests/%,$<),-Itests) && touch $@
 
--include $(wildcard $(OBJECTS:.o=.d) $(LONE:=.d))
+-include $(wildcard $(OBJECTS:.o=.d) $(BENCHES:=.d) $(LONE:=.d))
