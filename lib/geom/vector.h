@@ -21,6 +21,13 @@
 /// Shape:   2 <= N <= 4.
 template <class T, int N> using l3d_vector = glm::vec<N, T, glm::defaultp>;
 
+/// GLM's own takes the way over an implicit conversion from int, which l3d_fixed does not offer.
+template <class T>
+requires l3d_is_fixed<T> l3d_vector<T, 4>
+operator-(const l3d_vector<T, 4>& v) noexcept {
+    return {-v[0], -v[1], -v[2], -v[3]};
+}
+
 namespace l3d_detail {
 
 /// floor(sqrt(value)). Cost: some 7 divisions. Source: Newton's iteration, from above.
