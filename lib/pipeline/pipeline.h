@@ -5,9 +5,15 @@
 
 #include "tool_2d/event.h"
 
+/// What became of a frame after it was drawn. Units: seconds.
+struct l3d_frame_times {
+    double show = 0;  ///< bringing the pixels to the screen
+    double write = 0; ///< writing picture files
+};
+
 /// A program is a subclass of this; the dispatcher turns outside events into these calls.
 ///
-/// Order:   events first, then update_event, then draw_event, once per frame.
+/// Order:   events first, then update_event, then draw_event, then frame_event, once per frame.
 /// Lives:   borrowed by the dispatcher; owns (or borrows from main) its screen and rasterizer.
 class l3d_pipeline {
 public:
@@ -33,6 +39,9 @@ public:
 
     /// Draws into the screen's pixels. The dispatcher shows and stores them afterwards.
     virtual void draw_event() {}
+
+    /// The picture that draw_event drew has been shown and stored.
+    virtual void frame_event(const l3d_frame_times& times) { static_cast<void>(times); }
 
     /// Whether anything would look different if draw_event were called now. The dispatcher
     /// neither draws nor shows while this is false and no event came.
