@@ -36,10 +36,10 @@ template <class Norm> l3d_second_bounds bounds_of(const l3d_image_patch& patch, 
     l3d_second_bounds result;
     for (int line = 0; line < 4; ++line)
         for (int i = 0; i < 2; ++i) {
-            const point uu = second_difference(patch.at(line, i), patch.at(line, i + 1),
-                                               patch.at(line, i + 2));
-            const point vv = second_difference(patch.at(i, line), patch.at(i + 1, line),
-                                               patch.at(i + 2, line));
+            const point uu =
+                second_difference(patch.at(line, i), patch.at(line, i + 1), patch.at(line, i + 2));
+            const point vv =
+                second_difference(patch.at(i, line), patch.at(i + 1, line), patch.at(i + 2, line));
             result.uu = std::max(result.uu, 6 * norm(uu));
             result.vv = std::max(result.vv, 6 * norm(vv));
         }
@@ -108,7 +108,9 @@ l3d_second_bounds l3d_depth_bounds_of(const l3d_image_patch& patch) {
     return bounds_of(patch, depth_alone{});
 }
 
-double l3d_depth_bound_of(const l3d_image_curve& curve) { return bound_of(curve, depth_alone{}); }
+double l3d_depth_bound_of(const l3d_image_curve& curve) {
+    return bound_of(curve, depth_alone{});
+}
 
 double l3d_vertex_error(double e_xy, double e_w, double reach, double w_least) {
     constexpr double root_two = 1.4142135623730951;

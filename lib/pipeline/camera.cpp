@@ -64,4 +64,6 @@ void l3d_camera::orbit(double around_up, double around_right) {
         eye = target + arm;
 }
 
-void l3d_camera::approach(double factor) { eye = target + (eye - target) * factor; }
+void l3d_camera::approach(double factor) {
+    eye = target + (eye - target) * factor;
+}

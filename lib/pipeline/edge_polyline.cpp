@@ -21,8 +21,7 @@ constexpr int deepest = 24;
 constexpr double small_size = 24;
 constexpr int usual_level = 2;
 
-template <class Wide>
-bool runs_backwards(const l3d_bezier_curve<Wide, 3>& edge) {
+template <class Wide> bool runs_backwards(const l3d_bezier_curve<Wide, 3>& edge) {
     const auto& p = edge.points;
     for (std::size_t i = 0; i < 2; ++i)
         for (int k = 0; k < 3; ++k)
@@ -42,16 +41,15 @@ template <class Wide> l3d_image_curve in_double(const l3d_bezier_curve<Wide, 3>&
 double largest_of(const l3d_image_curve& curve, bool depth) {
     double largest = 0;
     for (const auto& p : curve.points)
-        largest = std::max(largest, depth ? std::abs(p[2])
-                                          : std::max(std::abs(p[0]), std::abs(p[1])));
+        largest =
+            std::max(largest, depth ? std::abs(p[2]) : std::max(std::abs(p[0]), std::abs(p[1])));
     return largest;
 }
 
 template <class Wide>
 double vertex_error(const l3d_image_curve& curve, double reach, double w_low,
                     const l3d_dice_view& view) {
-    const double e_xy =
-        view.error_xy + l3d_evaluation_error<Wide>(largest_of(curve, false));
+    const double e_xy = view.error_xy + l3d_evaluation_error<Wide>(largest_of(curve, false));
     const double e_w = view.error_w + l3d_evaluation_error<Wide>(largest_of(curve, true));
     return l3d_vertex_error(e_xy, e_w, reach, w_low) + l3d_snap_error<Wide>(reach);
 }
@@ -144,5 +142,5 @@ template void l3d_edge_polyline::build(const l3d_bezier_curve<double, 3>&, const
 template void l3d_edge_polyline::build(const l3d_bezier_curve<l3d_fixed<std::int64_t, 32>, 3>&,
                                        const l3d_dice_view&);
 template l3d_clip_vertex l3d_canonical_vertex(const l3d_vector<double, 3>&, const l3d_dice_view&);
-template l3d_clip_vertex
-l3d_canonical_vertex(const l3d_vector<l3d_fixed<std::int64_t, 32>, 3>&, const l3d_dice_view&);
+template l3d_clip_vertex l3d_canonical_vertex(const l3d_vector<l3d_fixed<std::int64_t, 32>, 3>&,
+                                              const l3d_dice_view&);

@@ -8,7 +8,9 @@
 namespace {
 
 /// The largest power of two not above value; 1 for 0.
-double power_below(double value) { return value > 0 ? std::exp2(std::floor(std::log2(value))) : 1; }
+double power_below(double value) {
+    return value > 0 ? std::exp2(std::floor(std::log2(value))) : 1;
+}
 
 } // namespace
 
@@ -30,8 +32,8 @@ l3d_image_transform<Wide>::l3d_image_transform(const l3d_camera& camera, l3d_siz
     const l3d_matrix<double> exact = camera.image_matrix(size);
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)
-            matrix_(row, column) = l3d_from_double<Wide>(
-                exact(row, column) * depth_scale_ / (column < 3 ? model_scale_ : 1.0));
+            matrix_(row, column) = l3d_from_double<Wide>(exact(row, column) * depth_scale_ /
+                                                         (column < 3 ? model_scale_ : 1.0));
 
     // Doubles: the matrix (axes, products) is good to some 16 ulps of |direction| (|p| + |eye|),
     // four products and three sums add at most 8 more. Fixed: matrix entries and model points are

@@ -78,19 +78,15 @@ bool l3d_drawable(const l3d_image_point& h, double near) {
     return h[2] > near && h[0] >= -reach && h[0] <= reach && h[1] >= -reach && h[1] <= reach;
 }
 
-void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b,
-                       const l3d_clip_vertex& c, const l3d_dice_view& view,
-                       std::vector<l3d_dice_vertex>& out) {
+void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c,
+                       const l3d_dice_view& view, std::vector<l3d_dice_vertex>& out) {
     if (a.drawable && b.drawable && c.drawable) {
         out.insert(out.end(), {a.dice, b.dice, c.dice});
         return;
     }
     const double g = l3d_guard_band;
-    const std::array<plane, 5> planes{{{{0, 0, 1}, view.near},
-                                       {{1, 0, g}, 0},
-                                       {{-1, 0, g}, 0},
-                                       {{0, 1, g}, 0},
-                                       {{0, -1, g}, 0}}};
+    const std::array<plane, 5> planes{
+        {{{0, 0, 1}, view.near}, {{1, 0, g}, 0}, {{-1, 0, g}, 0}, {{0, 1, g}, 0}, {{0, -1, g}, 0}}};
     polygon shape;
     for (const auto* corner : {&a, &b, &c})
         shape.add(*corner);

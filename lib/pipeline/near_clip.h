@@ -24,8 +24,7 @@ bool l3d_drawable(const l3d_image_point& h, double near);
 /// A drawable corner keeps its vertex bit for bit. A new corner on the edge p q is a function of
 /// p and q alone, whatever their order, so triangles that share an edge still fit together.
 /// Source: Sutherland, Hodgman, Reentrant Polygon Clipping, CACM 17, 1974, in homogeneous space.
-void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b,
-                       const l3d_clip_vertex& c, const l3d_dice_view& view,
-                       std::vector<l3d_dice_vertex>& out);
+void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c,
+                       const l3d_dice_view& view, std::vector<l3d_dice_vertex>& out);
 
 #endif

@@ -66,8 +66,7 @@ struct magnitudes {
 
 /// Error of walking n steps in T along one of `strips` equal parts of [0, 1]: differences of
 /// order k shrink by strips^k.
-template <class T>
-double walking_error(const std::array<double, 4>& size, int n, int strips) {
+template <class T> double walking_error(const std::array<double, 4>& size, int n, int strips) {
     const double s = strips;
     return l3d_forward_difference_error<T>(n, size[0], size[1] / s, size[2] / (s * s),
                                            size[3] / (s * s * s));
@@ -104,8 +103,8 @@ template <class T> struct l3d_patch_dicer<T>::blocks {
                    (whole ? walking_error<T>(of, most_steps_whole, n_strips) : 0);
         };
         const double reach = box.reach();
-        vertex_error = l3d_vertex_error(error(size.xy, view.error_xy),
-                                        error(size.w, view.error_w), reach, w_low) +
+        vertex_error = l3d_vertex_error(error(size.xy, view.error_xy), error(size.w, view.error_w),
+                                        reach, w_low) +
                        std::max(l3d_snap_error<T>(reach), l3d_snap_error<wide>(reach));
     }
 

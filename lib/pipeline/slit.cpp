@@ -12,8 +12,8 @@ namespace {
 int orientation(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c) {
     if (a.drawable && b.drawable && c.drawable) {
         const l3d_micro_vertex &p = a.dice.vertex, &q = b.dice.vertex, &r = c.dice.vertex;
-        const std::int64_t area = std::int64_t{q.x - p.x} * (r.y - p.y) -
-                                  std::int64_t{q.y - p.y} * (r.x - p.x);
+        const std::int64_t area =
+            std::int64_t{q.x - p.x} * (r.y - p.y) - std::int64_t{q.y - p.y} * (r.x - p.x);
         return (area > 0) - (area < 0);
     }
     // Of the part in front of the eye, as the determinant of homogeneous points tells.
@@ -67,8 +67,7 @@ void l3d_fill_slit(std::span<const l3d_boundary_point> row, const l3d_edge_polyl
         const l3d_boundary_point& p = row[i];
         const l3d_clip_vertex q = on_row(j, p);
         const bool along_row =
-            i + 1 < row.size() &&
-            (j + 1 == points.size() || row[i + 1].t <= points[j + 1].t);
+            i + 1 < row.size() && (j + 1 == points.size() || row[i + 1].t <= points[j + 1].t);
         if (along_row)
             fill.add(q, p.vertex, row[++i].vertex, p.facing);
         else

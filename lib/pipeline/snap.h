@@ -28,7 +28,8 @@ template <std::floating_point T> std::int32_t rounded(T value) {
 /// (x / w, y / w) in 1/256 pixel.
 ///
 /// Expects: w > 0, |x / w| and |y / w| at most l3d_guard_band.
-/// Errors:  x times the reciprocal of w is off by 2 roundings, x / w <= 2.01 u |x / w|; the rounding to
+/// Errors:  x times the reciprocal of w is off by 2 roundings, x / w <= 2.01 u |x / w|; the
+/// rounding to
 ///          sub-pixels adds half of one in each coordinate.
 template <std::floating_point T> l3d_snapped l3d_snap(T x, T y, T w) {
     const T reciprocal = T(1) / w;
@@ -51,8 +52,7 @@ l3d_snapped l3d_snap(l3d_fixed<S, F, O> x, l3d_fixed<S, F, O> y, l3d_fixed<S, F,
 /// What l3d_snap adds to a vertex's error, for coordinates up to `reach`. Units: pixels.
 template <class T> double l3d_snap_error(double reach) {
     constexpr double root_two = 1.4142135623730951;
-    return root_two * (2.01 * l3d_real_traits<T>::unit_roundoff * reach +
-                       0.5 / l3d_subpixel_one);
+    return root_two * (2.01 * l3d_real_traits<T>::unit_roundoff * reach + 0.5 / l3d_subpixel_one);
 }
 
 #endif

@@ -149,8 +149,8 @@ l3d_step_plan l3d_plan_steps(std::span<const l3d_image_patch> blocks, const l3d_
     for (int b = 0; b < need.strips(); ++b)
         for (int a = 0; a < need.strips(); ++a)
             if (need.at(a, b).visible)
-                plan.chord_error = std::max(
-                    plan.chord_error, need.error(a, b, plan.nu[static_cast<std::size_t>(a)],
-                                                 plan.nv[static_cast<std::size_t>(b)]));
+                plan.chord_error = std::max(plan.chord_error,
+                                            need.error(a, b, plan.nu[static_cast<std::size_t>(a)],
+                                                       plan.nv[static_cast<std::size_t>(b)]));
     return plan;
 }

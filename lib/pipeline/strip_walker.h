@@ -47,8 +47,7 @@ public:
     /// Puts column c on one point; used for a last row, which nothing follows.
     void place(std::size_t c, const l3d_vector<wide, 3>& point) {
         for (std::size_t k = 0; k < 3; ++k)
-            registers_[k][0][c] =
-                l3d_real_traits<T>::from_wide(point[static_cast<int>(k)]);
+            registers_[k][0][c] = l3d_real_traits<T>::from_wide(point[static_cast<int>(k)]);
     }
 
     /// Writes the current points, projected and snapped to sub-pixels.

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// l3d_pipeline_afd: the stages of a frame.
+#include "pipeline/pipeline_afd.h"
+
+#include "pipeline/dice_sinks_p.h"
+#include "pipeline/near_clip.h"
+#include "pipeline/snap.h"
+#include "pipeline/stopwatch_p.h"
+#include "raster/surface_rasterizer_sw.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace {
+
+using l3d_detail::stopwatch;
+
+constexpr std::uint32_t wire_color = 0x0080d0ff, net_color = 0x00ff9030;
+
+l3d_shading shading_of(const l3d_afd_settings& settings) {
+    const auto light = l3d_normalized(settings.light);
+    return {
+        settings.shade,
+        {static_cast<float>(light[0]), static_cast<float>(light[1]), static_cast<float>(light[2])}};
+}
+
+} // namespace
+
+l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
+                                   std::unique_ptr<l3d_rasterizer_2d_imp> imp,
+                                   const l3d_patch_model& model, const l3d_camera& camera,
+                                   const l3d_afd_settings& settings)
+    : screen_(std::move(screen)), imp_(std::move(imp)), rasterizer_(*imp_),
+      surface_rasterizer_(std::make_unique<l3d_surface_rasterizer_sw>()), model_(model),
+      camera_(camera), first_camera_(camera), settings_(settings) {
+    report_.frame = -1;
+    report_.method = "afd";
+    report_.real = l3d_real_name();
+}
+
+void l3d_pipeline_afd::resize_event(l3d_size) {
+    imp_->set_target(screen_->pixels());
+    redraw();
+}
+
+void l3d_pipeline_afd::draw_event() {
+    const stopwatch whole;
+    const int frame = report_.frame + 1;
+    l3d_stage_times times;
+
+    const stopwatch clearing;
+    clear();
+    times.clear = clearing.milliseconds();
+
+    const stopwatch transforming;
+    place_patches();
+    times.transform = transforming.milliseconds();
+
+    const stopwatch drawing;
+    report_.time_ms = times;
+    draw_surfaces();
+    report_.time_ms.dice = drawing.milliseconds() - report_.time_ms.raster;
+
+    const stopwatch overlaying;
+    if (settings_.net)
+        draw_nets();
+    draw_overlay();
+    report_.time_ms.overlay = overlaying.milliseconds();
+
+    report_.time_ms.total = whole.milliseconds();
+    report_.frame = frame;
+    report_.size = view_.size;
+    report_.tolerance_px = settings_.tolerance;
+    report_.patches = static_cast<std::int64_t>(model_.patches().size());
+    report_.dice = dicer_.counts();
+    report_.surface = surface_rasterizer_->counts();
+    stale_ = false;
+}
+
+void l3d_pipeline_afd::frame_event(const l3d_frame_times& times) {
+    report_.time_ms.show = 1000 * times.show;
+    report_.time_ms.write = 1000 * times.write;
+}
+
+void l3d_pipeline_afd::clear() {
+    rasterizer_.clear_buffer();
+    depth_.resize(screen_->pixels().size());
+    depth_.clear();
+}
+
+/// Nearest first: what is hidden is then mostly rejected by the depth test before it is shaded.
+void l3d_pipeline_afd::place_patches() {
+    const l3d_size size = screen_->pixels().size();
+    transform_ = l3d_image_transform<wide>(camera_, size, model_);
+    view_ = {size,
+             camera_.near * transform_.depth_scale(),
+             settings_.tolerance,
+             transform_.depth_scale(),
+             transform_.error_xy(),
+             transform_.error_w(),
+             settings_.keep_all};
+    placed_.clear();
+    for (std::size_t i = 0; i < model_.patches().size(); ++i) {
+        placed_patch& p = placed_.emplace_back();
+        p.net = transform_(model_.patches()[i]);
+        p.nearest_w = l3d_to_double(p.net.bounds().first[2]);
+        p.index = i;
+    }
+    std::sort(placed_.begin(), placed_.end(), [](const placed_patch& a, const placed_patch& b) {
+        return a.nearest_w != b.nearest_w ? a.nearest_w < b.nearest_w : a.index < b.index;
+    });
+}
+
+void l3d_pipeline_afd::draw_surfaces() {
+    dicer_.begin(view_);
+    surface_rasterizer_->begin(screen_->pixels(), depth_, shading_of(settings_));
+    const auto draw_into = [this](l3d_dice_sink& sink) {
+        for (const placed_patch& p : placed_)
+            dicer_.dice(p.net, model_.normals(p.index), sink);
+    };
+    if (settings_.wireframe) {
+        l3d_detail::line_sink lines(rasterizer_, wire_color);
+        draw_into(lines);
+    } else {
+        l3d_detail::filling_sink filling(*surface_rasterizer_, settings_.shade == l3d_shade::error,
+                                         settings_.tolerance);
+        draw_into(filling);
+        report_.time_ms.raster = filling.milliseconds();
+    }
+}
+
+/// The 24 edges of every control net. An edge that reaches behind the near plane is left out.
+void l3d_pipeline_afd::draw_nets() {
+    std::vector<l3d_line_2d> lines;
+    const auto add = [&](const l3d_vector<wide, 3>& from, const l3d_vector<wide, 3>& to) {
+        const l3d_clip_vertex a = l3d_canonical_vertex<wide>(from, view_);
+        const l3d_clip_vertex b = l3d_canonical_vertex<wide>(to, view_);
+        if (a.drawable && b.drawable)
+            lines.push_back(
+                {a.dice.vertex.x >> l3d_subpixel_bits, a.dice.vertex.y >> l3d_subpixel_bits,
+                 b.dice.vertex.x >> l3d_subpixel_bits, b.dice.vertex.y >> l3d_subpixel_bits});
+    };
+    for (const placed_patch& p : placed_)
+        for (int line = 0; line < 4; ++line)
+            for (int i = 0; i < 3; ++i) {
+                add(p.net.at(line, i), p.net.at(line, i + 1));
+                add(p.net.at(i, line), p.net.at(i + 1, line));
+            }
+    rasterizer_.draw_lines(lines, net_color);
+}
+
+l3d_frame_report l3d_pipeline_afd::report() const {
+    l3d_frame_report result = report_;
+    result.hash = l3d_hash(screen_->pixels());
+    result.pixels_covered = l3d_covered(depth_);
+    return result;
+}

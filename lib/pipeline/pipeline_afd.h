@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// l3d_pipeline_afd: draws bicubic patches by adaptive forward differencing.
+#ifndef L3D_PIPELINE_PIPELINE_AFD_H
+#define L3D_PIPELINE_PIPELINE_AFD_H
+
+#include "geom/real.h"
+#include "pipeline/camera.h"
+#include "pipeline/frame_report.h"
+#include "pipeline/image_transform.h"
+#include "pipeline/patch_dicer.h"
+#include "pipeline/patch_model.h"
+#include "pipeline/pipeline.h"
+#include "raster/rasterizer_2d.h"
+#include "raster/surface_rasterizer.h"
+#include "tool_2d/screen.h"
+
+#include <memory>
+#include <vector>
+
+/// How a model is to be drawn.
+struct l3d_afd_settings {
+    double tolerance = 0.25;                     ///< largest image error allowed, in pixels
+    l3d_shade shade = l3d_shade::lambert;        ///< of the filled surface
+    l3d_vector<double, 3> light{0.4, 0.8, 0.45}; ///< towards the light, world space, any length
+    bool wireframe = false; ///< the lines of the adaptive grid instead of the filled surface
+    bool net = false;       ///< the control nets on top
+    bool keep_all = false;  ///< leave nothing out (for comparison)
+};
+
+/// Draws a model of bicubic patches with a certified error bound in every frame.
+///
+/// A program that only wants the picture uses it as it is; one with keys or things of its own to
+/// draw is a subclass that changes camera() and settings() and calls draw_event.
+/// Expects: a valid camera; tolerance > 0; light not zero.
+/// Lives:   owns screen and rasterizers, borrows the model.
+/// Cost:    filled surfaces allocate nothing once the largest frame has been seen.
+class l3d_pipeline_afd : public l3d_pipeline {
+public:
+    l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen, std::unique_ptr<l3d_rasterizer_2d_imp> imp,
+                     const l3d_patch_model& model, const l3d_camera& camera,
+                     const l3d_afd_settings& settings);
+
+    l3d_screen& screen() { return *screen_; }
+    const l3d_depth_buffer& depth() const { return depth_; }
+
+    /// The last frame drawn; hash and pixels_covered are counted when asked for.
+    l3d_frame_report report() const;
+
+    void resize_event(l3d_size size) override;
+    void draw_event() override;
+    void frame_event(const l3d_frame_times& times) override;
+    bool needs_redraw() const override { return stale_; }
+
+protected:
+    l3d_camera& camera() { return camera_; }
+    l3d_afd_settings& settings() { return settings_; }
+    const l3d_afd_settings& settings() const { return settings_; }
+    void reset_camera() { camera_ = first_camera_; }
+    l3d_rasterizer_2d& rasterizer() { return rasterizer_; }
+
+    /// Of the frame before, in draw_overlay of the one that is drawn now.
+    const l3d_frame_report& last_report() const { return report_; }
+
+    /// The certified bound of what has been drawn in this frame. Units: pixels.
+    double bound() const { return dicer_.counts().bound_px; }
+
+    l3d_pixels pixels() { return screen_->pixels(); }
+
+    /// Asks for the next frame to be drawn.
+    void redraw() { stale_ = true; }
+
+    /// Draws on top of the finished surface; timed as `overlay`.
+    virtual void draw_overlay() {}
+
+private:
+    using wide = l3d_real_traits<l3d_real>::wide;
+    using image_net = l3d_bezier_patch<wide, 3>;
+
+    struct placed_patch {
+        image_net net;
+        double nearest_w;
+        std::size_t index;
+    };
+
+    void clear();
+    void place_patches();
+    void draw_surfaces();
+    void draw_nets();
+
+    std::unique_ptr<l3d_screen> screen_;
+    std::unique_ptr<l3d_rasterizer_2d_imp> imp_;
+    l3d_rasterizer_2d rasterizer_;
+    std::unique_ptr<l3d_surface_rasterizer> surface_rasterizer_;
+    l3d_depth_buffer depth_;
+
+    const l3d_patch_model& model_;
+    l3d_camera camera_, first_camera_;
+    l3d_afd_settings settings_;
+    bool stale_ = true;
+
+    l3d_image_transform<wide> transform_;
+    l3d_dice_view view_;
+    std::vector<placed_patch> placed_;
+    l3d_patch_dicer<l3d_real> dicer_;
+    l3d_frame_report report_;
+};
+
+#endif
