@@ -5,7 +5,7 @@
 
 #include "tool_2d/pixels.h"
 
-#include <vector>
+#include <memory>
 
 /// Owns the words that l3d_pixels views; black at first.
 class l3d_image {
@@ -15,16 +15,17 @@ public:
     /// Expects: width and height not negative, stride >= width.
     /// Errors:  std::bad_alloc.
     l3d_image(l3d_size size, std::ptrdiff_t stride)
-        : words_(static_cast<std::size_t>(stride) * static_cast<std::size_t>(size.height)),
+        : words_(std::make_unique<std::uint32_t[]>(static_cast<std::size_t>(stride) *
+                                                   static_cast<std::size_t>(size.height))),
           size_(size), stride_(stride) {
         assert(size.width >= 0 && size.height >= 0 && stride >= size.width);
     }
 
     /// Lives:   the view ends when the image does, or is assigned to.
-    l3d_pixels pixels() { return {words_.data(), size_.width, size_.height, stride_}; }
+    l3d_pixels pixels() { return {words_.get(), size_.width, size_.height, stride_}; }
 
 private:
-    std::vector<std::uint32_t> words_;
+    std::unique_ptr<std::uint32_t[]> words_;
     l3d_size size_{};
     std::ptrdiff_t stride_ = 0;
 };

@@ -146,7 +146,13 @@ std::string l3d_screen_x11::do_describe() const {
 
 std::unique_ptr<l3d_screen> open_screen(const l3d_screen_request& request,
                                         x11_image_maker make_image, std::string& why) {
-    auto window = x11_window::open(request, why);
+    auto connection = x11_connection::open(why);
+    if (!connection)
+        return nullptr;
+    const auto visual = choose_x11_visual(*connection, why);
+    if (!visual)
+        return nullptr;
+    auto window = x11_window::open(std::move(connection), *visual, request, why);
     if (!window)
         return nullptr;
     try {

@@ -40,6 +40,7 @@ void set_storage(Display* display, l3d_pixel_layout& layout) {
 x11_visual with_layout(Display* display, const XVisualInfo& info) {
     x11_visual visual;
     visual.visual = info.visual;
+    visual.color_class = info.c_class;
     visual.layout.depth = info.depth;
     visual.layout.red_mask = static_cast<std::uint32_t>(info.red_mask);
     visual.layout.green_mask = static_cast<std::uint32_t>(info.green_mask);
@@ -52,11 +53,13 @@ std::array<std::uint32_t, 3> masks_of(const l3d_pixel_layout& layout) {
     return {layout.red_mask, layout.green_mask, layout.blue_mask};
 }
 
-bool convertible(const l3d_pixel_layout& layout) {
+bool is_usable(const x11_visual& visual) {
+    const auto& layout = visual.layout;
     const auto whole_bytes =
         layout.bits_per_pixel >= 8 && layout.bits_per_pixel <= 32 && layout.bits_per_pixel % 8 == 0;
     // One run of at most 16 ones: shifted down and increased it is a power of two.
-    return whole_bytes && std::ranges::all_of(masks_of(layout), [](std::uint32_t mask) {
+    return visual.color_class == TrueColor && whole_bytes &&
+           std::ranges::all_of(masks_of(layout), [](std::uint32_t mask) {
                const auto run = mask == 0 ? 0 : mask >> std::countr_zero(mask);
                return run != 0 && run <= 0xFFFF && std::has_single_bit(run + 1);
            });
@@ -72,40 +75,53 @@ auto rank(const x11_visual& visual) {
     return std::tuple(fewest, visual.layout.depth != 32, all);
 }
 
-std::string refusal(const XVisualInfo& info) {
+std::string refusal(const x11_visual& visual) {
     constexpr std::array names{"StaticGray",  "GrayScale", "StaticColor",
                                "PseudoColor", "TrueColor", "DirectColor"};
+    const auto& layout = visual.layout;
     std::ostringstream text;
     text << "no usable TrueColor visual on this display; its default is "
-         << names.at(static_cast<std::size_t>(info.c_class)) << ", depth " << info.depth
-         << ", masks " << std::hex << info.red_mask << "/" << info.green_mask << "/"
-         << info.blue_mask;
+         << names.at(static_cast<std::size_t>(visual.color_class)) << ", depth " << layout.depth
+         << ", masks " << std::hex << layout.red_mask << "/" << layout.green_mask << "/"
+         << layout.blue_mask;
     return text.str();
 }
 
 } // namespace
 
-std::optional<x11_visual> choose_x11_visual(const x11_connection& connection, std::string& why) {
+std::vector<x11_visual> offered_x11_visuals(const x11_connection& connection) {
     XVisualInfo wanted{};
     wanted.screen = connection.screen();
     int count = 0;
     const x11_list<XVisualInfo> list(
         XGetVisualInfo(connection.display(), VisualScreenMask, &wanted, &count));
-    const auto* default_visual = DefaultVisual(connection.display(), connection.screen());
+    std::vector<x11_visual> offered;
+    for (const auto& info : std::span(list.get(), static_cast<std::size_t>(count)))
+        offered.push_back(with_layout(connection.display(), info));
+    return offered;
+}
 
+std::optional<x11_visual> choose_x11_visual(std::span<const x11_visual> offered,
+                                            const Visual* preferred, std::string& why) {
     std::optional<x11_visual> best;
-    for (const auto& info : std::span(list.get(), static_cast<std::size_t>(count))) {
-        const bool is_default = info.visual == default_visual;
-        const auto candidate = with_layout(connection.display(), info);
-        const bool usable = info.c_class == TrueColor && convertible(candidate.layout);
-        if (is_default && !usable)
-            why = refusal(info);
-        if (is_default && usable)
+    for (const auto& candidate : offered) {
+        const bool is_preferred = candidate.visual == preferred;
+        if (!is_usable(candidate)) {
+            if (is_preferred)
+                why = refusal(candidate);
+            continue;
+        }
+        if (is_preferred)
             return candidate;
-        if (usable && (!best || rank(candidate) > rank(*best)))
+        if (!best || rank(candidate) > rank(*best))
             best = candidate;
     }
     return best;
+}
+
+std::optional<x11_visual> choose_x11_visual(const x11_connection& connection, std::string& why) {
+    return choose_x11_visual(offered_x11_visuals(connection),
+                             DefaultVisual(connection.display(), connection.screen()), why);
 }
 
 } // namespace l3d_detail

@@ -32,16 +32,11 @@ void set_property(const x11_window& window, Atom name, Atom type, int format, co
 
 } // namespace
 
-std::unique_ptr<x11_window> x11_window::open(const l3d_screen_request& request, std::string& why) {
+std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> connection,
+                                             const x11_visual& visual,
+                                             const l3d_screen_request& request, std::string& why) {
     assert(request.size.width >= 1 && request.size.height >= 1);
-    auto connection = x11_connection::open(why);
-    if (!connection)
-        return nullptr;
-    const auto visual = choose_x11_visual(*connection, why);
-    if (!visual)
-        return nullptr;
-
-    std::unique_ptr<x11_window> window(new x11_window(std::move(connection), *visual));
+    std::unique_ptr<x11_window> window(new x11_window(std::move(connection), visual));
     x11_error_trap trap(window->connection());
     window->create(request.size);
     window->set_names(request);

@@ -28,7 +28,9 @@ class x11_window {
 public:
     /// Makes a window that is not on the screen yet.
     /// Errors:  null, with one line in `why`.
-    static std::unique_ptr<x11_window> open(const l3d_screen_request& request, std::string& why);
+    static std::unique_ptr<x11_window> open(std::unique_ptr<x11_connection> connection,
+                                            const x11_visual& visual,
+                                            const l3d_screen_request& request, std::string& why);
 
     x11_window(const x11_window&) = delete;
     x11_window& operator=(const x11_window&) = delete;

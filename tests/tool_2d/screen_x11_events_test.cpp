@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+// X11 windows: what happens to them becomes events.
+#include "onlooker_x11.h"
+
+#include <array>
+#include <thread>
+#include <vector>
+
+#include <X11/keysym.h>
+
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(screen_x11_events, close_button_is_an_event) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    other.send_protocol("WM_DELETE_WINDOW");
+    EXPECT_NE(next(*screen, l3d_event_type::close), nullptr);
+    EXPECT_NE(other.window(), 0U) << "closing is the program's decision";
+}
+
+TEST(screen_x11_events, destroyed_by_another_is_an_event) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    XDestroyWindow(other.display(), other.window());
+    XSync(other.display(), False);
+    // The screen does not know yet: these go to a window that is gone.
+    screen->show();
+    screen->show();
+    EXPECT_NE(next(*screen, l3d_event_type::close), nullptr);
+    screen->show();
+}
+
+TEST(screen_x11_events, a_ping_comes_back_on_the_root) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    drop_events(*screen);
+    XSelectInput(other.display(), other.root(), SubstructureNotifyMask);
+    other.send_protocol("_NET_WM_PING");
+    // Nothing for the program itself; asked for its events it answers.
+    l3d_event event;
+    XEvent answer{};
+    while (answer.type != ClientMessage) {
+        EXPECT_FALSE(screen->next_event(event));
+        if (XCheckTypedEvent(other.display(), ClientMessage, &answer) == 0)
+            std::this_thread::sleep_for(1ms);
+    }
+    EXPECT_EQ(answer.xclient.window, other.root());
+    EXPECT_EQ(answer.xclient.data.l[0], static_cast<long>(other.atom("_NET_WM_PING")));
+    EXPECT_EQ(answer.xclient.data.l[1], 4711);
+}
+
+TEST(screen_x11_events, keys) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    const auto pressed = [&](KeySym keysym, unsigned state) {
+        other.send_key(KeyPress, keysym, state);
+        const auto event = next(*screen, l3d_event_type::key_press);
+        return event ? event->key : -1;
+    };
+    EXPECT_EQ(pressed(XK_q, 0), 'q');
+    EXPECT_EQ(pressed(XK_q, ShiftMask), 'Q');
+    EXPECT_EQ(pressed(XK_q, LockMask), 'Q');
+    EXPECT_EQ(pressed(XK_q, ControlMask), 'q');
+    EXPECT_EQ(pressed(XK_1, ShiftMask), '!');
+    EXPECT_EQ(pressed(XK_space, 0), ' ');
+    EXPECT_EQ(pressed(XK_KP_Add, 0), '+');
+    EXPECT_EQ(pressed(XK_KP_4, 0), l3d_key_left);
+    EXPECT_EQ(pressed(XK_Escape, 0), l3d_key_escape);
+    EXPECT_EQ(pressed(XK_Return, 0), l3d_key_return);
+    EXPECT_EQ(pressed(XK_BackSpace, 0), l3d_key_backspace);
+    EXPECT_EQ(pressed(XK_Left, 0), l3d_key_left);
+    EXPECT_EQ(pressed(XK_Page_Down, 0), l3d_key_page_down);
+    EXPECT_EQ(pressed(XK_End, 0), l3d_key_end);
+    EXPECT_EQ(pressed(XK_F1, 0), l3d_key_f1);
+    EXPECT_EQ(pressed(XK_F7, 0), l3d_key_f1 + 6);
+    EXPECT_EQ(pressed(XK_F11, 0), l3d_key_f11);
+}
+
+TEST(screen_x11_events, a_modifier_alone_is_no_key) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    other.send_key(KeyPress, XK_Shift_L);
+    other.send_key(KeyPress, XK_F12);
+    other.send_key(KeyPress, XK_x);
+    EXPECT_EQ(next(*screen, l3d_event_type::key_press)->key, 'x');
+}
+
+TEST(screen_x11_events, a_held_key_is_released_once) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    drop_events(*screen);
+    other.send_key(KeyPress, XK_w, 0, 100);
+    for (const Time time : {200U, 230U, 260U}) {
+        other.send_key(KeyRelease, XK_w, 0, time);
+        other.send_key(KeyPress, XK_w, 0, time);
+    }
+    other.send_key(KeyRelease, XK_w, 0, 300);
+    other.send_key(KeyPress, XK_w, 0, 301);
+    std::vector<l3d_event_type> types;
+    l3d_event event;
+    while (screen->next_event(event))
+        types.push_back(event.type);
+    using enum l3d_event_type;
+    EXPECT_EQ(types,
+              (std::vector{key_press, key_press, key_press, key_press, key_release, key_press}));
+}
+
+TEST(screen_x11_events, buttons_wheel_and_motion) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    drop_events(*screen);
+    other.send_button(ButtonPress, 3, 17, 29);
+    for (int i = 0; i < 5; ++i)
+        other.send_motion(Button3Mask, 20 + i, 30 - i);
+    other.send_button(ButtonRelease, 3, 24, 26);
+    for (const unsigned wheel : {4U, 5U, 6U, 7U}) {
+        other.send_button(ButtonPress, wheel, 5, 6);
+        other.send_button(ButtonRelease, wheel, 5, 6);
+    }
+    std::vector<std::array<int, 4>> seen;
+    l3d_event event;
+    while (screen->next_event(event))
+        seen.push_back({static_cast<int>(event.type), event.button, event.x, event.y});
+    using enum l3d_event_type;
+    const auto row = [](l3d_event_type type, int button, int x, int y) {
+        return std::array{static_cast<int>(type), button, x, y};
+    };
+    EXPECT_EQ(seen, (std::vector{row(button_press, 3, 17, 29), row(pointer_motion, 3, 24, 26),
+                                 row(button_release, 3, 24, 26), row(wheel, 0, 0, 1),
+                                 row(wheel, 0, 0, -1)}));
+}
+
+TEST(screen_x11_events, a_storm_of_sizes_ends_at_the_last) {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const xvfb server("701x507x16");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    drop_events(*screen);
+    std::mt19937 random(seed);
+    int resizes = 0;
+    l3d_event event;
+    for (int i = 0; i < 300; ++i) {
+        XResizeWindow(other.display(), other.window(), 1 + static_cast<unsigned>(random() % 600),
+                      1 + static_cast<unsigned>(random() % 400));
+        XSync(other.display(), False);
+        if (i % 10 != 9)
+            continue;
+        while (screen->next_event(event)) {
+            resizes += event.type == l3d_event_type::resize;
+            EXPECT_EQ(event.type == l3d_event_type::resize ? event.size : screen->pixels().size(),
+                      screen->pixels().size());
+        }
+        draw_random(screen->pixels(), seed);
+        screen->show();
+    }
+    EXPECT_LE(resizes, 30) << "more than one per batch of ten";
+    XResizeWindow(other.display(), other.window(), 321, 123);
+    XSync(other.display(), False);
+    drop_events(*screen);
+    ASSERT_EQ(screen->pixels().size(), (l3d_size{321, 123}));
+    draw_random(screen->pixels(), seed + 1);
+    show_for_certain(*screen);
+    EXPECT_EQ(wrong_pixels(other, screen->pixels(), screen->info()), 0);
+}
+
+TEST(screen_x11_events, the_same_size_again_is_no_event) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    drop_events(*screen);
+    const auto* words = screen->pixels().words;
+    XMoveWindow(other.display(), other.window(), 31, 17);
+    XResizeWindow(other.display(), other.window(), 50, 60);
+    XResizeWindow(other.display(), other.window(), static_cast<unsigned>(odd_size.width),
+                  static_cast<unsigned>(odd_size.height));
+    XSync(other.display(), False);
+    l3d_event event;
+    while (screen->next_event(event))
+        EXPECT_NE(event.type, l3d_event_type::resize);
+    EXPECT_EQ(screen->pixels().words, words);
+}
+
+TEST(screen_x11_events, pixels_stay_until_the_resize_is_told) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    drop_events(*screen);
+    const auto before = screen->pixels();
+    XResizeWindow(other.display(), other.window(), 60, 70);
+    XSync(other.display(), False);
+    screen->wait(patience);
+    screen->show();
+    // Under the address sanitizer this is the proof.
+    draw_random(before, 1);
+    EXPECT_EQ(screen->pixels().words, before.words);
+    EXPECT_EQ(next(*screen, l3d_event_type::resize)->size, (l3d_size{60, 70}));
+    EXPECT_EQ(screen->pixels().size(), (l3d_size{60, 70}));
+}
+
+TEST(screen_x11_events, uncovering_is_an_event) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    drop_events(*screen);
+    const Window ours = other.window();
+    const Window cover =
+        XCreateSimpleWindow(other.display(), other.root(), 11, 13, 50, 40, 0, 0, 7);
+    XMapRaised(other.display(), cover);
+    XSync(other.display(), False);
+    XDestroyWindow(other.display(), cover);
+    XSync(other.display(), False);
+    EXPECT_EQ(other.window(), ours);
+    EXPECT_NE(next(*screen, l3d_event_type::expose), nullptr);
+}
+
+} // namespace

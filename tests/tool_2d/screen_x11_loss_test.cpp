@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// X11 windows: slow and dead servers, and errors.
+#include "onlooker_x11.h"
+
+#include <X11/keysym.h>
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A server that does not answer: show comes back, and the last picture arrives in the end.
+TEST(screen_x11_loss, one_picture_under_way_at_most) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    drop_events(*screen);
+    server.pause();
+    for (unsigned frame = 1; frame <= 4; ++frame) {
+        draw_random(screen->pixels(), frame);
+        screen->show();
+    }
+    server.resume();
+    // No further show: whoever waits for events sends what is due. The key comes after it.
+    screen->wait(100ms);
+    other.send_key(KeyPress, XK_y);
+    ASSERT_NE(next(*screen, l3d_event_type::key_press), nullptr);
+    screen->wait(100ms);
+    int wrong = 1;
+    for (int tries = 0; wrong != 0 && tries < 1000; ++tries) {
+        drop_events(*screen);
+        wrong = wrong_pixels(other, screen->pixels(), screen->info());
+    }
+    EXPECT_EQ(wrong, 0);
+}
+
+TEST(screen_x11_loss, a_dead_server_is_an_event) {
+    xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    drop_events(*screen);
+    screen->show();
+    server.end(SIGKILL);
+    EXPECT_NE(next(*screen, l3d_event_type::display_lost), nullptr);
+    // Nothing of this may reach the server, wait for it, or end the program.
+    l3d_event event;
+    EXPECT_FALSE(screen->next_event(event)) << "told twice";
+    draw_random(screen->pixels(), 5);
+    screen->show();
+    screen->wait(patience * 100);
+}
+
+TEST(screen_x11_loss, a_dead_server_shows_itself_while_drawing) {
+    xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    server.end(SIGKILL);
+    for (int i = 0; i < 10; ++i)
+        screen->show();
+    EXPECT_NE(next(*screen, l3d_event_type::display_lost), nullptr);
+}
+
+int foreign_errors = 0;
+int count_error(Display*, XErrorEvent*) {
+    return ++foreign_errors;
+}
+
+TEST(screen_x11_loss, errors_of_others_go_to_their_handler) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    foreign_errors = 0;
+    const auto before = XSetErrorHandler(count_error);
+    {
+        const auto screen = make();
+        const onlooker other;
+        XDestroyWindow(other.display(), other.window());
+        XSync(other.display(), False);
+        screen->show();
+        screen->show();
+        EXPECT_EQ(foreign_errors, 0) << "the screen's own error went to the host program";
+        XMapWindow(other.display(), 0x1234);
+        XSync(other.display(), False);
+        EXPECT_EQ(foreign_errors, 1);
+    }
+    EXPECT_EQ(XSetErrorHandler(before), count_error) << "the host program's handler is back";
+}
+
+TEST(screen_x11_loss, a_handler_that_came_later_stays) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    auto screen = make();
+    const auto ours = XSetErrorHandler(count_error);
+    screen.reset();
+    EXPECT_EQ(XSetErrorHandler(nullptr), count_error);
+    EXPECT_NE(ours, count_error);
+}
+
+} // namespace
