@@ -11,6 +11,7 @@ BUILD ?= build#    where everything made goes, a folder per variant
 ifneq ($(filter default undefined,$(origin CXX)),)
 CXX := g++
 endif
+WERROR       ?= -Werror#  make WERROR= builds with a compiler that warns of more than ours
 CLANG_FORMAT ?= clang-format
 CLANG_TIDY   ?= clang-tidy
 TEST_TIMEOUT ?= 900#  seconds a test program may take, sanitizers on a slow machine included
