@@ -29,10 +29,10 @@ l3d_shading shading_of(const l3d_afd_settings& settings) {
 } // namespace
 
 l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
-                                   std::unique_ptr<l3d_rasterizer_2d_imp> imp,
+                                   const l3d_rasterizer_2d_imp_factory& rasterizers,
                                    const l3d_patch_model& model, const l3d_camera& camera,
                                    const l3d_afd_settings& settings)
-    : screen_(std::move(screen)), imp_(std::move(imp)), rasterizer_(*imp_),
+    : screen_(std::move(screen)), imp_(rasterizers.create(screen_->pixels())), rasterizer_(*imp_),
       surface_rasterizer_(std::make_unique<l3d_surface_rasterizer_sw>()), model_(model),
       camera_(camera), first_camera_(camera), settings_(settings) {
     report_.frame = -1;

@@ -36,9 +36,9 @@ struct l3d_afd_settings {
 /// Cost:    filled surfaces allocate nothing once the largest frame has been seen.
 class l3d_pipeline_afd : public l3d_pipeline {
 public:
-    l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen, std::unique_ptr<l3d_rasterizer_2d_imp> imp,
-                     const l3d_patch_model& model, const l3d_camera& camera,
-                     const l3d_afd_settings& settings);
+    l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
+                     const l3d_rasterizer_2d_imp_factory& rasterizers, const l3d_patch_model& model,
+                     const l3d_camera& camera, const l3d_afd_settings& settings);
 
     l3d_screen& screen() { return *screen_; }
     const l3d_depth_buffer& depth() const { return depth_; }

@@ -43,4 +43,8 @@ private:
     std::vector<float> values_;
 };
 
+/// Distance along the view axis per pixel, +infinity where nothing is.
+/// Shape: row by row from the top, width values each.
+std::vector<float> l3d_distances(const l3d_depth_buffer& depth);
+
 #endif

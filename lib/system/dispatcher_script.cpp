@@ -2,6 +2,8 @@
 // l3d_dispatcher_script: the loop over frames.
 #include "system/dispatcher_script.h"
 
+#include "system/present_p.h"
+
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -28,12 +30,13 @@ l3d_exit l3d_dispatcher_script::do_start(l3d_pipeline& pipeline, l3d_screen& scr
         if (pipeline.done || result != l3d_exit::well)
             break;
         pipeline.update_event(settings_.step());
-        if (stale || pipeline.needs_redraw()) {
+        const bool drawn = stale || pipeline.needs_redraw();
+        if (drawn)
             pipeline.draw_event();
-            screen.show();
-            stale = false;
-        }
-        writer_.frame(screen.pixels());
+        const l3d_frame_times times = l3d_detail::present(screen, drawn, writer_);
+        if (drawn)
+            pipeline.frame_event(times);
+        stale = false;
         if (pipeline.done)
             break;
     }

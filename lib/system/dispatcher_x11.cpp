@@ -3,6 +3,7 @@
 #include "system/dispatcher_x11.h"
 
 #include "system/frame_pacer.h"
+#include "system/present_p.h"
 
 #include <algorithm>
 #include <chrono>
@@ -26,17 +27,6 @@ void note(const l3d_event& event, requests& wanted) {
     wanted.stale |= event.type == l3d_event_type::resize;
     wanted.exposed |= event.type == l3d_event_type::expose;
     wanted.display_lost |= event.type == l3d_event_type::display_lost;
-}
-
-/// Draws and shows if there is a reason to. Returns whether there was.
-bool draw(l3d_pipeline& pipeline, l3d_screen& screen, requests& wanted) {
-    const bool needed = wanted.stale || pipeline.needs_redraw();
-    if (needed) {
-        pipeline.draw_event();
-        screen.show();
-        wanted.stale = wanted.exposed = false;
-    }
-    return needed;
 }
 
 double seconds_between(steady_clock::time_point from, steady_clock::time_point to) {
@@ -74,8 +64,14 @@ l3d_exit l3d_dispatcher_x11::do_start(l3d_pipeline& pipeline, l3d_screen& screen
         pipeline.update_event(settings_.fixed_step ? settings_.step()
                                                    : seconds_between(last_update, now));
         last_update = now;
-        const bool drawn = draw(pipeline, screen, wanted);
-        writer_.frame(screen.pixels());
+        const bool drawn = wanted.stale || pipeline.needs_redraw();
+        if (drawn)
+            pipeline.draw_event();
+        const l3d_frame_times times = l3d_detail::present(screen, drawn, writer_);
+        if (drawn) {
+            pipeline.frame_event(times);
+            wanted.stale = wanted.exposed = false;
+        }
         ++frames;
         pacer.frame_done(steady_clock::now(), !drawn);
     }

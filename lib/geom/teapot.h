@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// The teapot that every program has at hand.
+#ifndef L3D_GEOM_TEAPOT_H
+#define L3D_GEOM_TEAPOT_H
+
+#include <string_view>
+
+/// data/teapot.bpt, compiled in: 28 bicubic patches, y up, 3 units high, base at y = 0, no bottom.
+/// Source: Newell 1975, in Crow, The Origins of the Teapot, IEEE CG&A 7, 1987.
+std::string_view l3d_teapot_bpt();
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// l3d_afd_options: declarations and what the values must be.
+#include "system/afd_options.h"
+
+#include "geom/teapot.h"
+#include "system/number_text.h"
+#include "system/text_file.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace {
+
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double least_positive = std::numeric_limits<double>::min();
+
+/// Methods that afd is compared with, and that are still to come.
+constexpr std::array<const char*, 8> planned_methods{"fd",           "isocurves",     "subdivision",
+                                                     "tessellation", "micropolygons", "scanline",
+                                                     "voxels",       "mesa"};
+
+l3d_camera::vector vector_of(const std::array<double, 3>& v) {
+    return {v[0], v[1], v[2]};
+}
+
+std::string text_of(const std::array<double, 3>& v) {
+    return l3d_number_text(v[0]) + ',' + l3d_number_text(v[1]) + ',' + l3d_number_text(v[2]);
+}
+
+} // namespace
+
+l3d_afd_options::l3d_afd_options(l3d_options& options) {
+    options.add("--model", model_file_, "patches to draw, a .bpt file; without it, the teapot",
+                "FILE");
+    options.add("--method", method_, "how surfaces are drawn: afd", "NAME");
+    // Vertices lie on a grid of 1/256 pixel, which is already off by sqrt(2)/512 = 0.0028.
+    options.add("--tolerance", settings_.tolerance, "largest geometric error allowed, in pixels",
+                0.005, 1000.0);
+    options.add("--eye", eye_, "where the camera is");
+    options.add("--target", target_, "what it looks at");
+    options.add("--up", up_, "what is upright in the picture");
+    options.add("--fov", fov_, "vertical field of view in degrees", 0.001, 179.9);
+    options.add("--near", near_, "nearest distance that is drawn", least_positive, largest);
+    options.add("--far", far_, "farthest distance of interest", least_positive, largest);
+    options.add_choice<l3d_shade>("--shade", settings_.shade, "how the surface is coloured",
+                                  {{"lambert", l3d_shade::lambert},
+                                   {"gouraud", l3d_shade::gouraud},
+                                   {"flat", l3d_shade::flat},
+                                   {"normals", l3d_shade::normals},
+                                   {"error", l3d_shade::error}});
+    options.add("--light", light_, "direction towards the light");
+    options.add("--wireframe", settings_.wireframe, "the adaptive steps as lines");
+    options.add("--net", settings_.net, "the control nets on top");
+    options.add("--turntable", turntable_, "degrees that the eye turns from frame to frame", -360.0,
+                360.0);
+    options.add("--threads", threads_, "threads to draw with; the picture is the same for any", 1,
+                1024);
+    options.add("--depth-output", depth_output_,
+                "write the last frame's distances along the view axis (.pfm)", "FILE");
+    options.add("--report", report_, "write one line of JSON per frame", "FILE");
+    options.add("--explain", explain_, "tell what the last frame did not need, and why");
+    options.add("--keep-all", settings_.keep_all, "leave nothing out");
+}
+
+l3d_camera l3d_afd_options::camera() const {
+    const l3d_camera camera{vector_of(eye_), vector_of(target_), vector_of(up_), fov_, near_, far_};
+    if (eye_ == target_)
+        throw l3d_error(l3d_exit::usage, "--target: '" + text_of(target_) + "' is the eye's place");
+    if (!(near_ < far_))
+        throw l3d_error(l3d_exit::usage, "--far: '" + l3d_number_text(far_) +
+                                             "' is not beyond --near " + l3d_number_text(near_));
+    if (!camera.is_valid())
+        throw l3d_error(l3d_exit::usage,
+                        "--up: '" + text_of(up_) + "' is zero or along the line of sight");
+    return camera;
+}
+
+l3d_afd_settings l3d_afd_options::settings() const {
+    if (std::find(planned_methods.begin(), planned_methods.end(), method_) != planned_methods.end())
+        throw l3d_error(l3d_exit::usage, "--method: '" + method_ + "' is not built yet");
+    if (method_ != "afd")
+        throw l3d_error(l3d_exit::usage, "--method: '" + method_ + "' is unknown; there is afd");
+    l3d_afd_settings result = settings_;
+    result.light = vector_of(light_);
+    const double length = l3d_length(result.light);
+    if (!(length > 0 && length < largest))
+        throw l3d_error(l3d_exit::usage, "--light: '" + text_of(light_) + "' has no direction");
+    return result;
+}
+
+l3d_patch_model l3d_afd_options::model() const {
+    std::string why;
+    const std::string text = model_file_.empty() ? "" : l3d_read_text_file(model_file_);
+    auto model = model_file_.empty()
+                     ? l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot.bpt", why)
+                     : l3d_patch_model::from_bpt(text, model_file_, why);
+    if (!model)
+        throw l3d_error(l3d_exit::bad_input, why);
+    return *std::move(model);
+}

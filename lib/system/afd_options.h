@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// l3d_afd_options: the command line of programs that draw patches.
+#ifndef L3D_SYSTEM_AFD_OPTIONS_H
+#define L3D_SYSTEM_AFD_OPTIONS_H
+
+#include "pipeline/camera.h"
+#include "pipeline/patch_model.h"
+#include "pipeline/pipeline_afd.h"
+#include "system/options.h"
+
+#include <array>
+#include <string>
+
+/// Options for model, method, accuracy, camera and shading, added to a program's own.
+///
+/// Lives:   borrowed by the l3d_options until parse() is done.
+class l3d_afd_options {
+public:
+    explicit l3d_afd_options(l3d_options& options);
+    l3d_afd_options(const l3d_afd_options&) = delete;
+    l3d_afd_options& operator=(const l3d_afd_options&) = delete;
+
+    /// Errors: l3d_error(usage) that names the option if the values do not make a camera.
+    l3d_camera camera() const;
+
+    /// Errors: l3d_error(usage) for a light of no direction, or a method that is not built.
+    l3d_afd_settings settings() const;
+
+    /// The model asked for, or the teapot. Errors: l3d_error(bad_input) with file and line.
+    l3d_patch_model model() const;
+
+    double turntable() const { return turntable_; }
+    const std::string& depth_output() const { return depth_output_; }
+    const std::string& report() const { return report_; }
+    bool explain() const { return explain_; }
+
+private:
+    std::string model_file_;
+    std::string method_ = "afd";
+    std::array<double, 3> eye_{3.2, 3.6, 7.4}, target_{0.2, 1.3, 0}, up_{0, 1, 0};
+    double fov_ = 38, near_ = 0.1, far_ = 1e6;
+    std::array<double, 3> light_{0.4, 0.8, 0.45};
+    l3d_afd_settings settings_;
+    double turntable_ = 0;
+    int threads_ = 1;
+    std::string depth_output_, report_;
+    bool explain_ = false;
+};
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// l3d_report_writer: lines, flushed one by one.
+#include "system/report_writer.h"
+
+#include "tool_2d/error.h"
+
+#include <cerrno>
+#include <cstring>
+
+l3d_report_writer::l3d_report_writer(const std::string& path) : path_(path) {
+    errno = 0;
+    file_.open(path, std::ios::binary);
+    if (!file_)
+        refuse();
+}
+
+void l3d_report_writer::add(const std::string& line) {
+    errno = 0;
+    if (!(file_ << line << std::endl))
+        refuse();
+}
+
+void l3d_report_writer::refuse() const {
+    throw l3d_error(l3d_exit::failure, path_ + ": " + std::strerror(errno ? errno : EIO));
+}

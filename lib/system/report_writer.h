@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// l3d_report_writer: a file of lines, one per frame.
+#ifndef L3D_SYSTEM_REPORT_WRITER_H
+#define L3D_SYSTEM_REPORT_WRITER_H
+
+#include <fstream>
+#include <string>
+
+/// Writes lines as they come, so that a program that is stopped leaves whole lines behind.
+class l3d_report_writer {
+public:
+    /// Errors: l3d_error(failure) that names the file and the system's reason.
+    explicit l3d_report_writer(const std::string& path);
+
+    /// Errors: as the constructor.
+    void add(const std::string& line);
+
+private:
+    [[noreturn]] void refuse() const;
+
+    std::string path_;
+    std::ofstream file_;
+};
+
+#endif
