@@ -17,7 +17,6 @@ public:
     drawdot_pipeline(const l3d_factory_manager& factories, const l3d_screen_request& request)
         : screen_(factories.create_screen(request)),
           imp_(factories.create_rasterizer(screen_->pixels())), rasterizer_(*imp_) {}
-
     l3d_screen& screen() { return *screen_; }
 
     void key_event(int key) override {
@@ -28,38 +27,31 @@ public:
 
     void resize_event(l3d_size) override {
         imp_->set_target(screen_->pixels());
-        move(0); // back into the window
-        turn(right_, down_);
+        turn(right_, down_); // what is outside now starts again from the border
     }
 
     void update_event(double seconds) override {
-        const double speed = 60; // pixels per second: one per frame, unless --fps says otherwise
-        move(speed * seconds);
-        trail_.back().x1 = static_cast<int>(x_);
-        trail_.back().y1 = static_cast<int>(y_);
+        const double step = 60 * seconds; // one pixel per frame, unless --fps says otherwise
+        const l3d_size size = screen_->pixels().size();
+        x_ = std::clamp(x_ + right_ * step, 0.0, size.width - 1.0);
+        y_ = std::clamp(y_ + down_ * step, 0.0, size.height - 1.0);
+        l3d_line_2d& line = trail_.back();
+        moved_ |= line.x1 != static_cast<int>(x_) || line.y1 != static_cast<int>(y_);
+        line.x1 = static_cast<int>(x_);
+        line.y1 = static_cast<int>(y_);
     }
 
-    bool needs_redraw() const override {
-        return trail_.back().x1 != drawn_.x1 || trail_.back().y1 != drawn_.y1;
-    }
-
+    bool needs_redraw() const override { return moved_; }
     void draw_event() override {
         rasterizer_.draw_lines(trail_, l3d_screen_info::ext_to_native(0, 255, 128));
-        drawn_ = trail_.back();
+        moved_ = false;
     }
 
 private:
-    void move(double pixels) {
-        const l3d_size size = screen_->pixels().size();
-        x_ = std::clamp(x_ + right_ * pixels, 0.0, size.width - 1.0);
-        y_ = std::clamp(y_ + down_ * pixels, 0.0, size.height - 1.0);
-    }
-
     void turn(int right, int down) {
         right_ = right;
         down_ = down;
-        const int x = static_cast<int>(x_), y = static_cast<int>(y_);
-        trail_.push_back({x, y, x, y});
+        trail_.push_back({trail_.back().x1, trail_.back().y1, trail_.back().x1, trail_.back().y1});
     }
 
     std::unique_ptr<l3d_screen> screen_;
@@ -67,8 +59,8 @@ private:
     l3d_rasterizer_2d rasterizer_;
     double x_ = 0, y_ = 0;
     int right_ = 1, down_ = 0;
-    std::vector<l3d_line_2d> trail_{{}}; ///< one line from turn to turn; the last one grows
-    l3d_line_2d drawn_;
+    std::vector<l3d_line_2d> trail_{{}}; // one line from turn to turn; the last one grows
+    bool moved_ = false;
 };
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "system/options.h"
 
 #include "geom/real.h"
+#include "system/frame_writer.h"
 #include "system/number_text.h"
 
 #include <CLI/CLI.hpp>
@@ -64,6 +65,12 @@ void add_number(CLI::App& app, const std::string& name, T& value, const std::str
 void print(std::ostream& out, const std::string& text) {
     if (!(out << text << std::flush))
         throw l3d_error(l3d_exit::failure, "cannot write to the standard output");
+}
+
+/// "--name=" would take the next argument for the value.
+void refuse_empty_value(const std::string& argument) {
+    if (argument.rfind("--", 0) == 0 && argument.find('=') == argument.size() - 1)
+        throw l3d_error(l3d_exit::usage, argument.substr(0, argument.size() - 1) + ": '' is empty");
 }
 
 /// Opens the closed ones among descriptors 0, 1 and 2, for reading only: so that writing to a
@@ -183,8 +190,10 @@ bool l3d_options::parse(int argc, const char* const* argv) {
 bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
     // The library wants the arguments last one first.
     std::vector<std::string> arguments;
-    for (int i = argc - 1; i > 0; --i)
+    for (int i = argc - 1; i > 0; --i) {
         arguments.emplace_back(argv[i]);
+        refuse_empty_value(arguments.back());
+    }
     try {
         parser_->app.parse(std::move(arguments));
     } catch (const CLI::CallForHelp&) {
@@ -198,6 +207,7 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
     }
     if (const auto unknown = parser_->app.remaining(); !unknown.empty())
         throw l3d_error(l3d_exit::usage, "unknown option '" + unknown.front() + "' (see --help)");
+    l3d_frame_writer{common_.output}; // complains now rather than after a question
     return true;
 }
 
