@@ -47,7 +47,6 @@ void l3d_pipeline_afd::resize_event(l3d_size) {
 
 void l3d_pipeline_afd::draw_event() {
     const stopwatch whole;
-    const int frame = report_.frame + 1;
     l3d_stage_times times;
 
     const stopwatch clearing;
@@ -59,18 +58,18 @@ void l3d_pipeline_afd::draw_event() {
     times.transform = transforming.milliseconds();
 
     const stopwatch drawing;
-    report_.time_ms = times;
-    draw_surfaces();
-    report_.time_ms.dice = drawing.milliseconds() - report_.time_ms.raster;
+    times.raster = draw_surfaces();
+    times.dice = drawing.milliseconds() - times.raster;
 
     const stopwatch overlaying;
     if (settings_.net)
         draw_nets();
     draw_overlay();
-    report_.time_ms.overlay = overlaying.milliseconds();
+    times.overlay = overlaying.milliseconds();
 
-    report_.time_ms.total = whole.milliseconds();
-    report_.frame = frame;
+    times.total = whole.milliseconds();
+    report_.time_ms = times;
+    ++report_.frame;
     report_.size = view_.size;
     report_.tolerance_px = settings_.tolerance;
     report_.patches = static_cast<std::int64_t>(model_.patches().size());
@@ -113,7 +112,8 @@ void l3d_pipeline_afd::place_patches() {
     });
 }
 
-void l3d_pipeline_afd::draw_surfaces() {
+/// Returns the milliseconds that filling took.
+double l3d_pipeline_afd::draw_surfaces() {
     dicer_.begin(view_);
     surface_rasterizer_->begin(screen_->pixels(), depth_, shading_of(settings_));
     const auto draw_into = [this](l3d_dice_sink& sink) {
@@ -123,12 +123,12 @@ void l3d_pipeline_afd::draw_surfaces() {
     if (settings_.wireframe) {
         l3d_detail::line_sink lines(rasterizer_, wire_color);
         draw_into(lines);
-    } else {
-        l3d_detail::filling_sink filling(*surface_rasterizer_, settings_.shade == l3d_shade::error,
-                                         settings_.tolerance);
-        draw_into(filling);
-        report_.time_ms.raster = filling.milliseconds();
+        return 0;
     }
+    l3d_detail::filling_sink filling(*surface_rasterizer_, settings_.shade == l3d_shade::error,
+                                     settings_.tolerance);
+    draw_into(filling);
+    return filling.milliseconds();
 }
 
 /// The 24 edges of every control net. An edge that reaches behind the near plane is left out.

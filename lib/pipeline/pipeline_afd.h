@@ -84,7 +84,7 @@ private:
 
     void clear();
     void place_patches();
-    void draw_surfaces();
+    double draw_surfaces();
     void draw_nets();
 
     std::unique_ptr<l3d_screen> screen_;
