@@ -190,12 +190,11 @@ TYPED_TEST(random_value, and_pair_agrees_with_wider_integers) {
         return static_cast<storage>(static_cast<storage>(random()) >> shift);
     };
     judge<TypeParam> judge;
-    constexpr int pairs = random_pairs / (sizeof(storage) == 8 ? 4 : 1);
-    for (int i = 0; i < pairs; ++i)
+    for (int i = 0; i < random_pairs; ++i)
         judge.pair(draw(), draw());
     for (int i = 0; i < 1000; ++i)
         judge.single(draw());
-    judge.conclude(pairs * 3L);
+    judge.conclude(random_pairs * 3L);
 }
 
 TYPED_TEST(random_value, and_the_ends_of_the_range_agree_with_wider_integers) {

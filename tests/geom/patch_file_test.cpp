@@ -132,6 +132,8 @@ TEST(patch_file, says_where_and_what_is_wrong) {
               "some.bpt:14: '1e999', a coordinate in patch 2 of 2, is out of range");
     EXPECT_EQ(complaint(with(small_text, "30", "1.0001e12")),
               "some.bpt:14: '1.0001e12', a coordinate in patch 2 of 2, is beyond 1e12");
+    EXPECT_EQ(complaint(with(small_text, "30", "-2e12")),
+              "some.bpt:14: '-2e12', a coordinate in patch 2 of 2, is beyond 1e12");
     EXPECT_EQ(complaint(std::string(small_text) + "\n7"),
               "some.bpt:17: '7' follows the last of 2 patches");
     EXPECT_EQ(complaint(small_text.substr(0, small_text.find(" -3.5e-2"))),
@@ -312,6 +314,7 @@ TEST(elevation, refuses_what_it_cannot_do) {
     EXPECT_FALSE(l3d_elevated_to_bicubic(random_patch(4, 1, random)));
     EXPECT_FALSE(l3d_elevated_to_bicubic(random_patch(2, 15, random)));
     EXPECT_FALSE(l3d_elevated_to_bicubic(l3d_patch_points{}));
+    EXPECT_FALSE(l3d_elevated_to_bicubic(random_patch(0, 2, random)));
     l3d_patch_points patch = random_patch(2, 3, random);
     patch.points.pop_back();
     EXPECT_FALSE(l3d_elevated_to_bicubic(patch));
@@ -348,6 +351,20 @@ TEST(teapot, bottom_shares_its_boundary_bit_for_bit) {
         for (const point& p : edges[1])
             EXPECT_EQ(p, (point{0, -0.15, 0}));
     }
+}
+
+TEST(teapot, bottom_is_the_rim_moved_down_and_in) {
+    const patches closed = read(file_text("teapot_bottom.bpt"));
+    ASSERT_EQ(closed.size(), 32u);
+    for (std::size_t i = 28; i < 32; ++i)
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto& p = closed[i].points;
+            EXPECT_EQ(p[4 + k], (point{p[k][0], -0.075, p[k][2]})) << i;
+            // 1.425 of 1.5, tangents alike: 0.95.
+            EXPECT_NEAR(p[8 + k][0], 0.95 * p[k][0], 1e-15) << i;
+            EXPECT_NEAR(p[8 + k][2], 0.95 * p[k][2], 1e-15) << i;
+            EXPECT_EQ(p[8 + k][1], -0.15) << i;
+        }
 }
 
 TEST(teapot, bottom_faces_outward_as_the_body_does) {

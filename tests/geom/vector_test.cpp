@@ -34,6 +34,8 @@ TYPED_TEST(vector, has_components_sums_and_multiples) {
     EXPECT_EQ(a * l3d_from_double<T>(2.5), of<T>(3.75, -5.625, 7.5));
     EXPECT_NE(a, b);
     EXPECT_EQ((l3d_vector<T, 3>{}), of<T>(0, 0, 0));
+    const l3d_vector<T, 4> four{a, b[2]};
+    EXPECT_EQ(-four, (l3d_vector<T, 4>{-a, -b[2]}));
 }
 
 TYPED_TEST(vector, multiplies) {
