@@ -31,8 +31,8 @@ void check_ending(const std::string& name) {
 }
 
 /// A run of frames should not end with the news that its folder never was there.
-void check_folder(const std::string& name) {
-    const auto folder = std::filesystem::path(name).parent_path();
+void check_folder(const std::string& name, const std::string& first_file) {
+    const auto folder = std::filesystem::path(first_file).parent_path();
     std::error_code ignored;
     if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
         throw l3d_error(l3d_exit::failure,
@@ -53,7 +53,7 @@ l3d_frame_writer::l3d_frame_writer(const std::string& name) : name_(name) {
     kind_ = percent == std::string::npos ? kind::single : kind::numbered;
     if (kind_ == kind::numbered)
         read_number_field(percent);
-    check_folder(kind_ == kind::numbered ? numbered_name() : name);
+    check_folder(name, kind_ == kind::numbered ? numbered_name() : name);
 }
 
 void l3d_frame_writer::read_number_field(std::size_t percent) {

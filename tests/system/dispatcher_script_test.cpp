@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// l3d_dispatcher_script: order of calls, frames, steps of time, files.
+#include "system/dispatcher_script.h"
+#include "system/fakes.h"
+#include "system/temporary_folder.h"
+
+#include "tool_2d/image_file.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+struct script_run {
+    explicit script_run(const l3d_frame_settings& settings,
+                        std::vector<l3d_script_event> script = {})
+        : dispatcher(settings, std::move(script)) {
+        dispatcher.plug(pipeline, screen);
+    }
+
+    call_log log;
+    l3d_dispatcher_script dispatcher;
+    fake_screen screen{log};
+    fake_pipeline pipeline{log, screen};
+};
+
+l3d_frame_settings frames(int count) {
+    l3d_frame_settings settings;
+    settings.frames = count;
+    return settings;
+}
+
+TEST(dispatcher_script, one_frame_if_none_are_named) {
+    script_run run(frames(0));
+    EXPECT_EQ(run.dispatcher.start(), l3d_exit::well);
+    EXPECT_EQ(run.log, (call_log{"update", "draw", "show"}));
+    EXPECT_EQ(run.screen.waits, 0);
+}
+
+TEST(dispatcher_script, events_come_before_their_frame) {
+    l3d_event pointer = make_event(l3d_event_type::pointer_motion);
+    pointer.x = 7;
+    pointer.y = 9;
+    l3d_event resize = make_event(l3d_event_type::resize);
+    resize.size = {31, 17};
+    script_run run(frames(3), {{0, make_key('a')}, {2, pointer}, {2, resize}, {2, make_key('b')}});
+    EXPECT_EQ(run.dispatcher.start(), l3d_exit::well);
+    EXPECT_EQ(run.log,
+              (call_log{"key a", "update", "draw", "show", "update", "draw", "show", "pointer 7,9",
+                        "resize 31x17", "key b", "update", "draw", "show"}));
+}
+
+TEST(dispatcher_script, steps_are_fixed) {
+    for (const auto& [fps, step] : {std::pair{60.0, 1 / 60.0}, {25.0, 0.04}, {0.0, 1 / 60.0}}) {
+        l3d_frame_settings settings = frames(4);
+        settings.fps = fps;
+        script_run run(settings);
+        run.dispatcher.start();
+        EXPECT_EQ(run.pipeline.steps, std::vector<double>(4, step));
+    }
+}
+
+TEST(dispatcher_script, draws_only_what_is_needed) {
+    l3d_event resize = make_event(l3d_event_type::resize);
+    script_run run(frames(5), {{3, resize}});
+    run.pipeline.lazy = true;
+    run.dispatcher.start();
+    EXPECT_EQ(count_of(run.log, "update"), 5);
+    EXPECT_EQ(count_of(run.log, "draw"), 2); // the first, and the one of the new size
+    EXPECT_EQ(count_of(run.log, "show"), 2);
+}
+
+TEST(dispatcher_script, done_ends_it_before_the_frame) {
+    script_run by_key(frames(100), {{2, make_key('q')}});
+    EXPECT_EQ(by_key.dispatcher.start(), l3d_exit::well);
+    EXPECT_EQ(count_of(by_key.log, "update"), 2);
+
+    script_run by_close(frames(100), {{1, make_event(l3d_event_type::close)}});
+    EXPECT_EQ(by_close.dispatcher.start(), l3d_exit::well);
+    EXPECT_EQ(count_of(by_close.log, "draw"), 1);
+
+    script_run by_loss(frames(100), {{4, make_event(l3d_event_type::display_lost)}});
+    EXPECT_EQ(by_loss.dispatcher.start(), l3d_exit::display_lost);
+    EXPECT_EQ(count_of(by_loss.log, "draw"), 4);
+}
+
+TEST(dispatcher_script, done_in_update_ends_it_after_the_frame) {
+    script_run run(frames(100));
+    run.pipeline.on_update = [&](int update) { run.pipeline.done = update == 3; };
+    run.dispatcher.start();
+    EXPECT_EQ(count_of(run.log, "draw"), 3);
+}
+
+TEST(dispatcher_script, writes_frames) {
+    const temporary_folder folder;
+    l3d_frame_settings settings = frames(3);
+    settings.output = folder.file("f%02d.png");
+    script_run run(settings);
+    run.dispatcher.start();
+    EXPECT_EQ(folder.count(), 3);
+    l3d_image second = l3d_read_png(folder.file("f01.png"));
+    EXPECT_EQ(second.pixels().row(3)[5], 2u);
+}
+
+TEST(dispatcher_script, last_frame_is_drawn_even_if_none_was_due) {
+    const temporary_folder folder;
+    l3d_frame_settings settings = frames(3);
+    settings.output = folder.file("last.png");
+    script_run run(settings, {{0, make_key('q')}});
+    run.dispatcher.start();
+    l3d_image last = l3d_read_png(folder.file("last.png"));
+    EXPECT_EQ(last.pixels().row(3)[5], 1u);
+}
+
+} // namespace

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// l3d_dispatcher_x11: its loop, on a screen whose events the test makes up.
+#include "system/dispatcher_x11.h"
+#include "system/fakes.h"
+#include "system/temporary_folder.h"
+
+#include "tool_2d/image_file.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <numeric>
+
+namespace {
+
+using namespace std::chrono_literals;
+
+struct window_run {
+    explicit window_run(const l3d_frame_settings& settings) : dispatcher(settings) {
+        dispatcher.plug(pipeline, screen);
+    }
+
+    call_log log;
+    l3d_dispatcher_x11 dispatcher;
+    fake_screen screen{log};
+    fake_pipeline pipeline{log, screen};
+};
+
+/// Without a limit of frames per second nothing has to be waited for.
+l3d_frame_settings frames(int count, double fps = 0) {
+    l3d_frame_settings settings;
+    settings.frames = count;
+    settings.fps = fps;
+    return settings;
+}
+
+TEST(dispatcher_x11, drains_all_events_before_a_frame) {
+    window_run run(frames(2));
+    for (const char key : {'a', 'b', 'c', 'd'})
+        run.screen.pending.push_back(make_key(key));
+    EXPECT_EQ(run.dispatcher.start(), l3d_exit::well);
+    EXPECT_EQ(run.log, (call_log{"key a", "key b", "key c", "key d", "update", "draw", "show",
+                                 "update", "draw", "show"}));
+}
+
+TEST(dispatcher_x11, expose_shows_without_drawing) {
+    window_run run(frames(2, 100));
+    run.pipeline.lazy = true;
+    run.screen.arrivals.push_back({make_event(l3d_event_type::expose)});
+    run.dispatcher.start();
+    EXPECT_EQ(run.log, (call_log{"update", "draw", "show", "show", "update"}));
+}
+
+TEST(dispatcher_x11, expose_before_the_first_frame_shows_nothing_unfinished) {
+    window_run run(frames(1));
+    run.screen.pending.push_back(make_event(l3d_event_type::expose));
+    run.dispatcher.start();
+    EXPECT_EQ(run.log, (call_log{"update", "draw", "show"}));
+}
+
+TEST(dispatcher_x11, expose_with_resize_shows_only_the_new_picture) {
+    window_run run(frames(2, 100));
+    run.pipeline.lazy = true;
+    l3d_event resize = make_event(l3d_event_type::resize);
+    resize.size = {31, 17};
+    run.screen.arrivals.push_back({resize, make_event(l3d_event_type::expose)});
+    run.dispatcher.start();
+    EXPECT_EQ(run.log,
+              (call_log{"update", "draw", "show", "resize 31x17", "update", "draw", "show"}));
+}
+
+TEST(dispatcher_x11, draws_only_what_is_needed) {
+    window_run run(frames(4));
+    run.pipeline.lazy = true;
+    run.dispatcher.start();
+    EXPECT_EQ(count_of(run.log, "update"), 4);
+    EXPECT_EQ(count_of(run.log, "draw"), 1);
+    EXPECT_EQ(count_of(run.log, "show"), 1);
+    EXPECT_GE(run.screen.waits, 2); // after each idle frame, even without a limit
+}
+
+TEST(dispatcher_x11, sleeps_between_frames_and_never_long) {
+    window_run run(frames(2, 4));
+    run.dispatcher.start();
+    EXPECT_GE(run.screen.waits, 3); // 250 ms by at most 100
+    EXPECT_LE(run.screen.waits, 9);
+    EXPECT_LE(run.screen.longest_wait, 100ms);
+}
+
+TEST(dispatcher_x11, quits_without_another_frame) {
+    window_run by_key(frames(0, 100));
+    by_key.screen.arrivals.push_back({make_key('q'), make_key('x')});
+    EXPECT_EQ(by_key.dispatcher.start(), l3d_exit::well);
+    EXPECT_EQ(by_key.log, (call_log{"update", "draw", "show", "key q", "key x"}));
+}
+
+TEST(dispatcher_x11, close_ends_well) {
+    window_run run(frames(0, 100));
+    run.screen.arrivals.push_back({make_event(l3d_event_type::close)});
+    EXPECT_EQ(run.dispatcher.start(), l3d_exit::well);
+    EXPECT_EQ(count_of(run.log, "draw"), 1);
+}
+
+TEST(dispatcher_x11, lost_display_is_told_and_the_last_frame_kept) {
+    const temporary_folder folder;
+    l3d_frame_settings settings = frames(0, 100);
+    settings.output = folder.file("last.png");
+    window_run run(settings);
+    run.screen.arrivals.push_back({make_event(l3d_event_type::display_lost)});
+    EXPECT_EQ(run.dispatcher.start(), l3d_exit::display_lost);
+    EXPECT_EQ(count_of(run.log, "show"), 1);
+    l3d_image last = l3d_read_png(folder.file("last.png"));
+    EXPECT_EQ(last.pixels().row(3)[5], 1u);
+}
+
+TEST(dispatcher_x11, fixed_steps) {
+    l3d_frame_settings settings = frames(3, 200);
+    settings.fixed_step = true;
+    window_run run(settings);
+    run.dispatcher.start();
+    EXPECT_EQ(run.pipeline.steps, std::vector<double>(3, 1 / 200.0));
+}
+
+TEST(dispatcher_x11, measured_steps_add_up_to_the_time_that_passed) {
+    const auto before = std::chrono::steady_clock::now();
+    window_run run(frames(6, 100));
+    run.dispatcher.start();
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - before;
+    const double sum = std::accumulate(run.pipeline.steps.begin(), run.pipeline.steps.end(), 0.0);
+    EXPECT_LE(sum, passed.count());
+    EXPECT_GE(sum, 5 * 0.01); // the last frame is due on the fifth tick after the first
+}
+
+/// A program that raises a signal while it runs; says so on stderr when its loop is over.
+void run_with_signal(int signal) {
+    l3d_frame_settings settings;
+    call_log log;
+    l3d_dispatcher_x11 dispatcher(settings);
+    fake_screen screen(log);
+    fake_pipeline pipeline(log, screen);
+    pipeline.on_update = [signal](int update) {
+        if (update == 2)
+            raise(signal);
+    };
+    dispatcher.plug(pipeline, screen);
+    dispatcher.start();
+    fputs("loop over\n", stderr);
+}
+
+TEST(dispatcher_x11_death_test, signals_end_the_loop_and_then_the_program) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    EXPECT_EXIT(run_with_signal(SIGTERM), testing::KilledBySignal(SIGTERM), "loop over");
+    EXPECT_EXIT(run_with_signal(SIGINT), testing::KilledBySignal(SIGINT), "loop over");
+}
+
+/// The first signal in vain, as in a program that hangs in a frame.
+void insist_with_signal(int signal) {
+    call_log log;
+    l3d_dispatcher_x11 dispatcher{l3d_frame_settings{}};
+    fake_screen screen(log);
+    fake_pipeline pipeline(log, screen);
+    pipeline.on_update = [signal](int) {
+        for (;;)
+            raise(signal);
+    };
+    dispatcher.plug(pipeline, screen);
+    dispatcher.start();
+}
+
+TEST(dispatcher_x11_death_test, second_signal_ends_a_frame_that_hangs) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    EXPECT_EXIT(insist_with_signal(SIGINT), testing::KilledBySignal(SIGINT), "");
+}
+
+TEST(signal_watch, leaves_ignored_signals_ignored) {
+    const auto before = std::signal(SIGINT, SIG_IGN);
+    {
+        const l3d_signal_watch watch;
+        raise(SIGINT);
+        EXPECT_FALSE(watch.caught());
+    }
+    EXPECT_EQ(std::signal(SIGINT, before), SIG_IGN);
+}
+
+} // namespace

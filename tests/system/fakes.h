@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// A screen and a pipeline that write down what is asked of them.
+#ifndef L3D_TESTS_SYSTEM_FAKES_H
+#define L3D_TESTS_SYSTEM_FAKES_H
+
+#include "tool_2d/image.h"
+#include "tool_2d/screen.h"
+#include "pipeline/pipeline.h"
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+using call_log = std::vector<std::string>;
+
+inline auto count_of(const call_log& log, const std::string& call) {
+    return std::count(log.begin(), log.end(), call);
+}
+
+inline l3d_event make_event(l3d_event_type type) {
+    l3d_event event;
+    event.type = type;
+    return event;
+}
+
+inline l3d_event make_key(int key) {
+    l3d_event event = make_event(l3d_event_type::key_press);
+    event.key = key;
+    return event;
+}
+
+/// A screen whose events the test prepares. Logs "show" and, if asked to, "wait".
+class fake_screen final : public l3d_screen {
+public:
+    explicit fake_screen(call_log& log) : log_(log) {}
+
+    std::deque<l3d_event> pending;               ///< there before the dispatcher starts
+    std::deque<std::vector<l3d_event>> arrivals; ///< each comes during one wait
+    std::chrono::nanoseconds longest_wait{0};
+    int waits = 0;
+
+private:
+    l3d_pixels do_pixels() override { return image_.pixels(); }
+    const l3d_screen_info& do_info() const override { return info_; }
+    void do_show() override { log_.push_back("show"); }
+    std::string do_describe() const override { return "fake"; }
+
+    bool do_next_event(l3d_event& event) override {
+        if (pending.empty())
+            return false;
+        event = pending.front();
+        pending.pop_front();
+        return true;
+    }
+
+    void do_wait(std::chrono::nanoseconds longest) override {
+        ++waits;
+        longest_wait = std::max(longest_wait, longest);
+        if (arrivals.empty()) {
+            std::this_thread::sleep_for(longest);
+            return;
+        }
+        pending.insert(pending.end(), arrivals.front().begin(), arrivals.front().end());
+        arrivals.pop_front();
+    }
+
+    call_log& log_;
+    l3d_image image_{{37, 23}, 41};
+    l3d_screen_info info_;
+};
+
+/// Logs "key C", "pointer", "resize WxH", "update" and "draw"; 'q' ends it. Each draw_event
+/// leaves the number of frames drawn in pixel (5, 3).
+class fake_pipeline final : public l3d_pipeline {
+public:
+    fake_pipeline(call_log& log, l3d_screen& screen) : log_(log), screen_(screen) {}
+
+    bool lazy = false; ///< never needs to be redrawn
+    std::vector<double> steps;
+    std::function<void(int update)> on_update = [](int) {};
+
+    void key_event(int key) override {
+        log_.push_back(std::string("key ") + static_cast<char>(key));
+        done |= key == 'q';
+    }
+    void pointer_event(const l3d_event& event) override {
+        log_.push_back("pointer " + std::to_string(event.x) + ',' + std::to_string(event.y));
+    }
+    void resize_event(l3d_size size) override {
+        log_.push_back("resize " + std::to_string(size.width) + 'x' + std::to_string(size.height));
+    }
+    void update_event(double seconds) override {
+        log_.push_back("update");
+        steps.push_back(seconds);
+        on_update(static_cast<int>(steps.size()));
+    }
+    void draw_event() override {
+        log_.push_back("draw");
+        screen_.pixels().row(3)[5] = ++drawn_;
+    }
+    bool needs_redraw() const override { return !lazy; }
+
+private:
+    call_log& log_;
+    l3d_screen& screen_;
+    std::uint32_t drawn_ = 0;
+};
+
+#endif

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// l3d_frame_writer: which names it takes, and which files it leaves.
+#include "system/frame_writer.h"
+#include "system/temporary_folder.h"
+
+#include "tool_2d/error.h"
+#include "tool_2d/image_file.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+l3d_image picture(std::uint32_t corner) {
+    l3d_image image({7, 5}, 11);
+    image.pixels().row(4)[6] = corner;
+    return image;
+}
+
+std::uint32_t corner_of(const std::string& path) {
+    l3d_image image = l3d_read_png(path);
+    return image.pixels().row(4)[6];
+}
+
+void expect_refused(const std::string& name, l3d_exit code) {
+    try {
+        l3d_frame_writer writer(name);
+        ADD_FAILURE() << name << " was taken";
+    } catch (const l3d_error& error) {
+        EXPECT_EQ(error.code(), code) << name;
+        EXPECT_NE(std::string(error.what()).find("'" + name + "'"), std::string::npos)
+            << error.what();
+    }
+}
+
+TEST(frame_writer, nothing_named_nothing_written) {
+    l3d_frame_writer writer("");
+    writer.frame(picture(0x123456).pixels());
+    writer.finish(picture(0x123456).pixels());
+}
+
+TEST(frame_writer, plain_name_holds_the_last_frame) {
+    const temporary_folder folder;
+    l3d_frame_writer writer(folder.file("a.PNG"));
+    writer.frame(picture(0x111111).pixels());
+    EXPECT_EQ(folder.count(), 0);
+    writer.finish(picture(0x123456).pixels());
+    EXPECT_EQ(corner_of(folder.file("a.PNG")), 0x123456u);
+    EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(frame_writer, numbers_count_from_nought) {
+    const temporary_folder folder;
+    for (const auto& [pattern, second] :
+         {std::pair{"a%d.png", "a1.png"}, {"b%04d.png", "b0001.png"}, {"c%3d.png", "c  1.png"}}) {
+        l3d_frame_writer writer(folder.file(pattern));
+        writer.frame(picture(0x010203).pixels());
+        writer.frame(picture(0x040506).pixels());
+        writer.finish(picture(0x070809).pixels());
+        EXPECT_EQ(corner_of(folder.file(second)), 0x040506u) << pattern;
+    }
+    EXPECT_TRUE(folder.holds("b0000.png"));
+    EXPECT_EQ(folder.count(), 6);
+}
+
+TEST(frame_writer, number_wider_than_its_field) {
+    const temporary_folder folder;
+    l3d_frame_writer writer(folder.file("%01d.ppm"));
+    for (int i = 0; i <= 10; ++i)
+        writer.frame(picture(0x010203).pixels());
+    EXPECT_TRUE(folder.holds("9.ppm"));
+    EXPECT_TRUE(folder.holds("10.ppm"));
+}
+
+TEST(frame_writer, dash_streams_every_frame) {
+    testing::internal::CaptureStdout();
+    l3d_frame_writer writer("-");
+    writer.frame(picture(0x414243).pixels());
+    writer.frame(picture(0x444546).pixels());
+    writer.finish(picture(0x474849).pixels());
+    const std::string stream = testing::internal::GetCapturedStdout();
+    const std::string header = "P6\n7 5\n255\n";
+    const std::size_t length = header.size() + 7 * 5 * 3;
+    ASSERT_EQ(stream.size(), 2 * length);
+    EXPECT_EQ(stream.substr(0, header.size()), header);
+    EXPECT_EQ(stream.substr(length - 3, 3), "ABC");
+    EXPECT_EQ(stream.substr(2 * length - 3, 3), "DEF");
+}
+
+TEST(frame_writer, refuses_other_names) {
+    for (const char* name :
+         {"a.jpg", "png", "a.png.", "a%.png", "a%s.png", "a%n.png", "a%d%d.png", "a%%d.png",
+          "a%d%.png", "a%dq%x.png", "a%-4d.png", "a%12d.png", "a%04d", "a%ld.png", "%png"})
+        expect_refused(name, l3d_exit::usage);
+}
+
+TEST(frame_writer, misses_a_folder_early) {
+    expect_refused("/no/such/folder/a.png", l3d_exit::failure);
+    expect_refused("no_such_folder/a%d.png", l3d_exit::failure);
+}
+
+} // namespace

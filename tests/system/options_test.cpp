@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// l3d_options: what is read, what is refused and how that is said.
+#include "system/options.h"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <sstream>
+
+namespace {
+
+enum class fruit { apple, quince };
+
+/// A program with one option of every kind.
+struct program {
+    program() {
+        options.add("--tolerance", tolerance, "pixels", 0.01, 8);
+        options.add("-t,--threads", threads, "how many", 1, 64);
+        options.add("--model", model, "patches", "FILE");
+        options.add("--net", net, "draw it");
+        options.add("--eye", eye, "where from");
+        options.add("--window", window, "its size");
+        options.add_choice<fruit>("--fruit", kind, "which",
+                                  {{"apple", fruit::apple}, {"quince", fruit::quince}});
+    }
+
+    bool parse(std::vector<const char*> arguments) {
+        arguments.insert(arguments.begin(), "tester");
+        return options.parse(static_cast<int>(arguments.size()), arguments.data(), out);
+    }
+
+    double tolerance = 0.25;
+    int threads = 3;
+    std::string model = "teapot.bpt";
+    bool net = false;
+    std::array<double, 3> eye{1.5, -2, 7};
+    l3d_size window{64, 48};
+    fruit kind = fruit::quince;
+    std::ostringstream out;
+    l3d_options options{"tester", "Tests.", {640, 400}};
+};
+
+TEST(options, defaults) {
+    program tester;
+    EXPECT_TRUE(tester.parse({}));
+    const l3d_common_options& common = tester.options.common();
+    EXPECT_EQ(common.backend, "");
+    EXPECT_EQ(common.size, (l3d_size{640, 400}));
+    EXPECT_EQ(common.frames, 0);
+    EXPECT_EQ(common.fps, 60);
+    EXPECT_EQ(common.seed, 1u);
+    EXPECT_FALSE(common.no_input || common.list_backends || common.diagnose || common.verbose);
+    EXPECT_EQ(tester.eye, (std::array<double, 3>{1.5, -2, 7}));
+    EXPECT_FALSE(tester.options.frame_settings().fixed_step);
+}
+
+TEST(options, reads_every_kind) {
+    program tester;
+    EXPECT_TRUE(tester.parse({"--backend", "memory", "--no-input", "--size=321x97", "--frames",
+                              "12", "--fps", "0", "--seed", "18446744073709551615", "--output", "-",
+                              "--list-backends", "--diagnose", "--verbose"}));
+    const l3d_common_options& common = tester.options.common();
+    EXPECT_EQ(common.backend, "memory");
+    EXPECT_EQ(common.size, (l3d_size{321, 97}));
+    EXPECT_EQ(common.seed, 18446744073709551615u);
+    EXPECT_TRUE(common.no_input && common.list_backends && common.diagnose && common.verbose);
+    const l3d_frame_settings settings = tester.options.frame_settings();
+    EXPECT_EQ(settings.frames, 12);
+    EXPECT_EQ(settings.fps, 0);
+    EXPECT_TRUE(settings.fixed_step);
+    EXPECT_EQ(settings.output, "-");
+}
+
+TEST(options, reads_a_programs_own) {
+    program tester;
+    EXPECT_TRUE(tester.parse({"--tolerance", "1e-1", "-t", "7", "--model", "a b.bpt", "--net",
+                              "--eye", "-1,2.5,-3e2", "--window", "16384x1", "--fruit", "apple"}));
+    EXPECT_EQ(tester.tolerance, 0.1);
+    EXPECT_EQ(tester.threads, 7);
+    EXPECT_EQ(tester.model, "a b.bpt");
+    EXPECT_TRUE(tester.net);
+    EXPECT_EQ(tester.eye, (std::array<double, 3>{-1, 2.5, -300}));
+    EXPECT_EQ(tester.window, (l3d_size{16384, 1}));
+    EXPECT_EQ(tester.kind, fruit::apple);
+}
+
+TEST(options, the_last_one_counts) {
+    program tester;
+    EXPECT_TRUE(tester.parse({"--size", "5x7", "--threads", "2", "--size", "9x11"}));
+    EXPECT_EQ(tester.options.common().size, (l3d_size{9, 11}));
+}
+
+struct refusal {
+    std::vector<const char*> arguments;
+    std::string option, value; ///< both must be in the message
+};
+
+void PrintTo(const refusal& test, std::ostream* out) {
+    for (const char* argument : test.arguments)
+        *out << argument << ' ';
+}
+
+class options_refused : public testing::TestWithParam<refusal> {};
+
+TEST_P(options_refused, with_option_and_value_named) {
+    program tester;
+    try {
+        tester.parse(GetParam().arguments);
+        ADD_FAILURE() << "was taken";
+    } catch (const l3d_error& error) {
+        const std::string text = error.what();
+        EXPECT_EQ(error.code(), l3d_exit::usage);
+        EXPECT_NE(text.find(GetParam().option), std::string::npos) << text;
+        EXPECT_NE(text.find(GetParam().value), std::string::npos) << text;
+        EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    all, options_refused,
+    testing::Values(
+        refusal{{"--nonsense"}, "--nonsense", ""}, refusal{{"--nonsense=5"}, "--nonsense", "5"},
+        refusal{{"-x"}, "-x", ""}, refusal{{"stray"}, "stray", ""},
+        refusal{{"--size"}, "--size", ""}, refusal{{"--size="}, "--size", "''"},
+        refusal{{"--size", ""}, "--size", "''"}, refusal{{"--size", "640"}, "--size", "'640'"},
+        refusal{{"--size", "0x5"}, "--size", "'0x5'"},
+        refusal{{"--size", "5x-3"}, "--size", "'5x-3'"},
+        refusal{{"--size", "16385x3"}, "--size", "'16385x3'"},
+        refusal{{"--size", "5x4294967297"}, "--size", "'5x4294967297'"},
+        refusal{{"--size", "5x7x9"}, "--size", "'5x7x9'"},
+        refusal{{"--size", "nanxnan"}, "--size", "'nanxnan'"},
+        refusal{{"--size", "5 x7"}, "--size", "'5 x7'"},
+        refusal{{"--frames", "-1"}, "--frames", "'-1'"},
+        refusal{{"--frames", "2147483648"}, "--frames", "'2147483648'"},
+        refusal{{"--frames", "1.5"}, "--frames", "'1.5'"},
+        refusal{{"--frames", "0x10"}, "--frames", "'0x10'"},
+        refusal{{"--fps", "nan"}, "--fps", "'nan'"}, refusal{{"--fps", "inf"}, "--fps", "'inf'"},
+        refusal{{"--fps", "-1"}, "--fps", "'-1'"}, refusal{{"--fps", "1e999"}, "--fps", "'1e999'"},
+        refusal{{"--fps", "60fps"}, "--fps", "'60fps'"}, refusal{{"--fps", ""}, "--fps", "''"},
+        refusal{{"--seed", "-1"}, "--seed", "'-1'"},
+        refusal{{"--seed", "18446744073709551616"}, "--seed", "'18446744073709551616'"},
+        refusal{{"--output", "a.gif"}, "--output", "'a.gif'"},
+        refusal{{"--output="}, "--output", "''"}, refusal{{"--output", ""}, "--output", "''"},
+        refusal{{"--no-input=perhaps"}, "--no-input", "perhaps"},
+        refusal{{"--tolerance", "0.001"}, "--tolerance", "'0.001'"},
+        refusal{{"--tolerance", "0,5"}, "--tolerance", "'0,5'"},
+        refusal{{"-t", "65"}, "--threads", "'65'"}, refusal{{"--model", ""}, "--model", "''"},
+        refusal{{"--eye", "1,2"}, "--eye", "'1,2'"},
+        refusal{{"--eye", "1,2,3,4"}, "--eye", "'1,2,3,4'"},
+        refusal{{"--eye", "1,nan,3"}, "--eye", "'1,nan,3'"},
+        refusal{{"--fruit", "pear"}, "--fruit", "'pear'"},
+        refusal{{"--fruit", ""}, "--fruit", "''"}));
+
+TEST(options, help_names_options_and_defaults) {
+    program tester;
+    EXPECT_FALSE(tester.parse({"--frames", "3", "--help"}));
+    for (const char* text :
+         {"tester", "Tests.", "--backend", "--no-input", "640x400", "--frames", "--fps", "--seed",
+          "--output", "--version", "0.25", "1.5,-2,7", "apple|quince"})
+        EXPECT_NE(tester.out.str().find(text), std::string::npos) << text;
+}
+
+TEST(options, version_is_one_line) {
+    program tester;
+    EXPECT_FALSE(tester.parse({"--version"}));
+    EXPECT_EQ(tester.out.str().rfind("tester ", 0), 0u);
+    EXPECT_EQ(tester.out.str().find('\n'), tester.out.str().size() - 1);
+}
+
+TEST(options, no_arguments_at_all) {
+    program tester;
+    EXPECT_TRUE(tester.options.parse(0, nullptr, tester.out));
+}
+
+TEST(options, output_that_cannot_be_written_to) {
+    program tester;
+    tester.out.setstate(std::ios::badbit);
+    EXPECT_THROW(tester.parse({"--help"}), l3d_error);
+}
+
+TEST(report, one_line_and_the_exit_code) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(l3d_report("tester", l3d_error(l3d_exit::bad_input, "a.bpt:7: no number")), 5);
+    EXPECT_EQ(l3d_report("tester", std::bad_alloc()), 1);
+    EXPECT_EQ(l3d_report("tester", l3d_exit::display_lost), 6);
+    EXPECT_EQ(l3d_report("tester", l3d_exit::well), 0);
+    const std::string text = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(text.rfind("tester: a.bpt:7: no number\ntester: ", 0), 0u) << text;
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << text;
+}
+
+} // namespace
