@@ -137,7 +137,7 @@ public:
             const samples inside = samples_in(bounding_box(piece));
             if (inside.empty())
                 return;
-            if (const auto map = make_chart(piece)) {
+            if (const auto map = make_chart(piece, window_)) {
                 collect(piece, *map, inside);
                 return;
             }
@@ -194,8 +194,10 @@ private:
 
 } // namespace
 
-std::optional<chart> make_chart(const net& piece) {
-    const rect box = bounding_box(piece);
+std::optional<chart> make_chart(const net& piece, const rect& where) {
+    const rect whole = bounding_box(piece);
+    const rect box{std::max(whole.x0, where.x0), std::max(whole.y0, where.y0),
+                   std::min(whole.x1, where.x1), std::min(whole.y1, where.y1)};
     const double cx = (box.x0 + box.x1) / 2, cy = (box.y0 + box.y1) / 2;
     const jet at = evaluate(piece, 0.5, 0.5);
     const pair a = seen_from(at.by_u, cx, cy), b = seen_from(at.by_v, cx, cy);

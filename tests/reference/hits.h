@@ -26,15 +26,16 @@ struct hit {
 
 /// Proof that a piece maps one to one onto the picture.
 ///
-/// For every picture point c in the piece's box, F_c(u, v) = (x - c_x w, y - c_y w) vanishes where
-/// the surface is seen at c. With inverse = DF(middle)^-1, |inverse DF_c - 1| <= contraction in the
-/// maximum norm on the whole piece. Hence at most one zero, and no outline inside.
+/// For every picture point c in the piece's box and in `where`, F_c(u, v) = (x - c_x w, y - c_y w)
+/// vanishes where the surface is seen at c. With inverse = DF(middle)^-1, |inverse DF_c - 1| <=
+/// contraction in the maximum norm on the whole piece. Hence at most one zero, and no silhouette
+/// there.
 struct chart {
     double inverse[2][2];
     double contraction;
 };
-/// Empty if no proof was found. Expects: all w > 0.
-std::optional<chart> make_chart(const net& piece);
+/// Empty if no proof was found. Expects: all w > 0; the box touches `where`.
+std::optional<chart> make_chart(const net& piece, const rect& where);
 
 /// Calls `found` for every intersection with w >= near. One on a seam of pieces comes twice.
 /// Errors: std::runtime_error after 20 million pieces.

@@ -93,7 +93,7 @@ bool is_point(const net& piece) {
 bool may_hold_outline(const net& piece, double near) {
     const bool at_boundary =
         piece.u0 == 0 || piece.v0 == 0 || piece.u0 + piece.du == 1 || piece.v0 + piece.dv == 1;
-    return at_boundary || depth_range(piece).low < near || !make_chart(piece);
+    return at_boundary || depth_range(piece).low < near || !make_chart(piece, bounding_box(piece));
 }
 
 double largest_extent(const net& piece) {

@@ -93,7 +93,7 @@ double sampled_distance(std::span<const patch> patches, const camera_frame& fram
 TEST(exact_region, distance_agrees_with_surface_samples) {
     constexpr std::uint64_t seed = 2307;
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    constexpr int cells = 250;
+    constexpr int cells = 150;
     const camera_frame frame(straight, window);
     int outside = 0;
     for (const auto kind : {patch_kind::moderate, patch_kind::folded, patch_kind::coincident}) {
