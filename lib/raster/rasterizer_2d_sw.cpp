@@ -87,8 +87,8 @@ void light(const major_line& line, step_range steps, std::uint32_t* words, std::
     }
 }
 
-/// Further out a corner's products would leave 64 bits, see scan_limit.
-constexpr double farthest_corner = 1 << 20;
+/// Further out the scan would not be exact; one pixel is kept for the shift by half a pixel below.
+constexpr double farthest_corner = (scan_limit >> l3d_subpixel_bits) - 1;
 
 bool is_near(const l3d_point_2d& p) { // NaN compares false
     return std::abs(p.x) <= farthest_corner && std::abs(p.y) <= farthest_corner;

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cfloat>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -120,7 +119,7 @@ private:
         std::int64_t written = 0;
         for (std::int32_t x = begin; x < end; ++x) {
             const auto k = static_cast<float>(x - start);
-            const float inv_w = std::clamp(value[0] + step[0] * k, farthest, nearest);
+            const float inv_w = std::min(std::max(value[0] + step[0] * k, farthest), nearest);
             if (!(inv_w > depths[x]))
                 continue;
             depths[x] = inv_w;

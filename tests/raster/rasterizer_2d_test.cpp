@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: MIT
+// Points, lines and polygons: the book's reference values, exact rules, and awkward coordinates.
+#include "raster/rasterizer_2d_sw.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace {
+
+constexpr unsigned seed = 20010322;
+constexpr std::uint32_t color = 0x0000ff80;
+constexpr std::uint32_t guard = 0xdeadbeef;
+__extension__ typedef __int128 wide;
+
+using pixel_set = std::set<std::pair<int, int>>;
+
+/// A picture with guard words behind every row and before and after the picture.
+class canvas {
+public:
+    canvas(int width, int height)
+        : width_(width), height_(height),
+          words_(static_cast<std::size_t>((width + gap) * (height + 2)), guard),
+          imp_({words_.data() + width + gap, width, height, width + gap}), draw(imp_) {
+        draw.clear_buffer();
+    }
+
+    /// The pixels that are lit. A pixel of another colour than the test's fails.
+    pixel_set lit() {
+        pixel_set result;
+        for (int y = 0; y < height_; ++y)
+            for (int x = 0; x < width_; ++x) {
+                const std::uint32_t word =
+                    words_[static_cast<std::size_t>((y + 1) * (width_ + gap) + x)];
+                if (word != 0)
+                    result.insert({x, y});
+                EXPECT_TRUE(word == 0 || word == color);
+            }
+        return result;
+    }
+
+    bool guards_intact() const {
+        for (int i = 0; i < static_cast<int>(words_.size()); ++i) {
+            const int x = i % (width_ + gap), y = i / (width_ + gap) - 1;
+            const bool inside = x < width_ && y >= 0 && y < height_;
+            if (!inside && words_[static_cast<std::size_t>(i)] != guard)
+                return false;
+        }
+        return true;
+    }
+
+private:
+    static constexpr int gap = 3;
+    int width_, height_;
+    std::vector<std::uint32_t> words_;
+    l3d_rasterizer_2d_sw_imp imp_;
+
+public:
+    l3d_rasterizer_2d draw;
+};
+
+TEST(Points, AreLitInsideOnly) {
+    canvas c(11, 7);
+    c.draw.draw_point(3, 5, color);
+    c.draw.draw_point(10, 6, color);
+    for (const auto& [x, y] : {std::pair{-1, 0}, {11, 0}, {4, -1}, {4, 7}, {-1, 3}})
+        c.draw.draw_point(x, y, color);
+    constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
+    c.draw.draw_point(least, most, color);
+    c.draw.draw_point(most, least, color);
+    EXPECT_EQ(c.lit(), (pixel_set{{3, 5}, {10, 6}}));
+    EXPECT_TRUE(c.guards_intact());
+    c.draw.clear_buffer();
+    EXPECT_TRUE(c.lit().empty());
+    EXPECT_TRUE(c.guards_intact());
+}
+
+/// The pixel of one step of a line, by the rule alone: nearest, ties to the smaller coordinate.
+std::pair<wide, wide> exact_pixel(const l3d_line_2d& l, wide i) {
+    const wide dx = wide{l.x1} - l.x0, dy = wide{l.y1} - l.y0;
+    const wide length = std::max(dx < 0 ? -dx : dx, dy < 0 ? -dy : dy);
+    if (length == 0)
+        return {l.x0, l.y0};
+    const auto along = [&](wide from, wide delta) {
+        const wide twice = 2 * i * delta - length; // ceil(i delta / length - 1/2)
+        const wide down = twice / (2 * length);
+        return from + down + (twice > down * 2 * length ? 1 : 0);
+    };
+    return {along(l.x0, dx), along(l.y0, dy)};
+}
+
+/// All of a line's pixels that lie in a picture, step by step.
+pixel_set exact_line(const l3d_line_2d& l, int width, int height) {
+    const std::int64_t length =
+        std::max(std::abs(std::int64_t{l.x1} - l.x0), std::abs(std::int64_t{l.y1} - l.y0));
+    pixel_set result;
+    for (std::int64_t i = 0; i <= length; ++i) {
+        const auto [x, y] = exact_pixel(l, i);
+        if (x >= 0 && x < width && y >= 0 && y < height)
+            result.insert({static_cast<int>(x), static_cast<int>(y)});
+    }
+    return result;
+}
+
+pixel_set drawn(const l3d_line_2d& l, int width, int height) {
+    canvas c(width, height);
+    c.draw.draw_line(l.x0, l.y0, l.x1, l.y1, color);
+    EXPECT_TRUE(c.guards_intact());
+    return c.lit();
+}
+
+TEST(Lines, BookValues) {
+    const pixel_set shallow = drawn({0, 0, 9, 3}, 13, 8);
+    EXPECT_EQ(shallow.size(), 10u);
+    for (int x = 0; x <= 9; ++x)
+        EXPECT_EQ(std::ranges::count_if(shallow, [&](auto p) { return p.first == x; }), 1) << x;
+    EXPECT_TRUE(shallow.contains({9, 3}));
+    EXPECT_EQ(drawn({5, 5, 5, 5}, 13, 8), (pixel_set{{5, 5}}));
+    EXPECT_EQ(drawn({2, 6, 9, 6}, 13, 8).size(), 8u);
+    EXPECT_EQ(drawn({4, 1, 4, 6}, 13, 8).size(), 6u);
+    EXPECT_EQ(drawn({3, 1, 8, 6}, 13, 8).size(), 6u);
+}
+
+TEST(Lines, TiesGoUpAndLeft) {
+    EXPECT_EQ(drawn({2, 3, 4, 4}, 9, 7), (pixel_set{{2, 3}, {3, 3}, {4, 4}}));
+    EXPECT_EQ(drawn({2, 4, 4, 3}, 9, 7), (pixel_set{{2, 4}, {3, 3}, {4, 3}}));
+    EXPECT_EQ(drawn({5, 2, 4, 4}, 9, 7), (pixel_set{{5, 2}, {4, 3}, {4, 4}}));
+}
+
+TEST(Lines, AreTheNearestPixelsInEitherDirection) {
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<int> near(-30, 60), size(1, 33);
+    std::size_t lit = 0;
+    for (int n = 0; n < 100000; ++n) {
+        const l3d_line_2d l{near(random), near(random), near(random), near(random)};
+        const int width = size(random), height = size(random) + 2;
+        const pixel_set expected = exact_line(l, width, height);
+        ASSERT_EQ(drawn(l, width, height), expected)
+            << "seed " << seed << ", line " << n << ": " << l.x0 << " " << l.y0 << " " << l.x1
+            << " " << l.y1 << " in " << width << " x " << height;
+        if (n % 4 == 0) {
+            ASSERT_EQ(drawn({l.x1, l.y1, l.x0, l.y0}, width, height), expected);
+        }
+        lit += expected.size();
+    }
+    EXPECT_GT(lit, 300000u);
+}
+
+TEST(Lines, FromFarAwayAreExactWhereTheyAreSeen) {
+    std::mt19937 random(seed + 1);
+    constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
+    std::uniform_int_distribution<int> any(least, most), jitter(-40, 60);
+    constexpr int width = 37, height = 23;
+    std::size_t lit = 0;
+    for (int n = 0; n < 20000; ++n) {
+        // ends opposite each other, so that the line comes near the picture
+        l3d_line_2d l{any(random), any(random), 0, 0};
+        l.x1 = static_cast<int>(
+            std::clamp<std::int64_t>(jitter(random) - std::int64_t{l.x0}, least, most));
+        l.y1 = static_cast<int>(
+            std::clamp<std::int64_t>(jitter(random) - std::int64_t{l.y0}, least, most));
+        const wide dx = wide{l.x1} - l.x0, dy = wide{l.y1} - l.y0;
+        const bool x_major = (dx < 0 ? -dx : dx) >= (dy < 0 ? -dy : dy);
+        pixel_set expected;
+        for (int major = 0; major < (x_major ? width : height); ++major) {
+            const wide from = x_major ? l.x0 : l.y0, delta = x_major ? dx : dy;
+            const wide i = delta < 0 ? from - major : major - from;
+            const auto [x, y] = exact_pixel(l, i);
+            if (x >= 0 && x < width && y >= 0 && y < height)
+                expected.insert({static_cast<int>(x), static_cast<int>(y)});
+        }
+        ASSERT_EQ(drawn(l, width, height), expected)
+            << "seed " << seed + 1 << ", line " << n << ": " << l.x0 << " " << l.y0 << " " << l.x1
+            << " " << l.y1;
+        lit += expected.size();
+    }
+    EXPECT_GT(lit, 10000u);
+    EXPECT_EQ(drawn({least, 4, most, 4}, width, height).size(), 37u);
+    EXPECT_EQ(drawn({9, most, 9, least}, width, height).size(), 23u);
+    EXPECT_TRUE(drawn({least, least, most, least}, width, height).empty());
+}
+
+TEST(Lines, InABatchAreTheSameLines) {
+    canvas one(29, 17), batch(29, 17);
+    const std::array<l3d_line_2d, 3> lines{{{1, 2, 20, 9}, {-5, 14, 40, 3}, {7, 7, 7, 7}}};
+    for (const l3d_line_2d& l : lines)
+        one.draw.draw_line(l.x0, l.y0, l.x1, l.y1, color);
+    batch.draw.draw_lines(lines, color);
+    EXPECT_EQ(one.lit(), batch.lit());
+    EXPECT_GT(one.lit().size(), 40u);
+}
+
+pixel_set filled(const std::vector<l3d_point_2d>& corners, int width = 41, int height = 31) {
+    canvas c(width, height);
+    c.draw.draw_polygon_flatshaded(corners, color);
+    EXPECT_TRUE(c.guards_intact());
+    return c.lit();
+}
+
+pixel_set rectangle(int left, int top, int right, int bottom) {
+    pixel_set result;
+    for (int y = top; y < bottom; ++y)
+        for (int x = left; x < right; ++x)
+            result.insert({x, y});
+    return result;
+}
+
+TEST(Polygons, BookSquares) {
+    EXPECT_EQ(filled({{10, 10}, {20, 10}, {20, 20}, {10, 20}}), rectangle(10, 10, 20, 20));
+    EXPECT_EQ(filled({{10.5, 10.5}, {20.5, 10.5}, {20.5, 20.5}, {10.5, 20.5}}),
+              rectangle(11, 11, 21, 21));
+}
+
+TEST(Polygons, BookTrianglesShareAnEdgeExactly) {
+    const pixel_set upper = filled({{10, 10}, {20, 10}, {20, 20}});
+    const pixel_set lower = filled({{10, 10}, {20, 20}, {10, 20}});
+    EXPECT_EQ(upper.size(), 55u);
+    EXPECT_EQ(lower.size(), 45u);
+    pixel_set both = upper;
+    both.insert(lower.begin(), lower.end());
+    EXPECT_EQ(both, rectangle(10, 10, 20, 20));
+}
+
+TEST(Polygons, BookSpanEnds) {
+    EXPECT_EQ(filled({{2, 3}, {7.32718, 3}, {7.32718, 5}, {2, 5}}), rectangle(2, 3, 8, 5));
+    EXPECT_EQ(filled({{7.32718, 3}, {12, 3}, {12, 5}, {7.32718, 5}}), rectangle(8, 3, 12, 5));
+}
+
+TEST(Polygons, BookShapesHaveTheExactPixelCounts) {
+    const auto count = [](const std::vector<l3d_point_2d>& v) {
+        return filled(v, 320, 200).size();
+    };
+    EXPECT_EQ(count({{100, 100}, {200, 150}, {150, 200}, {50, 120}}), 6715u);
+    EXPECT_EQ(count({{100, 100}, {200, 100}, {150, 200}, {140, 200}}), 5530u);
+}
+
+TEST(Polygons, OfEitherWindingAreTheSame) {
+    std::vector<l3d_point_2d> v{{7.3, 2.1}, {33.9, 5.6}, {36.2, 21.7}, {20.4, 28.8}, {3.3, 17.5}};
+    const pixel_set expected = filled(v);
+    EXPECT_GT(expected.size(), 500u);
+    std::ranges::reverse(v);
+    EXPECT_EQ(filled(v), expected);
+    std::ranges::rotate(v, v.begin() + 2);
+    EXPECT_EQ(filled(v), expected);
+}
+
+/// Inside by edge functions on the 1/256 lattice; clockwise corners.
+bool inside(const std::vector<l3d_point_2d>& v, int x, int y) {
+    const auto raw = [](double c) { return std::lrint(c * 256); };
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const l3d_point_2d &a = v[i], &b = v[(i + 1) % v.size()];
+        const std::int64_t dx = raw(b.x) - raw(a.x), dy = raw(b.y) - raw(a.y);
+        const std::int64_t side = dx * (256 * y - raw(a.y)) - dy * (256 * x - raw(a.x));
+        const bool owns = dy < 0 || (dy == 0 && dx > 0);
+        if ((dx != 0 || dy != 0) && (side < 0 || (side == 0 && !owns)))
+            return false;
+    }
+    return true;
+}
+
+/// Corners on an ellipse, clockwise on the screen, rounded to the lattice while still convex
+/// enough.
+std::vector<l3d_point_2d> random_convex(std::mt19937& random) {
+    const auto real = [&](double a, double b) {
+        return std::uniform_real_distribution<double>(a, b)(random);
+    };
+    std::vector<double> angles(static_cast<std::size_t>(real(3, 12)));
+    for (double& a : angles)
+        a = real(0, 6.283185307179586);
+    std::ranges::sort(angles);
+    const double x = real(-10, 45), y = real(-10, 40), rx = real(4, 60), ry = real(4, 60);
+    std::vector<l3d_point_2d> v;
+    for (const double a : angles)
+        v.push_back({std::round((x + rx * std::cos(a)) * 256) / 256,
+                     std::round((y + ry * std::sin(a)) * 256) / 256});
+    return v;
+}
+
+bool is_convex(const std::vector<l3d_point_2d>& v) {
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const l3d_point_2d &a = v[i], &b = v[(i + 1) % v.size()], &c = v[(i + 2) % v.size()];
+        if ((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x) <= 0)
+            return false;
+    }
+    return true;
+}
+
+TEST(Polygons, RandomConvexOnesAreExact) {
+    std::mt19937 random(seed + 2);
+    constexpr int width = 23, height = 17;
+    int tried = 0;
+    std::size_t lit = 0;
+    for (int n = 0; n < 100000; ++n) {
+        const std::vector<l3d_point_2d> v = random_convex(random);
+        if (!is_convex(v))
+            continue;
+        ++tried;
+        pixel_set expected;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                if (inside(v, x, y))
+                    expected.insert(expected.end(), {x, y});
+        ASSERT_EQ(filled(v, width, height), expected) << "seed " << seed + 2 << ", polygon " << n;
+        lit += expected.size();
+    }
+    EXPECT_GT(tried, 50000);
+    EXPECT_GT(lit, 1000000u);
+}
+
+TEST(Polygons, WithoutAreaOrCornersDrawNothing) {
+    EXPECT_TRUE(filled({}).empty());
+    EXPECT_TRUE(filled({{4, 5}}).empty());
+    EXPECT_TRUE(filled({{4, 5}, {20, 9}}).empty());
+    EXPECT_TRUE(filled({{4, 5}, {20, 9}, {4, 5}}).empty());
+    EXPECT_TRUE(filled({{4, 5}, {8, 9}, {16, 17}, {6, 7}}).empty());
+}
+
+TEST(Polygons, ThatReachTooFarDrawNothing) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    for (const double bad : {nan, inf, -inf, 1e300, -40000.0}) {
+        EXPECT_TRUE(filled({{bad, 3}, {20, 4}, {15, 25}}).empty()) << bad;
+        EXPECT_TRUE(filled({{3, 4}, {20, bad}, {15, 25}}).empty()) << bad;
+    }
+    EXPECT_EQ(filled({{-32767, -32767}, {32767, -32767}, {32767, 32767}, {-32767, 32767}}).size(),
+              41u * 31u);
+}
+
+TEST(Polygons, OfAnyKindStayInsideTheBuffer) {
+    std::mt19937 random(seed + 3);
+    const std::array<double, 4> reaches{3, 60, 2000, 33000};
+    canvas c(19, 27);
+    for (int n = 0; n < 100000; ++n) {
+        const double reach = reaches[random() % reaches.size()];
+        std::uniform_real_distribution<double> at(-reach, reach);
+        std::vector<l3d_point_2d> v(random() % 9);
+        for (l3d_point_2d& p : v)
+            p = {at(random) + 7, at(random) + 11};
+        c.draw.draw_polygon_flatshaded(v, color); // concave and crossing ones, too
+    }
+    EXPECT_TRUE(c.guards_intact()) << "seed " << seed + 3;
+}
+
+TEST(Imp, DrawsIntoTheTargetOfTheLastResize) {
+    std::vector<std::uint32_t> first(6 * 5, 0), second(9 * 11, 0);
+    const std::unique_ptr<l3d_rasterizer_2d_imp> imp =
+        l3d_rasterizer_2d_sw_imp_factory().create({first.data(), 6, 5, 6});
+    l3d_rasterizer_2d draw(*imp);
+    imp->set_target({second.data(), 9, 11, 9});
+    draw.draw_point(8, 10, color);
+    const std::array<l3d_point_2d, 3> corners{{{0, 0}, {0, 11}, {3, 11}}};
+    draw.draw_polygon_flatshaded(corners, color);
+    EXPECT_EQ(second.back(), color);
+    EXPECT_EQ(second[9 * 10], color);
+    EXPECT_EQ(std::ranges::count(first, 0u), 30);
+}
+
+} // namespace
