@@ -71,6 +71,8 @@ template <class T, int Degree> struct l3d_forward_difference {
 
     /// Halves the step. With the binomial operator E^(1/2) = (1 + D)^(1/2):
     ///   D' = D/2 - D^2/8 + D^3/16,  D'^2 = D^2/4 - D^3/8,  D'^3 = D^3/8.
+    /// Expects: every register in range. (Steps are linear modulo 2^bits: for them only the values
+    /// that are used must fit.)
     void halve() {
         const T half_third = halved(d[3]);
         d[2] = halved(halved(d[2] - half_third));
@@ -114,10 +116,12 @@ double l3d_forward_difference_error(int n, double p, double b1, double b2, doubl
     const double d1 = 3 * b1 / steps + 2 * d2;
     const double initial = p + steps * d1 + pairs * d2 + triples * d3;
     const double adding = steps * p + pairs * d1 + triples * d2;
-    // Differences of control values cancel: their rounding is relative to p, at most 8 u p for
-    // the third, and reaches the value at most (3 + 3 + 1) fold since C(n, k) k! / n^k <= 1.
+    // Differences of control values cancel: their rounding is relative to p. In units of u p the
+    // three differences are off by at most 2, 8, 24; so c1, c2, c3 by 18/n, 60/n^2, 48/n^3, their
+    // sum by 12/n + 24/n^2 + 8/n^3 more, d2 and d3 by 120/n^2 and 336/n^3, their sum by 24/n^2 +
+    // 48/n^3 more. Times n, C(n, 2), C(n, 3) that is most for n = 1, where it is 170.
     const double u_wide = l3d_real_traits<typename l3d_real_traits<T>::wide>::unit_roundoff;
-    const double cancelling = 7 * 8 * u_wide * p;
+    const double cancelling = 170 * u_wide * p;
     return u * (initial + adding) + cancelling +
            half_ulp * (1 + 4.25 * steps + 3.25 * pairs + 1.75 * triples);
 }

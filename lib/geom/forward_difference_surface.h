@@ -11,8 +11,9 @@
 /// One coordinate of a bicubic patch held in 16 registers and walked in u and v by additions.
 ///
 /// Shape:  in_v[i] walks the i-th difference in u along v.
-/// Errors: rounding errors of both directions multiply: with f fraction bits up to
-///         2^-(f + 1) S(n) S(m), S(n) = 1 + n + C(n, 2) + C(n, 3). Short walks only; the patch
+/// Errors: rounding errors of both directions multiply: with f fraction bits and one rounding a
+///         register (a wider Wide) up to 2^-(f + 1) S(n) S(m), S(n) = 1 + n + C(n, 2) + C(n, 3);
+///         up to 4 times that if Wide is T, whose divisions round too. Short walks only; the patch
 ///         pipeline restarts each strip exactly instead and never runs this form across a patch.
 /// Source: Shantz, Chang, Rendering Trimmed NURBS with Adaptive Forward Differencing, 1988.
 template <class T> struct l3d_forward_difference_surface {
