@@ -69,6 +69,7 @@ tested    := $(foreach l,$(LAYERS) reference,$(if $(objects_tests/$(l)),$(l)))
 ARCHIVES  := $(call archives,$(LAYERS))
 APPS      := $(apps:%=$(OUT)/bin/%)
 TESTERS   := $(tested:%=$(OUT)/tests/%_tests)
+objects_bench := $(call objects,$(filter-out %_bench.cpp,$(wildcard tests/bench/*.cpp)))
 BENCHES   := $(patsubst %.cpp,$(OUT)/%,$(wildcard tests/bench/*_bench.cpp))
 SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
 HEADERS   := $(sort $(wildcard lib/*/*.h))
@@ -179,9 +180,9 @@ $(TESTERS): $(OUT)/tests/%_tests: $$(objects_tests/$$*) $$(call archives,$$(call
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(call may_use,$*)) \
 	    -lgtest -lgtest_main -o $@
 
-$(BENCHES): %: %.o $(call archives,reference $(LAYERS))
+$(BENCHES): %: %.o $(objects_bench) $(call archives,reference $(LAYERS))
 	$(call say,LINK,$@)
-	$(Q)$(LINK) $< $(filter %.a,$^) $(call links,$(LAYERS)) -lbenchmark -ldl -o $@
+	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -lbenchmark -ldl -o $@
 
 # ---- logs: each ends with the exit status of what it ran ----------------------------------------
 
@@ -229,4 +230,4 @@ $(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o
 	$(call say,TIDY,$<)
 	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ $(FLAGS) $(if $(filter tests/%,$<),-Itests) && touch $@
 
--include $(wildcard $(OBJECTS:.o=.d) $(BENCHES:=.d) $(LONE:=.d))
+-include $(wildcard $(OBJECTS:.o=.d) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))
