@@ -55,7 +55,7 @@ function check(unit, path,    other, name) {
 }
 
 # The target of a rule names the unit: build/<variant>/lib/geom/real.o is lib/geom/real.cpp.
-index($1, out) == 1 && $1 ~ /:$/ {
+index($1, out) == 1 && $1 ~ /\.(o|ok):$/ {
     unit = substr($1, length(out) + 1)
     sub(/\.o:$/, ".cpp", unit)
     sub(/\.ok:$/, "", unit)
@@ -63,7 +63,7 @@ index($1, out) == 1 && $1 ~ /:$/ {
 }
 
 # Rules without prerequisites come from -MP.
-!(index($1, out) == 1) && $1 ~ /:$/ { next }
+$1 ~ /:$/ && $1 !~ /\.(o|ok):$/ { next }
 
 {
     for (i = 1; i <= NF; ++i)
