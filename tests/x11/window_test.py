@@ -1,0 +1,246 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Every program in a window: keys, close, resize, expose, signals, a server that dies."""
+
+import os
+import signal
+import subprocess
+import time
+
+import harness
+from harness import Checks, Onlooker, environment, expect, expect_equal, folder, run, started
+from harness import wait_for, window_of, x_server, xdotool
+
+
+class Session:
+    """A program in a window of a server of its own, which has drawn its first picture."""
+
+    def __init__(self, program, *arguments, **options):
+        self.program = program
+        self.command = program.command("--backend", "ximage", *arguments)
+        self.options = options
+
+    def __enter__(self):
+        self.contexts = [x_server()]
+        self.server = self.enter()
+        self.display = self.server.display
+        self.contexts.append(Onlooker(self.display))
+        self.eyes = self.enter()
+        self.contexts.append(started(self.command, environment(self.display), **self.options))
+        self.process = self.enter()
+        self.window = window_of(self.display, self.program)
+        self.await_picture(harness.has_picture)
+        return self
+
+    def enter(self):
+        return self.contexts[-1].__enter__()
+
+    def __exit__(self, *error):
+        # The onlooker stays: its connection is gone if the server is, and Xlib would exit.
+        for context in (self.contexts[2], self.contexts[0]):
+            context.__exit__(*error)
+
+    def picture(self, size=None):
+        return self.eyes.picture(self.window, *(size or self.program.size))
+
+    def await_picture(self, question, size=None, what="the picture"):
+        return wait_for(lambda: question(self.picture(size)), what)
+
+    def expect_end(self, status, messages=""):
+        found, out, said = harness.ended(self.process)
+        expect_equal((found, out, said), (status, b"", messages))
+
+
+def quits_by_key(program):
+    with Session(program) as it:
+        xdotool(it.display, "key", "q")
+        it.expect_end(0)
+
+
+def quits_by_key_sent_to_the_window(program):
+    with Session(program) as it:
+        xdotool(it.display, "key", "--window", it.window, "q")
+        it.expect_end(0)
+
+
+def closes_by_the_window_managers_button(program):
+    with Session(program) as it:
+        it.eyes.ask_to_close(it.window)
+        it.expect_end(0)
+
+
+def survives_the_loss_of_its_window(program):
+    with Session(program) as it:
+        xdotool(it.display, "windowclose", it.window)  # destroys it
+        it.expect_end(0)
+
+
+def tells_that_it_was_cut_off(program):
+    with Session(program) as it:
+        xdotool(it.display, "windowkill", it.window)  # cuts the connection
+        it.expect_end(6, program.name + ": the display was lost\n")
+
+
+def tells_that_the_server_died(program):
+    with folder() as path, Session(program, "--output", "last.png", cwd=path) as it:
+        it.server.kill()
+        it.expect_end(6, program.name + ": the display was lost\n")
+        rows = harness.read_png(os.path.join(path, "last.png"))
+        expect(harness.has_picture(rows), "the last picture is empty")
+
+
+def dies_by_the_signal(program):
+    for number in (signal.SIGINT, signal.SIGTERM):
+        with folder() as path, Session(program, "--output", "last.png", cwd=path) as it:
+            it.process.send_signal(number)
+            it.expect_end(-number)
+            rows = harness.read_png(os.path.join(path, "last.png"))
+            expect(harness.has_picture(rows), "the last picture is empty")
+
+
+def repairs_what_was_covered(program):
+    with Session(program) as it:
+        settle(it)
+        before = it.picture()
+        with it.eyes.cover(program.size[0] // 2, program.size[1] - 7):
+            pass
+        it.await_picture(lambda rows: rows == before, what="the uncovered picture")
+
+
+def settle(it):
+    """Stops what moves."""
+    xdotool(it.display, "key", "space")
+    pictures = []
+
+    def is_still(rows):
+        pictures.append(rows)
+        return len(pictures) > 5 and all(each == rows for each in pictures[-5:])
+
+    it.await_picture(is_still, what="a picture that stays")
+
+
+def rests_when_nothing_moves(program):
+    with Session(program) as it:
+        settle(it)
+        ticks = lambda: sum(map(int, stat_fields(it.process.pid)[11:13]))  # user and system time
+        before = ticks()
+        time.sleep(1)
+        share = (ticks() - before) / os.sysconf("SC_CLK_TCK")
+        expect(share < 0.2, "processor time in one idle second:", share)
+
+
+def stat_fields(pid):
+    with open("/proc/%d/stat" % pid) as file:
+        return file.read().rpartition(")")[2].split()
+
+
+def resizes_its_picture(program):
+    """The picture fills the new size: drawdot's dot moves on, the teapot is centred again."""
+    for size in ((211, 97), (97, 211), (1, 1), (401, 302)):
+        with Session(program) as it:
+            xdotool(it.display, "windowsize", it.window, *size)
+            if size == (1, 1):
+                it.await_picture(lambda rows: rows is not None, size)
+            else:
+                it.await_picture(lambda rows: fills(program, rows), size, "the new size")
+            xdotool(it.display, "key", "--window", it.window, "q")
+            it.expect_end(0)
+
+
+def fills(program, rows):
+    if rows is None:
+        return False
+    if program is harness.DRAWDOT:  # the dot has come past the old border
+        edge = min(program.size[0], len(rows[0]) - 2)
+        return rows[0][edge] == harness.GREEN
+    # Something is drawn in the right half and in the lower half.
+    right = [row[len(row) // 2 + 1 :] for row in rows]
+    return harness.has_picture(right) and harness.has_picture(rows[len(rows) // 2 + 1 :])
+
+
+def survives_a_storm_of_sizes(program):
+    with Session(program) as it:
+        steps = []
+        for i in range(150):
+            steps += ["windowsize", it.window, 60 + 7 * i % 301, 50 + 11 * i % 211]
+        xdotool(it.display, *steps, "windowsize", it.window, 233, 144)
+        it.await_picture(lambda rows: rows is not None, (233, 144), "the last size")
+        it.eyes.ask_to_close(it.window)
+        it.expect_end(0)
+
+
+def shows_what_memory_holds(program):
+    """The same frames from the window's back-end and from memory are the same, bit for bit."""
+    with x_server() as server:
+        streams = []
+        for backend in ("ximage", "memory"):
+            command = program.command("--backend", backend, "--frames", "4", "--fps", "50")
+            status, out, messages = run(
+                [*command, "--output", "-"], environment(server.display)
+            )
+            expect_equal((status, messages), (0, ""), backend)
+            streams.append(out)
+    expect(streams[0] == streams[1], "the pictures differ")
+
+
+def starts_without_a_terminal(program):
+    """With a display, and nobody to ask, there is a window at once."""
+    read, write = os.pipe()  # never written to, never closed
+    for name, stdin in (("null", subprocess.DEVNULL), ("silent pipe", read)):
+        with x_server() as server:
+            env = environment(server.display)
+            with started(program.command(), env, stdin=stdin) as process:
+                window = window_of(server.display, program)
+                xdotool(server.display, "key", "--window", window, "q")
+                expect_equal(harness.ended(process), (0, b"", ""), name)
+    with x_server() as server:
+        command = ["sh", "-c", '"$0" "$@" <&-', *program.command()]
+        with started(command, environment(server.display)) as process:
+            window = window_of(server.display, program)
+            xdotool(server.display, "key", "--window", window, "q")
+            expect_equal(harness.ended(process), (0, b"", ""), "closed")
+    os.close(read)
+    os.close(write)
+
+
+CHECKS = (
+    quits_by_key,
+    quits_by_key_sent_to_the_window,
+    closes_by_the_window_managers_button,
+    survives_the_loss_of_its_window,
+    tells_that_it_was_cut_off,
+    tells_that_the_server_died,
+    dies_by_the_signal,
+    repairs_what_was_covered,
+    rests_when_nothing_moves,
+    resizes_its_picture,
+    survives_a_storm_of_sizes,
+    shows_what_memory_holds,
+    starts_without_a_terminal,
+)
+
+
+def drawdot_obeys_its_keys():
+    """'l', then 'j', then 'h': runs to the right, down and to the left; 'k' back up; space."""
+    green = harness.GREEN
+    width, height = harness.DRAWDOT.size
+    with Session(harness.DRAWDOT) as it:
+        for key, x, y in (("l", width - 1, 0), ("j", width - 1, height - 1), ("h", 0, height - 1)):
+            xdotool(it.display, "key", key)
+            it.await_picture(lambda rows: rows[y][x] == green, what="the border after " + key)
+        frame = [0] + (width - 2) * [0] + [green]
+        wanted = [width * [green]] + (height - 2) * [frame] + [width * [green]]
+        expect_equal(it.picture(), wanted)
+        xdotool(it.display, "key", "k")
+        it.await_picture(lambda rows: rows[height // 2][0] == green, what="the way up")
+        xdotool(it.display, "key", "q")
+        it.expect_end(0)
+
+
+if __name__ == "__main__":
+    checks = Checks()
+    for program in harness.PROGRAMS:
+        for check in CHECKS:
+            checks.run("window.%s.%s" % (program.name, check.__name__), check, program)
+    checks.run("window.drawdot_obeys_its_keys", drawdot_obeys_its_keys)
+    checks.finish()
