@@ -28,6 +28,10 @@ double largest(const vector& v) {
     return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }
 
+/// What rounding can make of a cross product that is nothing, in units of the factors' sizes: the
+/// weighted sum of 12 products has some 20 roundings of 2^-53 in a row; room for thrice as many.
+constexpr double rounding = 64 * 0x1p-53;
+
 /// Divides a degree-5 Bernstein polynomial that vanishes at t = 0 by t, and raises the quartic
 /// quotient back to degree 5. From t B4_j(t) = (j + 1)/5 B5_(j+1)(t).
 std::array<vector, order> divided_by_t(const std::array<vector, order>& b) {
@@ -47,6 +51,11 @@ std::array<vector, order> divided_by_t(const std::array<vector, order>& b) {
 } // namespace
 
 l3d_normal_net::l3d_normal_net(const l3d_bezier_patch<double, 3>& patch) {
+    double size = 0;
+    for (const vector& p : patch.points)
+        size = std::max(size, largest(p));
+    // Control points are rounded too: by 2^-53 of `size`.
+    std::array<double, order * order> noise{};
     for (int ru = 0; ru < 4; ++ru)
         for (int cu = 0; cu < 3; ++cu) {
             const vector du = patch.at(ru, cu + 1) - patch.at(ru, cu);
@@ -56,10 +65,17 @@ l3d_normal_net::l3d_normal_net(const l3d_bezier_patch<double, 3>& patch) {
                     const double weight = binomial(3, ru) * binomial(2, rv) /
                                           binomial(degree, ru + rv) * binomial(2, cu) *
                                           binomial(3, cv) / binomial(degree, cu + cv);
-                    vector& target = net_[static_cast<std::size_t>(order * (ru + rv) + cu + cv)];
-                    target = target + l3d_cross(du, dv) * weight;
+                    const auto target = static_cast<std::size_t>(order * (ru + rv) + cu + cv);
+                    net_[target] = net_[target] + l3d_cross(du, dv) * weight;
+                    const double a = largest(du), b = largest(dv);
+                    noise[target] += rounding * weight * (a * b + size * (a + b));
                 }
         }
+    bool is_noise = true;
+    for (std::size_t i = 0; i < net_.size(); ++i)
+        is_noise = is_noise && largest(net_[i]) <= noise[i];
+    if (is_noise)
+        net_ = {};
     scale_to_one();
     // A polynomial of degree 5 by 5 has at most 5 factors of each of u, 1 - u, v, 1 - v.
     for (int factors = 0; factors < 4 * degree && divide_by_vanishing_factor(); ++factors)

@@ -12,7 +12,7 @@
 /// Where an edge of the patch is collapsed the cross product vanishes along it although the
 /// tangent plane exists. The net then holds the cross product divided by the vanishing factor
 /// (u, 1 - u, v or 1 - v, as often as needed): the same direction inside, the limit on the edge.
-/// A patch whose normal vanishes everywhere has the net 0.
+/// A patch whose normal vanishes everywhere, as far as rounding can tell, has the net 0.
 ///
 /// Shape:  36 vectors, index 6 * row + column, columns along u.
 /// Units:  scaled so that the largest component is 1 (direction is all that counts).
