@@ -70,6 +70,7 @@ ARCHIVES  := $(call archives,$(LAYERS))
 APPS      := $(apps:%=$(OUT)/bin/%)
 TESTERS   := $(tested:%=$(OUT)/tests/%_tests)
 objects_bench := $(call objects,$(filter-out %_bench.cpp,$(wildcard tests/bench/*.cpp)))
+bench_help := $(call objects,$(filter-out %_bench.cpp,$(wildcard tests/bench/*.cpp)))
 BENCHES   := $(patsubst %.cpp,$(OUT)/%,$(wildcard tests/bench/*_bench.cpp))
 SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
 HEADERS   := $(sort $(wildcard lib/*/*.h))
@@ -194,7 +195,8 @@ $(tested:%=$(OUT)/log/%.log): $(OUT)/log/%.log: $(OUT)/tests/%_tests FORCE
 
 $(OUT)/log/x11/%.log: tests/x11/% $(APPS) FORCE
 	$(call say,TEST,$<)
-	$(call logged,L3D_BIN=$(OUT)/bin timeout $(TEST_TIMEOUT) $<)
+	$(call logged,PYTHONDONTWRITEBYTECODE=1 L3D_BIN=$(abspath $(OUT)/bin) \
+	    timeout $(TEST_TIMEOUT) $<)
 
 $(OUT)/log/format-check.log: FORCE
 	$(call logged,$(CLANG_FORMAT) --dry-run -Werror $(FORMATTED) && echo ok format-check)

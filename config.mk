@@ -16,12 +16,11 @@ CLANG_FORMAT ?= clang-format
 CLANG_TIDY   ?= clang-tidy
 TEST_TIMEOUT ?= 900#  seconds a test program may take, sanitizers on a slow machine included
 
-# Debian packages, each with its proof: a header that must be found, or a program.
+# Debian packages, each with its proof: a header, a library or a program that must be there.
 PACKAGES_build  := g++:$(CXX) libglm-dev:glm/glm.hpp libpng-dev:png.h libx11-dev:X11/Xlib.h \
     libxext-dev:X11/extensions/XShm.h libcli11-dev:CLI/CLI.hpp nlohmann-json3-dev:nlohmann/json.hpp
-PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool \
-    x11-utils:xwininfo
+PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool
 PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
 PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
 PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h
-PACKAGES_bench  := libbenchmark-dev:benchmark/benchmark.h
+PACKAGES_bench  := libosmesa6:libOSMesa.so

@@ -1,13 +1,18 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# packages.sh PACKAGE:PROOF...: makes sure of Debian packages. A proof is a program, or a header.
+# packages.sh PACKAGE:PROOF...: makes sure of Debian packages.
+# A proof is a header, a library or a program; dpkg-query knows better where there is one.
 # Installs what is missing where that needs no password; else says in one line what to install.
+
+known_to_dpkg() { dpkg-query -W -f '${db:Status-Status}' "$1" 2> /dev/null | grep -q '^installed'; }
 
 installed() {
     case $2 in
-    *.h | *.hpp)
+    *.h | *.hpp | *.so)
         if command -v dpkg-query > /dev/null; then
-            dpkg-query -W -f '${db:Status-Status}' "$1" 2> /dev/null | grep -q '^installed'
+            known_to_dpkg "$1"
+        elif [ "${2%.so}" != "$2" ]; then
+            ldconfig -p | grep -q "$2"
         else
             echo "#include <$2>" | ${CXX:-c++} -std=c++20 -fsyntax-only -x c++ - 2> /dev/null
         fi ;;
