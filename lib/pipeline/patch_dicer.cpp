@@ -191,8 +191,6 @@ template <class T> void l3d_patch_dicer<T>::dice_piece(const piece& p) {
     const double budget = std::max(view_.tolerance - b.vertex_error, view_.tolerance / 2);
     const auto kind = b.whole ? l3d_quad_kind::whole : l3d_quad_kind::triangles;
     l3d_step_plan plan = l3d_plan_steps(std::span(b.block).first(b.count), view_, budget, kind);
-    if (!plan.visible && p.depth > 0)
-        return close_hidden(p);
 
     const int most = b.whole ? most_steps_whole : most_steps_clipped;
     const int wanted = std::max(plan.most_u(), plan.most_v());
