@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The error bound that every frame carries, against the exact surface.
 #include "certificate.h"
+#include "nasty.h"
 #include "scene.h"
 
 #include "reference/random_patches.h"
@@ -9,7 +10,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <random>
 
 namespace pipeline_tests {
 namespace {
@@ -21,10 +21,7 @@ struct type_names {
 };
 TYPED_TEST_SUITE(bound_of, number_types, type_names);
 
-/// Dices and measures, every n-th thing; what must hold in every frame.
-template <class T>
-certificate measured(const scene& s, double tolerance, std::size_t every, const char* what);
-
+/// Dices and measures; what must hold in every frame.
 template <class T>
 void measure(const scene& s, double tolerance, certificate& result, l3d_dice_counts& counts) {
     l3d_patch_dicer<T> dicer;
@@ -59,6 +56,90 @@ TYPED_TEST(bound_of, the_teapot_holds_in_every_view_size_and_tolerance) {
                             view.name.data(), size.width, size.height, tolerance, counts.bound_px,
                             result.largest, result.mean(), static_cast<long>(result.samples));
             }
+}
+
+constexpr reference::camera oblique{{2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 0.05}, 41, 0.2};
+constexpr l3d_size odd{317, 241};
+
+/// What random scenes have in common: a seed to find them again, and a summary.
+template <class T> class random_scenes {
+public:
+    explicit random_scenes(const char* what) : what_(what) {}
+
+    ~random_scenes() {
+        std::printf("%-6s %-10s %ld patches, %ld pieces (%ld clipped), %ld samples: worst measured "
+                    "/ bound %.3f (seed %lu, "
+                    "tolerance %.3f)\n",
+                    name_of<T>(), what_, patches_, pieces, clipped, samples_, worst_, worst_seed_,
+                    worst_tolerance_);
+    }
+
+    void check(std::uint64_t seed, const scene& s, double tolerance, double least_tolerance = 0) {
+        SCOPED_TRACE(testing::Message() << what_ << " seed " << seed << " tolerance " << tolerance);
+        certificate result(s.eye, s.size);
+        l3d_dice_counts counts;
+        measure<T>(s, tolerance, result, counts);
+        if (tolerance >= least_tolerance) {
+            EXPECT_LE(counts.bound_px, tolerance);
+        }
+        patches_ += static_cast<long>(s.patches.size());
+        samples_ += static_cast<long>(result.samples);
+        pieces += static_cast<long>(counts.pieces);
+        clipped += static_cast<long>(counts.clipped);
+        if (result.worst_ratio > worst_) {
+            worst_ = result.worst_ratio;
+            worst_seed_ = seed;
+            worst_tolerance_ = tolerance;
+        }
+    }
+
+    long pieces = 0, clipped = 0;
+
+private:
+    const char* what_;
+    long patches_ = 0, samples_ = 0;
+    double worst_ = 0, worst_tolerance_ = 0;
+    unsigned long worst_seed_ = 0;
+};
+
+TYPED_TEST(bound_of, random_patches_of_every_kind_hold) {
+    using reference::patch_kind;
+    constexpr int scenes = sanitized ? 10 : 100, patches = 20;
+    const std::pair<patch_kind, const char*> kinds[] = {{patch_kind::moderate, "moderate"},
+                                                        {patch_kind::thin, "thin"},
+                                                        {patch_kind::folded, "folded"},
+                                                        {patch_kind::coincident, "coincident"},
+                                                        {patch_kind::stiff, "stiff"}};
+    for (const auto& [kind, name] : kinds) {
+        random_scenes<TypeParam> all(name);
+        for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
+            const double tolerance = number_source(seed).of_any_size(0.03, 2);
+            all.check(seed,
+                      {random_patches(seed, kind, patches, oblique, {odd.width, odd.height}),
+                       oblique, odd},
+                      tolerance);
+        }
+    }
+}
+
+TYPED_TEST(bound_of, patches_around_the_eye_and_far_from_the_window_hold) {
+    constexpr int scenes = sanitized ? 10 : 100, patches = 5;
+    const std::pair<nasty_kind, const char*> kinds[] = {{nasty_kind::around_eye, "around eye"},
+                                                        {nasty_kind::crossing, "crossing"},
+                                                        {nasty_kind::spear, "spear"},
+                                                        {nasty_kind::deep, "deep"},
+                                                        {nasty_kind::wide, "wide"},
+                                                        {nasty_kind::wrapped, "wrapped"}};
+    for (const auto& [kind, name] : kinds) {
+        random_scenes<TypeParam> all(name);
+        for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
+            const double tolerance = number_source(seed).of_any_size(0.03, 2);
+            all.check(seed,
+                      {nasty_patches(seed, kind, patches, oblique, {odd.width, odd.height}),
+                       oblique, odd},
+                      tolerance);
+        }
+    }
 }
 
 } // namespace

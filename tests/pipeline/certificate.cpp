@@ -62,10 +62,10 @@ certificate::corner certificate::corner_of(const l3d_micro_vertex& vertex, doubl
 }
 
 bool certificate::may_be_seen(std::span<const corner> corners) const {
-    const auto [left, right] = std::minmax_element(
-        corners.begin(), corners.end(), [](auto& a, auto& b) { return a.x < b.x; });
-    const auto [top, bottom] = std::minmax_element(
-        corners.begin(), corners.end(), [](auto& a, auto& b) { return a.y < b.y; });
+    const auto [left, right] = std::minmax_element(corners.begin(), corners.end(),
+                                                   [](auto& a, auto& b) { return a.x < b.x; });
+    const auto [top, bottom] = std::minmax_element(corners.begin(), corners.end(),
+                                                   [](auto& a, auto& b) { return a.y < b.y; });
     return left->x <= size_.width && right->x >= 0 && top->y <= size_.height && bottom->y >= 0;
 }
 

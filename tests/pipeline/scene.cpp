@@ -7,7 +7,9 @@
 namespace pipeline_tests {
 namespace {
 
-l3d_camera::vector vector_of(const reference::vec3& v) { return {v.x, v.y, v.z}; }
+l3d_camera::vector vector_of(const reference::vec3& v) {
+    return {v.x, v.y, v.z};
+}
 
 l3d_camera camera_of(const reference::camera& view) {
     l3d_camera result;

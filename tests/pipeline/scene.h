@@ -79,10 +79,10 @@ void dice(l3d_patch_dicer<T>& dicer, const scene& s, double tolerance, l3d_dice_
 }
 
 template <class T>
-l3d_dice_counts dice(const scene& s, double tolerance, l3d_dice_sink& sink,
-                     bool keep_all = false) {
+l3d_dice_counts dice(const scene& s, double tolerance, l3d_dice_sink& sink, bool keep_all = false) {
     l3d_patch_dicer<T> dicer;
-    dice(dicer, s, tolerance, sink, [](std::size_t) {}, keep_all);
+    dice(
+        dicer, s, tolerance, sink, [](std::size_t) {}, keep_all);
     return dicer.counts();
 }
 

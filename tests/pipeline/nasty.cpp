@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Patches made in the eye's space and carried into the world.
+#include "nasty.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace pipeline_tests {
+namespace {
+
+/// Picture position and distance; negative distances lie behind the eye.
+struct seen_point {
+    double x, y, w;
+};
+
+seen_point point_of(number_source& random, nasty_kind kind, std::size_t row, std::size_t column,
+                    double near, reference::picture_size size) {
+    const double width = size.width, height = size.height;
+    const double a = static_cast<double>(column) / 3, b = static_cast<double>(row) / 3;
+    switch (kind) {
+    case nasty_kind::around_eye:
+        return {random.between(-1, 2) * width, random.between(-1, 2) * height,
+                random.between(-20, 20) * near};
+    case nasty_kind::crossing:
+        return {(random.between(-0.2, 0.2) + a) * width,
+                (random.between(-0.2, 0.2) + 1 - b) * height,
+                near * (random.between(-0.3, 0.3) - 1 + 12 * b)};
+    case nasty_kind::spear:
+        return {width * (0.4 + random.between(0, 0.2)), height * (0.3 + random.between(0, 0.2)),
+                near * 1.01 * std::pow(1000, b) * random.between(1, 1.2)};
+    case nasty_kind::deep:
+        return {random.between(-0.5, 1.5) * width, random.between(-0.5, 1.5) * height,
+                random.of_any_size(1.5, 1.5e5) * near};
+    case nasty_kind::wide:
+        return {random.between(-1e5, 1e5), random.between(-1e5, 1e5), random.between(2, 20) * near};
+    case nasty_kind::wrapped:
+        break;
+    }
+    // From beyond the left side round the corner to beyond the upper side.
+    const double angle = 1.5707963 * a, radius = width * (0.2 + 0.05 * b + random.between(0, 0.02));
+    return {-30 + radius * (std::sin(angle) - 0.5), -30 + radius * (std::cos(angle) - 0.5),
+            near * random.between(4, 5)};
+}
+
+} // namespace
+
+/// SplitMix64 (Steele, Lea, Flood 2014).
+double number_source::between(double low, double high) {
+    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    z ^= z >> 31;
+    return low + (high - low) * static_cast<double>(z >> 11) * 0x1p-53;
+}
+
+double number_source::of_any_size(double low, double high) {
+    return std::exp(between(std::log(low), std::log(high)));
+}
+
+std::vector<reference::patch> nasty_patches(std::uint64_t seed, nasty_kind kind, int count,
+                                            const reference::camera& view,
+                                            reference::picture_size size) {
+    number_source random(seed);
+    const reference::camera_frame frame(view, size);
+    std::vector<reference::patch> result(static_cast<std::size_t>(count));
+    for (reference::patch& surface : result)
+        for (std::size_t k = 0; k < 16; ++k) {
+            const seen_point p = point_of(random, kind, k / 4, k % 4, view.near, size);
+            surface.points[k] = frame.unproject(p.x, p.y, p.w);
+        }
+    return result;
+}
+
+} // namespace pipeline_tests
