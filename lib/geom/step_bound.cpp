@@ -114,5 +114,5 @@ double l3d_depth_bound_of(const l3d_image_curve& curve) {
 
 double l3d_vertex_error(double e_xy, double e_w, double reach, double w_least) {
     constexpr double root_two = 1.4142135623730951;
-    return (root_two * e_xy + reach * e_w) / (w_least - e_w);
+    return root_two * (e_xy + reach * e_w) / (w_least - e_w);
 }

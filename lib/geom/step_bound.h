@@ -92,7 +92,8 @@ l3d_second_bounds l3d_depth_bounds_of(const l3d_image_patch& patch);
 double l3d_depth_bound_of(const l3d_image_curve& curve);
 
 /// Image error of a vertex whose homogeneous coordinates are off by e_xy (each of x, y) and e_w:
-/// |dX| <= (sqrt(2) e_xy + |X| e_w) / (w - e_w).
+/// in each image coordinate X at most (e_xy + |X| e_w) / (w - e_w), sqrt(2) times that in all.
+/// Units:   reach: pixels, at least the largest |X|, as l3d_image_box::reach gives it.
 /// Expects: e_w < w_least.
 double l3d_vertex_error(double e_xy, double e_w, double reach, double w_least);
 
