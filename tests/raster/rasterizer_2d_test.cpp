@@ -248,7 +248,7 @@ TEST(Polygons, OfEitherWindingAreTheSame) {
     EXPECT_GT(expected.size(), 500u);
     std::ranges::reverse(v);
     EXPECT_EQ(filled(v), expected);
-    std::ranges::rotate(v, v.begin() + 2);
+    std::rotate(v.begin(), v.begin() + 2, v.end());
     EXPECT_EQ(filled(v), expected);
 }
 
@@ -298,7 +298,7 @@ TEST(Polygons, RandomConvexOnesAreExact) {
     constexpr int width = 23, height = 17;
     int tried = 0;
     std::size_t lit = 0;
-    for (int n = 0; n < 100000; ++n) {
+    for (int n = 0; n < 30000; ++n) {
         const std::vector<l3d_point_2d> v = random_convex(random);
         if (!is_convex(v))
             continue;
@@ -311,7 +311,7 @@ TEST(Polygons, RandomConvexOnesAreExact) {
         ASSERT_EQ(filled(v, width, height), expected) << "seed " << seed + 2 << ", polygon " << n;
         lit += expected.size();
     }
-    EXPECT_GT(tried, 50000);
+    EXPECT_GT(tried, 15000);
     EXPECT_GT(lit, 1000000u);
 }
 
