@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <csetjmp>
 #include <cstdlib>
 #include <mutex>
 #include <vector>
 
 #include <poll.h>
+#include <unistd.h>
 
 namespace l3d_detail {
 
@@ -40,6 +42,28 @@ struct x11_handlers {
     }
 };
 
+namespace {
+
+/// Where to go on if the server dies while this thread connects to it; else null.
+thread_local std::jmp_buf* way_out_of_opening = nullptr;
+
+/// XOpenDisplay, which ends the process if the server goes away in the middle: before it
+/// returns there is no display to set the exit handler of. The jump leaves Xlib's half-made
+/// display behind; that is the price, once, of going on.
+Display* open_display(const char* name) {
+    std::jmp_buf way_out;
+    if (setjmp(way_out) != 0) {
+        way_out_of_opening = nullptr;
+        return nullptr;
+    }
+    way_out_of_opening = &way_out;
+    Display* display = XOpenDisplay(name);
+    way_out_of_opening = nullptr;
+    return display;
+}
+
+} // namespace
+
 void x11_handlers::add(x11_connection& connection) {
     const std::lock_guard lock(mutex);
     if (connections.empty()) {
@@ -47,7 +71,6 @@ void x11_handlers::add(x11_connection& connection) {
         previous_io_error = XSetIOErrorHandler(on_io_error);
     }
     connections.push_back(&connection);
-    XSetIOErrorExitHandler(connection.display_, on_io_exit, &connection);
 }
 
 void x11_handlers::remove(x11_connection& connection) {
@@ -76,7 +99,12 @@ int x11_handlers::on_error(Display* display, XErrorEvent* error) {
 
 int x11_handlers::on_io_error(Display* display) {
     auto& handlers = instance();
-    return handlers.find(display) == nullptr ? handlers.previous_io_error(display) : 0;
+    if (handlers.find(display) != nullptr)
+        return 0; // on_io_exit follows.
+    if (way_out_of_opening == nullptr)
+        return handlers.previous_io_error(display);
+    close(ConnectionNumber(display));
+    std::longjmp(*way_out_of_opening, 1);
 }
 
 std::unique_ptr<x11_connection> x11_connection::open(std::string& why) {
@@ -85,20 +113,24 @@ std::unique_ptr<x11_connection> x11_connection::open(std::string& why) {
         why = name == nullptr ? "DISPLAY is not set" : "DISPLAY is empty";
         return nullptr;
     }
-    Display* display = XOpenDisplay(name);
-    if (display == nullptr) {
+    std::unique_ptr<x11_connection> connection(new x11_connection(name));
+    if (connection->display_ == nullptr) {
         why = std::string("cannot connect to DISPLAY \"") + name + "\"";
         return nullptr;
     }
-    return std::unique_ptr<x11_connection>(new x11_connection(display));
+    return connection;
 }
 
-x11_connection::x11_connection(Display* display) : display_(display) {
+x11_connection::x11_connection(const char* name) {
     x11_handlers::instance().add(*this);
+    display_ = open_display(name);
+    if (display_ != nullptr)
+        XSetIOErrorExitHandler(display_, x11_handlers::on_io_exit, this);
 }
 
 x11_connection::~x11_connection() {
-    XCloseDisplay(display_);
+    if (display_ != nullptr)
+        XCloseDisplay(display_);
     x11_handlers::instance().remove(*this);
 }
 

@@ -43,9 +43,9 @@ private:
     friend class x11_error_trap;
     friend struct x11_handlers;
 
-    explicit x11_connection(Display* display);
+    explicit x11_connection(const char* name);
 
-    Display* display_;
+    Display* display_ = nullptr;
     bool lost_ = false;
     unsigned long trap_serial_ = 0; ///< first request whose errors are asked for; 0: none
     int trapped_error_ = 0;

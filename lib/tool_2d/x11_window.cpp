@@ -41,7 +41,12 @@ std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> con
     window->create(request.size);
     window->set_names(request);
     window->set_protocols();
-    if (trap.sync() != 0 || window->connection().lost()) {
+    const int error = trap.sync();
+    if (window->connection().lost()) {
+        why = "the X server went away";
+        return nullptr;
+    }
+    if (error != 0) {
         why = "the X server does not make a window of " + std::to_string(request.size.width) + "x" +
               std::to_string(request.size.height);
         return nullptr;

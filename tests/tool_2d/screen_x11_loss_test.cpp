@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // X11 windows: slow and dead servers, and errors.
+#include "cut_wire.h"
 #include "onlooker_x11.h"
 
 #include <X11/keysym.h>
@@ -58,6 +59,50 @@ TEST(screen_x11_loss, a_dead_server_shows_itself_while_drawing) {
     for (int i = 0; i < 10; ++i)
         screen->show();
     EXPECT_NE(next(*screen, l3d_event_type::display_lost), nullptr);
+}
+
+/// What becomes of a program whose server dies: its exit code.
+int draw_until_lost() {
+    std::string why;
+    const auto screen = l3d_screen_factory_ximage().create({odd_size, "cut"}, why);
+    if (!screen)
+        return why.empty() ? 1 : 3;
+    for (int frame = 0; frame < 9; ++frame) {
+        screen->show();
+        l3d_event event;
+        while (screen->next_event(event)) {
+            if (event.type == l3d_event_type::display_lost)
+                return 6;
+        }
+    }
+    return 0;
+}
+
+TEST(screen_x11_loss, a_server_may_die_at_any_byte) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    // 9 pictures of 141 x 83 words are some 420000 bytes; the start is where all differs.
+    int declined = 0, lost = 0, well = 0;
+    for (std::size_t bytes = 1; bytes < 1000000; bytes += 3 + bytes / 9) {
+        const cut_wire wire(server.display(), bytes);
+        // In a process of its own, since what is tested is whether the process ends.
+        const pid_t child = fork();
+        if (child == 0) {
+            setenv("DISPLAY", wire.display().c_str(), 1);
+            _exit(draw_until_lost());
+        }
+        int status = 0;
+        waitpid(child, &status, 0);
+        ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status) << " at " << bytes;
+        const int code = WEXITSTATUS(status);
+        declined += code == 3;
+        lost += code == 6;
+        well += code == 0;
+        EXPECT_TRUE(code == 3 || code == 6 || code == 0) << code << " at " << bytes;
+    }
+    EXPECT_GT(declined, 10);
+    EXPECT_GT(lost, 10);
+    EXPECT_GT(well, 0);
 }
 
 int foreign_errors = 0;
