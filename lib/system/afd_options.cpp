@@ -19,12 +19,23 @@ constexpr std::array<const char*, 8> planned_methods{"fd",           "isocurves"
                                                      "tessellation", "micropolygons", "scanline",
                                                      "voxels",       "mesa"};
 
+/// Model coordinates are at most 1e12, too; beyond, a double's steps are more than a
+/// ten-thousandth.
+constexpr double farthest_place = 1e12;
+
 l3d_camera::vector vector_of(const std::array<double, 3>& v) {
     return {v[0], v[1], v[2]};
 }
 
 std::string text_of(const std::array<double, 3>& v) {
     return l3d_number_text(v[0]) + ',' + l3d_number_text(v[1]) + ',' + l3d_number_text(v[2]);
+}
+
+void check_place(const char* option, const std::array<double, 3>& place) {
+    for (const double coordinate : place)
+        if (!(coordinate >= -farthest_place && coordinate <= farthest_place))
+            throw l3d_error(l3d_exit::usage, std::string(option) + ": '" + text_of(place) +
+                                                 "' is farther than 1e12 from the origin");
 }
 
 } // namespace
@@ -64,6 +75,9 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
 
 l3d_camera l3d_afd_options::camera() const {
     const l3d_camera camera{vector_of(eye_), vector_of(target_), vector_of(up_), fov_, near_, far_};
+    check_place("--eye", eye_);
+    check_place("--target", target_);
+    check_place("--up", up_);
     if (eye_ == target_)
         throw l3d_error(l3d_exit::usage, "--target: '" + text_of(target_) + "' is the eye's place");
     if (!(near_ < far_))

@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 std::string l3d_read_text_file(const std::string& path) {
     const auto refuse = [&path]() {
@@ -17,9 +17,10 @@ std::string l3d_read_text_file(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file)
         refuse();
-    std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    std::ostringstream text;
+    text << file.rdbuf();
     // A folder opens like a file and fails only when read.
-    if (file.bad() || errno == EISDIR)
+    if (errno == EISDIR || file.bad() || text.bad())
         refuse();
-    return text;
+    return text.str();
 }
