@@ -2,10 +2,14 @@
 # summary.awk: judges the logs named as arguments; ends with the one line "N passed, N failed".
 # Understood: GoogleTest's output, lines `ok NAME` / `not ok NAME why`, and "exit status N" last.
 
-# Shows what was said since the last success: of a failure, all of it; of success, nothing.
+# Shows what was said since the last success: how a failure began and ended, 40 lines each.
 function show(    i) {
-    for (i = 1; i <= said; ++i)
-        print pending[i]
+    for (i = 1; i <= said; ++i) {
+        if (i <= 40 || i > said - 40)
+            print pending[i]
+        else if (i == 41)
+            print "... " said - 80 " lines more in the log"
+    }
     said = 0
 }
 
