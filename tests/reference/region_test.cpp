@@ -9,13 +9,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 namespace reference {
 namespace {
 
 /// Focal length 100 px, centre (60, 45); one world unit at w = 8 is 12.5 px.
-const camera straight{{3, 2, 9}, {3, 2, 1}, {0, 1, 0}, 2 * std::atan(0.45) * 180 / M_PI, 0.5};
+const camera straight{
+    {3, 2, 9}, {3, 2, 1}, {0, 1, 0}, 2 * std::atan(0.45) * 180 / std::numbers::pi, 0.5};
 constexpr picture_size window{120, 90};
 
 /// Seen at x 22.25..97.75, y 19.75..57.75; a plane, whose w changes by `depth` along u: straight
