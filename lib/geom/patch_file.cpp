@@ -14,6 +14,10 @@ namespace {
 
 using point = std::array<double, 3>;
 
+std::size_t points_along(int degree) {
+    return static_cast<std::size_t>(degree) + 1;
+}
+
 /// A token fit for a message: quoted, of bounded length, nothing in it but printable ASCII.
 std::string quoted(std::string_view token) {
     constexpr std::size_t longest = 24;
@@ -99,7 +103,7 @@ private:
         if (count <= 0)
             return fail("the number of patches is " + std::to_string(count) + ", not positive");
         // The least patch has 2 degrees and 4 points, 14 numbers of one digit and one blank.
-        constexpr std::size_t shortest = 2 * (2 + 4 * 3);
+        constexpr std::size_t shortest = std::size_t{2} * (2 + 4 * 3);
         if (static_cast<std::uint64_t>(count) > rest_.size() / shortest)
             return fail("the text is too short for " + std::to_string(count) + " patches");
         return true;
@@ -130,7 +134,7 @@ private:
         if (!degree(patch.degree_u, "the degree in u") ||
             !degree(patch.degree_v, "the degree in v"))
             return false;
-        patch.points.resize(static_cast<std::size_t>((patch.degree_u + 1) * (patch.degree_v + 1)));
+        patch.points.resize(points_along(patch.degree_u) * points_along(patch.degree_v));
         for (point& p : patch.points)
             for (double& value : p)
                 if (!coordinate(value))
@@ -195,8 +199,8 @@ l3d_elevated_to_bicubic(const l3d_patch_points& patch) {
     const auto cubic_or_less = [](int degree) { return degree >= 1 && degree <= 3; };
     if (!cubic_or_less(patch.degree_u) || !cubic_or_less(patch.degree_v))
         return std::nullopt;
-    const auto columns = static_cast<std::size_t>(patch.degree_u + 1);
-    const auto rows = static_cast<std::size_t>(patch.degree_v + 1);
+    const std::size_t columns = points_along(patch.degree_u);
+    const std::size_t rows = points_along(patch.degree_v);
     if (patch.points.size() != columns * rows)
         return std::nullopt;
 

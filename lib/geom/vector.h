@@ -100,7 +100,7 @@ template <class T, int N> T l3d_length(const l3d_vector<T, N>& v) noexcept {
         using storage = typename T::storage;
         l3d_detail::wide<storage> raw[N];
         for (int i = 0; i < N; ++i)
-            raw[i] = v[i].raw();
+            raw[i] = l3d_detail::wide<storage>{v[i].raw()};
         return T::from_raw(l3d_detail::narrowed<storage, T::overflow>(l3d_detail::raw_length(raw)));
     } else {
         return glm::length(v);
@@ -114,7 +114,7 @@ template <class T, int N> l3d_vector<T, N> normalized_fixed(const l3d_vector<T, 
     wide raw[N];
     wide largest = 0;
     for (int i = 0; i < N; ++i) {
-        raw[i] = v[i].raw();
+        raw[i] = wide{v[i].raw()};
         largest = std::max(largest, raw[i] < 0 ? -raw[i] : raw[i]);
     }
     if (largest == 0)

@@ -29,6 +29,10 @@ constexpr std::string_view small_text = "2\n"
                                         "18 19 20\n21 22 23\n24 25 26\n"
                                         "27 28 29\n30 31 32\n33 34 -3.5e-2\n";
 
+std::size_t points_along(int degree) {
+    return static_cast<std::size_t>(degree) + 1;
+}
+
 patches read(std::string_view text) {
     std::string why;
     const auto result = l3d_read_bpt(text, "some.bpt", why);
@@ -233,7 +237,7 @@ TEST(patch_file, writing_and_reading_gives_the_same_bits) {
     for (l3d_patch_points& patch : written) {
         patch.degree_u = static_cast<int>(1 + random() % 15);
         patch.degree_v = static_cast<int>(1 + random() % 15);
-        patch.points.resize(static_cast<std::size_t>((patch.degree_u + 1) * (patch.degree_v + 1)));
+        patch.points.resize(points_along(patch.degree_u) * points_along(patch.degree_v));
         for (point& p : patch.points)
             for (double& value : p)
                 do
@@ -257,7 +261,7 @@ point on_curve(std::vector<point> b, double t) {
 }
 
 point on_surface(const l3d_patch_points& patch, double u, double v) {
-    const auto columns = static_cast<std::ptrdiff_t>(patch.degree_u + 1);
+    const auto columns = static_cast<std::ptrdiff_t>(points_along(patch.degree_u));
     std::vector<point> column;
     for (auto row = patch.points.begin(); row != patch.points.end(); row += columns)
         column.push_back(on_curve(std::vector<point>(row, row + columns), u));
@@ -298,9 +302,9 @@ TEST(elevation, keeps_a_common_boundary_common) {
             // The row v = 0 of one patch is the column u = 1 of the other, backwards.
             const l3d_patch_points a = random_patch(degree, 2, random);
             l3d_patch_points b = random_patch(3, degree, random);
-            for (int k = 0; k <= degree; ++k)
-                b.points[static_cast<std::size_t>(4 * k + 3)] =
-                    a.points[static_cast<std::size_t>(degree - k)];
+            const std::size_t last = points_along(degree) - 1;
+            for (std::size_t k = 0; k <= last; ++k)
+                b.points[4 * k + 3] = a.points[last - k];
             const auto net_a = l3d_elevated_to_bicubic(a);
             const auto net_b = l3d_elevated_to_bicubic(b);
             ASSERT_TRUE(net_a && net_b);
