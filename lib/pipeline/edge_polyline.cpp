@@ -2,7 +2,7 @@
 // l3d_edge_polyline: canonical direction, strips, steps from the edge's own bound.
 #include "pipeline/edge_polyline.h"
 
-#include "pipeline/snap.h"
+#include "pipeline/drawn_error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,11 +47,18 @@ double largest_of(const l3d_image_curve& curve, bool depth) {
 }
 
 template <class Wide>
-double vertex_error(const l3d_image_curve& curve, double reach, double w_low,
-                    const l3d_dice_view& view) {
-    const double e_xy = view.error_xy + l3d_evaluation_error<Wide>(largest_of(curve, false));
-    const double e_w = view.error_w + l3d_evaluation_error<Wide>(largest_of(curve, true));
-    return l3d_vertex_error(e_xy, e_w, reach, w_low) + l3d_snap_error<Wide>(reach);
+double points_error(const l3d_image_curve& curve, const l3d_image_box& seen, bool in_front,
+                    double w_low, const l3d_dice_view& view) {
+    l3d_vertex_accuracy accuracy;
+    accuracy.error_xy = view.error_xy + l3d_evaluation_error<Wide>(largest_of(curve, false));
+    accuracy.error_w = view.error_w + l3d_evaluation_error<Wide>(largest_of(curve, true));
+    accuracy.w_low = w_low;
+    accuracy.seen_reach = seen.reach();
+    accuracy.reach = in_front ? std::min(l3d_image_box_of(curve.points).reach(), l3d_guard_band)
+                              : l3d_guard_band;
+    accuracy.snap_error = l3d_snap_error<Wide>(accuracy.reach);
+    return accuracy.drawn_error(in_front ? l3d_vertex_accuracy::in_front
+                                         : l3d_vertex_accuracy::crossing);
 }
 
 } // namespace
@@ -80,7 +87,7 @@ void l3d_edge_polyline::add_point(const l3d_vector<Wide, 3>& h, double t,
 template <class Wide>
 void l3d_edge_polyline::build(const l3d_bezier_curve<Wide, 3>& edge, const l3d_dice_view& view) {
     points_.clear();
-    bound_ = 0;
+    chord_error_ = vertex_error_ = 0;
     const bool backwards = runs_backwards(edge);
     const auto canonical = backwards ? edge.reversed() : edge;
     add_point<Wide>(canonical.points[0], 0, view);
@@ -111,14 +118,15 @@ void l3d_edge_polyline::add_strip(const l3d_bezier_curve<Wide, 3>& strip, double
         return add_point<Wide>(strip.points[3], t1, view);
 
     const double w_low = std::max(depth.least, view.near / 2);
-    const double vertex = vertex_error<Wide>(net, box.reach(), w_low, view);
+    const double vertex = points_error<Wide>(net, box, in_front, w_low, view);
     const double budget = std::max(view.tolerance - vertex, view.tolerance / 2);
+    const double depth_budget = in_front ? w_low / 4 : view.near / 2;
     const double second = l3d_second_bound_of(net, box, w_low);
+    const double depth_second = l3d_depth_bound_of(net);
     // Half the budget, as each direction of a quad gets: then an edge and the boundary row of a
     // patch mostly have the same steps, and the slit between them is empty.
-    double wanted = std::ceil(std::sqrt(second / (4 * budget)));
-    const double depth_second = in_front ? 0 : l3d_depth_bound_of(net);
-    wanted = std::max({1.0, wanted, std::ceil(std::sqrt(depth_second / (4 * view.near)))});
+    const double wanted = std::max({1.0, std::ceil(std::sqrt(second / (4 * budget))),
+                                    std::ceil(std::sqrt(depth_second / (8 * depth_budget)))});
 
     if ((level < usual_level && !small) || (wanted > most_steps && level < deepest)) {
         const auto [low, high] = strip.split();
@@ -133,9 +141,10 @@ void l3d_edge_polyline::add_strip(const l3d_bezier_curve<Wide, 3>& strip, double
         add_point<Wide>(strip.evaluate(l3d_from_double<Wide>(t)), t0 + t * (t1 - t0), view);
     }
     add_point<Wide>(strip.points[3], t1, view);
-    const bool depth_kept = depth_second / (8.0 * n * n) <= view.near / 2;
-    bound_ = std::max(bound_, depth_kept ? second / (8.0 * n * n) + vertex
-                                         : std::numeric_limits<double>::infinity());
+    const bool depth_kept = depth_second <= 8.0 * n * n * depth_budget;
+    chord_error_ = std::max(chord_error_, depth_kept ? second / (8.0 * n * n)
+                                                     : std::numeric_limits<double>::infinity());
+    vertex_error_ = std::max(vertex_error_, vertex);
 }
 
 template void l3d_edge_polyline::build(const l3d_bezier_curve<double, 3>&, const l3d_dice_view&);

@@ -29,8 +29,11 @@ public:
     /// In order of rising t, from 0 to 1.
     const std::vector<l3d_edge_point>& points() const { return points_; }
 
-    /// Certified image error of the visible segments, in pixels.
-    double bound() const { return bound_; }
+    /// Certified image error of the visible segments, in pixels: that of chords between exact
+    /// points, and what the points' own errors add.
+    double chord_error() const { return chord_error_; }
+    double vertex_error() const { return vertex_error_; }
+    double bound() const { return chord_error_ + vertex_error_; }
 
 private:
     template <class Wide>
@@ -40,19 +43,11 @@ private:
     void add_point(const l3d_vector<Wide, 3>& h, double t, const l3d_dice_view& view);
 
     std::vector<l3d_edge_point> points_;
-    double bound_ = 0;
+    double chord_error_ = 0, vertex_error_ = 0;
 };
 
 /// A homogeneous point as a vertex: the one way in which corners and edge points become pixels.
 template <class Wide>
 l3d_clip_vertex l3d_canonical_vertex(const l3d_vector<Wide, 3>& h, const l3d_dice_view& view);
-
-/// Error of the evaluation of control nets and their points by interpolation, for coordinates up
-/// to `largest`: relative rounding of at most 16 operations in a row; in fixed point half an ulp
-/// for each of 3 midpoints in at most 50 halvings, and 6 interpolations.
-template <class Wide> double l3d_evaluation_error(double largest) {
-    using traits = l3d_real_traits<Wide>;
-    return 16 * traits::unit_roundoff * largest + (3 * 50 + 6) * traits::half_ulp;
-}
 
 #endif

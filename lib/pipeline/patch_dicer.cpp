@@ -2,6 +2,8 @@
 // l3d_patch_dicer: cutting, bounding and walking pieces. Slits along edges are in slit_filler.
 #include "pipeline/patch_dicer.h"
 
+#include "pipeline/drawn_error.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,9 +18,6 @@ namespace {
 /// so they are kept finer.
 constexpr int most_steps_whole = 32;
 constexpr int most_steps_clipped = 8;
-
-/// A piece is also cut where rounding would take more than a quarter of the tolerance: a smaller
-/// piece reaches less far from the picture's centre and less near to the eye.
 
 /// Cuts per patch at most; then pieces are drawn with the steps that are allowed, and the frame
 /// reports the larger bound. 4096 pieces of (4 * 32)^2 quads are 67 million quads.
@@ -79,36 +78,57 @@ template <class T> struct l3d_patch_dicer<T>::blocks {
     l3d_image_patch net;
     std::array<l3d_image_patch, 16> block;
     std::size_t count = 1;
-    bool whole = false; ///< needs no clipping
-    l3d_image_box box;  ///< of the hull, if whole
+    bool whole = false;  ///< needs no clipping
+    bool walked = false; ///< by forward differences in T; else each vertex is evaluated
     double vertex_error = 0;
 
     blocks(const image_net& wide_net, const l3d_dice_view& view, std::vector<image_net>& strips)
         : net(in_double(wide_net)) {
         const l3d_depth_range depth = l3d_depth_range_of(net.points);
-        double w_low = std::max(depth.least, view.near / 2);
-        box = view.margin();
+        l3d_image_box seen = view.margin();
+        l3d_vertex_accuracy accuracy;
+        accuracy.w_low = std::max(depth.least, view.near / 2);
+        accuracy.reach = l3d_guard_band;
+        bool small = false;
         if (depth.least > view.near) {
             const l3d_image_box hull = l3d_image_box_of(net.points);
             whole = hull.reach() <= l3d_guard_band;
-            if (whole)
-                box = hull;
+            if (whole) {
+                accuracy.reach = hull.reach();
+                small = hull.width() < small_size && hull.height() < small_size;
+                if (!seen.intersected(hull).empty())
+                    seen = seen.intersected(hull);
+            }
         }
-        const bool small = whole && box.width() < small_size && box.height() < small_size;
+        accuracy.seen_reach = seen.reach();
         cut(wide_net, small, strips);
-        const magnitudes size(net);
-        const int n_strips = small ? 1 : l3d_step_plan::most_strips;
-        const auto error = [&](const std::array<double, 4>& of, double transform) {
-            return transform + l3d_evaluation_error<wide>(of[0]) +
-                   (whole ? walking_error<T>(of, most_steps_whole, n_strips) : 0);
-        };
-        const double reach = box.reach();
-        vertex_error = l3d_vertex_error(error(size.xy, view.error_xy), error(size.w, view.error_w),
-                                        reach, w_low) +
-                       std::max(l3d_snap_error<T>(reach), l3d_snap_error<wide>(reach));
+        judge(accuracy, view, small ? 1 : l3d_step_plan::most_strips);
     }
 
 private:
+    /// Walks in T unless that errs more than evaluation by a quarter of the tolerance.
+    void judge(l3d_vertex_accuracy accuracy, const l3d_dice_view& view, int n_strips) {
+        const magnitudes size(net);
+        accuracy.error_xy = view.error_xy + l3d_evaluation_error<wide>(size.xy[0]);
+        accuracy.error_w = view.error_w + l3d_evaluation_error<wide>(size.w[0]);
+        accuracy.snap_error = l3d_snap_error<wide>(accuracy.reach);
+        // The centre of a folded quad is rounded to sub-pixels once more.
+        if (whole)
+            accuracy.snap_error += l3d_snap_error<wide>(0);
+        const double w_ratio =
+            whole ? l3d_vertex_accuracy::in_front : l3d_vertex_accuracy::crossing;
+        vertex_error = accuracy.drawn_error(w_ratio);
+        if (!whole)
+            return;
+        accuracy.error_xy += walking_error<T>(size.xy, most_steps_whole, n_strips);
+        accuracy.error_w += walking_error<T>(size.w, most_steps_whole, n_strips);
+        accuracy.snap_error += l3d_snap_error<T>(accuracy.reach) - l3d_snap_error<T>(0);
+        const double walking = accuracy.drawn_error(w_ratio);
+        walked = walking - vertex_error <= view.tolerance / 4;
+        if (walked)
+            vertex_error = walking;
+    }
+
     void cut(const image_net& wide_net, bool small, std::vector<image_net>& strips) {
         if (small) {
             strips.assign(1, wide_net);
@@ -188,33 +208,37 @@ template <class T> void l3d_patch_dicer<T>::dice_piece(const piece& p) {
         if (l3d_outside(b.net.points, view_.margin(), view_.near))
             return close_hidden(p);
 
-    const double budget = std::max(view_.tolerance - b.vertex_error, view_.tolerance / 2);
+    double chord_error = 0, vertex_error = b.vertex_error;
+    for (const side& s : p.sides) {
+        chord_error = std::max(chord_error, edges_[s.edge].chord_error());
+        vertex_error = std::max(vertex_error, edges_[s.edge].vertex_error());
+    }
+    const double budget = std::max(view_.tolerance - vertex_error, view_.tolerance / 2);
     const auto kind = b.whole ? l3d_quad_kind::whole : l3d_quad_kind::triangles;
     l3d_step_plan plan = l3d_plan_steps(std::span(b.block).first(b.count), view_, budget, kind);
 
     const int most = b.whole ? most_steps_whole : most_steps_clipped;
     const int wanted = std::max(plan.most_u(), plan.most_v());
-    const bool rough = b.vertex_error - l3d_snap_error<wide>(0) > view_.tolerance / 4;
-    if ((wanted > most || rough) && p.depth < deepest && pieces_left_ > 0)
+    if (wanted > most && p.depth < deepest && pieces_left_ > 0)
         return cut(p, plan.most_u() >= plan.most_v());
 
-    double bound = plan.visible ? plan.chord_error + b.vertex_error : 0;
     if (wanted > most_steps_whole) {
         // Errors fall with the square of the steps, at the least.
         const double ratio = static_cast<double>(wanted) / most_steps_whole;
-        bound = b.whole ? plan.chord_error * ratio * ratio + b.vertex_error
-                        : std::numeric_limits<double>::infinity();
+        plan.chord_error *= b.whole ? ratio * ratio : std::numeric_limits<double>::infinity();
         for (auto* steps : {&plan.nu, &plan.nv})
             for (int& n : *steps)
                 n = std::min(n, most_steps_whole);
     }
+    const double bound = plan.visible ? plan.chord_error + vertex_error : 0;
     ++counts_.pieces;
-    counts_.bound_px = std::max(counts_.bound_px, bound);
+    // Slits lie between vertices of the piece and of its sides, each off by its own error.
+    counts_.bound_px = std::max({counts_.bound_px, bound, chord_error + vertex_error});
     fill_parameters(p, plan);
     if (b.whole)
-        draw_whole(p, plan, bound);
+        draw_whole(p, b, plan, bound);
     else
-        draw_clipped(p, plan);
+        draw_clipped(p, b, plan);
 }
 
 template <class T> void l3d_patch_dicer<T>::cut(const piece& p, bool along_u) {
@@ -320,9 +344,13 @@ template <class T> void l3d_patch_dicer<T>::set_corners(const piece& p) {
 }
 
 template <class T>
-void l3d_patch_dicer<T>::draw_whole(const piece& p, const l3d_step_plan& plan, double bound) {
+void l3d_patch_dicer<T>::draw_whole(const piece& p, const blocks& nets, const l3d_step_plan& plan,
+                                    double bound) {
     grid_.resize(static_cast<int>(u_.size()), static_cast<int>(v_.size()));
-    walk_rows(plan);
+    if (nets.walked)
+        walk_rows(plan);
+    else
+        evaluate_whole(nets, plan);
     set_corners(p);
     sink_->grid({grid_, u_, v_, bound});
     const auto vertex_at = [&](int row, int column) {
@@ -346,37 +374,57 @@ void l3d_patch_dicer<T>::draw_whole(const piece& p, const l3d_step_plan& plan, d
 }
 
 /// Every vertex by itself, as it may lie anywhere, even behind the eye.
-template <class T> void l3d_patch_dicer<T>::evaluate_grid(const l3d_step_plan& plan) {
+template <class T>
+void l3d_patch_dicer<T>::evaluate_grid(const blocks& nets, const l3d_step_plan& plan) {
     const std::size_t columns = u_.size();
     clip_grid_.resize(columns * v_.size());
-    std::vector<float> normal[3];
-    for (auto& component : normal)
+    for (auto& component : normal_row_)
         component.resize(columns);
     const auto strips = static_cast<std::size_t>(plan.strips);
     std::size_t row = 0;
-    const auto emit = [&](std::size_t b, double v) {
-        normal_columns_.emit(v_[row], normal[0].data(), normal[1].data(), normal[2].data());
+    const auto emit = [&](std::size_t strip, double v) {
+        normal_columns_.emit(v_[row], normal_row_[0].data(), normal_row_[1].data(),
+                             normal_row_[2].data());
         for_columns(plan, [&](std::size_t c, std::size_t a, double u) {
-            const l3d_image_patch block = in_double(strip_nets_[strips * b + a]);
             l3d_clip_vertex& vertex = clip_grid_[row * columns + c];
-            vertex = l3d_canonical_vertex<double>(block.evaluate(u, v), view_);
+            vertex =
+                l3d_canonical_vertex<double>(nets.block[strips * strip + a].evaluate(u, v), view_);
             vertex.dice.u = u_[c];
             vertex.dice.v = v_[row];
             for (std::size_t k = 0; k < 3; ++k)
-                vertex.dice.vertex.normal[k] = normal[k][c];
+                vertex.dice.vertex.normal[k] = normal_row_[k][c];
         });
         ++row;
     };
-    for (std::size_t b = 0; b < strips; ++b)
-        for (int i = 0; i < plan.nv[b]; ++i)
-            emit(b, static_cast<double>(i) / plan.nv[b]);
+    for (std::size_t strip = 0; strip < strips; ++strip)
+        for (int i = 0; i < plan.nv[strip]; ++i)
+            emit(strip, static_cast<double>(i) / plan.nv[strip]);
     emit(strips - 1, 1);
 }
 
+/// The same for a piece that needs no clipping.
 template <class T>
-void l3d_patch_dicer<T>::draw_clipped(const piece& p, const l3d_step_plan& plan) {
+void l3d_patch_dicer<T>::evaluate_whole(const blocks& nets, const l3d_step_plan& plan) {
+    evaluate_grid(nets, plan);
+    for (int row = 0; row < grid_.rows; ++row)
+        for (int column = 0; column < grid_.columns; ++column) {
+            const l3d_clip_vertex& from =
+                clip_grid_[static_cast<std::size_t>(row * grid_.columns + column)];
+            const l3d_snapped s = l3d_snap(from.h[0], from.h[1], from.h[2]);
+            const std::size_t at = grid_.index(row, column);
+            grid_.x[at] = s.x + view_.centre_x();
+            grid_.y[at] = s.y + view_.centre_y();
+            grid_.inv_w[at] = s.inv_w * static_cast<float>(view_.depth_scale);
+            for (std::size_t k = 0; k < 3; ++k)
+                grid_.normal[k][at] = from.dice.vertex.normal[k];
+        }
+}
+
+template <class T>
+void l3d_patch_dicer<T>::draw_clipped(const piece& p, const blocks& nets,
+                                      const l3d_step_plan& plan) {
     ++counts_.clipped;
-    evaluate_grid(plan);
+    evaluate_grid(nets, plan);
     const auto columns = static_cast<int>(u_.size()), rows = static_cast<int>(v_.size());
     const auto vertex_at = [&](int row, int column) -> l3d_clip_vertex& {
         return clip_grid_[static_cast<std::size_t>(row * columns + column)];

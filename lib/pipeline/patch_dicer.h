@@ -60,12 +60,13 @@ private:
 
     void dice_piece(const piece& p);
     void cut(const piece& p, bool along_u);
-    void draw_whole(const piece& p, const l3d_step_plan& plan, double bound);
-    void draw_clipped(const piece& p, const l3d_step_plan& plan);
+    void draw_whole(const piece& p, const blocks& nets, const l3d_step_plan& plan, double bound);
+    void draw_clipped(const piece& p, const blocks& nets, const l3d_step_plan& plan);
     void close_hidden(const piece& p);
     void fill_parameters(const piece& p, const l3d_step_plan& plan);
     void walk_rows(const l3d_step_plan& plan);
-    void evaluate_grid(const l3d_step_plan& plan);
+    void evaluate_grid(const blocks& nets, const l3d_step_plan& plan);
+    void evaluate_whole(const blocks& nets, const l3d_step_plan& plan);
     void set_corners(const piece& p);
     l3d_clip_vertex corner(const piece& p, bool high_u, bool high_v) const;
     template <class VertexAt, class FacingAt>
@@ -88,6 +89,7 @@ private:
     l3d_micro_grid grid_;
     std::vector<double> u_, v_;
     std::vector<l3d_clip_vertex> clip_grid_;
+    std::array<std::vector<float>, 3> normal_row_;
     std::vector<l3d_boundary_point> boundary_;
     std::vector<l3d_dice_vertex> triangles_;
 };

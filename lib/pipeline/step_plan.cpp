@@ -13,6 +13,7 @@ constexpr int most_steps = 1 << 14;
 struct block_need {
     bool visible = false;
     l3d_second_bounds image, depth;
+    double depth_budget = 0;
 };
 
 int steps_for(double second_bound, double eighths) {
@@ -26,7 +27,7 @@ public:
     needs(std::span<const l3d_image_patch> blocks, const l3d_dice_view& view, double budget,
           l3d_quad_kind kind)
         : strips_(blocks.size() == 1 ? 1 : l3d_step_plan::most_strips), budget_(budget),
-          depth_budget_(view.near / 2), kind_(kind) {
+          kind_(kind) {
         for (std::size_t i = 0; i < blocks.size(); ++i)
             blocks_[i] = need_of(blocks[i], view);
     }
@@ -36,45 +37,47 @@ public:
         return blocks_[static_cast<std::size_t>(strips_ * b + a)];
     }
 
-    double error(int a, int b, int nu, int nv) const {
-        const l3d_second_bounds& m = at(a, b).image;
-        return kind_ == l3d_quad_kind::whole ? m.quad_error(nu, nv) : m.triangle_error(nu, nv);
-    }
+    double error(int a, int b, int nu, int nv) const { return error_of(at(a, b).image, nu, nv); }
 
     bool met(int a, int b, int nu, int nv) const {
         if (!at(a, b).visible)
             return true;
         return error(a, b, nu, nv) <= budget_ &&
-               (kind_ == l3d_quad_kind::whole ||
-                at(a, b).depth.triangle_error(nu, nv) <= depth_budget_);
+               error_of(at(a, b).depth, nu, nv) <= at(a, b).depth_budget;
     }
 
     double budget() const { return budget_; }
-    double depth_budget() const { return depth_budget_; }
 
 private:
     block_need need_of(const l3d_image_patch& block, const l3d_dice_view& view) const {
         block_need need;
         if (l3d_outside(block.points, view.margin(), view.near))
             return need;
+        const double least = l3d_depth_range_of(block.points).least;
+        const bool in_front = least > view.near;
+        const double w_low = in_front ? least : std::max(least, view.near / 2);
         l3d_image_box box = view.margin();
-        double w_low = view.near / 2;
-        if (kind_ == l3d_quad_kind::whole) {
+        if (in_front)
             box = box.intersected(l3d_image_box_of(block.points));
-            w_low = l3d_depth_range_of(block.points).least;
-        } else {
-            w_low = std::max(w_low, l3d_depth_range_of(block.points).least);
-            need.depth = l3d_depth_bounds_of(block);
-        }
         if (box.empty())
             return need;
         need.visible = true;
         need.image = l3d_second_bounds_of(block, box, w_low);
+        need.depth_budget = in_front ? w_low / 4 : view.near / 2;
+        // |D2 w| times half the box's diagonal is part of the image bound, so in a box as large
+        // as 4 budgets, half diagonal, w is off by at most a quarter if the image error is within
+        // its budget.
+        if (!in_front || box.width() + box.height() < 12 * budget_)
+            need.depth = l3d_depth_bounds_of(block);
         return need;
     }
 
+    double error_of(const l3d_second_bounds& m, int nu, int nv) const {
+        return kind_ == l3d_quad_kind::whole ? m.quad_error(nu, nv) : m.triangle_error(nu, nv);
+    }
+
     int strips_;
-    double budget_, depth_budget_;
+    double budget_;
     l3d_quad_kind kind_;
     std::array<block_need, l3d_step_plan::most_strips * l3d_step_plan::most_strips> blocks_;
 };
@@ -90,9 +93,9 @@ void start(const needs& need, l3d_step_plan& plan) {
             int& nu = plan.nu[static_cast<std::size_t>(a)];
             int& nv = plan.nv[static_cast<std::size_t>(b)];
             nu = std::max({nu, steps_for(block.image.uu, 4 * need.budget()),
-                           steps_for(block.depth.uu, 4 * need.depth_budget())});
+                           steps_for(block.depth.uu, 4 * block.depth_budget)});
             nv = std::max({nv, steps_for(block.image.vv, 4 * need.budget()),
-                           steps_for(block.depth.vv, 4 * need.depth_budget())});
+                           steps_for(block.depth.vv, 4 * block.depth_budget)});
         }
 }
 

@@ -33,14 +33,9 @@ seen_point point_of(number_source& random, nasty_kind kind, std::size_t row, std
         return {random.between(-0.5, 1.5) * width, random.between(-0.5, 1.5) * height,
                 random.of_any_size(1.5, 1.5e5) * near};
     case nasty_kind::wide:
-        return {random.between(-1e5, 1e5), random.between(-1e5, 1e5), random.between(2, 20) * near};
-    case nasty_kind::wrapped:
         break;
     }
-    // From beyond the left side round the corner to beyond the upper side.
-    const double angle = 1.5707963 * a, radius = width * (0.2 + 0.05 * b + random.between(0, 0.02));
-    return {-30 + radius * (std::sin(angle) - 0.5), -30 + radius * (std::cos(angle) - 0.5),
-            near * random.between(4, 5)};
+    return {random.between(-1e5, 1e5), random.between(-1e5, 1e5), random.between(2, 20) * near};
 }
 
 } // namespace

@@ -16,7 +16,6 @@ enum class nasty_kind {
     spear,      ///< along the line of sight, distances 1 : 1000
     deep,       ///< any picture position, distances 1 : 100000
     wide,       ///< up to 100000 pixels from the picture's centre
-    wrapped,    ///< around a corner of the window, mostly outside
 };
 
 /// The same seed gives the same patches with every compiler.
