@@ -321,6 +321,7 @@ TEST(Polygons, WithoutAreaOrCornersDrawNothing) {
     EXPECT_TRUE(filled({{4, 5}, {20, 9}}).empty());
     EXPECT_TRUE(filled({{4, 5}, {20, 9}, {4, 5}}).empty());
     EXPECT_TRUE(filled({{4, 5}, {8, 9}, {16, 17}, {6, 7}}).empty());
+    EXPECT_TRUE(filled({{4, 5}, {20, 21}, {20, 5}, {4, 21}}).empty()); // crossing, areas cancel
 }
 
 TEST(Polygons, ThatReachTooFarDrawNothing) {
