@@ -8,6 +8,7 @@
 #include "geom/vector.h"
 
 #include <array>
+#include <cstddef>
 #include <utility>
 
 /// a + t (b - a), component by component. Exact at t = 0; monotone in t for each component.
@@ -39,8 +40,8 @@ template <class T, int N> struct l3d_bezier_curve {
     /// Source: de Casteljau 1959; Farin, Curves and Surfaces for CAGD, section 4.2.
     point evaluate(T t) const {
         std::array<point, 4> p = points;
-        for (int level = 3; level > 0; --level)
-            for (int i = 0; i < level; ++i)
+        for (std::size_t level = 3; level > 0; --level)
+            for (std::size_t i = 0; i < level; ++i)
                 p[i] = l3d_lerp<T, N>(p[i], p[i + 1], t);
         return p[0];
     }
@@ -48,7 +49,7 @@ template <class T, int N> struct l3d_bezier_curve {
     /// Control points of the derivative, a quadratic: 3 (b1 - b0), 3 (b2 - b1), 3 (b3 - b2).
     std::array<point, 3> derivative() const {
         std::array<point, 3> result;
-        for (int i = 0; i < 3; ++i)
+        for (std::size_t i = 0; i < 3; ++i)
             for (int k = 0; k < N; ++k) {
                 const T difference = points[i + 1][k] - points[i][k];
                 result[i][k] = difference + difference + difference;

@@ -112,7 +112,8 @@ TYPED_TEST(bezier, points_lie_in_the_convex_hull_and_the_bounds) {
         const auto patch = this->patch();
         const auto [least, most] = patch.bounds();
         for (int i = 0; i < 9; ++i) {
-            const auto p = patch.evaluate(this->parameter(), this->parameter());
+            const auto u = this->parameter(), v = this->parameter();
+            const auto p = patch.evaluate(u, v);
             double direction[3];
             for (double& component : direction)
                 component = this->random.within(-1, 1);

@@ -283,7 +283,8 @@ TEST(step_bound, box_and_depth_range_hold_the_surface) {
         const auto box = l3d_image_box_of(patch.points).grown(1e-9);
         const auto depth = l3d_depth_range_of(patch.points);
         for (int i = 0; i < 20; ++i) {
-            const point h = patch.evaluate(random.within(0, 1), random.within(0, 1));
+            const double u = random.within(0, 1), v = random.within(0, 1);
+            const point h = patch.evaluate(u, v);
             EXPECT_TRUE(holds(box, projected(h)));
             EXPECT_GE(h[2], depth.least - 1e-12);
             EXPECT_LE(h[2], depth.most + 1e-12);
@@ -326,11 +327,12 @@ TEST(step_bound, outside_is_never_said_of_a_net_with_a_visible_point) {
     EXPECT_GT(crossing, 100) << "too few nets reach behind the eye";
     // What is clearly outside must be said to be.
     l3d_image_patch right;
-    for (std::size_t i = 0; i < 16; ++i)
-        right.points[i] =
-            point{520 + random.within(0, 30), random.within(-300, 300), 1} * random.within(1, 5);
+    for (point& p : right.points) {
+        const double w = random.within(1, 5);
+        p = point{520 + random.within(0, 30), random.within(-300, 300), 1} * w;
+    }
     EXPECT_TRUE(l3d_outside(right.points, window, near));
-    EXPECT_FALSE(l3d_outside(right.points, window.grown(10), near));
+    EXPECT_FALSE(l3d_outside(right.points, window.grown(40), near));
     for (point& p : right.points)
         p = {random.within(-1, 1), random.within(-1, 1), random.within(-1, near)};
     EXPECT_TRUE(l3d_outside(right.points, window, near));
