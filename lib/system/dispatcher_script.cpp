@@ -30,15 +30,8 @@ l3d_exit l3d_dispatcher_script::do_start(l3d_pipeline& pipeline, l3d_screen& scr
         if (pipeline.done || result != l3d_exit::well)
             break;
         pipeline.update_event(settings_.step());
-        const bool drawn = stale || pipeline.needs_redraw();
-        if (drawn)
-            pipeline.draw_event();
-        const l3d_frame_times times = l3d_detail::present(screen, drawn, writer_);
-        if (drawn)
-            pipeline.frame_event(times);
+        l3d_detail::present(pipeline, screen, writer_, stale);
         stale = false;
-        if (pipeline.done)
-            break;
     }
     if (stale && !settings_.output.empty())
         pipeline.draw_event();

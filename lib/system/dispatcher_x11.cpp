@@ -64,14 +64,9 @@ l3d_exit l3d_dispatcher_x11::do_start(l3d_pipeline& pipeline, l3d_screen& screen
         pipeline.update_event(settings_.fixed_step ? settings_.step()
                                                    : seconds_between(last_update, now));
         last_update = now;
-        const bool drawn = wanted.stale || pipeline.needs_redraw();
+        const bool drawn = l3d_detail::present(pipeline, screen, writer_, wanted.stale);
         if (drawn)
-            pipeline.draw_event();
-        const l3d_frame_times times = l3d_detail::present(screen, drawn, writer_);
-        if (drawn) {
-            pipeline.frame_event(times);
             wanted.stale = wanted.exposed = false;
-        }
         ++frames;
         pacer.frame_done(steady_clock::now(), !drawn);
     }

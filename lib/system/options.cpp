@@ -20,13 +20,13 @@ struct l3d_options::parser {
 
 namespace {
 
-/// The build's VERSION.
-constexpr const char* version_number =
-#ifdef L3D_VERSION
-    L3D_VERSION;
-#else
-    "(no version)";
+/// The build's VERSION, a number like 1.2.3 without quotes.
+#ifndef L3D_VERSION
+#define L3D_VERSION unknown
 #endif
+#define L3D_TEXT_OF(token) #token
+#define L3D_VALUE_AS_TEXT(macro) L3D_TEXT_OF(macro)
+constexpr const char* version_number = L3D_VALUE_AS_TEXT(L3D_VERSION);
 
 /// The long name of "-s,--long", as messages give it.
 std::string long_name(const std::string& name) {

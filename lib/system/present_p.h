@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// present: what both dispatchers do with the pixels after a pipeline had its turn.
+// present: how both dispatchers make a frame once the pipeline is up to date.
 #ifndef L3D_SYSTEM_PRESENT_P_H
 #define L3D_SYSTEM_PRESENT_P_H
 
@@ -11,18 +11,27 @@
 
 namespace l3d_detail {
 
-/// Shows the pixels if they were drawn anew, and hands them to the writer in any case: a numbered
-/// sequence has a file for every frame.
-inline l3d_frame_times present(l3d_screen& screen, bool drawn, l3d_frame_writer& writer) {
+/// Draws and shows a picture if there is a reason to: the pixels are stale, or the pipeline says
+/// so. Hands the pixels to the writer in any case: a numbered sequence has a file for every frame.
+/// Returns whether there was a reason.
+///
+/// Errors:  as l3d_frame_writer::frame.
+inline bool present(l3d_pipeline& pipeline, l3d_screen& screen, l3d_frame_writer& writer,
+                    bool stale) {
     using clock = std::chrono::steady_clock;
+    const bool drawn = stale || pipeline.needs_redraw();
+    if (drawn)
+        pipeline.draw_event();
     const auto start = clock::now();
     if (drawn)
         screen.show();
     const auto shown = clock::now();
     writer.frame(screen.pixels());
     const auto written = clock::now();
-    return {std::chrono::duration<double>(shown - start).count(),
-            std::chrono::duration<double>(written - shown).count()};
+    if (drawn)
+        pipeline.frame_event({std::chrono::duration<double>(shown - start).count(),
+                              std::chrono::duration<double>(written - shown).count()});
+    return drawn;
 }
 
 } // namespace l3d_detail

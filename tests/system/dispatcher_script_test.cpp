@@ -32,7 +32,7 @@ l3d_frame_settings frames(int count) {
 TEST(dispatcher_script, one_frame_if_none_are_named) {
     script_run run(frames(0));
     EXPECT_EQ(run.dispatcher.start(), l3d_exit::well);
-    EXPECT_EQ(run.log, (call_log{"update", "draw", "show"}));
+    EXPECT_EQ(run.log, (call_log{"update", "draw", "show", "frame"}));
     EXPECT_EQ(run.screen.waits, 0);
 }
 
@@ -44,9 +44,9 @@ TEST(dispatcher_script, events_come_before_their_frame) {
     resize.size = {31, 17};
     script_run run(frames(3), {{0, make_key('a')}, {2, pointer}, {2, resize}, {2, make_key('b')}});
     EXPECT_EQ(run.dispatcher.start(), l3d_exit::well);
-    EXPECT_EQ(run.log,
-              (call_log{"key a", "update", "draw", "show", "update", "draw", "show", "pointer 7,9",
-                        "resize 31x17", "key b", "update", "draw", "show"}));
+    EXPECT_EQ(run.log, (call_log{"key a", "update", "draw", "show", "frame", "update", "draw",
+                                 "show", "frame", "pointer 7,9", "resize 31x17", "key b", "update",
+                                 "draw", "show", "frame"}));
 }
 
 TEST(dispatcher_script, steps_are_fixed) {
@@ -67,6 +67,7 @@ TEST(dispatcher_script, draws_only_what_is_needed) {
     EXPECT_EQ(count_of(run.log, "update"), 5);
     EXPECT_EQ(count_of(run.log, "draw"), 2); // the first, and the one of the new size
     EXPECT_EQ(count_of(run.log, "show"), 2);
+    EXPECT_EQ(count_of(run.log, "frame"), 2);
 }
 
 TEST(dispatcher_script, done_ends_it_before_the_frame) {
@@ -99,6 +100,8 @@ TEST(dispatcher_script, writes_frames) {
     EXPECT_EQ(folder.count(), 3);
     l3d_image second = l3d_read_png(folder.file("f01.png"));
     EXPECT_EQ(second.pixels().row(3)[5], 2u);
+    ASSERT_EQ(run.pipeline.times.size(), 3u);
+    EXPECT_GT(run.pipeline.times[1].write, 0);
 }
 
 TEST(dispatcher_script, last_frame_is_drawn_even_if_none_was_due) {

@@ -40,7 +40,7 @@ TEST(dispatcher_x11, drains_all_events_before_a_frame) {
         run.screen.pending.push_back(make_key(key));
     EXPECT_EQ(run.dispatcher.start(), l3d_exit::well);
     EXPECT_EQ(run.log, (call_log{"key a", "key b", "key c", "key d", "update", "draw", "show",
-                                 "update", "draw", "show"}));
+                                 "frame", "update", "draw", "show", "frame"}));
 }
 
 TEST(dispatcher_x11, expose_shows_without_drawing) {
@@ -48,14 +48,14 @@ TEST(dispatcher_x11, expose_shows_without_drawing) {
     run.pipeline.lazy = true;
     run.screen.arrivals.push_back({make_event(l3d_event_type::expose)});
     run.dispatcher.start();
-    EXPECT_EQ(run.log, (call_log{"update", "draw", "show", "show", "update"}));
+    EXPECT_EQ(run.log, (call_log{"update", "draw", "show", "frame", "show", "update"}));
 }
 
 TEST(dispatcher_x11, expose_before_the_first_frame_shows_nothing_unfinished) {
     window_run run(frames(1));
     run.screen.pending.push_back(make_event(l3d_event_type::expose));
     run.dispatcher.start();
-    EXPECT_EQ(run.log, (call_log{"update", "draw", "show"}));
+    EXPECT_EQ(run.log, (call_log{"update", "draw", "show", "frame"}));
 }
 
 TEST(dispatcher_x11, expose_with_resize_shows_only_the_new_picture) {
@@ -65,8 +65,8 @@ TEST(dispatcher_x11, expose_with_resize_shows_only_the_new_picture) {
     resize.size = {31, 17};
     run.screen.arrivals.push_back({resize, make_event(l3d_event_type::expose)});
     run.dispatcher.start();
-    EXPECT_EQ(run.log,
-              (call_log{"update", "draw", "show", "resize 31x17", "update", "draw", "show"}));
+    EXPECT_EQ(run.log, (call_log{"update", "draw", "show", "frame", "resize 31x17", "update",
+                                 "draw", "show", "frame"}));
 }
 
 TEST(dispatcher_x11, draws_only_what_is_needed) {
@@ -91,7 +91,7 @@ TEST(dispatcher_x11, quits_without_another_frame) {
     window_run by_key(frames(0, 100));
     by_key.screen.arrivals.push_back({make_key('q'), make_key('x')});
     EXPECT_EQ(by_key.dispatcher.start(), l3d_exit::well);
-    EXPECT_EQ(by_key.log, (call_log{"update", "draw", "show", "key q", "key x"}));
+    EXPECT_EQ(by_key.log, (call_log{"update", "draw", "show", "frame", "key q", "key x"}));
 }
 
 TEST(dispatcher_x11, close_ends_well) {

@@ -73,14 +73,15 @@ private:
     l3d_screen_info info_;
 };
 
-/// Logs "key C", "pointer", "resize WxH", "update" and "draw"; 'q' ends it. Each draw_event
-/// leaves the number of frames drawn in pixel (5, 3).
+/// Logs "key C", "pointer", "resize WxH", "update", "draw" and "frame"; 'q' ends it. Each
+/// draw_event leaves the number of frames drawn in pixel (5, 3).
 class fake_pipeline final : public l3d_pipeline {
 public:
     fake_pipeline(call_log& log, l3d_screen& screen) : log_(log), screen_(screen) {}
 
     bool lazy = false; ///< never needs to be redrawn
     std::vector<double> steps;
+    std::vector<l3d_frame_times> times;
     std::function<void(int update)> on_update = [](int) {};
 
     void key_event(int key) override {
@@ -103,6 +104,10 @@ public:
         screen_.pixels().row(3)[5] = ++drawn_;
     }
     bool needs_redraw() const override { return !lazy; }
+    void frame_event(const l3d_frame_times& frame) override {
+        log_.push_back("frame");
+        times.push_back(frame);
+    }
 
 private:
     call_log& log_;
