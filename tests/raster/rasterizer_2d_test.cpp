@@ -240,6 +240,8 @@ TEST(Polygons, BookShapesHaveTheExactPixelCounts) {
     };
     EXPECT_EQ(count({{100, 100}, {200, 150}, {150, 200}, {50, 120}}), 6715u);
     EXPECT_EQ(count({{100, 100}, {200, 100}, {150, 200}, {140, 200}}), 5530u);
+    EXPECT_EQ(count({{-100, 100}, {200, 100}, {950, 200}, {940, 200}}), 7132u);
+    EXPECT_EQ(count({{100, 150}, {100, 100}, {250, 200}, {100, 200}}), 7450u);
 }
 
 TEST(Polygons, OfEitherWindingAreTheSame) {
