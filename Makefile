@@ -191,12 +191,12 @@ logged = $(Q)mkdir -p $(@D); { $(1); } > $@ 2>&1; echo "exit status $$?" >> $@
 
 $(tested:%=$(OUT)/log/%.log): $(OUT)/log/%.log: $(OUT)/tests/%_tests FORCE
 	$(call say,TEST,$*)
-	$(call logged,timeout $(TEST_TIMEOUT) $< --gtest_color=no)
+	$(call logged,timeout --foreground $(TEST_TIMEOUT) $< --gtest_color=no)
 
 $(OUT)/log/x11/%.log: tests/x11/% $(APPS) FORCE
 	$(call say,TEST,$<)
 	$(call logged,PYTHONDONTWRITEBYTECODE=1 L3D_BIN=$(abspath $(OUT)/bin) \
-	    timeout $(TEST_TIMEOUT) $<)
+	    timeout --foreground $(TEST_TIMEOUT) $<)
 
 $(OUT)/log/format-check.log: FORCE
 	$(call logged,$(CLANG_FORMAT) --dry-run -Werror $(FORMATTED) && echo ok format-check)
