@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// A sink that draws, and the picture it draws.
+#ifndef L3D_TESTS_PIPELINE_PICTURE_H
+#define L3D_TESTS_PIPELINE_PICTURE_H
+
+#include "pipeline/dice_sink.h"
+#include "raster/surface_rasterizer_sw.h"
+#include "reference/views.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace pipeline_tests {
+
+/// Draws what it is given. Cleared when made and by `clear`.
+class picture final : public l3d_dice_sink {
+public:
+    explicit picture(l3d_size size) : size_(size) {
+        words_.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+        depth_.resize(size);
+        clear();
+    }
+
+    void clear() {
+        const reference::vec3 l = reference::project_light;
+        const double length = std::sqrt(l.x * l.x + l.y * l.y + l.z * l.z);
+        std::fill(words_.begin(), words_.end(), 0u);
+        depth_.clear();
+        rasterizer_.begin({words_.data(), size_.width, size_.height, size_.width}, depth_,
+                          {l3d_shade::lambert,
+                           {static_cast<float>(l.x / length), static_cast<float>(l.y / length),
+                            static_cast<float>(l.z / length)}});
+    }
+
+    l3d_size size() const { return size_; }
+    const std::vector<std::uint32_t>& words() const { return words_; }
+
+    float inv_w(int x, int y) const { return depth_.row(y)[static_cast<std::size_t>(x)]; }
+    bool covered(int x, int y) const { return inv_w(x, y) > 0; }
+
+    std::int64_t uncovered() const {
+        std::int64_t result = 0;
+        for (int y = 0; y < size_.height; ++y)
+            for (const float inv_w : depth_.row(y))
+                result += inv_w <= 0;
+        return result;
+    }
+
+    /// Distances along the view axis, infinite where nothing is.
+    std::vector<float> distances() const {
+        std::vector<float> result;
+        for (int y = 0; y < size_.height; ++y)
+            for (const float inv_w : depth_.row(y))
+                result.push_back(inv_w > 0 ? 1 / inv_w : std::numeric_limits<float>::infinity());
+        return result;
+    }
+
+    std::vector<unsigned char> greys() const {
+        std::vector<unsigned char> result;
+        for (const std::uint32_t word : words_)
+            result.push_back(static_cast<unsigned char>(word & 0xff));
+        return result;
+    }
+
+private:
+    void do_grid(const l3d_dice_grid& grid) override { rasterizer_.draw_grid(grid.vertices); }
+
+    void do_triangles(std::span<const l3d_dice_vertex> corners, double) override {
+        for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+            rasterizer_.draw_triangle(corners[i].vertex, corners[i + 1].vertex,
+                                      corners[i + 2].vertex);
+    }
+
+    l3d_size size_;
+    std::vector<std::uint32_t> words_;
+    l3d_depth_buffer depth_;
+    l3d_surface_rasterizer_sw rasterizer_;
+};
+
+} // namespace pipeline_tests
+
+#endif
