@@ -338,6 +338,36 @@ TEST(step_bound, outside_is_never_said_of_a_net_with_a_visible_point) {
     EXPECT_TRUE(l3d_outside(right.points, window, near));
 }
 
+/// Control points that all project beyond one side, some from behind the eye: the surface between
+/// them crosses the picture.
+TEST(step_bound, outside_is_not_told_from_projections_of_what_is_behind_the_eye) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    oracle::random_values random(seed);
+    for (int round = 0; round < 200; ++round)
+        for (const int axis : {0, 1})
+            for (const double side : {-1.0, 1.0}) {
+                l3d_image_patch patch;
+                for (int r = 0; r < 4; ++r)
+                    for (int c = 0; c < 4; ++c) {
+                        const bool front = r < 2;
+                        const double w = front ? random.within(2.5, 3.5) : random.within(-2.5, -2);
+                        const double beyond =
+                            front ? random.within(530, 700) : random.within(1500, 3000);
+                        point& p = patch.at(r, c);
+                        p[axis] = side * beyond * w;
+                        p[1 - axis] = random.within(-200, 200);
+                        p[2] = w;
+                    }
+                bool seen = false;
+                for (int i = 0; i <= 100 && !seen; ++i) {
+                    const point h = patch.evaluate(0.4, i / 100.0);
+                    seen = h[2] > 0.25 && holds(window, projected(h));
+                }
+                ASSERT_TRUE(seen);
+                ASSERT_FALSE(l3d_outside(patch.points, window, 0.25));
+            }
+}
+
 TEST(step_bound, of_a_displaced_vertex_is_kept_and_tight) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     oracle::random_values random(seed);
