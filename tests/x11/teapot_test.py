@@ -1,0 +1,210 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""teapot_afd: models that are wrong, reports, depth, repeatability, and its keys in a window."""
+
+import contextlib
+import json
+import os
+import struct
+
+import harness
+from harness import Checks, Onlooker, Program, environment, expect, expect_equal, folder, run
+from harness import started, wait_for, window_of, x_server, xdotool
+
+TEAPOT = Program("teapot_afd", (157, 119))
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+
+
+def memory(*arguments, cwd):
+    return run(TEAPOT.command("--backend", "memory", *arguments), environment(), cwd=cwd)
+
+
+def wrong_models():
+    """Name, text, and what the message must start with after the program's name."""
+    patch = "3 3\n" + "".join("%d %d 1\n" % (i % 4, i // 4) for i in range(16))
+    return [
+        ("empty.bpt", "", "empty.bpt:1: "),
+        ("word.bpt", "1\n" + patch.replace("1 0 1", "1 zero 1"), "word.bpt:4: "),
+        ("cut.bpt", "1\n3 3\n0 0 0\n1 0 0\n", "cut.bpt:"),
+        ("huge.bpt", "999999999\n" + patch, "huge.bpt:1: "),
+        ("more.bpt", "99999999999999999999\n" + patch, "more.bpt:1: "),
+        ("nan.bpt", "1\n" + patch.replace("2 2 1", "2 nan 1"), "nan.bpt:13: "),
+        ("infinite.bpt", "1\n" + patch.replace("3 1 1", "3 inf 1"), "infinite.bpt:10: "),
+        ("degree.bpt", "1\n99 3\n" + patch, "degree.bpt:2: "),
+        ("far.bpt", "1\n" + patch.replace("1 0 1", "1e13 0 1"), "far.bpt:4: "),
+        ("trailing.bpt", "1\n" + patch + "7\n", "trailing.bpt:19: "),
+    ]
+
+
+def refuses_wrong_models():
+    with folder() as path:
+        for name, text, start in wrong_models():
+            with open(os.path.join(path, name), "w", encoding="ascii") as file:
+                file.write(text)
+            status, out, said = memory("--model", name, "--output", "o.png", cwd=path)
+            expect_equal((status, out), (5, b""), name)
+            expect(said.startswith("teapot_afd: " + start), name, said)
+            expect_equal(said.count("\n"), 1, name)
+        expect(not os.path.exists(os.path.join(path, "o.png")), "a picture of nothing")
+        for name in ("missing.bpt", "."):
+            status, _, said = memory("--model", name, cwd=path)
+            expect_equal(status, 5, name)
+            expect(said.startswith("teapot_afd: " + name + ": "), said)
+
+
+def draws_a_model_cut_at_no_byte():
+    """A file cut anywhere is refused, or was complete: it never crashes."""
+    with open(os.path.join(ROOT, "data", "teapot.bpt"), "rb") as file:
+        text = file.read()
+    with folder() as path:
+        for length in range(0, len(text), 397):
+            with open(os.path.join(path, "cut.bpt"), "wb") as file:
+                file.write(text[:length])
+            status, _, said = memory("--model", "cut.bpt", "--output", "o.png", cwd=path)
+            expect_equal(status, 5, length)
+            expect(said.startswith("teapot_afd: cut.bpt:"), said)
+
+
+def reports_every_frame():
+    with folder() as path:
+        arguments = ("--frames", "3", "--turntable", "7", "--tolerance", "0.5")
+        arguments += ("--report", "r.json", "--output", "o%d.png")
+        expect_equal(memory(*arguments, cwd=path), (0, b"", ""))
+        with open(os.path.join(path, "r.json"), encoding="utf-8") as file:
+            lines = [json.loads(line) for line in file]
+        expect_equal([line["frame"] for line in lines], [0, 1, 2])
+        expect_equal(len({line["hash"] for line in lines}), 3, "hashes")
+        for line in lines:
+            expect_equal((line["method"], line["size"], line["threads"]), ("afd", "157x119", 1))
+            expect(line["real"] in ("float", "double", "fixed"), line["real"])
+            expect_equal(line["patches"]["all"], 28)
+            expect(0 < line["error_bound_px"] <= 0.5, line["error_bound_px"])
+            expect(line["pixels_covered"] <= line["pixels_written"] <= line["pixels_tested"])
+            times = line["time_ms"]
+            expect({"total", "dice", "raster", "show", "write"} <= set(times), times)
+            expect(times["dice"] + times["raster"] <= times["total"], times)
+
+
+def writes_distances():
+    """The PFM has a distance exactly where the picture has a surface."""
+    with folder() as path:
+        done = memory("--output", "o.png", "--depth-output", "d.pfm", cwd=path)
+        expect_equal(done, (0, b"", ""))
+        rows = harness.read_png(os.path.join(path, "o.png"))
+        with open(os.path.join(path, "d.pfm"), "rb") as file:
+            expect_equal([file.readline() for _ in range(3)], [b"Pf\n", b"157 119\n", b"-1.0\n"])
+            values = struct.unpack("<%df" % (157 * 119), file.read())
+        for y, row in enumerate(rows):
+            below = 157 * (118 - y)  # the bottom row comes first
+            for x, colour in enumerate(row):
+                distance = values[below + x]
+                expect((colour != 0) == (distance < float("inf")), x, y)
+                expect(colour == 0 or 4 < distance < 12, x, y, distance)
+
+
+def repeats_itself():
+    """Runs, numbers of threads and what is left out do not change a bit of the picture."""
+    with folder() as path:
+        pictures = []
+        away = ("--eye", "1,2,3.1", "--target", "-0.3,1.9,0")  # part of it outside the window
+        for more in ((), (), ("--threads", "3"), ("--keep-all",)):
+            expect_equal(memory(*away, *more, "--output", "o.png", cwd=path), (0, b"", ""))
+            with open(os.path.join(path, "o.png"), "rb") as file:
+                pictures.append(file.read())
+        expect_equal(len(set(pictures)), 1, "different pictures")
+
+
+def explains_what_it_left_out():
+    with folder() as path:
+        near = ("--eye", "1,2,3", "--output", "o.png", "--explain")
+        status, out, said = memory(*near, cwd=path)
+        expect_equal((status, out), (0, b""))
+        expect("of 28 patches (offscreen)" in said, said)
+
+
+def refuses_wrong_values():
+    wrong = [
+        ("--tolerance", "nan"), ("--tolerance", "-1"), ("--tolerance", "0"), ("--fov", "180"),
+        ("--eye", "1,2"), ("--eye", "2e12,0,0"), ("--target", "3.2,3.6,7.4"), ("--up", "0,0,0"),
+        ("--light", "0,0,0"), ("--method", "fd"), ("--method", "magic"), ("--shade", "green"),
+        ("--near", "0"), ("--far", "0.05"), ("--threads", "0"), ("--turntable", "1e9"),
+    ]
+    with folder() as path:
+        for option, value in wrong:
+            status, out, said = memory(option, value, cwd=path)
+            expect_equal((status, out), (2, b""), option)
+            expect(option in said and value.replace("e12", "e+12") in said, said)
+            expect_equal(said.count("\n"), 1, said)
+
+
+class Window:
+    """The program in a window, and what is in it."""
+
+    def __init__(self, stack, path):
+        self.display = stack.enter_context(x_server()).display
+        self.eyes = stack.enter_context(Onlooker(self.display))
+        command = TEAPOT.command("--backend", "ximage")
+        self.process = stack.enter_context(started(command, environment(self.display), cwd=path))
+        self.window = window_of(self.display, TEAPOT)
+        wait_for(lambda: harness.has_picture(self.picture()), "the first picture")
+
+    def picture(self):
+        return self.eyes.picture(self.window, *TEAPOT.size)
+
+    def changes(self, *keys):
+        """Presses keys and returns the picture that follows, a different one."""
+        before = self.picture()
+        xdotool(self.display, "key", *keys)
+        wait_for(lambda: self.picture() != before, "a change by " + " ".join(keys))
+        return self.picture()
+
+
+def obeys_its_keys():
+    with contextlib.ExitStack() as stack:
+        path = stack.enter_context(folder())
+        it = Window(stack, path)
+        first = it.picture()
+        for key in ("Left", "Right", "Up", "Down", "plus", "minus"):
+            it.changes(key)
+        xdotool(it.display, "key", "Left", "r")
+        wait_for(lambda: it.picture() == first, "the first view again")
+        for key in ("w", "n", "c", "c", "c", "c", "o", "h"):
+            it.changes(key)
+        it.changes("bracketright")
+        xdotool(it.display, "key", "s")
+        saved = os.path.join(path, "l3d-0001.png")
+        wait_for(lambda: os.path.exists(saved), "the saved picture")
+        expect(harness.has_picture(harness.read_png(saved)), "the saved picture is empty")
+        turning = it.changes("t")
+        wait_for(lambda: it.picture() != turning, "the turntable")
+        xdotool(it.display, "key", "q")
+        expect_equal(harness.ended(it.process), (0, b"", ""))
+
+
+def obeys_the_mouse():
+    with contextlib.ExitStack() as stack:
+        it = Window(stack, stack.enter_context(folder()))
+        before = it.picture()
+        at = ("mousemove", "--window", it.window)
+        xdotool(it.display, *at, 70, 60, "mousedown", "1", *at, 110, 75, "mouseup", "1")
+        wait_for(lambda: it.picture() != before, "a change by dragging")
+        before = it.picture()
+        xdotool(it.display, "click", "4")
+        wait_for(lambda: it.picture() != before, "a change by the wheel")
+        xdotool(it.display, "key", "Escape")
+        expect_equal(harness.ended(it.process), (0, b"", ""))
+
+
+def main():
+    checks = Checks()
+    for check in (
+        refuses_wrong_models, draws_a_model_cut_at_no_byte, reports_every_frame, writes_distances,
+        repeats_itself, explains_what_it_left_out, refuses_wrong_values, obeys_its_keys,
+        obeys_the_mouse,
+    ):
+        checks.run("teapot " + check.__name__, check)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
