@@ -2,11 +2,10 @@
 // l3d_factory_manager: the table, a row of our own, the prompt and the ways around it.
 #include "system/factory_manager.h"
 #include "system/fakes.h"
+#include "system/paper_row.h"
 #include "system/temporary_folder.h"
 
 #include "tool_2d/error.h"
-#include "raster/rasterizer_2d_sw.h"
-#include "system/dispatcher_script.h"
 #include "system/options.h"
 
 #include <gtest/gtest.h>
@@ -15,35 +14,6 @@
 #include <sstream>
 
 namespace {
-
-/// Serves only if it was given no reason not to; counts how often it is asked.
-class paper_factory final : public l3d_screen_factory {
-public:
-    paper_factory(call_log& log, std::string reason) : log_(log), reason_(std::move(reason)) {}
-
-private:
-    bool do_can_serve(std::string& why) const override {
-        log_.push_back("asked");
-        why = reason_;
-        return reason_.empty();
-    }
-    std::unique_ptr<l3d_screen> do_create(const l3d_screen_request&, std::string&) const override {
-        return std::make_unique<fake_screen>(log_);
-    }
-
-    call_log& log_;
-    std::string reason_;
-};
-
-l3d_backend paper(call_log& log, const std::string& name, const std::string& reason = "") {
-    l3d_backend row;
-    row.name = name;
-    row.purpose = "draws on " + name;
-    row.screen_factory = std::make_unique<paper_factory>(log, reason);
-    row.rasterizer_factory = std::make_unique<l3d_rasterizer_2d_sw_imp_factory>();
-    row.dispatcher_factory = std::make_unique<l3d_dispatcher_factory_script>();
-    return row;
-}
 
 /// No display, and two rows more than the library has: one that serves, one that does not.
 class factory_manager : public testing::Test {

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// backend_survey: on tables that the library does not have.
+#include "system/backend_survey_p.h"
+#include "system/paper_row.h"
+
+#include "tool_2d/error.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <vector>
+
+namespace {
+
+struct table {
+    void add(const std::string& name, bool automatic, const std::string& reason = "") {
+        rows.push_back(paper(log, name, reason));
+        rows.back().automatic = automatic;
+    }
+
+    call_log log;
+    std::vector<l3d_backend> rows;
+};
+
+TEST(backend_survey, automatic_skips_rows_that_want_to_be_named_or_cannot_serve) {
+    table table;
+    table.add("slate", false);
+    table.add("vellum", true, "no calf");
+    table.add("paper", true);
+    table.add("card", true);
+    EXPECT_EQ(l3d_detail::backend_survey(table.rows).automatic().name, "paper");
+}
+
+TEST(backend_survey, default_is_the_first_that_serves_if_none_is_automatic) {
+    table table;
+    table.add("vellum", false, "no calf");
+    table.add("slate", false);
+    table.add("card", false);
+    std::istringstream in("\n");
+    std::ostringstream out;
+    EXPECT_EQ(l3d_detail::backend_survey(table.rows).asked(in, out).name, "slate");
+    EXPECT_NE(out.str().find("Number or name [1]"), std::string::npos) << out.str();
+}
+
+TEST(backend_survey, all_reasons_are_given_if_nothing_serves) {
+    table table;
+    table.add("slate", false, "no quarry");
+    table.add("vellum", true, "no calf");
+    const auto expect_reasons = [](const auto& choose) {
+        try {
+            choose();
+            ADD_FAILURE() << "chose one";
+        } catch (const l3d_error& error) {
+            const std::string text = error.what();
+            EXPECT_EQ(error.code(), l3d_exit::no_backend);
+            EXPECT_NE(text.find("slate: no quarry"), std::string::npos) << text;
+            EXPECT_NE(text.find("vellum: no calf"), std::string::npos) << text;
+        }
+    };
+    l3d_detail::backend_survey survey(table.rows);
+    std::istringstream in("1\n");
+    std::ostringstream out;
+    expect_reasons([&] { survey.automatic(); });
+    expect_reasons([&] { survey.asked(in, out); });
+    EXPECT_EQ(out.str(), "");
+}
+
+} // namespace

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A back-end that exists only for the tests: screens that write down what is asked of them.
+#ifndef L3D_TESTS_SYSTEM_PAPER_ROW_H
+#define L3D_TESTS_SYSTEM_PAPER_ROW_H
+
+#include "raster/rasterizer_2d_sw.h"
+#include "system/dispatcher_script.h"
+#include "system/factory_manager.h"
+#include "system/fakes.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+/// Serves only if it was given no reason not to; counts how often it is asked.
+class paper_factory final : public l3d_screen_factory {
+public:
+    paper_factory(call_log& log, std::string reason) : log_(log), reason_(std::move(reason)) {}
+
+private:
+    bool do_can_serve(std::string& why) const override {
+        log_.push_back("asked");
+        why = reason_;
+        return reason_.empty();
+    }
+    std::unique_ptr<l3d_screen> do_create(const l3d_screen_request&, std::string&) const override {
+        return std::make_unique<fake_screen>(log_);
+    }
+
+    call_log& log_;
+    std::string reason_;
+};
+
+inline l3d_backend paper(call_log& log, const std::string& name, const std::string& reason = "") {
+    l3d_backend row;
+    row.name = name;
+    row.purpose = "draws on " + name;
+    row.screen_factory = std::make_unique<paper_factory>(log, reason);
+    row.rasterizer_factory = std::make_unique<l3d_rasterizer_2d_sw_imp_factory>();
+    row.dispatcher_factory = std::make_unique<l3d_dispatcher_factory_script>();
+    return row;
+}
+
+#endif
