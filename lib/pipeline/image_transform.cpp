@@ -36,8 +36,9 @@ l3d_image_transform<Wide>::l3d_image_transform(const l3d_camera& camera, l3d_siz
                                                          (column < 3 ? model_scale_ : 1.0));
 
     // Doubles: the matrix (axes, products) is good to some 16 ulps of |direction| (|p| + |eye|),
-    // four products and three sums add at most 8 more. Fixed: matrix entries and model points are
-    // off by half an ulp each, as is the one rounding of the sum.
+    // four products and three sums add at most 8 more; a patch cut in 50 halvings is rounded at
+    // its own size first, not at that of its pieces, at 3 midpoints each. Fixed: matrix entries
+    // and model points are off by half an ulp each, as is the one rounding of the sum.
     using traits = l3d_real_traits<Wide>;
     double eye = 0;
     for (int i = 0; i < 3; ++i)
@@ -50,8 +51,9 @@ l3d_image_transform<Wide>::l3d_image_transform(const l3d_camera& camera, l3d_siz
     }
     const double rounding = (3 * largest * model_scale_ + 2) * traits::half_ulp;
     const double to_entries = depth_scale_ / model_scale_ * traits::half_ulp;
-    error_xy_ = 24 * 0x1p-53 * focal * terms * depth_scale_ + rounding + slope_xy * to_entries;
-    error_w_ = 24 * 0x1p-53 * terms * depth_scale_ + rounding + slope_w * to_entries;
+    const double roundings = (l3d_is_fixed<Wide> ? 24 : 24 + 3 * 50) * 0x1p-53;
+    error_xy_ = roundings * focal * terms * depth_scale_ + rounding + slope_xy * to_entries;
+    error_w_ = roundings * terms * depth_scale_ + rounding + slope_w * to_entries;
 }
 
 template <class Wide>

@@ -92,7 +92,7 @@ template <class T> struct l3d_patch_dicer<T>::blocks {
         bool small = false;
         if (depth.least > view.near) {
             const l3d_image_box hull = l3d_image_box_of(net.points);
-            whole = hull.reach() <= l3d_guard_band;
+            whole = hull.reach() < l3d_guard_band;
             if (whole) {
                 accuracy.reach = hull.reach();
                 small = hull.width() < small_size && hull.height() < small_size;
@@ -359,6 +359,9 @@ void l3d_patch_dicer<T>::draw_whole(const piece& p, const blocks& nets, const l3
         const double w = view_.depth_scale / static_cast<double>(v.dice.vertex.inv_w);
         v.h = {(v.dice.vertex.x - view_.centre_x()) * w / l3d_subpixel_one,
                (v.dice.vertex.y - view_.centre_y()) * w / l3d_subpixel_one, w};
+        // A neighbour that is clipped cuts the edges of a corner they share at the same place.
+        if (row % (grid_.rows - 1) == 0 && column % (grid_.columns - 1) == 0)
+            v.h = corner(p, column > 0, row > 0).h;
         v.drawable = true;
         return v;
     };

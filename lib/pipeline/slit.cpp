@@ -29,9 +29,10 @@ public:
     void add(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c,
              int facing) {
         const int turn = orientation(a, b, c);
-        if (turn == 0)
+        const bool all_drawable = a.drawable && b.drawable && c.drawable;
+        if (turn == 0 && all_drawable)
             return;
-        const bool swap = facing != 0 && turn != facing;
+        const bool swap = turn * facing < 0;
         l3d_clip_triangle(a, swap ? c : b, swap ? b : c, view_, triangles_);
     }
 
