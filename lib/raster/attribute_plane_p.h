@@ -51,8 +51,8 @@ public:
 
     /// The numbers at the centre of a pixel.
     numbers at(std::int32_t column, std::int32_t row) const {
-        const double x = l3d_subpixel_one * double(column) + l3d_subpixel_one / 2 - base_x_;
-        const double y = l3d_subpixel_one * double(row) + l3d_subpixel_one / 2 - base_y_;
+        const double x = pixel * (column + 0.5) - base_x_;
+        const double y = pixel * (row + 0.5) - base_y_;
         numbers result;
         for (std::size_t i = 0; i < Count; ++i)
             result[i] = static_cast<float>(base_[i] + along_x_[i] * x + along_y_[i] * y);
@@ -63,7 +63,7 @@ public:
     numbers per_column() const {
         numbers result;
         for (std::size_t i = 0; i < Count; ++i)
-            result[i] = static_cast<float>(along_x_[i] * l3d_subpixel_one);
+            result[i] = static_cast<float>(along_x_[i] * pixel);
         return result;
     }
 
@@ -79,6 +79,8 @@ private:
             along_y_[i] = second * x1 - first * x2;
         }
     }
+
+    static constexpr double pixel = l3d_subpixel_one;
 
     double base_x_, base_y_;
     std::array<double, Count> base_, along_x_, along_y_;

@@ -16,7 +16,7 @@ inline constexpr int font_per_block = 8;
 /// Printable ASCII, then the box: twelve blocks of eight characters side by side, one string for
 /// each of their seven rows, one column of space between characters.
 // clang-format off
-inline constexpr std::array<std::string_view, 12 * font_height> font_rows{
+inline constexpr std::array<std::string_view, std::size_t{12} * font_height> font_rows{
     // space ! " # $ % & '
     "..... ..#.. .#.#. .#.#. ..#.. ##... .##.. ..#..",
     "..... ..#.. .#.#. .#.#. .#### ##..# #..#. ..#..",

@@ -40,11 +40,11 @@ public:
         const std::int64_t dx = std::int64_t{lower.x} - upper.x;
         const std::int64_t dy = std::int64_t{lower.y} - upper.y;
         assert(dy > 0);
-        const std::int64_t down = l3d_subpixel_one * std::int64_t{row} + half_pixel - upper.y;
-        const std::int64_t twice_d = 2 * l3d_subpixel_one * dy;
+        const std::int64_t down = pixel * row + half_pixel - upper.y;
+        const std::int64_t twice_d = 2 * pixel * dy;
         const std::int64_t n = (upper.x - half_pixel) * dy + dx * down;
         m_ = static_cast<double>(2 * n + twice_d - 1 + offset * twice_d);
-        m_per_row_ = static_cast<double>(2 * l3d_subpixel_one * dx);
+        m_per_row_ = static_cast<double>(2 * pixel * dx);
         inverse_ = 1.0 / static_cast<double>(twice_d);
     }
 
@@ -53,7 +53,7 @@ public:
     void step() { m_ += m_per_row_; }
 
 private:
-    static constexpr std::int64_t half_pixel = l3d_subpixel_one / 2;
+    static constexpr std::int64_t pixel = l3d_subpixel_one, half_pixel = pixel / 2;
     /// More than the least column, -2^15: what is truncated is then positive.
     static constexpr std::int32_t offset = 1 << 16;
 

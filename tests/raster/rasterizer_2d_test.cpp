@@ -28,7 +28,7 @@ class canvas {
 public:
     canvas(int width, int height)
         : width_(width), height_(height),
-          words_(static_cast<std::size_t>((width + gap) * (height + 2)), guard),
+          words_(std::size_t(width + gap) * std::size_t(height + 2), guard),
           imp_({words_.data() + width + gap, width, height, width + gap}), draw(imp_) {
         draw.clear_buffer();
     }
@@ -39,7 +39,7 @@ public:
         for (int y = 0; y < height_; ++y)
             for (int x = 0; x < width_; ++x) {
                 const std::uint32_t word =
-                    words_[static_cast<std::size_t>((y + 1) * (width_ + gap) + x)];
+                    words_[std::size_t(y + 1) * std::size_t(width_ + gap) + std::size_t(x)];
                 if (word != 0)
                     result.insert({x, y});
                 EXPECT_TRUE(word == 0 || word == color);
@@ -260,7 +260,8 @@ bool inside(const std::vector<l3d_point_2d>& v, int x, int y) {
     for (std::size_t i = 0; i < v.size(); ++i) {
         const l3d_point_2d &a = v[i], &b = v[(i + 1) % v.size()];
         const std::int64_t dx = raw(b.x) - raw(a.x), dy = raw(b.y) - raw(a.y);
-        const std::int64_t side = dx * (256 * y - raw(a.y)) - dy * (256 * x - raw(a.x));
+        const std::int64_t side =
+            dx * (std::int64_t{256} * y - raw(a.y)) - dy * (std::int64_t{256} * x - raw(a.x));
         const bool owns = dy < 0 || (dy == 0 && dx > 0);
         if ((dx != 0 || dy != 0) && (side < 0 || (side == 0 && !owns)))
             return false;
@@ -280,6 +281,7 @@ std::vector<l3d_point_2d> random_convex(std::mt19937& random) {
     std::ranges::sort(angles);
     const double x = real(-10, 45), y = real(-10, 40), rx = real(4, 60), ry = real(4, 60);
     std::vector<l3d_point_2d> v;
+    v.reserve(angles.size());
     for (const double a : angles)
         v.push_back({std::round((x + rx * std::cos(a)) * 256) / 256,
                      std::round((y + ry * std::sin(a)) * 256) / 256});
@@ -353,7 +355,7 @@ TEST(Polygons, OfAnyKindStayInsideTheBuffer) {
 }
 
 TEST(Imp, DrawsIntoTheTargetOfTheLastResize) {
-    std::vector<std::uint32_t> first(6 * 5, 0), second(9 * 11, 0);
+    std::vector<std::uint32_t> first(30, 0), second(99, 0);
     const std::unique_ptr<l3d_rasterizer_2d_imp> imp =
         l3d_rasterizer_2d_sw_imp_factory().create({first.data(), 6, 5, 6});
     l3d_rasterizer_2d draw(*imp);
@@ -362,7 +364,7 @@ TEST(Imp, DrawsIntoTheTargetOfTheLastResize) {
     const std::array<l3d_point_2d, 3> corners{{{0, 0}, {0, 11}, {3, 11}}};
     draw.draw_polygon_flatshaded(corners, color);
     EXPECT_EQ(second.back(), color);
-    EXPECT_EQ(second[9 * 10], color);
+    EXPECT_EQ(second[90], color); // (0, 10)
     EXPECT_EQ(std::ranges::count(first, 0u), 30);
 }
 

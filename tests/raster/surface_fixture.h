@@ -16,7 +16,7 @@ struct surface_picture {
     static constexpr int gap = 3;
 
     surface_picture(int width, int height) : size{width, height} {
-        words.assign(static_cast<std::size_t>((width + gap) * height), guard);
+        words.assign(std::size_t(width + gap) * std::size_t(height), guard);
         depth.resize(size);
     }
 

@@ -17,7 +17,7 @@ namespace {
 std::vector<std::string> picture_of(std::string_view text, int x, int y, int width, int height,
                                     int scale = 1) {
     const int stride = width + 2;
-    std::vector<std::uint32_t> words(static_cast<std::size_t>(stride * height), 7);
+    std::vector<std::uint32_t> words(std::size_t(stride) * std::size_t(height), 7);
     l3d_rasterizer_2d_sw_imp imp({words.data(), width, height, stride});
     l3d_rasterizer_2d rasterizer(imp);
     rasterizer.clear_buffer();
@@ -26,7 +26,8 @@ std::vector<std::string> picture_of(std::string_view text, int x, int y, int wid
     for (int row = 0; row < height; ++row) {
         rows.emplace_back();
         for (int column = 0; column < stride; ++column) {
-            const std::uint32_t word = words[static_cast<std::size_t>(row * stride + column)];
+            const std::uint32_t word =
+                words[std::size_t(row) * std::size_t(stride) + std::size_t(column)];
             if (column < width)
                 rows.back() += word == 0xffcc00 ? '#' : '.';
             else
