@@ -2,6 +2,8 @@
 // x11_connection: opening, error handlers, sleeping.
 #include "tool_2d/x11_connection_p.h"
 
+#include "tool_2d/x11_reach_p.h"
+
 #include <algorithm>
 #include <cassert>
 #include <csetjmp>
@@ -47,10 +49,15 @@ namespace {
 /// Where to go on if the server dies while this thread connects to it; else null.
 thread_local std::jmp_buf* way_out_of_opening = nullptr;
 
+// Longer than any display worth drawing on needs to answer, shorter than anyone's patience.
+constexpr std::chrono::seconds longest_connect{3};
+
 /// XOpenDisplay, which ends the process if the server goes away in the middle: before it
 /// returns there is no display to set the exit handler of. The jump leaves Xlib's half-made
 /// display behind; that is the price, once, of going on.
 Display* open_display(const char* name) {
+    if (!can_reach_x11_host(name, longest_connect))
+        return nullptr;
     std::jmp_buf way_out;
     if (setjmp(way_out) != 0) {
         way_out_of_opening = nullptr;
