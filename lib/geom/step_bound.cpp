@@ -82,16 +82,18 @@ l3d_image_box l3d_image_box_of(std::span<const point> net) {
     return box;
 }
 
-bool l3d_outside(std::span<const point> net, const l3d_image_box& box, double near) {
-    bool left = true, right = true, above = true, below = true, behind = true;
+bool l3d_outside(std::span<const point> net, const l3d_image_box& box, double near, double far) {
+    bool left = true, right = true, above = true, below = true;
+    bool behind = true, beyond = true;
     for (const point& p : net) {
         left = left && p[0] < box.left * p[2];
         right = right && p[0] > box.right * p[2];
         above = above && p[1] < box.top * p[2];
         below = below && p[1] > box.bottom * p[2];
         behind = behind && p[2] <= near;
+        beyond = beyond && p[2] >= far;
     }
-    return left || right || above || below || behind;
+    return left || right || above || below || behind || beyond;
 }
 
 l3d_second_bounds l3d_second_bounds_of(const l3d_image_patch& patch, const l3d_image_box& visible,

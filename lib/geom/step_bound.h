@@ -6,6 +6,7 @@
 #include "geom/bezier_patch.h"
 
 #include <algorithm>
+#include <limits>
 #include <span>
 
 /// A homogeneous image point (x, y, w): the pixel is (x / w, y / w), counted from the picture's
@@ -43,9 +44,10 @@ l3d_depth_range l3d_depth_range_of(std::span<const l3d_image_point> net);
 /// Expects: every w > 0.
 l3d_image_box l3d_image_box_of(std::span<const l3d_image_point> net);
 
-/// Whether the net lies wholly beyond one side of `box`, or wholly at w <= near. The test is
-/// made on homogeneous half-spaces, so it holds for points at and behind the eye too.
-bool l3d_outside(std::span<const l3d_image_point> net, const l3d_image_box& box, double near);
+/// Whether the net lies wholly beyond one side of `box`, or wholly at w <= near or w >= far. The
+/// test is made on homogeneous half-spaces, so it holds for points at and behind the eye too.
+bool l3d_outside(std::span<const l3d_image_point> net, const l3d_image_box& box, double near,
+                 double far = std::numeric_limits<double>::infinity());
 
 /// Bounds of second derivatives as seen in the image, for steps of the piece's own parameters.
 ///

@@ -18,7 +18,7 @@ struct l3d_camera {
     vector up{0.0, 1.0, 0.0};
     double fov = 38;
     double near = 0.1;
-    double far = 1e6;
+    double far = 1e13; ///< farther than any two points that are allowed, 2 sqrt(3) 1e12
 
     /// Unit vectors to the right, up and forward in the picture.
     struct frame {

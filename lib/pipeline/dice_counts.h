@@ -10,6 +10,7 @@ struct l3d_dice_counts {
     std::int64_t drawn = 0;     ///< patches diced
     std::int64_t offscreen = 0; ///< patches left out: control net beyond one side of the window
     std::int64_t behind = 0;    ///< patches left out: control net behind the near plane
+    std::int64_t beyond = 0;    ///< patches left out: control net beyond the far plane
     std::int64_t subpixel = 0;  ///< patches left out: hull holds no pixel centre
     std::int64_t pieces = 0;    ///< grids made; more than `drawn` if patches had to be cut
     std::int64_t clipped = 0;   ///< of those, clipped at the near plane or the guard band

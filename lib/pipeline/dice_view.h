@@ -7,9 +7,11 @@
 #include "raster/micro_grid.h"
 #include "tool_2d/pixels.h"
 
+#include <limits>
+
 /// The picture and the accuracy asked for; constant for a frame.
 ///
-/// Units: pixels from the picture's centre; near and depths in the image transform's scaled w.
+/// Units: pixels from the picture's centre; near, far and depths in the image transform's scaled w.
 struct l3d_dice_view {
     l3d_size size;
     double near = 0;
@@ -18,6 +20,7 @@ struct l3d_dice_view {
     double error_xy = 0;    ///< of a transformed control point
     double error_w = 0;
     bool keep_all = false; ///< leave nothing out that could be left out
+    double far = std::numeric_limits<double>::infinity();
 
     l3d_image_box window() const {
         return {-size.width / 2.0, -size.height / 2.0, size.width / 2.0, size.height / 2.0};

@@ -68,7 +68,7 @@ l3d_clip_vertex l3d_canonical_vertex(const l3d_vector<Wide, 3>& h, const l3d_dic
     l3d_clip_vertex result;
     for (int k = 0; k < 3; ++k)
         result.h[k] = l3d_to_double(h[k]);
-    result.drawable = l3d_drawable(result.h, view.near);
+    result.drawable = l3d_drawable(result.h, view);
     if (result.drawable) {
         const l3d_snapped s = l3d_snap(h[0], h[1], h[2]);
         result.dice.vertex.x = s.x + view.centre_x();
@@ -106,7 +106,7 @@ void l3d_edge_polyline::add_strip(const l3d_bezier_curve<Wide, 3>& strip, double
     const l3d_depth_range depth = l3d_depth_range_of(net.points);
     const bool in_front = depth.least > view.near;
     l3d_image_box box = view.margin();
-    bool visible = !l3d_outside(net.points, box, view.near);
+    bool visible = !l3d_outside(net.points, box, view.near, view.far);
     bool small = false;
     if (visible && in_front) {
         const l3d_image_box whole = l3d_image_box_of(net.points);

@@ -18,11 +18,12 @@ struct reason {
     std::int64_t l3d_dice_counts::*count;
 };
 
-constexpr std::array<reason, 3> reasons{{
+constexpr std::array<reason, 4> reasons{{
     {"offscreen",
      "their control nets, and with them the patches, lie beyond one side of the window",
      &l3d_dice_counts::offscreen},
     {"behind", "their control nets lie behind the near plane", &l3d_dice_counts::behind},
+    {"beyond", "their control nets lie beyond the far plane", &l3d_dice_counts::beyond},
     {"subpixel", "the hulls of their control nets hold no pixel centre",
      &l3d_dice_counts::subpixel},
 }};

@@ -8,9 +8,9 @@
 
 namespace {
 
-/// A triangle cut by five planes has at most eight corners.
+/// A triangle cut by six planes has at most nine corners.
 struct polygon {
-    std::array<l3d_clip_vertex, 8> corners;
+    std::array<l3d_clip_vertex, 9> corners;
     std::size_t count = 0;
 
     void add(const l3d_clip_vertex& v) { corners[count++] = v; }
@@ -73,9 +73,10 @@ void project(l3d_clip_vertex& v, const l3d_dice_view& view) {
 
 } // namespace
 
-bool l3d_drawable(const l3d_image_point& h, double near) {
+bool l3d_drawable(const l3d_image_point& h, const l3d_dice_view& view) {
     const double reach = l3d_guard_band * h[2];
-    return h[2] > near && h[0] >= -reach && h[0] <= reach && h[1] >= -reach && h[1] <= reach;
+    return h[2] > view.near && h[2] < view.far && h[0] >= -reach && h[0] <= reach &&
+           h[1] >= -reach && h[1] <= reach;
 }
 
 void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c,
@@ -85,8 +86,12 @@ void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const
         return;
     }
     const double g = l3d_guard_band;
-    const std::array<plane, 5> planes{
-        {{{0, 0, 1}, view.near}, {{1, 0, g}, 0}, {{-1, 0, g}, 0}, {{0, 1, g}, 0}, {{0, -1, g}, 0}}};
+    const std::array<plane, 6> planes{{{{0, 0, 1}, view.near},
+                                       {{0, 0, -1}, -view.far},
+                                       {{1, 0, g}, 0},
+                                       {{-1, 0, g}, 0},
+                                       {{0, 1, g}, 0},
+                                       {{0, -1, g}, 0}}};
     polygon shape;
     for (const auto* corner : {&a, &b, &c})
         shape.add(*corner);

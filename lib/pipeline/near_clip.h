@@ -16,8 +16,8 @@ struct l3d_clip_vertex {
     bool drawable = false;
 };
 
-/// Whether a homogeneous point is in front of the near plane and inside the guard band.
-bool l3d_drawable(const l3d_image_point& h, double near);
+/// Whether a homogeneous point is between the near and the far plane and inside the guard band.
+bool l3d_drawable(const l3d_image_point& h, const l3d_dice_view& view);
 
 /// Appends the part of triangle a b c that can be drawn, as triangles, to `out`.
 ///

@@ -99,7 +99,8 @@ void l3d_pipeline_afd::place_patches() {
              transform_.depth_scale(),
              transform_.error_xy(),
              transform_.error_w(),
-             settings_.keep_all};
+             settings_.keep_all,
+             camera_.far * transform_.depth_scale()};
     placed_.clear();
     for (std::size_t i = 0; i < model_.patches().size(); ++i) {
         placed_patch& p = placed_.emplace_back();

@@ -51,7 +51,7 @@ public:
 private:
     block_need need_of(const l3d_image_patch& block, const l3d_dice_view& view) const {
         block_need need;
-        if (l3d_outside(block.points, view.margin(), view.near))
+        if (l3d_outside(block.points, view.margin(), view.near, view.far))
             return need;
         const double least = l3d_depth_range_of(block.points).least;
         const bool in_front = least > view.near;

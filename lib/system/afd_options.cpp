@@ -52,7 +52,7 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--up", up_, "what is upright in the picture");
     options.add("--fov", fov_, "vertical field of view in degrees", 0.001, 179.9);
     options.add("--near", near_, "nearest distance that is drawn", least_positive, largest);
-    options.add("--far", far_, "farthest distance of interest", least_positive, largest);
+    options.add("--far", far_, "farthest distance that is drawn", least_positive, largest);
     options.add_choice<l3d_shade>("--shade", settings_.shade, "how the surface is coloured",
                                   {{"lambert", l3d_shade::lambert},
                                    {"gouraud", l3d_shade::gouraud},

@@ -38,7 +38,7 @@ private:
     std::string model_file_;
     std::string method_ = "afd";
     std::array<double, 3> eye_{3.2, 3.6, 7.4}, target_{0.2, 1.3, 0}, up_{0, 1, 0};
-    double fov_ = 38, near_ = 0.1, far_ = 1e6;
+    double fov_ = 38, near_ = 0.1, far_ = 1e13;
     std::array<double, 3> light_{0.4, 0.8, 0.45};
     l3d_afd_settings settings_;
     double turntable_ = 0;
