@@ -8,12 +8,16 @@
 
 namespace {
 
-/// A triangle cut by six planes has at most nine corners.
+/// A triangle cut by six planes has at most nine corners. Rounding can make a needle turn back and
+/// forth across a plane: of such, which cover nothing, corners too many are dropped.
 struct polygon {
     std::array<l3d_clip_vertex, 9> corners;
     std::size_t count = 0;
 
-    void add(const l3d_clip_vertex& v) { corners[count++] = v; }
+    void add(const l3d_clip_vertex& v) {
+        if (count < corners.size())
+            corners[count++] = v;
+    }
 };
 
 /// A half-space n.h >= d of homogeneous points.

@@ -7,8 +7,11 @@
 
 namespace {
 
-/// More steps than any piece is drawn with; keeps hopeless cases finite.
-constexpr int most_steps = 1 << 14;
+/// Keeps hopeless cases finite, and tells even there which direction needs more steps.
+constexpr int most_steps = 1 << 28;
+
+/// Pieces with more steps than this are cut anyway, and are many when it comes to that.
+constexpr int most_worth_saving = 64;
 
 struct block_need {
     bool visible = false;
@@ -127,7 +130,7 @@ void coarsen(const needs& need, l3d_step_plan& plan) {
     for (int strip = 0; strip < need.strips(); ++strip)
         for (const bool along_u : {true, false}) {
             int& n = (along_u ? plan.nu : plan.nv)[static_cast<std::size_t>(strip)];
-            while (n > 1) {
+            while (n > 1 && n <= most_worth_saving) {
                 --n;
                 if (!all_met(strip, along_u)) {
                     ++n;
