@@ -20,10 +20,11 @@ template <class T, int N> struct l3d_bezier_patch {
     using curve = l3d_bezier_curve<T, N>;
     std::array<point, 16> points;
 
-    const point& at(int row, int column) const {
-        return points[static_cast<std::size_t>(4 * row + column)];
+    static constexpr std::size_t index(int row, int column) {
+        return 4 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column);
     }
-    point& at(int row, int column) { return points[static_cast<std::size_t>(4 * row + column)]; }
+    const point& at(int row, int column) const { return points[index(row, column)]; }
+    point& at(int row, int column) { return points[index(row, column)]; }
 
     /// Control points of one row (v index fixed) as a curve in u.
     curve row(int r) const { return {{at(r, 0), at(r, 1), at(r, 2), at(r, 3)}}; }

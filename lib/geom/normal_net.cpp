@@ -55,7 +55,7 @@ l3d_normal_net::l3d_normal_net(const l3d_bezier_patch<double, 3>& patch) {
     for (const vector& p : patch.points)
         size = std::max(size, largest(p));
     // Control points are rounded too: by 2^-53 of `size`.
-    std::array<double, order * order> noise{};
+    std::array<double, 36> noise{};
     for (int ru = 0; ru < 4; ++ru)
         for (int cu = 0; cu < 3; ++cu) {
             const vector du = patch.at(ru, cu + 1) - patch.at(ru, cu);
@@ -65,7 +65,7 @@ l3d_normal_net::l3d_normal_net(const l3d_bezier_patch<double, 3>& patch) {
                     const double weight = binomial(3, ru) * binomial(2, rv) /
                                           binomial(degree, ru + rv) * binomial(2, cu) *
                                           binomial(3, cv) / binomial(degree, cu + cv);
-                    const auto target = static_cast<std::size_t>(order * (ru + rv) + cu + cv);
+                    const std::size_t target = index(ru + rv, cu + cv);
                     net_[target] = net_[target] + l3d_cross(du, dv) * weight;
                     const double a = largest(du), b = largest(dv);
                     noise[target] += rounding * weight * (a * b + size * (a + b));
@@ -97,23 +97,22 @@ bool l3d_normal_net::divide_by_vanishing_factor() {
         return false;
     for (const bool along_u : {true, false})
         for (const bool at_end : {false, true}) {
-            const auto index = [&](int step, int line) {
+            const auto coefficient = [&](int step, int line) -> vector& {
                 const int inward = at_end ? degree - step : step;
-                return static_cast<std::size_t>(along_u ? order * line + inward
-                                                        : order * inward + line);
+                return net_[along_u ? index(line, inward) : index(inward, line)];
             };
             bool vanishes = true;
             for (int line = 0; line < order; ++line)
-                vanishes = vanishes && largest(net_[index(0, line)]) < vanishing;
+                vanishes = vanishes && largest(coefficient(0, line)) < vanishing;
             if (!vanishes)
                 continue;
             for (int line = 0; line < order; ++line) {
                 std::array<vector, order> b;
                 for (int step = 0; step < order; ++step)
-                    b[static_cast<std::size_t>(step)] = net_[index(step, line)];
+                    b[static_cast<std::size_t>(step)] = coefficient(step, line);
                 b = divided_by_t(b);
                 for (int step = 0; step < order; ++step)
-                    net_[index(step, line)] = b[static_cast<std::size_t>(step)];
+                    coefficient(step, line) = b[static_cast<std::size_t>(step)];
             }
             return true;
         }

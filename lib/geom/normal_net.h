@@ -6,6 +6,7 @@
 #include "geom/bezier_patch.h"
 
 #include <array>
+#include <cstddef>
 
 /// The normal dS/du x dS/dv of a bicubic patch in Bernstein form, not normalised.
 ///
@@ -25,9 +26,10 @@ public:
     l3d_normal_net() = default;
     explicit l3d_normal_net(const l3d_bezier_patch<double, 3>& patch);
 
-    const vector& at(int row, int column) const {
-        return net_[static_cast<std::size_t>(6 * row + column)];
+    static constexpr std::size_t index(int row, int column) {
+        return 6 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column);
     }
+    const vector& at(int row, int column) const { return net_[index(row, column)]; }
 
     /// The normal at (u, v), any length. Source: de Casteljau.
     vector evaluate(double u, double v) const;

@@ -14,6 +14,7 @@ using namespace fixed_failure;
 
 /// Panels side by side, each the view at half its size, so that points a pixel apart leave no gap.
 constexpr int panel_width = width / 2, panel_height = height / 2;
+constexpr std::size_t panel_pixels = std::size_t{panel_width} * panel_height;
 
 /// The grey of a surface point, lit from both sides as the programs do it.
 std::uint32_t grey_of(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals,
@@ -30,35 +31,36 @@ std::uint32_t grey_of(const l3d_bezier_patch<double, 3>& patch, const l3d_normal
 /// One panel: every walked point where it came out, with the grey and the depth it should have.
 class panel {
 public:
-    panel(const l3d_pixels& pixels, int left)
+    panel(const l3d_pixels& pixels, std::size_t left)
         : pixels_(pixels), left_(left),
-          nearest_(panel_width * panel_height, std::numeric_limits<double>::infinity()) {}
+          nearest_(panel_pixels, std::numeric_limits<double>::infinity()) {}
 
     void draw(const l3d_image_point& walked, double w, std::uint32_t grey) {
         const double x = (walked[0] / walked[2] + width / 2.0) / 2;
         const double y = (walked[1] / walked[2] + height / 2.0) / 2;
         if (!(walked[2] > 0 && x >= 0 && x < panel_width && y >= 0 && y < panel_height))
             return;
-        const int column = static_cast<int>(x), row = static_cast<int>(y);
-        double& nearest = nearest_[static_cast<std::size_t>(row * panel_width + column)];
+        const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
+        double& nearest = nearest_[row * panel_width + column];
         if (w >= nearest)
             return;
         nearest = w;
-        pixels_.row(row)[static_cast<std::size_t>(left_ + column)] = grey;
+        pixels_.row(static_cast<int>(row))[left_ + column] = grey;
     }
 
 private:
     l3d_pixels pixels_;
-    int left_;
+    std::size_t left_;
     std::vector<double> nearest_;
 };
 
 void run(const char* picture_path) {
-    constexpr int panels = 3; // 16.16 in its three ways
-    l3d_image image({panels * panel_width, panel_height}, panels * panel_width);
-    std::vector<panel> picture;
-    for (int i = 0; i < panels; ++i)
-        picture.emplace_back(image.pixels(), i * panel_width);
+    constexpr std::size_t panels = 3; // 16.16 in its three ways
+    constexpr int all = int{panels} * panel_width;
+    l3d_image image({all, panel_height}, all);
+    std::array<panel, panels> picture{{{image.pixels(), 0},
+                                       {image.pixels(), panel_width},
+                                       {image.pixels(), std::size_t{2} * panel_width}}};
 
     const auto ways = methods();
     std::vector<error_statistics> errors(ways.size());

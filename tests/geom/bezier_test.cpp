@@ -139,7 +139,9 @@ TYPED_TEST(bezier, bounds_are_the_extremes_of_the_control_points) {
     const auto patch = this->patch();
     const auto [least, most] = patch.bounds();
     for (int k = 0; k < 3; ++k) {
-        const auto by_k = [k](const auto& a, const auto& b) { return a[k] < b[k]; };
+        const auto by_k = [k](const auto& a, const auto& b) {
+            return in_double(a[k]) < in_double(b[k]);
+        };
         const auto [low, high] =
             std::minmax_element(patch.points.begin(), patch.points.end(), by_k);
         EXPECT_EQ(least[k], (*low)[k]);

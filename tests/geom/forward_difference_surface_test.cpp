@@ -53,23 +53,19 @@ double spread(int n) {
 double largest_register(const values& b, int i, int j, int n, int m) {
     constexpr double falling[] = {1, 3, 6, 6}; // 3! / (3 - i)!
     values d = b;
-    int columns = 4, rows = 4;
-    for (; columns > 4 - i; --columns)
-        for (int r = 0; r < 4; ++r)
-            for (int c = 0; c + 1 < columns; ++c)
-                d[static_cast<std::size_t>(4 * r + c)] =
-                    d[static_cast<std::size_t>(4 * r + c + 1)] -
-                    d[static_cast<std::size_t>(4 * r + c)];
-    for (; rows > 4 - j; --rows)
-        for (int r = 0; r + 1 < rows; ++r)
-            for (int c = 0; c < columns; ++c)
-                d[static_cast<std::size_t>(4 * r + c)] =
-                    d[static_cast<std::size_t>(4 * r + c + 4)] -
-                    d[static_cast<std::size_t>(4 * r + c)];
+    std::size_t columns = 4, rows = 4;
+    for (int k = 0; k < i; ++k, --columns)
+        for (std::size_t r = 0; r < 4; ++r)
+            for (std::size_t c = 0; c + 1 < columns; ++c)
+                d[4 * r + c] = d[4 * r + c + 1] - d[4 * r + c];
+    for (int k = 0; k < j; ++k, --rows)
+        for (std::size_t r = 0; r + 1 < rows; ++r)
+            for (std::size_t c = 0; c < columns; ++c)
+                d[4 * r + c] = d[4 * (r + 1) + c] - d[4 * r + c];
     double largest = 0;
-    for (int r = 0; r < rows; ++r)
-        for (int c = 0; c < columns; ++c)
-            largest = std::max(largest, std::abs(d[static_cast<std::size_t>(4 * r + c)]));
+    for (std::size_t r = 0; r < rows; ++r)
+        for (std::size_t c = 0; c < columns; ++c)
+            largest = std::max(largest, std::abs(d[4 * r + c]));
     return largest * falling[i] * falling[j] / (std::pow(n, i) * std::pow(m, j));
 }
 
