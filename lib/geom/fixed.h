@@ -145,6 +145,8 @@ public:
         return static_cast<std::int64_t>(l3d_detail::shifted_to_nearest(wide{raw_}, FractionBits));
     }
 
+    // The check takes the zero that the compiler compares with for a null pointer.
+    // NOLINTNEXTLINE(modernize-use-nullptr)
     friend constexpr auto operator<=>(l3d_fixed, l3d_fixed) = default;
 
     friend constexpr l3d_fixed operator+(l3d_fixed a, l3d_fixed b) noexcept {

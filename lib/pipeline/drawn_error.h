@@ -4,6 +4,7 @@
 #define L3D_PIPELINE_DRAWN_ERROR_H
 
 #include "geom/real.h"
+#include "geom/step_bound.h"
 #include "pipeline/snap.h"
 
 #include <limits>
@@ -46,7 +47,7 @@ struct l3d_vertex_accuracy {
         constexpr double root_two = 1.4142135623730951, reciprocal = 0x1p-23;
         if (!(error_w < w_low / 4))
             return std::numeric_limits<double>::infinity();
-        return (root_two * error_xy + seen_reach * error_w) / (w_low - error_w) +
+        return l3d_vertex_error(error_xy, error_w, seen_reach, w_low) +
                w_ratio * (snap_error + reciprocal * root_two * (reach + seen_reach));
     }
 };
