@@ -51,7 +51,7 @@ bool accepts(const addrinfo& address, steady_clock::time_point deadline) {
     if (file < 0)
         return false;
     // Connected or refused, the socket becomes writable; only its error tells which.
-    connect(file, address.ai_addr, address.ai_addrlen);
+    static_cast<void>(connect(file, address.ai_addr, address.ai_addrlen));
     const auto left = std::chrono::ceil<milliseconds>(deadline - steady_clock::now());
     pollfd answer{file, POLLOUT, 0};
     int error = 0;

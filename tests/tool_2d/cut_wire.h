@@ -22,9 +22,9 @@ public:
         const auto real = address("/tmp/.X11-unix/X" + real_display.substr(1));
         const auto own = address(path());
         unlink(path().c_str());
-        bind(listener_, reinterpret_cast<const sockaddr*>(&own), sizeof own);
-        listen(listener_, 1);
-        connect(server_, reinterpret_cast<const sockaddr*>(&real), sizeof real);
+        ready_ = bind(listener_, reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0 &&
+                 listen(listener_, 1) == 0 &&
+                 connect(server_, reinterpret_cast<const sockaddr*>(&real), sizeof real) == 0;
         carrier_ = std::thread([this] { carry(); });
     }
     cut_wire(const cut_wire&) = delete;
@@ -39,6 +39,7 @@ public:
         unlink(path().c_str());
     }
 
+    bool ready() const { return ready_; }
     std::string display() const { return ":" + number_; }
 
 private:
@@ -80,6 +81,7 @@ private:
     std::string number_ = std::to_string(100000 + getpid());
     int listener_ = socket(AF_UNIX, SOCK_STREAM, 0);
     int server_ = socket(AF_UNIX, SOCK_STREAM, 0);
+    bool ready_ = false;
     std::size_t left_;
     std::array<char, 65536> buffer_{};
     std::thread carrier_;

@@ -66,7 +66,7 @@ public:
                            &format, &count, &after, &data);
         // Xlib hands out 32-bit items as longs.
         const auto item = format == 32 ? sizeof(long) : static_cast<std::size_t>(format) / 8;
-        const std::string text(reinterpret_cast<const char*>(data), count * item);
+        std::string text(reinterpret_cast<const char*>(data), count * item);
         XFree(data);
         return text;
     }

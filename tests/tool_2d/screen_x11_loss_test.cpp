@@ -85,6 +85,7 @@ TEST(screen_x11_loss, a_server_may_die_at_any_byte) {
     int declined = 0, lost = 0, well = 0;
     for (std::size_t bytes = 1; bytes < 1000000; bytes += 3 + bytes / 9) {
         const cut_wire wire(server.display(), bytes);
+        ASSERT_TRUE(wire.ready());
         // In a process of its own, since what is tested is whether the process ends.
         const pid_t child = fork();
         if (child == 0) {
