@@ -67,4 +67,43 @@ std::vector<reference::patch> nasty_patches(std::uint64_t seed, nasty_kind kind,
     return result;
 }
 
+std::vector<reference::patch> hopeless_patches(std::uint64_t seed, const reference::camera& view,
+                                               reference::picture_size size) {
+    number_source random(seed);
+    std::vector<reference::patch> result;
+    const auto add = [&](auto point_at) {
+        reference::patch p;
+        for (std::size_t k = 0; k < 16; ++k)
+            p.points[k] = point_at(k);
+        result.push_back(p);
+    };
+    const auto any = [&](double r) {
+        return reference::vec3{random.between(-r, r), random.between(-r, r), random.between(-r, r)};
+    };
+    const reference::camera_frame frame(view, size);
+    add([&](std::size_t) { return any(1e12); });
+    add([&](std::size_t) { return any(1e4); });
+    add([&](std::size_t k) { return k == 5 ? any(1e12) : any(1); });
+    const reference::vec3 point = any(2);
+    add([&](std::size_t) { return point; });
+    add([&](std::size_t) { return view.eye; });
+    add([&](std::size_t k) { return k < 8 ? view.eye : any(3); });
+    add([&](std::size_t) { // a speck before the eye, far nearer than the near plane
+        return frame.unproject(random.between(0, 300), random.between(0, 200),
+                               random.of_any_size(1e-12, 1e-3));
+    });
+    add([&](std::size_t k) { // in a plane through the eye, crossing it
+        return frame.unproject(150, random.between(-1e3, 1e3), static_cast<double>(k) - 7);
+    });
+    add([&](std::size_t) { // at the near plane, plus and minus rounding
+        return frame.unproject(random.between(0, 300), random.between(0, 200),
+                               view.near * (1 + random.between(-1e-15, 1e-15)));
+    });
+    add([&](std::size_t k) { // a millionth of the parameter makes all the way
+        const double at = std::pow(1e-6, static_cast<double>(3 - k % 4) / 3);
+        return frame.unproject(300 * at, 60.0 * static_cast<double>(k / 4), 3 + at);
+    });
+    return result;
+}
+
 } // namespace pipeline_tests

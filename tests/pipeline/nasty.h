@@ -23,6 +23,10 @@ std::vector<reference::patch> nasty_patches(std::uint64_t seed, nasty_kind kind,
                                             const reference::camera& view,
                                             reference::picture_size size);
 
+/// One each of all the ways to be nasty without being infinite.
+std::vector<reference::patch> hopeless_patches(std::uint64_t seed, const reference::camera& view,
+                                               reference::picture_size size);
+
 /// A source of numbers that is the same with every library.
 class number_source {
 public:

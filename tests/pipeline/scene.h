@@ -60,7 +60,8 @@ l3d_dice_view view_of(const scene& s, double tolerance,
             to_image.depth_scale(),
             to_image.error_xy(),
             to_image.error_w(),
-            false};
+            false,
+            s.camera.far * to_image.depth_scale()};
 }
 
 /// Dices a whole scene; calls before(i) ahead of patch i.

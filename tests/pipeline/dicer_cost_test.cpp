@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// No allocation once warm, and an end to every nasty patch.
+#include "nasty.h"
+#include "scene.h"
+
+#include "reference/random_patches.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+} // namespace
+
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size > 0 ? size : 1))
+        return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+namespace pipeline_tests {
+namespace {
+
+struct type_names {
+    template <class T> static std::string GetName(int) { return name_of<T>(); }
+};
+template <class T> class dicer_cost : public ::testing::Test {};
+TYPED_TEST_SUITE(dicer_cost, number_types, type_names);
+
+constexpr reference::camera oblique{{2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 0.05}, 41, 0.2};
+constexpr l3d_size odd{317, 241};
+
+/// Checks that vertices are in the rasterizer's range, and forgets them.
+class range_sink final : public l3d_dice_sink {
+public:
+    bool in_range = true;
+
+private:
+    void check(const l3d_micro_vertex& v) {
+        constexpr std::int32_t most = 1 << 23;
+        in_range = in_range && v.x >= -most && v.x <= most && v.y >= -most && v.y <= most &&
+                   v.inv_w > 0 && std::isfinite(v.inv_w);
+    }
+    void do_grid(const l3d_dice_grid& grid) override {
+        for (int r = 0; r < grid.vertices.rows; ++r)
+            for (int c = 0; c < grid.vertices.columns; ++c)
+                check(grid.vertices.vertex(r, c));
+    }
+    void do_triangles(std::span<const l3d_dice_vertex> corners, double) override {
+        for (const l3d_dice_vertex& corner : corners)
+            check(corner.vertex);
+    }
+};
+
+TYPED_TEST(dicer_cost, a_frame_like_the_last_one_allocates_nothing) {
+    const auto nothing = [](std::size_t) {};
+    for (const char* name : {"full", "closeup", "near_cut", "inside"}) {
+        l3d_patch_dicer<TypeParam> dicer;
+        range_sink sink;
+        const scene s = teapot(reference::project_view(name), {640, 481});
+        dice(dicer, s, 0.1, sink, nothing);
+        const long before = allocations;
+        dice(dicer, s, 0.1, sink, nothing);
+        EXPECT_EQ(allocations - before, 0) << name;
+        EXPECT_TRUE(sink.in_range);
+    }
+}
+
+TYPED_TEST(dicer_cost, nasty_patches_come_to_an_end) {
+    constexpr std::uint64_t seeds = sanitized ? 1 : 3;
+    std::int64_t most_pieces = 0, most_samples = 0;
+    std::size_t worst = 0;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        const auto patches = hopeless_patches(seed, oblique, {odd.width, odd.height});
+        for (std::size_t i = 0; i < patches.size(); ++i)
+            for (const double tolerance : {1.0, 0.05}) {
+                const scene s({patches[i]}, oblique, odd);
+                range_sink sink;
+                const l3d_dice_counts counts = dice<TypeParam>(s, tolerance, sink);
+                EXPECT_TRUE(sink.in_range) << "seed " << seed << " patch " << i;
+                EXPECT_FALSE(std::isnan(counts.bound_px)) << "seed " << seed << " patch " << i;
+                EXPECT_GE(counts.bound_px, 0) << "seed " << seed << " patch " << i;
+                if (counts.samples > most_samples) {
+                    most_samples = counts.samples;
+                    worst = i;
+                }
+                most_pieces = std::max(most_pieces, counts.pieces);
+            }
+    }
+    EXPECT_LE(most_pieces, 4097);
+    EXPECT_LE(most_samples, 20'000'000);
+    std::printf("%-6s nasty patches: at most %ld pieces, %ld samples (patch %zu)\n",
+                name_of<TypeParam>(), static_cast<long>(most_pieces),
+                static_cast<long>(most_samples), worst);
+}
+
+} // namespace
+} // namespace pipeline_tests
