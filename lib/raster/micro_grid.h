@@ -17,7 +17,7 @@ inline constexpr std::int32_t l3d_subpixel_one = 1 << l3d_subpixel_bits;
 ///
 /// Units: x, y in 1/256 pixel from the top left corner of the picture, |x|, |y| <= 2^23;
 ///        inv_w = 1 / distance along the view axis, in 1 / world units, > 0;
-///        normal: surface normal dS/du x dS/dv in world space, any length, not yet turned to the eye.
+///        normal: dS/du x dS/dv in world space, any length, not yet turned to the eye.
 struct l3d_micro_vertex {
     std::int32_t x = 0, y = 0;
     float inv_w = 0;

@@ -28,9 +28,9 @@ struct l3d_shading {
 
 /// What one frame cost.
 struct l3d_surface_counts {
-    std::int64_t quads = 0;     ///< micro-quads and triangles handed in
-    std::int64_t samples = 0;   ///< pixel centres tested against the depth buffer
-    std::int64_t written = 0;   ///< of those, nearer than what was there
+    std::int64_t quads = 0;   ///< micro-quads and triangles handed in
+    std::int64_t samples = 0; ///< pixel centres tested against the depth buffer
+    std::int64_t written = 0; ///< of those, nearer than what was there
 };
 
 /// Fills surfaces into a picture and a depth buffer of the same size.
