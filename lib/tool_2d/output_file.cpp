@@ -35,8 +35,8 @@ output_file::~output_file() {
 }
 
 void output_file::commit() {
-    const bool written = std::fflush(file_.get()) == 0 && std::ferror(file_.get()) == 0;
-    if (!written || std::fclose(file_.release()) != 0)
+    // What is still in the buffer is written now, and may find the disk full.
+    if (std::fclose(file_.release()) != 0)
         throw_write_error(path_);
     if (temporary_ != target_ && std::rename(temporary_.c_str(), target_.c_str()) != 0)
         throw_write_error(path_);

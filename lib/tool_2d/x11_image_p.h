@@ -22,7 +22,8 @@ public:
     /// Lives:   as long as the image.
     l3d_pixels pixels() { return do_pixels(); }
 
-    /// Sends the picture, and asks the server for an event once it has it.
+    /// Sends the picture, and asks the server for an event once it has it. What Xlib still
+    /// buffers goes out when events are next asked for.
     /// Expects: the last put is done. (What the server still reads may not be written, and what
     ///          it has not read yet must not pile up.)
     void put() { do_put(); }

@@ -59,7 +59,6 @@ private:
         XPutImage(window_.display(), window_.id(), window_.graphics(), ximage_.get(), 0, 0, 0, 0,
                   static_cast<unsigned>(ximage_->width), static_cast<unsigned>(ximage_->height));
         ask_for_answer();
-        XFlush(window_.display());
     }
 
     void convert() {

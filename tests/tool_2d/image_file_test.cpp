@@ -143,6 +143,15 @@ TEST_F(image_file, a_full_disk_is_reported) {
     EXPECT_EQ(files(), 2U);
 }
 
+TEST_F(image_file, a_stream_that_ends_is_reported_with_its_picture) {
+    auto image = random_image({5, 4});
+    // So small that only the flush finds out.
+    std::FILE* full = std::fopen("/dev/full", "wb");
+    const auto action = [&] { l3d_write_ppm(full, "output", image.pixels()); };
+    EXPECT_EQ(code_of(action, "output: No space left on device"), l3d_exit::failure);
+    std::fclose(full);
+}
+
 TEST_F(image_file, a_failed_write_keeps_the_old_picture) {
     // Zero rows: libpng refuses to write them, after the temporary file was opened.
     l3d_image empty({5, 0}, 5);
