@@ -7,9 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 
 namespace {
@@ -83,10 +81,7 @@ void l3d_frame_writer::frame(const l3d_pixels& pixels) {
         l3d_write_image(numbered_name(), pixels);
         ++next_number_;
     } else if (kind_ == kind::stream) {
-        const std::string stream = "standard output";
-        l3d_write_ppm(stdout, stream, pixels);
-        if (std::fflush(stdout) != 0)
-            throw l3d_error(l3d_exit::failure, stream + ": " + std::strerror(errno));
+        l3d_write_ppm(stdout, "standard output", pixels);
     }
 }
 

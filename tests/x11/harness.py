@@ -105,7 +105,7 @@ def folder():
 
 @contextlib.contextmanager
 def started(command, env, **options):
-    """A running process whose output is kept; it is gone at the end, whatever happens."""
+    """A running process whose output is kept; it and its children are gone at the end."""
     options.setdefault("stdin", subprocess.DEVNULL)
     options.setdefault("stdout", subprocess.PIPE)
     # A shell may have left SIGINT ignored, which children would inherit.
@@ -113,14 +113,15 @@ def started(command, env, **options):
         command,
         env=env,
         stderr=subprocess.PIPE,
+        start_new_session=True,
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
         **options,
     )
     try:
         yield process
     finally:
-        if process.poll() is None:
-            process.kill()
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
         process.communicate()
 
 

@@ -52,7 +52,7 @@ def numbers_its_frames(program):
 def works_without_standard_streams(program):
     for closed in ("<&-", ">&-", "2>&-", "<&- >&- 2>&-"):
         with folder() as path:
-            command = '"$0" "$@" ' + closed
+            command = 'exec "$0" "$@" ' + closed
             arguments = program.command("--frames", "2", "--output", "a.png")
             status, _, messages = run(["sh", "-c", command, *arguments], environment(), cwd=path)
             expect_equal((status, messages), (0, ""), closed)

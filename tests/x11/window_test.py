@@ -194,13 +194,23 @@ def starts_without_a_terminal(program):
                 xdotool(server.display, "key", "--window", window, "q")
                 expect_equal(harness.ended(process), (0, b"", ""), name)
     with x_server() as server:
-        command = ["sh", "-c", '"$0" "$@" <&-', *program.command()]
+        command = ["sh", "-c", 'exec "$0" "$@" <&-', *program.command()]
         with started(command, environment(server.display)) as process:
             window = window_of(server.display, program)
             xdotool(server.display, "key", "--window", window, "q")
             expect_equal(harness.ended(process), (0, b"", ""), "closed")
     os.close(read)
     os.close(write)
+
+
+def keeps_its_words_out_of_the_connection(program):
+    """Without standard error, the connection to the server must not get its number, 2."""
+    with x_server() as server:
+        command = ["sh", "-c", 'exec "$0" "$@" 2>&-', *program.command("--verbose")]
+        with started(command, environment(server.display)) as process:
+            window = window_of(server.display, program)
+            xdotool(server.display, "key", "--window", window, "q")
+            expect_equal(harness.ended(process), (0, b"", ""))
 
 
 CHECKS = (
@@ -217,6 +227,7 @@ CHECKS = (
     survives_a_storm_of_sizes,
     shows_what_memory_holds,
     starts_without_a_terminal,
+    keeps_its_words_out_of_the_connection,
 )
 
 
@@ -237,10 +248,31 @@ def drawdot_obeys_its_keys():
         it.expect_end(0)
 
 
+def drawdot_keeps_its_trail_in_a_smaller_window():
+    """Running along the bottom when that is taken away, the dot goes on along the new one."""
+    green = harness.GREEN
+    width, height = harness.DRAWDOT.size
+    with Session(harness.DRAWDOT) as it:
+        for key, x, y in (("j", None, height - 1), ("l", width - 1, height - 1)):
+            xdotool(it.display, "key", key)
+            reached = lambda rows: green in rows[y] if x is None else rows[y][x] == green
+            it.await_picture(reached, what="the border after " + key)
+        turn = it.picture()[0].count(green) - 1
+        xdotool(it.display, "windowsize", it.window, width, 20)
+        is_back = lambda rows: rows is not None and rows[19][width - 1] == green
+        it.await_picture(is_back, (width, 20), "the dot in the smaller window")
+        rows = it.picture((width, 20))
+        expect_equal(rows[0], (turn + 1) * [green] + (width - turn - 1) * [0])
+        down = turn * [0] + [green] + (width - turn - 1) * [0]
+        expect_equal(rows[1:19], 18 * [down])
+        expect_equal(rows[19], down[:-1] + [green])
+
+
 if __name__ == "__main__":
     checks = Checks()
     for program in harness.PROGRAMS:
         for check in CHECKS:
             checks.run("window.%s.%s" % (program.name, check.__name__), check, program)
-    checks.run("window.drawdot_obeys_its_keys", drawdot_obeys_its_keys)
+    for check in (drawdot_obeys_its_keys, drawdot_keeps_its_trail_in_a_smaller_window):
+        checks.run("window." + check.__name__, check)
     checks.finish()
