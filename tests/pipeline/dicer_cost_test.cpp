@@ -94,6 +94,10 @@ TYPED_TEST(dicer_cost, nasty_patches_come_to_an_end) {
                 EXPECT_TRUE(sink.in_range) << "seed " << seed << " patch " << i;
                 EXPECT_FALSE(std::isnan(counts.bound_px)) << "seed " << seed << " patch " << i;
                 EXPECT_GE(counts.bound_px, 0) << "seed " << seed << " patch " << i;
+                // Of all these, only the one with a single control point far out is hopeless.
+                if (i != 2) {
+                    EXPECT_LE(counts.pieces, 200) << "seed " << seed << " patch " << i;
+                }
                 if (counts.samples > most_samples) {
                     most_samples = counts.samples;
                     worst = i;
@@ -102,7 +106,7 @@ TYPED_TEST(dicer_cost, nasty_patches_come_to_an_end) {
             }
     }
     EXPECT_LE(most_pieces, 4097);
-    EXPECT_LE(most_samples, 20'000'000);
+    EXPECT_LE(most_samples, 12'000'000);
     std::printf("%-6s nasty patches: at most %ld pieces, %ld samples (patch %zu)\n",
                 name_of<TypeParam>(), static_cast<long>(most_pieces),
                 static_cast<long>(most_samples), worst);

@@ -144,6 +144,8 @@ TEST(near_clip, triangles_that_share_an_edge_get_the_same_corners_on_it) {
         if (from_left == left.end() || from_right == right.end())
             continue; // beyond the guard band
         EXPECT_TRUE(same(from_left->vertex, from_right->vertex)) << "seed " << seed;
+        EXPECT_EQ(from_left->u, from_right->u) << "seed " << seed;
+        EXPECT_EQ(from_left->v, from_right->v) << "seed " << seed;
         ++crossings;
     }
     EXPECT_GT(crossings, 300);

@@ -33,9 +33,28 @@ seen_point point_of(number_source& random, nasty_kind kind, std::size_t row, std
         return {random.between(-0.5, 1.5) * width, random.between(-0.5, 1.5) * height,
                 random.of_any_size(1.5, 1.5e5) * near};
     case nasty_kind::wide:
+    case nasty_kind::flat:
         break;
     }
     return {random.between(-1e5, 1e5), random.between(-1e5, 1e5), random.between(2, 20) * near};
+}
+
+/// A parallelogram in the world; any three corners span it.
+reference::patch plane(number_source& random, const reference::camera_frame& frame, double near,
+                       reference::picture_size size) {
+    std::array<reference::vec3, 3> corners;
+    for (reference::vec3& corner : corners)
+        corner = frame.unproject(random.between(0, 1) * size.width,
+                                 random.between(0, 1) * size.height, near * random.between(2, 20));
+    const auto [a, b, c] = corners;
+    reference::patch result;
+    for (std::size_t k = 0; k < 16; ++k) {
+        const double u = static_cast<double>(k % 4) / 3, v = static_cast<double>(k / 4) / 3;
+        result.points[k] = {a.x + u * (b.x - a.x) + v * (c.x - a.x),
+                            a.y + u * (b.y - a.y) + v * (c.y - a.y),
+                            a.z + u * (b.z - a.z) + v * (c.z - a.z)};
+    }
+    return result;
 }
 
 } // namespace
@@ -60,10 +79,13 @@ std::vector<reference::patch> nasty_patches(std::uint64_t seed, nasty_kind kind,
     const reference::camera_frame frame(view, size);
     std::vector<reference::patch> result(static_cast<std::size_t>(count));
     for (reference::patch& surface : result)
-        for (std::size_t k = 0; k < 16; ++k) {
-            const seen_point p = point_of(random, kind, k / 4, k % 4, view.near, size);
-            surface.points[k] = frame.unproject(p.x, p.y, p.w);
-        }
+        if (kind == nasty_kind::flat)
+            surface = plane(random, frame, view.near, size);
+        else
+            for (std::size_t k = 0; k < 16; ++k) {
+                const seen_point p = point_of(random, kind, k / 4, k % 4, view.near, size);
+                surface.points[k] = frame.unproject(p.x, p.y, p.w);
+            }
     return result;
 }
 

@@ -16,6 +16,7 @@ enum class nasty_kind {
     spear,      ///< along the line of sight, distances 1 : 1000
     deep,       ///< any picture position, distances 1 : 100000
     wide,       ///< up to 100000 pixels from the picture's centre
+    flat,       ///< planes: straight chords are exact, all error is that of vertices
 };
 
 /// The same seed gives the same patches with every compiler.

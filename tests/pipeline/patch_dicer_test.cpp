@@ -122,6 +122,51 @@ TYPED_TEST(patch_dicer, gives_the_same_bits_again_whatever_it_diced_before) {
     }
 }
 
+/// Remembers the corners of grids of whole patches.
+class corner_sink final : public l3d_dice_sink {
+public:
+    std::vector<l3d_micro_vertex> corners;
+
+private:
+    void do_grid(const l3d_dice_grid& grid) override {
+        corners.clear();
+        for (const int r : {0, grid.vertices.rows - 1})
+            for (const int c : {0, grid.vertices.columns - 1})
+                corners.push_back(grid.vertices.vertex(r, c));
+    }
+    void do_triangles(std::span<const l3d_dice_vertex>, double) override {}
+};
+
+/// Pieces that are walked, evaluated and clipped meet there.
+TYPED_TEST(patch_dicer, corners_have_one_place_however_a_piece_is_drawn) {
+    using wide = typename l3d_patch_dicer<TypeParam>::wide;
+    int compared = 0;
+    for (const reference::view& view : reference::project_views()) {
+        const scene s = teapot(view, odd);
+        const l3d_image_transform<wide> to_image(s.camera, s.size, s.model);
+        const l3d_dice_view dice_view = view_of<TypeParam>(s, 0.25, to_image);
+        l3d_patch_dicer<TypeParam> dicer;
+        dicer.begin(dice_view);
+        for (std::size_t i = 0; i < s.patches.size(); ++i) {
+            const auto net = to_image(s.model.patches()[i]);
+            corner_sink sink;
+            const std::int64_t pieces = dicer.counts().pieces;
+            dicer.dice(net, s.model.normals(i), sink);
+            if (sink.corners.empty() || dicer.counts().pieces != pieces + 1)
+                continue;
+            for (std::size_t k = 0; k < 4; ++k) {
+                const auto exact =
+                    l3d_canonical_vertex<wide>(net.at(k > 1 ? 3 : 0, k % 2 ? 3 : 0), dice_view);
+                EXPECT_EQ(sink.corners[k].x, exact.dice.vertex.x);
+                EXPECT_EQ(sink.corners[k].y, exact.dice.vertex.y);
+                EXPECT_EQ(sink.corners[k].inv_w, exact.dice.vertex.inv_w);
+                ++compared;
+            }
+        }
+    }
+    EXPECT_GT(compared, 400);
+}
+
 TYPED_TEST(patch_dicer, finer_tolerance_takes_more_samples_and_cuts_in_the_end) {
     const scene s = teapot(reference::project_view("closeup"), {640, 481});
     std::int64_t before = 0;
