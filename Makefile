@@ -45,7 +45,7 @@ OUT      := $(BUILD)/$(REAL)-$(MODE)$(if $(filter-out g++,$(compiler)),-$(compil
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(WERROR) \
             $(if $(findstring clang,$(compiler)),,-Wno-restrict)
 FLAGS     = -std=c++20 $(WARNINGS) -ffp-contract=off -fno-math-errno -pthread \
-            $(flags_$(REAL)) $(flags_$(MODE)) -Ilib -I$(OUT) $(CPPFLAGS) $(CXXFLAGS)
+            $(flags_$(REAL)) $(flags_$(MODE)) -DL3D_VERSION=$(VERSION) -Ilib -I$(OUT) $(CPPFLAGS) $(CXXFLAGS)
 LINK      = $(CXX) $(FLAGS) -Wl,--as-needed $(LDFLAGS)
 
 # ---- what there is ------------------------------------------------------------------------------
