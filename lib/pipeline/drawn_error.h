@@ -30,10 +30,10 @@ struct l3d_vertex_accuracy {
     double snap_error = 0;            ///< of a vertex, in pixels
 
     /// Largest w of a chord in terms of the exact w at the same parameters. Steps are chosen so
-    /// that w is off by at most a quarter in front of the near plane; another quarter is for the
+    /// that w is off by at most an eighth in front of the near plane; another eighth is for the
     /// drawn point's lying off the box in which the chord error was bounded. Near the near plane
     /// the exact w is at least half of the interpolated one.
-    static constexpr double in_front = 1.5, crossing = 2;
+    static constexpr double in_front = 1.25, crossing = 2;
 
     /// The image error that comes on top of the chord error, for points drawn inside the window.
     ///

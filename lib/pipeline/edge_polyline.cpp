@@ -120,7 +120,7 @@ void l3d_edge_polyline::add_strip(const l3d_bezier_curve<Wide, 3>& strip, double
     const double w_low = std::max(depth.least, view.near / 2);
     const double vertex = points_error<Wide>(net, box, in_front, w_low, view);
     const double budget = std::max(view.tolerance - vertex, view.tolerance / 4);
-    const double depth_budget = in_front ? w_low / 4 : view.near / 2;
+    const double depth_budget = in_front ? w_low / 8 : view.near / 2;
     const double second = l3d_second_bound_of(net, box, w_low);
     const double depth_second = l3d_depth_bound_of(net);
     // Half the budget, as each direction of a quad gets: then an edge and the boundary row of a

@@ -66,11 +66,10 @@ private:
             return need;
         need.visible = true;
         need.image = l3d_second_bounds_of(block, box, w_low);
-        need.depth_budget = in_front ? w_low / 4 : view.near / 2;
-        // |D2 w| times half the box's diagonal is part of the image bound, so in a box as large
-        // as 4 budgets, half diagonal, w is off by at most a quarter if the image error is within
-        // its budget.
-        if (!in_front || box.width() + box.height() < 12 * budget_)
+        need.depth_budget = in_front ? w_low / 8 : view.near / 2;
+        // |D2 w| times half the box's diagonal is part of the image bound: in a box with a half
+        // diagonal of 8 budgets, w is off by an eighth at most where the image is within budget.
+        if (!in_front || box.width() + box.height() < 8 * 2.83 * budget_)
             need.depth = l3d_depth_bounds_of(block);
         return need;
     }
