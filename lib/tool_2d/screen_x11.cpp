@@ -80,7 +80,7 @@ void l3d_screen_x11::put_if_due() {
     if (!put_is_due_ || under_way_)
         return;
     put_is_due_ = false;
-    if (window_->connection().lost() || events_.is_destroyed())
+    if (window_->connection().lost())
         return;
     under_way_ = true;
     image_->put();

@@ -105,7 +105,6 @@ void x11_events::take(XEvent& event) {
         mapped_ = true;
         return;
     case DestroyNotify:
-        destroyed_ = true;
         return push({.type = l3d_event_type::close});
     case MappingNotify:
         XRefreshKeyboardMapping(&event.xmapping);

@@ -31,7 +31,6 @@ public:
 
     bool is_mapped() const { return mapped_; }
     bool was_exposed() const { return exposed_; }
-    bool is_destroyed() const { return destroyed_; }
 
 private:
     void push(const l3d_event& event) { queue_.push_back(event); }
@@ -44,7 +43,7 @@ private:
 
     const x11_window& window_;
     std::deque<l3d_event> queue_;
-    bool mapped_ = false, exposed_ = false, destroyed_ = false;
+    bool mapped_ = false, exposed_ = false;
 };
 
 } // namespace l3d_detail

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -63,6 +64,8 @@ private:
         for (auto& word : words)
             arguments.push_back(word.data());
         arguments.push_back(nullptr);
+        // Not to outlive a test that crashes.
+        prctl(PR_SET_PDEATHSIG, SIGTERM);
         // It reports every display number that is taken on its way to a free one.
         if (std::freopen("/dev/null", "w", stderr) != nullptr)
             execvp("Xvfb", arguments.data());
