@@ -12,7 +12,7 @@
 std::string l3d_save_screenshot(const l3d_pixels& pixels) {
     constexpr int most = 9999;
     for (int number = 1; number <= most; ++number) {
-        std::array<char, 16> name{};
+        std::array<char, 32> name{};
         std::snprintf(name.data(), name.size(), "l3d-%04d.png", number);
         if (std::filesystem::exists(name.data()))
             continue;
