@@ -9,7 +9,7 @@
 
 l3d_report_writer::l3d_report_writer(const std::string& path) : path_(path) {
     errno = 0;
-    file_.open(path, std::ios::binary);
+    file_.open(path == "-" ? "/dev/stdout" : path, std::ios::binary);
     if (!file_)
         refuse();
 }

@@ -9,6 +9,7 @@
 /// Writes lines as they come, so that a program that is stopped leaves whole lines behind.
 class l3d_report_writer {
 public:
+    /// The name - is the standard output.
     /// Errors: l3d_error(failure) that names the file and the system's reason.
     explicit l3d_report_writer(const std::string& path);
 

@@ -85,6 +85,13 @@ def reports_every_frame():
             expect(times["dice"] + times["raster"] <= times["total"], times)
 
 
+def reports_to_the_standard_output():
+    with folder() as path:
+        status, out, said = memory("--report", "-", "--output", "o.png", cwd=path)
+        expect_equal((status, said), (0, ""))
+        expect_equal(json.loads(out)["frame"], 0)
+
+
 def writes_distances():
     """The PFM has a distance exactly where the picture has a surface."""
     with folder() as path:
@@ -198,7 +205,8 @@ def obeys_the_mouse():
 def main():
     checks = Checks()
     for check in (
-        refuses_wrong_models, draws_a_model_cut_at_no_byte, reports_every_frame, writes_distances,
+        refuses_wrong_models, draws_a_model_cut_at_no_byte, reports_every_frame,
+        reports_to_the_standard_output, writes_distances,
         repeats_itself, explains_what_it_left_out, refuses_wrong_values, obeys_its_keys,
         obeys_the_mouse,
     ):
