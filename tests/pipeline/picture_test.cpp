@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
 
 namespace pipeline_tests {
 namespace {
@@ -74,6 +75,21 @@ TEST(pictures, large_ones_are_exact_within_the_bound_too) {
         compare<fixed>(j, 0.05);
     }
     compare<float>(judged("closeup", {1920, 1080}), 0.25);
+}
+
+/// Some five minutes: every view, large, in every number type.
+TEST(pictures, all_large_ones_if_L3D_THOROUGH_is_set) {
+    if (!std::getenv("L3D_THOROUGH"))
+        GTEST_SKIP() << "set L3D_THOROUGH for it";
+    for (const reference::view& view : reference::project_views())
+        for (const l3d_size size : {l3d_size{1024, 768}, l3d_size{1920, 1080}}) {
+            const judged j(view.name, size);
+            for (const double tolerance : {0.25, 0.05}) {
+                compare<float>(j, tolerance);
+                compare<double>(j, tolerance);
+                compare<fixed>(j, tolerance);
+            }
+        }
 }
 
 } // namespace

@@ -84,7 +84,9 @@ TYPED_TEST(watertight, zoomed_tilings_whose_patches_are_cut_cover_every_pixel) {
         clipped += counts.clipped;
         patches += counts.drawn;
     }
-    EXPECT_GT(pieces, patches);
+    if (!sanitized) { // too few tilings to count on one that is cut
+        EXPECT_GT(pieces, patches);
+    }
     std::printf("%-6s zoomed tilings: %ld of %ld pixels uncovered; %ld patches in %ld pieces, %ld "
                 "clipped, seeds 1 to %ld\n",
                 name_of<TypeParam>(), static_cast<long>(uncovered), static_cast<long>(pixels),
