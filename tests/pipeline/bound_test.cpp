@@ -103,6 +103,22 @@ private:
     unsigned long worst_seed_ = 0;
 };
 
+TEST(certificate, evaluates_as_exactly_as_the_reference_does) {
+    const reference::camera_frame frame(oblique, {odd.width, odd.height});
+    number_source random(3);
+    for (const auto kind : {nasty_kind::crossing, nasty_kind::spear, nasty_kind::wide})
+        for (const reference::patch& surface :
+             nasty_patches(5, kind, 20, oblique, {odd.width, odd.height})) {
+            const reference::net net = make_net(surface, frame);
+            const double u = random.between(0, 1), v = random.between(0, 1);
+            const reference::hpoint quick = value_of(net, u, v);
+            const reference::homogeneous_point exact = exact_homogeneous(surface, frame, u, v);
+            EXPECT_NEAR(quick.x, static_cast<double>(exact.x), 1e-9);
+            EXPECT_NEAR(quick.y, static_cast<double>(exact.y), 1e-9);
+            EXPECT_NEAR(quick.w, static_cast<double>(exact.w), 1e-12);
+        }
+}
+
 TYPED_TEST(bound_of, random_patches_of_every_kind_hold) {
     using reference::patch_kind;
     constexpr int scenes = sanitized ? 10 : 100, patches = 20;

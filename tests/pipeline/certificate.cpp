@@ -34,7 +34,12 @@ std::array<double, 4> bernstein(double t) {
     return {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
 }
 
-/// The net's value in double; certificate_test checks it against the long double evaluation.
+double turn(const auto& a, const auto& b, const auto& c) {
+    return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
+}
+
+} // namespace
+
 reference::hpoint value_of(const reference::net& net, double u, double v) {
     const auto a = bernstein(u), b = bernstein(v);
     reference::hpoint result;
@@ -48,12 +53,6 @@ reference::hpoint value_of(const reference::net& net, double u, double v) {
         }
     return result;
 }
-
-double turn(const auto& a, const auto& b, const auto& c) {
-    return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
-}
-
-} // namespace
 
 certificate::corner certificate::corner_of(const l3d_micro_vertex& vertex, double u,
                                            double v) const {

@@ -13,6 +13,9 @@
 
 namespace pipeline_tests {
 
+/// The homogeneous point of a net at (u, v), in double, for speed.
+reference::hpoint value_of(const reference::net& net, double u, double v);
+
 /// Samples what the rasterizer would draw, and the exact surface at the same parameters.
 ///
 /// A drawn polygon is the picture of a polygon in homogeneous space with corners (w x, w y, w) and

@@ -25,7 +25,7 @@ constexpr reference::camera oblique{{2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 
 /// Pixels to fill in a test: `usual`, or what L3D_TEST_PIXELS says, shared by the number types.
 std::int64_t pixels_to_fill(std::int64_t usual) {
     const char* more = std::getenv("L3D_TEST_PIXELS");
-    return more ? std::atoll(more) / 3 : sanitized ? usual / 50 : usual;
+    return more ? std::atoll(more) / 3 : sanitized ? usual / 8 : usual;
 }
 
 TYPED_TEST(watertight, random_tilings_cover_every_pixel) {
