@@ -5,7 +5,10 @@
 
 #include "tool_2d/pixels.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <new>
 
 /// Owns the words that l3d_pixels views; black at first.
 class l3d_image {
@@ -15,9 +18,8 @@ public:
     /// Expects: width and height not negative, stride >= width.
     /// Errors:  std::bad_alloc.
     l3d_image(l3d_size size, std::ptrdiff_t stride)
-        : words_(std::make_unique<std::uint32_t[]>(static_cast<std::size_t>(stride) *
-                                                   static_cast<std::size_t>(size.height))),
-          size_(size), stride_(stride) {
+        : words_(std::make_unique<std::uint32_t[]>(word_count(size, stride))), size_(size),
+          stride_(stride) {
         assert(size.width >= 0 && size.height >= 0 && stride >= size.width);
     }
 
@@ -25,6 +27,14 @@ public:
     l3d_pixels pixels() { return {words_.get(), size_.width, size_.height, stride_}; }
 
 private:
+    /// Compilers differ in whether `new` refuses what no address space holds.
+    static std::size_t word_count(l3d_size size, std::ptrdiff_t stride) {
+        constexpr std::ptrdiff_t most = PTRDIFF_MAX / sizeof(std::uint32_t);
+        if (size.height > 0 && stride > most / size.height)
+            throw std::bad_alloc();
+        return static_cast<std::size_t>(stride) * static_cast<std::size_t>(size.height);
+    }
+
     std::unique_ptr<std::uint32_t[]> words_;
     l3d_size size_{};
     std::ptrdiff_t stride_ = 0;
