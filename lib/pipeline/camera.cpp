@@ -9,10 +9,11 @@ namespace {
 
 using vector = l3d_camera::vector;
 
-/// `v` turned about the unit vector `axis` by Rodrigues' formula.
+/// `v` turned about an axis through the origin. Units: radians.
 vector turned(const vector& v, const vector& axis, double angle) {
-    const double c = std::cos(angle), s = std::sin(angle);
-    return v * c + l3d_cross(axis, v) * s + axis * (l3d_dot(axis, v) * (1 - c));
+    const auto m = l3d_rotation<double>(axis, angle);
+    const auto r = m * l3d_vector<double, 4>(v[0], v[1], v[2], 0.0);
+    return {r[0], r[1], r[2]};
 }
 
 } // namespace
@@ -55,8 +56,8 @@ l3d_matrix<double> l3d_camera::image_matrix(l3d_size size) const {
 
 void l3d_camera::orbit(double around_up, double around_right) {
     const frame f = axes();
-    vector arm = turned(eye - target, up * (1 / l3d_length(up)), around_up);
-    const vector right = turned(f.right, up * (1 / l3d_length(up)), around_up);
+    vector arm = turned(eye - target, up, around_up);
+    const vector right = turned(f.right, up, around_up);
     arm = turned(arm, right, around_right);
     // Stop short of looking straight along `up`, where the picture has no upright direction.
     const vector axis = l3d_cross(arm, up);

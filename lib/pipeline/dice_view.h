@@ -7,6 +7,7 @@
 #include "raster/micro_grid.h"
 #include "tool_2d/pixels.h"
 
+#include <algorithm>
 #include <limits>
 
 /// The picture and the accuracy asked for; constant for a frame.
@@ -14,13 +15,26 @@
 /// Units: pixels from the picture's centre; near, far and depths in the image transform's scaled w.
 struct l3d_dice_view {
     l3d_size size;
-    double near = 0;
+    double near = 0, far = std::numeric_limits<double>::infinity();
     double tolerance = 0.25;
     double depth_scale = 1; ///< scaled w / distance along the view axis
     double error_xy = 0;    ///< of a transformed control point
     double error_w = 0;
     bool keep_all = false; ///< leave nothing out that could be left out
-    double far = std::numeric_limits<double>::infinity();
+
+    /// What the chord error may be where rounding of vertices already takes `vertex_error`. Where
+    /// that is most of the tolerance, a quarter is left, and the bound says that it is exceeded.
+    double chord_budget(double vertex_error) const {
+        return std::max(tolerance - vertex_error, tolerance / 4);
+    }
+
+    /// The least exact w where something is drawn of a net whose least w is `least`: steps are
+    /// chosen so that where a chord is in front of the near plane, the exact w is over half of it.
+    double drawn_w(double least) const { return std::max(least, near / 2); }
+
+    /// How much w of a chord may differ from the exact w: an eighth in front of the near plane
+    /// (l3d_vertex_accuracy counts on it), else what drawn_w allows.
+    double depth_budget(double least) const { return least > near ? least / 8 : near / 2; }
 
     l3d_image_box window() const {
         return {-size.width / 2.0, -size.height / 2.0, size.width / 2.0, size.height / 2.0};
@@ -39,5 +53,9 @@ struct l3d_dice_view {
 /// 2^14 pixels are 2^22 sub-pixels: exact in a float, and half the rasterizer's range, so that
 /// the picture's centre (at most 2^13 pixels from its corner) still fits.
 inline constexpr double l3d_guard_band = 16384;
+
+/// Nets smaller than this in both directions are not divided into strips for the bound: a quarter
+/// of 24 pixels is a few quads, and the strips would cost more than they save. Units: pixels.
+inline constexpr double l3d_small_net = 24;
 
 #endif

@@ -16,9 +16,7 @@ constexpr int most_steps = 32;
 /// 2^24 strips are more than any picture has pixels along an edge.
 constexpr int deepest = 24;
 
-/// Edges smaller than this are one strip, others four: below, the bound of the whole is as good
-/// as that of the quarters, and patches of few pixels should cost little.
-constexpr double small_size = 24;
+/// Edges that are not small are halved twice, into four strips, as patches are.
 constexpr int usual_level = 2;
 
 template <class Wide> bool runs_backwards(const l3d_bezier_curve<Wide, 3>& edge) {
@@ -110,17 +108,17 @@ void l3d_edge_polyline::add_strip(const l3d_bezier_curve<Wide, 3>& strip, double
     bool small = false;
     if (visible && in_front) {
         const l3d_image_box whole = l3d_image_box_of(net.points);
-        small = whole.width() < small_size && whole.height() < small_size;
+        small = whole.width() < l3d_small_net && whole.height() < l3d_small_net;
         box = box.intersected(whole);
         visible = !box.empty();
     }
     if (!visible)
         return add_point<Wide>(strip.points[3], t1, view);
 
-    const double w_low = std::max(depth.least, view.near / 2);
+    const double w_low = view.drawn_w(depth.least);
     const double vertex = points_error<Wide>(net, box, in_front, w_low, view);
-    const double budget = std::max(view.tolerance - vertex, view.tolerance / 4);
-    const double depth_budget = in_front ? w_low / 8 : view.near / 2;
+    const double budget = view.chord_budget(vertex);
+    const double depth_budget = view.depth_budget(depth.least);
     const double second = l3d_second_bound_of(net, box, w_low);
     const double depth_second = l3d_depth_bound_of(net);
     // Half the budget, as each direction of a quad gets: then an edge and the boundary row of a

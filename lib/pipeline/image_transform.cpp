@@ -16,7 +16,8 @@ double power_below(double value) {
 
 template <class Wide>
 l3d_image_transform<Wide>::l3d_image_transform(const l3d_camera& camera, l3d_size size,
-                                               const l3d_patch_model& model) {
+                                               const l3d_patch_model& model)
+    : size_(size), near_(camera.near), far_(camera.far) {
     const double focal = camera.focal_length(size);
     double largest = 0;  // of the model's coordinates
     double farthest = 0; // bound of the distance of any control point from the eye
@@ -54,6 +55,18 @@ l3d_image_transform<Wide>::l3d_image_transform(const l3d_camera& camera, l3d_siz
     const double roundings = (l3d_is_fixed<Wide> ? 24 : 24 + 3 * 50) * 0x1p-53;
     error_xy_ = roundings * focal * terms * depth_scale_ + rounding + slope_xy * to_entries;
     error_w_ = roundings * terms * depth_scale_ + rounding + slope_w * to_entries;
+}
+
+template <class Wide> l3d_dice_view l3d_image_transform<Wide>::view(double tolerance) const {
+    l3d_dice_view view;
+    view.size = size_;
+    view.near = near_ * depth_scale_;
+    view.far = far_ * depth_scale_;
+    view.tolerance = tolerance;
+    view.depth_scale = depth_scale_;
+    view.error_xy = error_xy_;
+    view.error_w = error_w_;
+    return view;
 }
 
 template <class Wide>

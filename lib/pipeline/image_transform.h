@@ -6,6 +6,7 @@
 #include "geom/bezier_patch.h"
 #include "geom/matrix.h"
 #include "pipeline/camera.h"
+#include "pipeline/dice_view.h"
 #include "pipeline/patch_model.h"
 
 /// The camera's matrix in the wide type of the build, scaled so that nothing leaves its range.
@@ -22,15 +23,14 @@ public:
     /// The control net (x, y, w) of a patch of the model.
     l3d_bezier_patch<Wide, 3> operator()(const l3d_patch_model::patch& patch) const;
 
-    /// Factor between the transformed w and the distance along the view axis.
-    double depth_scale() const { return depth_scale_; }
-
-    /// Bound of the error of each transformed x and y, and of w.
-    double error_xy() const { return error_xy_; }
-    double error_w() const { return error_w_; }
+    /// The picture as dicing needs to know it, in the units of the transformed points.
+    /// Units: tolerance in pixels.
+    l3d_dice_view view(double tolerance) const;
 
 private:
     l3d_matrix<Wide> matrix_;
+    l3d_size size_;
+    double near_ = 0, far_ = 0;
     double model_scale_ = 1;
     double depth_scale_ = 1;
     double error_xy_ = 0;

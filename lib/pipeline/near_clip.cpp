@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clipping against the near plane and the guard band, in homogeneous coordinates.
+// Clipping against near plane, far plane and guard band, in homogeneous coordinates.
 #include "pipeline/near_clip.h"
 
 #include "pipeline/snap.h"

@@ -99,7 +99,7 @@ template <class T> void l3d_patch_dicer<T>::dice_piece(const piece& p) {
         chord_error = std::max(chord_error, edges_[side.edge].chord_error());
         vertex_error = std::max(vertex_error, edges_[side.edge].vertex_error());
     }
-    const double budget = std::max(view_.tolerance - vertex_error, view_.tolerance / 4);
+    const double budget = view_.chord_budget(vertex_error);
     const auto kind = nets.whole() ? l3d_quad_kind::whole : l3d_quad_kind::triangles;
     l3d_step_plan plan = l3d_plan_steps(nets.blocks(), view_, budget, kind);
 

@@ -12,10 +12,6 @@
 
 namespace {
 
-/// Pieces smaller than this in the image are not cut into blocks for the bound: a quarter of
-/// 24 pixels is a few quads, and the blocks would cost more than they save.
-constexpr double small_size = 24;
-
 /// Largest coordinates, and largest first, second and third differences along v.
 struct magnitudes {
     std::array<double, 4> xy{}, w{};
@@ -51,7 +47,7 @@ l3d_piece_nets<T>::l3d_piece_nets(const image_net& piece, const l3d_dice_view& v
     const l3d_depth_range depth = l3d_depth_range_of(net_.points);
     l3d_image_box seen = view.margin();
     l3d_vertex_accuracy accuracy;
-    accuracy.w_low = std::max(depth.least, view.near / 2);
+    accuracy.w_low = view.drawn_w(depth.least);
     accuracy.reach = l3d_guard_band;
     bool small = false;
     if (depth.least > view.near) {
@@ -59,7 +55,7 @@ l3d_piece_nets<T>::l3d_piece_nets(const image_net& piece, const l3d_dice_view& v
         whole_ = hull.reach() < l3d_guard_band && depth.most < view.far;
         if (whole_) {
             accuracy.reach = hull.reach();
-            small = hull.width() < small_size && hull.height() < small_size;
+            small = hull.width() < l3d_small_net && hull.height() < l3d_small_net;
             if (!seen.intersected(hull).empty())
                 seen = seen.intersected(hull);
         }

@@ -93,14 +93,8 @@ void l3d_pipeline_afd::clear() {
 void l3d_pipeline_afd::place_patches() {
     const l3d_size size = screen_->pixels().size();
     transform_ = l3d_image_transform<wide>(camera_, size, model_);
-    view_ = {size,
-             camera_.near * transform_.depth_scale(),
-             settings_.tolerance,
-             transform_.depth_scale(),
-             transform_.error_xy(),
-             transform_.error_w(),
-             settings_.keep_all,
-             camera_.far * transform_.depth_scale()};
+    view_ = transform_.view(settings_.tolerance);
+    view_.keep_all = settings_.keep_all;
     placed_.clear();
     for (std::size_t i = 0; i < model_.patches().size(); ++i) {
         placed_patch& p = placed_.emplace_back();

@@ -28,9 +28,8 @@ template <std::floating_point T> std::int32_t rounded(T value) {
 /// (x / w, y / w) in 1/256 pixel.
 ///
 /// Expects: w > 0, |x / w| and |y / w| at most l3d_guard_band.
-/// Errors:  x times the reciprocal of w is off by 2 roundings, x / w <= 2.01 u |x / w|; the
-/// rounding to
-///          sub-pixels adds half of one in each coordinate.
+/// Errors:  two roundings, of the reciprocal and of the product: at most 2.01 u |x / w|; snapping
+///          adds half a sub-pixel in each coordinate.
 template <std::floating_point T> l3d_snapped l3d_snap(T x, T y, T w) {
     const T reciprocal = T(1) / w;
     return {l3d_detail::rounded(x * reciprocal * T(l3d_subpixel_one)),

@@ -58,7 +58,7 @@ private:
             return need;
         const double least = l3d_depth_range_of(block.points).least;
         const bool in_front = least > view.near;
-        const double w_low = in_front ? least : std::max(least, view.near / 2);
+        const double w_low = view.drawn_w(least);
         l3d_image_box box = view.margin();
         if (in_front)
             box = box.intersected(l3d_image_box_of(block.points));
@@ -66,10 +66,12 @@ private:
             return need;
         need.visible = true;
         need.image = l3d_second_bounds_of(block, box, w_low);
-        need.depth_budget = in_front ? w_low / 8 : view.near / 2;
+        need.depth_budget = view.depth_budget(least);
         // |D2 w| times half the box's diagonal is part of the image bound: in a box with a half
         // diagonal of 8 budgets, w is off by an eighth at most where the image is within budget.
-        if (!in_front || box.width() + box.height() < 8 * 2.83 * budget_)
+        // Width and height together are at most sqrt(2) diagonals.
+        constexpr double two_root_two = 2.8284271247461903;
+        if (!in_front || box.width() + box.height() < 8 * two_root_two * budget_)
             need.depth = l3d_depth_bounds_of(block);
         return need;
     }

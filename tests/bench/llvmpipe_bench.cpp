@@ -95,13 +95,7 @@ double our_error(const l3d_patch_model& model, const l3d_camera& camera, l3d_siz
                  double tolerance, double& bound) {
     using wide = l3d_real_traits<l3d_real>::wide;
     const l3d_image_transform<wide> transform(camera, size, model);
-    const l3d_dice_view view{size,
-                             camera.near * transform.depth_scale(),
-                             tolerance,
-                             transform.depth_scale(),
-                             transform.error_xy(),
-                             transform.error_w(),
-                             false};
+    const l3d_dice_view view = transform.view(tolerance);
     surface_error error(camera, size);
     measuring_sink sink(error, view);
     l3d_patch_dicer<l3d_real> dicer;

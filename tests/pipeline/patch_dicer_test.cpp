@@ -144,7 +144,7 @@ TYPED_TEST(patch_dicer, corners_have_one_place_however_a_piece_is_drawn) {
     for (const reference::view& view : reference::project_views()) {
         const scene s = teapot(view, odd);
         const l3d_image_transform<wide> to_image(s.camera, s.size, s.model);
-        const l3d_dice_view dice_view = view_of<TypeParam>(s, 0.25, to_image);
+        const l3d_dice_view dice_view = to_image.view(0.25);
         l3d_patch_dicer<TypeParam> dicer;
         dicer.begin(dice_view);
         for (std::size_t i = 0; i < s.patches.size(); ++i) {

@@ -50,27 +50,13 @@ struct scene {
 /// The teapot as one of the project's views shows it.
 scene teapot(const reference::view& view, l3d_size size);
 
-/// What a frame needs of a scene, as the dicer of T wants it.
-template <class T>
-l3d_dice_view view_of(const scene& s, double tolerance,
-                      const l3d_image_transform<typename l3d_patch_dicer<T>::wide>& to_image) {
-    return {s.size,
-            s.camera.near * to_image.depth_scale(),
-            tolerance,
-            to_image.depth_scale(),
-            to_image.error_xy(),
-            to_image.error_w(),
-            false,
-            s.camera.far * to_image.depth_scale()};
-}
-
 /// Dices a whole scene; calls before(i) ahead of patch i.
 template <class T, class Before>
 void dice(l3d_patch_dicer<T>& dicer, const scene& s, double tolerance, l3d_dice_sink& sink,
           Before before, bool keep_all = false) {
     const l3d_image_transform<typename l3d_patch_dicer<T>::wide> to_image(s.camera, s.size,
                                                                           s.model);
-    l3d_dice_view view = view_of<T>(s, tolerance, to_image);
+    l3d_dice_view view = to_image.view(tolerance);
     view.keep_all = keep_all;
     dicer.begin(view);
     for (std::size_t i = 0; i < s.patches.size(); ++i) {
