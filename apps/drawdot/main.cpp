@@ -37,13 +37,13 @@ public:
         y_ = std::clamp(y_ + down_ * step, 0.0, size.height - 1.0);
         l3d_line_2d& line = trail_.back();
         moved_ |= line.x1 != static_cast<int>(x_) || line.y1 != static_cast<int>(y_);
-        line.x1 = static_cast<int>(x_);
-        line.y1 = static_cast<int>(y_);
+        line = {line.x0, line.y0, static_cast<int>(x_), static_cast<int>(y_)};
     }
 
     bool needs_redraw() const override { return moved_; }
     void draw_event() override {
         rasterizer_.draw_lines(trail_, l3d_screen_info::ext_to_native(0, 255, 128));
+        rasterizer_.finish();
         moved_ = false;
     }
 

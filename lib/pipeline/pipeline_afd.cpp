@@ -6,7 +6,6 @@
 #include "pipeline/near_clip.h"
 #include "pipeline/snap.h"
 #include "pipeline/stopwatch_p.h"
-#include "raster/surface_rasterizer_sw.h"
 
 #include <algorithm>
 #include <array>
@@ -29,11 +28,11 @@ l3d_shading shading_of(const l3d_afd_settings& settings) {
 } // namespace
 
 l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
-                                   const l3d_rasterizer_2d_imp_factory& rasterizers,
+                                   const l3d_rasterizer_factory& rasterizers,
                                    const l3d_patch_model& model, const l3d_camera& camera,
                                    const l3d_afd_settings& settings)
-    : screen_(std::move(screen)), imp_(rasterizers.create(screen_->pixels())), rasterizer_(*imp_),
-      surface_rasterizer_(std::make_unique<l3d_surface_rasterizer_sw>()), model_(model),
+    : screen_(std::move(screen)), imp_(rasterizers.create_2d(screen_->pixels())),
+      rasterizer_(*imp_), surface_rasterizer_(rasterizers.create_surface()), model_(model),
       camera_(camera), first_camera_(camera), settings_(settings) {
     report_.frame = -1;
     report_.method = "afd";
@@ -65,6 +64,7 @@ void l3d_pipeline_afd::draw_event() {
     if (settings_.net)
         draw_nets();
     draw_overlay();
+    rasterizer_.finish();
     times.overlay = overlaying.milliseconds();
 
     times.total = whole.milliseconds();
@@ -85,6 +85,7 @@ void l3d_pipeline_afd::frame_event(const l3d_frame_times& times) {
 
 void l3d_pipeline_afd::clear() {
     rasterizer_.clear_buffer();
+    rasterizer_.finish();
     depth_.resize(screen_->pixels().size());
     depth_.clear();
 }
@@ -123,7 +124,9 @@ double l3d_pipeline_afd::draw_surfaces() {
     l3d_detail::filling_sink filling(*surface_rasterizer_, settings_.shade == l3d_shade::error,
                                      settings_.tolerance);
     draw_into(filling);
-    return filling.milliseconds();
+    const stopwatch finishing;
+    surface_rasterizer_->finish();
+    return filling.milliseconds() + finishing.milliseconds();
 }
 
 /// The 24 edges of every control net. An edge that reaches behind the near plane is left out.

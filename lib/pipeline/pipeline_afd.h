@@ -10,8 +10,7 @@
 #include "pipeline/patch_dicer.h"
 #include "pipeline/patch_model.h"
 #include "pipeline/pipeline.h"
-#include "raster/rasterizer_2d.h"
-#include "raster/surface_rasterizer.h"
+#include "raster/rasterizer_factory.h"
 #include "tool_2d/screen.h"
 
 #include <memory>
@@ -36,9 +35,9 @@ struct l3d_afd_settings {
 /// Cost:    filled surfaces allocate nothing once the largest frame has been seen.
 class l3d_pipeline_afd : public l3d_pipeline {
 public:
-    l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
-                     const l3d_rasterizer_2d_imp_factory& rasterizers, const l3d_patch_model& model,
-                     const l3d_camera& camera, const l3d_afd_settings& settings);
+    l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen, const l3d_rasterizer_factory& rasterizers,
+                     const l3d_patch_model& model, const l3d_camera& camera,
+                     const l3d_afd_settings& settings);
 
     l3d_screen& screen() { return *screen_; }
     const l3d_depth_buffer& depth() const { return depth_; }

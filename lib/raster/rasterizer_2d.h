@@ -6,7 +6,6 @@
 #include "tool_2d/pixels.h"
 
 #include <cstdint>
-#include <memory>
 #include <span>
 
 /// A corner of a polygon. Units: pixels; pixel (x, y) is sampled at the position (x, y).
@@ -27,7 +26,8 @@ public:
     l3d_rasterizer_2d_imp& operator=(const l3d_rasterizer_2d_imp&) = delete;
     virtual ~l3d_rasterizer_2d_imp() = default;
 
-    /// Draws into these pixels from now on; call it after every resize.
+    /// Draws into these pixels from now on; call it after every resize. Drawing that was not
+    /// finished is lost.
     /// Lives: borrows the pixels until the next call.
     void set_target(l3d_pixels target) { do_set_target(target); }
 
@@ -35,28 +35,12 @@ private:
     friend class l3d_rasterizer_2d;
 
     virtual void do_set_target(l3d_pixels target) = 0;
+    virtual void do_finish() {}
     virtual void do_clear_buffer() = 0;
     virtual void do_draw_point(int x, int y, std::uint32_t color) = 0;
     virtual void do_draw_lines(std::span<const l3d_line_2d> lines, std::uint32_t color) = 0;
     virtual void do_draw_polygon_flatshaded(std::span<const l3d_point_2d> corners,
                                             std::uint32_t color) = 0;
-};
-
-/// Makes implementations of one kind.
-class l3d_rasterizer_2d_imp_factory {
-public:
-    l3d_rasterizer_2d_imp_factory() = default;
-    l3d_rasterizer_2d_imp_factory(const l3d_rasterizer_2d_imp_factory&) = delete;
-    l3d_rasterizer_2d_imp_factory& operator=(const l3d_rasterizer_2d_imp_factory&) = delete;
-    virtual ~l3d_rasterizer_2d_imp_factory() = default;
-
-    /// Never null. Errors: none; whether a kind can serve is asked of its screen factory.
-    std::unique_ptr<l3d_rasterizer_2d_imp> create(l3d_pixels target) const {
-        return do_create(target);
-    }
-
-private:
-    virtual std::unique_ptr<l3d_rasterizer_2d_imp> do_create(l3d_pixels target) const = 0;
 };
 
 /// Draws points, lines and flat polygons; says nothing about where the pixels are.
@@ -97,6 +81,10 @@ public:
     void draw_polygon_flatshaded(std::span<const l3d_point_2d> corners, std::uint32_t color) {
         imp_.do_draw_polygon_flatshaded(corners, color);
     }
+
+    /// What was drawn so far is in the target's pixels afterwards. Call it before anybody else
+    /// reads or writes them; what others wrote is drawn upon by what is drawn next.
+    void finish() { imp_.do_finish(); }
 
 private:
     l3d_rasterizer_2d_imp& imp_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_rasterizer_2d_sw_imp: points, lines and flat polygons on the CPU; and its factory.
+// l3d_rasterizer_2d_sw_imp: points, lines and flat polygons on the CPU.
 #ifndef L3D_RASTER_RASTERIZER_2D_SW_H
 #define L3D_RASTER_RASTERIZER_2D_SW_H
 
@@ -28,13 +28,6 @@ private:
     l3d_pixels target_;
     l3d_detail::scan_polygon scan_;
     std::vector<l3d_detail::scan_point> corners_;
-};
-
-class l3d_rasterizer_2d_sw_imp_factory final : public l3d_rasterizer_2d_imp_factory {
-private:
-    std::unique_ptr<l3d_rasterizer_2d_imp> do_create(l3d_pixels target) const override {
-        return std::make_unique<l3d_rasterizer_2d_sw_imp>(target);
-    }
 };
 
 #endif

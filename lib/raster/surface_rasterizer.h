@@ -65,7 +65,11 @@ public:
         do_draw_triangle(a, b, c);
     }
 
-    /// What has been drawn since begin.
+    /// What was drawn so far is in the target's pixels and depth afterwards. Call it before anybody
+    /// else reads or writes them.
+    void finish() { do_finish(); }
+
+    /// What has been drawn between begin and the last finish.
     const l3d_surface_counts& counts() const { return do_counts(); }
 
 private:
@@ -74,6 +78,7 @@ private:
     virtual void do_draw_grid(const l3d_micro_grid&) = 0;
     virtual void do_draw_triangle(const l3d_micro_vertex&, const l3d_micro_vertex&,
                                   const l3d_micro_vertex&) = 0;
+    virtual void do_finish() {}
     virtual const l3d_surface_counts& do_counts() const = 0;
 };
 

@@ -4,7 +4,7 @@
 
 #include "tool_2d/screen_memory.h"
 #include "tool_2d/screen_x11.h"
-#include "raster/rasterizer_2d_sw.h"
+#include "raster/rasterizer_factory_sw.h"
 #include "system/backend_survey_p.h"
 #include "system/dispatcher_script.h"
 #include "system/dispatcher_x11.h"
@@ -42,7 +42,7 @@ l3d_backend row(std::string name, std::string purpose) {
     made.name = std::move(name);
     made.purpose = std::move(purpose);
     made.screen_factory = std::make_unique<ScreenFactory>();
-    made.rasterizer_factory = std::make_unique<l3d_rasterizer_2d_sw_imp_factory>();
+    made.rasterizer_factory = std::make_unique<l3d_rasterizer_factory_sw>();
     made.dispatcher_factory = std::make_unique<DispatcherFactory>();
     return made;
 }
@@ -136,7 +136,7 @@ l3d_factory_manager::create_screen(const l3d_screen_request& request) const {
 
 std::unique_ptr<l3d_rasterizer_2d_imp>
 l3d_factory_manager::create_rasterizer(l3d_pixels target) const {
-    return chosen().rasterizer_factory->create(target);
+    return chosen().rasterizer_factory->create_2d(target);
 }
 
 std::unique_ptr<l3d_dispatcher>

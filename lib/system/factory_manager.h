@@ -4,7 +4,7 @@
 #define L3D_SYSTEM_FACTORY_MANAGER_H
 
 #include "tool_2d/screen.h"
-#include "raster/rasterizer_2d.h"
+#include "raster/rasterizer_factory.h"
 #include "system/dispatcher.h"
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct l3d_backend {
     bool on_display = false; ///< it needs a display
     bool unseen = false;     ///< nobody sees its pictures unless they are written
     std::unique_ptr<l3d_screen_factory> screen_factory;
-    std::unique_ptr<l3d_rasterizer_2d_imp_factory> rasterizer_factory;
+    std::unique_ptr<l3d_rasterizer_factory> rasterizer_factory;
     std::unique_ptr<l3d_dispatcher_factory> dispatcher_factory;
 };
 
@@ -59,7 +59,7 @@ public:
     /// Errors: l3d_error(no_backend) with the reason. Expects: choose() was true.
     std::unique_ptr<l3d_screen> create_screen(const l3d_screen_request& request) const;
 
-    /// Errors: none. Expects: choose() was true.
+    /// Errors: as l3d_rasterizer_factory::create_2d. Expects: choose() was true.
     std::unique_ptr<l3d_rasterizer_2d_imp> create_rasterizer(l3d_pixels target) const;
 
     /// Errors: as l3d_dispatcher_factory::create. Expects: choose() was true.

@@ -9,7 +9,7 @@
 #include "bench/surface_error.h"
 #include "geom/teapot.h"
 #include "pipeline/pipeline_afd.h"
-#include "raster/rasterizer_2d_sw.h"
+#include "raster/rasterizer_factory_sw.h"
 #include "tool_2d/screen_memory.h"
 
 #include <algorithm>
@@ -149,7 +149,7 @@ double compare(const l3d_patch_model& model, const named_view& view, l3d_size si
     l3d_afd_settings settings;
     settings.tolerance = tolerance;
     l3d_pipeline_afd pipeline(screens.create({size, "bench"}, why),
-                              l3d_rasterizer_2d_sw_imp_factory(), model, view.camera, settings);
+                              l3d_rasterizer_factory_sw(), model, view.camera, settings);
     gl.set_projection(clip_matrix(view.camera, size));
     gl.upload(uniform_mesh(model, view.camera, n));
 

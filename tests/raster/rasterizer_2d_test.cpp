@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Points, lines and polygons: the book's reference values, exact rules, and awkward coordinates.
-#include "raster/rasterizer_2d_sw.h"
+#include "raster/rasterizer_factory_sw.h"
 
 #include <gtest/gtest.h>
 
@@ -357,7 +357,7 @@ TEST(Polygons, OfAnyKindStayInsideTheBuffer) {
 TEST(Imp, DrawsIntoTheTargetOfTheLastResize) {
     std::vector<std::uint32_t> first(30, 0), second(99, 0);
     const std::unique_ptr<l3d_rasterizer_2d_imp> imp =
-        l3d_rasterizer_2d_sw_imp_factory().create({first.data(), 6, 5, 6});
+        l3d_rasterizer_factory_sw().create_2d({first.data(), 6, 5, 6});
     l3d_rasterizer_2d draw(*imp);
     imp->set_target({second.data(), 9, 11, 9});
     draw.draw_point(8, 10, color);

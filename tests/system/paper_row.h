@@ -3,7 +3,7 @@
 #ifndef L3D_TESTS_SYSTEM_PAPER_ROW_H
 #define L3D_TESTS_SYSTEM_PAPER_ROW_H
 
-#include "raster/rasterizer_2d_sw.h"
+#include "raster/rasterizer_factory_sw.h"
 #include "system/dispatcher_script.h"
 #include "system/factory_manager.h"
 #include "system/fakes.h"
@@ -36,7 +36,7 @@ inline l3d_backend paper(call_log& log, const std::string& name, const std::stri
     row.name = name;
     row.purpose = "draws on " + name;
     row.screen_factory = std::make_unique<paper_factory>(log, reason);
-    row.rasterizer_factory = std::make_unique<l3d_rasterizer_2d_sw_imp_factory>();
+    row.rasterizer_factory = std::make_unique<l3d_rasterizer_factory_sw>();
     row.dispatcher_factory = std::make_unique<l3d_dispatcher_factory_script>();
     return row;
 }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// l3d_rasterizer_factory: makes the rasterizers of one kind.
+#ifndef L3D_RASTER_RASTERIZER_FACTORY_H
+#define L3D_RASTER_RASTERIZER_FACTORY_H
+
+#include "raster/rasterizer_2d.h"
+#include "raster/surface_rasterizer.h"
+
+#include <memory>
+
+/// Makes what draws points, lines and polygons, and what fills surfaces: of one kind both.
+class l3d_rasterizer_factory {
+public:
+    l3d_rasterizer_factory() = default;
+    l3d_rasterizer_factory(const l3d_rasterizer_factory&) = delete;
+    l3d_rasterizer_factory& operator=(const l3d_rasterizer_factory&) = delete;
+    virtual ~l3d_rasterizer_factory() = default;
+
+    /// Never null.
+    /// Errors:  l3d_error(no_backend); a kind whose screen factory can serve throws none.
+    std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(l3d_pixels target) const {
+        return do_create_2d(target);
+    }
+
+    /// Never null.
+    /// Errors:  as create_2d.
+    std::unique_ptr<l3d_surface_rasterizer> create_surface() const { return do_create_surface(); }
+
+private:
+    virtual std::unique_ptr<l3d_rasterizer_2d_imp> do_create_2d(l3d_pixels target) const = 0;
+    virtual std::unique_ptr<l3d_surface_rasterizer> do_create_surface() const = 0;
+};
+
+#endif
