@@ -3,7 +3,6 @@
 #include "system/backend_survey_p.h"
 
 #include "tool_2d/error.h"
-#include "system/display_x11.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -31,33 +30,43 @@ void put_name(std::ostream& out, const std::string& name) {
 
 namespace l3d_detail {
 
-const std::string& backend_survey::display_problem() {
-    if (!display_problem_)
-        display_problem_ = l3d_display_problem();
-    return *display_problem_;
-}
-
-const std::string& backend_survey::reason(std::size_t i) {
-    if (!reasons_[i]) {
-        std::string why;
+const l3d_service& backend_survey::service(std::size_t i) {
+    if (!services_[i]) {
+        if (rows_[i].on_display && display_problem_)
+            services_[i] = display_problem_;
+        else
+            services_[i] = rows_[i].screen_factory->service();
         if (lacks_display(i))
-            why = display_problem();
-        else if (!rows_[i].screen_factory->can_serve(why) && why.empty())
-            why = "no reason given";
-        reasons_[i] = why;
+            display_problem_ = services_[i];
     }
-    return *reasons_[i];
+    return *services_[i];
 }
 
 void backend_survey::list(std::ostream& out) {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         put_name(out, rows_[i].name);
-        if (serves(i))
+        if (serves_fully(i))
             out << "yes  " << rows_[i].purpose << '\n';
         else
-            out << "no   " << reason(i) << '\n';
+            out << (serves(i) ? "yes, but " : "no   ") << service(i).why << '\n';
     }
     out << std::flush;
+}
+
+void backend_survey::diagnose(std::ostream& out) {
+    l3d_probes probes;
+    for (const l3d_backend& row : rows_)
+        row.screen_factory->diagnose(probes);
+    for (const l3d_probe& probe : probes) {
+        const bool good = probe.outcome == l3d_probe::verdict::good;
+        out << (good                                           ? "ok   "
+                : probe.outcome == l3d_probe::verdict::limited ? "so-so "
+                                                               : "bad  ")
+            << probe.what << ": " << probe.result << '\n';
+        if (!probe.remedy.empty())
+            out << "     " << probe.remedy << '\n';
+    }
+    list(out);
 }
 
 const l3d_backend& backend_survey::named(const std::string& name, const std::string& named_by) {
@@ -67,10 +76,10 @@ const l3d_backend& backend_survey::named(const std::string& name, const std::str
         if (rows_[i].name != name)
             continue;
         if (lacks_display(i))
-            fail_without_display();
+            fail_without_display(service(i).why);
         if (!serves(i))
-            throw l3d_error(l3d_exit::no_backend,
-                            named_by + ": back-end '" + name + "' cannot serve here: " + reason(i));
+            throw l3d_error(l3d_exit::no_backend, named_by + ": back-end '" + name +
+                                                      "' cannot serve here: " + service(i).why);
         return rows_[i];
     }
     throw l3d_error(l3d_exit::usage, named_by + ": '" + name + "' is none of " + names);
@@ -80,12 +89,15 @@ const l3d_backend& backend_survey::automatic() {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         if (!rows_[i].automatic)
             continue;
-        if (serves(i))
+        if (serves_fully(i))
             return rows_[i];
         const char* const display = std::getenv("DISPLAY");
         if (display && *display && lacks_display(i))
-            fail_without_display();
+            fail_without_display(service(i).why);
     }
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        if (rows_[i].automatic && serves(i))
+            return rows_[i];
     fail_with_all_reasons();
 }
 
@@ -102,13 +114,14 @@ const l3d_backend& backend_survey::asked(std::istream& in, std::ostream& out) {
     for (std::size_t k = 0; k < serving.size(); ++k) {
         out << std::right << std::setw(3) << k + 1 << "  ";
         put_name(out, rows_[serving[k]].name);
-        out << rows_[serving[k]].purpose << (k == usual ? "  (default)" : "") << '\n';
+        out << (serves_fully(serving[k]) ? rows_[serving[k]].purpose : service(serving[k]).why)
+            << (k == usual ? "  (default)" : "") << '\n';
     }
     for (std::size_t i = 0; i < rows_.size(); ++i)
         if (!serves(i)) {
             out << "  -  ";
             put_name(out, rows_[i].name);
-            out << "cannot serve here: " << reason(i) << '\n';
+            out << "cannot serve here: " << service(i).why << '\n';
         }
     for (;;) {
         out << "Number or name [" << usual + 1 << "]: " << std::flush;
@@ -127,22 +140,22 @@ const l3d_backend& backend_survey::asked(std::istream& in, std::ostream& out) {
     }
 }
 
-std::size_t backend_survey::preset(const std::vector<std::size_t>& serving) const {
-    const auto found = std::find_if(serving.begin(), serving.end(),
-                                    [this](std::size_t i) { return rows_[i].automatic; });
+std::size_t backend_survey::preset(const std::vector<std::size_t>& serving) {
+    const auto found = std::ranges::find_if(
+        serving, [this](std::size_t i) { return rows_[i].automatic && serves_fully(i); });
     return found == serving.end() ? 0 : static_cast<std::size_t>(found - serving.begin());
 }
 
-void backend_survey::fail_without_display() {
+void backend_survey::fail_without_display(const std::string& why) {
     throw l3d_error(l3d_exit::no_display,
-                    display_problem() + "; without a display use --backend memory --output FILE");
+                    why + "; without a display use --backend memory --output FILE");
 }
 
 void backend_survey::fail_with_all_reasons() {
     std::string text = "no back-end can serve here";
     for (std::size_t i = 0; i < rows_.size(); ++i)
         if (!serves(i))
-            text += "; " + rows_[i].name + ": " + reason(i);
+            text += "; " + rows_[i].name + ": " + service(i).why;
     throw l3d_error(l3d_exit::no_backend, text);
 }
 

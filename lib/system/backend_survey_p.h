@@ -14,25 +14,28 @@
 
 namespace l3d_detail {
 
-/// The rows of the table, each asked at most once whether it can serve, and the display too:
-/// a silent one may cost seconds.
+/// The rows of the table, each asked at most once whether it can serve. A display that did not
+/// answer one row is not tried for the next: a silent one costs seconds.
 ///
 /// Lives:   borrows the rows.
 class backend_survey {
 public:
     explicit backend_survey(std::span<const l3d_backend> rows)
-        : rows_(rows), reasons_(rows.size()) {}
+        : rows_(rows), services_(rows.size()) {}
 
     /// One line per row: its name, whether it can serve, and why not.
     void list(std::ostream& out);
+
+    /// A line for each thing that the rows depend on, with what to do about it; then the rows.
+    void diagnose(std::ostream& out);
 
     /// The row of that name; `named_by` is the option or variable that holds it.
     ///
     /// Errors:  l3d_error: usage if there is none, no_display or no_backend if it cannot serve.
     const l3d_backend& named(const std::string& name, const std::string& named_by);
 
-    /// The first automatic row that serves. A display that was named but cannot be opened is an
-    /// error: whoever set DISPLAY wants a window.
+    /// The first automatic row that serves fully, else the first that serves. A display that was
+    /// named but cannot be opened is an error: whoever set DISPLAY wants a window.
     ///
     /// Errors:  l3d_error: no_display, or no_backend with all reasons.
     const l3d_backend& automatic();
@@ -43,18 +46,23 @@ public:
     /// Errors:  l3d_error(no_backend), with all reasons, if there is nothing to choose from.
     const l3d_backend& asked(std::istream& in, std::ostream& out);
 
+    /// Whether somebody sees the pictures of a row. Expects: one of the table.
+    bool is_seen(const l3d_backend& row) {
+        return service(static_cast<std::size_t>(&row - rows_.data())).is_seen;
+    }
+
 private:
-    bool serves(std::size_t i) { return reason(i).empty(); }
-    const std::string& reason(std::size_t i);
-    const std::string& display_problem();
-    bool lacks_display(std::size_t i) { return rows_[i].on_display && !display_problem().empty(); }
-    std::size_t preset(const std::vector<std::size_t>& serving) const;
-    [[noreturn]] void fail_without_display();
+    const l3d_service& service(std::size_t i);
+    bool serves(std::size_t i) { return service(i).serves(); }
+    bool serves_fully(std::size_t i) { return service(i).how == l3d_service::level::fully; }
+    bool lacks_display(std::size_t i) { return service(i).how == l3d_service::level::no_display; }
+    std::size_t preset(const std::vector<std::size_t>& serving);
+    [[noreturn]] static void fail_without_display(const std::string& why);
     [[noreturn]] void fail_with_all_reasons();
 
     std::span<const l3d_backend> rows_;
-    std::vector<std::optional<std::string>> reasons_; ///< why not; empty: it can serve
-    std::optional<std::string> display_problem_;
+    std::vector<std::optional<l3d_service>> services_;
+    std::optional<l3d_service> display_problem_; ///< the answer of the first row without a display
 };
 
 } // namespace l3d_detail

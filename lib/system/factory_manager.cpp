@@ -21,16 +21,15 @@ namespace {
 /// Holds the place of a kind of screen that is yet to come.
 class screen_factory_missing final : public l3d_screen_factory {
 private:
-    /// Errors:  always false.
-    bool do_can_serve(std::string& why) const override {
-        why = "not built yet";
-        return false;
+    /// Errors:  always not_here.
+    l3d_service do_service() const override {
+        return {.how = l3d_service::level::not_here, .why = "not built yet"};
     }
 
     /// Errors:  always null.
     std::unique_ptr<l3d_screen> do_create(const l3d_screen_request&,
                                           std::string& why) const override {
-        do_can_serve(why);
+        why = do_service().why;
         return nullptr;
     }
 };
@@ -93,23 +92,26 @@ bool l3d_factory_manager::choose(l3d_options& options, std::istream& in, std::os
                                  bool may_ask) {
     const l3d_common_options& common = options.common();
     l3d_detail::backend_survey survey(rows_);
-    if (common.diagnose)
-        out << "DISPLAY='" << environment("DISPLAY") << "' L3D_BACKEND='"
-            << environment("L3D_BACKEND") << "' terminal=" << (may_ask ? "yes" : "no") << '\n';
-    if (common.diagnose || common.list_backends) {
+    if (common.diagnose) {
+        for (const char* const variable : {"DISPLAY", "L3D_BACKEND", "L3D_NO_SHM", "L3D_MESA"})
+            out << variable << "='" << environment(variable) << "' ";
+        out << "terminal=" << (may_ask ? "yes" : "no") << '\n';
+        survey.diagnose(out);
+        return false;
+    }
+    if (common.list_backends) {
         survey.list(out);
         return false;
     }
     const bool by_option = !common.backend.empty();
     const std::string name = by_option ? common.backend : environment("L3D_BACKEND");
     verbose_ = common.verbose;
-    if (!name.empty() && name != "ask" && name != "auto") {
-        chosen_ = &survey.named(name, by_option ? "--backend" : "L3D_BACKEND");
-        return true;
-    }
+    const bool named = !name.empty() && name != "ask" && name != "auto";
     const bool ask = may_ask && !common.no_input && name != "auto";
-    chosen_ = ask ? &survey.asked(in, out) : &survey.automatic();
-    if (chosen_->unseen && common.output.empty()) {
+    chosen_ = named ? &survey.named(name, by_option ? "--backend" : "L3D_BACKEND")
+              : ask ? &survey.asked(in, out)
+                    : &survey.automatic();
+    if (!survey.is_seen(*chosen_) && !(named && chosen_->unseen) && common.output.empty()) {
         options.set_output(options.program() + ".png");
         std::cerr << options.program() << ": no window; the picture goes to " << common.output
                   << '\n';

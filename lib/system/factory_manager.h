@@ -21,7 +21,7 @@ struct l3d_backend {
     std::string purpose;     ///< what it is for, in a few words
     bool automatic = false;  ///< taken without asking if it is the first such row that can serve
     bool on_display = false; ///< it needs a display
-    bool unseen = false;     ///< nobody sees its pictures unless they are written
+    bool unseen = false;     ///< its pictures are never seen, and who names it knows
     std::unique_ptr<l3d_screen_factory> screen_factory;
     std::unique_ptr<l3d_rasterizer_factory> rasterizer_factory;
     std::unique_ptr<l3d_dispatcher_factory> dispatcher_factory;
@@ -42,8 +42,9 @@ public:
     void add(l3d_backend row);
 
     /// Takes the back-end named by --backend, else by the environment's L3D_BACKEND; else, at a
-    /// terminal, asks; else takes the first automatic row that can serve. The memory back-end
-    /// not named, without --output, gets the output `program`.png, and stderr a line about it.
+    /// terminal, asks; else takes the first automatic row that can serve. If nobody will see the
+    /// pictures, and neither --output nor a named memory back-end says that this is meant, the
+    /// output becomes `program`.png, and stderr gets a line about it.
     /// False: --list-backends or --diagnose was given and answered; the program ends well.
     ///
     /// Errors:  l3d_error: usage for an unknown name; no_display if no display can be opened

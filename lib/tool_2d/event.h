@@ -33,7 +33,9 @@ enum class l3d_event_type {
     pointer_motion,
     wheel,
     resize,
-    expose,
+    expose,     ///< the window has to be shown again, or is on the screen again
+    hide,       ///< nothing of the window can be seen until the next expose
+    fullscreen, ///< the user wants the whole display, or no longer
     close,
     display_lost,
 };

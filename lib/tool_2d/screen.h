@@ -5,6 +5,7 @@
 
 #include "tool_2d/event.h"
 #include "tool_2d/pixels.h"
+#include "tool_2d/probe.h"
 #include "tool_2d/screen_info.h"
 
 #include <memory>
@@ -22,20 +23,59 @@ public:
     /// Makes the pixels visible.
     void show() { do_show(); }
 
+    /// Whether somebody sees it: then events come, and time is that of the clock.
+    bool is_window() const { return do_is_window(); }
+
+    /// How often showing a new picture makes sense if the user does not say.
+    /// Units:   pictures per second.
+    double usual_fps() const { return do_usual_fps(); }
+
+    /// Covers the whole display, or no longer. A screen that is no window stays as it is.
+    void set_fullscreen(bool on) { do_set_fullscreen(on); }
+    bool is_fullscreen() const { return do_is_fullscreen(); }
+
     /// One line for --verbose and --diagnose: kind, depth, bits per pixel, byte order.
     std::string describe() const { return do_describe(); }
+
+    /// What the user should know of a change for the worse since the last call, as one line;
+    /// empty if there was none.
+    std::string take_remark() { return do_take_remark(); }
 
 private:
     virtual l3d_pixels do_pixels() = 0;
     virtual const l3d_screen_info& do_info() const = 0;
     virtual void do_show() = 0;
+    virtual bool do_is_window() const { return false; }
+    virtual double do_usual_fps() const { return 60; }
+    virtual void do_set_fullscreen(bool) {}
+    virtual bool do_is_fullscreen() const { return false; }
     virtual std::string do_describe() const = 0;
+    virtual std::string do_take_remark() { return {}; }
 };
 
 /// What a program asks of its screen.
 struct l3d_screen_request {
     l3d_size size{1024, 768};
     std::string title = "l3d";
+    /// Side of the square of the display's pixels that shows one of ours; 0: as the display's
+    /// resolution asks for.
+    int scale = 0;
+};
+
+/// How well a kind of screen can serve here and now.
+struct l3d_service {
+    enum class level {
+        fully,
+        partly,     ///< it serves, but another way than its name says
+        not_here,   ///< and another display would not help
+        no_display, ///< there is no display that answers
+    };
+
+    level how = level::fully;
+    std::string why{};   ///< one line, naming values, if not `fully`
+    bool is_seen = true; ///< whether somebody sees the pictures, unless they are written
+
+    bool serves() const { return how == level::fully || how == level::partly; }
 };
 
 /// Makes screens of one kind.
@@ -46,20 +86,22 @@ public:
     l3d_screen_factory& operator=(const l3d_screen_factory&) = delete;
     virtual ~l3d_screen_factory() = default;
 
-    /// Whether this kind can serve here and now.
-    ///
-    /// Errors: false, with one line in `why`, if it cannot.
-    bool can_serve(std::string& why) const { return do_can_serve(why); }
+    /// Whether this kind can serve here and now. Errors: says so in its result.
+    l3d_service service() const { return do_service(); }
 
-    /// Errors: null, with one line in `why`, if this kind cannot serve here.
+    /// Errors:  null, with one line in `why`, if this kind cannot serve here.
     std::unique_ptr<l3d_screen> create(const l3d_screen_request& request, std::string& why) const {
         return do_create(request, why);
     }
 
+    /// Adds what this kind depends on, each with its outcome and remedy.
+    void diagnose(l3d_probes& probes) const { do_diagnose(probes); }
+
 private:
-    virtual bool do_can_serve(std::string& why) const = 0;
+    virtual l3d_service do_service() const = 0;
     virtual std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
                                                   std::string& why) const = 0;
+    virtual void do_diagnose(l3d_probes&) const {}
 };
 
 #endif

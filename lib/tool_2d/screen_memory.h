@@ -30,8 +30,8 @@ private:
 /// Makes screens without a display; serves everywhere.
 class l3d_screen_factory_memory final : public l3d_screen_factory {
 private:
-    /// Errors:  never false.
-    bool do_can_serve(std::string&) const override { return true; }
+    /// Errors:  none.
+    l3d_service do_service() const override { return {.is_seen = false}; }
 
     /// Errors:  null, with the size in `why`, if there is not enough memory for it.
     std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,

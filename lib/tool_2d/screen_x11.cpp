@@ -2,6 +2,7 @@
 // A screen that is an X11 window with an image, and the factories that pair them.
 #include "tool_2d/screen_x11.h"
 
+#include "tool_2d/image.h"
 #include "tool_2d/x11_events_p.h"
 #include "tool_2d/x11_image_p.h"
 #include "tool_2d/x11_window_p.h"
@@ -30,17 +31,18 @@ constexpr std::chrono::nanoseconds longest_wait = 24h;
 /// was confirmed, show waits a little, and then leaves it to whoever next asks for events.
 class l3d_screen_x11 final : public l3d_screen {
 public:
-    l3d_screen_x11(std::unique_ptr<x11_window> window, l3d_size size, x11_image_maker make_image)
-        : window_(std::move(window)), events_(*window_), make_image_(make_image),
-          image_(make_image(*window_, size)) {}
+    l3d_screen_x11(std::unique_ptr<x11_window> window, l3d_size size)
+        : window_(std::move(window)), events_(*window_), picture_(size, size.width),
+          image_(make_x11_image_put(*window_, size)) {}
 
     /// Puts the window on the screen and waits until the server wants it drawn.
     void open();
 
 private:
-    l3d_pixels do_pixels() override { return image_->pixels(); }
+    l3d_pixels do_pixels() override { return picture_.pixels(); }
     const l3d_screen_info& do_info() const override { return window_->info(); }
     void do_show() override;
+    bool do_is_window() const override { return true; }
     std::string do_describe() const override;
     bool do_next_event(l3d_event& event) override;
     void do_wait(std::chrono::nanoseconds longest) override;
@@ -51,10 +53,9 @@ private:
 
     std::unique_ptr<x11_window> window_;
     x11_events events_;
-    x11_image_maker make_image_;
+    l3d_image picture_;
     std::unique_ptr<x11_image> image_;
-    bool under_way_ = false;  ///< a picture was put, its arrival not confirmed
-    bool put_is_due_ = false; ///< a picture is to be put once none is under way
+    bool put_is_due_ = false; ///< a picture is to be put once there is a buffer for it
     bool lost_is_told_ = false;
 };
 
@@ -77,13 +78,12 @@ void l3d_screen_x11::do_show() {
 }
 
 void l3d_screen_x11::put_if_due() {
-    if (!put_is_due_ || under_way_)
+    if (!put_is_due_ || !image_->is_free())
         return;
     put_is_due_ = false;
     if (window_->connection().lost())
         return;
-    under_way_ = true;
-    image_->put();
+    image_->put(picture_.pixels());
 }
 
 /// Reads all that the server sent so far. Nothing follows the last XPending: writing may read
@@ -94,12 +94,10 @@ void l3d_screen_x11::read_events() {
     while (!window_->connection().lost() && XPending(display) > 0) {
         XEvent event;
         XNextEvent(display, &event);
-        if (image_->is_put_done(event)) {
-            under_way_ = false;
+        if (image_->take(event))
             put_if_due();
-        } else {
+        else
             events_.take(event);
-        }
     }
     if (window_->connection().lost() && !std::exchange(lost_is_told_, true))
         events_.take_display_lost();
@@ -116,10 +114,12 @@ bool l3d_screen_x11::do_next_event(l3d_event& event) {
 
 /// New pixels only now, when the program learns of them: until then it may draw into the old.
 bool l3d_screen_x11::resized_to(l3d_size size) {
-    if (size == image_->pixels().size())
+    if (size == picture_.pixels().size())
         return false;
     try {
-        image_ = make_image_(*window_, size);
+        auto image = make_x11_image_put(*window_, size);
+        picture_ = l3d_image(size, size.width);
+        image_ = std::move(image);
     } catch (const std::bad_alloc&) {
         return false; // The old picture goes on, in a part of the window.
     }
@@ -144,8 +144,7 @@ std::string l3d_screen_x11::do_describe() const {
     return text.str();
 }
 
-std::unique_ptr<l3d_screen> open_screen(const l3d_screen_request& request,
-                                        x11_image_maker make_image, std::string& why) {
+std::unique_ptr<l3d_screen> open_screen(const l3d_screen_request& request, std::string& why) {
     auto connection = x11_connection::open(why);
     if (!connection)
         return nullptr;
@@ -156,7 +155,7 @@ std::unique_ptr<l3d_screen> open_screen(const l3d_screen_request& request,
     if (!window)
         return nullptr;
     try {
-        auto screen = std::make_unique<l3d_screen_x11>(std::move(window), request.size, make_image);
+        auto screen = std::make_unique<l3d_screen_x11>(std::move(window), request.size);
         screen->open();
         return screen;
     } catch (const std::bad_alloc&) {
@@ -168,12 +167,17 @@ std::unique_ptr<l3d_screen> open_screen(const l3d_screen_request& request,
 
 } // namespace
 
-bool l3d_screen_factory_ximage::do_can_serve(std::string& why) const {
-    const auto connection = x11_connection::open(why);
-    return connection && choose_x11_visual(*connection, why);
+l3d_service l3d_screen_factory_ximage::do_service() const {
+    l3d_service service;
+    const auto connection = x11_connection::open(service.why);
+    if (!connection)
+        service.how = l3d_service::level::no_display;
+    else if (!choose_x11_visual(*connection, service.why))
+        service.how = l3d_service::level::not_here;
+    return service;
 }
 
 std::unique_ptr<l3d_screen> l3d_screen_factory_ximage::do_create(const l3d_screen_request& request,
                                                                  std::string& why) const {
-    return open_screen(request, make_x11_image_put, why);
+    return open_screen(request, why);
 }

@@ -11,9 +11,10 @@
 /// A screen belongs to the thread that made it.
 class l3d_screen_factory_ximage final : public l3d_screen_factory {
 private:
-    /// Errors:  false, with one line in `why` that names the value of DISPLAY.
+    /// Errors:  no_display, with one line that gives the value of DISPLAY; not_here if the display
+    ///          has no usable visual.
     /// Cost:    one connection, closed again.
-    bool do_can_serve(std::string& why) const override;
+    l3d_service do_service() const override;
 
     /// Errors:  null, with one line in `why`: no display, no usable visual, no memory.
     /// Lives:   the screen owns connection, window and pixels.

@@ -17,11 +17,13 @@ enum class l3d_event_type;
 struct l3d_event;
 class l3d_event_source;
 
-// screen_info.h, screen.h
+// screen_info.h, probe.h, screen.h
 struct l3d_pixel_layout;
 class l3d_screen_info;
+struct l3d_probe;
 class l3d_screen;
 struct l3d_screen_request;
+struct l3d_service;
 class l3d_screen_factory;
 
 // screen_memory.h: no display

@@ -122,7 +122,7 @@ std::unique_ptr<x11_connection> x11_connection::open(std::string& why) {
     }
     std::unique_ptr<x11_connection> connection(new x11_connection(name));
     if (connection->display_ == nullptr) {
-        why = std::string("cannot connect to DISPLAY \"") + name + "\"";
+        why = std::string("cannot open the display that DISPLAY names, '") + name + "'";
         return nullptr;
     }
     return connection;

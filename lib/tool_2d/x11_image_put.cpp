@@ -2,9 +2,9 @@
 // x11_image by XPutImage.
 #include "tool_2d/x11_image_p.h"
 
-#include "tool_2d/image.h"
-#include "tool_2d/row_converter_p.h"
+#include "tool_2d/pixel_writer_p.h"
 
+#include <cassert>
 #include <new>
 #include <vector>
 
@@ -39,33 +39,32 @@ unique_ximage make_ximage(const x11_window& window, l3d_size size) {
 class x11_image_put final : public x11_image {
 public:
     x11_image_put(const x11_window& window, l3d_size size)
-        : window_(window), ximage_(make_ximage(window, size)), words_(size, size.width) {
-        if (window.info().native_is_word()) {
-            ximage_->data = reinterpret_cast<char*>(words_.pixels().words);
-        } else {
+        : window_(window), ximage_(make_ximage(window, size)), writer_(window.info()) {
+        if (!writer_.is_identity())
             bytes_.resize(static_cast<std::size_t>(ximage_->bytes_per_line) *
                           static_cast<std::size_t>(size.height));
-            ximage_->data = reinterpret_cast<char*>(bytes_.data());
-            convert_row_ = choose_row_converter(window.info());
-        }
     }
 
 private:
-    l3d_pixels do_pixels() override { return words_.pixels(); }
+    bool do_is_free() const override { return !under_way_; }
 
-    void do_put() override {
-        if (convert_row_ != nullptr)
-            convert();
+    void do_put(const l3d_pixels& picture) override {
+        assert(picture.width == ximage_->width && picture.height == ximage_->height);
+        if (writer_.is_identity())
+            ximage_->data = reinterpret_cast<char*>(picture.words);
+        else
+            convert(picture);
         XPutImage(window_.display(), window_.id(), window_.graphics(), ximage_.get(), 0, 0, 0, 0,
                   static_cast<unsigned>(ximage_->width), static_cast<unsigned>(ximage_->height));
         ask_for_answer();
+        under_way_ = true;
     }
 
-    void convert() {
-        const auto pixels = words_.pixels();
+    void convert(const l3d_pixels& picture) {
         auto* bytes = bytes_.data();
-        for (int y = 0; y < pixels.height; ++y) {
-            convert_row_(window_.info(), pixels.row(y), bytes);
+        ximage_->data = reinterpret_cast<char*>(bytes);
+        for (int y = 0; y < picture.height; ++y) {
+            writer_.write_row(picture.row(y), y, bytes);
             bytes += ximage_->bytes_per_line;
         }
     }
@@ -81,20 +80,23 @@ private:
         XSendEvent(window_.display(), window_.id(), False, NoEventMask, &event);
     }
 
-    bool do_is_put_done(const XEvent& event) const override {
-        return event.type == ClientMessage &&
-               event.xclient.message_type == window_.atoms().l3d_put_done;
+    bool do_take(const XEvent& event) override {
+        if (event.type != ClientMessage ||
+            event.xclient.message_type != window_.atoms().l3d_put_done)
+            return false;
+        under_way_ = false;
+        return true;
     }
 
     std::string do_describe() const override {
-        return convert_row_ == nullptr ? "over the wire, unconverted" : "over the wire, converted";
+        return writer_.is_identity() ? "over the wire, unconverted" : "over the wire, converted";
     }
 
     const x11_window& window_;
     unique_ximage ximage_;
-    l3d_image words_;
+    pixel_writer writer_;
     std::vector<std::uint8_t> bytes_;
-    row_converter convert_row_ = nullptr;
+    bool under_way_ = false;
 };
 
 } // namespace

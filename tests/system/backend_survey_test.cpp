@@ -17,6 +17,9 @@ struct table {
         rows.push_back(paper(log, name, reason));
         rows.back().automatic = automatic;
     }
+    void answer(std::size_t i, l3d_service::level how) {
+        dynamic_cast<const paper_factory&>(*rows[i].screen_factory).how = how;
+    }
 
     call_log log;
     std::vector<l3d_backend> rows;
@@ -40,6 +43,36 @@ TEST(backend_survey, default_is_the_first_that_serves_if_none_is_automatic) {
     std::ostringstream out;
     EXPECT_EQ(l3d_detail::backend_survey(table.rows).asked(in, out).name, "slate");
     EXPECT_NE(out.str().find("Number or name [1]"), std::string::npos) << out.str();
+}
+
+TEST(backend_survey, automatic_prefers_what_serves_fully) {
+    table table;
+    table.add("vellum", true, "no calf");
+    table.add("slate", true, "scratched");
+    table.add("paper", true, "yellow");
+    for (const std::size_t i : {1U, 2U})
+        table.answer(i, l3d_service::level::partly);
+    EXPECT_EQ(l3d_detail::backend_survey(table.rows).automatic().name, "slate");
+    table.answer(2, l3d_service::level::fully);
+    EXPECT_EQ(l3d_detail::backend_survey(table.rows).automatic().name, "paper");
+    EXPECT_EQ(l3d_detail::backend_survey(table.rows).named("slate", "--backend").name, "slate");
+    std::ostringstream out;
+    l3d_detail::backend_survey(table.rows).list(out);
+    EXPECT_NE(out.str().find("slate   yes, but scratched\n"), std::string::npos) << out.str();
+}
+
+TEST(backend_survey, a_display_that_is_silent_is_tried_once) {
+    table table;
+    table.add("vellum", true, "no answer");
+    table.add("slate", true, "no answer");
+    table.add("paper", true);
+    for (const std::size_t i : {0U, 1U}) {
+        table.rows[i].on_display = true;
+        table.answer(i, l3d_service::level::no_display);
+    }
+    unsetenv("DISPLAY");
+    EXPECT_EQ(l3d_detail::backend_survey(table.rows).automatic().name, "paper");
+    EXPECT_EQ(count_of(table.log, "asked"), 2);
 }
 
 TEST(backend_survey, all_reasons_are_given_if_nothing_serves) {

@@ -12,16 +12,22 @@
 #include <string>
 #include <utility>
 
-/// Serves only if it was given no reason not to; counts how often it is asked.
+/// Serves if it was given no reason not to, or is told; counts how often it is asked.
 class paper_factory final : public l3d_screen_factory {
 public:
-    paper_factory(call_log& log, std::string reason) : log_(log), reason_(std::move(reason)) {}
+    paper_factory(call_log& log, std::string reason)
+        : how(reason.empty() ? l3d_service::level::fully : l3d_service::level::not_here), log_(log),
+          reason_(std::move(reason)) {}
+
+    mutable l3d_service::level how;
 
 private:
-    bool do_can_serve(std::string& why) const override {
+    l3d_service do_service() const override {
         log_.push_back("asked");
-        why = reason_;
-        return reason_.empty();
+        l3d_service service;
+        service.why = reason_;
+        service.how = how;
+        return service;
     }
     std::unique_ptr<l3d_screen> do_create(const l3d_screen_request&, std::string&) const override {
         return std::make_unique<fake_screen>(log_);

@@ -11,7 +11,8 @@ namespace {
 std::unique_ptr<l3d_screen> make(l3d_size size) {
     std::string why;
     const l3d_screen_factory_memory factory;
-    EXPECT_TRUE(factory.can_serve(why)) << why;
+    EXPECT_EQ(factory.service().how, l3d_service::level::fully);
+    EXPECT_FALSE(factory.service().is_seen);
     return factory.create({size, "memory"}, why);
 }
 

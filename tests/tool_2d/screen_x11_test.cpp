@@ -148,12 +148,12 @@ TEST(screen_x11, says_which_display_is_not_there) {
     const l3d_screen_factory_ximage factory;
     std::string why;
     unsetenv("DISPLAY");
-    EXPECT_FALSE(factory.can_serve(why));
-    EXPECT_EQ(why, "DISPLAY is not set");
+    EXPECT_EQ(factory.service().how, l3d_service::level::no_display);
+    EXPECT_EQ(factory.service().why, "DISPLAY is not set");
     for (const char* name : {":987", "nonsense", ":", "unix:987.3"}) {
         setenv("DISPLAY", name, 1);
-        EXPECT_FALSE(factory.can_serve(why));
-        EXPECT_EQ(why, std::string("cannot connect to DISPLAY \"") + name + "\"");
+        EXPECT_EQ(factory.service().how, l3d_service::level::no_display);
+        EXPECT_EQ(factory.service().why, std::string("cannot open the display that DISPLAY names, '") + name + "'");
         EXPECT_EQ(factory.create({odd_size, "nowhere"}, why), nullptr);
     }
     unsetenv("DISPLAY");
@@ -164,8 +164,8 @@ TEST(screen_x11, asking_leaves_no_connection) {
     L3D_REQUIRE_SERVER(server);
     const l3d_screen_factory_ximage factory;
     for (int i = 0; i < 100; ++i) {
-        std::string why;
-        ASSERT_TRUE(factory.can_serve(why)) << why << " at " << i;
+        const auto service = factory.service();
+        ASSERT_EQ(service.how, l3d_service::level::fully) << service.why << " at " << i;
     }
 }
 

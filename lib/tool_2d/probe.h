@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// l3d_probe: one thing looked at to find out what can serve here.
+#ifndef L3D_TOOL_2D_PROBE_H
+#define L3D_TOOL_2D_PROBE_H
+
+#include <string>
+#include <vector>
+
+/// What --diagnose prints a line about.
+struct l3d_probe {
+    enum class verdict { good, limited, bad };
+
+    std::string what;   ///< "MIT-SHM", "visual"
+    std::string result; ///< what was found, or why nothing was
+    verdict outcome = verdict::good;
+    std::string remedy; ///< what to install, set or leave out; empty if nothing is wrong
+};
+
+using l3d_probes = std::vector<l3d_probe>;
+
+#endif
