@@ -70,9 +70,9 @@ ARCHIVES  := $(call archives,$(LAYERS))
 APPS      := $(apps:%=$(OUT)/bin/%)
 TESTERS   := $(tested:%=$(OUT)/tests/%_tests)
 objects_bench := $(call objects,$(filter-out %_bench.cpp,$(wildcard tests/bench/*.cpp)))
-bench_help := $(call objects,$(filter-out %_bench.cpp,$(wildcard tests/bench/*.cpp)))
 BENCHES   := $(patsubst %.cpp,$(OUT)/%,$(wildcard tests/bench/*_bench.cpp))
 SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
+STRESS    := $(wildcard tests/x11/stress/*_test.py)
 HEADERS   := $(sort $(wildcard lib/*/*.h))
 SOURCES   := $(sort $(wildcard lib/*/*.cpp apps/*/*.cpp tests/*/*.cpp))
 FORMATTED := $(SOURCES) $(HEADERS) $(sort $(wildcard apps/*/*.h tests/*.h tests/*/*.h))
@@ -82,8 +82,9 @@ LONE      := $(HEADERS:%=$(OUT)/%.ok)
 # A check writes a log; summary.awk judges any set of logs.
 CHECKS    := format-check headers layers errors-doc fail
 LINT_LOGS := $(CHECKS:%=$(OUT)/log/%.log)
+STRESS_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log)
 TEST_LOGS := $(tested:%=$(OUT)/log/%.log) $(SCRIPTS:tests/%=$(OUT)/log/%.log) \
-             $(OUT)/log/layers.log $(OUT)/log/fail.log
+             $(OUT)/log/layers.log $(OUT)/log/fail.log $(if $(filter stress,$(WITH)),$(STRESS_LOGS))
 
 # ---- targets ------------------------------------------------------------------------------------
 
@@ -92,7 +93,7 @@ MAKEFLAGS += -rR --no-print-directory
 .SECONDEXPANSION:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: FORCE all run test matrix lint $(CHECKS) tidy format bench packages hooks clean help
+.PHONY: FORCE all run test stress matrix lint $(CHECKS) tidy format bench packages hooks clean help
 
 Q    := $(if $(V),,@)
 say   = $(if $(V),,@printf '  %-5s %s\n' $(1) $(2:$(OUT)/%=%))
@@ -110,6 +111,9 @@ run: ## build, then show the teapot: in a window, or as a PNG where there is no 
 
 test: packages-test ## build and run every test; ends with "N passed, N failed"
 	@$(call judge,$(TEST_LOGS))
+
+stress: packages-test ## what takes minutes: a server that dies at every request; also: make test WITH=stress
+	@$(call judge,$(STRESS_LOGS))
 
 test-%: packages-test ## the tests of one layer: make test-geom
 	@$(call judge,$(OUT)/log/$*.log)
