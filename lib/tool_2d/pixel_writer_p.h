@@ -3,10 +3,9 @@
 #ifndef L3D_TOOL_2D_PIXEL_WRITER_P_H
 #define L3D_TOOL_2D_PIXEL_WRITER_P_H
 
+#include "tool_2d/pixels.h"
 #include "tool_2d/screen_info.h"
 
-#include <bit>
-#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -15,59 +14,39 @@ namespace l3d_detail {
 
 /// Writes pictures as native pixels. How is chosen once per display, not per row or pixel.
 ///
+/// Each word is shown as a square of scale x scale native pixels. The native picture may end
+/// within a square: ceil(native / scale) words make it.
+///
 /// Lives:   borrows the info.
 class pixel_writer {
 public:
-    /// Expects: 8, 16, 24 or 32 bits per pixel.
-    explicit pixel_writer(const l3d_screen_info& info)
-        : info_(info), write_row_(info.layout().byte_order == std::endian::little
-                                      ? choose<std::endian::little>(info.bytes_per_pixel())
-                                      : choose<std::endian::big>(info.bytes_per_pixel())) {
-        assert(info.bytes_per_pixel() >= 1 && info.bytes_per_pixel() <= 4);
-    }
+    /// Expects: 8, 16, 24 or 32 bits per pixel; scale >= 1.
+    explicit pixel_writer(const l3d_screen_info& info, int scale = 1);
 
     /// Whether words in memory are native pixels as they stand, so that nothing need be written.
-    bool is_identity() const { return info_.native_is_word(); }
+    bool is_identity() const { return scale_ == 1 && info_.native_is_word(); }
 
-    /// Writes row y of a picture.
-    /// Expects: room for words.size() * info.bytes_per_pixel() bytes.
-    void write_row(std::span<const std::uint32_t> words, int y, std::uint8_t* bytes) const {
-        write_row_(info_, words, y, bytes);
-    }
+    int scale() const { return scale_; }
+
+    /// Writes one native row of those that show row y of a picture; they are all alike.
+    /// Shape:   native_width pixels; words.size() is native_width / scale, rounded up.
+    void write_row(std::span<const std::uint32_t> words, int y, int native_width,
+                   std::uint8_t* bytes) const;
+
+    /// Writes all native rows of a picture.
+    /// Shape:   native.height rows, each bytes_per_line after the one above it.
+    void write(const l3d_pixels& picture, l3d_size native, std::uint8_t* bytes,
+               std::ptrdiff_t bytes_per_line) const;
 
 private:
     using row_function = void (*)(const l3d_screen_info&, std::span<const std::uint32_t>, int y,
                                   std::uint8_t*);
-
-    /// Any pixel of Bytes bytes, lowest byte first if Order is little.
-    template <int Bytes, std::endian Order>
-    static void write(const l3d_screen_info& info, std::span<const std::uint32_t> words, int,
-                      std::uint8_t* bytes) {
-        for (const auto word : words) {
-            const auto pixel = info.to_display(word);
-            for (int i = 0; i < Bytes; ++i) {
-                const int place = Order == std::endian::little ? i : Bytes - 1 - i;
-                bytes[place] = static_cast<std::uint8_t>(pixel >> (8 * i));
-            }
-            bytes += Bytes;
-        }
-    }
-
-    template <std::endian Order> static row_function choose(int bytes_per_pixel) {
-        switch (bytes_per_pixel) {
-        case 1:
-            return write<1, Order>;
-        case 2:
-            return write<2, Order>;
-        case 3:
-            return write<3, Order>;
-        default:
-            return write<4, Order>;
-        }
-    }
+    using replicate_function = void (*)(std::uint8_t* bytes, int width, int scale);
 
     const l3d_screen_info& info_;
+    int scale_;
     row_function write_row_;
+    replicate_function replicate_;
 };
 
 } // namespace l3d_detail

@@ -61,12 +61,8 @@ private:
     }
 
     void convert(const l3d_pixels& picture) {
-        auto* bytes = bytes_.data();
-        ximage_->data = reinterpret_cast<char*>(bytes);
-        for (int y = 0; y < picture.height; ++y) {
-            writer_.write_row(picture.row(y), y, bytes);
-            bytes += ximage_->bytes_per_line;
-        }
+        ximage_->data = reinterpret_cast<char*>(bytes_.data());
+        writer_.write(picture, picture.size(), bytes_.data(), ximage_->bytes_per_line);
     }
 
     /// Sends an event to ourselves. The server works in order, so it arrives after the picture;

@@ -18,7 +18,7 @@ bytes converted(l3d_pixel_layout layout, std::endian order) {
     const l3d_screen_info info(layout);
     const std::vector<std::uint32_t> words{0x00FF80, 0x123456, 0xFEDCBA};
     bytes row(words.size() * static_cast<std::size_t>(info.bytes_per_pixel()) + 1, untouched);
-    l3d_detail::pixel_writer(info).write_row(words, 5, row.data());
+    l3d_detail::pixel_writer(info).write_row(words, 5, 3, row.data());
     EXPECT_EQ(row.back(), untouched) << "wrote behind the row";
     row.pop_back();
     return row;
