@@ -53,10 +53,14 @@ private:
     virtual std::string do_take_remark() { return {}; }
 };
 
+/// Largest l3d_screen_request::scale. No display is eight times as fine as 96 dots an inch.
+inline constexpr int l3d_largest_scale = 8;
+
 /// What a program asks of its screen.
 struct l3d_screen_request {
     l3d_size size{1024, 768};
-    std::string title = "l3d";
+    std::string title = "l3d"; ///< UTF-8, for people
+    std::string name = "l3d";  ///< of the program, for window managers and their rules
     /// Side of the square of the display's pixels that shows one of ours; 0: as the display's
     /// resolution asks for.
     int scale = 0;

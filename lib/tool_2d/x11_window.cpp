@@ -2,6 +2,9 @@
 // x11_window: attributes and properties.
 #include "tool_2d/x11_window_p.h"
 
+#include "tool_2d/x11_scale_p.h"
+
+#include <algorithm>
 #include <array>
 #include <cassert>
 
@@ -23,11 +26,14 @@ x11_atoms intern_atoms(Display* display) {
     return {atoms[0], atoms[1], atoms[2], atoms[3], atoms[4], atoms[5], atoms[6]};
 }
 
-/// One property that is an array of bytes or of longs, whatever X calls it.
-void set_property(const x11_window& window, Atom name, Atom type, int format, const void* data,
-                  std::size_t count) {
-    XChangeProperty(window.display(), window.id(), name, type, format, PropModeReplace,
-                    static_cast<const unsigned char*>(data), static_cast<int>(count));
+constexpr long events_always = KeyPressMask | KeyReleaseMask | ButtonPressMask | ButtonReleaseMask |
+                               Button1MotionMask | Button2MotionMask | Button3MotionMask |
+                               StructureNotifyMask | ExposureMask | VisibilityChangeMask |
+                               FocusChangeMask | PropertyChangeMask;
+
+std::string refusal(l3d_size size, int scale) {
+    return "the X server does not make a window of " + std::to_string(size.width) + "x" +
+           std::to_string(size.height) + (scale == 1 ? "" : " at scale " + std::to_string(scale));
 }
 
 } // namespace
@@ -36,27 +42,35 @@ std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> con
                                              const x11_visual& visual,
                                              const l3d_screen_request& request, std::string& why) {
     assert(request.size.width >= 1 && request.size.height >= 1);
-    std::unique_ptr<x11_window> window(new x11_window(std::move(connection), visual));
+    const int scale = x11_scale(*connection, request);
+    if (std::max(request.size.width, request.size.height) > largest_x11_side / scale) {
+        why = refusal(request.size, scale);
+        return nullptr;
+    }
+    std::unique_ptr<x11_window> window(new x11_window(std::move(connection), visual, scale));
+    const l3d_size native{request.size.width * scale, request.size.height * scale};
     x11_error_trap trap(window->connection());
-    window->create(request.size);
+    window->create(native);
     window->set_names(request);
+    window->set_hints(native);
     window->set_protocols();
+    window->find_manager();
     const int error = trap.sync();
     if (window->connection().lost()) {
         why = "the X server went away";
         return nullptr;
     }
     if (error != 0) {
-        why = "the X server does not make a window of " + std::to_string(request.size.width) + "x" +
-              std::to_string(request.size.height);
+        why = refusal(request.size, scale);
         return nullptr;
     }
     return window;
 }
 
-x11_window::x11_window(std::unique_ptr<x11_connection> connection, const x11_visual& visual)
+x11_window::x11_window(std::unique_ptr<x11_connection> connection, const x11_visual& visual,
+                       int scale)
     : connection_(std::move(connection)), visual_(visual), info_(visual.layout),
-      atoms_(intern_atoms(display())) {
+      atoms_(intern_atoms(display())), scale_(scale) {
     // Without this a held key looks like one that is pressed again and again.
     XkbSetDetectableAutoRepeat(display(), True, nullptr);
 }
@@ -68,7 +82,7 @@ x11_window::~x11_window() {
     XFreeColormap(display(), colormap_);
 }
 
-void x11_window::create(l3d_size size) {
+void x11_window::create(l3d_size native) {
     const auto root = connection_->root();
     colormap_ = XCreateColormap(display(), root, visual(), AllocNone);
     XSetWindowAttributes attributes{};
@@ -78,48 +92,80 @@ void x11_window::create(l3d_size size) {
     attributes.background_pixel = info_.to_display(0);
     // What is drawn stays when the window grows, so that only new parts turn black.
     attributes.bit_gravity = NorthWestGravity;
-    attributes.event_mask = KeyPressMask | KeyReleaseMask | ButtonPressMask | ButtonReleaseMask |
-                            Button1MotionMask | Button2MotionMask | Button3MotionMask |
-                            StructureNotifyMask | ExposureMask;
+    attributes.event_mask = events_always;
     window_ = XCreateWindow(
-        display(), root, 0, 0, static_cast<unsigned>(size.width),
-        static_cast<unsigned>(size.height), 0, visual_.layout.depth, InputOutput, visual(),
+        display(), root, 0, 0, static_cast<unsigned>(native.width),
+        static_cast<unsigned>(native.height), 0, visual_.layout.depth, InputOutput, visual(),
         CWColormap | CWBorderPixel | CWBackPixel | CWBitGravity | CWEventMask, &attributes);
     graphics_ = XCreateGC(display(), window_, 0, nullptr);
 }
 
+void x11_window::set_property(Atom name, Atom type, int format, const void* data,
+                              std::size_t count) const {
+    XChangeProperty(display(), window_, name, type, format, PropModeReplace,
+                    static_cast<const unsigned char*>(data), static_cast<int>(count));
+}
+
+/// The old name is in Latin-1 if that can write it, else in an encoding that Xlib chooses.
+void x11_window::set_title(std::string title) {
+    set_property(atoms_.net_wm_name, atoms_.utf8_string, 8, title.data(), title.size());
+    XTextProperty old_name{};
+    char* list = title.data();
+    if (Xutf8TextListToTextProperty(display(), &list, 1, XStdICCTextStyle, &old_name) >= Success) {
+        XSetWMName(display(), window_, &old_name);
+        XFree(old_name.value);
+    }
+}
+
+// Not XSetWMProperties, which sets more: each property is a request, and a slow display's start
+// is the sum of them.
 void x11_window::set_names(const l3d_screen_request& request) {
+    set_title(request.title);
+    std::string instance = request.name, class_name = "L3d";
+    XClassHint names{instance.data(), class_name.data()};
+    XSetClassHint(display(), window_, &names);
+    std::array<char, 256> machine{}; // POSIX: a host's name has at most 255 bytes.
+    gethostname(machine.data(), machine.size() - 1);
+    // Without it the process number means nothing.
+    set_property(XA_WM_CLIENT_MACHINE, XA_STRING, 8, machine.data(),
+                 std::string_view(machine.data()).size());
+    const long process = getpid();
+    set_property(atoms_.net_wm_pid, XA_CARDINAL, 32, &process, 1);
+}
+
+void x11_window::set_hints(l3d_size native) {
     XSizeHints size{};
     size.flags = PSize | PMinSize;
-    size.width = request.size.width;
-    size.height = request.size.height;
+    size.width = native.width;
+    size.height = native.height;
     size.min_width = 1;
     size.min_height = 1;
+    XSetWMNormalHints(display(), window_, &size);
     XWMHints hints{};
     hints.flags = InputHint | StateHint;
     hints.input = True;
     hints.initial_state = NormalState;
-    std::string instance = "l3d", class_name = "L3d";
-    XClassHint names{instance.data(), class_name.data()};
-    // Writes WM_CLIENT_MACHINE too, without which the process number means nothing.
-    Xutf8SetWMProperties(display(), window_, request.title.c_str(), request.title.c_str(), nullptr,
-                         0, &size, &hints, &names);
-    set_property(*this, atoms_.net_wm_name, atoms_.utf8_string, 8, request.title.data(),
-                 request.title.size());
-    const long process = getpid();
-    set_property(*this, atoms_.net_wm_pid, XA_CARDINAL, 32, &process, 1);
+    XSetWMHints(display(), window_, &hints);
 }
 
 void x11_window::set_protocols() {
-    std::array protocols{atoms_.wm_delete_window, atoms_.net_wm_ping};
-    XSetWMProtocols(display(), window_, protocols.data(), static_cast<int>(protocols.size()));
+    const std::array protocols{atoms_.wm_delete_window, atoms_.net_wm_ping};
+    set_property(atoms_.wm_protocols, XA_ATOM, 32, protocols.data(), protocols.size());
+}
+
+/// A window manager is who redirects the root's children; only one client can.
+void x11_window::find_manager() {
+    XWindowAttributes root{};
+    managed_ = XGetWindowAttributes(display(), connection_->root(), &root) != 0 &&
+               (root.all_event_masks & SubstructureRedirectMask) != 0;
+}
+
+void x11_window::watch_pointer(bool always) {
+    XSelectInput(display(), window_, always ? events_always | PointerMotionMask : events_always);
 }
 
 void x11_window::focus_if_unmanaged() {
-    // A window manager is who redirects the root's children; only one client can.
-    XWindowAttributes root{};
-    if (XGetWindowAttributes(display(), connection_->root(), &root) != 0 &&
-        (root.all_event_masks & SubstructureRedirectMask) == 0)
+    if (!managed_)
         XSetInputFocus(display(), window_, RevertToParent, CurrentTime);
 }
 

@@ -44,23 +44,46 @@ public:
     const x11_atoms& atoms() const { return atoms_; }
     const l3d_screen_info& info() const { return info_; }
 
+    /// Side of the square of the display's pixels that shows one of ours.
+    int scale() const { return scale_; }
+
+    /// A length or place of the display's in our pixels; of a size the last pixel may be cut.
+    int ours(int native) const { return (native < 0 ? native - scale_ + 1 : native) / scale_; }
+    l3d_size ours(l3d_size native) const {
+        return {ours(native.width + scale_ - 1), ours(native.height + scale_ - 1)};
+    }
+
+    /// Whether a window manager looks after this display's windows, as of when this one was made.
+    bool is_managed() const { return managed_; }
+
     void map() { XMapWindow(display(), window_); }
+
+    /// Hears of the pointer at all times, or only while a button is held.
+    void watch_pointer(bool always);
 
     /// Takes the keyboard if there is no window manager, who would give it to us.
     /// Expects: the window is on the screen.
     void focus_if_unmanaged();
 
-private:
-    x11_window(std::unique_ptr<x11_connection> connection, const x11_visual& visual);
+    /// Sets one of the window's properties, an array of bytes or of longs, whatever X calls it.
+    void set_property(Atom name, Atom type, int format, const void* data, std::size_t count) const;
 
-    void create(l3d_size size);
+private:
+    x11_window(std::unique_ptr<x11_connection> connection, const x11_visual& visual, int scale);
+
+    void create(l3d_size native);
+    void set_title(std::string title);
     void set_names(const l3d_screen_request& request);
+    void set_hints(l3d_size native);
     void set_protocols();
+    void find_manager();
 
     std::unique_ptr<x11_connection> connection_;
     x11_visual visual_;
     l3d_screen_info info_;
     x11_atoms atoms_;
+    int scale_;
+    bool managed_ = false;
     Colormap colormap_ = 0;
     Window window_ = 0;
     GC graphics_ = nullptr;
