@@ -2,48 +2,52 @@
 // pixel_writer: one loop per kind of pixel.
 #include "tool_2d/pixel_writer_p.h"
 
-#include <bit>
 #include <cassert>
 #include <cstring>
 
 namespace l3d_detail {
 namespace {
 
-/// Any pixel of Bytes bytes, lowest byte first if Order is little.
-template <int Bytes, std::endian Order>
-void write_pixels(const l3d_screen_info& info, std::span<const std::uint32_t> words, int,
-                  std::uint8_t* bytes) {
-    for (const auto word : words) {
-        const auto pixel = info.to_display(word);
-        for (int i = 0; i < Bytes; ++i) {
-            const int place = Order == std::endian::little ? i : Bytes - 1 - i;
-            bytes[place] = static_cast<std::uint8_t>(pixel >> (8 * i));
-        }
-        bytes += Bytes;
+constexpr int dither_side = 8;
+constexpr int dither_pixels = dither_side * dither_side;
+
+/// One row of thresholds, t[x % 8]: a pixel goes up if n + t >= 64.
+///
+/// Over the square, t takes each of 0..63 once, so exactly n of the pixels go up; and the bits of
+/// x and y are so interleaved, last bits first, that any n of them are spread evenly.
+/// Source:  Bayer: An optimum method for two-level rendition of continuous-tone pictures (1973).
+std::array<std::uint32_t, dither_side> thresholds_of_row(int y) {
+    std::array<std::uint32_t, dither_side> thresholds{};
+    for (std::uint32_t x = 0; x < dither_side; ++x) {
+        const auto low = static_cast<std::uint32_t>(y), high = x ^ low;
+        std::uint32_t rank = 0;
+        for (int bit = 0; bit < 3; ++bit)
+            rank = rank << 2 | (high >> bit & 1) << 1 | (low >> bit & 1);
+        thresholds[x] = dither_pixels - 1 - rank;
+    }
+    return thresholds;
+}
+
+/// Stores a pixel, lowest byte first if Order is little.
+template <std::endian Order, int Bytes> void store(std::uint32_t pixel, std::uint8_t* bytes) {
+    for (int i = 0; i < Bytes; ++i) {
+        const int place = Order == std::endian::little ? i : Bytes - 1 - i;
+        bytes[place] = static_cast<std::uint8_t>(pixel >> (8 * i));
     }
 }
 
 /// Turns a row of pixels into one of squares, in place: from right to left, so that no pixel is
 /// overwritten before it was read.
 template <int Bytes> void replicate(std::uint8_t* bytes, int width, int scale) {
-    for (int x = width - 1; x >= 0; --x)
-        std::memmove(bytes + x * Bytes, bytes + x / scale * Bytes, Bytes);
-}
-
-template <std::endian Order> auto row_writer(int bytes_per_pixel) {
-    switch (bytes_per_pixel) {
-    case 1:
-        return write_pixels<1, Order>;
-    case 2:
-        return write_pixels<2, Order>;
-    case 3:
-        return write_pixels<3, Order>;
-    default:
-        return write_pixels<4, Order>;
+    for (int from = (width - 1) / scale, end = width; from >= 0; end = from-- * scale) {
+        std::array<std::uint8_t, Bytes> pixel;
+        std::memcpy(pixel.data(), bytes + from * Bytes, Bytes);
+        for (int x = end - 1; x >= from * scale; --x)
+            std::memcpy(bytes + x * Bytes, pixel.data(), Bytes);
     }
 }
 
-auto replicator(int bytes_per_pixel) {
+auto choose_replicate(int bytes_per_pixel) {
     switch (bytes_per_pixel) {
     case 1:
         return replicate<1>;
@@ -58,20 +62,133 @@ auto replicator(int bytes_per_pixel) {
 
 } // namespace
 
+/// Any masks.
+struct pixel_writer::by_tables {
+    const l3d_screen_info& info;
+
+    by_tables(const pixel_writer& writer, int) : info(writer.info_) {}
+    std::uint32_t operator()(std::uint32_t word, std::size_t) const { return info.by_masks(word); }
+};
+
+/// Masks of eight bits each: their order may differ from ours, or there is alpha.
+struct pixel_writer::by_shifts {
+    int red, green, blue;
+    std::uint32_t opaque_bits;
+
+    by_shifts(const pixel_writer& writer, int)
+        : red(writer.info_.red().shift), green(writer.info_.green().shift),
+          blue(writer.info_.blue().shift), opaque_bits(writer.info_.opaque_bits()) {}
+    std::uint32_t operator()(std::uint32_t word, std::size_t) const {
+        return (word >> 16 & 255) << red | (word >> 8 & 255) << green | (word & 255) << blue |
+               opaque_bits;
+    }
+};
+
+/// A cube of colours.
+struct pixel_writer::by_cube {
+    const pixel_writer& writer;
+    const std::uint32_t* pixels;
+    std::uint32_t greens, blues;
+    std::array<std::uint32_t, dither_side> thresholds;
+
+    by_cube(const pixel_writer& from, int y)
+        : writer(from), pixels(from.info_.palette().pixels.data()),
+          greens(static_cast<std::uint32_t>(from.info_.palette().green)),
+          blues(static_cast<std::uint32_t>(from.info_.palette().blue)),
+          thresholds(thresholds_of_row(y)) {}
+    std::uint32_t operator()(std::uint32_t word, std::size_t x) const {
+        const auto threshold = thresholds[x % dither_side];
+        const auto red = (writer.red_[word >> 16 & 255] + threshold) / dither_pixels;
+        const auto green = (writer.green_[word >> 8 & 255] + threshold) / dither_pixels;
+        const auto blue = (writer.blue_[word & 255] + threshold) / dither_pixels;
+        return pixels[(red * greens + green) * blues + blue];
+    }
+};
+
+/// A ramp of grays.
+struct pixel_writer::by_ramp {
+    const pixel_writer& writer;
+    const std::uint32_t* pixels;
+    std::array<std::uint32_t, dither_side> thresholds;
+
+    by_ramp(const pixel_writer& from, int y)
+        : writer(from), pixels(from.info_.palette().pixels.data()),
+          thresholds(thresholds_of_row(y)) {}
+    std::uint32_t operator()(std::uint32_t word, std::size_t x) const {
+        const auto level =
+            writer.red_[l3d_screen_info::gray_of(word)] + thresholds[x % dither_side];
+        return pixels[level / dither_pixels];
+    }
+};
+
 pixel_writer::pixel_writer(const l3d_screen_info& info, int scale)
-    : info_(info), scale_(scale),
-      write_row_(info.layout().byte_order == std::endian::little
-                     ? row_writer<std::endian::little>(info.bytes_per_pixel())
-                     : row_writer<std::endian::big>(info.bytes_per_pixel())),
-      replicate_(replicator(info.bytes_per_pixel())) {
+    : info_(info), scale_(scale), write_row_(choose_kind()),
+      replicate_(choose_replicate(info.bytes_per_pixel())) {
     assert(info.bytes_per_pixel() >= 1 && info.bytes_per_pixel() <= 4);
     assert(scale >= 1);
+    if (info.has_palette()) {
+        red_ = dither_table_of(info.palette().red);
+        green_ = dither_table_of(info.palette().green);
+        blue_ = dither_table_of(info.palette().blue);
+    }
+}
+
+/// The share of level i + 1 is (value - level i) / gap, in 64ths to nearest.
+pixel_writer::dither_table pixel_writer::dither_table_of(int levels) {
+    dither_table table{};
+    for (int value = 0, level = 0; value < 255 && levels > 1; ++value) {
+        if (value == l3d_palette::value_of(level + 1, levels))
+            ++level;
+        const int below = l3d_palette::value_of(level, levels);
+        const int gap = l3d_palette::value_of(level + 1, levels) - below;
+        const int share = (2 * dither_pixels * (value - below) + gap) / (2 * gap);
+        table[static_cast<std::size_t>(value)] =
+            static_cast<std::uint16_t>(dither_pixels * level + share);
+    }
+    table[255] = static_cast<std::uint16_t>(dither_pixels * (levels - 1));
+    return table;
+}
+
+pixel_writer::row_function pixel_writer::choose_kind() const {
+    if (info_.has_palette())
+        return info_.palette().is_ramp() ? choose_order<by_ramp>() : choose_order<by_cube>();
+    const bool bytes =
+        info_.red().width == 8 && info_.green().width == 8 && info_.blue().width == 8;
+    return bytes ? choose_order<by_shifts>() : choose_order<by_tables>();
+}
+
+template <class Kind> pixel_writer::row_function pixel_writer::choose_order() const {
+    return info_.layout().byte_order == std::endian::little
+               ? choose_size<Kind, std::endian::little>()
+               : choose_size<Kind, std::endian::big>();
+}
+
+template <class Kind, std::endian Order>
+pixel_writer::row_function pixel_writer::choose_size() const {
+    switch (info_.bytes_per_pixel()) {
+    case 1:
+        return &pixel_writer::write_pixels<Kind, Order, 1>;
+    case 2:
+        return &pixel_writer::write_pixels<Kind, Order, 2>;
+    case 3:
+        return &pixel_writer::write_pixels<Kind, Order, 3>;
+    default:
+        return &pixel_writer::write_pixels<Kind, Order, 4>;
+    }
+}
+
+template <class Kind, std::endian Order, int Bytes>
+void pixel_writer::write_pixels(std::span<const std::uint32_t> words, int y,
+                                std::uint8_t* bytes) const {
+    const Kind pixel_of(*this, y);
+    for (std::size_t x = 0; x < words.size(); ++x)
+        store<Order, Bytes>(pixel_of(words[x], x), bytes + x * Bytes);
 }
 
 void pixel_writer::write_row(std::span<const std::uint32_t> words, int y, int native_width,
                              std::uint8_t* bytes) const {
     assert(words.size() == static_cast<std::size_t>((native_width + scale_ - 1) / scale_));
-    write_row_(info_, words, y, bytes);
+    (this->*write_row_)(words, y, bytes);
     if (scale_ > 1)
         replicate_(bytes, native_width, scale_);
 }

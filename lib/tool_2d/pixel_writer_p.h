@@ -6,6 +6,8 @@
 #include "tool_2d/pixels.h"
 #include "tool_2d/screen_info.h"
 
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,6 +18,15 @@ namespace l3d_detail {
 ///
 /// Each word is shown as a square of scale x scale native pixels. The native picture may end
 /// within a square: ceil(native / scale) words make it.
+///
+/// With a palette, colours between its levels are mixed from both by an ordered dither, which
+/// stays where it is while the picture moves:
+/// - a channel shows one of the two levels around its value, so it is off by less than a step;
+/// - a value that is a level is shown as that level in every pixel;
+/// - over 8 x 8 words of one colour, whole blocks of the picture or not, the mean of what a channel
+///   shows is off by at most 1/128 of the gap between its two levels;
+/// - where channels have as many levels, greys are mixed from greys.
+/// To all of these comes the palette's deviation. On a ramp they hold for gray_of.
 ///
 /// Lives:   borrows the info.
 class pixel_writer {
@@ -39,14 +50,32 @@ public:
                std::ptrdiff_t bytes_per_line) const;
 
 private:
-    using row_function = void (*)(const l3d_screen_info&, std::span<const std::uint32_t>, int y,
-                                  std::uint8_t*);
+    /// For each channel value 64 i + n: on a square of 8 x 8, n pixels show level i + 1, the others
+    /// level i.
+    using dither_table = std::array<std::uint16_t, 256>;
+
+    // The kinds of pixels: each knows one row, and gives the pixel of a word in it.
+    struct by_tables;
+    struct by_shifts;
+    struct by_cube;
+    struct by_ramp;
+
+    using row_function = void (pixel_writer::*)(std::span<const std::uint32_t>, int y,
+                                                std::uint8_t*) const;
     using replicate_function = void (*)(std::uint8_t* bytes, int width, int scale);
+
+    static dither_table dither_table_of(int levels);
+    row_function choose_kind() const;
+    template <class Kind> row_function choose_order() const;
+    template <class Kind, std::endian Order> row_function choose_size() const;
+    template <class Kind, std::endian Order, int Bytes>
+    void write_pixels(std::span<const std::uint32_t> words, int y, std::uint8_t* bytes) const;
 
     const l3d_screen_info& info_;
     int scale_;
     row_function write_row_;
     replicate_function replicate_;
+    dither_table red_{}, green_{}, blue_{}; ///< of the palette, if there is one
 };
 
 } // namespace l3d_detail

@@ -8,10 +8,27 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <vector>
+
+/// How a display finds the colour of a pixel: in a map of colours or grays, by masks, or, in a
+/// direct_color one, by masks and a map for each channel. Static maps cannot be changed.
+enum class l3d_color_class {
+    static_gray,
+    gray_scale,
+    static_color,
+    pseudo_color,
+    true_color,
+    direct_color,
+};
+
+/// The name of a class as X spells it, "TrueColor".
+const char* l3d_name_of(l3d_color_class color_class);
 
 /// What a display says about its pixels. The defaults are those of l3d_pixels itself.
 ///
-/// Expects: each mask one run of ones, at most 16 wide, none overlapping another.
+/// Expects: each mask one run of ones, at most 16 wide, none overlapping another; all 0 if pixels
+///          only count the cells of a map.
 struct l3d_pixel_layout {
     int depth = 24;          ///< bits that mean something
     int bits_per_pixel = 32; ///< bits that are stored
@@ -20,24 +37,55 @@ struct l3d_pixel_layout {
     std::uint32_t blue_mask = 0x0000FF;
     std::endian byte_order = std::endian::native;
     int scanline_pad = 32; ///< every row starts at a multiple of so many bits
+    l3d_color_class color_class = l3d_color_class::true_color;
+
+    /// One phrase: class, depth, bits per pixel, byte order, masks.
+    std::string describe() const;
+
     friend bool operator==(const l3d_pixel_layout&, const l3d_pixel_layout&) = default;
 };
 
 /// Where one channel sits in a native pixel.
 struct l3d_channel {
     int shift = 0; ///< zero bits below it
-    int width = 0; ///< bits
+    int width = 0; ///< bits; 0 if pixels have no channels
+};
+
+/// The pixels of a display with few colours: a cube of them, or a ramp of grays.
+///
+/// Shape:   pixels[(r * green + g) * blue + b] shows level r of `red` levels, g of `green`, b of
+///          `blue`; on a ramp, `red` counts the grays, and the others are 1.
+/// Expects: 2 to 256 levels of each, but for those ones.
+struct l3d_palette {
+    int red = 0;
+    int green = 0;
+    int blue = 0;
+    std::vector<std::uint32_t> pixels; ///< empty: there is no palette, masks say all
+    /// How far the display is off: the largest difference between a channel that a pixel shows
+    /// and its level, 0..255. Other programs' colours, borrowed from a full map, need not be ours.
+    int deviation = 0;
+
+    bool is_ramp() const { return green == 1; }
+
+    /// The channel value, 0..255, of a level: level * 255 / (levels - 1), to nearest.
+    /// Expects: levels >= 2.
+    static int value_of(int level, int levels) {
+        return (2 * 255 * level + levels - 1) / (2 * (levels - 1));
+    }
 };
 
 /// How the native pixels of one display look. A value: copy it freely.
 ///
-/// Cost:    three tables of 256 words, so that converting a pixel is three loads.
+/// Cost:    three tables of 256 words, so that converting a pixel is three loads, or four.
 /// Source:  the scaling of few bits is that of Lin, Linux 3D Graphics Programming, chapter 2.
 class l3d_screen_info final {
 public:
-    explicit l3d_screen_info(const l3d_pixel_layout& layout = {});
+    /// Expects: masks or a palette; with both, pixels are those of the palette.
+    explicit l3d_screen_info(const l3d_pixel_layout& layout = {}, l3d_palette palette = {});
 
     const l3d_pixel_layout& layout() const { return layout_; }
+    const l3d_palette& palette() const { return palette_; }
+    bool has_palette() const { return !palette_.pixels.empty(); }
     int bytes_per_pixel() const { return layout_.bits_per_pixel / 8; }
     l3d_channel red() const { return red_; }
     l3d_channel green() const { return green_; }
@@ -48,7 +96,10 @@ public:
     std::uint32_t opaque_bits() const { return opaque_bits_; }
 
     /// Whether a pixel word, stored by this machine, is already the native pixel.
-    bool native_is_word() const { return layout_ == l3d_pixel_layout{}; }
+    bool native_is_word() const;
+
+    /// One phrase: the layout, and the palette if there is one.
+    std::string describe() const;
 
     /// The word that goes into l3d_pixels, 0x00RRGGBB.
     /// Units:   channels 0..255; others are clamped.
@@ -56,15 +107,31 @@ public:
         return channel_byte(red) << 16 | channel_byte(green) << 8 | channel_byte(blue);
     }
 
+    /// The grey, 0..255, that is as bright as a word's colour; that of a grey is its own value.
+    /// Source:  the weights of ITU-R BT.601, 0.299, 0.587 and 0.114, in 65536ths.
+    static std::uint32_t gray_of(std::uint32_t word) {
+        return ((word >> 16 & 255) * 19595 + (word >> 8 & 255) * 38470 + (word & 255) * 7471 +
+                32768) >>
+               16;
+    }
+
     /// The display's own pixel value for such a word.
     ///
-    /// A channel value v becomes v * max / 255, where max is the display's largest: rounded down
-    /// below 8 bits, as the book does, so that each level stands for an equal share of the 256;
-    /// the same number at 8 bits; rounded to nearest above, so that 0 and 255 stay the ends.
+    /// By masks, a channel value v becomes v * max / 255, where max is the display's largest:
+    /// rounded down below 8 bits, as the book does, so that each level stands for an equal share
+    /// of the 256; the same number at 8 bits; rounded to nearest above, so that 0 and 255 stay
+    /// the ends. In a cube it becomes the nearest level, the lower of two: what shows differs by at
+    /// most half the gap between two levels, and the palette's deviation. On a ramp, so does
+    /// gray_of.
     std::uint32_t to_display(std::uint32_t word) const {
-        return red_pixels_[word >> 16 & 255] | green_pixels_[word >> 8 & 255] |
-               blue_pixels_[word & 255] | opaque_bits_;
+        if (!has_palette())
+            return by_masks(word);
+        return palette_.pixels[sum_of_tables(palette_.is_ramp() ? gray_of(word) << 16 : word)];
     }
+
+    /// Likewise, for pictures in which this is decided once.
+    /// Expects: no palette.
+    std::uint32_t by_masks(std::uint32_t word) const { return sum_of_tables(word) | opaque_bits_; }
 
 private:
     using table = std::array<std::uint32_t, 256>;
@@ -72,12 +139,17 @@ private:
     static std::uint32_t channel_byte(int value) {
         return static_cast<std::uint32_t>(std::clamp(value, 0, 255));
     }
-    static table channel_pixels(l3d_channel channel);
+    std::uint32_t sum_of_tables(std::uint32_t word) const {
+        return red_parts_[word >> 16 & 255] + green_parts_[word >> 8 & 255] +
+               blue_parts_[word & 255];
+    }
 
     l3d_pixel_layout layout_;
+    l3d_palette palette_;
     l3d_channel red_, green_, blue_;
     std::uint32_t opaque_bits_;
-    table red_pixels_, green_pixels_, blue_pixels_;
+    /// What each channel adds to the pixel or, if there is a palette, to the place in it.
+    table red_parts_, green_parts_, blue_parts_;
 };
 
 #endif
