@@ -18,8 +18,10 @@ TEST_TIMEOUT ?= 900#  seconds a test program may take, sanitizers on a slow mach
 
 # Debian packages, each with its proof: a header, a library or a program that must be there.
 PACKAGES_build  := g++:$(CXX) libglm-dev:glm/glm.hpp libpng-dev:png.h libx11-dev:X11/Xlib.h \
-    libxext-dev:X11/extensions/XShm.h libcli11-dev:CLI/CLI.hpp nlohmann-json3-dev:nlohmann/json.hpp
-PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool
+    libxext-dev:X11/extensions/XShm.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
+    nlohmann-json3-dev:nlohmann/json.hpp
+PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool \
+    libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so
 PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
 PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
 PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h
