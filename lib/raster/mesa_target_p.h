@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// mesa_target: a picture in GL, which comes from pixels in memory and goes back there.
+#ifndef L3D_RASTER_MESA_TARGET_P_H
+#define L3D_RASTER_MESA_TARGET_P_H
+
+#include "tool_2d/mesa_context_p.h"
+#include "tool_2d/pixels.h"
+#include "raster/depth_buffer.h"
+
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace l3d_detail {
+
+/// The one framebuffer object of a context, with a program that draws triangles into it.
+///
+/// Row 0 of the picture is row 0 in GL, so that nothing is ever flipped, and GL's left and top
+/// edges are ours. The viewport is `reach` pixels around the middle of the picture whatever its
+/// size: positions are then exact on the lattice of 1/256 pixel all the way, for they are whole
+/// multiples of 2^-21 in clip space and at most 1 there.
+/// Cost:    no call is free of locks and checks; batches of thousands of triangles hide that.
+class mesa_target {
+public:
+    /// Half the width of the viewport, in pixels; llvmpipe's largest viewport is 2^14 wide.
+    static constexpr int reach = 8192;
+
+    /// What a program is made of; `attributes` are the inputs of its vertices, from 0 on.
+    struct program_text {
+        const char* vertex;
+        const char* fragment;
+        std::initializer_list<const char*> attributes;
+    };
+
+    /// Errors:  l3d_error(no_backend) if this GL does not compile the program.
+    mesa_target(std::unique_ptr<mesa_context> context, const program_text& text, bool with_depth);
+
+    /// The GL calls, after which the context is current.
+    const mesa_gl& gl() { return context_->make_current(); }
+
+    int uniform(const char* name) { return gl().GetUniformLocation(program_, name); }
+
+    /// Errors:  false if GL cannot hold a picture of that size; nothing may be drawn then.
+    bool resize(l3d_size size);
+
+    /// The pixel in the middle of the viewport.
+    int middle_x() const { return size_.width / 2; }
+    int middle_y() const { return size_.height / 2; }
+
+    void upload(const l3d_pixels& pixels);
+    void download(const l3d_pixels& pixels);
+
+    /// Depth is kept as inv_w depth_scale. Expects: with_depth.
+    void upload(const l3d_depth_buffer& depth);
+    void download(l3d_depth_buffer& depth);
+
+    /// Powers of two lose nothing, and every inv_w from 2^-94 to 2^32 is then inside [0, 1], where
+    /// GL wants its depth, and has all its bits.
+    static constexpr float depth_scale = 1.0f / 65536.0f / 65536.0f;
+
+private:
+    void make_program(const program_text& text);
+    unsigned make_texture();
+
+    std::unique_ptr<mesa_context> context_;
+    bool with_depth_;
+    unsigned program_ = 0, color_ = 0, depth_ = 0;
+    l3d_size size_;
+    std::vector<float> scaled_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// l3d_rasterizer_factory_mesa: a context for each.
+#include "raster/rasterizer_factory_mesa.h"
+
+#include "tool_2d/error.h"
+#include "raster/rasterizer_2d_mesa.h"
+#include "raster/surface_rasterizer_mesa.h"
+
+namespace {
+
+std::unique_ptr<l3d_detail::mesa_context> open_context() {
+    std::string why;
+    auto context = l3d_detail::mesa_context::open(why);
+    if (!context)
+        throw l3d_error(l3d_exit::no_backend, why);
+    return context;
+}
+
+} // namespace
+
+std::unique_ptr<l3d_rasterizer_2d_imp>
+l3d_rasterizer_factory_mesa::do_create_2d(l3d_pixels target) const {
+    return std::make_unique<l3d_rasterizer_2d_mesa_imp>(open_context(), target);
+}
+
+std::unique_ptr<l3d_surface_rasterizer> l3d_rasterizer_factory_mesa::do_create_surface() const {
+    return std::make_unique<l3d_surface_rasterizer_mesa>(open_context());
+}

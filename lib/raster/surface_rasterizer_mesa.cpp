@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// l3d_surface_rasterizer_mesa: the shaders, and triangles for them.
+#include "raster/surface_rasterizer_mesa.h"
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace {
+
+using namespace l3d_detail;
+
+// `shade` counts as l3d_shade does, `flat` is `lambert` with one normal for all corners. 1 / 8192
+// is mesa_target::reach, 2^-32 its depth_scale; 1.2e-38 is a little more than the least float with
+// all its bits: a zero normal then has cosine 0. Levels are rounded here: the rule is not GL's to
+// choose.
+const mesa_target::program_text shaded_surfaces{.vertex = R"(#version 120
+        attribute vec3 position;
+        attribute vec3 normal;
+        uniform vec2 middle;
+        uniform vec3 light;
+        varying float inv_w;
+        varying vec3 direction;
+        varying vec2 greys;
+        float intensity(float cosine) { return 0.1 + 0.9 * clamp(cosine, 0.0, 1.0); }
+        void main() {
+            gl_Position = vec4((position.xy - middle) * (1.0 / 8192.0), 0.0, 1.0);
+            inv_w = position.z;
+            direction = normal;
+            float cosine = dot(light, normal) / sqrt(max(dot(normal, normal), 1.2e-38));
+            greys = vec2(intensity(-cosine), intensity(cosine));
+        })",
+                                                .fragment = R"(#version 120
+        uniform int shade;
+        uniform vec3 light;
+        varying float inv_w;
+        varying vec3 direction;
+        varying vec2 greys;
+        vec3 shaded() {
+            float side = gl_FrontFacing ? -1.0 : 1.0; // GL's front has y up
+            if (shade == 1)
+                return vec3(gl_FrontFacing ? greys.x : greys.y);
+            if (shade == 4)
+                return direction;
+            vec3 unit = side * direction / sqrt(max(dot(direction, direction), 1.2e-38));
+            if (shade == 3)
+                return 0.5 * (unit + 1.0);
+            return vec3(0.1 + 0.9 * clamp(dot(light, unit), 0.0, 1.0));
+        }
+        void main() {
+            gl_FragColor = vec4(floor(255.0 * clamp(shaded(), 0.0, 1.0) + 0.5) / 255.0, 0.0);
+            gl_FragDepth = inv_w * (1.0 / 65536.0 / 65536.0);
+        })",
+                                                .attributes = {"position", "normal"}};
+static_assert(mesa_target::reach == 8192);
+static_assert(static_cast<int>(l3d_shade::gouraud) == 1 &&
+              static_cast<int>(l3d_shade::normals) == 3 && static_cast<int>(l3d_shade::error) == 4);
+
+/// Vertices that are gathered before GL gets them: 24 bytes each, 1.2 MB.
+constexpr std::size_t full_batch = std::size_t{3} << 14;
+
+l3d_micro_vertex mean_normal(std::span<const l3d_micro_vertex> polygon, l3d_micro_vertex corner) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        corner.normal[axis] = 0;
+        for (const l3d_micro_vertex& each : polygon)
+            corner.normal[axis] += each.normal[axis];
+    }
+    return corner;
+}
+
+} // namespace
+
+l3d_surface_rasterizer_mesa::l3d_surface_rasterizer_mesa(std::unique_ptr<mesa_context> context)
+    : gl_target_(std::move(context), shaded_surfaces, true) {
+    gl_target_.gl().GenQueries(1, &query_);
+}
+
+void l3d_surface_rasterizer_mesa::do_begin(l3d_pixels target, l3d_depth_buffer& depth,
+                                           const l3d_shading& shading) {
+    assert(target.size() == depth.size());
+    target_ = target;
+    depth_ = &depth;
+    shading_ = shading;
+    counts_ = {};
+    batch_.clear();
+    newer_ = false;
+    cpu_.begin(target, depth, shading);
+    const mesa_gl& gl = gl_target_.gl();
+    if (held_size_ != target.size()) {
+        held_size_ = target.size();
+        fits_ = gl_target_.resize(target.size());
+        gl.Uniform2f(gl_target_.uniform("middle"), static_cast<float>(gl_target_.middle_x()),
+                     static_cast<float>(gl_target_.middle_y()));
+    }
+    gl.Uniform1i(gl_target_.uniform("shade"), static_cast<int>(shading.mode));
+    gl.Uniform3f(gl_target_.uniform("light"), shading.light[0], shading.light[1], shading.light[2]);
+}
+
+void l3d_surface_rasterizer_mesa::do_set_error_color(std::uint32_t color) {
+    error_color_ = color;
+    cpu_.set_error_color(color);
+}
+
+void l3d_surface_rasterizer_mesa::do_draw_grid(const l3d_micro_grid& grid) {
+    if (!fits_)
+        return cpu_.draw_grid(grid);
+    for (int row = 0; row + 1 < grid.rows; ++row)
+        for (int column = 0; column + 1 < grid.columns; ++column)
+            add(std::array{grid.vertex(row, column), grid.vertex(row, column + 1),
+                           grid.vertex(row + 1, column + 1), grid.vertex(row + 1, column)});
+}
+
+void l3d_surface_rasterizer_mesa::do_draw_triangle(const l3d_micro_vertex& a,
+                                                   const l3d_micro_vertex& b,
+                                                   const l3d_micro_vertex& c) {
+    if (!fits_)
+        return cpu_.draw_triangle(a, b, c);
+    add(std::array{a, b, c});
+}
+
+void l3d_surface_rasterizer_mesa::add(std::span<const l3d_micro_vertex> polygon) {
+    const auto part = [this](int shift) { // of the error colour
+        return static_cast<float>(error_color_ >> shift & 255) / 255.0f;
+    };
+    const auto add_corner = [&](const l3d_micro_vertex& corner) {
+        const l3d_micro_vertex v =
+            shading_.mode == l3d_shade::flat ? mean_normal(polygon, corner) : corner;
+        vertex& made =
+            batch_.emplace_back(vertex{{static_cast<float>(v.x) / l3d_subpixel_one,
+                                        static_cast<float>(v.y) / l3d_subpixel_one, v.inv_w},
+                                       {v.normal[0], v.normal[1], v.normal[2]}});
+        if (shading_.mode == l3d_shade::error)
+            made = {{made.position[0], made.position[1], made.position[2]},
+                    {part(16), part(8), part(0)}};
+    };
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+        add_corner(polygon[0]);
+        add_corner(polygon[i - 1]);
+        add_corner(polygon[i]);
+    }
+    ++counts_.quads;
+    if (batch_.size() >= full_batch)
+        flush();
+}
+
+void l3d_surface_rasterizer_mesa::flush() {
+    if (batch_.empty())
+        return;
+    const mesa_gl& gl = gl_target_.gl();
+    if (!newer_) {
+        gl_target_.upload(target_);
+        gl_target_.upload(*depth_);
+        newer_ = true;
+    }
+    gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(vertex), batch_[0].position);
+    gl.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(vertex), batch_[0].normal);
+
+    gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl.DepthMask(GL_FALSE);
+    gl.DepthFunc(GL_ALWAYS);
+    counts_.samples += draw_counted();
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl.DepthMask(GL_TRUE);
+    gl.DepthFunc(GL_GREATER); // the first of equals stays
+    counts_.written += draw_counted();
+    batch_.clear();
+}
+
+/// Draws the batch; returns how many samples passed the depth test.
+std::int64_t l3d_surface_rasterizer_mesa::draw_counted() {
+    const mesa_gl& gl = gl_target_.gl();
+    gl.BeginQuery(GL_SAMPLES_PASSED, query_);
+    gl.DrawArrays(GL_TRIANGLES, 0, static_cast<int>(batch_.size()));
+    gl.EndQuery(GL_SAMPLES_PASSED);
+    unsigned passed = 0;
+    gl.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &passed);
+    return passed;
+}
+
+void l3d_surface_rasterizer_mesa::do_finish() {
+    flush();
+    if (!newer_)
+        return;
+    gl_target_.download(target_);
+    gl_target_.download(*depth_);
+    newer_ = false;
+}
+
+const l3d_surface_counts& l3d_surface_rasterizer_mesa::do_counts() const {
+    return fits_ ? counts_ : cpu_.counts();
+}

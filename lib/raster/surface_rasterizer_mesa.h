@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// l3d_surface_rasterizer_mesa: the surface rasterizer through GL.
+#ifndef L3D_RASTER_SURFACE_RASTERIZER_MESA_H
+#define L3D_RASTER_SURFACE_RASTERIZER_MESA_H
+
+#include "raster/mesa_target_p.h"
+#include "raster/surface_rasterizer_sw.h"
+
+#include <memory>
+#include <vector>
+
+/// A second opinion on every picture of surfaces: another's coverage, interpolation and depth test,
+/// and shaders of its own language.
+///
+/// A quad is two triangles, so inside a quad that is no parallelogram depth and shade differ a
+/// little from the plane that the CPU lays through it; the outline does not. Positions are exact
+/// within 8192 pixels of the middle of the picture; what reaches further is clipped there, rounded.
+/// A picture larger than GL's largest is left to the CPU.
+/// Units:   as l3d_surface_rasterizer_sw, and inv_w from 2^-94 to 2^32.
+/// Cost:    drawing gathers; every batch is drawn twice, once only to count its samples.
+class l3d_surface_rasterizer_mesa final : public l3d_surface_rasterizer {
+public:
+    /// Errors:  l3d_error(no_backend) if this GL does not compile the shaders.
+    explicit l3d_surface_rasterizer_mesa(std::unique_ptr<l3d_detail::mesa_context> context);
+
+private:
+    void do_begin(l3d_pixels target, l3d_depth_buffer& depth, const l3d_shading& shading) override;
+    void do_set_error_color(std::uint32_t color) override;
+    void do_draw_grid(const l3d_micro_grid& grid) override;
+    void do_draw_triangle(const l3d_micro_vertex& a, const l3d_micro_vertex& b,
+                          const l3d_micro_vertex& c) override;
+    void do_finish() override;
+    const l3d_surface_counts& do_counts() const override;
+
+    struct vertex {
+        float position[3]; ///< x, y in pixels, inv_w
+        float normal[3];   ///< or, in mode `error`, red, green, blue
+    };
+
+    void add(std::span<const l3d_micro_vertex> polygon);
+    void flush();
+    std::int64_t draw_counted();
+
+    l3d_detail::mesa_target gl_target_;
+    l3d_pixels target_;
+    l3d_depth_buffer* depth_ = nullptr;
+    l3d_shading shading_;
+    l3d_surface_counts counts_;
+    std::uint32_t error_color_ = 0x00ffffff;
+    std::vector<vertex> batch_;
+    l3d_size held_size_;
+    bool fits_ = false;  ///< GL can hold the picture
+    bool newer_ = false; ///< GL's picture is newer than the target
+    unsigned query_ = 0;
+    l3d_surface_rasterizer_sw cpu_;
+};
+
+#endif
