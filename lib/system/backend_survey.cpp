@@ -75,11 +75,8 @@ const l3d_backend& backend_survey::named(const std::string& name, const std::str
         names += ' ' + rows_[i].name;
         if (rows_[i].name != name)
             continue;
-        if (lacks_display(i))
-            fail_without_display(service(i).why);
         if (!serves(i))
-            throw l3d_error(l3d_exit::no_backend, named_by + ": back-end '" + name +
-                                                      "' cannot serve here: " + service(i).why);
+            fail(named_by + ": back-end '" + name + "'", service(i));
         return rows_[i];
     }
     throw l3d_error(l3d_exit::usage, named_by + ": '" + name + "' is none of " + names);
@@ -93,7 +90,7 @@ const l3d_backend& backend_survey::automatic() {
             return rows_[i];
         const char* const display = std::getenv("DISPLAY");
         if (display && *display && lacks_display(i))
-            fail_without_display(service(i).why);
+            fail("back-end '" + rows_[i].name + "'", service(i));
     }
     for (std::size_t i = 0; i < rows_.size(); ++i)
         if (rows_[i].automatic && serves(i))
@@ -146,9 +143,16 @@ std::size_t backend_survey::preset(const std::vector<std::size_t>& serving) {
     return found == serving.end() ? 0 : static_cast<std::size_t>(found - serving.begin());
 }
 
-void backend_survey::fail_without_display(const std::string& why) {
-    throw l3d_error(l3d_exit::no_display,
-                    why + "; without a display use --backend memory --output FILE");
+void backend_survey::fail(const std::string& what, const l3d_service& answer) {
+    switch (answer.how) {
+    case l3d_service::level::no_display:
+        throw l3d_error(l3d_exit::no_display,
+                        answer.why + "; without a display use --backend memory --output FILE");
+    case l3d_service::level::display_lost:
+        throw l3d_error(l3d_exit::display_lost, answer.why);
+    default:
+        throw l3d_error(l3d_exit::no_backend, what + " cannot serve here: " + answer.why);
+    }
 }
 
 void backend_survey::fail_with_all_reasons() {

@@ -31,7 +31,7 @@ public:
 
     /// The row of that name; `named_by` is the option or variable that holds it.
     ///
-    /// Errors:  l3d_error: usage if there is none, no_display or no_backend if it cannot serve.
+    /// Errors:  l3d_error: usage if there is none; as fail if it cannot serve.
     const l3d_backend& named(const std::string& name, const std::string& named_by);
 
     /// The first automatic row that serves fully, else the first that serves. A display that was
@@ -46,6 +46,9 @@ public:
     /// Errors:  l3d_error(no_backend), with all reasons, if there is nothing to choose from.
     const l3d_backend& asked(std::istream& in, std::ostream& out);
 
+    /// Throws what a program ends with that wanted `what` and got this answer.
+    [[noreturn]] static void fail(const std::string& what, const l3d_service& answer);
+
     /// Whether somebody sees the pictures of a row. Expects: one of the table.
     bool is_seen(const l3d_backend& row) {
         return service(static_cast<std::size_t>(&row - rows_.data())).is_seen;
@@ -55,9 +58,11 @@ private:
     const l3d_service& service(std::size_t i);
     bool serves(std::size_t i) { return service(i).serves(); }
     bool serves_fully(std::size_t i) { return service(i).how == l3d_service::level::fully; }
-    bool lacks_display(std::size_t i) { return service(i).how == l3d_service::level::no_display; }
+    bool lacks_display(std::size_t i) {
+        return service(i).how == l3d_service::level::no_display ||
+               service(i).how == l3d_service::level::display_lost;
+    }
     std::size_t preset(const std::vector<std::size_t>& serving);
-    [[noreturn]] static void fail_without_display(const std::string& why);
     [[noreturn]] void fail_with_all_reasons();
 
     std::span<const l3d_backend> rows_;

@@ -28,8 +28,8 @@ private:
 
     /// Errors:  always null.
     std::unique_ptr<l3d_screen> do_create(const l3d_screen_request&,
-                                          std::string& why) const override {
-        why = do_service().why;
+                                          l3d_service& refusal) const override {
+        refusal = do_service();
         return nullptr;
     }
 };
@@ -126,11 +126,10 @@ const l3d_backend& l3d_factory_manager::chosen() const {
 
 std::unique_ptr<l3d_screen>
 l3d_factory_manager::create_screen(const l3d_screen_request& request) const {
-    std::string why;
-    auto screen = chosen().screen_factory->create(request, why);
+    l3d_service refusal;
+    auto screen = chosen().screen_factory->create(request, refusal);
     if (!screen)
-        throw l3d_error(l3d_exit::no_backend,
-                        "back-end '" + chosen().name + "' cannot serve here: " + why);
+        l3d_detail::backend_survey::fail("back-end '" + chosen().name + "'", refusal);
     if (verbose_)
         std::cerr << chosen().name << ": " << screen->describe() << '\n';
     return screen;

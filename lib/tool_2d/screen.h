@@ -70,9 +70,10 @@ struct l3d_screen_request {
 struct l3d_service {
     enum class level {
         fully,
-        partly,     ///< it serves, but another way than its name says
-        not_here,   ///< and another display would not help
-        no_display, ///< there is no display that answers
+        partly,       ///< it serves, but another way than its name says
+        not_here,     ///< and another display would not help
+        no_display,   ///< there is no display that answers
+        display_lost, ///< there was one, and it went away while it was asked
     };
 
     level how = level::fully;
@@ -93,9 +94,10 @@ public:
     /// Whether this kind can serve here and now. Errors: says so in its result.
     l3d_service service() const { return do_service(); }
 
-    /// Errors:  null, with one line in `why`, if this kind cannot serve here.
-    std::unique_ptr<l3d_screen> create(const l3d_screen_request& request, std::string& why) const {
-        return do_create(request, why);
+    /// Errors:  null, with the reason in `refusal`, if this kind cannot serve here.
+    std::unique_ptr<l3d_screen> create(const l3d_screen_request& request,
+                                       l3d_service& refusal) const {
+        return do_create(request, refusal);
     }
 
     /// Adds what this kind depends on, each with its outcome and remedy.
@@ -104,7 +106,7 @@ public:
 private:
     virtual l3d_service do_service() const = 0;
     virtual std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
-                                                  std::string& why) const = 0;
+                                                  l3d_service& refusal) const = 0;
     virtual void do_diagnose(l3d_probes&) const {}
 };
 

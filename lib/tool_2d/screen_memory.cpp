@@ -24,12 +24,13 @@ std::string l3d_screen_memory::do_describe() const {
 }
 
 std::unique_ptr<l3d_screen> l3d_screen_factory_memory::do_create(const l3d_screen_request& request,
-                                                                 std::string& why) const {
+                                                                 l3d_service& refusal) const {
     try {
         return std::make_unique<l3d_screen_memory>(request.size);
     } catch (const std::bad_alloc&) {
-        why = "not enough memory for a picture of " + std::to_string(request.size.width) + "x" +
-              std::to_string(request.size.height);
+        refusal = {l3d_service::level::not_here, "not enough memory for a picture of " +
+                                                     std::to_string(request.size.width) + "x" +
+                                                     std::to_string(request.size.height)};
         return nullptr;
     }
 }

@@ -33,9 +33,9 @@ private:
     /// Errors:  none.
     l3d_service do_service() const override { return {.is_seen = false}; }
 
-    /// Errors:  null, with the size in `why`, if there is not enough memory for it.
+    /// Errors:  null, with the size in the reason, if there is not enough memory for it.
     std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
-                                          std::string& why) const override;
+                                          l3d_service& refusal) const override;
 };
 
 #endif

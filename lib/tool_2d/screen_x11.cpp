@@ -144,14 +144,18 @@ std::string l3d_screen_x11::do_describe() const {
     return text.str();
 }
 
-std::unique_ptr<l3d_screen> open_screen(const l3d_screen_request& request, std::string& why) {
-    auto connection = x11_connection::open(why);
-    if (!connection)
+std::unique_ptr<l3d_screen> open_screen(const l3d_screen_request& request, l3d_service& refusal) {
+    auto connection = x11_connection::open(refusal.why);
+    if (!connection) {
+        refusal.how = l3d_service::level::no_display;
         return nullptr;
-    const auto visual = choose_x11_visual(*connection, why);
-    if (!visual)
+    }
+    const auto visual = choose_x11_visual(*connection, refusal.why);
+    if (!visual) {
+        refusal.how = l3d_service::level::not_here;
         return nullptr;
-    auto window = x11_window::open(std::move(connection), *visual, request, why);
+    }
+    auto window = x11_window::open(std::move(connection), *visual, request, refusal);
     if (!window)
         return nullptr;
     try {
@@ -159,8 +163,9 @@ std::unique_ptr<l3d_screen> open_screen(const l3d_screen_request& request, std::
         screen->open();
         return screen;
     } catch (const std::bad_alloc&) {
-        why = "not enough memory for a picture of " + std::to_string(request.size.width) + "x" +
-              std::to_string(request.size.height);
+        refusal = {l3d_service::level::not_here,
+                   "not enough memory for a picture of " + std::to_string(request.size.width) +
+                       "x" + std::to_string(request.size.height)};
         return nullptr;
     }
 }
@@ -178,6 +183,6 @@ l3d_service l3d_screen_factory_ximage::do_service() const {
 }
 
 std::unique_ptr<l3d_screen> l3d_screen_factory_ximage::do_create(const l3d_screen_request& request,
-                                                                 std::string& why) const {
-    return open_screen(request, why);
+                                                                 l3d_service& refusal) const {
+    return open_screen(request, refusal);
 }

@@ -16,11 +16,11 @@ private:
     /// Cost:    one connection, closed again.
     l3d_service do_service() const override;
 
-    /// Errors:  null, with one line in `why`: no display, no usable visual, no memory.
+    /// Errors:  null: no display, no usable visual, no memory, display lost.
     /// Lives:   the screen owns connection, window and pixels.
     /// Cost:    returns once the window is on the screen, or after two seconds.
     std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
-                                          std::string& why) const override;
+                                          l3d_service& refusal) const override;
 };
 
 #endif

@@ -31,20 +31,23 @@ constexpr long events_always = KeyPressMask | KeyReleaseMask | ButtonPressMask |
                                StructureNotifyMask | ExposureMask | VisibilityChangeMask |
                                FocusChangeMask | PropertyChangeMask;
 
-std::string refusal(l3d_size size, int scale) {
-    return "the X server does not make a window of " + std::to_string(size.width) + "x" +
-           std::to_string(size.height) + (scale == 1 ? "" : " at scale " + std::to_string(scale));
+l3d_service too_large(l3d_size size, int scale) {
+    return {l3d_service::level::not_here,
+            "the X server does not make a window of " + std::to_string(size.width) + "x" +
+                std::to_string(size.height) +
+                (scale == 1 ? "" : " at scale " + std::to_string(scale))};
 }
 
 } // namespace
 
 std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> connection,
                                              const x11_visual& visual,
-                                             const l3d_screen_request& request, std::string& why) {
+                                             const l3d_screen_request& request,
+                                             l3d_service& refusal) {
     assert(request.size.width >= 1 && request.size.height >= 1);
     const int scale = x11_scale(*connection, request);
     if (std::max(request.size.width, request.size.height) > largest_x11_side / scale) {
-        why = refusal(request.size, scale);
+        refusal = too_large(request.size, scale);
         return nullptr;
     }
     std::unique_ptr<x11_window> window(new x11_window(std::move(connection), visual, scale));
@@ -57,11 +60,11 @@ std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> con
     window->find_manager();
     const int error = trap.sync();
     if (window->connection().lost()) {
-        why = "the X server went away";
+        refusal = {l3d_service::level::display_lost, "the X server went away"};
         return nullptr;
     }
     if (error != 0) {
-        why = refusal(request.size, scale);
+        refusal = too_large(request.size, scale);
         return nullptr;
     }
     return window;
@@ -160,7 +163,7 @@ void x11_window::find_manager() {
                (root.all_event_masks & SubstructureRedirectMask) != 0;
 }
 
-void x11_window::watch_pointer(bool always) {
+void x11_window::watch_pointer(bool always) const {
     XSelectInput(display(), window_, always ? events_always | PointerMotionMask : events_always);
 }
 

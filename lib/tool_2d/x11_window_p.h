@@ -27,10 +27,11 @@ struct x11_atoms {
 class x11_window {
 public:
     /// Makes a window that is not on the screen yet.
-    /// Errors:  null, with one line in `why`.
+    /// Errors:  null, with the reason in `refusal`.
     static std::unique_ptr<x11_window> open(std::unique_ptr<x11_connection> connection,
                                             const x11_visual& visual,
-                                            const l3d_screen_request& request, std::string& why);
+                                            const l3d_screen_request& request,
+                                            l3d_service& refusal);
 
     x11_window(const x11_window&) = delete;
     x11_window& operator=(const x11_window&) = delete;
@@ -59,7 +60,7 @@ public:
     void map() { XMapWindow(display(), window_); }
 
     /// Hears of the pointer at all times, or only while a button is held.
-    void watch_pointer(bool always);
+    void watch_pointer(bool always) const;
 
     /// Takes the keyboard if there is no window manager, who would give it to us.
     /// Expects: the window is on the screen.

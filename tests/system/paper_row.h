@@ -29,7 +29,7 @@ private:
         service.how = how;
         return service;
     }
-    std::unique_ptr<l3d_screen> do_create(const l3d_screen_request&, std::string&) const override {
+    std::unique_ptr<l3d_screen> do_create(const l3d_screen_request&, l3d_service&) const override {
         return std::make_unique<fake_screen>(log_);
     }
 

@@ -24,9 +24,9 @@ inline constexpr l3d_size odd_size{141, 83};
 inline constexpr std::chrono::seconds patience{20};
 
 inline std::unique_ptr<l3d_screen> make(const std::string& title = "Teekanne für Öl") {
-    std::string why;
-    auto screen = l3d_screen_factory_ximage().create({odd_size, title}, why);
-    EXPECT_NE(screen, nullptr) << why;
+    l3d_service refusal;
+    auto screen = l3d_screen_factory_ximage().create({odd_size, title}, refusal);
+    EXPECT_NE(screen, nullptr) << refusal.why;
     return screen;
 }
 

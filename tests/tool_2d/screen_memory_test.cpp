@@ -9,11 +9,11 @@
 namespace {
 
 std::unique_ptr<l3d_screen> make(l3d_size size) {
-    std::string why;
+    l3d_service refusal;
     const l3d_screen_factory_memory factory;
     EXPECT_EQ(factory.service().how, l3d_service::level::fully);
     EXPECT_FALSE(factory.service().is_seen);
-    return factory.create({size, "memory"}, why);
+    return factory.create({size, "memory"}, refusal);
 }
 
 TEST(screen_memory, rows_are_longer_than_the_picture) {
@@ -46,11 +46,12 @@ TEST(screen_memory, nothing_ever_happens) {
 }
 
 TEST(screen_memory, too_large_is_declined_with_the_size) {
-    std::string why;
+    l3d_service refusal;
     const l3d_screen_factory_memory factory;
     // 2^31 * 2^31 words of 4 bytes are more than any address space holds.
-    EXPECT_EQ(factory.create({{2147483647, 2147483646}, "huge"}, why), nullptr);
-    EXPECT_NE(why.find("2147483647x2147483646"), std::string::npos) << why;
+    EXPECT_EQ(factory.create({{2147483647, 2147483646}, "huge"}, refusal), nullptr);
+    EXPECT_EQ(refusal.how, l3d_service::level::not_here);
+    EXPECT_NE(refusal.why.find("2147483647x2147483646"), std::string::npos) << refusal.why;
 }
 
 } // namespace

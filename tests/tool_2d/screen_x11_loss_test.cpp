@@ -63,10 +63,12 @@ TEST(screen_x11_loss, a_dead_server_shows_itself_while_drawing) {
 
 /// What becomes of a program whose server dies: its exit code.
 int draw_until_lost() {
-    std::string why;
-    const auto screen = l3d_screen_factory_ximage().create({odd_size, "cut"}, why);
+    l3d_service refusal;
+    const auto screen = l3d_screen_factory_ximage().create({odd_size, "cut"}, refusal);
     if (!screen)
-        return why.empty() ? 1 : 3;
+        return refusal.how == l3d_service::level::no_display     ? 3
+               : refusal.how == l3d_service::level::display_lost ? 6
+                                                                 : 1;
     for (int frame = 0; frame < 9; ++frame) {
         screen->show();
         l3d_event event;

@@ -146,15 +146,16 @@ TEST_F(visual_choice, a_refusal_is_one_line) {
 
 TEST(screen_x11, says_which_display_is_not_there) {
     const l3d_screen_factory_ximage factory;
-    std::string why;
+    l3d_service refusal;
     unsetenv("DISPLAY");
     EXPECT_EQ(factory.service().how, l3d_service::level::no_display);
     EXPECT_EQ(factory.service().why, "DISPLAY is not set");
     for (const char* name : {":987", "nonsense", ":", "unix:987.3"}) {
         setenv("DISPLAY", name, 1);
         EXPECT_EQ(factory.service().how, l3d_service::level::no_display);
-        EXPECT_EQ(factory.service().why, std::string("cannot open the display that DISPLAY names, '") + name + "'");
-        EXPECT_EQ(factory.create({odd_size, "nowhere"}, why), nullptr);
+        EXPECT_EQ(factory.service().why,
+                  std::string("cannot open the display that DISPLAY names, '") + name + "'");
+        EXPECT_EQ(factory.create({odd_size, "nowhere"}, refusal), nullptr);
     }
     unsetenv("DISPLAY");
 }
