@@ -21,8 +21,7 @@ enum l3d_key : int {
     l3d_key_page_down,
     l3d_key_home,
     l3d_key_end,
-    l3d_key_f1,
-    l3d_key_f11 = l3d_key_f1 + 10,
+    l3d_key_f1, ///< up to l3d_key_f1 + 9; F11 is the event `fullscreen`
 };
 
 enum class l3d_event_type {
@@ -35,16 +34,16 @@ enum class l3d_event_type {
     resize,
     expose,     ///< the window has to be shown again, or is on the screen again
     hide,       ///< nothing of the window can be seen until the next expose
-    fullscreen, ///< the user wants the whole display, or no longer
-    close,
+    fullscreen, ///< the user wants the whole display, or no longer: F11, Alt+Enter
+    close,      ///< the user wants the end, or somebody destroyed the window
     display_lost,
 };
 
 /// One event. Fields that do not belong to the type are zero.
 struct l3d_event {
     l3d_event_type type{};
-    int key = 0;    ///< key_*: ASCII code or l3d_key
-    int button = 0; ///< button_*: 1 left, 2 middle, 3 right; pointer_motion: the button held, or 0
+    int key = 0;      ///< key_*: ASCII code or l3d_key
+    int button = 0;   ///< button_*: 1 left, 2 middle, 3 right; pointer_motion: the button held
     int x = 0, y = 0; ///< pointer position in pixels; wheel: y is +1 away from the user, -1 towards
     l3d_size size{};  ///< resize
 };

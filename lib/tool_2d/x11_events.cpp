@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 
 #include <X11/Xutil.h>
@@ -42,14 +43,29 @@ int key_of_keysym(KeySym keysym) {
     const auto* named = std::ranges::find(named_keys, keysym, &std::pair<KeySym, int>::first);
     if (named != named_keys.end())
         return named->second;
-    if (keysym >= XK_F1 && keysym <= XK_F11)
+    if (keysym >= XK_F1 && keysym <= XK_F10)
         return l3d_key_f1 + static_cast<int>(keysym - XK_F1);
     // X numbers the characters of ASCII as ASCII does.
     return keysym >= ' ' && keysym <= '~' ? static_cast<int>(keysym) : 0;
 }
 
+/// The first three rows of letters and the signs right of them on an American keyboard, by key
+/// code. PCs number their keys alike under every layout.
+int key_in_place(unsigned code) {
+    struct row {
+        unsigned first_code;
+        std::string_view keys;
+    };
+    constexpr std::array<row, 3> rows{
+        {{24, "qwertyuiop[]"}, {38, "asdfghjkl;'`"}, {52, "zxcvbnm,./"}}};
+    for (const auto& [first_code, keys] : rows)
+        if (code >= first_code && code - first_code < keys.size())
+            return keys[code - first_code];
+    return 0;
+}
+
 /// The key of an event: by its own group and level, and if that gives no ASCII character, as on
-/// a Cyrillic layout, by the first group that does.
+/// a Cyrillic layout, by the first group that does, or by the key's place.
 int key_of(XKeyEvent& event) {
     std::array<char, 8> text{};
     KeySym keysym = NoSymbol;
@@ -65,7 +81,14 @@ int key_of(XKeyEvent& event) {
         if (const int key = key_of_keysym(XLookupKeysym(&event, index)); key != 0)
             return key;
     }
-    return 0;
+    return key_in_place(event.keycode);
+}
+
+/// What held_ has for a key that is not told to the program.
+constexpr int untold = -1;
+
+bool is_fullscreen_key(const XKeyEvent& event, KeySym keysym, int key) {
+    return keysym == XK_F11 || (key == l3d_key_return && (event.state & Mod1Mask) != 0);
 }
 
 int held_button(unsigned state) {
@@ -81,9 +104,11 @@ int held_button(unsigned state) {
 void x11_events::take(XEvent& event) {
     switch (event.type) {
     case KeyPress:
-        return take_key(event.xkey, l3d_event_type::key_press);
+        return take_press(event.xkey);
     case KeyRelease:
-        return take_key(event.xkey, l3d_event_type::key_release);
+        return take_release(event.xkey);
+    case FocusOut:
+        return release_all();
     case ButtonPress:
         return take_button(event.xbutton, l3d_event_type::button_press);
     case ButtonRelease:
@@ -93,17 +118,27 @@ void x11_events::take(XEvent& event) {
     case ClientMessage:
         return take_message(event.xclient);
     case ConfigureNotify:
-        return replace_or_push({.type = l3d_event_type::resize,
-                                .size = {event.xconfigure.width, event.xconfigure.height}});
+        return push_instead_of(
+            {l3d_event_type::resize},
+            {.type = l3d_event_type::resize,
+             .size = window_.ours({event.xconfigure.width, event.xconfigure.height})});
     case Expose:
         if (event.xexpose.count == 0) {
             exposed_ = true;
-            replace_or_push({.type = l3d_event_type::expose});
+            expose();
         }
+        return;
+    case VisibilityNotify:
+        if (event.xvisibility.state == VisibilityFullyObscured)
+            hide();
+        else if (hidden_)
+            expose();
         return;
     case MapNotify:
         mapped_ = true;
         return;
+    case UnmapNotify:
+        return hide();
     case DestroyNotify:
         return push({.type = l3d_event_type::close});
     case MappingNotify:
@@ -122,25 +157,63 @@ bool x11_events::next(l3d_event& event) {
     return true;
 }
 
-/// One event of this type is enough, with the latest contents.
-void x11_events::replace_or_push(const l3d_event& event) {
-    const auto earlier = std::ranges::find(queue_, event.type, &l3d_event::type);
-    if (earlier != queue_.end())
-        *earlier = event;
-    else
-        push(event);
+/// The latest event of these types is enough.
+void x11_events::push_instead_of(std::initializer_list<l3d_event_type> types,
+                                 const l3d_event& event) {
+    std::erase_if(queue_, [types](const l3d_event& earlier) {
+        return std::ranges::find(types, earlier.type) != types.end();
+    });
+    push(event);
 }
 
-void x11_events::take_key(XKeyEvent& event, l3d_event_type type) {
-    if (type == l3d_event_type::key_release && is_autorepeat(event))
+void x11_events::hide() {
+    hidden_ = true;
+    push_instead_of({l3d_event_type::expose, l3d_event_type::hide}, {.type = l3d_event_type::hide});
+}
+
+void x11_events::expose() {
+    hidden_ = false;
+    push_instead_of({l3d_event_type::expose, l3d_event_type::hide},
+                    {.type = l3d_event_type::expose});
+}
+
+void x11_events::take_press(XKeyEvent& event) {
+    const int key = key_of(event);
+    int& held = held_.at(event.keycode & 255);
+    if (is_fullscreen_key(event, XLookupKeysym(&event, 0), key)) {
+        if (std::exchange(held, untold) == 0)
+            push({.type = l3d_event_type::fullscreen});
+    } else if (key != 0) {
+        held = key;
+        push({.type = l3d_event_type::key_press,
+              .key = key,
+              .x = window_.ours(event.x),
+              .y = window_.ours(event.y)});
+    }
+}
+
+/// The key that was pressed, whatever modifiers are held now.
+void x11_events::take_release(const XKeyEvent& event) {
+    if (is_autorepeat(event))
         return;
-    if (const int key = key_of(event); key != 0)
-        push({.type = type, .key = key, .x = event.x, .y = event.y});
+    const int key = std::exchange(held_.at(event.keycode & 255), 0);
+    if (key != 0 && key != untold)
+        push({.type = l3d_event_type::key_release,
+              .key = key,
+              .x = window_.ours(event.x),
+              .y = window_.ours(event.y)});
+}
+
+/// Without the keyboard we do not hear of its keys.
+void x11_events::release_all() {
+    for (int& held : held_)
+        if (const int key = std::exchange(held, 0); key != 0 && key != untold)
+            push({.type = l3d_event_type::key_release, .key = key});
 }
 
 /// Servers without detectable autorepeat send a release with each repeated press, at one time.
 bool x11_events::is_autorepeat(const XKeyEvent& release) const {
-    if (XEventsQueued(window_.display(), QueuedAlready) == 0)
+    if (XEventsQueued(window_.display(), QueuedAfterReading) == 0)
         return false;
     XEvent next;
     XPeekEvent(window_.display(), &next);
@@ -154,15 +227,21 @@ void x11_events::take_button(const XButtonEvent& event, l3d_event_type type) {
         if (type == l3d_event_type::button_press)
             push({.type = l3d_event_type::wheel, .y = event.button == Button4 ? 1 : -1});
     } else if (event.button <= Button3) {
-        push({.type = type, .button = static_cast<int>(event.button), .x = event.x, .y = event.y});
+        push({.type = type,
+              .button = static_cast<int>(event.button),
+              .x = window_.ours(event.x),
+              .y = window_.ours(event.y)});
     }
 }
 
 void x11_events::take_motion(const XMotionEvent& event) {
+    const int button = held_button(event.state);
+    if (button == 0)
+        return;
     const l3d_event motion{.type = l3d_event_type::pointer_motion,
-                           .button = held_button(event.state),
-                           .x = event.x,
-                           .y = event.y};
+                           .button = button,
+                           .x = window_.ours(event.x),
+                           .y = window_.ours(event.y)};
     if (!queue_.empty() && queue_.back().type == motion.type &&
         queue_.back().button == motion.button)
         queue_.back() = motion;

@@ -6,14 +6,17 @@
 #include "tool_2d/event.h"
 #include "tool_2d/x11_window_p.h"
 
+#include <array>
 #include <deque>
+#include <initializer_list>
 
 namespace l3d_detail {
 
 /// Translates the events of one window and keeps them until they are asked for.
 ///
-/// What only the latest value of matters is kept once: the size, the need to be shown again, and
-/// the pointer's place until something else happens.
+/// What only the latest value of matters is kept once: the size, whether the window can be seen,
+/// and the pointer's place until something else happens. Every key that is told pressed is told
+/// released, by the time the window loses the keyboard at the latest.
 class x11_events {
 public:
     explicit x11_events(const x11_window& window) : window_(window) {}
@@ -34,8 +37,12 @@ public:
 
 private:
     void push(const l3d_event& event) { queue_.push_back(event); }
-    void replace_or_push(const l3d_event& event);
-    void take_key(XKeyEvent& event, l3d_event_type type);
+    void push_instead_of(std::initializer_list<l3d_event_type> types, const l3d_event& event);
+    void hide();
+    void expose();
+    void take_press(XKeyEvent& event);
+    void take_release(const XKeyEvent& event);
+    void release_all();
     void take_button(const XButtonEvent& event, l3d_event_type type);
     void take_motion(const XMotionEvent& event);
     void take_message(XClientMessageEvent& event);
@@ -43,7 +50,8 @@ private:
 
     const x11_window& window_;
     std::deque<l3d_event> queue_;
-    bool mapped_ = false, exposed_ = false;
+    bool mapped_ = false, exposed_ = false, hidden_ = false;
+    std::array<int, 256> held_{}; ///< by key code: the key told pressed; 0: it is up
 };
 
 } // namespace l3d_detail
