@@ -2,6 +2,8 @@
 // GL draws the same points, lines and polygons as the CPU, word for word, by every way to GL.
 #include "raster/rasterizer_2d_mesa.h"
 
+#include "mesa_ways.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,19 +39,10 @@ private:
 
 class Mesa2d : public testing::TestWithParam<mesa_way> {
 protected:
-    std::unique_ptr<mesa_context> context() {
-        std::string why;
-        auto made = mesa_context::open(GetParam(), why);
-        EXPECT_TRUE(made) << why;
-        return made;
-    }
+    std::unique_ptr<mesa_context> context() { return open_mesa(GetParam()); }
 };
 
-INSTANTIATE_TEST_SUITE_P(By, Mesa2d, testing::ValuesIn(mesa_ways), [](const auto& way) {
-    std::string name = name_of(way.param);
-    std::erase(name, ' ');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(By, Mesa2d, testing::ValuesIn(mesa_ways), test_name_of);
 
 /// The same picture twice: one for the CPU, one for GL.
 struct twins {
@@ -240,9 +233,8 @@ TEST_P(Mesa2d, LargestPicturesAreExactUpToTheirEdges) {
 TEST(MesaLife, AHundredCyclesEndClean) {
     for (int n = 0; n < 100; ++n) {
         picture p(17, 9, std::mt19937(seed));
-        std::string why;
-        auto context = mesa_context::open(mesa_ways[static_cast<std::size_t>(n) % 3], why);
-        ASSERT_TRUE(context) << why;
+        auto context = open_mesa(mesa_ways[static_cast<std::size_t>(n) % mesa_ways.size()]);
+        ASSERT_TRUE(context);
         l3d_rasterizer_2d_mesa_imp imp(std::move(context), p.pixels());
         l3d_rasterizer_2d draw(imp);
         draw.draw_point(n % 17, n % 9, 0x00abcdef);

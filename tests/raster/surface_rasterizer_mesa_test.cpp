@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: MIT
+// GL fills surfaces as the CPU does: the same pixels, nearly the same depth and shade.
+#include "raster/surface_rasterizer_mesa.h"
+
+#include "mesa_ways.h"
+#include "raster/rasterizer_2d_mesa.h"
+#include "surface_fixture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace l3d_detail;
+
+constexpr unsigned seed = 20260522;
+constexpr std::array<float, 3> light{0.48f, 0.60f, 0.64f};
+
+/// Pixels and depth with noise in the gaps between rows.
+struct picture {
+    picture(int width, int height)
+        : size{width, height}, words(std::size_t(width + gap) * std::size_t(height), 0xdeadbeef) {
+        depth.resize(size);
+        clear();
+    }
+    void clear() {
+        for (int y = 0; y < size.height; ++y)
+            std::ranges::fill(pixels().row(y), 0u);
+        depth.clear();
+    }
+    l3d_pixels pixels() { return {words.data(), size.width, size.height, size.width + gap}; }
+    std::uint32_t& word(int x, int y) { return pixels().row(y)[static_cast<std::size_t>(x)]; }
+    float& inv_w(int x, int y) { return depth.row(y)[static_cast<std::size_t>(x)]; }
+
+    static constexpr int gap = 7;
+    l3d_size size;
+    std::vector<std::uint32_t> words;
+    l3d_depth_buffer depth;
+};
+
+int level_difference(std::uint32_t a, std::uint32_t b) {
+    int most = 0;
+    for (int shift = 0; shift < 32; shift += 8)
+        most = std::max(most, std::abs(static_cast<int>(a >> shift & 255) -
+                                       static_cast<int>(b >> shift & 255)));
+    return most;
+}
+
+/// How two pictures of one size differ.
+struct difference {
+    long coverage = 0;           ///< pixels with a surface in one of them only
+    std::array<long, 256> level; ///< pixels by their largest difference in a channel
+    double depth = 0;            ///< largest relative difference of inv_w
+
+    long above(int least) const {
+        long count = 0;
+        for (std::size_t i = static_cast<std::size_t>(least) + 1; i < level.size(); ++i)
+            count += level[i];
+        return count;
+    }
+};
+
+difference compare(picture& a, picture& b) {
+    difference result{};
+    for (int y = 0; y < a.size.height; ++y)
+        for (int x = 0; x < a.size.width; ++x) {
+            const float one = a.inv_w(x, y), other = b.inv_w(x, y);
+            result.coverage += (one > 0) != (other > 0);
+            ++result.level[static_cast<std::size_t>(level_difference(a.word(x, y), b.word(x, y)))];
+            if (one > 0 && other > 0)
+                result.depth = std::max(result.depth, std::abs(double(one) / other - 1));
+        }
+    return result;
+}
+
+class MesaSurface : public testing::TestWithParam<mesa_way> {
+protected:
+    l3d_surface_rasterizer_mesa gl{open_mesa(GetParam())};
+    l3d_surface_rasterizer_sw cpu;
+    picture by_gl{71, 47}, by_cpu{71, 47};
+
+    void begin(l3d_shade mode) {
+        gl.begin(by_gl.pixels(), by_gl.depth, {mode, light});
+        cpu.begin(by_cpu.pixels(), by_cpu.depth, {mode, light});
+    }
+    void triangle(const reference::corners& v) {
+        gl.draw_triangle(v[0], v[1], v[2]);
+        cpu.draw_triangle(v[0], v[1], v[2]);
+    }
+    void grid(const l3d_micro_grid& g) {
+        gl.draw_grid(g);
+        cpu.draw_grid(g);
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(By, MesaSurface, testing::ValuesIn(mesa_ways), test_name_of);
+
+/// A corner in whole pixels and the rest.
+l3d_micro_vertex at(int x, int y, float inv_w, std::array<float, 3> normal = {0, 0, 1}) {
+    return {x * l3d_subpixel_one, y * l3d_subpixel_one, inv_w, {normal[0], normal[1], normal[2]}};
+}
+
+bool in_reach(const reference::corners& v) {
+    constexpr int most = (mesa_target::reach - 100) * l3d_subpixel_one;
+    return std::ranges::all_of(
+        v, [](const auto& c) { return std::abs(c.x) <= most && std::abs(c.y) <= most; });
+}
+
+TEST_P(MesaSurface, CoverageOfEveryTriangleIsExact) {
+    random_polygons random(seed, by_gl.size);
+    int drawn = 0;
+    for (int n = 0; n < 2000; ++n) {
+        reference::corners v = random.next();
+        v.resize(3);
+        if (!in_reach(v))
+            continue;
+        begin(l3d_shade::error);
+        triangle(v);
+        gl.finish();
+        const difference d = compare(by_cpu, by_gl);
+        ASSERT_EQ(d.coverage, 0) << "seed " << seed << ", triangle " << n;
+        ASSERT_EQ(gl.counts().samples, cpu.counts().samples) << "seed " << seed << ", " << n;
+        drawn += gl.counts().samples > 0;
+        by_gl.clear();
+        by_cpu.clear();
+    }
+    EXPECT_GT(drawn, 500);
+}
+
+/// A wavy sheet, seen from its front in one half and from its back in the other.
+l3d_micro_grid sheet(l3d_size size) {
+    l3d_micro_grid g;
+    constexpr int cells = 24;
+    g.resize(cells + 1, cells + 1);
+    for (int row = 0; row <= cells; ++row)
+        for (int column = 0; column <= cells; ++column) {
+            const double u = double(column) / cells, v = double(row) / cells;
+            const double x = (0.1 + 0.8 * std::sin(3 * u)) * size.width + 3 * v;
+            const double y = (0.05 + 0.8 * v + 0.1 * std::sin(5 * u)) * size.height;
+            const std::size_t i = g.index(row, column);
+            g.x[i] = static_cast<std::int32_t>(std::lrint(256 * x));
+            g.y[i] = static_cast<std::int32_t>(std::lrint(256 * y));
+            g.inv_w[i] = static_cast<float>(0.3 + 0.2 * u + 0.05 * v * v);
+            g.normal[0][i] = static_cast<float>(1 - 2 * u);
+            g.normal[1][i] = static_cast<float>(0.4 * v - 0.7);
+            g.normal[2][i] = static_cast<float>(0.6 + 0.3 * u * v);
+        }
+    return g;
+}
+
+TEST_P(MesaSurface, AllShadesAgree) {
+    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat,
+                                 l3d_shade::normals, l3d_shade::error}) {
+        by_gl.clear();
+        by_cpu.clear();
+        begin(mode);
+        for (auto* rasterizer : {static_cast<l3d_surface_rasterizer*>(&gl),
+                                 static_cast<l3d_surface_rasterizer*>(&cpu)})
+            rasterizer->set_error_color(0x00c08040);
+        grid(sheet(by_gl.size));
+        gl.finish();
+        const difference d = compare(by_cpu, by_gl);
+        const auto name = static_cast<int>(mode);
+        EXPECT_EQ(d.coverage, 0) << name;
+        EXPECT_LT(d.depth, 1e-3) << name;
+        // Of 3337 pixels at most 1 % by more than one level, as quads are no parallelograms.
+        EXPECT_LE(d.above(1), 33) << name;
+        EXPECT_EQ(d.above(6), 0) << name;
+        EXPECT_GT(gl.counts().written, 1000) << name;
+        EXPECT_EQ(gl.counts().quads, cpu.counts().quads);
+        EXPECT_EQ(gl.counts().samples, cpu.counts().samples);
+        EXPECT_NEAR(double(gl.counts().written), double(cpu.counts().written), 3) << name;
+    }
+}
+
+TEST_P(MesaSurface, LevelsAreWhatTheRuleSays) {
+    constexpr std::array<float, 3> n{0.36f, -0.48f, 0.80f};
+    const float cosine = light[0] * n[0] + light[1] * n[1] + light[2] * n[2];
+    const auto front = static_cast<std::uint32_t>(std::lround(255 * (0.1 + 0.9 * cosine)));
+    const reference::corners left{at(5, 4, 1, n), at(9, 30, 1, n), at(40, 8, 1, n)};
+    const reference::corners right{left[0], left[2], left[1]};
+    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat}) {
+        begin(mode);
+        triangle(left);
+        gl.finish();
+        EXPECT_EQ(by_gl.word(10, 12), front * 0x010101u);
+        by_gl.clear();
+        begin(mode);
+        triangle(right); // its normals are turned away from the light
+        gl.finish();
+        EXPECT_EQ(by_gl.word(10, 12), 26u * 0x010101u);
+        by_gl.clear();
+    }
+    begin(l3d_shade::normals);
+    triangle(left);
+    gl.finish();
+    EXPECT_EQ(by_gl.word(10, 12), 0x00ad42e6u); // round(255 (n + 1) / 2)
+    by_gl.clear();
+    begin(l3d_shade::error);
+    gl.set_error_color(0x00fe8101);
+    triangle(left);
+    gl.set_error_color(0x000181fe);
+    triangle({at(50, 4, 1), at(50, 30, 1), at(60, 8, 1)});
+    gl.finish();
+    EXPECT_EQ(by_gl.word(10, 12), 0x00fe8101u);
+    EXPECT_EQ(by_gl.word(52, 12), 0x000181feu);
+}
+
+TEST_P(MesaSurface, ZeroNormalsAreAmbient) {
+    begin(l3d_shade::lambert);
+    triangle({at(5, 4, 1, {0, 0, 0}), at(9, 30, 1, {0, 0, 0}), at(40, 8, 1, {0, 0, 0})});
+    gl.finish();
+    EXPECT_EQ(by_gl.word(10, 12), 26u * 0x010101u);
+    begin(l3d_shade::normals);
+    triangle({at(5, 4, 2, {0, 0, 0}), at(9, 30, 2, {0, 0, 0}), at(40, 8, 2, {0, 0, 0})});
+    gl.finish();
+    EXPECT_EQ(by_gl.word(10, 12), 0x00808080u);
+}
+
+TEST_P(MesaSurface, NearerWinsAndTheFirstOfEquals) {
+    const auto draw = [this](float inv_w, std::uint32_t color) {
+        gl.set_error_color(color);
+        gl.draw_triangle(at(5, 4, inv_w), at(9, 30, inv_w), at(40, 8, inv_w));
+    };
+    begin(l3d_shade::error);
+    draw(0.5f, 0x00111111);
+    draw(0.5f, 0x00222222);
+    gl.finish();
+    EXPECT_EQ(by_gl.word(10, 12), 0x00111111u);
+    draw(std::nextafter(0.5f, 1.0f), 0x00333333);
+    draw(0.25f, 0x00444444);
+    gl.finish();
+    EXPECT_EQ(by_gl.word(10, 12), 0x00333333u);
+    EXPECT_EQ(by_gl.inv_w(10, 12), std::nextafter(0.5f, 1.0f));
+    EXPECT_EQ(gl.counts().written * 2, gl.counts().samples); // two of four
+}
+
+TEST_P(MesaSurface, DepthIsExactAtAnyDistance) {
+    for (const float inv_w :
+         {std::ldexp(1.2345678f, -80), 0.1f, 1.0f, std::ldexp(1.7654321f, 30)}) {
+        by_gl.clear();
+        begin(l3d_shade::error);
+        triangle({at(5, 4, inv_w), at(9, 30, inv_w), at(40, 8, inv_w)});
+        gl.finish();
+        EXPECT_EQ(by_gl.inv_w(10, 12), inv_w);
+    }
+}
+
+TEST_P(MesaSurface, DrawsUponWhatIsInMemory) {
+    for (int y = 0; y < by_gl.size.height; ++y)
+        for (int x = 0; x < by_gl.size.width; ++x) {
+            by_gl.word(x, y) = static_cast<std::uint32_t>(0x9e3779b9u * unsigned(x + 100 * y));
+            by_gl.inv_w(x, y) = x < 12 ? 0.75f : 0.125f * static_cast<float>(x % 3);
+        }
+    const picture before = by_gl;
+    begin(l3d_shade::error);
+    gl.set_error_color(0x00010203);
+    triangle({at(5, 4, 0.5f), at(9, 30, 0.5f), at(40, 8, 0.5f)});
+    gl.finish();
+    int changed = 0;
+    for (std::size_t i = 0; i < by_gl.words.size(); ++i)
+        changed += by_gl.words[i] != before.words[i];
+    EXPECT_EQ(changed, gl.counts().written);
+    EXPECT_LT(gl.counts().written, gl.counts().samples);
+    picture was = before;
+    EXPECT_EQ(by_gl.word(10, 12), was.word(10, 12)); // 0.75 is nearer
+    EXPECT_EQ(by_gl.word(15, 12), 0x00010203u);
+    EXPECT_EQ(by_gl.inv_w(60, 40), was.inv_w(60, 40));
+
+    by_gl.word(15, 12) = 0x00abcdef; // nothing is drawn, so nothing comes back
+    gl.finish();
+    EXPECT_EQ(by_gl.word(15, 12), 0x00abcdefu);
+    gl.draw_triangle(at(5, 4, 0.9f), at(9, 30, 0.9f), at(40, 8, 0.9f));
+    gl.begin(by_gl.pixels(), by_gl.depth, {l3d_shade::error, light}); // forgets it
+    gl.finish();
+    EXPECT_EQ(by_gl.word(15, 12), 0x00abcdefu);
+}
+
+TEST_P(MesaSurface, SharesAPictureWithLines) {
+    l3d_rasterizer_2d_mesa_imp imp(open_mesa(GetParam()), by_gl.pixels());
+    l3d_rasterizer_2d draw(imp);
+    draw.clear_buffer();
+    draw.draw_line(3, 12, 60, 12, 0x00ff0000);
+    draw.finish();
+    begin(l3d_shade::error);
+    gl.set_error_color(0x0000ff00);
+    gl.draw_triangle(at(5, 4, 1), at(9, 30, 1), at(40, 8, 1));
+    gl.finish();
+    draw.draw_line(12, 2, 12, 40, 0x000000ff);
+    draw.finish();
+    EXPECT_EQ(by_gl.word(4, 12), 0x00ff0000u);
+    EXPECT_EQ(by_gl.word(10, 12), 0x0000ff00u);
+    EXPECT_EQ(by_gl.word(12, 12), 0x000000ffu);
+    EXPECT_EQ(by_gl.word(60, 12), 0x00ff0000u);
+}
+
+TEST_P(MesaSurface, PicturesThatGlCannotHoldAreFilledAllTheSame) {
+    by_gl = picture(16500, 4);
+    by_cpu = picture(16500, 4);
+    begin(l3d_shade::lambert);
+    grid(sheet(by_gl.size));
+    triangle({at(16300, 0, 1), at(16310, 4, 1), at(16499, 2, 1)});
+    gl.finish();
+    EXPECT_EQ(by_gl.words, by_cpu.words);
+    EXPECT_EQ(gl.counts().written, cpu.counts().written);
+    EXPECT_GT(gl.counts().written, 100);
+}
+
+TEST(MesaSurfaces, OfEglAndOsmesaAreTheSame) {
+    picture first(233, 149);
+    for (const mesa_way way : mesa_ways) {
+        picture other(233, 149);
+        l3d_surface_rasterizer_mesa gl(open_mesa(way));
+        gl.begin(other.pixels(), other.depth, {l3d_shade::lambert, light});
+        gl.draw_grid(sheet(other.size));
+        gl.finish();
+        EXPECT_GT(gl.counts().written, 10000);
+        if (way == mesa_ways[0]) {
+            first = other;
+            continue;
+        }
+        const difference d = compare(first, other);
+        EXPECT_EQ(d.coverage, 0);
+        EXPECT_EQ(d.above(1), 0) << name_of(way);
+        EXPECT_LE(10000 * d.above(0), 233 * 149) << name_of(way); // 0.01 %
+    }
+}
+
+} // namespace
