@@ -3,13 +3,15 @@
 #include "tool_2d/screen_x11.h"
 
 #include "tool_2d/image.h"
+#include "tool_2d/x11_diagnosis_p.h"
 #include "tool_2d/x11_events_p.h"
 #include "tool_2d/x11_image_p.h"
+#include "tool_2d/x11_shm_segment_p.h"
 #include "tool_2d/x11_window_p.h"
 
 #include <algorithm>
 #include <new>
-#include <sstream>
+#include <optional>
 #include <utility>
 
 namespace {
@@ -22,18 +24,24 @@ using std::chrono::steady_clock;
 constexpr auto longest_map = 2s;
 // Input must not wait longer than this for a slow connection.
 constexpr auto longest_put = 100ms;
+// While the server owes an answer, it is looked after so often.
+constexpr auto longest_without_look = 1s;
+// Over a network more would fill the line, and input would wait behind pictures.
+constexpr double local_fps = 60, network_fps = 15;
 // Keeps a deadline inside the clock's range.
 constexpr std::chrono::nanoseconds longest_wait = 24h;
 
 /// Window, image and events of one display.
 ///
-/// At most one picture is under way to the server. If the next is to be shown before its arrival
-/// was confirmed, show waits a little, and then leaves it to whoever next asks for events.
+/// If a picture is to be shown before there is a buffer for it, show waits a little, and then
+/// leaves it to whoever next asks for events.
 class l3d_screen_x11 final : public l3d_screen {
 public:
-    l3d_screen_x11(std::unique_ptr<x11_window> window, l3d_size size)
+    /// Shape:   `no_shm` is why memory shall not be shared; empty: it shall.
+    /// Errors:  std::bad_alloc.
+    l3d_screen_x11(std::unique_ptr<x11_window> window, l3d_size size, std::string no_shm)
         : window_(std::move(window)), events_(*window_), picture_(size, size.width),
-          image_(make_x11_image_put(*window_, size)) {}
+          no_shm_(std::move(no_shm)), image_(make_image(size)) {}
 
     /// Puts the window on the screen and waits until the server wants it drawn.
     void open();
@@ -43,19 +51,30 @@ private:
     const l3d_screen_info& do_info() const override { return window_->info(); }
     void do_show() override;
     bool do_is_window() const override { return true; }
+    double do_usual_fps() const override;
     std::string do_describe() const override;
+    std::string do_take_remark() override { return std::exchange(remark_, {}); }
     bool do_next_event(l3d_event& event) override;
     void do_wait(std::chrono::nanoseconds longest) override;
 
     void read_events();
+    void take_events();
+    void take(XEvent& event);
     void put_if_due();
+    bool sleep(steady_clock::time_point deadline) const;
     bool resized_to(l3d_size size);
+    std::unique_ptr<x11_image> make_image(l3d_size size);
+    void stop_sharing(const std::string& why);
+    bool replaced_failed_image();
 
     std::unique_ptr<x11_window> window_;
     x11_events events_;
     l3d_image picture_;
+    std::string no_shm_; ///< why memory is not shared; empty: it is
+    std::string remark_;
     std::unique_ptr<x11_image> image_;
-    bool put_is_due_ = false; ///< a picture is to be put once there is a buffer for it
+    bool put_is_due_ = false;     ///< a picture is to be put once there is a buffer for it
+    bool window_is_gone_ = false; ///< another program destroyed it
     bool lost_is_told_ = false;
 };
 
@@ -69,19 +88,52 @@ void l3d_screen_x11::open() {
         window_->focus_if_unmanaged();
 }
 
+/// Shared memory as long as that works, the wire from then on.
+std::unique_ptr<x11_image> l3d_screen_x11::make_image(l3d_size size) {
+    if (no_shm_.empty()) {
+        std::string why;
+        if (auto image = make_x11_image_shm(*window_, size, why))
+            return image;
+        stop_sharing(why);
+    }
+    return make_x11_image_put(*window_, size);
+}
+
+void l3d_screen_x11::stop_sharing(const std::string& why) {
+    no_shm_ = why;
+    if (!window_->connection().lost())
+        remark_ = "xshm: pictures now go over the wire: " + why;
+}
+
+/// The last picture goes the new way again: it may not have been seen.
+bool l3d_screen_x11::replaced_failed_image() {
+    std::string why;
+    if (window_is_gone_ || window_->connection().lost() || !image_->has_failed(why))
+        return false;
+    try {
+        auto image = make_x11_image_put(*window_, picture_.pixels().size());
+        image_ = std::move(image);
+    } catch (const std::bad_alloc&) {
+        return false;
+    }
+    stop_sharing(why);
+    put_is_due_ = true;
+    return true;
+}
+
 void l3d_screen_x11::do_show() {
     put_is_due_ = true;
     const auto deadline = steady_clock::now() + longest_put;
     do {
         read_events();
-    } while (put_is_due_ && window_->connection().wait_readable(deadline));
+    } while (put_is_due_ && sleep(deadline));
 }
 
 void l3d_screen_x11::put_if_due() {
     if (!put_is_due_ || !image_->is_free())
         return;
     put_is_due_ = false;
-    if (window_->connection().lost())
+    if (window_->connection().lost() || window_is_gone_)
         return;
     image_->put(picture_.pixels());
 }
@@ -89,18 +141,44 @@ void l3d_screen_x11::put_if_due() {
 /// Reads all that the server sent so far. Nothing follows the last XPending: writing may read
 /// too, and what it read would not wake a sleeper.
 void l3d_screen_x11::read_events() {
-    auto* display = window_->display();
-    put_if_due();
-    while (!window_->connection().lost() && XPending(display) > 0) {
+    do {
+        image_->look_after();
+        put_if_due();
+        take_events();
+    } while (replaced_failed_image());
+    if (window_->connection().lost() && !std::exchange(lost_is_told_, true))
+        events_.take_display_lost();
+}
+
+void l3d_screen_x11::take_events() {
+    while (!window_->connection().lost() && XPending(window_->display()) > 0) {
         XEvent event;
-        XNextEvent(display, &event);
+        XNextEvent(window_->display(), &event);
         if (image_->take(event))
             put_if_due();
         else
-            events_.take(event);
+            take(event);
     }
-    if (window_->connection().lost() && !std::exchange(lost_is_told_, true))
-        events_.take_display_lost();
+}
+
+void l3d_screen_x11::take(XEvent& event) {
+    if (event.type == Expose)
+        image_->forget_shown();
+    if (event.type == DestroyNotify)
+        window_is_gone_ = true;
+    events_.take(event);
+}
+
+/// Sleeps until there is something to do, at the latest at the deadline. False at the deadline or
+/// at a signal.
+bool l3d_screen_x11::sleep(steady_clock::time_point deadline) const {
+    const auto& connection = window_->connection();
+    if (image_->is_sending())
+        return connection.wait_ready(deadline);
+    const auto look = steady_clock::now() + longest_without_look;
+    if (image_->is_idle() || deadline <= look)
+        return connection.wait_readable(deadline);
+    return connection.wait_readable(look) || steady_clock::now() >= look;
 }
 
 bool l3d_screen_x11::do_next_event(l3d_event& event) {
@@ -117,7 +195,7 @@ bool l3d_screen_x11::resized_to(l3d_size size) {
     if (size == picture_.pixels().size())
         return false;
     try {
-        auto image = make_x11_image_put(*window_, size);
+        auto image = make_image(size);
         picture_ = l3d_image(size, size.width);
         image_ = std::move(image);
     } catch (const std::bad_alloc&) {
@@ -131,41 +209,57 @@ void l3d_screen_x11::do_wait(std::chrono::nanoseconds longest) {
     const auto deadline = steady_clock::now() + std::min(longest, longest_wait);
     do {
         read_events();
-    } while (events_.empty() && window_->connection().wait_readable(deadline));
+    } while (events_.empty() && sleep(deadline));
+}
+
+double l3d_screen_x11::do_usual_fps() const {
+    const bool is_remote = !no_shm_.empty() && !window_->connection().is_local();
+    return is_remote ? network_fps : local_fps;
 }
 
 std::string l3d_screen_x11::do_describe() const {
-    const auto& layout = info().layout();
-    std::ostringstream text;
-    text << "X11 window: " << image_->describe() << ", TrueColor, depth " << layout.depth << ", "
-         << layout.bits_per_pixel << " bits per pixel, "
-         << (layout.byte_order == std::endian::little ? "low" : "high") << " byte first, masks "
-         << std::hex << layout.red_mask << "/" << layout.green_mask << "/" << layout.blue_mask;
-    return text.str();
+    return "X11 window: " + info().describe() + ", " + image_->describe() +
+           ", shared memory: " + (no_shm_.empty() ? "yes" : "no, " + no_shm_);
 }
 
-std::unique_ptr<l3d_screen> open_screen(const l3d_screen_request& request, l3d_service& refusal) {
-    auto connection = x11_connection::open(refusal.why);
-    if (!connection) {
+/// Connects, and chooses a visual.
+struct opened_display {
+    std::unique_ptr<x11_connection> connection;
+    std::optional<x11_visual> visual;
+};
+
+/// Errors:  no visual, and the reason in `refusal`.
+opened_display open_display(l3d_service& refusal) {
+    opened_display opened{x11_connection::open(refusal.why), {}};
+    if (!opened.connection) {
         refusal.how = l3d_service::level::no_display;
-        return nullptr;
+        return opened;
     }
-    const auto visual = choose_x11_visual(*connection, refusal.why);
-    if (!visual) {
+    opened.visual = choose_x11_visual(*opened.connection, refusal.why);
+    if (opened.connection->lost())
+        refusal = {l3d_service::level::display_lost, "the X server went away"};
+    else if (!opened.visual)
         refusal.how = l3d_service::level::not_here;
+    return opened;
+}
+
+std::unique_ptr<l3d_screen> open_screen(const l3d_screen_request& request, std::string no_shm,
+                                        l3d_service& refusal) {
+    auto [connection, visual] = open_display(refusal);
+    if (!visual)
         return nullptr;
-    }
     auto window = x11_window::open(std::move(connection), *visual, request, refusal);
     if (!window)
         return nullptr;
     try {
-        auto screen = std::make_unique<l3d_screen_x11>(std::move(window), request.size);
+        auto screen =
+            std::make_unique<l3d_screen_x11>(std::move(window), request.size, std::move(no_shm));
         screen->open();
         return screen;
     } catch (const std::bad_alloc&) {
-        refusal = {l3d_service::level::not_here,
-                   "not enough memory for a picture of " + std::to_string(request.size.width) +
-                       "x" + std::to_string(request.size.height)};
+        refusal = {l3d_service::level::not_here, "not enough memory for a picture of " +
+                                                     std::to_string(request.size.width) + "x" +
+                                                     std::to_string(request.size.height)};
         return nullptr;
     }
 }
@@ -174,15 +268,37 @@ std::unique_ptr<l3d_screen> open_screen(const l3d_screen_request& request, l3d_s
 
 l3d_service l3d_screen_factory_ximage::do_service() const {
     l3d_service service;
-    const auto connection = x11_connection::open(service.why);
-    if (!connection)
-        service.how = l3d_service::level::no_display;
-    else if (!choose_x11_visual(*connection, service.why))
-        service.how = l3d_service::level::not_here;
+    open_display(service);
     return service;
 }
 
 std::unique_ptr<l3d_screen> l3d_screen_factory_ximage::do_create(const l3d_screen_request& request,
                                                                  l3d_service& refusal) const {
-    return open_screen(request, refusal);
+    return open_screen(request, "not asked for", refusal);
+}
+
+void l3d_screen_factory_ximage::do_diagnose(l3d_probes& probes) const {
+    diagnose_x11_display(probes);
+}
+
+l3d_service l3d_screen_factory_xshm::do_service() const {
+    l3d_service service;
+    const auto [connection, visual] = open_display(service);
+    if (!visual ||
+        x11_shm_segment::make(*connection, visual->visual, visual->layout, 1, service.why))
+        return service;
+    if (connection->lost())
+        return {l3d_service::level::display_lost, service.why};
+    service.how = l3d_service::level::partly;
+    service.why = "pictures go over the wire: " + service.why;
+    return service;
+}
+
+std::unique_ptr<l3d_screen> l3d_screen_factory_xshm::do_create(const l3d_screen_request& request,
+                                                               l3d_service& refusal) const {
+    return open_screen(request, {}, refusal);
+}
+
+void l3d_screen_factory_xshm::do_diagnose(l3d_probes& probes) const {
+    diagnose_x11_shm(probes);
 }

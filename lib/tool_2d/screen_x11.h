@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The factory of screens that are X11 windows.
+// The factories of screens that are X11 windows.
 #ifndef L3D_TOOL_2D_SCREEN_X11_H
 #define L3D_TOOL_2D_SCREEN_X11_H
 
@@ -7,12 +7,11 @@
 
 /// Makes windows whose pixels travel over the connection (XPutImage): any display, remote too.
 ///
-/// Every TrueColor visual of 8, 16, 24 or 32 bits per pixel and either byte order is served.
 /// A screen belongs to the thread that made it.
 class l3d_screen_factory_ximage final : public l3d_screen_factory {
 private:
     /// Errors:  no_display, with one line that gives the value of DISPLAY; not_here if the display
-    ///          has no usable visual.
+    ///          has no usable visual; display_lost.
     /// Cost:    one connection, closed again.
     l3d_service do_service() const override;
 
@@ -21,6 +20,24 @@ private:
     /// Cost:    returns once the window is on the screen, or after two seconds.
     std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
                                           l3d_service& refusal) const override;
+
+    void do_diagnose(l3d_probes& probes) const override;
+};
+
+/// Makes windows whose pixels the server reads from memory that it shares with us (MIT-SHM): a
+/// local display, the fast way. Where that does not work, or ceases to, the same window gets its
+/// pixels over the connection, and the screen has a remark.
+class l3d_screen_factory_xshm final : public l3d_screen_factory {
+private:
+    /// Errors:  partly if memory cannot be shared; else as l3d_screen_factory_ximage.
+    /// Cost:    one connection, closed again, and one small segment.
+    l3d_service do_service() const override;
+
+    /// Errors, Lives, Cost: as l3d_screen_factory_ximage.
+    std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
+                                          l3d_service& refusal) const override;
+
+    void do_diagnose(l3d_probes& probes) const override;
 };
 
 #endif

@@ -32,5 +32,6 @@ class l3d_screen_factory_memory;
 
 // screen_x11.h: a window
 class l3d_screen_factory_ximage;
+class l3d_screen_factory_xshm;
 
 #endif

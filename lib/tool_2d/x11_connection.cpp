@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <cassert>
 #include <csetjmp>
+#include <csignal>
 #include <cstdlib>
 #include <mutex>
 #include <vector>
 
 #include <poll.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 namespace l3d_detail {
@@ -22,6 +24,11 @@ struct x11_handlers {
     std::vector<x11_connection*> connections;
     XErrorHandler previous_error = nullptr;
     XIOErrorHandler previous_io_error = nullptr;
+    struct sigaction previous_pipe {};
+
+    static bool is_default(const struct sigaction& action) {
+        return (action.sa_flags & SA_SIGINFO) == 0 && action.sa_handler == SIG_DFL;
+    }
 
     static x11_handlers& instance() {
         static x11_handlers handlers;
@@ -39,6 +46,7 @@ struct x11_handlers {
 
     static int on_error(Display* display, XErrorEvent* error);
     static int on_io_error(Display* display);
+    static void on_pipe(int) {} // Writing then fails; and programs that we start do not inherit it.
     static void on_io_exit(Display*, void* connection) {
         static_cast<x11_connection*>(connection)->lost_ = true;
     }
@@ -51,6 +59,8 @@ thread_local std::jmp_buf* way_out_of_opening = nullptr;
 
 // Longer than any display worth drawing on needs to answer, shorter than anyone's patience.
 constexpr std::chrono::seconds longest_connect{3};
+// A server that is well closes its end at once; one that is stopped is not waited for.
+constexpr std::chrono::milliseconds longest_leave{200};
 
 /// XOpenDisplay, which ends the process if the server goes away in the middle: before it
 /// returns there is no display to set the exit handler of. The jump leaves Xlib's half-made
@@ -76,6 +86,12 @@ void x11_handlers::add(x11_connection& connection) {
     if (connections.empty()) {
         previous_error = XSetErrorHandler(on_error);
         previous_io_error = XSetIOErrorHandler(on_io_error);
+        sigaction(SIGPIPE, nullptr, &previous_pipe);
+        if (is_default(previous_pipe)) {
+            struct sigaction ours {};
+            ours.sa_handler = on_pipe;
+            sigaction(SIGPIPE, &ours, nullptr);
+        }
     }
     connections.push_back(&connection);
 }
@@ -90,6 +106,10 @@ void x11_handlers::remove(x11_connection& connection) {
         XSetErrorHandler(current);
     if (const auto current = XSetIOErrorHandler(previous_io_error); current != on_io_error)
         XSetIOErrorHandler(current);
+    struct sigaction current {};
+    sigaction(SIGPIPE, nullptr, &current);
+    if (current.sa_handler == on_pipe)
+        sigaction(SIGPIPE, &previous_pipe, nullptr);
 }
 
 int x11_handlers::on_error(Display* display, XErrorEvent* error) {
@@ -97,9 +117,9 @@ int x11_handlers::on_error(Display* display, XErrorEvent* error) {
     auto* connection = handlers.find(display);
     if (connection == nullptr)
         return handlers.previous_error(display, error);
-    // Outside a trap: a window that someone else destroyed under us. DestroyNotify tells of it.
-    if (connection->trap_serial_ != 0 && error->serial >= connection->trap_serial_ &&
-        connection->trapped_error_ == 0)
+    if (connection->trap_serial_ == 0 || error->serial < connection->trap_serial_)
+        connection->keep({error->serial, error->error_code});
+    else if (connection->trapped_error_ == 0)
         connection->trapped_error_ = error->error_code;
     return 0;
 }
@@ -136,19 +156,74 @@ x11_connection::x11_connection(const char* name) {
 }
 
 x11_connection::~x11_connection() {
-    if (display_ != nullptr)
+    if (display_ != nullptr) {
+        leave();
         XCloseDisplay(display_);
+    }
     x11_handlers::instance().remove(*this);
 }
 
+/// Breaks the connection once the server has done all that it was asked, or does not get to it;
+/// what was ours there is freed then. XCloseDisplay would wait as long as it takes for a reply.
+void x11_connection::leave() {
+    const int server = ConnectionNumber(display_);
+    const auto deadline = std::chrono::steady_clock::now() + longest_leave;
+    if (wait_writable({}))
+        XFlush(display_);
+    shutdown(server, SHUT_WR);
+    // Having read everything, the server closes its end.
+    std::array<char, 4096> unread;
+    while (wait_readable(deadline) && recv(server, unread.data(), unread.size(), MSG_DONTWAIT) > 0)
+        ;
+    // Xlib finds out by reading: writing could raise SIGPIPE.
+    shutdown(server, SHUT_RD);
+    if (!lost_)
+        XEventsQueued(display_, QueuedAfterReading);
+}
+
+bool x11_connection::is_local() const {
+    sockaddr_storage peer{};
+    socklen_t size = sizeof peer;
+    return getpeername(ConnectionNumber(display_), reinterpret_cast<sockaddr*>(&peer), &size) ==
+               0 &&
+           peer.ss_family == AF_UNIX;
+}
+
+void x11_connection::keep(const failure& error) {
+    failures_[failure_count_++ % failures_.size()] = error;
+}
+
+int x11_connection::error_of(unsigned long serial) const {
+    const auto found = std::ranges::find(failures_, serial, &failure::serial);
+    return found == failures_.end() ? 0 : found->code;
+}
+
+std::string x11_error_text(const x11_connection& connection, int code) {
+    std::array<char, 128> text{};
+    XGetErrorText(connection.display(), code, text.data(), static_cast<int>(text.size()));
+    return text.data();
+}
+
 bool x11_connection::wait_readable(std::chrono::steady_clock::time_point deadline) const {
+    return wait(POLLIN, deadline);
+}
+
+bool x11_connection::wait_writable(std::chrono::steady_clock::time_point deadline) const {
+    return wait(POLLOUT, deadline);
+}
+
+bool x11_connection::wait_ready(std::chrono::steady_clock::time_point deadline) const {
+    return wait(POLLIN | POLLOUT, deadline);
+}
+
+bool x11_connection::wait(short events, std::chrono::steady_clock::time_point deadline) const {
     using namespace std::chrono;
-    const auto left = deadline - steady_clock::now();
-    if (lost_ || left <= left.zero())
+    const auto left = std::max(deadline - steady_clock::now(), steady_clock::duration::zero());
+    if (lost_)
         return false;
     const auto whole = duration_cast<seconds>(left);
     const timespec timeout{whole.count(), duration_cast<nanoseconds>(left - whole).count()};
-    pollfd server{ConnectionNumber(display_), POLLIN, 0};
+    pollfd server{ConnectionNumber(display_), events, 0};
     return ppoll(&server, 1, &timeout, nullptr) > 0;
 }
 

@@ -3,7 +3,9 @@
 #ifndef L3D_TOOL_2D_X11_CONNECTION_P_H
 #define L3D_TOOL_2D_X11_CONNECTION_P_H
 
+#include <array>
 #include <chrono>
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -16,7 +18,8 @@ namespace l3d_detail {
 /// Xlib's two error handlers belong to the whole process, and its own ones end it. While
 /// connections of this class exist, ours stand in front: they keep what concerns these
 /// connections and hand everything else to the handlers found there, which come back with the
-/// end of the last connection.
+/// end of the last connection. So it is with SIGPIPE, unless the program handles or ignores it:
+/// Xlib's writing to a dead server raises it.
 class x11_connection {
 public:
     /// Connects to the display that the environment names.
@@ -31,6 +34,9 @@ public:
     int screen() const { return DefaultScreen(display_); }
     Window root() const { return RootWindow(display_, screen()); }
 
+    /// Whether the server is reached without a network, so that it can share memory with us.
+    bool is_local() const;
+
     /// Whether the server is gone. From then on no call reaches it, and none may wait for it.
     bool lost() const { return lost_; }
 
@@ -39,17 +45,47 @@ public:
     /// Errors:  false when the time is over or a signal came.
     bool wait_readable(std::chrono::steady_clock::time_point deadline) const;
 
+    /// Sleeps until so much can be sent at once that a request of writable_size does not block.
+    /// Errors:  likewise.
+    bool wait_writable(std::chrono::steady_clock::time_point deadline) const;
+
+    /// Sleeps until either is the case. Expects, Errors: likewise.
+    bool wait_ready(std::chrono::steady_clock::time_point deadline) const;
+
+    /// Linux calls a local socket writable when at most a quarter of its buffer is full. By
+    /// default that has 208 KiB: 156 are left, some of them for the kernel's own records.
+    static constexpr std::size_t writable_size = std::size_t{128} * 1024;
+
+    /// The error code of a request made outside any trap; 0 if none was reported. The last few
+    /// errors are remembered, so ask soon.
+    int error_of(unsigned long serial) const;
+
 private:
     friend class x11_error_trap;
     friend struct x11_handlers;
 
+    /// A request that the server refused.
+    struct failure {
+        unsigned long serial = 0;
+        int code = 0;
+    };
+
     explicit x11_connection(const char* name);
+    void keep(const failure& error);
+    bool wait(short events, std::chrono::steady_clock::time_point deadline) const;
+    void leave();
 
     Display* display_ = nullptr;
     bool lost_ = false;
     unsigned long trap_serial_ = 0; ///< first request whose errors are asked for; 0: none
     int trapped_error_ = 0;
+    // Two pictures may be under way; the rest is room for errors that nobody asks about.
+    std::array<failure, 16> failures_{};
+    std::size_t failure_count_ = 0; ///< in all; the array is a ring
 };
+
+/// What the error code means, in words. No request is made.
+std::string x11_error_text(const x11_connection& connection, int code);
 
 /// Collects the X errors of the requests made while it lives.
 ///
@@ -64,6 +100,9 @@ public:
     /// The error code of the first request that failed, 0 if all went well.
     /// Cost:    one round trip.
     int sync();
+
+    /// The same for the requests before the last one that waited for a reply.
+    int error() const { return connection_.trapped_error_; }
 
 private:
     x11_connection& connection_;

@@ -24,29 +24,47 @@ public:
     bool is_free() const { return do_is_free(); }
 
     /// Sends the picture, and asks the server for an event once it has it. What Xlib still
-    /// buffers goes out when events are next asked for.
+    /// buffers goes out when events are next asked for. The words may change afterwards.
     /// Expects: is_free(); a picture of the size this was made for.
     void put(const l3d_pixels& picture) { do_put(picture); }
+
+    /// Goes on with what put could not do without blocking, and asks after an answer that is
+    /// overdue. To be called now and then before events are read.
+    void look_after() { do_look_after(); }
+
+    /// Whether part of a picture is still to be sent, as soon as the connection takes it.
+    bool is_sending() const { return do_is_sending(); }
+
+    /// Whether the server has answered to all that was put.
+    bool is_idle() const { return do_is_idle(); }
+
+    /// The window may no longer show what was put: the next picture has to be whole.
+    void forget_shown() { do_forget_shown(); }
 
     /// Takes the event if it is an answer to put; false if it is not.
     bool take(const XEvent& event) { return do_take(event); }
 
     /// True, with one line in `why`, once this way has turned out not to work. Pictures that were
     /// put may not have been seen; another x11_image has to go on.
-    bool has_failed(std::string& why) { return do_has_failed(why); }
+    bool has_failed(std::string& why) const { return do_has_failed(why); }
 
-    /// One phrase for describe(): how the pixels travel.
+    /// One phrase for describe(): how words become what travels.
     std::string describe() const { return do_describe(); }
 
 private:
     virtual bool do_is_free() const = 0;
     virtual void do_put(const l3d_pixels& picture) = 0;
+    virtual void do_look_after() = 0;
+    virtual bool do_is_sending() const { return false; }
+    virtual bool do_is_idle() const = 0;
+    virtual void do_forget_shown() {}
     virtual bool do_take(const XEvent& event) = 0;
-    virtual bool do_has_failed(std::string&) { return false; }
+    virtual bool do_has_failed(std::string&) const { return false; }
     virtual std::string do_describe() const = 0;
 };
 
-/// The picture travels over the connection, in the display's own pixels.
+/// The picture travels over the connection, in the display's own pixels. Over a network only
+/// those rows travel that differ from what was sent before.
 /// Shape:   `size` in pixel words; the window's own pixels are scale() times as many.
 /// Errors:  std::bad_alloc.
 /// Lives:   the window outlives the image.
@@ -54,7 +72,7 @@ std::unique_ptr<x11_image> make_x11_image_put(const x11_window& window, l3d_size
 
 /// The picture is in memory that the server shares.
 /// Errors:  null, with one line in `why`, if that cannot be done here; std::bad_alloc.
-/// Cost:    two round trips: one for the errors, one to read back what the server sees.
+/// Cost:    one round trip, and one more the first time.
 std::unique_ptr<x11_image> make_x11_image_shm(const x11_window& window, l3d_size size,
                                               std::string& why);
 

@@ -3,96 +3,147 @@
 #include "tool_2d/x11_image_p.h"
 
 #include "tool_2d/pixel_writer_p.h"
+#include "tool_2d/x11_echo_p.h"
+#include "tool_2d/x11_ximage_p.h"
 
+#include <algorithm>
 #include <cassert>
-#include <new>
+#include <chrono>
+#include <cstring>
+#include <utility>
 #include <vector>
-
-#include <X11/Xutil.h>
 
 namespace l3d_detail {
 namespace {
 
-/// Frees Xlib's part of an image; the pixels are ours.
-struct ximage_freer {
-    void operator()(XImage* image) const {
-        image->data = nullptr;
-        XDestroyImage(image);
-    }
-};
-using unique_ximage = std::unique_ptr<XImage, ximage_freer>;
+using std::chrono::steady_clock;
 
-unique_ximage make_ximage(const x11_window& window, l3d_size size) {
-    const auto& layout = window.info().layout();
-    // Row length 0: Xlib takes the shortest that the server allows, which it sends uncopied.
-    unique_ximage image(XCreateImage(window.display(), window.visual(),
-                                     static_cast<unsigned>(layout.depth), ZPixmap, 0, nullptr,
-                                     static_cast<unsigned>(size.width),
-                                     static_cast<unsigned>(size.height), layout.scanline_pad, 0));
-    if (!image)
-        throw std::bad_alloc();
-    assert(image->bits_per_pixel == layout.bits_per_pixel);
-    return image;
-}
+// Rows that are compared, and sent, together: an overlay line of text is about as high.
+constexpr int band_height = 16;
+// Input must not wait longer than this for a slow connection.
+constexpr std::chrono::milliseconds longest_send{100};
 
-/// Without conversion the words are the XImage's data; otherwise it has a buffer of its own.
+/// Pictures go in pieces that never block, so that a server that is slow, or stopped, does not
+/// take the program with it. What could not be sent is kept, and goes on in look_after.
 class x11_image_put final : public x11_image {
 public:
     x11_image_put(const x11_window& window, l3d_size size)
-        : window_(window), ximage_(make_ximage(window, size)), writer_(window.info()) {
-        if (!writer_.is_identity())
-            bytes_.resize(static_cast<std::size_t>(ximage_->bytes_per_line) *
-                          static_cast<std::size_t>(size.height));
+        : window_(window), writer_(window.info(), window.scale()),
+          ximage_(make_ximage(window.display(), window.visual(), window.info().layout(),
+                              {size.width * window.scale(), size.height * window.scale()})),
+          bytes_(ximage_size(*ximage_)),
+          stale_(static_cast<std::size_t>((ximage_->height + band_height - 1) / band_height)),
+          echo_(window), is_local_(window.connection().is_local()) {
+        next_row_ = ximage_->height;
+        if (!is_local_)
+            row_.resize(ximage_row_size(*ximage_));
     }
 
 private:
-    bool do_is_free() const override { return !under_way_; }
+    bool do_is_free() const override { return do_is_idle(); }
+    bool do_is_idle() const override { return !is_sending() && !echo_.is_awaited(); }
+    bool do_is_sending() const override { return next_row_ < ximage_->height; }
 
     void do_put(const l3d_pixels& picture) override {
-        assert(picture.width == ximage_->width && picture.height == ximage_->height);
-        if (writer_.is_identity())
-            ximage_->data = reinterpret_cast<char*>(picture.words);
-        else
-            convert(picture);
-        XPutImage(window_.display(), window_.id(), window_.graphics(), ximage_.get(), 0, 0, 0, 0,
-                  static_cast<unsigned>(ximage_->width), static_cast<unsigned>(ximage_->height));
-        ask_for_answer();
-        under_way_ = true;
+        assert(ximage_->width == picture.width * writer_.scale() &&
+               ximage_->height == picture.height * writer_.scale());
+        const bool is_copied = !is_local_ || !writer_.is_identity();
+        assert(is_copied || picture.stride * 4 == ximage_->bytes_per_line);
+        if (!is_local_)
+            update(picture);
+        else if (is_copied)
+            writer_.write(picture, {ximage_->width, ximage_->height}, bytes_.data(),
+                          ximage_->bytes_per_line);
+        if (is_local_)
+            stale_.assign(stale_.size(), true);
+        ximage_->data = is_copied ? reinterpret_cast<char*>(bytes_.data())
+                                  : reinterpret_cast<char*>(picture.words);
+        next_row_ = 0;
+        send();
+        if (!is_copied)
+            keep_rest();
     }
 
-    void convert(const l3d_pixels& picture) {
+    /// Writes those rows that differ from what was sent before, and notes their bands.
+    void update(const l3d_pixels& picture) {
+        stale_.assign(stale_.size(), std::exchange(is_forgotten_, false));
+        auto* kept = bytes_.data();
+        for (int y = 0; y < ximage_->height; ++y) {
+            const int word_row = y / writer_.scale();
+            writer_.write_row(picture.row(word_row), word_row, ximage_->width, row_.data());
+            if (std::memcmp(kept, row_.data(), row_.size()) != 0) {
+                std::ranges::copy(row_, kept);
+                stale_[static_cast<std::size_t>(y / band_height)] = true;
+            }
+            kept += row_.size();
+        }
+    }
+
+    bool is_stale(int row) const { return stale_[static_cast<std::size_t>(row / band_height)]; }
+
+    /// The end of the stale rows from next_row_ on, as many as go at once.
+    int end_of_piece() const {
+        const auto most = std::max(
+            1, static_cast<int>(x11_connection::writable_size / ximage_row_size(*ximage_)));
+        const int end = std::min(ximage_->height, next_row_ + most);
+        int row = next_row_ + 1;
+        while (row < end && is_stale(row))
+            ++row;
+        return row;
+    }
+
+    void send() {
+        const auto deadline = steady_clock::now() + longest_send;
+        bool is_sent = false;
+        for (;;) {
+            while (is_sending() && !is_stale(next_row_))
+                ++next_row_;
+            if (!is_sending())
+                break;
+            if (!window_.connection().wait_writable(deadline))
+                return;
+            const int end = end_of_piece();
+            XPutImage(window_.display(), window_.id(), window_.graphics(), ximage_.get(), 0,
+                      next_row_, 0, next_row_, static_cast<unsigned>(ximage_->width),
+                      static_cast<unsigned>(end - next_row_));
+            next_row_ = end;
+            is_sent = true;
+        }
+        if (is_sent)
+            echo_.ask();
+    }
+
+    /// What is not sent yet becomes ours.
+    void keep_rest() {
+        if (!is_sending())
+            return;
+        const auto sent = static_cast<std::size_t>(next_row_) * ximage_row_size(*ximage_);
+        std::memcpy(bytes_.data() + sent, ximage_->data + sent, bytes_.size() - sent);
         ximage_->data = reinterpret_cast<char*>(bytes_.data());
-        writer_.write(picture, picture.size(), bytes_.data(), ximage_->bytes_per_line);
     }
 
-    /// Sends an event to ourselves. The server works in order, so it arrives after the picture;
-    /// and unlike a request with a reply it makes nobody wait.
-    void ask_for_answer() const {
-        XEvent event{};
-        event.xclient.type = ClientMessage;
-        event.xclient.window = window_.id();
-        event.xclient.message_type = window_.atoms().l3d_put_done;
-        event.xclient.format = 32;
-        XSendEvent(window_.display(), window_.id(), False, NoEventMask, &event);
+    void do_look_after() override {
+        if (is_sending())
+            send();
     }
 
-    bool do_take(const XEvent& event) override {
-        if (event.type != ClientMessage ||
-            event.xclient.message_type != window_.atoms().l3d_put_done)
-            return false;
-        under_way_ = false;
-        return true;
-    }
+    void do_forget_shown() override { is_forgotten_ = true; }
+    bool do_take(const XEvent& event) override { return echo_.take(event); }
 
     std::string do_describe() const override {
-        return writer_.is_identity() ? "over the wire, unconverted" : "over the wire, converted";
+        return writer_.is_identity() ? "unconverted" : "converted";
     }
 
     const x11_window& window_;
-    unique_ximage ximage_;
     pixel_writer writer_;
-    std::vector<std::uint8_t> bytes_;
-    bool under_way_ = false;
+    unique_ximage ximage_;
+    std::vector<std::uint8_t> bytes_; ///< what is to be sent; over a network also what was
+    std::vector<std::uint8_t> row_;   ///< what may become part of it
+    std::vector<bool> stale_;         ///< bands that differ from what the window shows
+    int next_row_ = 0;                ///< above it all is sent; the height if that is all there is
+    x11_echo echo_;
+    bool is_local_;
+    bool is_forgotten_ = true; ///< nothing is known of what the window shows
 };
 
 } // namespace
