@@ -71,7 +71,7 @@ int main(int argc, char** argv) try {
     if (!options.parse(argc, argv) || !factories.choose(options))
         return 0;
     const auto dispatcher = factories.create_dispatcher(options.frame_settings()); // step 3
-    drawdot_pipeline pipeline(factories, {options.common().size, "drawdot"});
+    drawdot_pipeline pipeline(factories, options.screen_request());
     dispatcher->plug(pipeline, pipeline.screen());     // step 4
     return l3d_report("drawdot", dispatcher->start()); // step 5
 } catch (const std::exception& error) {

@@ -54,7 +54,7 @@ int main(int argc, char** argv) try {
         return 0;
 
     const auto dispatcher = factories.create_dispatcher(options.frame_settings()); // step 3
-    teapot_pipeline pipeline(factories.create_screen({options.common().size, "teapot_afd"}),
+    teapot_pipeline pipeline(factories.create_screen(options.screen_request()),
                              *factories.chosen().rasterizer_factory, model, camera, settings);
     pipeline.set_turntable(afd.turntable(), 1 / options.frame_settings().step());
     pipeline.set_screenshot(l3d_save_screenshot);

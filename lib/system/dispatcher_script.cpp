@@ -3,6 +3,7 @@
 #include "system/dispatcher_script.h"
 
 #include "system/present_p.h"
+#include "system/remark_p.h"
 
 #include <algorithm>
 #include <cassert>
@@ -31,6 +32,7 @@ l3d_exit l3d_dispatcher_script::do_start(l3d_pipeline& pipeline, l3d_screen& scr
             break;
         pipeline.update_event(settings_.step());
         l3d_detail::present(pipeline, screen, writer_, stale);
+        l3d_detail::pass_on_remark(screen, settings_.program);
         stale = false;
     }
     if (stale && !settings_.output.empty())

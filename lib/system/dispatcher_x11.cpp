@@ -4,6 +4,7 @@
 
 #include "system/frame_pacer.h"
 #include "system/present_p.h"
+#include "system/remark_p.h"
 
 #include <algorithm>
 #include <chrono>
@@ -16,64 +17,128 @@ using std::chrono::steady_clock;
 /// of the 0.2 s within which a signal ends the loop.
 constexpr std::chrono::milliseconds longest_sleep{100};
 
-/// What the events since the last frame ask for.
-struct requests {
-    bool stale = true; ///< the pixels are not a drawn picture: none was made, or none of this size
-    bool exposed = false;
-    bool display_lost = false;
-};
-
-void note(const l3d_event& event, requests& wanted) {
-    wanted.stale |= event.type == l3d_event_type::resize;
-    wanted.exposed |= event.type == l3d_event_type::expose;
-    wanted.display_lost |= event.type == l3d_event_type::display_lost;
-}
-
 double seconds_between(steady_clock::time_point from, steady_clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
 }
 
 } // namespace
 
+/// One run, and what it has to remember from turn to turn.
+class l3d_dispatcher_x11::loop {
+public:
+    loop(l3d_dispatcher_x11& dispatcher, l3d_pipeline& pipeline, l3d_screen& screen)
+        : settings_(dispatcher.settings_), writer_(dispatcher.writer_),
+          signals_(*dispatcher.signals_), pipeline_(pipeline), screen_(screen),
+          last_update_(steady_clock::now()),
+          pacer_(settings_.fps.value_or(screen.usual_fps()), last_update_) {}
+
+    l3d_exit run();
+
+private:
+    bool frames_are_made() const { return settings_.frames > 0 && frames_ >= settings_.frames; }
+
+    /// Whether a picture would be for nobody.
+    bool is_unseen() const { return hidden_ && settings_.frames == 0 && settings_.output.empty(); }
+
+    void take_events();
+    void take(const l3d_event& event);
+    void show_again();
+    void make_frame(steady_clock::time_point now);
+
+    const l3d_frame_settings& settings_;
+    l3d_frame_writer& writer_;
+    const l3d_signal_watch& signals_;
+    l3d_pipeline& pipeline_;
+    l3d_screen& screen_;
+
+    steady_clock::time_point last_update_;
+    l3d_frame_pacer pacer_;
+    int frames_ = 0;
+    bool stale_ = true; ///< the pixels are not a drawn picture: none was made, or none of this size
+    bool exposed_ = false;
+    bool hidden_ = false;
+    bool display_lost_ = false;
+};
+
+void l3d_dispatcher_x11::loop::take(const l3d_event& event) {
+    switch (event.type) {
+    case l3d_event_type::resize:
+        stale_ = true;
+        break;
+    case l3d_event_type::expose:
+        exposed_ = true;
+        hidden_ = false;
+        break;
+    case l3d_event_type::hide:
+        hidden_ = true;
+        break;
+    case l3d_event_type::fullscreen:
+        screen_.set_fullscreen(!screen_.is_fullscreen());
+        break;
+    case l3d_event_type::display_lost:
+        display_lost_ = true;
+        break;
+    default:
+        break;
+    }
+    deliver(event, pipeline_);
+}
+
+void l3d_dispatcher_x11::loop::take_events() {
+    for (l3d_event event; screen_.next_event(event);) {
+        const bool is_escape =
+            event.type == l3d_event_type::key_press && event.key == l3d_key_escape;
+        if (is_escape && screen_.is_fullscreen())
+            screen_.set_fullscreen(false);
+        else
+            take(event);
+    }
+}
+
+void l3d_dispatcher_x11::loop::show_again() {
+    if (!exposed_ || stale_)
+        return;
+    screen_.show();
+    exposed_ = false;
+}
+
+void l3d_dispatcher_x11::loop::make_frame(steady_clock::time_point now) {
+    pipeline_.update_event(settings_.fixed_step ? settings_.step()
+                                                : seconds_between(last_update_, now));
+    last_update_ = now;
+    const bool drawn = !is_unseen() && l3d_detail::present(pipeline_, screen_, writer_, stale_);
+    if (drawn)
+        stale_ = exposed_ = false;
+    ++frames_;
+    pacer_.frame_done(steady_clock::now(), !drawn);
+}
+
+l3d_exit l3d_dispatcher_x11::loop::run() {
+    while (!signals_.caught() && !frames_are_made()) {
+        take_events();
+        l3d_detail::pass_on_remark(screen_, settings_.program);
+        if (pipeline_.done || display_lost_)
+            break;
+        show_again();
+        const auto now = steady_clock::now();
+        if (now < pacer_.due())
+            screen_.wait(std::min<std::chrono::nanoseconds>(pacer_.due() - now, longest_sleep));
+        else
+            make_frame(now);
+    }
+    l3d_detail::pass_on_remark(screen_, settings_.program);
+    if (stale_ && !settings_.output.empty())
+        pipeline_.draw_event();
+    writer_.finish(screen_.pixels());
+    return display_lost_ ? l3d_exit::display_lost : l3d_exit::well;
+}
+
 l3d_dispatcher_x11::l3d_dispatcher_x11(const l3d_frame_settings& settings)
     : settings_(settings), writer_(settings.output) {}
 
 l3d_exit l3d_dispatcher_x11::do_start(l3d_pipeline& pipeline, l3d_screen& screen) {
     signals_.emplace();
-    auto last_update = steady_clock::now();
-    l3d_frame_pacer pacer(settings_.fps, last_update);
-    requests wanted;
-    int frames = 0;
-
-    while (!signals_->caught() && (settings_.frames == 0 || frames < settings_.frames)) {
-        for (l3d_event event; screen.next_event(event);) {
-            note(event, wanted);
-            deliver(event, pipeline);
-        }
-        if (pipeline.done || wanted.display_lost)
-            break;
-        if (wanted.exposed && !wanted.stale) {
-            screen.show();
-            wanted.exposed = false;
-        }
-        const auto now = steady_clock::now();
-        if (now < pacer.due()) {
-            screen.wait(std::min<std::chrono::nanoseconds>(pacer.due() - now, longest_sleep));
-            continue;
-        }
-        pipeline.update_event(settings_.fixed_step ? settings_.step()
-                                                   : seconds_between(last_update, now));
-        last_update = now;
-        const bool drawn = l3d_detail::present(pipeline, screen, writer_, wanted.stale);
-        if (drawn)
-            wanted.stale = wanted.exposed = false;
-        ++frames;
-        pacer.frame_done(steady_clock::now(), !drawn);
-    }
-    if (wanted.stale && !settings_.output.empty())
-        pipeline.draw_event();
-    writer_.finish(screen.pixels());
-    return wanted.display_lost ? l3d_exit::display_lost : l3d_exit::well;
+    return loop(*this, pipeline, screen).run();
 }
 
 std::unique_ptr<l3d_dispatcher>

@@ -3,6 +3,7 @@
 #ifndef L3D_SYSTEM_FRAME_SETTINGS_H
 #define L3D_SYSTEM_FRAME_SETTINGS_H
 
+#include <optional>
 #include <string>
 
 /// What a dispatcher is told when it is made.
@@ -10,8 +11,8 @@ struct l3d_frame_settings {
     /// Units: frames; 0: until the pipeline is done (with a window), one (without a display).
     int frames = 0;
 
-    /// Units: frames per second; 0: as many as can be made.
-    double fps = 60;
+    /// Units: frames per second; 0: as many as can be made; empty: what the screen is good for.
+    std::optional<double> fps;
 
     /// Whether update_event gets 1 / fps instead of the time measured. Always so without a
     /// display; with a window it makes the pictures repeatable.
@@ -20,8 +21,12 @@ struct l3d_frame_settings {
     /// A name for l3d_frame_writer; empty: nothing is written.
     std::string output;
 
-    /// Units: seconds; the step of time that frames without a measured one get.
-    double step() const { return 1 / (fps > 0 ? fps : 60); }
+    /// What lines on stderr begin with.
+    std::string program = "l3d";
+
+    /// Units: seconds; the step of time that frames without a measured one get. The same for every
+    /// screen, so that their pictures are.
+    double step() const { return 1 / (fps && *fps > 0 ? *fps : 60); }
 };
 
 #endif

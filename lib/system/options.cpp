@@ -49,9 +49,10 @@ void add_text(CLI::App& app, const std::string& name, const std::string& help,
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
-template <class T>
-void add_number(CLI::App& app, const std::string& name, T& value, const std::string& help,
-                const std::string& kind, T least, T most) {
+/// The default is given as text, since there may be none.
+template <class T, class Value>
+void add_number(CLI::App& app, const std::string& name, Value& value, const std::string& preset,
+                const std::string& help, const std::string& kind, T least, T most) {
     const auto read = [name, &value, least, most](const std::string& text) {
         T number{};
         if (!l3d_read_number(text, number) || !(number >= least && number <= most))
@@ -59,7 +60,7 @@ void add_number(CLI::App& app, const std::string& name, T& value, const std::str
                    "a number from " + l3d_number_text(least) + " to " + l3d_number_text(most));
         value = number;
     };
-    add_text(app, name, help, kind, l3d_number_text(value), read);
+    add_text(app, name, help, kind, preset, read);
 }
 
 void print(std::ostream& out, const std::string& text) {
@@ -106,12 +107,18 @@ void l3d_options::add_common(l3d_size default_size) {
              [this](const std::string& text) { common_.backend = text; });
     add("--no-input", common_.no_input, "never ask anything");
     add("--size", common_.size, "size of the picture");
+    add_number(app, "--scale", common_.scale, "",
+               "side of a pixel in the window, in the display's pixels (by itself from Xft.dpi)",
+               "NUMBER", 1, l3d_largest_scale);
     add("--frames", common_.frames,
         "stop after so many frames, in fixed steps of time; 0: go on (without a display: 1)", 0,
         std::numeric_limits<int>::max());
-    add("--fps", common_.fps, "frames per second; 0: no limit", 0, 1000);
-    add_number(app, "--seed", common_.seed, "where random numbers start", "NUMBER",
-               std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max());
+    add_number(app, "--fps", common_.fps, "",
+               "frames per second; 0: no limit (by itself 60, or 15 on a remote display)", "NUMBER",
+               0.0, 1000.0);
+    add_number(app, "--seed", common_.seed, l3d_number_text(common_.seed),
+               "where random numbers start", "NUMBER", std::uint64_t{0},
+               std::numeric_limits<std::uint64_t>::max());
     add("--output", common_.output,
         "write the last frame (.png, .ppm), every frame (frame%04d.png), or - for a PPM stream",
         "FILE");
@@ -122,12 +129,12 @@ void l3d_options::add_common(l3d_size default_size) {
 
 void l3d_options::add(const std::string& name, double& value, const std::string& help, double least,
                       double most) {
-    add_number(parser_->app, name, value, help, "NUMBER", least, most);
+    add_number(parser_->app, name, value, l3d_number_text(value), help, "NUMBER", least, most);
 }
 
 void l3d_options::add(const std::string& name, int& value, const std::string& help, int least,
                       int most) {
-    add_number(parser_->app, name, value, help, "NUMBER", least, most);
+    add_number(parser_->app, name, value, l3d_number_text(value), help, "NUMBER", least, most);
 }
 
 void l3d_options::add(const std::string& name, std::string& value, const std::string& help,
@@ -211,8 +218,16 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
     return true;
 }
 
+l3d_screen_request l3d_options::screen_request() const {
+    return {.size = common_.size, .title = program_, .name = program_, .scale = common_.scale};
+}
+
 l3d_frame_settings l3d_options::frame_settings() const {
-    return {common_.frames, common_.fps, common_.frames > 0, common_.output};
+    return {.frames = common_.frames,
+            .fps = common_.fps,
+            .fixed_step = common_.frames > 0,
+            .output = common_.output,
+            .program = program_};
 }
 
 int l3d_report(std::string_view program, const std::exception& error) {

@@ -5,6 +5,7 @@
 
 #include "tool_2d/error.h"
 #include "tool_2d/pixels.h"
+#include "tool_2d/screen.h"
 #include "system/frame_settings.h"
 
 #include <array>
@@ -14,6 +15,7 @@
 #include <functional>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,8 +30,9 @@ struct l3d_common_options {
     bool diagnose = false;
     bool verbose = false;
     l3d_size size{};
+    int scale = 0; ///< 0: not given
     int frames = 0;
-    double fps = 60;
+    std::optional<double> fps;
     std::uint64_t seed = 1;
     std::string output;
 };
@@ -87,6 +90,9 @@ public:
 
     /// Replaces --output, for a program (or factory manager) that has a better default.
     void set_output(const std::string& name) { common_.output = name; }
+
+    /// What a screen needs to know; the program's name is the title too.
+    l3d_screen_request screen_request() const;
 
     /// What a dispatcher needs to know. Given --frames, time goes by fixed steps, so that window
     /// and memory show the same pictures.

@@ -50,10 +50,15 @@ TEST(dispatcher_script, events_come_before_their_frame) {
 }
 
 TEST(dispatcher_script, steps_are_fixed) {
-    for (const auto& [fps, step] : {std::pair{60.0, 1 / 60.0}, {25.0, 0.04}, {0.0, 1 / 60.0}}) {
+    using rate = std::optional<double>;
+    for (const auto& [fps, step] : {std::pair{rate(60), 1 / 60.0},
+                                    {rate(25), 0.04},
+                                    {rate(0), 1 / 60.0},
+                                    {rate(), 1 / 60.0}}) {
         l3d_frame_settings settings = frames(4);
         settings.fps = fps;
         script_run run(settings);
+        run.screen.fps = 15; // has no say
         run.dispatcher.start();
         EXPECT_EQ(run.pipeline.steps, std::vector<double>(4, step));
     }
@@ -82,6 +87,16 @@ TEST(dispatcher_script, done_ends_it_before_the_frame) {
     script_run by_loss(frames(100), {{4, make_event(l3d_event_type::display_lost)}});
     EXPECT_EQ(by_loss.dispatcher.start(), l3d_exit::display_lost);
     EXPECT_EQ(count_of(by_loss.log, "draw"), 4);
+}
+
+TEST(dispatcher_script, passes_on_what_the_screen_has_to_say) {
+    l3d_frame_settings settings = frames(1);
+    settings.program = "tester";
+    script_run run(settings);
+    run.screen.remark = "another way";
+    testing::internal::CaptureStderr();
+    run.dispatcher.start();
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "tester: another way\n");
 }
 
 TEST(dispatcher_script, done_in_update_ends_it_after_the_frame) {

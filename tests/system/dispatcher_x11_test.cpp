@@ -113,6 +113,85 @@ TEST(dispatcher_x11, lost_display_is_told_and_the_last_frame_kept) {
     EXPECT_EQ(last.pixels().row(3)[5], 1u);
 }
 
+TEST(dispatcher_x11, hidden_windows_are_neither_drawn_nor_shown) {
+    window_run run(frames(0, 200));
+    run.screen.arrivals = {{make_event(l3d_event_type::hide)},
+                           {},
+                           {},
+                           {make_event(l3d_event_type::expose)},
+                           {make_key('q')}};
+    run.dispatcher.start();
+    const call_log first{"update", "draw", "show", "frame"};
+    EXPECT_EQ(call_log(run.log.begin(), run.log.begin() + 4), first);
+    // Time goes on, then the last picture comes back at once.
+    const auto shown = std::find(run.log.begin() + 4, run.log.end(), "show");
+    ASSERT_NE(shown, run.log.end());
+    EXPECT_EQ(std::count(run.log.begin() + 4, shown, "draw"), 0);
+}
+
+TEST(dispatcher_x11, time_goes_on_in_hidden_windows) {
+    window_run run(frames(0, 500));
+    run.screen.pending.push_back(make_event(l3d_event_type::hide));
+    run.pipeline.on_update = [&](int update) { run.pipeline.done = update == 5; };
+    run.dispatcher.start();
+    EXPECT_EQ(run.log, call_log(5, "update"));
+}
+
+TEST(dispatcher_x11, frames_that_are_counted_or_written_are_drawn_unseen) {
+    const temporary_folder folder;
+    window_run counted(frames(2));
+    counted.screen.pending.push_back(make_event(l3d_event_type::hide));
+    counted.dispatcher.start();
+    EXPECT_EQ(count_of(counted.log, "draw"), 2);
+
+    l3d_frame_settings settings = frames(0);
+    settings.output = folder.file("last.png");
+    window_run written(settings);
+    written.screen.pending.push_back(make_event(l3d_event_type::hide));
+    written.pipeline.on_update = [&](int update) { written.pipeline.done = update == 3; };
+    written.dispatcher.start();
+    EXPECT_EQ(count_of(written.log, "draw"), 3);
+}
+
+TEST(dispatcher_x11, fullscreen_comes_and_goes_and_escape_leaves_it) {
+    window_run run(frames(1));
+    const l3d_event toggle = make_event(l3d_event_type::fullscreen);
+    const l3d_event escape = make_key(l3d_key_escape);
+    run.screen.pending = {toggle, toggle, toggle, escape, make_key('a'), escape};
+    run.dispatcher.start();
+    EXPECT_EQ(run.log, (call_log{"fullscreen", "window again", "fullscreen", "window again",
+                                 "key a", "key \x1B", "update", "draw", "show", "frame"}));
+}
+
+TEST(dispatcher_x11, as_fast_as_the_screen_is_good_for) {
+    l3d_frame_settings settings;
+    settings.frames = 3;
+    for (const auto& [asked, least] : {std::pair<std::optional<double>, double>{{}, 0.25},
+                                       std::pair<std::optional<double>, double>{20, 0.05}}) {
+        settings.fps = asked;
+        window_run run(settings);
+        run.screen.fps = 4;
+        run.dispatcher.start();
+        const auto& steps = run.pipeline.steps;
+        EXPECT_GE(steps.at(1) + steps.at(2), 2 * least - 0.01);
+        EXPECT_EQ(steps.at(1) + steps.at(2) < 0.4, asked.has_value());
+    }
+}
+
+TEST(dispatcher_x11, passes_on_what_the_screen_has_to_say) {
+    l3d_frame_settings settings = frames(2);
+    settings.program = "tester";
+    window_run run(settings);
+    run.screen.remark = "slower from now on";
+    testing::internal::CaptureStderr();
+    run.pipeline.on_update = [&](int update) {
+        run.screen.remark = update == 2 ? "still slower" : run.screen.remark;
+    };
+    run.dispatcher.start();
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "tester: slower from now on\ntester: still slower\n");
+}
+
 TEST(dispatcher_x11, fixed_steps) {
     l3d_frame_settings settings = frames(3, 200);
     settings.fixed_step = true;

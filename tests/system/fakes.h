@@ -13,6 +13,7 @@
 #include <functional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 using call_log = std::vector<std::string>;
@@ -33,7 +34,7 @@ inline l3d_event make_key(int key) {
     return event;
 }
 
-/// A screen whose events the test prepares. Logs "show" and, if asked to, "wait".
+/// A screen whose events the test prepares. Logs "show", "fullscreen" and "window again".
 class fake_screen final : public l3d_screen {
 public:
     explicit fake_screen(call_log& log) : log_(log) {}
@@ -42,12 +43,23 @@ public:
     std::deque<std::vector<l3d_event>> arrivals; ///< each comes during one wait
     std::chrono::nanoseconds longest_wait{0};
     int waits = 0;
+    bool window = true;
+    double fps = 60;
+    std::string remark; ///< told once
 
 private:
     l3d_pixels do_pixels() override { return image_.pixels(); }
     const l3d_screen_info& do_info() const override { return info_; }
     void do_show() override { log_.push_back("show"); }
     std::string do_describe() const override { return "fake"; }
+    bool do_is_window() const override { return window; }
+    double do_usual_fps() const override { return fps; }
+    bool do_is_fullscreen() const override { return fullscreen_; }
+    void do_set_fullscreen(bool on) override {
+        log_.push_back(on ? "fullscreen" : "window again");
+        fullscreen_ = on;
+    }
+    std::string do_take_remark() override { return std::exchange(remark, {}); }
 
     bool do_next_event(l3d_event& event) override {
         if (pending.empty())
@@ -69,6 +81,7 @@ private:
     }
 
     call_log& log_;
+    bool fullscreen_ = false;
     l3d_image image_{{37, 23}, 41};
     l3d_screen_info info_;
 };

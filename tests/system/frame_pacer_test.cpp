@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <string>
+
 namespace {
 
 using namespace std::chrono_literals;
@@ -31,6 +34,17 @@ TEST(frame_pacer, missed_deadlines_are_dropped) {
     EXPECT_EQ(pacer.due(), start + 2020ms);
     pacer.frame_done(start + 2021ms, false);
     EXPECT_EQ(pacer.due(), start + 2040ms);
+}
+
+/// Frames that take this long and that, each begun a little late: as many as the rate says.
+TEST(frame_pacer, six_hundred_frames_take_ten_seconds) {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    l3d_frame_pacer pacer(60, start);
+    for (int frame = 0; frame < 600; ++frame)
+        pacer.frame_done(pacer.due() + std::chrono::microseconds(random() % 16000), false);
+    EXPECT_NEAR(std::chrono::duration<double>(pacer.due() - start).count(), 10, 1e-6);
 }
 
 TEST(frame_pacer, no_limit_waits_only_when_idle) {

@@ -47,7 +47,8 @@ TEST(options, defaults) {
     EXPECT_EQ(common.backend, "");
     EXPECT_EQ(common.size, (l3d_size{640, 400}));
     EXPECT_EQ(common.frames, 0);
-    EXPECT_EQ(common.fps, 60);
+    EXPECT_FALSE(common.fps.has_value());
+    EXPECT_EQ(common.scale, 0);
     EXPECT_EQ(common.seed, 1u);
     EXPECT_FALSE(common.no_input || common.list_backends || common.diagnose || common.verbose);
     EXPECT_EQ(tester.eye, (std::array<double, 3>{1.5, -2, 7}));
@@ -69,6 +70,17 @@ TEST(options, reads_every_kind) {
     EXPECT_EQ(settings.fps, 0);
     EXPECT_TRUE(settings.fixed_step);
     EXPECT_EQ(settings.output, "-");
+}
+
+TEST(options, tells_the_screen_size_name_and_scale) {
+    program tester;
+    EXPECT_TRUE(tester.parse({"--size", "321x97", "--scale", "3"}));
+    const l3d_screen_request request = tester.options.screen_request();
+    EXPECT_EQ(request.size, (l3d_size{321, 97}));
+    EXPECT_EQ(request.name, "tester");
+    EXPECT_EQ(request.title, "tester");
+    EXPECT_EQ(request.scale, 3);
+    EXPECT_EQ(tester.options.frame_settings().program, "tester");
 }
 
 TEST(options, reads_a_programs_own) {
@@ -137,6 +149,7 @@ INSTANTIATE_TEST_SUITE_P(
         refusal{{"--fps", "nan"}, "--fps", "'nan'"}, refusal{{"--fps", "inf"}, "--fps", "'inf'"},
         refusal{{"--fps", "-1"}, "--fps", "'-1'"}, refusal{{"--fps", "1e999"}, "--fps", "'1e999'"},
         refusal{{"--fps", "60fps"}, "--fps", "'60fps'"}, refusal{{"--fps", ""}, "--fps", "''"},
+        refusal{{"--scale", "0"}, "--scale", "'0'"}, refusal{{"--scale", "9"}, "--scale", "'9'"},
         refusal{{"--seed", "-1"}, "--seed", "'-1'"},
         refusal{{"--seed", "18446744073709551616"}, "--seed", "'18446744073709551616'"},
         refusal{{"--output", "a.gif"}, "--output", "'a.gif'"},

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// l3d_dispatcher_fitting: the choice.
+#include "system/dispatcher_fitting.h"
+
+#include "system/dispatcher_script.h"
+#include "system/dispatcher_x11.h"
+#include "system/frame_writer.h"
+
+l3d_dispatcher_fitting::l3d_dispatcher_fitting(const l3d_frame_settings& settings)
+    : settings_(settings) {
+    l3d_frame_writer{settings.output}; // complains now rather than after a window has come up
+}
+
+l3d_exit l3d_dispatcher_fitting::do_start(l3d_pipeline& pipeline, l3d_screen& screen) {
+    if (screen.is_window())
+        fitting_ = std::make_unique<l3d_dispatcher_x11>(settings_);
+    else
+        fitting_ = std::make_unique<l3d_dispatcher_script>(settings_);
+    fitting_->plug(pipeline, screen);
+    return fitting_->start();
+}
+
+std::unique_ptr<l3d_dispatcher>
+l3d_dispatcher_factory_fitting::do_create(const l3d_frame_settings& settings) const {
+    return std::make_unique<l3d_dispatcher_fitting>(settings);
+}
