@@ -108,11 +108,10 @@ public:
     }
 
     /// The grey, 0..255, that is as bright as a word's colour; that of a grey is its own value.
-    /// Source:  the weights of ITU-R BT.601, 0.299, 0.587 and 0.114, in 65536ths.
+    /// Source:  the weights of ITU-R BT.601; the sum is rounded to nearest.
     static std::uint32_t gray_of(std::uint32_t word) {
-        return ((word >> 16 & 255) * 19595 + (word >> 8 & 255) * 38470 + (word & 255) * 7471 +
-                32768) >>
-               16;
+        return ((word >> 16 & 255) * 299 + (word >> 8 & 255) * 587 + (word & 255) * 114 + 500) /
+               1000;
     }
 
     /// The display's own pixel value for such a word.

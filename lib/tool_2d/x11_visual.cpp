@@ -17,6 +17,14 @@
 namespace l3d_detail {
 namespace {
 
+// X's numbers for its classes are ours.
+static_assert(StaticGray == int(l3d_color_class::static_gray) &&
+              GrayScale == int(l3d_color_class::gray_scale) &&
+              StaticColor == int(l3d_color_class::static_color) &&
+              PseudoColor == int(l3d_color_class::pseudo_color) &&
+              TrueColor == int(l3d_color_class::true_color) &&
+              DirectColor == int(l3d_color_class::direct_color));
+
 struct x11_freer {
     void operator()(void* memory) const { XFree(memory); }
 };
@@ -40,7 +48,8 @@ void set_storage(Display* display, l3d_pixel_layout& layout) {
 x11_visual with_layout(Display* display, const XVisualInfo& info) {
     x11_visual visual;
     visual.visual = info.visual;
-    visual.color_class = info.c_class;
+    visual.cells = info.colormap_size;
+    visual.layout.color_class = static_cast<l3d_color_class>(info.c_class);
     visual.layout.depth = info.depth;
     visual.layout.red_mask = static_cast<std::uint32_t>(info.red_mask);
     visual.layout.green_mask = static_cast<std::uint32_t>(info.green_mask);
@@ -53,38 +62,54 @@ std::array<std::uint32_t, 3> masks_of(const l3d_pixel_layout& layout) {
     return {layout.red_mask, layout.green_mask, layout.blue_mask};
 }
 
+bool has_masks(const x11_visual& visual) {
+    return visual.layout.color_class == l3d_color_class::true_color ||
+           visual.layout.color_class == l3d_color_class::direct_color;
+}
+
 bool is_usable(const x11_visual& visual) {
     const auto& layout = visual.layout;
-    const auto whole_bytes =
-        layout.bits_per_pixel >= 8 && layout.bits_per_pixel <= 32 && layout.bits_per_pixel % 8 == 0;
+    if (layout.bits_per_pixel < 8 || layout.bits_per_pixel % 8 != 0)
+        return false;
+    // From here on twelve bits: a cube of 16x16x16 needs no more.
+    if (!has_masks(visual))
+        return layout.bits_per_pixel <= 16 && visual.cells >= 16 && visual.cells <= 4096;
     // One run of at most 16 ones: shifted down and increased it is a power of two.
-    return visual.color_class == TrueColor && whole_bytes &&
+    return layout.bits_per_pixel <= 32 &&
            std::ranges::all_of(masks_of(layout), [](std::uint32_t mask) {
                const auto run = mask == 0 ? 0 : mask >> std::countr_zero(mask);
                return run != 0 && run <= 0xFFFF && std::has_single_bit(run + 1);
            });
 }
 
-/// Orders visuals: no loss of our eight bits first, then no alpha, then more colours.
-auto rank(const x11_visual& visual) {
-    int fewest = 8, all = 0;
-    for (const auto mask : masks_of(visual.layout)) {
+/// Bits of the poorest channel, up to our eight.
+int fewest_bits(const x11_visual& visual) {
+    if (visual.layout.color_class == l3d_color_class::static_gray ||
+        visual.layout.color_class == l3d_color_class::gray_scale)
+        return 0;
+    if (!has_masks(visual))
+        return (std::bit_width(static_cast<unsigned>(visual.cells)) - 1) / 3;
+    int fewest = 8;
+    for (const auto mask : masks_of(visual.layout))
         fewest = std::min(fewest, std::popcount(mask));
-        all += std::popcount(mask);
-    }
-    return std::tuple(fewest, visual.layout.depth != 32, all);
+    return fewest;
+}
+
+/// With so many bits in each channel, shading looks smooth.
+bool is_good(const x11_visual& visual) {
+    return has_masks(visual) && fewest_bits(visual) >= 5;
+}
+
+auto rank(const x11_visual& visual) {
+    return std::tuple(fewest_bits(visual), visual.layout.depth != 32,
+                      visual.layout.color_class == l3d_color_class::true_color,
+                      visual.layout.depth);
 }
 
 std::string refusal(const x11_visual& visual) {
-    constexpr std::array names{"StaticGray",  "GrayScale", "StaticColor",
-                               "PseudoColor", "TrueColor", "DirectColor"};
-    const auto& layout = visual.layout;
-    std::ostringstream text;
-    text << "no usable TrueColor visual on this display; its default is "
-         << names.at(static_cast<std::size_t>(visual.color_class)) << ", depth " << layout.depth
-         << ", masks " << std::hex << layout.red_mask << "/" << layout.green_mask << "/"
-         << layout.blue_mask;
-    return text.str();
+    return "no usable visual on this display; its default is " + visual.layout.describe() +
+           "; TrueColor or DirectColor of 8, 16, 24 or 32 bits per pixel would do, or a colormap "
+           "of 16 to 4096 cells with 8 or 16";
 }
 
 } // namespace
@@ -103,20 +128,19 @@ std::vector<x11_visual> offered_x11_visuals(const x11_connection& connection) {
 
 std::optional<x11_visual> choose_x11_visual(std::span<const x11_visual> offered,
                                             const Visual* preferred, std::string& why) {
-    std::optional<x11_visual> best;
+    std::optional<x11_visual> best, usual;
     for (const auto& candidate : offered) {
         const bool is_preferred = candidate.visual == preferred;
-        if (!is_usable(candidate)) {
+        if (is_usable(candidate)) {
             if (is_preferred)
-                why = refusal(candidate);
-            continue;
+                usual = candidate;
+            if (!best || rank(candidate) > rank(*best))
+                best = candidate;
+        } else if (is_preferred) {
+            why = refusal(candidate);
         }
-        if (is_preferred)
-            return candidate;
-        if (!best || rank(candidate) > rank(*best))
-            best = candidate;
     }
-    return best;
+    return usual && (is_good(*usual) || !is_good(*best)) ? usual : best;
 }
 
 std::optional<x11_visual> choose_x11_visual(const x11_connection& connection, std::string& why) {

@@ -17,15 +17,24 @@ namespace l3d_detail {
 /// Lives:   the Visual is the connection's.
 struct x11_visual {
     Visual* visual = nullptr;
-    int color_class = 0; ///< StaticGray .. DirectColor
     l3d_pixel_layout layout;
+    int cells = 0; ///< entries of its colormap; if there are masks, of the largest channel
 };
 
 /// All that the screen offers, of whatever class.
 std::vector<x11_visual> offered_x11_visuals(const x11_connection& connection);
 
-/// The preferred visual if it is a TrueColor one that we can convert to, else the best such.
-/// Errors:  nothing, with one line in `why` that gives the preferred one's class, depth and masks.
+/// The visual that shows our colours best without disturbing others.
+///
+/// Served are TrueColor and DirectColor with 8, 16, 24 or 32 bits per pixel, and colormaps of 16 to
+/// 4096 cells with 8 or 16. The preferred one is taken if it has masks of five bits or more, so
+/// that it loses nothing, or nearly nothing; else the best that has; and if none has, the
+/// preferred one again, since on a display so poor all visuals are likely to share one map, and
+/// one of our own would spoil the colours of other windows. The best has the most bits in its
+/// poorest channel, up to our eight; then no alpha; then no map that must be written; then the
+/// most bits.
+/// Errors:  nothing, with one line in `why` that gives class, depth and masks of the preferred
+///          one, and what would do.
 std::optional<x11_visual> choose_x11_visual(std::span<const x11_visual> offered,
                                             const Visual* preferred, std::string& why);
 

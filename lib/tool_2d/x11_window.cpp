@@ -50,7 +50,11 @@ std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> con
         refusal = too_large(request.size, scale);
         return nullptr;
     }
-    std::unique_ptr<x11_window> window(new x11_window(std::move(connection), visual, scale));
+    auto colormap = x11_colormap::make(*connection, visual, refusal);
+    if (!colormap)
+        return nullptr;
+    std::unique_ptr<x11_window> window(
+        new x11_window(std::move(connection), std::move(colormap), visual, scale));
     const l3d_size native{request.size.width * scale, request.size.height * scale};
     x11_error_trap trap(window->connection());
     window->create(native);
@@ -70,9 +74,9 @@ std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> con
     return window;
 }
 
-x11_window::x11_window(std::unique_ptr<x11_connection> connection, const x11_visual& visual,
-                       int scale)
-    : connection_(std::move(connection)), visual_(visual), info_(visual.layout),
+x11_window::x11_window(std::unique_ptr<x11_connection> connection,
+                       std::unique_ptr<x11_colormap> colormap, const x11_visual& visual, int scale)
+    : connection_(std::move(connection)), colormap_(std::move(colormap)), visual_(visual),
       atoms_(intern_atoms(display())), scale_(scale) {
     // Without this a held key looks like one that is pressed again and again.
     XkbSetDetectableAutoRepeat(display(), True, nullptr);
@@ -82,17 +86,15 @@ x11_window::~x11_window() {
     // Xlib's own record of the context is freed even if the server is gone.
     XFreeGC(display(), graphics_);
     XDestroyWindow(display(), window_);
-    XFreeColormap(display(), colormap_);
 }
 
 void x11_window::create(l3d_size native) {
     const auto root = connection_->root();
-    colormap_ = XCreateColormap(display(), root, visual(), AllocNone);
     XSetWindowAttributes attributes{};
-    attributes.colormap = colormap_;
+    attributes.colormap = colormap_->id();
     // Not inherited: a parent of another depth has no pixel for the border.
     attributes.border_pixel = 0;
-    attributes.background_pixel = info_.to_display(0);
+    attributes.background_pixel = info().to_display(0);
     // What is drawn stays when the window grows, so that only new parts turn black.
     attributes.bit_gravity = NorthWestGravity;
     attributes.event_mask = events_always;

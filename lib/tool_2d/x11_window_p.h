@@ -4,6 +4,7 @@
 #define L3D_TOOL_2D_X11_WINDOW_P_H
 
 #include "tool_2d/screen.h"
+#include "tool_2d/x11_colormap_p.h"
 #include "tool_2d/x11_connection_p.h"
 #include "tool_2d/x11_visual_p.h"
 
@@ -43,7 +44,8 @@ public:
     GC graphics() const { return graphics_; }
     Visual* visual() const { return visual_.visual; }
     const x11_atoms& atoms() const { return atoms_; }
-    const l3d_screen_info& info() const { return info_; }
+    const l3d_screen_info& info() const { return colormap_->info(); }
+    const x11_colormap& colormap() const { return *colormap_; }
 
     /// Side of the square of the display's pixels that shows one of ours.
     int scale() const { return scale_; }
@@ -70,7 +72,8 @@ public:
     void set_property(Atom name, Atom type, int format, const void* data, std::size_t count) const;
 
 private:
-    x11_window(std::unique_ptr<x11_connection> connection, const x11_visual& visual, int scale);
+    x11_window(std::unique_ptr<x11_connection> connection, std::unique_ptr<x11_colormap> colormap,
+               const x11_visual& visual, int scale);
 
     void create(l3d_size native);
     void set_title(std::string title);
@@ -80,12 +83,11 @@ private:
     void find_manager();
 
     std::unique_ptr<x11_connection> connection_;
+    std::unique_ptr<x11_colormap> colormap_;
     x11_visual visual_;
-    l3d_screen_info info_;
     x11_atoms atoms_;
     int scale_;
     bool managed_ = false;
-    Colormap colormap_ = 0;
     Window window_ = 0;
     GC graphics_ = nullptr;
 };

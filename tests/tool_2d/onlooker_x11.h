@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tool_2d/screen_x11.h"
+#include "shown_pixel.h"
 #include "xvfb.h"
 
 #include <random>
@@ -23,9 +24,11 @@ inline constexpr l3d_size odd_size{141, 83};
 // Longer than any of this takes; no test passes because it is over.
 inline constexpr std::chrono::seconds patience{20};
 
-inline std::unique_ptr<l3d_screen> make(const std::string& title = "Teekanne für Öl") {
+template <class Factory = l3d_screen_factory_ximage>
+std::unique_ptr<l3d_screen> make(const std::string& title = "Teekanne für Öl",
+                                 l3d_size size = odd_size) {
     l3d_service refusal;
-    auto screen = l3d_screen_factory_ximage().create({odd_size, title}, refusal);
+    auto screen = Factory().create({size, title}, refusal);
     EXPECT_NE(screen, nullptr) << refusal.why;
     return screen;
 }
@@ -152,9 +155,10 @@ inline void draw_random(const l3d_pixels& pixels, unsigned seed) {
     }
 }
 
-/// Shows, and returns when the server has the picture: a second picture waits for the first.
+/// Shows, and returns when the server has the picture: at most two are under way, so that the third
+/// waits for the first.
 inline void show_for_certain(l3d_screen& screen) {
-    for (int i = 0; i < 2; ++i)
+    for (int i = 0; i < 3; ++i)
         screen.show();
 }
 
@@ -169,7 +173,7 @@ inline int wrong_pixels(const onlooker& other, const l3d_pixels& pixels,
     for (int y = 0; y < pixels.height; ++y) {
         for (int x = 0; x < pixels.width; ++x)
             wrong += other.pixel(*shown, x, y) !=
-                     info.to_display(pixels.row(y)[static_cast<std::size_t>(x)]);
+                     shown_pixel(info, pixels.row(y)[static_cast<std::size_t>(x)], x, y);
     }
     XDestroyImage(shown);
     return wrong;
