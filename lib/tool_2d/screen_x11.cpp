@@ -5,8 +5,10 @@
 #include "tool_2d/image.h"
 #include "tool_2d/x11_diagnosis_p.h"
 #include "tool_2d/x11_events_p.h"
+#include "tool_2d/x11_fullscreen_p.h"
 #include "tool_2d/x11_image_p.h"
 #include "tool_2d/x11_shm_segment_p.h"
+#include "tool_2d/x11_sync_p.h"
 #include "tool_2d/x11_window_p.h"
 
 #include <algorithm>
@@ -40,8 +42,8 @@ public:
     /// Shape:   `no_shm` is why memory shall not be shared; empty: it shall.
     /// Errors:  std::bad_alloc.
     l3d_screen_x11(std::unique_ptr<x11_window> window, l3d_size size, std::string no_shm)
-        : window_(std::move(window)), events_(*window_), picture_(size, size.width),
-          no_shm_(std::move(no_shm)), image_(make_image(size)) {}
+        : window_(std::move(window)), events_(*window_), sync_(*window_), fullscreen_(*window_),
+          picture_(size, size.width), no_shm_(std::move(no_shm)), image_(make_image(size)) {}
 
     /// Puts the window on the screen and waits until the server wants it drawn.
     void open();
@@ -52,6 +54,8 @@ private:
     void do_show() override;
     bool do_is_window() const override { return true; }
     double do_usual_fps() const override;
+    void do_set_fullscreen(bool on) override { fullscreen_.set(on); }
+    bool do_is_fullscreen() const override { return fullscreen_.is_on(); }
     std::string do_describe() const override;
     std::string do_take_remark() override { return std::exchange(remark_, {}); }
     bool do_next_event(l3d_event& event) override;
@@ -61,6 +65,7 @@ private:
     void take_events();
     void take(XEvent& event);
     void put_if_due();
+    void tell_shown();
     bool sleep(steady_clock::time_point deadline) const;
     bool resized_to(l3d_size size);
     std::unique_ptr<x11_image> make_image(l3d_size size);
@@ -69,11 +74,14 @@ private:
 
     std::unique_ptr<x11_window> window_;
     x11_events events_;
+    x11_sync sync_;
+    x11_fullscreen fullscreen_;
     l3d_image picture_;
     std::string no_shm_; ///< why memory is not shared; empty: it is
     std::string remark_;
     std::unique_ptr<x11_image> image_;
     bool put_is_due_ = false;     ///< a picture is to be put once there is a buffer for it
+    bool sync_is_due_ = false;    ///< a picture was put, and perhaps waits to be sent
     bool window_is_gone_ = false; ///< another program destroyed it
     bool lost_is_told_ = false;
 };
@@ -136,6 +144,7 @@ void l3d_screen_x11::put_if_due() {
     if (window_->connection().lost() || window_is_gone_)
         return;
     image_->put(picture_.pixels());
+    sync_is_due_ = true;
 }
 
 /// Reads all that the server sent so far. Nothing follows the last XPending: writing may read
@@ -143,11 +152,20 @@ void l3d_screen_x11::put_if_due() {
 void l3d_screen_x11::read_events() {
     do {
         image_->look_after();
+        fullscreen_.rest(steady_clock::now());
         put_if_due();
+        tell_shown();
         take_events();
     } while (replaced_failed_image());
     if (window_->connection().lost() && !std::exchange(lost_is_told_, true))
         events_.take_display_lost();
+}
+
+void l3d_screen_x11::tell_shown() {
+    if (!sync_is_due_ || image_->is_sending())
+        return;
+    sync_is_due_ = false;
+    sync_.shown(picture_.pixels().size());
 }
 
 void l3d_screen_x11::take_events() {
@@ -166,6 +184,8 @@ void l3d_screen_x11::take(XEvent& event) {
         image_->forget_shown();
     if (event.type == DestroyNotify)
         window_is_gone_ = true;
+    sync_.take(event);
+    fullscreen_.take(event);
     events_.take(event);
 }
 
@@ -192,8 +212,10 @@ bool l3d_screen_x11::do_next_event(l3d_event& event) {
 
 /// New pixels only now, when the program learns of them: until then it may draw into the old.
 bool l3d_screen_x11::resized_to(l3d_size size) {
-    if (size == picture_.pixels().size())
+    if (size == picture_.pixels().size()) {
+        sync_.shown(size);
         return false;
+    }
     try {
         auto image = make_image(size);
         picture_ = l3d_image(size, size.width);
@@ -201,7 +223,7 @@ bool l3d_screen_x11::resized_to(l3d_size size) {
     } catch (const std::bad_alloc&) {
         return false; // The old picture goes on, in a part of the window.
     }
-    put_is_due_ = false;
+    put_is_due_ = sync_is_due_ = false;
     return true;
 }
 
