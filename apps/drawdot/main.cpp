@@ -20,8 +20,8 @@ public:
     l3d_screen& screen() { return *screen_; }
 
     void key_event(int key) override {
-        done |= key == 'q';
-        if (key == 'h' || key == 'j' || key == 'k' || key == 'l' || key == ' ')
+        done |= key == 'q' || key == l3d_key_escape;
+        if ((key >= 'h' && key <= 'l' && key != 'i') || key == 'p' || key == ' ')
             turn((key == 'l') - (key == 'h'), (key == 'j') - (key == 'k'));
     }
 
@@ -66,7 +66,7 @@ private:
 } // namespace
 
 int main(int argc, char** argv) try {
-    l3d_options options("drawdot", "A dot leaves a trail. Keys: h j k l, space, q.", {320, 200});
+    l3d_options options("drawdot", "A dot leaves a trail. Keys: h j k l, p, F11, q.", {320, 200});
     l3d_factory_manager factories; // step 1: choose factories
     if (!options.parse(argc, argv) || !factories.choose(options))
         return 0;

@@ -24,12 +24,14 @@ constexpr double least_tolerance = 1.0 / 64, largest_tolerance = 64;
 constexpr std::uint32_t text_color = 0x00ffe080, shadow_color = 0x00101010;
 constexpr int text_scale = 2, text_margin = 8;
 
-constexpr std::array<const char*, 13> help_lines{
-    "arrows, drag  turn",       "+ - wheel     zoom",           "[ ]           tolerance",
-    "c             shading",    "w             wireframe",      "n             control nets",
-    "o             status",     "t             turntable",      "p, space      pause",
-    "r             reset view", "s             save a picture", "h ?           this help",
-    "q Esc         quit"};
+constexpr std::array<const char*, 14> help_lines{
+    "arrows, drag  turn",           "wheel, Page   zoom",
+    "+ -           detail",         "c             shading",
+    "w             wireframe",      "n             control nets",
+    "o             status",         "t             turntable",
+    "p, space      pause",          "r             reset view",
+    "s             save a picture", "F11           whole screen",
+    "h ?           this help",      "q Esc         quit"};
 
 const char* name_of(l3d_shade shade) {
     switch (shade) {
@@ -71,6 +73,11 @@ void l3d_pipeline_afd_viewer::set_turntable(double degrees_per_frame, double fps
     turntable_degrees_ = degrees_per_frame * fps;
 }
 
+void l3d_pipeline_afd_viewer::set_tolerance(double pixels) {
+    settings().tolerance = std::clamp(pixels, least_tolerance, largest_tolerance);
+    say(formatted("error at most %.3g pixels", settings().tolerance));
+}
+
 void l3d_pipeline_afd_viewer::say(std::string line) {
     message_ = std::move(line);
     redraw();
@@ -99,11 +106,10 @@ bool l3d_pipeline_afd_viewer::view_key(int key) {
     case l3d_key_down:
         camera().orbit(0, key_turn);
         return true;
-    case '+':
-    case '=':
+    case l3d_key_page_up:
         camera().approach(1 / zoom_factor);
         return true;
-    case '-':
+    case l3d_key_page_down:
         camera().approach(zoom_factor);
         return true;
     case 'r':
@@ -126,11 +132,12 @@ bool l3d_pipeline_afd_viewer::view_key(int key) {
 /// Keys that change what is shown of the surface.
 bool l3d_pipeline_afd_viewer::look_key(int key) {
     switch (key) {
-    case '[':
-        settings().tolerance = std::max(settings().tolerance / 2, least_tolerance);
+    case '+':
+    case '=':
+        set_tolerance(settings().tolerance / 2);
         return true;
-    case ']':
-        settings().tolerance = std::min(settings().tolerance * 2, largest_tolerance);
+    case '-':
+        set_tolerance(settings().tolerance * 2);
         return true;
     case 'c':
         settings().shade = next_shade(settings().shade);
@@ -161,7 +168,7 @@ bool l3d_pipeline_afd_viewer::look_key(int key) {
 void l3d_pipeline_afd_viewer::pointer_event(const l3d_event& event) {
     if (event.type == l3d_event_type::wheel) {
         camera().approach(event.y > 0 ? 1 / zoom_factor : zoom_factor);
-        redraw();
+        return redraw();
     }
     if (event.type == l3d_event_type::pointer_motion && event.button == 1) {
         camera().orbit((pointer_x_ - event.x) * drag_turn, (pointer_y_ - event.y) * drag_turn);

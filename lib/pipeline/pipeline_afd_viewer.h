@@ -34,6 +34,7 @@ protected:
 private:
     bool view_key(int key);
     bool look_key(int key);
+    void set_tolerance(double pixels);
     void say(std::string line);
 
     double turntable_degrees_ = 0; ///< per second
