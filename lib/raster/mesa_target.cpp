@@ -63,10 +63,8 @@ unsigned mesa_target::make_texture() {
 
 bool mesa_target::resize(l3d_size size) {
     const mesa_gl& gl = context_->make_current();
-    int largest = 0;
-    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     size_ = size;
-    if (size.width < 1 || size.height < 1 || std::max(size.width, size.height) > largest)
+    if (size.width < 1 || size.height < 1)
         return false;
     while (gl.GetError() != GL_NO_ERROR) {
     }

@@ -40,6 +40,11 @@ const char* name_of(mesa_way way) {
     return "";
 }
 
+const char* packages_of(mesa_way way) {
+    return way == mesa_way::osmesa ? "install libosmesa6 (Mesa before 25.1)"
+                                   : "install libegl1 libegl-mesa0 libgl1-mesa-dri";
+}
+
 bool may_try(mesa_way way) {
     const std::string wish = wished_way();
     return wish == "auto" || wish == (way == mesa_way::osmesa ? "osmesa" : "egl");
@@ -100,7 +105,8 @@ std::unique_ptr<mesa_context> mesa_context::open(std::string& why) {
         if (reasons.find(reason) == std::string::npos) // both ways of EGL may lack its library
             reasons += std::string("; ") + name_of(way) + ": " + reason;
     }
-    why = "no software GL; " + std::string(mesa_packages) + reasons;
+    why = std::string("no software GL; ") + packages_of(mesa_way::egl_surfaceless) +
+          " or libosmesa6" + reasons;
     return nullptr;
 }
 

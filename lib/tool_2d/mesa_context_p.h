@@ -27,9 +27,8 @@ bool may_try(mesa_way way);
 /// Whether a GL_RENDERER draws on the CPU.
 bool is_software_renderer(std::string_view renderer);
 
-/// What Debian calls the libraries of all ways.
-inline constexpr const char* mesa_packages =
-    "install libegl1 libegl-mesa0 libgl1-mesa-dri, or libosmesa6";
+/// What to install for a way, by Debian's names.
+const char* packages_of(mesa_way way);
 
 /// A GL context that belongs to the thread that made it.
 ///

@@ -13,7 +13,7 @@
 // One list for both the members and the search for them. clang-format off: one family a line.
 // clang-format off
 #define L3D_MESA_GL_CALLS(call) \
-    call(GetString) call(GetIntegerv) call(GetError) \
+    call(GetString) call(GetError) \
     call(Enable) call(Disable) call(Viewport) call(PixelStorei) call(ReadPixels) \
     call(ColorMask) call(DepthMask) call(DepthFunc) call(Clear) call(ClearColor) \
     call(GenTextures) call(BindTexture) call(TexImage2D) call(TexSubImage2D) \

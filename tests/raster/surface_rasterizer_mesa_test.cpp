@@ -309,6 +309,11 @@ TEST_P(MesaSurface, PicturesThatGlCannotHoldAreFilledAllTheSame) {
     EXPECT_EQ(by_gl.words, by_cpu.words);
     EXPECT_EQ(gl.counts().written, cpu.counts().written);
     EXPECT_GT(gl.counts().written, 100);
+    begin(l3d_shade::error);
+    gl.set_error_color(0x00123456);
+    gl.draw_triangle(at(16300, 0, 2), at(16310, 4, 2), at(16499, 2, 2));
+    gl.finish();
+    EXPECT_EQ(by_gl.word(16400, 2), 0x00123456u);
 }
 
 TEST(MesaSurfaces, OfEglAndOsmesaAreTheSame) {
