@@ -61,10 +61,10 @@ private:
     bool do_next_event(l3d_event& event) override;
     void do_wait(std::chrono::nanoseconds longest) override;
 
-    void read_events();
-    void take_events();
+    void read_events(steady_clock::time_point put_deadline = {});
+    void take_events(steady_clock::time_point put_deadline);
     void take(XEvent& event);
-    void put_if_due();
+    void put_if_due(steady_clock::time_point deadline);
     void tell_shown();
     bool sleep(steady_clock::time_point deadline) const;
     bool resized_to(l3d_size size);
@@ -133,29 +133,29 @@ void l3d_screen_x11::do_show() {
     put_is_due_ = true;
     const auto deadline = steady_clock::now() + longest_put;
     do {
-        read_events();
+        read_events(deadline);
     } while (put_is_due_ && sleep(deadline));
 }
 
-void l3d_screen_x11::put_if_due() {
+void l3d_screen_x11::put_if_due(steady_clock::time_point deadline) {
     if (!put_is_due_ || !image_->is_free())
         return;
     put_is_due_ = false;
     if (window_->connection().lost() || window_is_gone_)
         return;
-    image_->put(picture_.pixels());
+    image_->put(picture_.pixels(), deadline);
     sync_is_due_ = true;
 }
 
 /// Reads all that the server sent so far. Nothing follows the last XPending: writing may read
 /// too, and what it read would not wake a sleeper.
-void l3d_screen_x11::read_events() {
+void l3d_screen_x11::read_events(steady_clock::time_point put_deadline) {
     do {
         image_->look_after();
         fullscreen_.rest(steady_clock::now());
-        put_if_due();
+        put_if_due(put_deadline);
         tell_shown();
-        take_events();
+        take_events(put_deadline);
     } while (replaced_failed_image());
     if (window_->connection().lost() && !std::exchange(lost_is_told_, true))
         events_.take_display_lost();
@@ -168,12 +168,12 @@ void l3d_screen_x11::tell_shown() {
     sync_.shown(picture_.pixels().size());
 }
 
-void l3d_screen_x11::take_events() {
+void l3d_screen_x11::take_events(steady_clock::time_point put_deadline) {
     while (!window_->connection().lost() && XPending(window_->display()) > 0) {
         XEvent event;
         XNextEvent(window_->display(), &event);
         if (image_->take(event))
-            put_if_due();
+            put_if_due(put_deadline);
         else
             take(event);
     }

@@ -6,6 +6,7 @@
 #include "tool_2d/pixels.h"
 #include "tool_2d/x11_window_p.h"
 
+#include <chrono>
 #include <memory>
 #include <string>
 
@@ -14,6 +15,8 @@ namespace l3d_detail {
 /// The buffers in which the pictures of one window travel, for one size of it.
 class x11_image {
 public:
+    using time_point = std::chrono::steady_clock::time_point;
+
     x11_image() = default;
     x11_image(const x11_image&) = delete;
     x11_image& operator=(const x11_image&) = delete;
@@ -26,7 +29,8 @@ public:
     /// Sends the picture, and asks the server for an event once it has it. What Xlib still
     /// buffers goes out when events are next asked for. The words may change afterwards.
     /// Expects: is_free(); a picture of the size this was made for.
-    void put(const l3d_pixels& picture) { do_put(picture); }
+    /// Cost:    waits for a slow connection until the deadline, and copies what is left.
+    void put(const l3d_pixels& picture, time_point deadline) { do_put(picture, deadline); }
 
     /// Goes on with what put could not do without blocking, and asks after an answer that is
     /// overdue. To be called now and then before events are read.
@@ -53,7 +57,7 @@ public:
 
 private:
     virtual bool do_is_free() const = 0;
-    virtual void do_put(const l3d_pixels& picture) = 0;
+    virtual void do_put(const l3d_pixels& picture, time_point deadline) = 0;
     virtual void do_look_after() = 0;
     virtual bool do_is_sending() const { return false; }
     virtual bool do_is_idle() const = 0;

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -16,12 +15,8 @@
 namespace l3d_detail {
 namespace {
 
-using std::chrono::steady_clock;
-
 // Rows that are compared, and sent, together: an overlay line of text is about as high.
 constexpr int band_height = 16;
-// Input must not wait longer than this for a slow connection.
-constexpr std::chrono::milliseconds longest_send{100};
 
 /// Pictures go in pieces that never block, so that a server that is slow, or stopped, does not
 /// take the program with it. What could not be sent is kept, and goes on in look_after.
@@ -44,7 +39,7 @@ private:
     bool do_is_idle() const override { return !is_sending() && !echo_.is_awaited(); }
     bool do_is_sending() const override { return next_row_ < ximage_->height; }
 
-    void do_put(const l3d_pixels& picture) override {
+    void do_put(const l3d_pixels& picture, time_point deadline) override {
         assert(ximage_->width == picture.width * writer_.scale() &&
                ximage_->height == picture.height * writer_.scale());
         const bool is_copied = !is_local_ || !writer_.is_identity();
@@ -59,7 +54,7 @@ private:
         ximage_->data = is_copied ? reinterpret_cast<char*>(bytes_.data())
                                   : reinterpret_cast<char*>(picture.words);
         next_row_ = 0;
-        send();
+        send(deadline);
         if (!is_copied)
             keep_rest();
     }
@@ -92,8 +87,7 @@ private:
         return row;
     }
 
-    void send() {
-        const auto deadline = steady_clock::now() + longest_send;
+    void send(time_point deadline) {
         bool is_sent = false;
         for (;;) {
             while (is_sending() && !is_stale(next_row_))
@@ -124,7 +118,7 @@ private:
 
     void do_look_after() override {
         if (is_sending())
-            send();
+            send({});
     }
 
     void do_forget_shown() override { is_forgotten_ = true; }

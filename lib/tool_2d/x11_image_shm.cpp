@@ -53,7 +53,7 @@ private:
         return std::ranges::count(buffers_, 0UL, &shared_buffer::put) == buffer_count;
     }
 
-    void do_put(const l3d_pixels& picture) override {
+    void do_put(const l3d_pixels& picture, time_point) override {
         auto& buffer = *std::ranges::find(buffers_, 0UL, &shared_buffer::put);
         auto* const bytes = segment_->bytes() + buffer.offset;
         writer_.write(picture, {ximage_->width, ximage_->height}, bytes, ximage_->bytes_per_line);
