@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <optional>
+#include <set>
 #include <utility>
+#include <vector>
 
 namespace l3d_detail {
 namespace {
@@ -62,32 +64,63 @@ std::vector<XColor> query_cells(Display* display, Colormap map, int count) {
 class cell_sharer {
 public:
     cell_sharer(Display* display, Colormap map, int cells)
-        : display_(display), map_(map), cells_(cells) {}
+        : display_(display), map_(map), found_(query_cells(display, map, cells)) {}
 
+    /// The palette of a shape in cells of its very colours.
     /// Errors:  nothing; then no cell stays taken.
-    std::optional<l3d_palette> share(const palette_shape& shape);
+    std::optional<l3d_palette> share_exactly(const palette_shape& shape) {
+        return has_room_for(shape) ? share(shape, true) : std::nullopt;
+    }
+
+    /// Likewise; where the map has no room, in cells of others that are near.
+    std::optional<l3d_palette> share_nearly(const palette_shape& shape) {
+        return share(shape, false);
+    }
 
     std::vector<unsigned long> take_allocated() { return std::exchange(allocated_, {}); }
 
 private:
+    bool has_room_for(const palette_shape& shape) const;
+    std::optional<l3d_palette> share(const palette_shape& shape, bool exactly);
     bool allocate(XColor& color);
     bool allocate_nearest(const palette_shape& shape, std::uint32_t wanted, XColor& color);
 
     Display* display_;
     Colormap map_;
-    int cells_;
+    std::vector<XColor> found_; ///< how the map was, without cells that turned out to be private
     std::vector<unsigned long> allocated_;
-    bool is_full_ = false;
-    std::vector<XColor> others_; ///< once the map is full: cells that may be for sharing
 };
 
-std::optional<l3d_palette> cell_sharer::share(const palette_shape& shape) {
+/// Asks for as many cells as there are colours to come, at once, and gives them back: one round
+/// trip instead of one for each that fits until one does not.
+bool cell_sharer::has_room_for(const palette_shape& shape) const {
+    std::set<std::uint32_t> there;
+    for (const auto& color : found_)
+        there.insert(word_of(color));
+    std::vector<unsigned long> room;
+    for (int place = 0; place < shape.size(); ++place) {
+        if (!there.contains(shape.color(place)))
+            room.push_back(0);
+    }
+    const int count = static_cast<int>(room.size());
+    if (count == 0)
+        return true;
+    if (XAllocColorCells(display_, map_, False, nullptr, 0, room.data(),
+                         static_cast<unsigned>(count)) == 0)
+        return false;
+    XFreeColors(display_, map_, room.data(), count, 0);
+    return true;
+}
+
+std::optional<l3d_palette> cell_sharer::share(const palette_shape& shape, bool exactly) {
     std::vector<std::uint32_t> pixels;
     int deviation = 0;
+    bool is_full = false;
     for (int place = 0; place < shape.size(); ++place) {
         const auto wanted = shape.color(place);
         auto color = x11_color_of(wanted);
-        if (!allocate(color) && !allocate_nearest(shape, wanted, color)) {
+        is_full = is_full || !allocate(color);
+        if (is_full && (exactly || !allocate_nearest(shape, wanted, color))) {
             XFreeColors(display_, map_, allocated_.data(), static_cast<int>(allocated_.size()), 0);
             allocated_.clear();
             return std::nullopt;
@@ -108,10 +141,8 @@ bool cell_sharer::allocate(XColor& color) {
 /// Asking for a cell's very colour gives that cell, unless its owner may change it.
 bool cell_sharer::allocate_nearest(const palette_shape& shape, std::uint32_t wanted,
                                    XColor& color) {
-    if (!std::exchange(is_full_, true))
-        others_ = query_cells(display_, map_, cells_);
-    while (!others_.empty()) {
-        const auto nearest = std::ranges::min_element(others_, {}, [&](const XColor& other) {
+    while (!found_.empty()) {
+        const auto nearest = std::ranges::min_element(found_, {}, [&](const XColor& other) {
             return shape.distance(word_of(other), wanted);
         });
         if (!shape.is_near(word_of(*nearest), wanted))
@@ -119,9 +150,20 @@ bool cell_sharer::allocate_nearest(const palette_shape& shape, std::uint32_t wan
         color = *nearest;
         if (allocate(color))
             return true;
-        others_.erase(nearest);
+        found_.erase(nearest);
     }
     return false;
+}
+
+/// The shapes to share in order of preference.
+std::vector<palette_shape> shared_shapes(const palette_shape& largest) {
+    const bool ramp = largest.is_ramp();
+    const int fewest = std::min(ramp ? fewest_in_ramp : fewest_in_cube, largest.red);
+    std::vector<palette_shape> shapes;
+    for (int levels = std::min(ramp ? shared_ramp : shared_cube, largest.red); levels >= fewest;
+         levels = ramp ? levels / 2 : levels - 1)
+        shapes.push_back(ramp ? palette_shape::ramp(levels) : palette_shape::cube(levels));
+    return shapes;
 }
 
 } // namespace
@@ -137,9 +179,8 @@ std::unique_ptr<x11_colormap> x11_colormap::make(const x11_connection& connectio
         refusal = {l3d_service::level::not_here,
                    "the display's colours are too few, and cannot be changed: " +
                        visual.layout.describe()};
-        if (connection.lost())
-            refusal = {l3d_service::level::display_lost, "the X server went away"};
-        return nullptr;
+        map.reset();
+        break;
     case l3d_color_class::gray_scale:
     case l3d_color_class::pseudo_color:
         if (!map->share_cells())
@@ -152,6 +193,10 @@ std::unique_ptr<x11_colormap> x11_colormap::make(const x11_connection& connectio
         map->store_ramps();
         map->use_masks();
         break;
+    }
+    if (connection.lost()) {
+        refusal = {l3d_service::level::display_lost, "the X server went away"};
+        return nullptr;
     }
     return map;
 }
@@ -168,6 +213,8 @@ x11_colormap::x11_colormap(const x11_connection& connection, const x11_visual& v
 
 x11_colormap::~x11_colormap() {
     auto* display = connection_.display();
+    if (connection_.lost())
+        return;
     if (owned_)
         XFreeColormap(display, id_);
     else if (!allocated_.empty())
@@ -205,20 +252,18 @@ bool x11_colormap::use_fixed_cells() {
 bool x11_colormap::share_cells() {
     if (owned_)
         return false;
-    const auto largest = largest_shape(visual_);
-    const bool ramp = largest.is_ramp();
-    const int fewest = std::min(ramp ? fewest_in_ramp : fewest_in_cube, largest.red);
+    const auto shapes = shared_shapes(largest_shape(visual_));
     cell_sharer sharer(connection_.display(), id_, visual_.cells);
-    for (int levels = std::min(ramp ? shared_ramp : shared_cube, largest.red); levels >= fewest;
-         levels = ramp ? levels / 2 : levels - 1) {
-        const auto shape = ramp ? palette_shape::ramp(levels) : palette_shape::cube(levels);
-        if (auto palette = sharer.share(shape)) {
-            info_ = l3d_screen_info(visual_.layout, std::move(*palette));
-            allocated_ = sharer.take_allocated();
-            return true;
-        }
-    }
-    return false;
+    std::optional<l3d_palette> palette;
+    for (std::size_t i = 0; i < shapes.size() && !palette; ++i)
+        palette = sharer.share_exactly(shapes[i]);
+    for (std::size_t i = 0; i < shapes.size() && !palette; ++i)
+        palette = sharer.share_nearly(shapes[i]);
+    if (!palette)
+        return false;
+    allocated_ = sharer.take_allocated();
+    info_ = l3d_screen_info(visual_.layout, std::move(*palette));
+    return true;
 }
 
 void x11_colormap::store_cells() {

@@ -19,21 +19,22 @@ namespace l3d_detail {
 /// - DirectColor: a map of our own, with a straight ramp in each channel; then like TrueColor.
 /// - StaticColor, StaticGray: the largest palette_of_cells.
 /// - PseudoColor, GrayScale, if the visual is the screen's default: cells of the default map,
-///   shared with whoever asks for the same colours: 6x6x6 of them, or 64 grays. Once the map is
-///   full, its nearest cell that can be shared, if no channel is off by more than half a step; else
-///   fewer levels, down to 4x4x4 or 16 grays.
+///   shared with whoever asks for the same colours: 6x6x6 of them, or 64 grays. If there is no
+///   room, fewer levels, down to 4x4x4 or 16 grays. If there is none for those either, the same
+///   once more, now with cells of other programs where no channel is off by more than half a step.
 /// - If not even that can be had, or the visual is another one: a map of our own with an exact
 ///   palette. On a display with one map in its hardware other windows show wrong colours while
 ///   ours has the focus; so cells that are left over are those of the default map, which hold
 ///   the colours of menus and borders.
 class x11_colormap {
 public:
-    /// Errors:  null, with `refusal` filled, if a map that nobody can change has too few colours.
+    /// Errors:  null, with `refusal` filled: a map that nobody can change has too few colours, or
+    ///          the server went away.
     /// Lives:   the connection outlives the colormap.
-    /// Cost:    nothing, or one request, with masks; one round trip for static maps. In a shared
-    ///          map one round trip for each cell, 216 if nobody has taken any, at most 660 if all
-    ///          are taken (216 + 125 + 64 asked for, 255 others found not to be for sharing):
-    ///          10 ms locally, 4 s on a line of 20 ms.
+    /// Cost:    with masks nothing, or one request; with static maps one round trip; in a shared
+    ///          map one for each cell, since X gives them singly: at most 216, and in a full map
+    ///          one more for each of its 256 cells that turns out to be private. That is 10 ms
+    ///          locally, and 4 s or 10 s on a line of 20 ms.
     static std::unique_ptr<x11_colormap> make(const x11_connection& connection,
                                               const x11_visual& visual, l3d_service& refusal);
 
