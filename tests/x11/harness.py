@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What the end-to-end tests share: checks, an X server, a small X client, programs under test."""
+"""What the end-to-end tests share: checks, an X server, programs under test, pictures."""
 
 import contextlib
-import ctypes
 import os
 import shutil
 import signal
@@ -13,6 +12,8 @@ import tempfile
 import time
 import traceback
 import zlib
+
+from onlooker import Onlooker
 
 BIN = os.path.abspath(os.environ["L3D_BIN"])
 PATIENCE = 20  # seconds that anything may take on a busy machine before it counts as hanging
@@ -88,7 +89,8 @@ def wait_for(question, what):
 
 def environment(display=None, **more):
     """The environment without what would steer the programs, but for what is named here."""
-    kept = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "L3D_BACKEND")}
+    ours = ("DISPLAY", "L3D_BACKEND", "L3D_NO_SHM", "L3D_MESA")
+    kept = {name: value for name, value in os.environ.items() if name not in ours}
     if display is not None:
         kept["DISPLAY"] = display
     return {**kept, **more}
@@ -140,11 +142,12 @@ def run(command, env, **options):
 
 
 @contextlib.contextmanager
-def x_server(*options):
+def x_server(*options, before=()):
     """An X server of its own; yields its process with the attribute `display`."""
     read, write = os.pipe()
+    xvfb = ["Xvfb", "-displayfd", str(write), "-screen", "0", "800x600x24", "-noreset"]
     server = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(write), "-screen", "0", "800x600x24", "-noreset", *options],
+        [*before, *xvfb, *options],
         pass_fds=[write],
         stdin=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
@@ -180,106 +183,48 @@ def window_of(display, program):
     return int(wait_for(lambda: xdotool(display, *search).split(), "the window")[0])
 
 
-class ClientMessage(ctypes.Structure):
-    """XClientMessageEvent, padded to the size of an XEvent, 24 longs."""
+class Shown:
+    """A program with its window, which is looked at through `server` whatever `display` it uses."""
 
-    _fields_ = [
-        ("type", ctypes.c_int),
-        ("serial", ctypes.c_ulong),
-        ("send_event", ctypes.c_int),
-        ("display", ctypes.c_void_p),
-        ("window", ctypes.c_ulong),
-        ("message_type", ctypes.c_ulong),
-        ("format", ctypes.c_int),
-        ("data", ctypes.c_long * 5),
-        ("padding", ctypes.c_long * 12),
-    ]
-
-
-class ImageHead(ctypes.Structure):
-    """The beginning of an XImage."""
-
-    _fields_ = [
-        (name, ctypes.c_void_p if name == "data" else ctypes.c_int)
-        for name in (
-            "width height xoffset format data byte_order bitmap_unit bitmap_bit_order bitmap_pad "
-            "depth bytes_per_line bits_per_pixel"
-        ).split()
-    ]
-
-
-class Onlooker:
-    """An X client that looks at windows and does to them what a window manager does."""
-
-    CLIENT_MESSAGE, Z_PIXMAP, ALL_PLANES = 33, 2, ctypes.c_ulong(-1).value
-
-    def __init__(self, display):
-        x = self.x = ctypes.CDLL("libX11.so.6")
-        for name in ("XOpenDisplay", "XGetImage"):
-            getattr(x, name).restype = ctypes.c_void_p
-        for name in ("XInternAtom", "XDefaultRootWindow", "XCreateSimpleWindow"):
-            getattr(x, name).restype = ctypes.c_ulong
-        # The default handler would end the tests; XGetImage then returns nothing.
-        self.ignore = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)(
-            lambda *_: 0
-        )
-        x.XSetErrorHandler(self.ignore)
-        self.display = ctypes.c_void_p(x.XOpenDisplay(display.encode()))
-        expect(self.display, "cannot open", display)
+    def __init__(self, program, server, *arguments, display=None, before=(), cwd=None, **variables):
+        self.program, self.server = program, server
+        self.command = [*before, *program.command(*arguments)]
+        self.environment = environment(display or server.display, **variables)
+        self.cwd = cwd
 
     def __enter__(self):
+        with contextlib.ExitStack() as stack:
+            self.eyes = stack.enter_context(Onlooker(self.server.display))
+            self.process = stack.enter_context(
+                started(self.command, self.environment, cwd=self.cwd)
+            )
+            self.window = window_of(self.server.display, self.program)
+            self.stack = stack.pop_all()
         return self
 
-    def __exit__(self, *_):
-        self.x.XCloseDisplay(self.display)
+    def __exit__(self, *error):
+        self.stack.__exit__(*error)
 
-    def picture(self, window, width, height):
-        """Rows of colours 0xRRGGBB; None if the window is not (or no longer) that large."""
-        at = self.x.XGetImage(
-            self.display,
-            ctypes.c_ulong(window),
-            0,
-            0,
-            width,
-            height,
-            ctypes.c_ulong(self.ALL_PLANES),
-            self.Z_PIXMAP,
-        )
-        if not at:
-            return None
-        head = ImageHead.from_address(at)
-        expect_equal(head.bits_per_pixel, 32)
-        rows = []
-        for y in range(height):
-            row = ctypes.string_at(head.data + y * head.bytes_per_line, 4 * width)
-            rows.append([pixel & 0xFFFFFF for pixel in struct.unpack("<%dI" % width, row)])
-        return rows
+    def press(self, *keys):
+        xdotool(self.server.display, "key", "--window", self.window, *keys)
 
-    def ask_to_close(self, window):
-        """What a click on the close button of a window manager's frame does."""
-        atom = lambda name: self.x.XInternAtom(self.display, name, False)
-        event = ClientMessage(type=self.CLIENT_MESSAGE, window=window, format=32)
-        event.message_type = atom(b"WM_PROTOCOLS")
-        event.data[0] = atom(b"WM_DELETE_WINDOW")
-        self.x.XSendEvent(self.display, ctypes.c_ulong(window), False, 0, ctypes.byref(event))
-        self.x.XSync(self.display, False)
+    def picture(self):
+        return self.eyes.picture(self.window, *self.program.size)
 
-    @contextlib.contextmanager
-    def cover(self, width, height):
-        """A window over the top left of the screen, for a while."""
-        root = ctypes.c_ulong(self.x.XDefaultRootWindow(self.display))
-        plain = ctypes.c_ulong(0x445566)
-        cover = ctypes.c_ulong(
-            self.x.XCreateSimpleWindow(self.display, root, 0, 0, width, height, 0, plain, plain)
-        )
-        self.x.XMapRaised(self.display, cover)
-        self.x.XSync(self.display, False)
-        yield
-        self.x.XDestroyWindow(self.display, cover)
-        self.x.XSync(self.display, False)
+    def expect_end(self, status, messages=""):
+        expect_equal(ended(self.process), (status, b"", messages))
 
 
 # ---- pictures -----------------------------------------------------------------------------------
+
+
+def memory_picture(program, *arguments):
+    """The picture that the program makes without a display."""
+    with folder() as path:
+        file = os.path.join(path, "picture.png")
+        command = program.command("--backend", "memory", "--output", file, *arguments)
+        expect_equal(run(command, environment()), (0, b"", ""))
+        return read_png(file)
 
 
 def read_png(path):

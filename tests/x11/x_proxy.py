@@ -261,6 +261,7 @@ class Proxy:
         self.traffic = Traffic()
         self.connections = []
         self.lock = threading.Lock()
+        self.is_listening = True
         self.running = threading.Event()
         self.running.set()
         if self.faults.freeze_after == 0:
@@ -304,6 +305,7 @@ class Proxy:
                 self.connections[-1].start()
 
     def close(self):
+        self.is_listening = False
         with contextlib.suppress(FileNotFoundError):
             os.unlink(self.path)
         for listener in self.listeners:

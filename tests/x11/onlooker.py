@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: MIT
+"""A small X client, by Xlib, that looks at the windows of programs under test."""
+
+import contextlib
+import ctypes
+import struct
+
+
+class ClientMessage(ctypes.Structure):
+    """XClientMessageEvent, padded to the size of an XEvent, 24 longs."""
+
+    _fields_ = [
+        ("type", ctypes.c_int),
+        ("serial", ctypes.c_ulong),
+        ("send_event", ctypes.c_int),
+        ("display", ctypes.c_void_p),
+        ("window", ctypes.c_ulong),
+        ("message_type", ctypes.c_ulong),
+        ("format", ctypes.c_int),
+        ("data", ctypes.c_long * 5),
+        ("padding", ctypes.c_long * 12),
+    ]
+
+
+class ImageHead(ctypes.Structure):
+    """The beginning of an XImage."""
+
+    _fields_ = [
+        (name, ctypes.c_void_p if name == "data" else ctypes.c_int)
+        for name in (
+            "width height xoffset format data byte_order bitmap_unit bitmap_bit_order bitmap_pad "
+            "depth bytes_per_line bits_per_pixel"
+        ).split()
+    ]
+
+
+class Visual(ctypes.Structure):
+    """The beginning of Xlib's Visual."""
+
+    _fields_ = [
+        ("extensions", ctypes.c_void_p),
+        ("visual_id", ctypes.c_ulong),
+        ("kind", ctypes.c_int),
+        ("red_mask", ctypes.c_ulong),
+        ("green_mask", ctypes.c_ulong),
+        ("blue_mask", ctypes.c_ulong),
+    ]
+
+
+class WindowAttributes(ctypes.Structure):
+    """XWindowAttributes."""
+
+    _fields_ = [
+        *((name, ctypes.c_int) for name in "x y width height border depth".split()),
+        ("visual", ctypes.POINTER(Visual)),
+        ("root", ctypes.c_ulong),
+        *((name, ctypes.c_int) for name in "kind bit_gravity gravity backing_store".split()),
+        ("backing_planes", ctypes.c_ulong),
+        ("backing_pixel", ctypes.c_ulong),
+        ("save_under", ctypes.c_int),
+        ("colormap", ctypes.c_ulong),
+        ("rest", ctypes.c_long * 8),
+    ]
+
+
+class Color(ctypes.Structure):
+    """XColor."""
+
+    _fields_ = [
+        ("pixel", ctypes.c_ulong),
+        *((name, ctypes.c_ushort) for name in "red green blue".split()),
+        ("flags", ctypes.c_char),
+        ("padding", ctypes.c_char),
+    ]
+
+
+class Onlooker:
+    """An X client that looks at windows and does to them what a window manager does."""
+
+    CLIENT_MESSAGE, Z_PIXMAP, ALL_PLANES = 33, 2, ctypes.c_ulong(-1).value
+
+    def __init__(self, display):
+        x = self.x = ctypes.CDLL("libX11.so.6")
+        for name in ("XOpenDisplay", "XGetImage"):
+            getattr(x, name).restype = ctypes.c_void_p
+        for name in ("XInternAtom", "XDefaultRootWindow", "XCreateSimpleWindow"):
+            getattr(x, name).restype = ctypes.c_ulong
+        # The default handler would end the tests; XGetImage then returns nothing.
+        self.ignore = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)(
+            lambda *_: 0
+        )
+        x.XSetErrorHandler(self.ignore)
+        self.display = ctypes.c_void_p(x.XOpenDisplay(display.encode()))
+        if not self.display:
+            raise RuntimeError("cannot open " + display)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.x.XCloseDisplay(self.display)
+
+    def picture(self, window, width, height):
+        """Rows of colours 0xRRGGBB of a window that stores them so; or None."""
+        rows = self.pixels(window, width, height)
+        return rows and [[pixel & 0xFFFFFF for pixel in row] for row in rows]
+
+    def pixels(self, window, width, height):
+        """Rows of pixel values; None if the window is not (or no longer) that large."""
+        at = self.x.XGetImage(
+            self.display,
+            ctypes.c_ulong(window),
+            0,
+            0,
+            width,
+            height,
+            ctypes.c_ulong(self.ALL_PLANES),
+            self.Z_PIXMAP,
+        )
+        if not at:
+            return None
+        head = ImageHead.from_address(at)
+        size = head.bits_per_pixel // 8
+        rows = []
+        for y in range(height):
+            row = ctypes.string_at(head.data + y * head.bytes_per_line, size * width)
+            rows.append(list(struct.unpack("<%d%s" % (width, {1: "B", 2: "H", 4: "I"}[size]), row)))
+        self.x.XDestroyImage(ctypes.c_void_p(at))
+        return rows
+
+    def visual(self, window):
+        """Of a window: depth, class, masks; and the colours 0xRRGGBB of its map, if few."""
+        found = WindowAttributes()
+        self.x.XGetWindowAttributes(self.display, ctypes.c_ulong(window), ctypes.byref(found))
+        kind = found.visual.contents
+        masks = kind.red_mask, kind.green_mask, kind.blue_mask
+        colours = []
+        if found.depth <= 8:
+            cells = (Color * (1 << found.depth))()
+            for pixel, cell in enumerate(cells):
+                cell.pixel = pixel
+            self.x.XQueryColors(self.display, ctypes.c_ulong(found.colormap), cells, len(cells))
+            colours = [cell.red >> 8 << 16 | cell.green >> 8 << 8 | cell.blue >> 8 for cell in cells]
+        return found.depth, kind.kind, masks, colours
+
+    def ask_to_close(self, window):
+        """What a click on the close button of a window manager's frame does."""
+        atom = lambda name: self.x.XInternAtom(self.display, name, False)
+        event = ClientMessage(type=self.CLIENT_MESSAGE, window=window, format=32)
+        event.message_type = atom(b"WM_PROTOCOLS")
+        event.data[0] = atom(b"WM_DELETE_WINDOW")
+        self.x.XSendEvent(self.display, ctypes.c_ulong(window), False, 0, ctypes.byref(event))
+        self.x.XSync(self.display, False)
+
+    @contextlib.contextmanager
+    def cover(self, width, height):
+        """A window over the top left of the screen, for a while."""
+        root = ctypes.c_ulong(self.x.XDefaultRootWindow(self.display))
+        plain = ctypes.c_ulong(0x445566)
+        cover = ctypes.c_ulong(
+            self.x.XCreateSimpleWindow(self.display, root, 0, 0, width, height, 0, plain, plain)
+        )
+        self.x.XMapRaised(self.display, cover)
+        self.x.XSync(self.display, False)
+        yield
+        self.x.XDestroyWindow(self.display, cover)
+        self.x.XSync(self.display, False)
