@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// X11 windows in shared memory: buffers that the server reads, servers that stop or refuse,
+// programs that are killed.
+#include "shared_screen.h"
+
+#include <atomic>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include <sys/resource.h>
+#include <sys/time.h>
+
+#include <X11/extensions/XShm.h>
+
+namespace {
+
+/// One line of the kernel's table of segments.
+struct segment_row {
+    int mode = 0; ///< with 01000 if it goes with its last user
+    long attached = 0;
+};
+
+std::vector<segment_row> segments_of(pid_t process) {
+    std::vector<segment_row> rows;
+    std::ifstream table("/proc/sysvipc/shm");
+    std::string line;
+    std::getline(table, line);
+    while (std::getline(table, line)) {
+        std::istringstream words(line);
+        std::string key, number, size;
+        segment_row row;
+        pid_t creator = 0, last = 0;
+        words >> key >> number >> std::oct >> row.mode >> std::dec >> size >> creator >> last >>
+            row.attached;
+        if (creator == process)
+            rows.push_back(row);
+    }
+    return rows;
+}
+
+TEST(screen_x11_shm_loss, nothing_outlives_a_program_that_is_killed) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const pid_t child = fork();
+    if (child == 0) {
+        const auto screen = make<l3d_screen_factory_xshm>();
+        screen->show();
+        raise(SIGSTOP);
+        _exit(0);
+    }
+    waitpid(child, nullptr, WUNTRACED);
+    const auto while_it_lives = segments_of(child);
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    ASSERT_EQ(while_it_lives.size(), 1U);
+    EXPECT_EQ(while_it_lives[0].mode, 01600);
+    EXPECT_EQ(while_it_lives[0].attached, 2) << "by us and by the server";
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    while (!segments_of(child).empty() && std::chrono::steady_clock::now() < deadline)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_TRUE(segments_of(child).empty());
+}
+
+/// Reads the window over and over; counts the pictures that are not of one colour.
+class reader {
+public:
+    explicit reader(l3d_size size) : size_(size), thread_([this] { read(); }) {}
+    reader(const reader&) = delete;
+    reader& operator=(const reader&) = delete;
+    ~reader() { thread_.join(); }
+
+    std::atomic<bool> done = false;
+    std::atomic<int> pictures = 0, torn = 0;
+
+private:
+    void read() {
+        const onlooker other;
+        const Window window = other.window();
+        while (!done) {
+            XImage* const seen =
+                XGetImage(other.display(), window, 0, 0, static_cast<unsigned>(size_.width),
+                          static_cast<unsigned>(size_.height), AllPlanes, ZPixmap);
+            const std::span pixels(reinterpret_cast<std::uint32_t*>(seen->data),
+                                   static_cast<std::size_t>(size_.width) *
+                                       static_cast<std::size_t>(size_.height));
+            ++pictures;
+            torn += std::ranges::any_of(pixels, [&](auto pixel) { return pixel != pixels[0]; });
+            XDestroyImage(seen);
+        }
+    }
+
+    l3d_size size_;
+    std::thread thread_;
+};
+
+TEST(screen_x11_shm_loss, no_picture_is_overwritten_while_the_server_reads_it) {
+    const xvfb server("1100x800x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make<l3d_screen_factory_xshm>("one colour", {1021, 763});
+    drop_events(*screen);
+    const auto fill = [&](std::uint32_t color) {
+        const auto pixels = screen->pixels();
+        for (int y = 0; y < pixels.height; ++y)
+            std::ranges::fill(pixels.row(y), color);
+    };
+    fill(0x123456);
+    show_for_certain(*screen);
+    reader looking(screen->pixels().size());
+    for (std::uint32_t frame = 0; frame < 400 || looking.pictures < 20; ++frame) {
+        fill(frame * 0x010307 & 0xFFFFFF);
+        screen->show();
+        drop_events(*screen);
+    }
+    looking.done = true;
+    EXPECT_EQ(looking.torn, 0) << "of " << looking.pictures;
+}
+
+/// Takes our segment away from the server, as its own restart or an operator could.
+void detach_all_segments(const onlooker& other) {
+    const auto before = XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
+    // A client's resources have numbers from its base on; the window is one of the first.
+    const auto base = other.window() & ~0xFFFFUL;
+    for (ShmSeg number = base; number < base + 64; ++number) {
+        XShmSegmentInfo info{};
+        info.shmseg = number;
+        XShmDetach(other.display(), &info);
+    }
+    XSync(other.display(), False);
+    XSetErrorHandler(before);
+}
+
+TEST(screen_x11_shm_loss, goes_on_over_the_wire_when_the_server_refuses_a_picture) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make<l3d_screen_factory_xshm>();
+    const onlooker other;
+    EXPECT_EQ(wrong_after_pictures(*screen, 5), 0);
+    EXPECT_TRUE(is_shared(*screen));
+    detach_all_segments(other);
+    // One show, and then the program only looks for events: this picture must not be lost.
+    draw_random(screen->pixels(), 99);
+    screen->show();
+    other.send_key(KeyPress, 'y');
+    EXPECT_NE(next(*screen, l3d_event_type::key_press), nullptr);
+    show_for_certain(*screen);
+    EXPECT_EQ(wrong_pixels(other, screen->pixels(), screen->info()), 0);
+    EXPECT_FALSE(is_shared(*screen)) << screen->describe();
+    EXPECT_EQ(screen->take_remark(),
+              "xshm: pictures now go over the wire: the X server refused a picture: BadShmSeg "
+              "(invalid shared segment parameter)");
+    EXPECT_EQ(wrong_after_pictures(*screen, 6), 0);
+}
+
+TEST(screen_x11_shm_loss, a_window_that_is_gone_is_no_failure_of_sharing) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make<l3d_screen_factory_xshm>();
+    const onlooker other;
+    XDestroyWindow(other.display(), other.window());
+    XSync(other.display(), False);
+    screen->show();
+    screen->show();
+    EXPECT_NE(next(*screen, l3d_event_type::close), nullptr);
+    EXPECT_EQ(screen->take_remark(), "");
+}
+
+double processor_seconds() {
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+TEST(screen_x11_shm_loss, a_stopped_server_is_waited_for_in_sleep) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make<l3d_screen_factory_xshm>();
+    const onlooker other;
+    EXPECT_EQ(wrong_after_pictures(*screen, 5), 0);
+    server.pause();
+    for (unsigned picture = 0; picture < 3; ++picture) {
+        draw_random(screen->pixels(), 60 + picture);
+        screen->show();
+    }
+    // Longer than a server that works may be silent.
+    const double before = processor_seconds();
+    screen->wait(std::chrono::milliseconds(2500));
+    EXPECT_LT(processor_seconds() - before, 0.025);
+    server.resume();
+    other.send_key(KeyPress, 'y');
+    EXPECT_NE(next(*screen, l3d_event_type::key_press), nullptr);
+    show_for_certain(*screen);
+    EXPECT_EQ(wrong_pixels(other, screen->pixels(), screen->info()), 0);
+    EXPECT_TRUE(is_shared(*screen)) << "sleep is no failure: " << screen->describe();
+}
+
+volatile std::sig_atomic_t has_rung = 0;
+
+TEST(screen_x11_shm_loss, a_stopped_server_does_not_hold_up_signals_or_the_end) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto before = std::signal(SIGALRM, [](int) { has_rung = 1; });
+    for (const bool shared : {true, false}) {
+        // Larger than what a connection holds, so that writing it would block.
+        const l3d_size large{1021, 763};
+        auto screen = shared ? make<l3d_screen_factory_xshm>("stopped", large)
+                             : make<l3d_screen_factory_ximage>("stopped", large);
+        drop_events(*screen);
+        server.pause();
+        const auto start = std::chrono::steady_clock::now();
+        for (int i = 0; i < 4; ++i)
+            screen->show();
+        has_rung = 0;
+        const itimerval soon{{}, {0, 50000}};
+        setitimer(ITIMER_REAL, &soon, nullptr);
+        while (has_rung == 0)
+            screen->wait(patience);
+        screen.reset();
+        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3)) << shared;
+        server.resume();
+    }
+    std::signal(SIGALRM, before);
+}
+
+} // namespace
