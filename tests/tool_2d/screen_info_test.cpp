@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <random>
 
 namespace {
@@ -94,6 +96,96 @@ TEST(screen_info, every_level_of_every_layout) {
                 << std::hex << word << " at depth " << std::dec << layout.depth;
         }
     }
+}
+
+TEST(screen_info, twelve_bits) {
+    const l3d_pixel_layout layout{12, 16, 0x00F, 0x0F0, 0xF00, std::endian::big, 16};
+    // 18 * 15 / 255 = 1.06, 52 -> 3.06, 186 -> 10.9; rounded down.
+    EXPECT_EQ(shown(layout, 18, 52, 186), 0xA31U);
+}
+
+TEST(screen_info, direct_color_is_like_true_color) {
+    l3d_pixel_layout direct;
+    direct.color_class = l3d_color_class::direct_color;
+    EXPECT_TRUE(l3d_screen_info(direct).native_is_word());
+    EXPECT_EQ(shown(direct, 0x12, 0x34, 0x56), 0x123456U);
+}
+
+constexpr l3d_pixel_layout layout_map{
+    8, 8, 0, 0, 0, std::endian::little, 32, l3d_color_class::pseudo_color};
+
+TEST(screen_info, levels_are_nearest_to_their_share) {
+    for (int levels = 2; levels <= 256; ++levels) {
+        EXPECT_EQ(l3d_palette::value_of(0, levels), 0);
+        EXPECT_EQ(l3d_palette::value_of(levels - 1, levels), 255);
+        for (int level = 0; level < levels; ++level)
+            EXPECT_EQ(l3d_palette::value_of(level, levels),
+                      std::floor(255.0 * level / (levels - 1) + 0.5));
+    }
+}
+
+TEST(screen_info, a_grey_is_as_bright_as_its_colour) {
+    for (std::uint32_t value = 0; value < 256; ++value)
+        EXPECT_EQ(l3d_screen_info::gray_of(value * 0x010101), value);
+    EXPECT_EQ(l3d_screen_info::gray_of(0xFF0000), 76U);
+    EXPECT_EQ(l3d_screen_info::gray_of(0x00FF00), 150U);
+    EXPECT_EQ(l3d_screen_info::gray_of(0x0000FF), 29U);
+    // 12.708 + 60.461 + 3.762
+    EXPECT_EQ(l3d_screen_info::gray_of(0x2A6721), 77U);
+}
+
+/// Every value of each channel: no level of the cube is nearer than that which is shown.
+TEST(screen_info, a_cube_shows_the_nearest_level) {
+    const int red = 6, green = 5, blue = 4;
+    l3d_palette palette{red, green, blue, {}};
+    for (std::uint32_t place = 0; place < 120; ++place)
+        palette.pixels.push_back(250 - place);
+    const l3d_screen_info info(layout_map, palette);
+    EXPECT_TRUE(info.has_palette());
+    EXPECT_FALSE(info.native_is_word());
+    const auto distance = [](int value, int level, int levels) {
+        return std::abs(value - l3d_palette::value_of(level, levels));
+    };
+    const auto least = [&](int value, int levels) {
+        int found = 256;
+        for (int level = 0; level < levels; ++level)
+            found = std::min(found, distance(value, level, levels));
+        return found;
+    };
+    for (int i = 0; i < 256; ++i) {
+        const int r = i, g = i * 77 & 255, b = i * 151 & 255;
+        const int place =
+            250 - static_cast<int>(info.to_display(l3d_screen_info::ext_to_native(r, g, b)));
+        EXPECT_EQ(distance(r, place / (green * blue), red), least(r, red)) << r;
+        EXPECT_EQ(distance(g, place / blue % green, green), least(g, green)) << g;
+        EXPECT_EQ(distance(b, place % blue, blue), least(b, blue)) << b;
+    }
+    // Of two that are as near, the lower: 0 and 85 around 42.5 have none, 0 and 64 around 32 have.
+    EXPECT_EQ(info.to_display(0x002000), 250U);
+}
+
+TEST(screen_info, a_ramp_shows_the_nearest_grey) {
+    const l3d_screen_info info(layout_map, {4, 1, 1, {7, 5, 3, 1}});
+    EXPECT_EQ(info.to_display(0x000000), 7U);
+    EXPECT_EQ(info.to_display(0x2A2A2A), 7U);
+    EXPECT_EQ(info.to_display(0x2B2B2B), 5U);
+    EXPECT_EQ(info.to_display(0x0000FF), 7U); // 29
+    EXPECT_EQ(info.to_display(0xFF0000), 5U); // 76
+    EXPECT_EQ(info.to_display(0x00FF00), 3U); // 150
+    EXPECT_EQ(info.to_display(0xFFFFFF), 1U);
+}
+
+TEST(screen_info, describes_itself) {
+    l3d_pixel_layout swapped = layout_565;
+    swapped.byte_order = std::endian::big;
+    EXPECT_EQ(l3d_screen_info(swapped).describe(),
+              "TrueColor, depth 16, 16 bits per pixel, high byte first, masks f800/7e0/1f");
+    EXPECT_EQ(l3d_screen_info(layout_map, {2, 3, 2, std::vector<std::uint32_t>(12)}).describe(),
+              "PseudoColor, depth 8, 8 bits per pixel, low byte first, 2x3x2 colours");
+    l3d_pixel_layout gray = layout_map;
+    gray.color_class = l3d_color_class::static_gray;
+    EXPECT_EQ(l3d_screen_info(gray, {3, 1, 1, {0, 1, 2}, 9}).describe(),
+              "StaticGray, depth 8, 8 bits per pixel, low byte first, 3 grays, exact within 9/255");
 }
 
 } // namespace
