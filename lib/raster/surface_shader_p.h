@@ -5,6 +5,7 @@
 
 #include "raster/micro_grid.h"
 
+#include <algorithm>
 #include <array>
 #include <cfloat>
 #include <cmath>
@@ -82,19 +83,30 @@ public:
 
     explicit gouraud_shader(const std::array<float, 3>& light) : light_(light), turned_(light) {}
 
-    void begin_polygon(std::span<const l3d_micro_vertex>, float sign) {
+    void begin_polygon(std::span<const l3d_micro_vertex> corners, float sign) {
         turned_ = turned(light_, sign);
+        darkest_ = 1;
+        brightest_ = 0;
+        for (const l3d_micro_vertex& vertex : corners) {
+            darkest_ = std::min(darkest_, grey(vertex));
+            brightest_ = std::max(brightest_, grey(vertex));
+        }
     }
-    void corner(const l3d_micro_vertex& vertex, float* out) const {
-        *out = intensity(cosine(turned_, vertex.normal));
-    }
+    void corner(const l3d_micro_vertex& vertex, float* out) const { *out = grey(vertex); }
+
+    /// The plane of four corners that are not in one plane runs past their greys near a corner.
     std::uint32_t word(const float* value) const {
-        const float least = *value > 0.0f ? *value : 0.0f;
-        return grey_word(least < 1.0f ? least : 1.0f);
+        const float least = *value > darkest_ ? *value : darkest_;
+        return grey_word(least < brightest_ ? least : brightest_);
     }
 
 private:
+    float grey(const l3d_micro_vertex& vertex) const {
+        return intensity(cosine(turned_, vertex.normal));
+    }
+
     vector3 light_, turned_;
+    float darkest_ = 0, brightest_ = 1;
 };
 
 /// One grey for the polygon, from the sum of its normals.

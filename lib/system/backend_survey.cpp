@@ -60,7 +60,7 @@ void backend_survey::diagnose(std::ostream& out) {
     for (const l3d_probe& probe : probes) {
         const bool good = probe.outcome == l3d_probe::verdict::good;
         out << (good                                           ? "ok   "
-                : probe.outcome == l3d_probe::verdict::limited ? "so-so "
+                : probe.outcome == l3d_probe::verdict::limited ? "note "
                                                                : "bad  ")
             << probe.what << ": " << probe.result << '\n';
         if (!probe.remedy.empty())

@@ -3,9 +3,12 @@
 #include "system/factory_manager.h"
 
 #include "tool_2d/screen_memory.h"
+#include "tool_2d/screen_mesa.h"
 #include "tool_2d/screen_x11.h"
+#include "raster/rasterizer_factory_mesa.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "system/backend_survey_p.h"
+#include "system/dispatcher_fitting.h"
 #include "system/dispatcher_script.h"
 #include "system/dispatcher_x11.h"
 #include "system/options.h"
@@ -18,30 +21,14 @@
 
 namespace {
 
-/// Holds the place of a kind of screen that is yet to come.
-class screen_factory_missing final : public l3d_screen_factory {
-private:
-    /// Errors:  always not_here.
-    l3d_service do_service() const override {
-        return {.how = l3d_service::level::not_here, .why = "not built yet"};
-    }
-
-    /// Errors:  always null.
-    std::unique_ptr<l3d_screen> do_create(const l3d_screen_request&,
-                                          l3d_service& refusal) const override {
-        refusal = do_service();
-        return nullptr;
-    }
-};
-
-/// A row whose pictures are drawn by the CPU.
-template <class ScreenFactory, class DispatcherFactory>
+/// A row of the table; its flags are set by hand.
+template <class ScreenFactory, class RasterizerFactory, class DispatcherFactory>
 l3d_backend row(std::string name, std::string purpose) {
     l3d_backend made;
     made.name = std::move(name);
     made.purpose = std::move(purpose);
     made.screen_factory = std::make_unique<ScreenFactory>();
-    made.rasterizer_factory = std::make_unique<l3d_rasterizer_factory_sw>();
+    made.rasterizer_factory = std::make_unique<RasterizerFactory>();
     made.dispatcher_factory = std::make_unique<DispatcherFactory>();
     return made;
 }
@@ -55,22 +42,25 @@ std::string environment(const char* variable) {
 } // namespace
 
 l3d_factory_manager::l3d_factory_manager() {
-    l3d_backend xshm = row<screen_factory_missing, l3d_dispatcher_factory_x11>(
+    auto xshm = row<l3d_screen_factory_xshm, l3d_rasterizer_factory_sw, l3d_dispatcher_factory_x11>(
         "xshm", "window, pixels in shared memory: a local display, the fast one");
     xshm.automatic = true;
+    xshm.on_display = true;
     add(std::move(xshm));
 
-    l3d_backend ximage = row<l3d_screen_factory_ximage, l3d_dispatcher_factory_x11>(
-        "ximage", "window, pixels sent over the wire: any display, remote too");
+    auto ximage =
+        row<l3d_screen_factory_ximage, l3d_rasterizer_factory_sw, l3d_dispatcher_factory_x11>(
+            "ximage", "window, pixels sent over the wire: any display, remote too");
     ximage.automatic = true;
     ximage.on_display = true;
     add(std::move(ximage));
 
-    add(row<screen_factory_missing, l3d_dispatcher_factory_x11>(
+    add(row<l3d_screen_factory_mesa, l3d_rasterizer_factory_mesa, l3d_dispatcher_factory_fitting>(
         "mesa", "Mesa software GL: polygons, a second opinion on every picture"));
 
-    l3d_backend memory = row<l3d_screen_factory_memory, l3d_dispatcher_factory_script>(
-        "memory", "no display: pictures into files");
+    auto memory =
+        row<l3d_screen_factory_memory, l3d_rasterizer_factory_sw, l3d_dispatcher_factory_script>(
+            "memory", "no display: pictures into files");
     memory.automatic = true;
     memory.unseen = true;
     add(std::move(memory));
@@ -128,6 +118,9 @@ std::unique_ptr<l3d_screen>
 l3d_factory_manager::create_screen(const l3d_screen_request& request) const {
     l3d_service refusal;
     auto screen = chosen().screen_factory->create(request, refusal);
+    // The row was chosen because there was a display.
+    if (chosen().on_display && refusal.how == l3d_service::level::no_display)
+        refusal.how = l3d_service::level::display_lost;
     if (!screen)
         l3d_detail::backend_survey::fail("back-end '" + chosen().name + "'", refusal);
     if (verbose_)

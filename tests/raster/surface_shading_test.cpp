@@ -193,6 +193,33 @@ TEST(SurfaceShading, GouraudInterpolatesTheCornersGreys) {
     EXPECT_EQ(picture.word(4, 3), grey(140)); // 140.25
 }
 
+TEST(SurfaceShading, GouraudStaysBetweenTheCornersGreys) {
+    // The plane through the diagonals' differences and the mean falls below the dark greys at the
+    // corner opposite the bright one: to 125 - 0.36 (255 - 81) = 62.
+    surface_picture picture(40, 31);
+    reference::corners kite = upright_cell();
+    const std::array<std::array<int, 2>, 4> places{{{3, 2}, {9, 27}, {24, 24}, {36, 9}}};
+    const std::array<float, 4> lean{0, 4, 4, 4}; // the first is bright, the rest dark
+    for (std::size_t i = 0; i < kite.size(); ++i) {
+        kite[i].x = places[i][0] * l3d_subpixel_one;
+        kite[i].y = places[i][1] * l3d_subpixel_one;
+        kite[i].normal[0] = lean[i];
+        kite[i].normal[1] = 0;
+        kite[i].normal[2] = 1;
+    }
+    picture.begin(l3d_shade::gouraud, {0, 0, 1});
+    picture.draw(kite);
+    // 255 (0.1 + 0.9 / sqrt(17)) = 81.2 for the dark corners, 255 for the first.
+    int written = 0;
+    for (int y = 0; y < 31; ++y)
+        for (int x = 0; x < 40; ++x)
+            if (const unsigned level = picture.word(x, y) & 255; level != 0) {
+                EXPECT_GE(level, 81u) << x << ' ' << y;
+                ++written;
+            }
+    EXPECT_GT(written, 100);
+}
+
 TEST(SurfaceShading, FlatIsOneGreyFromTheMeanNormal) {
     surface_picture picture(8, 6);
     reference::corners cell = upright_cell();

@@ -61,6 +61,53 @@ TEST(backend_survey, automatic_prefers_what_serves_fully) {
     EXPECT_NE(out.str().find("slate   yes, but scratched\n"), std::string::npos) << out.str();
 }
 
+/// Knows of three things, one of each kind.
+class diagnosed_factory final : public l3d_screen_factory {
+private:
+    l3d_service do_service() const override { return {}; }
+    std::unique_ptr<l3d_screen> do_create(const l3d_screen_request&, l3d_service&) const override {
+        return nullptr;
+    }
+    void do_diagnose(l3d_probes& probes) const override {
+        probes.push_back({"ink", "black", l3d_probe::verdict::good, ""});
+        probes.push_back({"quill", "blunt", l3d_probe::verdict::limited, "sharpen it"});
+        probes.push_back({"calf", "gone", l3d_probe::verdict::bad, "install calf"});
+    }
+};
+
+TEST(backend_survey, diagnosis_names_outcomes_and_remedies) {
+    table table;
+    table.add("paper", true);
+    table.rows.back().screen_factory = std::make_unique<diagnosed_factory>();
+    std::ostringstream out;
+    l3d_detail::backend_survey(table.rows).diagnose(out);
+    EXPECT_EQ(out.str(), "ok   ink: black\n"
+                         "note quill: blunt\n"
+                         "     sharpen it\n"
+                         "bad  calf: gone\n"
+                         "     install calf\n"
+                         "paper   yes  draws on paper\n");
+}
+
+/// What a refusal ends a program with.
+l3d_exit code_of(l3d_service::level how) {
+    l3d_service answer;
+    answer.how = how;
+    answer.why = "the ink is dry";
+    try {
+        l3d_detail::backend_survey::fail("paper", answer);
+    } catch (const l3d_error& error) {
+        EXPECT_NE(std::string(error.what()).find(answer.why), std::string::npos) << error.what();
+        return error.code();
+    }
+}
+
+TEST(backend_survey, refusals_have_their_own_exit_codes) {
+    EXPECT_EQ(code_of(l3d_service::level::not_here), l3d_exit::no_backend);
+    EXPECT_EQ(code_of(l3d_service::level::no_display), l3d_exit::no_display);
+    EXPECT_EQ(code_of(l3d_service::level::display_lost), l3d_exit::display_lost);
+}
+
 TEST(backend_survey, a_display_that_is_silent_is_tried_once) {
     table table;
     table.add("vellum", true, "no answer");

@@ -21,10 +21,14 @@ protected:
     factory_manager() {
         unsetenv("DISPLAY");
         unsetenv("L3D_BACKEND");
+        setenv("L3D_MESA", "declined", 1); // or the table would depend on what is installed
         manager.add(paper(log, "paper"));
         manager.add(paper(log, "papyrus", "the Nile is dry"));
     }
-    ~factory_manager() override { unsetenv("L3D_BACKEND"); }
+    ~factory_manager() override {
+        unsetenv("L3D_BACKEND");
+        unsetenv("L3D_MESA");
+    }
 
     bool choose(std::vector<const char*> arguments, const std::string& answers, bool may_ask) {
         arguments.insert(arguments.begin(), "tester");
@@ -225,7 +229,8 @@ TEST_F(factory_manager, diagnosis_shows_what_the_choice_depends_on) {
     setenv("DISPLAY", ":12345", 1);
     setenv("L3D_BACKEND", "paper", 1);
     EXPECT_FALSE(choose({"--diagnose"}, "", true));
-    for (const char* text : {"DISPLAY=':12345'", "L3D_BACKEND='paper'", "papyrus no"})
+    for (const char* text : {"DISPLAY=':12345'", "L3D_BACKEND='paper'", "L3D_MESA='declined'",
+                             "bad  display: cannot open the display", "papyrus no"})
         EXPECT_NE(out.str().find(text), std::string::npos) << out.str();
 }
 
