@@ -12,6 +12,7 @@
 #include "tool_2d/x11_window_p.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <new>
 #include <optional>
 #include <utility>
@@ -244,30 +245,26 @@ std::string l3d_screen_x11::do_describe() const {
            ", shared memory: " + (no_shm_.empty() ? "yes" : "no, " + no_shm_);
 }
 
-/// Connects, and chooses a visual.
-struct opened_display {
-    std::unique_ptr<x11_connection> connection;
-    std::optional<x11_visual> visual;
-};
-
-/// Errors:  no visual, and the reason in `refusal`.
-opened_display open_display(l3d_service& refusal) {
-    opened_display opened{x11_connection::open(refusal.why), {}};
-    if (!opened.connection) {
+/// Errors:  none, and the reason in `refusal`.
+std::optional<x11_visual> choose_visual(const x11_connection* connection, l3d_service& refusal) {
+    if (connection == nullptr) {
         refusal.how = l3d_service::level::no_display;
-        return opened;
+        return {};
     }
-    opened.visual = choose_x11_visual(*opened.connection, refusal.why);
-    if (opened.connection->lost())
+    const auto visual = choose_x11_visual(*connection, refusal.why);
+    if (connection->lost()) {
         refusal = {l3d_service::level::display_lost, "the X server went away"};
-    else if (!opened.visual)
+        return {};
+    }
+    if (!visual)
         refusal.how = l3d_service::level::not_here;
-    return opened;
+    return visual;
 }
 
-std::unique_ptr<l3d_screen> open_screen(const l3d_screen_request& request, std::string no_shm,
+std::unique_ptr<l3d_screen> open_screen(std::unique_ptr<x11_connection> connection,
+                                        const l3d_screen_request& request, std::string no_shm,
                                         l3d_service& refusal) {
-    auto [connection, visual] = open_display(refusal);
+    const auto visual = choose_visual(connection.get(), refusal);
     if (!visual)
         return nullptr;
     auto window = x11_window::open(std::move(connection), *visual, request, refusal);
@@ -288,15 +285,36 @@ std::unique_ptr<l3d_screen> open_screen(const l3d_screen_request& request, std::
 
 } // namespace
 
+namespace l3d_detail {
+
+x11_screen_factory::x11_screen_factory() = default;
+x11_screen_factory::~x11_screen_factory() = default;
+
+void x11_screen_factory::keep(std::unique_ptr<x11_connection> connection) const {
+    kept_ = std::move(connection);
+}
+
+std::unique_ptr<x11_connection> x11_screen_factory::connect(std::string& why) const {
+    auto kept = std::exchange(kept_, nullptr);
+    const char* const name = std::getenv("DISPLAY");
+    if (kept && name != nullptr && kept->name() == name)
+        return kept;
+    return x11_connection::open(why);
+}
+
+} // namespace l3d_detail
+
 l3d_service l3d_screen_factory_ximage::do_service() const {
     l3d_service service;
-    open_display(service);
+    auto connection = x11_connection::open(service.why);
+    if (choose_visual(connection.get(), service))
+        keep(std::move(connection));
     return service;
 }
 
 std::unique_ptr<l3d_screen> l3d_screen_factory_ximage::do_create(const l3d_screen_request& request,
                                                                  l3d_service& refusal) const {
-    return open_screen(request, "not asked for", refusal);
+    return open_screen(connect(refusal.why), request, "not asked for", refusal);
 }
 
 void l3d_screen_factory_ximage::do_diagnose(l3d_probes& probes) const {
@@ -305,20 +323,22 @@ void l3d_screen_factory_ximage::do_diagnose(l3d_probes& probes) const {
 
 l3d_service l3d_screen_factory_xshm::do_service() const {
     l3d_service service;
-    const auto [connection, visual] = open_display(service);
-    if (!visual ||
-        x11_shm_segment::make(*connection, visual->visual, visual->layout, 1, service.why))
+    auto connection = x11_connection::open(service.why);
+    const auto visual = choose_visual(connection.get(), service);
+    if (!visual)
         return service;
+    std::string why;
+    if (!x11_shm_segment::make(*connection, visual->visual, visual->layout, 1, why))
+        service = {l3d_service::level::partly, "pictures go over the wire: " + why};
     if (connection->lost())
-        return {l3d_service::level::display_lost, service.why};
-    service.how = l3d_service::level::partly;
-    service.why = "pictures go over the wire: " + service.why;
+        return {l3d_service::level::display_lost, why};
+    keep(std::move(connection));
     return service;
 }
 
 std::unique_ptr<l3d_screen> l3d_screen_factory_xshm::do_create(const l3d_screen_request& request,
                                                                l3d_service& refusal) const {
-    return open_screen(request, {}, refusal);
+    return open_screen(connect(refusal.why), request, {}, refusal);
 }
 
 void l3d_screen_factory_xshm::do_diagnose(l3d_probes& probes) const {

@@ -5,14 +5,41 @@
 
 #include "tool_2d/screen.h"
 
+#include <memory>
+#include <string>
+
+namespace l3d_detail {
+
+class x11_connection;
+
+/// What the factories of windows share: the connection on which service() asked is kept, and
+/// create() goes on with it. To connect takes as long as all else together.
+class x11_screen_factory : public l3d_screen_factory {
+public:
+    x11_screen_factory();
+    ~x11_screen_factory() override;
+
+protected:
+    void keep(std::unique_ptr<x11_connection> connection) const;
+
+    /// The kept connection if DISPLAY still names it, else a new one.
+    /// Errors:  null, with one line in `why` that gives the value of DISPLAY.
+    std::unique_ptr<x11_connection> connect(std::string& why) const;
+
+private:
+    mutable std::unique_ptr<x11_connection> kept_;
+};
+
+} // namespace l3d_detail
+
 /// Makes windows whose pixels travel over the connection (XPutImage): any display, remote too.
 ///
 /// A screen belongs to the thread that made it.
-class l3d_screen_factory_ximage final : public l3d_screen_factory {
+class l3d_screen_factory_ximage final : public l3d_detail::x11_screen_factory {
 private:
     /// Errors:  no_display, with one line that gives the value of DISPLAY; not_here if the display
     ///          has no usable visual; display_lost.
-    /// Cost:    one connection, closed again.
+    /// Cost:    one connection.
     l3d_service do_service() const override;
 
     /// Errors:  null: no display, no usable visual, no memory, display lost.
@@ -27,10 +54,10 @@ private:
 /// Makes windows whose pixels the server reads from memory that it shares with us (MIT-SHM): a
 /// local display, the fast way. Where that does not work, or ceases to, the same window gets its
 /// pixels over the connection, and the screen has a remark.
-class l3d_screen_factory_xshm final : public l3d_screen_factory {
+class l3d_screen_factory_xshm final : public l3d_detail::x11_screen_factory {
 private:
     /// Errors:  partly if memory cannot be shared; else as l3d_screen_factory_ximage.
-    /// Cost:    one connection, closed again, and one small segment.
+    /// Cost:    one connection, and one small segment.
     l3d_service do_service() const override;
 
     /// Errors, Lives, Cost: as l3d_screen_factory_ximage.

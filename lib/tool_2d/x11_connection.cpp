@@ -156,7 +156,12 @@ x11_connection::x11_connection(const char* name) {
 }
 
 x11_connection::~x11_connection() {
-    if (display_ != nullptr) {
+    if (display_ == nullptr) {
+        // There is nothing to end.
+    } else if (lost_) {
+        // Xlib's extensions may be half set up, and crash XCloseDisplay. Its record stays behind.
+        close(ConnectionNumber(display_));
+    } else {
         leave();
         XCloseDisplay(display_);
     }

@@ -34,8 +34,15 @@ public:
     int screen() const { return DefaultScreen(display_); }
     Window root() const { return RootWindow(display_, screen()); }
 
+    /// As DISPLAY named it.
+    std::string name() const { return DisplayString(display_); }
+
     /// Whether the server is reached without a network, so that it can share memory with us.
     bool is_local() const;
+
+    /// Whether it has been proven that the server attaches our segments, and not others.
+    bool shares_memory() const { return shares_memory_; }
+    void set_shares_memory() { shares_memory_ = true; }
 
     /// Whether the server is gone. From then on no call reaches it, and none may wait for it.
     bool lost() const { return lost_; }
@@ -77,6 +84,7 @@ private:
 
     Display* display_ = nullptr;
     bool lost_ = false;
+    bool shares_memory_ = false;
     unsigned long trap_serial_ = 0; ///< first request whose errors are asked for; 0: none
     int trapped_error_ = 0;
     // Two pictures may be under way; the rest is room for errors that nobody asks about.

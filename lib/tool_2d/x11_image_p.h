@@ -76,7 +76,7 @@ std::unique_ptr<x11_image> make_x11_image_put(const x11_window& window, l3d_size
 
 /// The picture is in memory that the server shares.
 /// Errors:  null, with one line in `why`, if that cannot be done here; std::bad_alloc.
-/// Cost:    one round trip, and one more the first time.
+/// Cost:    as x11_shm_segment::make.
 std::unique_ptr<x11_image> make_x11_image_shm(const x11_window& window, l3d_size size,
                                               std::string& why);
 

@@ -30,6 +30,8 @@ constexpr int proof_width = 64;
 // Room for such a row, at 32 bits each.
 constexpr std::size_t proof_size = 4 * proof_width;
 
+constexpr auto gone = "the X server went away";
+
 /// Frees an image that Xlib made, pixels included.
 struct copy_freer {
     void operator()(XImage* image) const { XDestroyImage(image); }
@@ -48,7 +50,7 @@ bool is_hopeless(const x11_connection& connection, std::string& why) {
     else if (!connection.is_local())
         why = "the X server is reached over a network";
     else if (XShmQueryExtension(connection.display()) == 0)
-        why = "the X server does not have MIT-SHM";
+        why = connection.lost() ? gone : "the X server does not have MIT-SHM";
     else
         return false;
     return true;
@@ -60,10 +62,15 @@ unique_copy copy_by_server(const x11_connection& connection, XImage& row) {
     auto* const display = connection.display();
     const auto pixmap =
         XCreatePixmap(display, connection.root(), proof_width, 1, static_cast<unsigned>(row.depth));
-    const GC graphics = XCreateGC(display, pixmap, 0, nullptr);
+    // Each display comes with a context for pixmaps of its usual depth.
+    GC graphics = DefaultGC(display, connection.screen());
+    const bool is_usual = row.depth == DefaultDepth(display, connection.screen());
+    if (!is_usual)
+        graphics = XCreateGC(display, pixmap, 0, nullptr);
     XShmPutImage(display, pixmap, graphics, &row, 0, 0, 0, 0, proof_width, 1, False);
     unique_copy copy(XGetImage(display, pixmap, 0, 0, proof_width, 1, AllPlanes, ZPixmap));
-    XFreeGC(display, graphics);
+    if (!is_usual)
+        XFreeGC(display, graphics);
     XFreePixmap(display, pixmap);
     return copy;
 }
@@ -86,7 +93,7 @@ bool server_sees(x11_shm_segment& segment, XImage& row, const x11_connection& co
     row.obdata = reinterpret_cast<char*>(&segment.info());
     const auto copy = copy_by_server(connection, row);
     if (connection.lost())
-        why = "the X server went away";
+        why = gone;
     else if (trap.error() != 0 || !copy)
         why = "the X server refuses shared memory: " + x11_error_text(connection, trap.error());
     else if (!have_same_pixels(row, *copy))
@@ -105,11 +112,14 @@ std::unique_ptr<x11_shm_segment> x11_shm_segment::make(x11_connection& connectio
         return nullptr;
     const auto row = make_ximage(connection.display(), visual, layout, {proof_width, 1});
     std::unique_ptr<x11_shm_segment> segment(new x11_shm_segment(connection.display()));
+    if (attaches_nameless && connection.shares_memory())
+        return segment->attach(size, why) ? std::move(segment) : nullptr;
     x11_error_trap trap(connection);
     if (!segment->attach(std::max(size, proof_size), why) ||
         !server_sees(*segment, *row, connection, trap, why))
         return nullptr;
     segment->forget_name();
+    connection.set_shares_memory();
     return segment;
 }
 

@@ -23,13 +23,13 @@ namespace l3d_detail {
 /// Lives:   the connection outlives the segment.
 class x11_shm_segment {
 public:
-    /// Makes a segment, and proves that the server sees in it what we write there: a server in
-    /// another IPC namespace may find a stranger's memory under our segment's number.
+    /// Makes a segment. The first of a connection proves that the server sees in it what we write
+    /// there: a server in another IPC namespace may find a stranger's memory under our number.
     ///
     /// Shape:   at least `size` bytes; the proof is a row of pixels of this layout.
     /// Errors:  null, with one line in `why` that gives the reason of kernel or server;
-    ///          std::bad_alloc.
-    /// Cost:    one round trip, and one more the first time, which asks for the extension.
+    ///          std::bad_alloc. That the server refuses a later one shows when it is used.
+    /// Cost:    the first time four round trips, three of which ask for the extension.
     static std::unique_ptr<x11_shm_segment> make(x11_connection& connection, Visual* visual,
                                                  const l3d_pixel_layout& layout, std::size_t size,
                                                  std::string& why);
