@@ -30,6 +30,9 @@ flags_asan    := -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
 flags_tsan    := -O1 -g -fsanitize=thread
 flags_cov     := -O0 -g --coverage
 
+# Leaks in libraries that are not ours to mend.
+export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lint/mesa.supp:print_suppressions=0
+
 ifeq ($(filter $(REAL),float double fixed),)
 $(error REAL=$(REAL) is unknown; choose float, double or fixed)
 endif

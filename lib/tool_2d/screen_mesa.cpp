@@ -4,6 +4,8 @@
 
 #include "tool_2d/mesa_context_p.h"
 
+#include <cstdlib>
+
 using level = l3d_service::level;
 
 l3d_service l3d_screen_factory_mesa::do_service() const {
@@ -34,7 +36,7 @@ void l3d_screen_factory_mesa::do_diagnose(l3d_probes& probes) const {
     for (const l3d_detail::mesa_way way : l3d_detail::mesa_ways) {
         l3d_probe probe{name_of(way), {}, verdict::good, {}};
         if (!may_try(way)) {
-            probe.result = "left out by L3D_MESA";
+            probe.result = std::string("left out by L3D_MESA=") + std::getenv("L3D_MESA");
             probe.outcome = verdict::limited;
         } else if (const auto context = l3d_detail::mesa_context::open(way, probe.result)) {
             probe.result = context->renderer();

@@ -70,7 +70,7 @@ TEST_F(MesaScreen, DiagnosesEveryWay) {
     setenv("L3D_MESA", "osmesa", 1);
     probes.clear();
     factory.diagnose(probes);
-    EXPECT_EQ(probes[0].result, "left out by L3D_MESA");
+    EXPECT_EQ(probes[0].result, "left out by L3D_MESA=osmesa");
     EXPECT_EQ(probes[1].outcome, verdict::limited);
     EXPECT_EQ(probes[2].outcome, verdict::good);
 }

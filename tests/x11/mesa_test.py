@@ -1,0 +1,245 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The mesa back-end: with both of its libraries, with either and with none; and its pictures."""
+
+import array
+import os
+import re
+import shutil
+import subprocess
+
+import harness
+from harness import Checks, Onlooker, environment, expect, expect_equal, folder, run, started
+from harness import wait_for, window_of, x_server
+
+SHADES = ("lambert", "gouraud", "flat", "normals", "error")
+NAMES = {"egl": ("libEGL.so.1",), "osmesa": ("libOSMesa.so.8", "libOSMesa.so.6")}
+
+
+def hidden(path, *libraries):
+    """An environment in which these libraries are files that cannot be loaded."""
+    for library in libraries:
+        for name in NAMES[library]:
+            with open(os.path.join(path, name), "w") as file:
+                file.write("not a library\n")
+    return environment(LD_LIBRARY_PATH=path)
+
+
+def picture(program, env, *arguments, backend="mesa"):
+    """Rows of colours of one frame."""
+    with folder() as path:
+        command = program.command("--backend", backend, "--output", "o.png", *arguments)
+        status, _, messages = run(command, env, cwd=path)
+        expect_equal((status, messages), (0, ""), arguments)
+        return harness.read_png(os.path.join(path, "o.png"))
+
+
+def differences(one, other):
+    """For every pixel of two pictures of one size, the largest difference of a channel."""
+    expect_equal((len(one), len(one[0])), (len(other), len(other[0])))
+    return [
+        max(abs((a >> shift & 255) - (b >> shift & 255)) for shift in (0, 8, 16))
+        for row, twin in zip(one, other)
+        for a, b in zip(row, twin)
+    ]
+
+
+def above(levels, limit):
+    """Which part of the pixels differs by more than that."""
+    return sum(level > limit for level in levels) / len(levels)
+
+
+# ---- which libraries are there ------------------------------------------------------------------
+
+
+def links_with_neither(program):
+    listed = subprocess.run(["ldd", program.command()[0]], stdout=subprocess.PIPE, check=True)
+    found = re.findall(r"lib(?:EGL|OSMesa|GL|OpenGL|gallium|LLVM)\S*", listed.stdout.decode())
+    expect_equal(found, [])
+
+
+def serves_with(program, *libraries):
+    """By the libraries that are there, whichever of them L3D_MESA names; else not, and says so."""
+    with folder() as path:
+        env = hidden(path, *(library for library in NAMES if library not in libraries))
+        for wish in ("auto", "egl", "osmesa"):
+            env["L3D_MESA"] = wish
+            if libraries and (wish == "auto" or wish in libraries):
+                expect(harness.has_picture(picture(program, env)), "one colour only")
+                continue
+            command = program.command("--backend", "mesa", "--output", "-")
+            status, out, messages = run(command, env)
+            expect_equal((status, out, messages.count("\n")), (4, b"", 1), messages)
+            expect("install libegl1 libegl-mesa0 libgl1-mesa-dri or libosmesa6" in messages, wish)
+            for library in NAMES:
+                tried = wish in ("auto", library)
+                expect_equal(NAMES[library][0] in messages, tried, messages)
+
+
+def does_without(program):
+    """Without the libraries every other back-end works, and the list says why this does not."""
+    with folder() as path:
+        env = hidden(path, *NAMES)
+        expect(harness.has_picture(picture(program, env, backend="memory")), "one colour only")
+        status, out, messages = run(program.command("--list-backends"), env)
+        expect_equal((status, messages), (0, ""))
+        (line,) = [line for line in out.decode().splitlines() if line.startswith("mesa")]
+        expect(re.match(r"mesa +no +no software GL; install libegl1 ", line), line)
+
+
+def does_without_a_driver(program):
+    """libEGL alone is not enough; OSMesa serves then."""
+    env = environment(__EGL_VENDOR_LIBRARY_DIRS="/nonexistent")
+    expect(harness.has_picture(picture(program, env)), "one colour only")
+    command = program.command("--backend", "mesa", "--output", "-")
+    status, _, messages = run(command, {**env, "L3D_MESA": "egl"})
+    expect_equal(status, 4)
+    expect("EGL surfaceless: no EGL_MESA_platform_surfaceless" in messages, messages)
+
+
+def names_an_unknown_choice(program):
+    command = program.command("--backend", "mesa", "--output", "-")
+    status, _, messages = run(command, environment(L3D_MESA="vulkan"))
+    expect_equal((status, messages.count("\n")), (4, 1), messages)
+    expect("L3D_MESA: 'vulkan' is none of auto egl osmesa" in messages, messages)
+
+
+def needs_no_environment(program):
+    with folder() as path:
+        command = program.command("--backend", "mesa", "--output", "o.png")
+        expect_equal(run(command, {}, cwd=path), (0, b"", ""))
+
+
+CARD = """
+static int words[4];
+static const unsigned char* get_string(unsigned name) {
+    return (const unsigned char*)(name == 0x1F01 ? "GeForce 4711" : "4.6.0");
+}
+static void other(void) {}
+void* OSMesaCreateContextExt(unsigned f, int d, int s, int a, void* c) { return words; }
+void OSMesaDestroyContext(void* c) {}
+unsigned char OSMesaMakeCurrent(void* c, void* w, unsigned t, int x, int y) { return 1; }
+void* OSMesaGetCurrentContext(void) { return 0; }
+void (*OSMesaGetProcAddress(const char* name))(void) {
+    return __builtin_strcmp(name, "glGetString") ? other : (void (*)(void))get_string;
+}
+"""
+
+
+def refuses_a_graphics_card(program):
+    """A stand-in for the library, which says that it draws with a card."""
+    compiler = next(filter(shutil.which, ("gcc", "clang", "cc")))
+    with folder() as path:
+        env = hidden(path, "egl")
+        library = os.path.join(path, "libOSMesa.so.8")
+        build = [compiler, "-shared", "-fPIC", "-xc", "-", "-o", library]
+        subprocess.run(build, input=CARD.encode(), check=True)
+        command = program.command("--backend", "mesa", "--output", "-")
+        status, _, messages = run(command, env)
+        expect_equal((status, messages.count("\n")), (4, 1), messages)
+        expect("OSMesa: the renderer 'GeForce 4711' is not software" in messages, messages)
+
+
+def tells_the_renderer(program):
+    status, out, _ = run(program.command("--diagnose"), environment())
+    expect_equal(status, 0)
+    for way in ("EGL surfaceless", "EGL software device", "OSMesa"):
+        expect(re.search(r"^ok +%s: llvmpipe" % way, out.decode(), re.M), way, out)
+    _, out, _ = run(program.command("--diagnose"), environment(GALLIUM_DRIVER="softpipe"))
+    expect(re.search(r"^ok +EGL surfaceless: softpipe$", out.decode(), re.M), out)
+
+
+# ---- the pictures -------------------------------------------------------------------------------
+
+
+def draws_what_the_cpu_draws(program):
+    """Points, lines and polygons are the same, word for word."""
+    more = ("--wireframe", "--net") if program.name == "teapot_afd" else ("--frames", "40")
+    by_cpu = picture(program, environment(), *more, backend="memory")
+    for way in NAMES:
+        by_gl = picture(program, environment(L3D_MESA=way), *more)
+        expect(by_gl == by_cpu, way, above(differences(by_gl, by_cpu), 0))
+
+
+def is_a_second_opinion(program):
+    """Surfaces: at most 2 % of the pixels differ by more than a level, 0.1 % by more than 16."""
+    for shade in SHADES:
+        by_cpu = picture(program, environment(), "--shade", shade, backend="memory")
+        by_gl = picture(program, environment(), "--shade", shade)
+        levels = differences(by_gl, by_cpu)
+        expect(above(levels, 1) <= 0.02, shade, above(levels, 1))
+        expect(above(levels, 16) <= 0.001, shade, above(levels, 16), max(levels))
+        covered = lambda rows: [[pixel != 0 for pixel in row] for row in rows]
+        if shade == "lambert":  # where ambient light makes no surface black
+            expect(covered(by_gl) == covered(by_cpu), "not the same outline")
+
+
+def depths(program, backend):
+    """What a PFM holds: distances, infinite where nothing is."""
+    with folder() as path:
+        outputs = ("--output", "o.png", "--depth-output", "d.pfm")
+        command = program.command("--backend", backend, *outputs)
+        expect_equal(run(command, environment(), cwd=path), (0, b"", ""))
+        with open(os.path.join(path, "d.pfm"), "rb") as file:
+            head = [file.readline() for _ in range(3)]
+            expect_equal(head[0], b"Pf\n")
+            return array.array("f", file.read())
+
+
+def has_the_same_depth(program):
+    """Quads of 0.25 pixels' tolerance are nearly flat: 1 % of the distance is a wide limit."""
+    by_cpu, by_gl = depths(program, "memory"), depths(program, "mesa")
+    expect_equal(len(by_gl), len(by_cpu))
+    infinite = float("inf")
+    expect(1000 < sum(d < infinite for d in by_gl) < len(by_gl) - 1000, "hardly a picture")
+    for mine, other in zip(by_cpu, by_gl):
+        expect((mine == infinite) == (other == infinite), mine, other)
+        expect(mine == infinite or abs(other / mine - 1) < 0.01, mine, other)
+
+
+def agrees_with_itself(program):
+    """One level at most; on at most 0.01 % of the pixels by EGL and by OSMesa, 1 % by softpipe."""
+    by_egl = picture(program, environment(L3D_MESA="egl"))
+    for limit, other in ((0.0001, {"L3D_MESA": "osmesa"}), (0.01, {"GALLIUM_DRIVER": "softpipe"})):
+        levels = differences(picture(program, environment(**other)), by_egl)
+        expect(max(levels) <= 1, other, max(levels))
+        expect(above(levels, 0) <= limit, other, above(levels, 0))
+
+
+def shows_it_in_a_window(program):
+    expected = picture(program, environment(), "--frames", "1")
+    with x_server() as server, Onlooker(server.display) as eyes:
+        command = program.command("--backend", "mesa", "--fps", "1")
+        with started(command, environment(server.display)) as process:
+            window = window_of(server.display, program)
+            shown = lambda: eyes.picture(window, *program.size)
+            if program.name == "drawdot":
+                wait_for(lambda: harness.has_picture(shown()), "the dot")
+            else:
+                wait_for(lambda: shown() == expected, "the picture")
+            harness.xdotool(server.display, "key", "q")
+            expect_equal(harness.ended(process), (0, b"", ""))
+
+
+checks = Checks()
+for each in harness.PROGRAMS:
+    name = "_of_" + each.name
+    checks.run("links_with_neither" + name, links_with_neither, each)
+    for present in (("egl", "osmesa"), ("egl",), ("osmesa",), ()):
+        called = "serves_with_" + ("_and_".join(present) or "neither")
+        checks.run(called + name, serves_with, each, *present)
+    for check in (
+        does_without,
+        does_without_a_driver,
+        names_an_unknown_choice,
+        needs_no_environment,
+        refuses_a_graphics_card,
+        tells_the_renderer,
+        draws_what_the_cpu_draws,
+        shows_it_in_a_window,
+    ):
+        checks.run(check.__name__ + name, check, each)
+    if each.name == "teapot_afd":
+        for check in (is_a_second_opinion, has_the_same_depth, agrees_with_itself):
+            checks.run(check.__name__ + name, check, each)
+checks.finish()
