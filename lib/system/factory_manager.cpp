@@ -101,6 +101,9 @@ bool l3d_factory_manager::choose(l3d_options& options, std::istream& in, std::os
     chosen_ = named ? &survey.named(name, by_option ? "--backend" : "L3D_BACKEND")
               : ask ? &survey.asked(in, out)
                     : &survey.automatic();
+    for (const l3d_backend& row : rows_)
+        if (&row != chosen_)
+            row.screen_factory->release();
     if (!survey.is_seen(*chosen_) && !(named && chosen_->unseen) && common.output.empty()) {
         options.set_output(options.program() + ".png");
         std::cerr << options.program() << ": no window; the picture goes to " << common.output

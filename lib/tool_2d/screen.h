@@ -100,6 +100,9 @@ public:
         return do_create(request, refusal);
     }
 
+    /// Gives back what service() may keep for create(): another kind was chosen.
+    void release() const { do_release(); }
+
     /// Adds what this kind depends on, each with its outcome and remedy.
     void diagnose(l3d_probes& probes) const { do_diagnose(probes); }
 
@@ -107,6 +110,7 @@ private:
     virtual l3d_service do_service() const = 0;
     virtual std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
                                                   l3d_service& refusal) const = 0;
+    virtual void do_release() const {}
     virtual void do_diagnose(l3d_probes&) const {}
 };
 

@@ -22,6 +22,8 @@ private:
     std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
                                           l3d_service& refusal) const override;
 
+    void do_release() const override { windows_.release(); }
+
     /// One probe for each way to GL, with the renderer. The display is for others to tell of.
     void do_diagnose(l3d_probes& probes) const override;
 

@@ -294,6 +294,10 @@ void x11_screen_factory::keep(std::unique_ptr<x11_connection> connection) const 
     kept_ = std::move(connection);
 }
 
+void x11_screen_factory::do_release() const {
+    kept_.reset();
+}
+
 std::unique_ptr<x11_connection> x11_screen_factory::connect(std::string& why) const {
     auto kept = std::exchange(kept_, nullptr);
     const char* const name = std::getenv("DISPLAY");

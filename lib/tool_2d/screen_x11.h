@@ -27,6 +27,8 @@ protected:
     std::unique_ptr<x11_connection> connect(std::string& why) const;
 
 private:
+    void do_release() const override;
+
     mutable std::unique_ptr<x11_connection> kept_;
 };
 

@@ -239,6 +239,13 @@ TEST_F(factory_manager, rows_are_asked_once) {
     EXPECT_EQ(count_of(log, "asked"), 2); // one row each
 }
 
+TEST_F(factory_manager, rows_not_chosen_are_released) {
+    EXPECT_EQ(ask("paper\n"), "paper");
+    EXPECT_EQ(count_of(log, "released"), 1); // papyrus
+    EXPECT_EQ(ask("memory\n"), "memory");
+    EXPECT_EQ(count_of(log, "released"), 3);
+}
+
 TEST_F(factory_manager, a_new_row_runs_a_whole_program) {
     const temporary_folder folder;
     const std::string picture = folder.file("p.ppm");

@@ -33,6 +33,8 @@ private:
         return std::make_unique<fake_screen>(log_);
     }
 
+    void do_release() const override { log_.push_back("released"); }
+
     call_log& log_;
     std::string reason_;
 };
