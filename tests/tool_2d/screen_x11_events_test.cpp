@@ -6,11 +6,11 @@
 #include <thread>
 #include <vector>
 
-#include <X11/keysym.h>
-
 namespace {
 
 using namespace std::chrono_literals;
+
+using enum l3d_event_type;
 
 TEST(screen_x11_events, close_button_is_an_event) {
     const xvfb server("301x207x24");
@@ -57,68 +57,6 @@ TEST(screen_x11_events, a_ping_comes_back_on_the_root) {
     EXPECT_EQ(answer.xclient.data.l[1], 4711);
 }
 
-TEST(screen_x11_events, keys) {
-    const xvfb server("301x207x24");
-    L3D_REQUIRE_SERVER(server);
-    const auto screen = make();
-    const onlooker other;
-    const auto pressed = [&](KeySym keysym, unsigned state) {
-        other.send_key(KeyPress, keysym, state);
-        const auto event = next(*screen, l3d_event_type::key_press);
-        return event ? event->key : -1;
-    };
-    EXPECT_EQ(pressed(XK_q, 0), 'q');
-    EXPECT_EQ(pressed(XK_q, ShiftMask), 'Q');
-    EXPECT_EQ(pressed(XK_q, LockMask), 'Q');
-    EXPECT_EQ(pressed(XK_q, ControlMask), 'q');
-    EXPECT_EQ(pressed(XK_1, ShiftMask), '!');
-    EXPECT_EQ(pressed(XK_space, 0), ' ');
-    EXPECT_EQ(pressed(XK_KP_Add, 0), '+');
-    EXPECT_EQ(pressed(XK_KP_4, 0), l3d_key_left);
-    EXPECT_EQ(pressed(XK_Escape, 0), l3d_key_escape);
-    EXPECT_EQ(pressed(XK_Return, 0), l3d_key_return);
-    EXPECT_EQ(pressed(XK_BackSpace, 0), l3d_key_backspace);
-    EXPECT_EQ(pressed(XK_Left, 0), l3d_key_left);
-    EXPECT_EQ(pressed(XK_Page_Down, 0), l3d_key_page_down);
-    EXPECT_EQ(pressed(XK_End, 0), l3d_key_end);
-    EXPECT_EQ(pressed(XK_F1, 0), l3d_key_f1);
-    EXPECT_EQ(pressed(XK_F7, 0), l3d_key_f1 + 6);
-    EXPECT_EQ(pressed(XK_F10, 0), l3d_key_f1 + 9);
-}
-
-TEST(screen_x11_events, a_modifier_alone_is_no_key) {
-    const xvfb server("301x207x24");
-    L3D_REQUIRE_SERVER(server);
-    const auto screen = make();
-    const onlooker other;
-    other.send_key(KeyPress, XK_Shift_L);
-    other.send_key(KeyPress, XK_F12);
-    other.send_key(KeyPress, XK_x);
-    EXPECT_EQ(next(*screen, l3d_event_type::key_press)->key, 'x');
-}
-
-TEST(screen_x11_events, a_held_key_is_released_once) {
-    const xvfb server("301x207x24");
-    L3D_REQUIRE_SERVER(server);
-    const auto screen = make();
-    const onlooker other;
-    drop_events(*screen);
-    other.send_key(KeyPress, XK_w, 0, 100);
-    for (const Time time : {200U, 230U, 260U}) {
-        other.send_key(KeyRelease, XK_w, 0, time);
-        other.send_key(KeyPress, XK_w, 0, time);
-    }
-    other.send_key(KeyRelease, XK_w, 0, 300);
-    other.send_key(KeyPress, XK_w, 0, 301);
-    std::vector<l3d_event_type> types;
-    l3d_event event;
-    while (screen->next_event(event))
-        types.push_back(event.type);
-    using enum l3d_event_type;
-    EXPECT_EQ(types,
-              (std::vector{key_press, key_press, key_press, key_press, key_release, key_press}));
-}
-
 TEST(screen_x11_events, buttons_wheel_and_motion) {
     const xvfb server("301x207x24");
     L3D_REQUIRE_SERVER(server);
@@ -137,7 +75,6 @@ TEST(screen_x11_events, buttons_wheel_and_motion) {
     l3d_event event;
     while (screen->next_event(event))
         seen.push_back({static_cast<int>(event.type), event.button, event.x, event.y});
-    using enum l3d_event_type;
     const auto row = [](l3d_event_type type, int button, int x, int y) {
         return std::array{static_cast<int>(type), button, x, y};
     };
@@ -215,6 +152,63 @@ TEST(screen_x11_events, pixels_stay_until_the_resize_is_told) {
     EXPECT_EQ(screen->pixels().words, before.words);
     EXPECT_EQ(next(*screen, l3d_event_type::resize)->size, (l3d_size{60, 70}));
     EXPECT_EQ(screen->pixels().size(), (l3d_size{60, 70}));
+}
+
+TEST(screen_x11_events, a_window_that_nobody_sees_says_so) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    screen->show();
+    drop_events(*screen);
+    const Window ours = other.window();
+    const auto only = [&](l3d_event_type type) {
+        XSync(other.display(), False);
+        screen->wait(patience);
+        l3d_event event, another;
+        return screen->next_event(event) && event.type == type && !screen->next_event(another);
+    };
+    const Window cover = XCreateSimpleWindow(other.display(), other.root(), 0, 0, 200, 99, 0, 0, 7);
+    XMapRaised(other.display(), cover);
+    EXPECT_TRUE(only(hide)) << "covered";
+    XMoveWindow(other.display(), cover, 40, 0);
+    EXPECT_TRUE(only(expose)) << "partly uncovered";
+    XMoveWindow(other.display(), cover, 0, 0);
+    EXPECT_TRUE(only(hide)) << "covered again";
+    XDestroyWindow(other.display(), cover);
+    EXPECT_TRUE(only(expose)) << "uncovered";
+    XUnmapWindow(other.display(), ours);
+    EXPECT_TRUE(only(hide)) << "taken from the screen";
+    XMapWindow(other.display(), ours);
+    EXPECT_TRUE(only(expose)) << "back";
+    XUnmapWindow(other.display(), ours);
+    XMapWindow(other.display(), ours);
+    EXPECT_TRUE(only(expose)) << "gone and back";
+    XUnmapWindow(other.display(), ours);
+    EXPECT_TRUE(only(hide)) << "gone";
+    XMapWindow(other.display(), ours);
+    XUnmapWindow(other.display(), ours);
+    EXPECT_TRUE(only(hide)) << "back and gone";
+}
+
+/// A server that keeps what is covered does not ask for it.
+TEST(screen_x11_events, a_window_that_is_seen_again_says_so) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    drop_events(*screen);
+    XEvent event{};
+    event.type = VisibilityNotify;
+    event.xvisibility.state = VisibilityFullyObscured;
+    other.send(event, VisibilityChangeMask);
+    EXPECT_NE(next(*screen, hide), nullptr);
+    event.xvisibility.state = VisibilityPartiallyObscured;
+    other.send(event, VisibilityChangeMask);
+    EXPECT_NE(next(*screen, expose), nullptr);
+    other.send(event, VisibilityChangeMask);
+    l3d_event another;
+    EXPECT_FALSE(screen->next_event(another)) << "nothing new";
 }
 
 TEST(screen_x11_events, uncovering_is_an_event) {

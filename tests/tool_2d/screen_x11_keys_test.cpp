@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// X11 windows: keys, under every layout, held, repeated and let go.
+#include "onlooker_x11.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include <X11/keysym.h>
+
+namespace {
+
+using enum l3d_event_type;
+
+/// Events as type and key.
+using told = std::vector<std::pair<l3d_event_type, int>>;
+
+told drained(l3d_screen& screen) {
+    told events;
+    l3d_event event;
+    while (screen.next_event(event))
+        events.emplace_back(event.type, event.key);
+    return events;
+}
+
+TEST(screen_x11_keys, keys) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    const auto pressed = [&](KeySym keysym, unsigned state) {
+        other.send_key(KeyPress, keysym, state);
+        const auto event = next(*screen, l3d_event_type::key_press);
+        return event ? event->key : -1;
+    };
+    EXPECT_EQ(pressed(XK_q, 0), 'q');
+    EXPECT_EQ(pressed(XK_q, ShiftMask), 'Q');
+    EXPECT_EQ(pressed(XK_q, LockMask), 'Q');
+    EXPECT_EQ(pressed(XK_q, ControlMask), 'q');
+    EXPECT_EQ(pressed(XK_1, ShiftMask), '!');
+    EXPECT_EQ(pressed(XK_space, 0), ' ');
+    EXPECT_EQ(pressed(XK_KP_Add, 0), '+');
+    EXPECT_EQ(pressed(XK_KP_4, 0), l3d_key_left);
+    EXPECT_EQ(pressed(XK_Escape, 0), l3d_key_escape);
+    EXPECT_EQ(pressed(XK_Return, 0), l3d_key_return);
+    EXPECT_EQ(pressed(XK_BackSpace, 0), l3d_key_backspace);
+    EXPECT_EQ(pressed(XK_Left, 0), l3d_key_left);
+    EXPECT_EQ(pressed(XK_Page_Down, 0), l3d_key_page_down);
+    EXPECT_EQ(pressed(XK_End, 0), l3d_key_end);
+    EXPECT_EQ(pressed(XK_F1, 0), l3d_key_f1);
+    EXPECT_EQ(pressed(XK_F7, 0), l3d_key_f1 + 6);
+    EXPECT_EQ(pressed(XK_F10, 0), l3d_key_f1 + 9);
+}
+
+TEST(screen_x11_keys, a_modifier_alone_is_no_key) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    other.send_key(KeyPress, XK_Shift_L);
+    other.send_key(KeyPress, XK_F12);
+    other.send_key(KeyPress, XK_x);
+    EXPECT_EQ(next(*screen, l3d_event_type::key_press)->key, 'x');
+}
+
+TEST(screen_x11_keys, a_held_key_is_released_once) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    drop_events(*screen);
+    other.send_key(KeyPress, XK_w, 0, 100);
+    for (const Time time : {200U, 230U, 260U}) {
+        other.send_key(KeyRelease, XK_w, 0, time);
+        other.send_key(KeyPress, XK_w, 0, time);
+    }
+    other.send_key(KeyRelease, XK_w, 0, 300);
+    other.send_key(KeyPress, XK_w, 0, 301);
+    EXPECT_EQ(drained(*screen), (told{{key_press, 'w'},
+                                      {key_press, 'w'},
+                                      {key_press, 'w'},
+                                      {key_press, 'w'},
+                                      {key_release, 'w'},
+                                      {key_press, 'w'}}));
+}
+
+TEST(screen_x11_keys, the_server_repeats_a_key_but_does_not_release_it) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    drop_events(*screen);
+    // Repeats begin after 0.66 s, 25 a second.
+    ASSERT_EQ(std::system("xdotool keydown w sleep 1 keyup w"), 0);
+    const auto events = drained(*screen);
+    ASSERT_GE(events.size(), 3U);
+    for (const auto& event : events)
+        EXPECT_EQ(event, std::pair(&event == &events.back() ? key_release : key_press, int('w')));
+}
+
+TEST(screen_x11_keys, keys_go_up_when_the_keyboard_goes_away) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    show_for_certain(*screen); // It has the keyboard by now.
+    drop_events(*screen);
+    other.send_key(KeyPress, XK_w);
+    other.send_key(KeyPress, XK_Left);
+    XSetInputFocus(other.display(), other.root(), RevertToParent, CurrentTime);
+    XSync(other.display(), False);
+    auto events = drained(*screen);
+    ASSERT_EQ(events.size(), 4U);
+    std::sort(events.begin() + 2, events.end());
+    EXPECT_EQ(events[2], std::pair(key_release, int('w')));
+    EXPECT_EQ(events[3], std::pair(key_release, int(l3d_key_left)));
+    other.send_key(KeyRelease, XK_w);
+    EXPECT_TRUE(drained(*screen).empty()) << "it is up already";
+}
+
+/// Shift may go up before the letter does.
+TEST(screen_x11_keys, the_key_that_was_pressed_is_the_one_released) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    drop_events(*screen);
+    other.send_key(KeyPress, XK_q, ShiftMask, 100);
+    other.send_key(KeyRelease, XK_q, 0, 200);
+    EXPECT_EQ(drained(*screen), (told{{key_press, 'Q'}, {key_release, 'Q'}}));
+}
+
+TEST(screen_x11_keys, f11_and_alt_enter_ask_for_the_whole_screen) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    drop_events(*screen);
+    other.send_key(KeyPress, XK_F11, 0, 100);
+    other.send_key(KeyPress, XK_F11, 0, 200); // held, it repeats
+    other.send_key(KeyRelease, XK_F11, 0, 300);
+    other.send_key(KeyPress, XK_Return, Mod1Mask, 400);
+    other.send_key(KeyRelease, XK_Return, Mod1Mask, 500);
+    other.send_key(KeyPress, XK_Return, 0, 600);
+    other.send_key(KeyPress, XK_F11, 0, 700);
+    EXPECT_EQ(
+        drained(*screen),
+        (told{{fullscreen, 0}, {fullscreen, 0}, {key_press, l3d_key_return}, {fullscreen, 0}}));
+}
+
+/// A layout that has no Latin letters at all.
+TEST(screen_x11_keys, letters_in_their_place_on_a_cyrillic_keyboard) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    drop_events(*screen);
+    const auto code = XKeysymToKeycode(other.display(), XK_q);
+    std::array<KeySym, 2> cyrillic{XK_Cyrillic_shorti, XK_Cyrillic_SHORTI};
+    XChangeKeyboardMapping(other.display(), code, 2, cyrillic.data(), 1);
+    XSync(other.display(), False);
+    ASSERT_EQ(XKeysymToKeycode(other.display(), XK_Cyrillic_shorti), code);
+    drop_events(*screen);
+    other.send_key(KeyPress, XK_Cyrillic_shorti);
+    EXPECT_EQ(next(*screen, key_press)->key, 'q');
+}
+
+} // namespace

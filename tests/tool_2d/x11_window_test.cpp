@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// X11 windows: names, scale, and what several of a display's pixels for one of ours change.
+#include "onlooker_x11.h"
+
+#include "tool_2d/x11_scale_p.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include <X11/Xatom.h>
+
+namespace {
+
+using namespace l3d_detail;
+
+std::unique_ptr<l3d_screen> make_scaled(int scale) {
+    l3d_screen_request request{odd_size, "scaled"};
+    request.scale = scale;
+    l3d_service refusal;
+    auto screen = l3d_screen_factory_ximage().create(request, refusal);
+    EXPECT_NE(screen, nullptr) << refusal.why;
+    return screen;
+}
+
+XWindowAttributes attributes_of(const onlooker& other) {
+    XWindowAttributes attributes{};
+    XGetWindowAttributes(other.display(), other.window(), &attributes);
+    return attributes;
+}
+
+TEST(x11_window, tells_which_program_it_is) {
+    const xvfb server("601x407x24");
+    L3D_REQUIRE_SERVER(server);
+    l3d_screen_request request{odd_size, "Чайник"};
+    request.name = "kettle";
+    l3d_service refusal;
+    const auto screen = l3d_screen_factory_ximage().create(request, refusal);
+    const onlooker other;
+    EXPECT_EQ(other.property("WM_CLASS"), std::string("kettle\0L3d\0", 11));
+    EXPECT_EQ(other.property("_NET_WM_NAME"), "Чайник");
+    EXPECT_FALSE(other.property("WM_NAME").empty()) << "in whatever encoding has these letters";
+    std::array<char, 256> machine{};
+    gethostname(machine.data(), machine.size());
+    EXPECT_EQ(other.property("WM_CLIENT_MACHINE"), machine.data());
+    XSizeHints size{};
+    long supplied = 0;
+    XGetWMNormalHints(other.display(), other.window(), &size, &supplied);
+    EXPECT_EQ(size.flags & (PSize | PMinSize), PSize | PMinSize);
+    EXPECT_EQ(size.width, odd_size.width);
+    EXPECT_EQ(size.height, odd_size.height);
+}
+
+TEST(x11_window, pixels_are_squares_of_the_displays) {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const xvfb server("601x407x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make_scaled(3);
+    const onlooker other;
+    const auto native = attributes_of(other);
+    EXPECT_EQ((l3d_size{native.width, native.height}), (l3d_size{3 * 141, 3 * 83}));
+    ASSERT_EQ(screen->pixels().size(), odd_size);
+    draw_random(screen->pixels(), seed);
+    show_for_certain(*screen);
+    XImage* shown =
+        XGetImage(other.display(), other.window(), 0, 0, 3 * 141, 3 * 83, AllPlanes, ZPixmap);
+    ASSERT_NE(shown, nullptr);
+    int wrong = 0;
+    for (int y = 0; y < 3 * 83; ++y)
+        for (int x = 0; x < 3 * 141; ++x)
+            wrong += other.pixel(*shown, x, y) !=
+                     screen->pixels().row(y / 3)[static_cast<std::size_t>(x / 3)];
+    XDestroyImage(shown);
+    EXPECT_EQ(wrong, 0);
+}
+
+TEST(x11_window, events_are_in_our_pixels) {
+    const xvfb server("601x407x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make_scaled(3);
+    const onlooker other;
+    drop_events(*screen);
+    for (const auto& [native, ours] : {std::pair{l3d_size{301, 203}, l3d_size{101, 68}},
+                                       {{300, 202}, {100, 68}},
+                                       {{1, 2}, {1, 1}}}) {
+        XResizeWindow(other.display(), other.window(), static_cast<unsigned>(native.width),
+                      static_cast<unsigned>(native.height));
+        XSync(other.display(), False);
+        EXPECT_EQ(next(*screen, l3d_event_type::resize)->size, ours);
+        EXPECT_EQ(screen->pixels().size(), ours);
+    }
+    // A drag may leave the window on the left and at the top.
+    for (const auto& [native, ours] :
+         {std::pair{0, 0}, {2, 0}, {3, 1}, {200, 66}, {-1, -1}, {-3, -1}, {-4, -2}}) {
+        other.send_motion(Button1Mask, native, 7);
+        const auto motion = next(*screen, l3d_event_type::pointer_motion);
+        EXPECT_EQ(motion->x, ours) << native;
+        EXPECT_EQ(motion->y, 2);
+        other.send_button(ButtonPress, 2, 7, native);
+        EXPECT_EQ(next(*screen, l3d_event_type::button_press)->y, ours) << native;
+    }
+}
+
+TEST(x11_window, a_size_that_x_cannot_count_is_refused) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    l3d_screen_request request{{16383, 5}, "wide"};
+    request.scale = 3;
+    l3d_service refusal;
+    EXPECT_EQ(l3d_screen_factory_ximage().create(request, refusal), nullptr);
+    EXPECT_EQ(refusal.how, l3d_service::level::not_here);
+    EXPECT_EQ(refusal.why, "the X server does not make a window of 16383x5 at scale 3");
+}
+
+/// The scale on a display with these resources; for the width that a picture shall have.
+int scale_with(const onlooker& other, const std::string& resources, int width) {
+    XChangeProperty(other.display(), other.root(), XA_RESOURCE_MANAGER, XA_STRING, 8,
+                    PropModeReplace, reinterpret_cast<const unsigned char*>(resources.data()),
+                    static_cast<int>(resources.size()));
+    XSync(other.display(), False);
+    std::string why;
+    const auto connection = x11_connection::open(why);
+    return connection ? x11_scale(*connection, {{width, 11}, "asked"}) : -1;
+}
+
+TEST(x11_scale, is_what_the_displays_resources_ask_for) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const onlooker other;
+    struct expectation {
+        const char* resources;
+        int width, scale;
+    };
+    for (const auto& [resources, width, scale] :
+         std::vector<expectation>{{"", 100, 1},
+                                  {"Xft.dpi:\t96\n", 100, 1},
+                                  {"Xft.dpi:\t143\n", 100, 1},
+                                  {"Xft.dpi:\t144\n", 100, 2},
+                                  {"Xcursor.size: 24\nXft.dpi: 192\nXft.hinting: 1\n", 100, 2},
+                                  {"*dpi: 288.5\n", 100, 3},
+                                  {"Xft.dpi: 100000\n", 100, 8},
+                                  {"Xft.dpi: 48\n", 100, 1},
+                                  {"Xft.dpi: -192\n", 100, 1},
+                                  {"Xft.dpi: nan\n", 100, 1},
+                                  {"Xft.dpi: inf\n", 100, 8},
+                                  {"Xft.dpi: large\n", 100, 1},
+                                  {"Xft.dpi:\n", 100, 1},
+                                  {"Xft.dpi: 384\n", 10000, 3}, // 4 * 10000 is more than X counts
+                                  {"Xft.dpi: 384\n", 40000, 1}})
+        EXPECT_EQ(scale_with(other, resources, width), scale) << resources;
+}
+
+TEST(x11_scale, is_what_the_program_asks_for_first) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const onlooker other;
+    EXPECT_EQ(scale_with(other, "Xft.dpi: 192\n", 100), 2);
+    std::string why;
+    const auto connection = x11_connection::open(why);
+    l3d_screen_request request{odd_size, "asked"};
+    for (const int scale : {1, 5, l3d_largest_scale}) {
+        request.scale = scale;
+        EXPECT_EQ(x11_scale(*connection, request), scale);
+    }
+}
+
+} // namespace
