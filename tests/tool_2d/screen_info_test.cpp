@@ -143,6 +143,7 @@ TEST(screen_info, a_cube_shows_the_nearest_level) {
     const l3d_screen_info info(layout_map, palette);
     EXPECT_TRUE(info.has_palette());
     EXPECT_FALSE(info.native_is_word());
+    EXPECT_FALSE(l3d_screen_info({}, palette).native_is_word());
     const auto distance = [](int value, int level, int levels) {
         return std::abs(value - l3d_palette::value_of(level, levels));
     };

@@ -149,27 +149,26 @@ public:
             cells_.push_back(cell);
         XFreeColors(other_.display(), map_, cells_.data(), left, 0);
         cells_.erase(cells_.begin(), cells_.begin() + left);
-        // Colours that lie near those of every cube: to look at, not to have.
-        for (std::size_t i = 0; i < cells_.size(); ++i) {
-            const auto value = static_cast<unsigned short>(i * 257);
-            XColor color{cells_[i], value, value, value, DoRed | DoGreen | DoBlue, 0};
-            XStoreColors(other_.display(), map_, &color, 1);
-        }
+        // Colours that lie near some of every cube: to look at, not to have.
+        for (std::size_t i = 0; i < cells_.size(); ++i)
+            store(i, static_cast<std::uint32_t>(i) * 0x010101);
         XSync(other_.display(), False);
     }
 
+    /// Changes the colour of one of its private cells.
+    void store(std::size_t number, std::uint32_t word) {
+        auto color = color_of(word);
+        color.pixel = cells_.at(number);
+        XStoreColors(other_.display(), map_, &color, 1);
+    }
+
     /// The colours of a cube of 8x8x4, for everybody; as many as there is room for.
-    void share(int most = 256) {
+    void share() {
         const palette_shape shape{8, 8, 4};
-        for (int place = 0; place < std::min(most, shape.size()); ++place) {
-            const auto word = shape.color(place);
-            const auto channel = [&](int shift) {
-                return static_cast<unsigned short>((word >> shift & 255) * 257);
-            };
-            XColor color{0, channel(16), channel(8), channel(0), 0, 0};
+        for (int place = 0; place < shape.size(); ++place) {
+            auto color = color_of(shape.color(place));
             taken_ += XAllocColor(other_.display(), map_, &color) != 0;
         }
-        XSync(other_.display(), False);
     }
 
     int taken() const { return taken_; }
@@ -186,6 +185,13 @@ public:
     }
 
 private:
+    static XColor color_of(std::uint32_t word) {
+        const auto channel = [&](int shift) {
+            return static_cast<unsigned short>((word >> shift & 255) * 257);
+        };
+        return {0, channel(16), channel(8), channel(0), DoRed | DoGreen | DoBlue, 0};
+    }
+
     onlooker other_;
     Colormap map_;
     std::vector<unsigned long> cells_;
@@ -275,7 +281,7 @@ TEST(x11_colormap, full_of_cells_that_cannot_be_shared) {
     }
 }
 
-/// What does not fit is given up entirely, for fewer levels that do.
+/// What does not fit is not tried cell by cell.
 TEST(x11_colormap, nearly_full) {
     const xvfb server("301x207x8", no_render);
     L3D_REQUIRE_SERVER(server);
@@ -285,9 +291,42 @@ TEST(x11_colormap, nearly_full) {
     ASSERT_EQ(before, 130);
     const auto made = make_map();
     EXPECT_TRUE(made.map->is_shared());
-    EXPECT_TRUE(made.map->info().describe().ends_with("5x5x5 colours"))
-        << made.map->info().describe();
+    EXPECT_TRUE(made.map->info().describe().ends_with("5x5x5 colours"));
     EXPECT_EQ(other.free_cells(), before - (5 * 5 * 5 - 2));
+    // To connect takes some, the colours 125, to look and to find room 4.
+    EXPECT_LT(NextRequest(made.connection->display()), 125 + 4 + 20);
+}
+
+/// What was taken before it was clear that it will not do is given back.
+TEST(x11_colormap, hardly_any_room) {
+    const xvfb server("301x207x8", no_render);
+    L3D_REQUIRE_SERVER(server);
+    greedy other;
+    other.take_for_itself(30);
+    ASSERT_EQ(other.free_cells(), 30);
+    const auto made = make_map();
+    EXPECT_FALSE(made.map->is_shared());
+    EXPECT_EQ(other.free_cells(), 30);
+}
+
+/// A private cell may have the very colour; the next best one that is not private is taken.
+TEST(x11_colormap, private_cells_among_those_to_share) {
+    const xvfb server("301x207x8", no_render);
+    L3D_REQUIRE_SERVER(server);
+    greedy other;
+    other.take_for_itself(250);
+    // Black and white and four private cells are taken; the third private one is grey.
+    other.store(2, 0x555555);
+    other.share();
+    ASSERT_EQ(other.free_cells(), 0);
+    const auto made = make_map();
+    const auto& palette = made.map->info().palette();
+    EXPECT_TRUE(made.map->is_shared());
+    EXPECT_EQ(palette.red, 4) << made.map->info().describe();
+    const palette_shape shape = palette_shape::cube(4);
+    const auto grey = palette.pixels[(1 * 4 + 1) * 4 + 1];
+    EXPECT_EQ(shape.color((1 * 4 + 1) * 4 + 1), 0x555555U);
+    EXPECT_EQ(difference(made, grey, 0x494955, false), 0);
 }
 
 TEST(x11_colormap, grays_of_a_full_map) {
