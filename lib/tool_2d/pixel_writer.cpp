@@ -30,9 +30,16 @@ std::array<std::uint32_t, dither_side> thresholds_of_row(int y) {
 
 /// Stores a pixel, lowest byte first if Order is little.
 template <std::endian Order, int Bytes> void store(std::uint32_t pixel, std::uint8_t* bytes) {
-    for (int i = 0; i < Bytes; ++i) {
-        const int place = Order == std::endian::little ? i : Bytes - 1 - i;
-        bytes[place] = static_cast<std::uint8_t>(pixel >> (8 * i));
+    if constexpr (Bytes == 4) {
+        // Whole words, which compilers turn into many at once.
+        if (Order != std::endian::native)
+            pixel = pixel >> 24 | (pixel >> 8 & 0xFF00) | (pixel << 8 & 0xFF0000) | pixel << 24;
+        std::memcpy(bytes, &pixel, Bytes);
+    } else {
+        for (int i = 0; i < Bytes; ++i) {
+            const int place = Order == std::endian::little ? i : Bytes - 1 - i;
+            bytes[place] = static_cast<std::uint8_t>(pixel >> (8 * i));
+        }
     }
 }
 
@@ -150,6 +157,8 @@ pixel_writer::dither_table pixel_writer::dither_table_of(int levels) {
 }
 
 pixel_writer::row_function pixel_writer::choose_kind() const {
+    if (info_.native_is_word())
+        return &pixel_writer::copy_words;
     if (info_.has_palette())
         return info_.palette().is_ramp() ? choose_order<by_ramp>() : choose_order<by_cube>();
     const bool bytes =
@@ -183,6 +192,12 @@ void pixel_writer::write_pixels(std::span<const std::uint32_t> words, int y,
     const Kind pixel_of(*this, y);
     for (std::size_t x = 0; x < words.size(); ++x)
         store<Order, Bytes>(pixel_of(words[x], x), bytes + x * Bytes);
+}
+
+/// Words that are native pixels as they stand.
+void pixel_writer::copy_words(std::span<const std::uint32_t> words, int,
+                              std::uint8_t* bytes) const {
+    std::memcpy(bytes, words.data(), words.size_bytes());
 }
 
 void pixel_writer::write_row(std::span<const std::uint32_t> words, int y, int native_width,

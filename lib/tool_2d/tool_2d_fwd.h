@@ -18,7 +18,9 @@ struct l3d_event;
 class l3d_event_source;
 
 // screen_info.h, probe.h, screen.h
+enum class l3d_color_class;
 struct l3d_pixel_layout;
+struct l3d_palette;
 class l3d_screen_info;
 struct l3d_probe;
 class l3d_screen;

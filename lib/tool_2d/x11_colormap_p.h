@@ -48,6 +48,12 @@ public:
     /// Whether it is the default one, which other programs use too.
     bool is_shared() const { return !owned_; }
 
+    /// Shows a map of our own, as a window manager does for the window that has the focus.
+    void install() const {
+        if (owned_)
+            XInstallColormap(connection_.display(), id_);
+    }
+
 private:
     x11_colormap(const x11_connection& connection, const x11_visual& visual);
 

@@ -170,8 +170,10 @@ void x11_window::watch_pointer(bool always) const {
 }
 
 void x11_window::focus_if_unmanaged() {
-    if (!managed_)
-        XSetInputFocus(display(), window_, RevertToParent, CurrentTime);
+    if (managed_)
+        return;
+    XSetInputFocus(display(), window_, RevertToParent, CurrentTime);
+    colormap_->install();
 }
 
 } // namespace l3d_detail

@@ -64,7 +64,7 @@ public:
     /// Hears of the pointer at all times, or only while a button is held.
     void watch_pointer(bool always) const;
 
-    /// Takes the keyboard if there is no window manager, who would give it to us.
+    /// Takes the keyboard and shows our colours if there is no window manager to do that for us.
     /// Expects: the window is on the screen.
     void focus_if_unmanaged();
 

@@ -5,6 +5,7 @@
 #include "tool_2d/image.h"
 #include "tool_2d/pixel_writer_p.h"
 #include "tool_2d/x11_colormap_p.h"
+#include "tool_2d/x11_window_p.h"
 
 #include <algorithm>
 #include <set>
@@ -341,6 +342,37 @@ TEST(x11_colormap, grays_of_a_full_map) {
         EXPECT_EQ(
             difference(made, made.map->info().to_display(value * 0x010101), value * 0x010101, true),
             0);
+}
+
+/// The maps that the display's hardware uses now.
+std::vector<Colormap> installed_maps(const onlooker& other) {
+    int count = 0;
+    Colormap* list = XListInstalledColormaps(other.display(), other.root(), &count);
+    std::vector<Colormap> maps(list, list + count);
+    XFree(list);
+    return maps;
+}
+
+/// Where no window manager does it, the window shows its colours itself, once it has the focus.
+TEST(x11_colormap, is_installed_if_nobody_else_does) {
+    const xvfb server("301x207x8", no_render);
+    L3D_REQUIRE_SERVER(server);
+    greedy other;
+    other.take_for_itself();
+    const onlooker looker;
+    const auto before = installed_maps(looker);
+    auto made = make_map();
+    EXPECT_EQ(installed_maps(looker), before);
+    made.map.reset();
+    l3d_service refusal;
+    const auto window =
+        x11_window::open(std::move(made.connection), made.visual, {odd_size, "map"}, refusal);
+    ASSERT_NE(window, nullptr) << refusal.why;
+    EXPECT_FALSE(window->colormap().is_shared());
+    window->map();
+    window->focus_if_unmanaged();
+    XSync(window->display(), False);
+    EXPECT_EQ(installed_maps(looker), std::vector{window->colormap().id()});
 }
 
 /// A visual that is not the default one has a map of its own.
