@@ -70,6 +70,7 @@ private:
     template <class Kind, std::endian Order> row_function choose_size() const;
     template <class Kind, std::endian Order, int Bytes>
     void write_pixels(std::span<const std::uint32_t> words, int y, std::uint8_t* bytes) const;
+    void copy_words(std::span<const std::uint32_t> words, int y, std::uint8_t* bytes) const;
 
     const l3d_screen_info& info_;
     int scale_;
