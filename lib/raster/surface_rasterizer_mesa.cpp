@@ -2,8 +2,10 @@
 // l3d_surface_rasterizer_mesa: the shaders, and triangles for them.
 #include "raster/surface_rasterizer_mesa.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -61,6 +63,38 @@ static_assert(static_cast<int>(l3d_shade::gouraud) == 1 &&
 /// Vertices that are gathered before GL gets them: 24 bytes each, 1.2 MB.
 constexpr std::size_t full_batch = std::size_t{3} << 14;
 
+/// Whether a quad turns left at one corner and right at another.
+bool is_folded(const std::array<l3d_micro_vertex, 4>& v) {
+    bool left = false, right = false;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const l3d_micro_vertex &a = v[i], &b = v[(i + 1) % 4], &c = v[(i + 2) % 4];
+        const std::int64_t turn =
+            std::int64_t{b.x - a.x} * (c.y - b.y) - std::int64_t{b.y - a.y} * (c.x - b.x);
+        left |= turn < 0;
+        right |= turn > 0;
+    }
+    return left && right;
+}
+
+/// The mean of the corners before projection: with w = 1 / inv_w it is at sum(w p) / sum(w).
+l3d_micro_vertex projective_centre(const std::array<l3d_micro_vertex, 4>& v) {
+    double sum = 0, x = 0, y = 0;
+    std::array<double, 3> normal{};
+    for (const l3d_micro_vertex& corner : v) {
+        const double w = 1 / double(corner.inv_w);
+        sum += w;
+        x += w * corner.x;
+        y += w * corner.y;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            normal[axis] += w * double(corner.normal[axis]);
+    }
+    const auto mean = [sum](double total) { return static_cast<float>(total / sum); };
+    return {static_cast<std::int32_t>(std::lrint(x / sum)),
+            static_cast<std::int32_t>(std::lrint(y / sum)),
+            static_cast<float>(4 / sum),
+            {mean(normal[0]), mean(normal[1]), mean(normal[2])}};
+}
+
 l3d_micro_vertex mean_normal(std::span<const l3d_micro_vertex> polygon, l3d_micro_vertex corner) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         corner.normal[axis] = 0;
@@ -108,8 +142,9 @@ void l3d_surface_rasterizer_mesa::do_draw_grid(const l3d_micro_grid& grid) {
         return cpu_.draw_grid(grid);
     for (int row = 0; row + 1 < grid.rows; ++row)
         for (int column = 0; column + 1 < grid.columns; ++column)
-            add(std::array{grid.vertex(row, column), grid.vertex(row, column + 1),
-                           grid.vertex(row + 1, column + 1), grid.vertex(row + 1, column)});
+            add_quad({grid.vertex(row, column), grid.vertex(row, column + 1),
+                      grid.vertex(row + 1, column + 1), grid.vertex(row + 1, column)});
+    counts_.quads += std::int64_t{std::max(grid.rows - 1, 0)} * std::max(grid.columns - 1, 0);
 }
 
 void l3d_surface_rasterizer_mesa::do_draw_triangle(const l3d_micro_vertex& a,
@@ -118,15 +153,24 @@ void l3d_surface_rasterizer_mesa::do_draw_triangle(const l3d_micro_vertex& a,
     if (!fits_)
         return cpu_.draw_triangle(a, b, c);
     add(std::array{a, b, c});
+    ++counts_.quads;
 }
 
-void l3d_surface_rasterizer_mesa::add(std::span<const l3d_micro_vertex> polygon) {
+void l3d_surface_rasterizer_mesa::add_quad(const std::array<l3d_micro_vertex, 4>& corners) {
+    if (!is_folded(corners))
+        return add(corners);
+    const l3d_micro_vertex centre = projective_centre(corners);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        add(std::array{corners[i], corners[(i + 1) % corners.size()], centre});
+}
+
+void l3d_surface_rasterizer_mesa::add(std::span<const l3d_micro_vertex> convex) {
     const auto part = [this](int shift) { // of the error colour
         return static_cast<float>(error_color_ >> shift & 255) / 255.0f;
     };
     const auto add_corner = [&](const l3d_micro_vertex& corner) {
         const l3d_micro_vertex v =
-            shading_.mode == l3d_shade::flat ? mean_normal(polygon, corner) : corner;
+            shading_.mode == l3d_shade::flat ? mean_normal(convex, corner) : corner;
         vertex& made =
             batch_.emplace_back(vertex{{static_cast<float>(v.x) / l3d_subpixel_one,
                                         static_cast<float>(v.y) / l3d_subpixel_one, v.inv_w},
@@ -135,12 +179,11 @@ void l3d_surface_rasterizer_mesa::add(std::span<const l3d_micro_vertex> polygon)
             made = {{made.position[0], made.position[1], made.position[2]},
                     {part(16), part(8), part(0)}};
     };
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-        add_corner(polygon[0]);
-        add_corner(polygon[i - 1]);
-        add_corner(polygon[i]);
+    for (std::size_t i = 2; i < convex.size(); ++i) {
+        add_corner(convex[0]);
+        add_corner(convex[i - 1]);
+        add_corner(convex[i]);
     }
-    ++counts_.quads;
     if (batch_.size() >= full_batch)
         flush();
 }

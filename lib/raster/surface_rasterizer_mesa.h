@@ -6,13 +6,14 @@
 #include "raster/mesa_target_p.h"
 #include "raster/surface_rasterizer_sw.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
 /// A second opinion on every picture of surfaces: another's coverage, interpolation and depth test,
 /// and shaders of its own language.
 ///
-/// A quad is two triangles, so inside a quad that is no parallelogram depth and shade differ a
+/// A convex quad is two triangles, so inside one that is no parallelogram depth and shade differ a
 /// little from the plane that the CPU lays through it; the outline does not. Positions are exact
 /// within 8192 pixels of the middle of the picture; what reaches further is clipped there, rounded.
 /// A picture larger than GL's largest is left to the CPU.
@@ -37,7 +38,8 @@ private:
         float normal[3];   ///< or, in mode `error`, red, green, blue
     };
 
-    void add(std::span<const l3d_micro_vertex> polygon);
+    void add_quad(const std::array<l3d_micro_vertex, 4>& corners);
+    void add(std::span<const l3d_micro_vertex> convex);
     void flush();
     std::int64_t draw_counted();
 

@@ -48,8 +48,15 @@ INSTANTIATE_TEST_SUITE_P(By, Mesa2d, testing::ValuesIn(mesa_ways), test_name_of)
 struct twins {
     twins(std::unique_ptr<mesa_context> context, int width, int height)
         : by_cpu(width, height, std::mt19937(seed)), by_gl(width, height, std::mt19937(seed)),
-          cpu_imp(by_cpu.pixels()), gl_imp(std::move(context), by_gl.pixels()), cpu(cpu_imp),
-          gl(gl_imp) {}
+          calls(context->make_current()), cpu_imp(by_cpu.pixels()),
+          gl_imp(std::move(context), by_gl.pixels()), cpu(cpu_imp), gl(gl_imp) {}
+
+    twins(const twins&) = delete;
+    twins& operator=(const twins&) = delete;
+    ~twins() {
+        gl_imp.set_target(by_gl.pixels()); // makes its context current
+        EXPECT_EQ(calls.GetError(), unsigned{GL_NO_ERROR});
+    }
 
     template <class Draw> void draw(const Draw& what) {
         what(cpu);
@@ -66,6 +73,7 @@ struct twins {
     }
 
     picture by_cpu, by_gl;
+    mesa_gl calls;
     l3d_rasterizer_2d_sw_imp cpu_imp;
     l3d_rasterizer_2d_mesa_imp gl_imp;
     l3d_rasterizer_2d cpu, gl;
