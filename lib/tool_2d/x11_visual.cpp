@@ -100,8 +100,15 @@ bool is_good(const x11_visual& visual) {
     return has_masks(visual) && fewest_bits(visual) >= 5;
 }
 
+/// Bits beside the colours' are alpha. Such windows are drawn elsewhere, and what comes to the
+/// screen is squeezed into the default visual.
+bool has_alpha(const x11_visual& visual) {
+    const auto& layout = visual.layout;
+    return layout.depth == 32 && ~(layout.red_mask | layout.green_mask | layout.blue_mask) != 0;
+}
+
 auto rank(const x11_visual& visual) {
-    return std::tuple(fewest_bits(visual), visual.layout.depth != 32,
+    return std::tuple(!has_alpha(visual), fewest_bits(visual),
                       visual.layout.color_class == l3d_color_class::true_color,
                       visual.layout.depth);
 }

@@ -30,9 +30,9 @@ std::vector<x11_visual> offered_x11_visuals(const x11_connection& connection);
 /// 4096 cells with 8 or 16. The preferred one is taken if it has masks of five bits or more, so
 /// that it loses nothing, or nearly nothing; else the best that has; and if none has, the
 /// preferred one again, since on a display so poor all visuals are likely to share one map, and
-/// one of our own would spoil the colours of other windows. The best has the most bits in its
-/// poorest channel, up to our eight; then no alpha; then no map that must be written; then the
-/// most bits.
+/// one of our own would spoil the colours of other windows. The best has no alpha; then the most
+/// bits in its poorest channel, up to our eight; then no map that must be written; then the most
+/// bits.
 /// Errors:  nothing, with one line in `why` that gives class, depth and masks of the preferred
 ///          one, and what would do.
 std::optional<x11_visual> choose_x11_visual(std::span<const x11_visual> offered,

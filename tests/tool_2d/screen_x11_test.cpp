@@ -39,7 +39,7 @@ TEST_P(screen_x11_depth, every_pixel_is_right) {
 
 INSTANTIATE_TEST_SUITE_P(
     servers, screen_x11_depth,
-    testing::Values(server_kind{"true_color_8", "301x207x8", {"-cc", "4"}, 32, 32},
+    testing::Values(server_kind{"true_color_8", "301x207x8", {"-cc", "4"}, 8, 8},
                     server_kind{"depth_15", "301x207x15", {}, 15, 16},
                     server_kind{"depth_16", "301x207x16", {}, 16, 16},
                     server_kind{"direct_color_16", "301x207x16", {"-cc", "5"}, 16, 16},

@@ -61,13 +61,24 @@ TEST_F(visual_choice, the_default_if_it_loses_little) {
 
 TEST_F(visual_choice, else_the_one_that_loses_least) {
     const std::array offered{
-        make_visual(0, pseudo_color, map),     make_visual(1, true_color, sixteen),
-        make_visual(2, true_color, deep),      make_visual(3, direct_color, {}),
-        make_visual(4, true_color, {}),        make_visual(5, true_color, ten_bits),
-        make_visual(6, direct_color, ten_bits)};
-    const std::array<std::size_t, 8> best{0, 0, 1, 2, 3, 4, 5, 5};
+        make_visual(0, pseudo_color, map),    make_visual(1, true_color, sixteen),
+        make_visual(2, direct_color, {}),     make_visual(3, true_color, {}),
+        make_visual(4, true_color, ten_bits), make_visual(5, direct_color, ten_bits)};
+    const std::array<std::size_t, 7> best{0, 0, 1, 2, 3, 4, 4};
     for (std::size_t count = 1; count < best.size(); ++count)
         EXPECT_EQ(choice(std::span(offered).first(count), 0), visual(best[count])) << count;
+}
+
+TEST_F(visual_choice, alpha_only_if_nothing_else_serves) {
+    l3d_pixel_layout one_bit = map;
+    one_bit.depth = one_bit.bits_per_pixel = 1;
+    const std::array offered{make_visual(0, true_color, deep), make_visual(1, gray_scale, map),
+                             make_visual(2, static_gray, one_bit, 2)};
+    EXPECT_EQ(choice(offered, 0), visual(0));
+    EXPECT_EQ(choice(offered, 1), visual(1));
+    EXPECT_EQ(choice(offered, 2), visual(1));
+    const std::array poorer{offered[0], offered[2]};
+    EXPECT_EQ(choice(poorer, 2), visual(0));
 }
 
 /// All of these are likely to share one map in the hardware.
@@ -181,6 +192,80 @@ INSTANTIATE_TEST_SUITE_P(servers, every_visual,
                                          "301x207x30"),
                          [](const auto& kind) {
                              return "depth_" + std::string(kind.param).substr(8);
+                         });
+
+/// A server whose screen is of one class.
+struct screen_class {
+    const char* screen;
+    const char* number;
+    l3d_color_class color_class;
+};
+
+class on_the_screen : public testing::TestWithParam<screen_class> {};
+
+/// What a user sees: the screen's own pixels, through the map that the hardware uses. Nobody has
+/// to put a window manager there for that.
+TEST_P(on_the_screen, colours_are_near) {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const xvfb server(GetParam().screen, {"-cc", GetParam().number});
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    ASSERT_NE(screen, nullptr);
+    const auto& info = screen->info();
+    EXPECT_EQ(info.layout().color_class, GetParam().color_class) << info.describe();
+    const auto picture = screen->pixels();
+    draw_random(picture, seed);
+    show_for_certain(*screen);
+
+    const onlooker other;
+    int count = 0, x = 0, y = 0;
+    Window child = 0;
+    Colormap* installed = XListInstalledColormaps(other.display(), other.root(), &count);
+    ASSERT_EQ(count, 1);
+    XTranslateCoordinates(other.display(), other.window(), other.root(), 0, 0, &x, &y, &child);
+    XImage* root = XGetImage(other.display(), other.root(), x, y, odd_size.width, odd_size.height,
+                             AllPlanes, ZPixmap);
+    ASSERT_NE(root, nullptr);
+    const bool ramp = info.has_palette() && info.palette().is_ramp();
+    const auto gap = [&](int levels, l3d_channel channel) {
+        return 255.0 / ((info.has_palette() ? levels : 1 << channel.width) - 1);
+    };
+    const std::array gaps{gap(info.palette().red, info.red()),
+                          gap(ramp ? info.palette().red : info.palette().green, info.green()),
+                          gap(ramp ? info.palette().red : info.palette().blue, info.blue())};
+    for (int i = 0; i < 500; ++i) {
+        const int at_x = i * 7 % odd_size.width, at_y = i % odd_size.height;
+        const auto word = picture.row(at_y)[static_cast<std::size_t>(at_x)];
+        XColor seen{};
+        seen.pixel = other.pixel(*root, at_x, at_y);
+        XQueryColor(other.display(), *installed, &seen);
+        const std::array channels{seen.red, seen.green, seen.blue};
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto value = ramp ? l3d_screen_info::gray_of(word) : word >> (16 - 8 * c) & 255;
+            // Levels are whole numbers of 255.
+            EXPECT_LT(std::abs(channels[c] / 257.0 - value), gaps[c] + 0.5)
+                << info.describe() << std::hex << ", " << word << ", channel " << c;
+        }
+    }
+    XDestroyImage(root);
+    XFree(installed);
+}
+
+INSTANTIATE_TEST_SUITE_P(servers, on_the_screen,
+                         testing::Values(screen_class{"301x207x8", "0", static_gray},
+                                         screen_class{"301x207x8", "1", gray_scale},
+                                         screen_class{"301x207x8", "2", static_color},
+                                         screen_class{"301x207x8", "3", pseudo_color},
+                                         screen_class{"301x207x8", "4", true_color},
+                                         screen_class{"301x207x8", "5", direct_color},
+                                         screen_class{"301x207x16", "4", true_color},
+                                         screen_class{"301x207x16", "5", direct_color},
+                                         screen_class{"301x207x24", "4", true_color},
+                                         screen_class{"301x207x24", "5", direct_color}),
+                         [](const auto& kind) {
+                             return std::string(l3d_name_of(kind.param.color_class)) + "_" +
+                                    std::string(kind.param.screen).substr(8);
                          });
 
 } // namespace
