@@ -21,6 +21,7 @@ PACKAGES_build  := g++:$(CXX) libglm-dev:glm/glm.hpp libpng-dev:png.h libx11-dev
     libxext-dev:X11/extensions/XShm.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
     nlohmann-json3-dev:nlohmann/json.hpp
 PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool \
+    x11-xkb-utils:setxkbmap x11-utils:xprop \
     libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so
 PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
 PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Every program in a window: keys, close, resize, expose, signals, a server that dies."""
 
+import contextlib
 import os
 import signal
 import subprocess
@@ -10,23 +11,34 @@ import time
 import harness
 from harness import Checks, Onlooker, environment, expect, expect_equal, folder, run, started
 from harness import wait_for, window_of, x_server, xdotool
+from x_proxy import Proxy
 
 
 class Session:
-    """A program in a window of a server of its own, which has drawn its first picture."""
+    """A program in a window of a server of its own, which has drawn its first picture.
 
-    def __init__(self, program, *arguments, **options):
+    `prepare` is called with the display before the program starts; `more` adds to its environment;
+    if `counted`, a proxy stands between, which counts requests.
+    """
+
+    def __init__(
+        self, program, *arguments, prepare=lambda _: None, more=None, counted=False, **options
+    ):
         self.program = program
         self.command = program.command("--backend", "ximage", *arguments)
-        self.options = options
+        self.prepare, self.more, self.counted, self.options = prepare, more or {}, counted, options
 
     def __enter__(self):
         self.contexts = [x_server()]
         self.server = self.enter()
         self.display = self.server.display
+        self.prepare(self.display)
         self.contexts.append(Onlooker(self.display))
         self.eyes = self.enter()
-        self.contexts.append(started(self.command, environment(self.display), **self.options))
+        self.contexts.append(Proxy(self.display) if self.counted else contextlib.nullcontext())
+        self.proxy = self.enter()
+        env = environment(self.proxy.display if self.proxy else self.display, **self.more)
+        self.contexts.append(started(self.command, env, **self.options))
         self.process = self.enter()
         self.window = window_of(self.display, self.program)
         self.await_picture(harness.has_picture)
@@ -37,7 +49,7 @@ class Session:
 
     def __exit__(self, *error):
         # The onlooker stays: its connection is gone if the server is, and Xlib would exit.
-        for context in (self.contexts[2], self.contexts[0]):
+        for context in (self.contexts[3], self.contexts[2], self.contexts[0]):
             context.__exit__(*error)
 
     def picture(self, size=None):
@@ -107,6 +119,28 @@ def repairs_what_was_covered(program):
         it.await_picture(lambda rows: rows == before, what="the uncovered picture")
 
 
+def repairs_with_one_picture(program):
+    with Session(program, counted=True) as it:
+        settle(it)
+        with it.eyes.cover(program.size[0] // 2, program.size[1] - 7):
+            await_rest(it)
+            mark = it.proxy.mark()
+        wait_for(lambda: (it.proxy.mark() - mark).requests, "the repair")
+        await_rest(it)
+        expect_equal((it.proxy.mark() - mark).requests.count("PutImage"), 1)
+
+
+def await_rest(it):
+    """Returns when a quarter of a second has gone by without a request."""
+
+    def rests():
+        mark = it.proxy.mark()
+        time.sleep(0.25)
+        return not (it.proxy.mark() - mark).requests
+
+    wait_for(rests, "no more requests")
+
+
 def settle(it):
     """Stops what moves."""
     xdotool(it.display, "key", "space")
@@ -156,6 +190,64 @@ def fills(program, rows):
     # Something is drawn in the right half and in the lower half.
     right = [row[len(row) // 2 + 1 :] for row in rows]
     return harness.has_picture(right) and harness.has_picture(rows[len(rows) // 2 + 1 :])
+
+
+def covers_the_screen_and_goes_back(program):
+    whole = (800, 600)
+    with Session(program) as it:
+        for there, back in (("F11", "Escape"), ("alt+Return", "F11")):
+            for key, size in ((there, whole), (back, program.size)):
+                xdotool(it.display, "key", key)
+                it.await_picture(lambda _: window_size(it) == size, what="the size after " + key)
+                it.await_picture(harness.has_picture, size)
+        xdotool(it.display, "key", "Escape")
+        it.expect_end(0)
+
+
+def window_size(it):
+    shell = xdotool(it.display, "getwindowgeometry", "--shell", it.window)
+    values = dict(line.split("=") for line in shell.split())
+    return int(values["WIDTH"]), int(values["HEIGHT"])
+
+
+def shows_large_pixels(program):
+    """Asked to by an option or by the display's resources."""
+    with Session(program, "--scale", "3") as it:
+        expect_large_pixels(it, 3)
+    fine = lambda display: set_resolution(display, 192)
+    with Session(program, prepare=fine) as it:
+        expect_large_pixels(it, 2)
+    with Session(program, "--scale", "1", prepare=fine) as it:
+        expect_equal(window_size(it), program.size)
+
+
+def set_resolution(display, dpi):
+    resources = "Xft.dpi: %d\n" % dpi
+    command = ["xprop", "-root", "-f", "RESOURCE_MANAGER", "8s"]
+    command += ["-set", "RESOURCE_MANAGER", resources]
+    subprocess.run(command, env=environment(display), check=True, timeout=harness.PATIENCE)
+
+
+def expect_large_pixels(it, scale):
+    width, height = it.program.size
+    size = (scale * width, scale * height)
+    expect_equal(window_size(it), size)
+    settle(it)
+    rows = it.await_picture(harness.has_picture, size) and it.picture(size)
+    for y, row in enumerate(rows):
+        first = rows[y - y % scale]
+        expect(all(row[x] == first[x - x % scale] for x in range(size[0])), "row", y)
+
+
+def tells_who_it_is(program):
+    with Session(program) as it:
+        for question in (
+            ("--classname", "^%s$" % program.name),
+            ("--class", "^L3d$"),
+            ("--pid", it.process.pid, "--name", "."),
+        ):
+            found = xdotool(it.display, "search", "--onlyvisible", "--all", *question)
+            expect_equal(found.split(), [str(it.window)], question)
 
 
 def survives_a_storm_of_sizes(program):
@@ -222,8 +314,12 @@ CHECKS = (
     tells_that_the_server_died,
     dies_by_the_signal,
     repairs_what_was_covered,
+    repairs_with_one_picture,
     rests_when_nothing_moves,
     resizes_its_picture,
+    covers_the_screen_and_goes_back,
+    shows_large_pixels,
+    tells_who_it_is,
     survives_a_storm_of_sizes,
     shows_what_memory_holds,
     starts_without_a_terminal,
@@ -268,11 +364,26 @@ def drawdot_keeps_its_trail_in_a_smaller_window():
         expect_equal(rows[19], down[:-1] + [green])
 
 
+def teapot_draws_nothing_that_nobody_sees():
+    with Session(harness.PROGRAMS[-1], counted=True) as it:
+        xdotool(it.display, "key", "t")
+        mark = it.proxy.mark()
+        wait_for(lambda: (it.proxy.mark() - mark).requests.count("PutImage") > 2, "the turntable")
+        with it.eyes.cover(800, 600):
+            await_rest(it)
+        mark = it.proxy.mark()
+        wait_for(lambda: (it.proxy.mark() - mark).requests.count("PutImage") > 2, "life again")
+
+
 if __name__ == "__main__":
     checks = Checks()
     for program in harness.PROGRAMS:
         for check in CHECKS:
             checks.run("window.%s.%s" % (program.name, check.__name__), check, program)
-    for check in (drawdot_obeys_its_keys, drawdot_keeps_its_trail_in_a_smaller_window):
+    for check in (
+        drawdot_obeys_its_keys,
+        drawdot_keeps_its_trail_in_a_smaller_window,
+        teapot_draws_nothing_that_nobody_sees,
+    ):
         checks.run("window." + check.__name__, check)
     checks.finish()

@@ -1,0 +1,96 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The documented keys do what they should, under any layout and without an input method."""
+
+import subprocess
+
+import harness
+from harness import DRAWDOT, PATIENCE, Checks, environment, xdotool
+from window_test import Session
+
+TEAPOT = next((program for program in harness.PROGRAMS if program.name == "teapot_afd"), None)
+
+# The Russian layout has no Latin letters: there a letter is the key at its place on a PC keyboard,
+# by number.
+LAYOUTS = {
+    "us": {},
+    "de": {},
+    "fr": {},
+    "ru": dict(h=43, j=44, k=45, l=46, p=33, q=24, w=25, n=57, o=32, c=54),
+}
+
+
+def set_layout(display, layout):
+    subprocess.run(["setxkbmap", layout], env=environment(display), check=True, timeout=PATIENCE)
+
+
+def press(it, layout, *keys):
+    names = [str(LAYOUTS[layout].get(key, key)) for key in keys]
+    xdotool(it.display, "key", *names)
+
+
+def obeys_letters(layout):
+    """Down, to the right, and the end, under a layout that comes after the first key."""
+    width, height = DRAWDOT.size
+    with Session(DRAWDOT) as it:
+        press(it, "us", "p")
+        set_layout(it.display, layout)
+        for key, x, y in (("j", None, height - 1), ("l", width - 1, height - 1)):
+            press(it, layout, key)
+            reached = lambda rows: harness.GREEN in (rows[y] if x is None else [rows[y][x]])
+            it.await_picture(reached, what="the border after " + key)
+        press(it, layout, "q")
+        it.expect_end(0)
+
+
+def obeys_a_layout_there_from_the_start(layout):
+    with Session(DRAWDOT, prepare=lambda display: set_layout(display, layout)) as it:
+        press(it, layout, "p", "q")
+        it.expect_end(0)
+
+
+def obeys_signs(layout):
+    """What is typed with Shift or AltGr here and without it there."""
+    with Session(TEAPOT) as it:
+        set_layout(it.display, layout)
+        for key in ("question", "question", "plus", "minus", "w", "w", "n", "o", "Left", "Prior"):
+            before = it.picture()
+            press(it, layout, key)
+            it.await_picture(lambda rows: rows != before, what="a change by " + key)
+        press(it, layout, "Escape")
+        it.expect_end(0)
+
+
+def obeys_with_locks_on():
+    """Caps Lock makes other letters, and Num Lock other number pads; the rest stays as it is."""
+    with Session(TEAPOT) as it:
+        for keys in (["KP_Add"], ["KP_Left"], ["Num_Lock", "Caps_Lock", "minus"], ["Left"]):
+            before = it.picture()
+            xdotool(it.display, "key", *keys)
+            it.await_picture(lambda rows: rows != before, what="a change by " + keys[-1])
+        xdotool(it.display, "key", "Escape")
+        it.expect_end(0)
+
+
+def needs_no_input_method():
+    for more in (
+        {"XMODIFIERS": "@im=ibus", "GTK_IM_MODULE": "ibus"},
+        {"LANG": "C", "LC_ALL": "C"},
+        {"LANG": "nonsense", "LC_ALL": "nonsense"},
+    ):
+        with Session(DRAWDOT, more=more) as it:
+            xdotool(it.display, "key", "q")
+            it.expect_end(0)
+
+
+if __name__ == "__main__":
+    checks = Checks()
+    for layout in LAYOUTS:
+        checks.run("keys.obeys_letters." + layout, obeys_letters, layout)
+        checks.run("keys.from_the_start." + layout, obeys_a_layout_there_from_the_start, layout)
+        if TEAPOT:
+            checks.run("keys.obeys_signs." + layout, obeys_signs, layout)
+    if TEAPOT:
+        checks.run("keys.obeys_with_locks_on", obeys_with_locks_on)
+    checks.run("keys.needs_no_input_method", needs_no_input_method)
+    checks.finish()
