@@ -113,9 +113,10 @@ void mesa_target::download(l3d_depth_buffer& depth) {
     scaled_.resize(width * static_cast<std::size_t>(size_.height));
     gl.PixelStorei(GL_PACK_ROW_LENGTH, 0);
     gl.ReadPixels(0, 0, size_.width, size_.height, GL_DEPTH_COMPONENT, GL_FLOAT, scaled_.data());
-    for (int y = 0; y < size_.height; ++y)
-        std::transform(scaled_.begin() + y * size_.width, scaled_.begin() + (y + 1) * size_.width,
-                       depth.row(y).begin(), [](float scaled) { return scaled / depth_scale; });
+    auto from = scaled_.cbegin();
+    for (int y = 0; y < size_.height; ++y, from += size_.width)
+        std::transform(from, from + size_.width, depth.row(y).begin(),
+                       [](float scaled) { return scaled / depth_scale; });
 }
 
 } // namespace l3d_detail

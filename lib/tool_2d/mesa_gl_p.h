@@ -10,7 +10,8 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-// One list for both the members and the search for them. clang-format off: one family a line.
+// One list for both the members and the search for them, one family of calls a line. The names
+// are pasted, so they cannot stand in parentheses. NOLINTBEGIN(bugprone-macro-parentheses)
 // clang-format off
 #define L3D_MESA_GL_CALLS(call) \
     call(GetString) call(GetError) \
@@ -47,6 +48,7 @@ struct mesa_gl {
         return missing;
     }
 };
+// NOLINTEND(bugprone-macro-parentheses)
 
 } // namespace l3d_detail
 

@@ -14,7 +14,7 @@ l3d_service l3d_screen_factory_mesa::do_service() const {
         service.how = level::not_here;
         return service;
     }
-    const l3d_service window = windows_.service();
+    l3d_service window = windows_.service();
     if (window.how == level::display_lost)
         return window;
     service.is_seen = window.serves();

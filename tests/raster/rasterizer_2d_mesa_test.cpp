@@ -37,12 +37,12 @@ private:
     std::vector<std::uint32_t> words_;
 };
 
-class Mesa2d : public testing::TestWithParam<mesa_way> {
+class mesa_2d : public testing::TestWithParam<mesa_way> {
 protected:
     std::unique_ptr<mesa_context> context() { return open_mesa(GetParam()); }
 };
 
-INSTANTIATE_TEST_SUITE_P(By, Mesa2d, testing::ValuesIn(mesa_ways), test_name_of);
+INSTANTIATE_TEST_SUITE_P(By, mesa_2d, testing::ValuesIn(mesa_ways), test_name_of);
 
 /// The same picture twice: one for the CPU, one for GL.
 struct twins {
@@ -79,7 +79,7 @@ struct twins {
     l3d_rasterizer_2d cpu, gl;
 };
 
-TEST_P(Mesa2d, PutsAPointWhereItBelongsInItsColor) {
+TEST_P(mesa_2d, PutsAPointWhereItBelongsInItsColor) {
     picture p(13, 7, std::mt19937(seed));
     l3d_rasterizer_2d_mesa_imp imp(context(), p.pixels());
     l3d_rasterizer_2d draw(imp);
@@ -91,7 +91,7 @@ TEST_P(Mesa2d, PutsAPointWhereItBelongsInItsColor) {
             EXPECT_EQ(p.at(x, y), x == 9 && y == 2 ? 0x81ff4020u : 0u) << x << " " << y;
 }
 
-TEST_P(Mesa2d, PointsAndLinesAreTheSamePixels) {
+TEST_P(mesa_2d, PointsAndLinesAreTheSamePixels) {
     twins t(context(), 61, 43);
     std::mt19937 random(seed + 1);
     constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
@@ -133,7 +133,7 @@ std::vector<l3d_point_2d> random_convex(std::mt19937& random, double reach) {
     return v;
 }
 
-TEST_P(Mesa2d, PolygonsAreTheSamePixels) {
+TEST_P(mesa_2d, PolygonsAreTheSamePixels) {
     twins t(context(), 67, 39);
     std::mt19937 random(seed + 2);
     // in reach of GL, and beyond it
@@ -151,7 +151,7 @@ TEST_P(Mesa2d, PolygonsAreTheSamePixels) {
     }
 }
 
-TEST_P(Mesa2d, WhatDrawsNothingDrawsNothing) {
+TEST_P(mesa_2d, WhatDrawsNothingDrawsNothing) {
     twins t(context(), 29, 17);
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     using corners = std::vector<l3d_point_2d>;
@@ -172,7 +172,7 @@ TEST_P(Mesa2d, WhatDrawsNothingDrawsNothing) {
     EXPECT_EQ(t.by_gl.words(), before.words());
 }
 
-TEST_P(Mesa2d, ThePixelsInMemoryAreTheTruth) {
+TEST_P(mesa_2d, ThePixelsInMemoryAreTheTruth) {
     twins t(context(), 31, 23);
     const auto outside = [](picture& p, std::uint32_t word) {
         for (int y = 3; y < 9; ++y)
@@ -202,7 +202,7 @@ TEST_P(Mesa2d, ThePixelsInMemoryAreTheTruth) {
     EXPECT_EQ(t.different(), 0);
 }
 
-TEST_P(Mesa2d, DrawsIntoTheTargetOfTheLastResize) {
+TEST_P(mesa_2d, DrawsIntoTheTargetOfTheLastResize) {
     twins t(context(), 31, 23);
     picture cpu_second(45, 12, std::mt19937(seed + 3)), gl_second = cpu_second;
     const picture before = t.by_gl;
@@ -215,7 +215,7 @@ TEST_P(Mesa2d, DrawsIntoTheTargetOfTheLastResize) {
     EXPECT_EQ(t.by_gl.words(), before.words());
 }
 
-TEST_P(Mesa2d, PicturesThatGlCannotHoldAreDrawnAllTheSame) {
+TEST_P(mesa_2d, PicturesThatGlCannotHoldAreDrawnAllTheSame) {
     twins t(context(), 31, 23);
     picture cpu_large(16500, 3, std::mt19937(seed)), gl_large = cpu_large;
     t.cpu_imp.set_target(cpu_large.pixels());
@@ -231,7 +231,7 @@ TEST_P(Mesa2d, PicturesThatGlCannotHoldAreDrawnAllTheSame) {
     EXPECT_EQ(gl_large.words(), cpu_large.words());
 }
 
-TEST_P(Mesa2d, LargestPicturesAreExactUpToTheirEdges) {
+TEST_P(mesa_2d, LargestPicturesAreExactUpToTheirEdges) {
     twins t(context(), 16384, 5);
     std::mt19937 random(seed + 4);
     std::uniform_real_distribution<double> x(-300, 16700), y(-4, 9);

@@ -78,7 +78,7 @@ difference compare(picture& a, picture& b) {
     return result;
 }
 
-class MesaSurface : public testing::TestWithParam<mesa_way> {
+class mesa_surface : public testing::TestWithParam<mesa_way> {
 protected:
     void TearDown() override {
         begin(l3d_shade::flat); // makes its context current
@@ -105,7 +105,7 @@ protected:
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(By, MesaSurface, testing::ValuesIn(mesa_ways), test_name_of);
+INSTANTIATE_TEST_SUITE_P(By, mesa_surface, testing::ValuesIn(mesa_ways), test_name_of);
 
 /// A corner in whole pixels and the rest.
 l3d_micro_vertex at(int x, int y, float inv_w, std::array<float, 3> normal = {0, 0, 1}) {
@@ -129,7 +129,7 @@ bool in_reach(const reference::corners& v) {
         v, [](const auto& c) { return std::abs(c.x) <= most && std::abs(c.y) <= most; });
 }
 
-TEST_P(MesaSurface, CoverageOfEveryPolygonIsExact) {
+TEST_P(mesa_surface, CoverageOfEveryPolygonIsExact) {
     random_polygons random(seed, by_gl.size);
     int drawn = 0;
     for (int n = 0; n < 2000; ++n) {
@@ -173,7 +173,7 @@ l3d_micro_grid sheet(l3d_size size) {
     return g;
 }
 
-TEST_P(MesaSurface, AllShadesAgree) {
+TEST_P(mesa_surface, AllShadesAgree) {
     for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat,
                                  l3d_shade::normals, l3d_shade::error}) {
         by_gl.clear();
@@ -198,7 +198,7 @@ TEST_P(MesaSurface, AllShadesAgree) {
     }
 }
 
-TEST_P(MesaSurface, LevelsAreWhatTheRuleSays) {
+TEST_P(mesa_surface, LevelsAreWhatTheRuleSays) {
     constexpr std::array<float, 3> n{0.36f, -0.48f, 0.80f};
     const float cosine = light[0] * n[0] + light[1] * n[1] + light[2] * n[2];
     const auto front = static_cast<std::uint32_t>(std::lround(255 * (0.1 + 0.9 * cosine)));
@@ -231,7 +231,7 @@ TEST_P(MesaSurface, LevelsAreWhatTheRuleSays) {
     EXPECT_EQ(by_gl.word(52, 12), 0x000181feu);
 }
 
-TEST_P(MesaSurface, ZeroNormalsAreAmbient) {
+TEST_P(mesa_surface, ZeroNormalsAreAmbient) {
     begin(l3d_shade::lambert);
     triangle({at(5, 4, 1, {0, 0, 0}), at(9, 30, 1, {0, 0, 0}), at(40, 8, 1, {0, 0, 0})});
     gl.finish();
@@ -242,7 +242,7 @@ TEST_P(MesaSurface, ZeroNormalsAreAmbient) {
     EXPECT_EQ(by_gl.word(10, 12), 0x00808080u);
 }
 
-TEST_P(MesaSurface, NearerWinsAndTheFirstOfEquals) {
+TEST_P(mesa_surface, NearerWinsAndTheFirstOfEquals) {
     const auto draw = [this](float inv_w, std::uint32_t color) {
         gl.set_error_color(color);
         gl.draw_triangle(at(5, 4, inv_w), at(9, 30, inv_w), at(40, 8, inv_w));
@@ -260,7 +260,7 @@ TEST_P(MesaSurface, NearerWinsAndTheFirstOfEquals) {
     EXPECT_EQ(gl.counts().written * 2, gl.counts().samples); // two of four
 }
 
-TEST_P(MesaSurface, DepthIsExactAtAnyDistance) {
+TEST_P(mesa_surface, DepthIsExactAtAnyDistance) {
     for (const float inv_w :
          {std::ldexp(1.2345678f, -80), 0.1f, 1.0f, std::ldexp(1.7654321f, 30)}) {
         by_gl.clear();
@@ -271,7 +271,7 @@ TEST_P(MesaSurface, DepthIsExactAtAnyDistance) {
     }
 }
 
-TEST_P(MesaSurface, DrawsUponWhatIsInMemory) {
+TEST_P(mesa_surface, DrawsUponWhatIsInMemory) {
     for (int y = 0; y < by_gl.size.height; ++y)
         for (int x = 0; x < by_gl.size.width; ++x) {
             by_gl.word(x, y) = static_cast<std::uint32_t>(0x9e3779b9u * unsigned(x + 100 * y));
@@ -301,7 +301,7 @@ TEST_P(MesaSurface, DrawsUponWhatIsInMemory) {
     EXPECT_EQ(by_gl.word(15, 12), 0x00abcdefu);
 }
 
-TEST_P(MesaSurface, SharesAPictureWithLines) {
+TEST_P(mesa_surface, SharesAPictureWithLines) {
     l3d_rasterizer_2d_mesa_imp imp(open_mesa(GetParam()), by_gl.pixels());
     l3d_rasterizer_2d draw(imp);
     draw.clear_buffer();
@@ -319,7 +319,7 @@ TEST_P(MesaSurface, SharesAPictureWithLines) {
     EXPECT_EQ(by_gl.word(60, 12), 0x00ff0000u);
 }
 
-TEST_P(MesaSurface, PicturesThatGlCannotHoldAreFilledAllTheSame) {
+TEST_P(mesa_surface, PicturesThatGlCannotHoldAreFilledAllTheSame) {
     by_gl = picture(16500, 4);
     by_cpu = picture(16500, 4);
     begin(l3d_shade::lambert);

@@ -15,19 +15,19 @@ namespace {
 using level = l3d_service::level;
 using verdict = l3d_probe::verdict;
 
-class MesaScreen : public testing::Test {
+class mesa_screen : public testing::Test {
 protected:
-    MesaScreen() {
+    mesa_screen() {
         unsetenv("DISPLAY");
         unsetenv("L3D_MESA");
     }
-    ~MesaScreen() override { unsetenv("L3D_MESA"); }
+    ~mesa_screen() override { unsetenv("L3D_MESA"); }
 
     l3d_screen_factory_mesa factory;
     l3d_screen_request request{.size = {67, 41}, .title = "mesa"};
 };
 
-TEST_F(MesaScreen, ServesUnseenWithoutADisplay) {
+TEST_F(mesa_screen, ServesUnseenWithoutADisplay) {
     const l3d_service service = factory.service();
     EXPECT_EQ(service.how, level::fully) << service.why;
     EXPECT_FALSE(service.is_seen);
@@ -38,7 +38,7 @@ TEST_F(MesaScreen, ServesUnseenWithoutADisplay) {
     EXPECT_EQ(screen->pixels().size(), request.size);
 }
 
-TEST_F(MesaScreen, ServesInAWindowOnADisplay) {
+TEST_F(mesa_screen, ServesInAWindowOnADisplay) {
     const xvfb server("320x200x24");
     ASSERT_TRUE(server.started());
     EXPECT_TRUE(factory.service().is_seen);
@@ -48,14 +48,14 @@ TEST_F(MesaScreen, ServesInAWindowOnADisplay) {
     EXPECT_TRUE(screen->is_window());
 }
 
-TEST_F(MesaScreen, SaysWhyThereIsNoGl) {
+TEST_F(mesa_screen, SaysWhyThereIsNoGl) {
     setenv("L3D_MESA", "vulkan", 1);
     const l3d_service service = factory.service();
     EXPECT_EQ(service.how, level::not_here);
     EXPECT_EQ(service.why, "L3D_MESA: 'vulkan' is none of auto egl osmesa");
 }
 
-TEST_F(MesaScreen, DiagnosesEveryWay) {
+TEST_F(mesa_screen, DiagnosesEveryWay) {
     l3d_probes probes;
     factory.diagnose(probes);
     ASSERT_EQ(probes.size(), 3u);
