@@ -60,6 +60,7 @@ private:
     mesa_context(std::unique_ptr<mesa_platform> platform, mesa_way way)
         : platform_(std::move(platform)), way_(way) {}
 
+    /// Errors:  as open.
     bool load(std::string& why);
 
     std::unique_ptr<mesa_platform> platform_;
