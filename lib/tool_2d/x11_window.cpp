@@ -56,18 +56,17 @@ std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> con
     std::unique_ptr<x11_window> window(
         new x11_window(std::move(connection), std::move(colormap), visual, scale));
     const l3d_size native{request.size.width * scale, request.size.height * scale};
-    x11_error_trap trap(window->connection());
+    const x11_error_trap trap(window->connection());
     window->create(native);
     window->set_names(request);
     window->set_hints(native);
     window->set_protocols();
-    window->find_manager();
-    const int error = trap.sync();
+    window->find_manager(); // Waits for a reply, so that the errors of all before are known.
     if (window->connection().lost()) {
         refusal = {l3d_service::level::display_lost, "the X server went away"};
         return nullptr;
     }
-    if (error != 0) {
+    if (trap.error() != 0) {
         refusal = too_large(request.size, scale);
         return nullptr;
     }
