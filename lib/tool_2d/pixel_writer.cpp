@@ -2,6 +2,7 @@
 // pixel_writer: one loop per kind of pixel.
 #include "tool_2d/pixel_writer_p.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstring>
 
@@ -45,11 +46,13 @@ template <std::endian Order, int Bytes> void store(std::uint32_t pixel, std::uin
 
 /// Turns a row of pixels into one of squares, in place: from right to left, so that no pixel is
 /// overwritten before it was read.
-template <int Bytes> void replicate(std::uint8_t* bytes, int width, int scale) {
-    for (int from = (width - 1) / scale, end = width; from >= 0; end = from-- * scale) {
+template <int Bytes>
+void replicate(std::uint8_t* bytes, std::ptrdiff_t width, std::ptrdiff_t scale) {
+    for (std::ptrdiff_t from = (width - 1) / scale; from >= 0; --from) {
         std::array<std::uint8_t, Bytes> pixel;
         std::memcpy(pixel.data(), bytes + from * Bytes, Bytes);
-        for (int x = end - 1; x >= from * scale; --x)
+        const auto end = std::min(width, (from + 1) * scale);
+        for (auto x = from * scale; x < end; ++x)
             std::memcpy(bytes + x * Bytes, pixel.data(), Bytes);
     }
 }
@@ -210,12 +213,13 @@ void pixel_writer::write_row(std::span<const std::uint32_t> words, int y, int na
 
 void pixel_writer::write(const l3d_pixels& picture, l3d_size native, std::uint8_t* bytes,
                          std::ptrdiff_t bytes_per_line) const {
+    const auto row_bytes =
+        static_cast<std::size_t>(native.width) * static_cast<std::size_t>(info_.bytes_per_pixel());
     for (int y = 0; y < native.height; ++y) {
         if (y % scale_ == 0)
             write_row(picture.row(y / scale_), y / scale_, native.width, bytes);
         else
-            std::memcpy(bytes, bytes - bytes_per_line,
-                        static_cast<std::size_t>(native.width * info_.bytes_per_pixel()));
+            std::memcpy(bytes, bytes - bytes_per_line, row_bytes);
         bytes += bytes_per_line;
     }
 }

@@ -62,7 +62,8 @@ private:
 
     using row_function = void (pixel_writer::*)(std::span<const std::uint32_t>, int y,
                                                 std::uint8_t*) const;
-    using replicate_function = void (*)(std::uint8_t* bytes, int width, int scale);
+    using replicate_function = void (*)(std::uint8_t* bytes, std::ptrdiff_t width,
+                                        std::ptrdiff_t scale);
 
     static dither_table dither_table_of(int levels);
     row_function choose_kind() const;

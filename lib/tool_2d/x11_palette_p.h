@@ -5,8 +5,11 @@
 
 #include "tool_2d/screen_info.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace l3d_detail {
 

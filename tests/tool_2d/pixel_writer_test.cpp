@@ -109,7 +109,8 @@ struct random_layouts {
         } else if (below(3) == 0) {
             palette.red = 256;
         }
-        palette.pixels.resize(static_cast<std::size_t>(palette.red * palette.green * palette.blue));
+        const int count = palette.red * palette.green * palette.blue;
+        palette.pixels.resize(static_cast<std::size_t>(count));
         const auto mask = (1U << layout.bits_per_pixel) - 1;
         std::ranges::generate(palette.pixels, [&] { return random() & mask; });
         return l3d_screen_info(layout, palette);
@@ -139,13 +140,13 @@ private:
 bytes expected_bytes(const l3d_screen_info& info, const l3d_pixels& picture, l3d_size native,
                      int scale, std::ptrdiff_t bytes_per_line) {
     bytes expected(static_cast<std::size_t>(bytes_per_line * native.height), untouched);
-    const int size = info.bytes_per_pixel();
+    const std::ptrdiff_t size = info.bytes_per_pixel();
     for (int y = 0; y < native.height; ++y) {
         for (int x = 0; x < native.width; ++x) {
             const auto word = picture.row(y / scale)[static_cast<std::size_t>(x / scale)];
             const auto pixel = shown_pixel(info, word, x / scale, y / scale);
-            for (int i = 0; i < size; ++i) {
-                const int place =
+            for (std::ptrdiff_t i = 0; i < size; ++i) {
+                const auto place =
                     info.layout().byte_order == std::endian::little ? i : size - 1 - i;
                 expected[static_cast<std::size_t>(y * bytes_per_line + x * size + place)] =
                     static_cast<std::uint8_t>(pixel >> (8 * i));
@@ -187,11 +188,13 @@ TEST(pixel_writer, rows_do_not_depend_on_others) {
     for (int y = 0; y < 11; ++y)
         std::ranges::fill(picture.pixels().row(y), 0x476B93U + static_cast<std::uint32_t>(y));
     const pixel_writer writer(info, 3);
-    bytes whole(38 * 32), row(38);
+    bytes whole(38UL * 32), row(38);
     writer.write(picture.pixels(), {38, 32}, whole.data(), 38);
+    auto there = whole.end();
     for (int y = 31; y >= 0; --y) {
+        there -= 38;
         writer.write_row(picture.pixels().row(y / 3), y / 3, 38, row.data());
-        EXPECT_TRUE(std::equal(row.begin(), row.end(), whole.begin() + 38 * y)) << y;
+        EXPECT_TRUE(std::equal(row.begin(), row.end(), there)) << y;
     }
 }
 
@@ -252,7 +255,8 @@ private:
     }
     l3d_palette numbered() const {
         l3d_palette palette{red_, green_, blue_, {}};
-        palette.pixels.resize(static_cast<std::size_t>(red_ * green_ * blue_));
+        const int count = red_ * green_ * blue_;
+        palette.pixels.resize(static_cast<std::size_t>(count));
         std::iota(palette.pixels.begin(), palette.pixels.end(), 0U);
         return palette;
     }

@@ -44,8 +44,8 @@ inline std::uint32_t shown_pixel(const l3d_screen_info& info, std::uint32_t word
     const int red = shown_level(palette.is_ramp() ? gray : channel(16), palette.red, x, y);
     const int green = shown_level(channel(8), palette.green, x, y);
     const int blue = shown_level(channel(0), palette.blue, x, y);
-    return palette
-        .pixels[static_cast<std::size_t>((red * palette.green + green) * palette.blue + blue)];
+    const int place = (red * palette.green + green) * palette.blue + blue;
+    return palette.pixels[static_cast<std::size_t>(place)];
 }
 
 #endif

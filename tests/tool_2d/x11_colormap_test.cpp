@@ -413,6 +413,7 @@ TEST(x11_palette, of_fixed_cells) {
     std::mt19937 random(seed);
     std::vector<std::uint32_t> cells;
     const palette_shape five = palette_shape::cube(5);
+    cells.reserve(125);
     for (int place = 0; place < five.size(); ++place)
         cells.push_back(five.color(place));
     std::ranges::shuffle(cells, random);
