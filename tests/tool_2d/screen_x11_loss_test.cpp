@@ -143,4 +143,31 @@ TEST(screen_x11_loss, a_handler_that_came_later_stays) {
     EXPECT_NE(ours, count_error);
 }
 
+using signal_handler = void (*)(int);
+
+signal_handler handler_of(int signal) {
+    struct sigaction action {};
+    sigaction(signal, nullptr, &action);
+    return action.sa_handler;
+}
+
+/// Writing to a server that died in just this moment.
+TEST(screen_x11_loss, a_broken_pipe_does_not_end_the_program) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    ASSERT_EQ(handler_of(SIGPIPE), SIG_DFL);
+    {
+        const auto screen = make();
+        raise(SIGPIPE);
+    }
+    EXPECT_EQ(handler_of(SIGPIPE), SIG_DFL);
+    std::signal(SIGPIPE, SIG_IGN);
+    {
+        const auto screen = make();
+        EXPECT_EQ(handler_of(SIGPIPE), SIG_IGN) << "the program's own choice stays";
+    }
+    EXPECT_EQ(handler_of(SIGPIPE), SIG_IGN);
+    std::signal(SIGPIPE, SIG_DFL);
+}
+
 } // namespace

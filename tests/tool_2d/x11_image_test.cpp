@@ -67,6 +67,7 @@ TEST(x11_image, answers_to_an_image_that_was_replaced_are_ignored) {
             auto before = was_shared ? shared() : wired();
             ASSERT_NE(before, nullptr) << why;
             before->put(picture.pixels(), steady_clock::now() + patience);
+            XSync(window->display(), False);
             before.reset();
             const auto after = is_shared ? shared() : wired();
             EXPECT_EQ(give_events(*window, *after), 0);
@@ -76,6 +77,41 @@ TEST(x11_image, answers_to_an_image_that_was_replaced_are_ignored) {
             EXPECT_TRUE(after->is_idle());
         }
     }
+}
+
+TEST(x11_image, no_buffer_is_free_before_the_server_has_read_it) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto window = open_window(odd_size);
+    auto picture = random_picture(odd_size, 8);
+    std::string why;
+    const auto shared = make_x11_image_shm(*window, odd_size, why);
+    ASSERT_NE(shared, nullptr) << why;
+    const auto wired = make_x11_image_put(*window, odd_size);
+    server.pause();
+    const auto puts_until_full = [&](x11_image& image) {
+        int count = 0;
+        while (image.is_free()) {
+            image.put(picture.pixels(), {});
+            ++count;
+        }
+        return count;
+    };
+    EXPECT_EQ(puts_until_full(*shared), 2);
+    EXPECT_EQ(puts_until_full(*wired), 1);
+    server.resume();
+    // All answers are there, and each image takes its own.
+    XSync(window->display(), False);
+    int by_shared = 0, by_wired = 0;
+    while (XPending(window->display()) > 0) {
+        XEvent event;
+        XNextEvent(window->display(), &event);
+        by_shared += shared->take(event);
+        by_wired += wired->take(event);
+    }
+    EXPECT_EQ(by_shared, 2);
+    EXPECT_EQ(by_wired, 1);
+    EXPECT_TRUE(shared->is_free() && wired->is_free());
 }
 
 TEST(x11_image, a_server_that_forgets_to_tell_is_found_out) {
