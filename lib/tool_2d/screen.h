@@ -12,6 +12,9 @@
 #include <string>
 
 /// A passive output device: it owns pixels and shows them; it draws nothing itself.
+///
+/// Expects: all calls from one thread, which for a window owns the connection to the display.
+///          Others may write into the pixels while that one is in no call.
 class l3d_screen : public l3d_event_source {
 public:
     /// The pixels to draw into. A resize event makes earlier views invalid.

@@ -3,6 +3,8 @@
 #include "onlooker_x11.h"
 
 #include "tool_2d/x11_scale_p.h"
+#include "tool_2d/x11_visual_p.h"
+#include "tool_2d/x11_window_p.h"
 
 #include <array>
 #include <utility>
@@ -111,6 +113,20 @@ TEST(x11_window, a_size_that_x_cannot_count_is_refused) {
     EXPECT_EQ(l3d_screen_factory_ximage().create(request, refusal), nullptr);
     EXPECT_EQ(refusal.how, l3d_service::level::not_here);
     EXPECT_EQ(refusal.why, "the X server does not make a window of 16383x5 at scale 3");
+}
+
+TEST(x11_window, an_error_of_the_server_is_a_refusal) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    std::string why;
+    auto connection = x11_connection::open(why);
+    auto visual = choose_x11_visual(*connection, why);
+    ASSERT_TRUE(visual) << why;
+    visual->layout.depth = 32; // not this visual's
+    l3d_service refusal;
+    EXPECT_EQ(x11_window::open(std::move(connection), *visual, {odd_size, "no"}, refusal), nullptr);
+    EXPECT_EQ(refusal.how, l3d_service::level::not_here);
+    EXPECT_EQ(refusal.why, "the X server does not make a window of 141x83");
 }
 
 /// The scale on a display with these resources; for the width that a picture shall have.
