@@ -24,8 +24,6 @@ private:
 
     void do_release() const override { windows_.release(); }
 
-    void do_release() const override { windows_.release(); }
-
     /// One probe for each way to GL, with the renderer. The display is for others to tell of.
     void do_diagnose(l3d_probes& probes) const override;
 
