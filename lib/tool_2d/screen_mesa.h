@@ -14,7 +14,7 @@
 class l3d_screen_factory_mesa final : public l3d_screen_factory {
 private:
     /// Errors:  not_here, with one line that has all reasons and what to install; display_lost.
-    /// Cost:    a GL context and a connection, both closed again.
+    /// Cost:    a GL context, closed again, and what windows cost.
     l3d_service do_service() const override;
 
     /// Errors:  null: no memory, display lost. Whether there is GL is not asked again: the
