@@ -3,10 +3,10 @@
 """The same picture on every kind of display, as its pixels allow."""
 
 import harness
-from harness import Checks, Shown, expect, expect_equal, memory_picture, wait_for, x_server
+from harness import Checks, Shown, expect_equal, memory_picture, wait_for, x_server
 from x_proxy import Proxy
 
-BACKENDS = ("ximage",)
+BACKENDS = ("ximage", "xshm")
 TEAPOT = harness.PROGRAMS[-1]
 COLOURED = ("--shade", "normals")  # tells red from blue
 
@@ -40,6 +40,55 @@ def shows_exactly(backend, depth, display_of=None, **faults):
                 it.expect_end(0)
 
 
+# How far a channel may be off on each class of 8-bit display: less than the step between two of
+# its levels, since a dither shows one of the two around a value. In the mean, over a smooth picture,
+# it is off by less than a quarter of that. Grays are compared with the brightness of the colour.
+THREE_THREE_TWO = (255 / 7, 255 / 7, 255 / 3)
+FARTHEST = {
+    "StaticGray": (0,),
+    "GrayScale": (255 / 31,),
+    "StaticColor": THREE_THREE_TWO,
+    "PseudoColor": 3 * (255 / 4,),
+    "TrueColor": THREE_THREE_TWO,
+    "DirectColor": THREE_THREE_TWO,
+}
+CLASSES = list(FARTHEST)  # in the order of X's numbers
+
+
+def channels(word, count):
+    """Red, green and blue, or, if one is asked for, the brightness by ITU-R BT.601."""
+    red, green, blue = word >> 16, word >> 8 & 255, word & 255
+    return (red, green, blue) if count > 1 else ((red * 299 + green * 587 + blue * 114 + 500) // 1000,)
+
+
+def shows_closely(name):
+    """Whatever the default is, for a visual with alpha is no better one."""
+    number = str(CLASSES.index(name))
+    with x_server("-screen", "0", "300x200x8", "-cc", number) as server:
+        with Shown(TEAPOT, server, "--backend", "ximage", *COLOURED) as it:
+            depth, kind, _, map_of = it.eyes.visual(it.window)
+            expect_equal((depth, CLASSES[kind]), (8, name))
+            wanted = memory_picture(TEAPOT, *COLOURED)
+            pixels = lambda: it.eyes.pixels(it.window, *TEAPOT.size)
+            wait_for(lambda: is_close(pixels(), map_of, wanted, FARTHEST[name]), "a close picture")
+            it.press("q")
+            it.expect_end(0)
+
+
+def is_close(pixels, map_of, wanted, farthest):
+    """All differences, and their mean; a picture that is not there yet is far."""
+    shown = [map_of[pixel] for row in pixels for pixel in row]
+    words = [word for row in wanted for word in row]
+    for at, limit in enumerate(farthest):
+        differences = [
+            abs(channels(colour, len(farthest))[at] - channels(word, len(farthest))[at])
+            for colour, word in zip(shown, words)
+        ]
+        if max(differences) > limit or sum(differences) > limit / 4 * len(differences):
+            return False
+    return True
+
+
 def main():
     checks = Checks()
     for backend in BACKENDS:
@@ -50,6 +99,8 @@ def main():
         for depth in (24,) if "bpp24" in told else (16, 24, 30):
             name = "visual.%s.depth_%d" % ("_".join(told), depth)
             checks.run(name, lambda: shows_exactly("ximage", depth, **told))
+    for name in CLASSES:
+        checks.run("visual.closely." + name, shows_closely, name)
     checks.finish()
 
 

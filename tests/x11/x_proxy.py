@@ -50,16 +50,29 @@ class Traffic:
     """What passed so far; one can be subtracted from a later one."""
 
     requests: list = field(default_factory=list)  # names in order
+    times: list = field(default_factory=list)  # of the requests, in seconds
     replied: list = field(default_factory=list)  # those that had a reply: round trips
     bytes_up: int = 0
     bytes_down: int = 0
 
     def copy(self):
-        return replace(self, requests=self.requests[:], replied=self.replied[:])
+        return replace(
+            self, requests=self.requests[:], times=self.times[:], replied=self.replied[:]
+        )
+
+    def add_request(self, name, size):
+        self.requests.append(name)
+        self.times.append(time.monotonic())
+        self.bytes_up += size
+
+    def add_answer(self, replied, size):
+        self.replied.extend(replied)
+        self.bytes_down += size
 
     def __sub__(self, earlier):
         return Traffic(
             self.requests[len(earlier.requests) :],
+            self.times[len(earlier.times) :],
             self.replied[len(earlier.replied) :],
             self.bytes_up - earlier.bytes_up,
             self.bytes_down - earlier.bytes_down,
@@ -129,8 +142,7 @@ class Connection:
     def pass_request(self, request):
         name = x11.request_name(request, self.extensions)
         sent, change = self.changed(name, request)
-        self.traffic.requests.append(name)
-        self.traffic.bytes_up += len(request)
+        self.traffic.add_request(name, len(request))
         self.asked[len(self.traffic.requests) & 0xFFFF] = name, change
         is_last = self.proxy.note(name, len(request))
         self.up.write(sent)
@@ -199,15 +211,14 @@ class Connection:
 
     def pass_answer(self, answer):
         self.proxy.await_permission()
-        if answer[0] in (x11.REPLY, x11.ERROR):
+        replied = []
+        if answer[0] == x11.REPLY:
             number = x11.sequence_of(answer, self.order)
             name, change = self.asked.get(number, ("", None))
-            if answer[0] == x11.REPLY:
-                answer = change(answer) if change else answer
-                self.traffic.replied.append(name)
-                self.proxy.traffic.replied.append(name)
-        self.traffic.bytes_down += len(answer)
-        self.proxy.traffic.bytes_down += len(answer)
+            answer = change(answer) if change else answer
+            replied.append(name)
+        for traffic in (self.traffic, self.proxy.traffic):
+            traffic.add_answer(replied, len(answer))
         self.down.write(answer)
 
     def converted_reply(self, reply, kind, width):
@@ -320,8 +331,7 @@ class Proxy:
         """Counts a request that is about to pass. Returns whether the display dies of it; then,
         and when all freezes, nothing comes back any more."""
         with self.lock:
-            self.traffic.requests.append(name)
-            self.traffic.bytes_up += size
+            self.traffic.add_request(name, size)
             count = len(self.traffic.requests)
         if count in (self.faults.die_after, self.faults.freeze_after):
             self.running.clear()

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""When pictures travel, and how much of them: pace, a network, a storm of sizes."""
+
+import os
+import signal
+import statistics
+import time
+
+import harness
+from display_test import MOVING, PICTURES, TEAPOT, is_quiet, pictures, resident_bytes
+from harness import Checks, Shown, expect, expect_equal, wait_for, x_server, xdotool
+from x_proxy import Proxy
+
+PERIOD = 1 / 60
+REMOTE_RATE = 15  # pictures per second over a network, unless --fps says otherwise
+
+
+def times_of_pictures(traffic):
+    return [at for name, at in zip(traffic.requests, traffic.times) if name in PICTURES]
+
+
+def keeps_its_pace(backend, count=60):
+    """Sixty pictures per second; those that were missed are not made up for."""
+    with x_server() as server, Proxy(server.display) as proxy:
+        with Shown(TEAPOT, server, "--backend", backend, *MOVING[TEAPOT],
+                   display=proxy.display) as it:
+            mark = proxy.mark()
+            wait_for(lambda: pictures(proxy.mark() - mark) > count, "pictures")
+            times = times_of_pictures(proxy.mark() - mark)
+            # The grid of times stays where it is, so late pictures change neither of these.
+            period = statistics.median(after - at for at, after in zip(times, times[1:]))
+            expect(abs(period - PERIOD) < 0.2e-3, "seconds from picture to picture", period)
+            missed = round((times[-1] - times[0]) / PERIOD) - len(times) + 1
+            expect(0 <= missed < len(times), "pictures missed", missed)
+
+            it.process.send_signal(signal.SIGSTOP)
+            time.sleep(1.5)
+            mark = proxy.mark()
+            it.process.send_signal(signal.SIGCONT)
+            wait_for(lambda: pictures(proxy.mark() - mark) > count / 2, "pictures after a stop")
+            times = times_of_pictures(proxy.mark() - mark)
+            most = (times[-1] - times[0]) / PERIOD + 3
+            expect(len(times) <= most, "a burst of pictures", len(times), most)
+            it.press("q")
+            it.expect_end(0)
+
+
+def goes_slowly_over_a_network(backend):
+    with x_server() as server, Proxy(server.display) as proxy:
+        with Shown(TEAPOT, server, "--backend", backend, *MOVING[TEAPOT],
+                   display=proxy.tcp_display):
+            mark = proxy.mark()
+            wait_for(lambda: pictures(proxy.mark() - mark) > REMOTE_RATE, "pictures")
+            times = times_of_pictures(proxy.mark() - mark)
+            rate = (len(times) - 1) / (times[-1] - times[0])
+            expect(rate < 1.1 * REMOTE_RATE, "pictures per second", rate)
+
+
+def sends_only_what_changed():
+    """Over a network a line of text on the picture costs less than a twentieth of it."""
+    width, height = 1024, 768  # 48 bands of 16 rows; the text may lie in two
+    program = harness.Program("teapot_afd", (width, height))
+    screen = ("-screen", "0", "1100x800x24")
+    with x_server(*screen) as server, Proxy(server.display) as proxy, harness.folder() as path:
+        with Shown(program, server, "--backend", "ximage", display=proxy.tcp_display,
+                   cwd=path) as it:
+            wait_for(lambda: pictures(proxy.mark()) and is_quiet(proxy), "the first picture")
+            mark, before = proxy.mark(), it.picture()
+            it.press("s")  # the name of the file is shown
+            wait_for(lambda: os.path.exists(os.path.join(path, "l3d-0001.png")), "the file")
+            wait_for(lambda: it.picture() != before and is_quiet(proxy), "the line of text")
+            sent = (proxy.mark() - mark).bytes_up
+            expect(0 < sent < 4 * width * height / 20, "bytes", sent)
+
+
+def weathers_a_storm_of_sizes(backend, count=300):
+    """The picture has the last size, and memory did not grow with their number."""
+    last = (233, 144)
+    with x_server() as server, Proxy(server.display) as proxy:
+        with Shown(TEAPOT, server, "--backend", backend, display=proxy.display) as it:
+            steps = []
+            for i in range(count):
+                steps += ["windowsize", it.window, 60 + 7 * i % 301, 50 + 11 * i % 211]
+            storm = lambda: xdotool(server.display, *steps, "windowsize", it.window, *last)
+            storm()
+            wait_for(lambda: it.eyes.picture(it.window, *last) and is_quiet(proxy), "the last size")
+            size, mark = resident_bytes(it.process), proxy.mark()
+            storm()
+            wait_for(lambda: is_quiet(proxy), "rest")
+            grown = resident_bytes(it.process) - size
+            expect(grown < 4 << 20, "bytes more in memory", grown)
+            made = (proxy.mark() - mark).requests.count("MIT-SHM.Attach")
+            expect(made <= count + 1, "segments made", made)
+            wanted = harness.memory_picture(harness.Program("teapot_afd", last))
+            expect(it.eyes.picture(it.window, *last) == wanted, "another picture")
+            it.press("q")
+            it.expect_end(0)
+
+
+def main():
+    checks = Checks()
+    for backend in ("ximage", "xshm"):
+        for check in (keeps_its_pace, goes_slowly_over_a_network, weathers_a_storm_of_sizes):
+            checks.run("wire.%s.%s" % (backend, check.__name__), check, backend)
+    checks.run("wire.sends_only_what_changed", sends_only_what_changed)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
