@@ -22,9 +22,16 @@ namespace l3d_detail {
 struct x11_handlers {
     std::mutex mutex;
     std::vector<x11_connection*> connections;
+    std::vector<Display*> lost;
     XErrorHandler previous_error = nullptr;
     XIOErrorHandler previous_io_error = nullptr;
     struct sigaction previous_pipe {};
+
+    /// Of a display that is not closed there is one record more until the end of the program.
+    void keep_lost(Display* display) {
+        const std::lock_guard lock(mutex);
+        lost.push_back(display);
+    }
 
     static bool is_default(const struct sigaction& action) {
         return (action.sa_flags & SA_SIGINFO) == 0 && action.sa_handler == SIG_DFL;
@@ -151,16 +158,24 @@ std::unique_ptr<x11_connection> x11_connection::open(std::string& why) {
 x11_connection::x11_connection(const char* name) {
     x11_handlers::instance().add(*this);
     display_ = open_display(name);
-    if (display_ != nullptr)
-        XSetIOErrorExitHandler(display_, x11_handlers::on_io_exit, this);
+    if (display_ == nullptr)
+        return;
+    XSetIOErrorExitHandler(display_, x11_handlers::on_io_exit, this);
+    // Asked now, because a connection that broke has no other end.
+    sockaddr_storage peer{};
+    socklen_t size = sizeof peer;
+    local_ =
+        getpeername(ConnectionNumber(display_), reinterpret_cast<sockaddr*>(&peer), &size) != 0 ||
+        peer.ss_family == AF_UNIX;
 }
 
 x11_connection::~x11_connection() {
     if (display_ == nullptr) {
         // There is nothing to end.
     } else if (lost_) {
-        // Xlib's extensions may be half set up, and crash XCloseDisplay. Its record stays behind.
+        // Xlib's extensions may be half set up, and crash XCloseDisplay.
         close(ConnectionNumber(display_));
+        x11_handlers::instance().keep_lost(display_);
     } else {
         leave();
         XCloseDisplay(display_);
@@ -184,14 +199,6 @@ void x11_connection::leave() {
     shutdown(server, SHUT_RD);
     if (!lost_)
         XEventsQueued(display_, QueuedAfterReading);
-}
-
-bool x11_connection::is_local() const {
-    sockaddr_storage peer{};
-    socklen_t size = sizeof peer;
-    return getpeername(ConnectionNumber(display_), reinterpret_cast<sockaddr*>(&peer), &size) ==
-               0 &&
-           peer.ss_family == AF_UNIX;
 }
 
 void x11_connection::keep(const failure& error) {

@@ -38,7 +38,7 @@ public:
     std::string name() const { return DisplayString(display_); }
 
     /// Whether the server is reached without a network, so that it can share memory with us.
-    bool is_local() const;
+    bool is_local() const { return local_; }
 
     /// Whether it has been proven that the server attaches our segments, and not others.
     bool shares_memory() const { return shares_memory_; }
@@ -83,6 +83,7 @@ private:
     void leave();
 
     Display* display_ = nullptr;
+    bool local_ = false;
     bool lost_ = false;
     bool shares_memory_ = false;
     unsigned long trap_serial_ = 0; ///< first request whose errors are asked for; 0: none
