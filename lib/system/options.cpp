@@ -93,6 +93,10 @@ l3d_options::l3d_options(std::string program, const std::string& purpose, l3d_si
     parser_->app.set_version_flag(
         "--version", program_ + " (l3d) " + version_number + ", real numbers: " + l3d_real_name(),
         "the version");
+    parser_->app.footer(
+        "Environment: DISPLAY; L3D_BACKEND, as --backend; L3D_NO_SHM, if not empty: "
+        "share no memory\nwith the display; L3D_MESA=auto|egl|osmesa, where to look "
+        "for software GL.");
     parser_->app.allow_extras();
     parser_->app.get_formatter()->column_width(34);
     add_common(default_size);

@@ -167,9 +167,9 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(options, help_names_options_and_defaults) {
     program tester;
     EXPECT_FALSE(tester.parse({"--frames", "3", "--help"}));
-    for (const char* text :
-         {"tester", "Tests.", "--backend", "--no-input", "640x400", "--frames", "--fps", "--seed",
-          "--output", "--version", "0.25", "1.5,-2,7", "apple|quince"})
+    for (const char* text : {"tester", "Tests.", "--backend", "--no-input", "640x400", "--frames",
+                             "--fps", "--seed", "--output", "--version", "0.25", "1.5,-2,7",
+                             "apple|quince", "L3D_BACKEND", "L3D_NO_SHM", "L3D_MESA"})
         EXPECT_NE(tester.out.str().find(text), std::string::npos) << text;
 }
 
