@@ -31,10 +31,11 @@ public:
     /// Errors:  null, with `refusal` filled: a map that nobody can change has too few colours, or
     ///          the server went away.
     /// Lives:   the connection outlives the colormap.
-    /// Cost:    with masks nothing, or one request; with static maps one round trip; in a shared
-    ///          map one for each cell, since X gives them singly: at most 216, and in a full map
-    ///          one more for each of its 256 cells that turns out to be private. That is 10 ms
-    ///          locally, and 4 s or 10 s on a line of 20 ms.
+    /// Cost:    with masks nothing, or one request; with static maps one round trip. A shared map
+    ///          gives cells singly: a round trip for each, and four to look. That is at most 220
+    ///          if there is room, 5 ms locally and 4 s on a line of 20 ms; and three times as many
+    ///          if there is none: 216 + 125 + 64 tries for the three cubes, and one for each of
+    ///          256 cells that turn out to be private.
     static std::unique_ptr<x11_colormap> make(const x11_connection& connection,
                                               const x11_visual& visual, l3d_service& refusal);
 
