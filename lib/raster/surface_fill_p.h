@@ -4,11 +4,11 @@
 #define L3D_RASTER_SURFACE_FILL_P_H
 
 #include "raster/attribute_plane_p.h"
+#include "raster/projective_centre_p.h"
 #include "raster/surface_target_p.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -56,25 +56,8 @@ private:
     using planes = attribute_planes<count>;
     using numbers = typename planes::numbers;
 
-    /// Four triangles around the mean of the corners, taken before projection. Its w is the mean w,
-    /// its picture position and normal are means weighted by w.
     void folded(const std::array<l3d_micro_vertex, 4>& v) {
-        double sum = 0, x = 0, y = 0;
-        std::array<double, 3> normal{0, 0, 0};
-        for (const l3d_micro_vertex& corner : v) {
-            const double w = 1.0 / double(corner.inv_w);
-            sum += w;
-            x += w * corner.x;
-            y += w * corner.y;
-            for (std::size_t i = 0; i < normal.size(); ++i)
-                normal[i] += w * double(corner.normal[i]);
-        }
-        l3d_micro_vertex centre;
-        centre.x = static_cast<std::int32_t>(std::lrint(x / sum));
-        centre.y = static_cast<std::int32_t>(std::lrint(y / sum));
-        centre.inv_w = static_cast<float>(4.0 / sum);
-        for (std::size_t i = 0; i < normal.size(); ++i)
-            centre.normal[i] = static_cast<float>(normal[i] / sum);
+        const l3d_micro_vertex centre = projective_centre(v);
         for (std::size_t i = 0; i < v.size(); ++i)
             triangle({v[i], v[(i + 1) % v.size()], centre});
     }

@@ -2,10 +2,11 @@
 // l3d_surface_rasterizer_mesa: the shaders, and triangles for them.
 #include "raster/surface_rasterizer_mesa.h"
 
+#include "raster/projective_centre_p.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -74,25 +75,6 @@ bool is_folded(const std::array<l3d_micro_vertex, 4>& v) {
         right |= turn > 0;
     }
     return left && right;
-}
-
-/// The mean of the corners before projection: with w = 1 / inv_w it is at sum(w p) / sum(w).
-l3d_micro_vertex projective_centre(const std::array<l3d_micro_vertex, 4>& v) {
-    double sum = 0, x = 0, y = 0;
-    std::array<double, 3> normal{};
-    for (const l3d_micro_vertex& corner : v) {
-        const double w = 1 / double(corner.inv_w);
-        sum += w;
-        x += w * corner.x;
-        y += w * corner.y;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            normal[axis] += w * double(corner.normal[axis]);
-    }
-    const auto mean = [sum](double total) { return static_cast<float>(total / sum); };
-    return {static_cast<std::int32_t>(std::lrint(x / sum)),
-            static_cast<std::int32_t>(std::lrint(y / sum)),
-            static_cast<float>(4 / sum),
-            {mean(normal[0]), mean(normal[1]), mean(normal[2])}};
 }
 
 l3d_micro_vertex mean_normal(std::span<const l3d_micro_vertex> polygon, l3d_micro_vertex corner) {
