@@ -38,7 +38,8 @@ struct x11_handlers {
     }
 
     static x11_handlers& instance() {
-        static x11_handlers handlers;
+        // Not destroyed at the end of the program, when lost displays have to be known still.
+        static auto& handlers = *std::make_unique<x11_handlers>().release();
         return handlers;
     }
 
