@@ -29,7 +29,6 @@ public:
           bytes_(ximage_size(*ximage_)),
           stale_(static_cast<std::size_t>((ximage_->height + band_height - 1) / band_height)),
           echo_(window), is_local_(window.connection().is_local()) {
-        next_row_ = ximage_->height;
         if (!is_local_)
             row_.resize(ximage_row_size(*ximage_));
     }
@@ -37,7 +36,7 @@ public:
 private:
     bool do_is_free() const override { return do_is_idle(); }
     bool do_is_idle() const override { return !is_sending() && !echo_.is_awaited(); }
-    bool do_is_sending() const override { return next_row_ < ximage_->height; }
+    bool do_is_sending() const override { return is_sending_; }
 
     void do_put(const l3d_pixels& picture, time_point deadline) override {
         assert(ximage_->width == picture.width * writer_.scale() &&
@@ -54,6 +53,7 @@ private:
         ximage_->data = is_copied ? reinterpret_cast<char*>(bytes_.data())
                                   : reinterpret_cast<char*>(picture.words);
         next_row_ = 0;
+        is_sending_ = std::ranges::find(stale_, true) != stale_.end();
         send(deadline);
         if (!is_copied)
             keep_rest();
@@ -87,24 +87,32 @@ private:
         return row;
     }
 
+    /// Each piece, and the question at the end, goes when there is room for it. Even a small
+    /// request would block right after a large one.
     void send(time_point deadline) {
-        bool is_sent = false;
-        for (;;) {
-            while (is_sending() && !is_stale(next_row_))
+        while (is_sending()) {
+            while (next_row_ < ximage_->height && !is_stale(next_row_))
                 ++next_row_;
-            if (!is_sending())
-                break;
             if (!window_.connection().wait_writable(deadline))
                 return;
-            const int end = end_of_piece();
-            XPutImage(window_.display(), window_.id(), window_.graphics(), ximage_.get(), 0,
-                      next_row_, 0, next_row_, static_cast<unsigned>(ximage_->width),
-                      static_cast<unsigned>(end - next_row_));
-            next_row_ = end;
-            is_sent = true;
+            if (next_row_ < ximage_->height)
+                send_piece();
+            else
+                ask();
         }
-        if (is_sent)
-            echo_.ask();
+    }
+
+    void send_piece() {
+        const int end = end_of_piece();
+        XPutImage(window_.display(), window_.id(), window_.graphics(), ximage_.get(), 0, next_row_,
+                  0, next_row_, static_cast<unsigned>(ximage_->width),
+                  static_cast<unsigned>(end - next_row_));
+        next_row_ = end;
+    }
+
+    void ask() {
+        echo_.ask();
+        is_sending_ = false;
     }
 
     /// What is not sent yet becomes ours.
@@ -116,10 +124,7 @@ private:
         ximage_->data = reinterpret_cast<char*>(bytes_.data());
     }
 
-    void do_look_after() override {
-        if (is_sending())
-            send({});
-    }
+    void do_look_after() override { send({}); }
 
     void do_forget_shown() override { is_forgotten_ = true; }
     bool do_take(const XEvent& event) override { return echo_.take(event); }
@@ -134,7 +139,8 @@ private:
     std::vector<std::uint8_t> bytes_; ///< what is to be sent; over a network also what was
     std::vector<std::uint8_t> row_;   ///< what may become part of it
     std::vector<bool> stale_;         ///< bands that differ from what the window shows
-    int next_row_ = 0;                ///< above it all is sent; the height if that is all there is
+    int next_row_ = 0;                ///< above it all is sent
+    bool is_sending_ = false;         ///< pieces, or the question at the end
     x11_echo echo_;
     bool is_local_;
     bool is_forgotten_ = true; ///< nothing is known of what the window shows
