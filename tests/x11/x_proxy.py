@@ -272,7 +272,7 @@ class Proxy:
         self.traffic = Traffic()
         self.connections = []
         self.lock = threading.Lock()
-        self.is_listening = True
+        self.is_listening = False
         self.running = threading.Event()
         self.running.set()
         if self.faults.freeze_after == 0:
@@ -290,20 +290,27 @@ class Proxy:
         self.close()
 
     def listen(self):
-        for number in range(FIRST_DISPLAY + os.getpid() % 500, LAST_DISPLAY):
-            self.path = "/tmp/.X11-unix/X%d" % number
-            unix, tcp = socket.socket(socket.AF_UNIX), socket.socket()
-            try:
-                unix.bind(self.path)
-                tcp.bind(("127.0.0.1", FIRST_PORT + number))
-                break
-            except OSError:  # taken
-                continue
+        first = FIRST_DISPLAY + os.getpid() % 500
+        number = next(each for each in range(first, LAST_DISPLAY) if self.takes(each))
         self.display = ":%d" % number
         self.tcp_display = "127.0.0.1:%d" % number
-        self.listeners = unix, tcp
         for listener in self.listeners:
             listener.listen(8)
+        self.is_listening = True
+
+    def takes(self, number):
+        """Makes the sockets of this display, unless there is one already."""
+        self.path = "/tmp/.X11-unix/X%d" % number
+        self.listeners = tcp, unix = socket.socket(), socket.socket(socket.AF_UNIX)
+        try:
+            # A port is given back by the kernel, a path by us: whoever has the port has both.
+            tcp.bind(("127.0.0.1", FIRST_PORT + number))
+            unix.bind(self.path)
+        except OSError:
+            tcp.close()
+            unix.close()
+            return False
+        return True
 
     def accept_all(self, listener):
         with contextlib.suppress(OSError):
@@ -316,13 +323,14 @@ class Proxy:
                 self.connections[-1].start()
 
     def close(self):
-        self.is_listening = False
-        with contextlib.suppress(FileNotFoundError):
-            os.unlink(self.path)
-        for listener in self.listeners:
-            with contextlib.suppress(OSError):
-                listener.shutdown(socket.SHUT_RDWR)
-            listener.close()
+        with self.lock:
+            was_listening, self.is_listening = self.is_listening, False
+        if was_listening:
+            os.unlink(self.path)  # while we have the port; then both are somebody else's
+            for listener in self.listeners:
+                with contextlib.suppress(OSError):
+                    listener.shutdown(socket.SHUT_RDWR)
+                listener.close()
         for connection in self.connections:
             connection.close()
         self.running.set()
