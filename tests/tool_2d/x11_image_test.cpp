@@ -7,6 +7,7 @@
 #include "tool_2d/x11_image_p.h"
 
 #include <thread>
+#include <vector>
 
 #include <linux/tcp.h>
 #include <netinet/in.h>
@@ -77,6 +78,26 @@ TEST(x11_image, answers_to_an_image_that_was_replaced_are_ignored) {
             EXPECT_TRUE(after->is_idle());
         }
     }
+}
+
+TEST(x11_image, an_old_answer_is_not_taken_for_a_new_one) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto window = open_window(odd_size);
+    auto picture = random_picture(odd_size, 8);
+    auto image = make_x11_image_put(*window, odd_size);
+    image->put(picture.pixels(), steady_clock::now() + patience);
+    image = make_x11_image_put(*window, odd_size);
+    image->put(picture.pixels(), steady_clock::now() + patience);
+    std::vector<bool> taken;
+    XSync(window->display(), False);
+    while (XPending(window->display()) > 0) {
+        XEvent event;
+        XNextEvent(window->display(), &event);
+        if (event.type == ClientMessage)
+            taken.push_back(image->take(event));
+    }
+    EXPECT_EQ(taken, (std::vector{false, true}));
 }
 
 TEST(x11_image, no_buffer_is_free_before_the_server_has_read_it) {
