@@ -18,11 +18,16 @@ using l3d_detail::stopwatch;
 
 constexpr std::uint32_t wire_color = 0x0080d0ff, net_color = 0x00ff9030;
 
-l3d_shading shading_of(const l3d_afd_settings& settings) {
-    const auto light = l3d_normalized(settings.light);
-    return {
-        settings.shade,
-        {static_cast<float>(light[0]), static_cast<float>(light[1]), static_cast<float>(light[2])}};
+std::array<float, 3> to_floats(const l3d_camera::vector& v) {
+    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+l3d_shading shading_of(const l3d_afd_settings& settings, const l3d_camera& camera, l3d_size size) {
+    const l3d_camera::frame axes = camera.axes();
+    const auto corner = axes.forward * camera.focal_length(size) - axes.right * (size.width / 2.0) +
+                        axes.up * (size.height / 2.0);
+    return {settings.shade, to_floats(l3d_normalized(settings.light)), to_floats(corner),
+            to_floats(axes.right), to_floats(axes.up * -1.0)};
 }
 
 } // namespace
@@ -111,7 +116,8 @@ void l3d_pipeline_afd::place_patches() {
 /// Returns the milliseconds that filling took.
 double l3d_pipeline_afd::draw_surfaces() {
     dicer_.begin(view_);
-    surface_rasterizer_->begin(screen_->pixels(), depth_, shading_of(settings_));
+    surface_rasterizer_->begin(screen_->pixels(), depth_,
+                               shading_of(settings_, camera_, screen_->pixels().size()));
     const auto draw_into = [this](l3d_dice_sink& sink) {
         for (const placed_patch& p : placed_)
             dicer_.dice(p.net, model_.normals(p.index), sink);

@@ -4,6 +4,7 @@
 #define L3D_RASTER_SURFACE_FILL_P_H
 
 #include "raster/attribute_plane_p.h"
+#include "raster/facing_p.h"
 #include "raster/projective_centre_p.h"
 #include "raster/surface_target_p.h"
 
@@ -72,7 +73,7 @@ private:
         if (rows.top >= rows.bottom)
             return;
 
-        shader_.begin_polygon(v, area2 > 0 ? -1.0f : 1.0f);
+        shader_.begin_polygon(v, facing(v, target_.shading));
         std::array<numbers, Corners> values;
         float farthest = v[0].inv_w, nearest = v[0].inv_w;
         for (std::size_t i = 0; i < Corners; ++i) {

@@ -24,6 +24,10 @@ enum class l3d_shade {
 struct l3d_shading {
     l3d_shade mode = l3d_shade::lambert;
     std::array<float, 3> light{0, 0, 1}; ///< unit vector towards the light, world space
+
+    /// From the eye through the picture's top left corner, and what a pixel to the right and one
+    /// down add to that. World space, any length.
+    std::array<float, 3> ray{0, 0, -1}, ray_right{}, ray_down{};
 };
 
 /// What one frame cost.
@@ -37,8 +41,8 @@ struct l3d_surface_counts {
 ///
 /// A pixel belongs to a polygon if its centre (x + 1/2, y + 1/2) is inside, or on a left or top
 /// edge; vertices are exact 1/256 pixel integers and the rule is evaluated exactly, so polygons
-/// that share an edge cover each pixel once: no gap, no double hit. Surfaces are two-sided: the
-/// normal is turned to the eye by the polygon's orientation in the picture.
+/// that share an edge cover each pixel once: no gap, no double hit. Surfaces are two-sided: a
+/// polygon's normals are turned to the eye, all or none.
 /// The nearer (larger inv_w) sample wins; of equals, the first.
 class l3d_surface_rasterizer {
 public:

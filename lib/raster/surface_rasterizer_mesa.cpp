@@ -2,6 +2,7 @@
 // l3d_surface_rasterizer_mesa: the shaders, and triangles for them.
 #include "raster/surface_rasterizer_mesa.h"
 
+#include "raster/facing_p.h"
 #include "raster/projective_centre_p.h"
 
 #include <algorithm>
@@ -26,28 +27,27 @@ const mesa_target::program_text shaded_surfaces{.vertex = R"(#version 120
         uniform vec3 light;
         varying float inv_w;
         varying vec3 direction;
-        varying vec2 greys;
+        varying float grey;
         float intensity(float cosine) { return 0.1 + 0.9 * clamp(cosine, 0.0, 1.0); }
         void main() {
             gl_Position = vec4((position.xy - middle) * (1.0 / 8192.0), 0.0, 1.0);
             inv_w = position.z;
             direction = normal;
             float cosine = dot(light, normal) / sqrt(max(dot(normal, normal), 1.2e-38));
-            greys = vec2(intensity(-cosine), intensity(cosine));
+            grey = intensity(cosine);
         })",
                                                 .fragment = R"(#version 120
         uniform int shade;
         uniform vec3 light;
         varying float inv_w;
         varying vec3 direction;
-        varying vec2 greys;
+        varying float grey;
         vec3 shaded() {
-            float side = gl_FrontFacing ? -1.0 : 1.0; // GL's front has y up
             if (shade == 1)
-                return vec3(gl_FrontFacing ? greys.x : greys.y);
+                return vec3(grey);
             if (shade == 4)
                 return direction;
-            vec3 unit = side * direction / sqrt(max(dot(direction, direction), 1.2e-38));
+            vec3 unit = direction / sqrt(max(dot(direction, direction), 1.2e-38));
             if (shade == 3)
                 return 0.5 * (unit + 1.0);
             return vec3(0.1 + 0.9 * clamp(dot(light, unit), 0.0, 1.0));
@@ -150,13 +150,14 @@ void l3d_surface_rasterizer_mesa::add(std::span<const l3d_micro_vertex> convex) 
     const auto part = [this](int shift) { // of the error colour
         return static_cast<float>(error_color_ >> shift & 255) / 255.0f;
     };
+    const float side = facing(convex, shading_);
     const auto add_corner = [&](const l3d_micro_vertex& corner) {
         const l3d_micro_vertex v =
             shading_.mode == l3d_shade::flat ? mean_normal(convex, corner) : corner;
-        vertex& made =
-            batch_.emplace_back(vertex{{static_cast<float>(v.x) / l3d_subpixel_one,
-                                        static_cast<float>(v.y) / l3d_subpixel_one, v.inv_w},
-                                       {v.normal[0], v.normal[1], v.normal[2]}});
+        vertex& made = batch_.emplace_back(
+            vertex{{static_cast<float>(v.x) / l3d_subpixel_one,
+                    static_cast<float>(v.y) / l3d_subpixel_one, v.inv_w},
+                   {side * v.normal[0], side * v.normal[1], side * v.normal[2]}});
         if (shading_.mode == l3d_shade::error)
             made = {{made.position[0], made.position[1], made.position[2]},
                     {part(16), part(8), part(0)}};

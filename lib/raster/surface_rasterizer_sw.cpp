@@ -51,18 +51,18 @@ void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer& de
     target_.depth = &depth;
     target_.scan.set_height(target.height);
     target_.counts = {};
-    shading_ = shading;
+    target_.shading = shading;
 }
 
 /// Calls draw with a filler for the frame's shader: one switch per draw call, none per pixel.
 template <class Draw> void l3d_surface_rasterizer_sw::with_shader(const Draw& draw) {
-    switch (shading_.mode) {
+    switch (target_.shading.mode) {
     case l3d_shade::lambert:
-        return draw(surface_fill(target_, lambert_shader(shading_.light)));
+        return draw(surface_fill(target_, lambert_shader(target_.shading.light)));
     case l3d_shade::gouraud:
-        return draw(surface_fill(target_, gouraud_shader(shading_.light)));
+        return draw(surface_fill(target_, gouraud_shader(target_.shading.light)));
     case l3d_shade::flat:
-        return draw(surface_fill(target_, flat_shader(shading_.light)));
+        return draw(surface_fill(target_, flat_shader(target_.shading.light)));
     case l3d_shade::normals:
         return draw(surface_fill(target_, normals_shader()));
     case l3d_shade::error:

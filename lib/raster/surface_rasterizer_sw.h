@@ -9,8 +9,7 @@
 /// Fills surfaces with exact integer coverage and attributes that are linear in the picture.
 ///
 /// A quad's attribute plane is the one through its two diagonals' differences and the mean of its
-/// corners, so no diagonal shows. A polygon whose corners a, b, c ... turn left as seen on the
-/// screen (negative area with y down) shows its front; for any other the normals are turned round.
+/// corners, so no diagonal shows.
 /// Units:   normals of 1e-18 to 1e18 in length; a zero normal gets the ambient grey, and the middle
 ///          grey in mode `normals`.
 /// Expects: begin before anything is drawn. One object serves one thread.
@@ -27,7 +26,6 @@ private:
     template <class Draw> void with_shader(const Draw& draw);
 
     l3d_detail::surface_target target_;
-    l3d_shading shading_;
     std::uint32_t error_color_ = 0x00ffffff;
 };
 

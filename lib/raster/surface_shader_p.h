@@ -15,7 +15,7 @@
 
 // A shader is a class with
 //   components            how many numbers are interpolated beside inv_w
-//   begin_polygon(v, s)   told the corners and s = +1 if they show their front, else -1
+//   begin_polygon(v, s)   told the corners and s = -1 if normals are to be turned round, else 1
 //   corner(v, out)        the numbers of one corner
 //   word(values)          the pixel word for interpolated numbers
 

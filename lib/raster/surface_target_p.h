@@ -12,6 +12,7 @@ namespace l3d_detail {
 struct surface_target {
     l3d_pixels pixels;
     l3d_depth_buffer* depth = nullptr;
+    l3d_shading shading;
     scan_polygon scan;
     l3d_surface_counts counts;
 };

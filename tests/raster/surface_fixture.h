@@ -20,12 +20,17 @@ struct surface_picture {
         depth.resize(size);
     }
 
+    /// Looks along -z.
     void begin(l3d_shade mode, std::array<float, 3> light = {0, 0, 1}) {
+        begin(l3d_shading{mode, light, {0, 0, -1}, {}, {}});
+    }
+
+    void begin(const l3d_shading& shading) {
         for (int y = 0; y < size.height; ++y)
             for (std::uint32_t& word : pixels().row(y))
                 word = 0;
         depth.clear();
-        rasterizer.begin(pixels(), depth, {mode, light});
+        rasterizer.begin(pixels(), depth, shading);
     }
 
     l3d_pixels pixels() { return {words.data(), size.width, size.height, size.width + gap}; }

@@ -75,12 +75,28 @@ TEST(SurfaceShading, DepthIsTheTwinsWithinTheBound) {
     EXPECT_GT(compared, 1000000);
 }
 
-/// The unit normal turned to the eye, from the twin.
-std::array<long double, 3> exact_normal(const reference::corners& v, int x, int y) {
+/// An eye that looks at a picture slantwise: rays differ from pixel to pixel.
+l3d_shading slanting(l3d_shade mode, std::array<float, 3> light) {
+    return {mode, light, {-0.4f, 0.3f, -1}, {0.05f, 0.01f, 0.02f}, {-0.01f, -0.06f, 0.03f}};
+}
+
+/// How far the normals of a polygon point away from the eye, all together.
+long double away_from_eye(const reference::corners& v, const l3d_shading& shading) {
+    long double away = 0;
+    for (const l3d_micro_vertex& corner : v)
+        for (std::size_t i = 0; i < 3; ++i)
+            away += corner.normal[i] * (static_cast<long double>(shading.ray[i]) +
+                                        corner.x / 256.0L * shading.ray_right[i] +
+                                        corner.y / 256.0L * shading.ray_down[i]);
+    return away;
+}
+
+/// The unit normal, turned round if sign is -1, from the twin.
+std::array<long double, 3> exact_normal(const reference::corners& v, int x, int y,
+                                        long double sign) {
     std::array<long double, 3> n{};
     for (int axis = 0; axis < 3; ++axis)
         n[static_cast<std::size_t>(axis)] = reference::at_centre(v, component(v, axis), x, y);
-    const long double sign = reference::area2(v) > 0 ? -1 : 1;
     const long double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     for (long double& c : n)
         c *= sign / length;
@@ -107,8 +123,13 @@ TEST(SurfaceShading, LambertAndNormalsAreTheTwinsWithinTheBound) {
         if (reference::pieces(v).size() != 1)
             continue;
         const long double allowed = allowed_error(v, 1);
-        grey_picture.begin(l3d_shade::lambert, light);
-        color_picture.begin(l3d_shade::normals);
+        const l3d_shading shading = slanting(l3d_shade::lambert, light);
+        const long double away = away_from_eye(v, shading);
+        // Twelve products of floats up to 2^15 * 0.06 are rounded to 2^-24 each, and their sums.
+        if (std::abs(away) < 0.01L)
+            continue; // either side may be the front
+        grey_picture.begin(shading);
+        color_picture.begin(slanting(l3d_shade::normals, light));
         grey_picture.draw(v);
         color_picture.draw(v);
         for (int y = 0; y < grey_picture.size.height; ++y)
@@ -119,7 +140,7 @@ TEST(SurfaceShading, LambertAndNormalsAreTheTwinsWithinTheBound) {
                 const long double turn = 4 * allowed / shortest(v, x, y);
                 if (!(turn < 0.001L))
                     continue;
-                const auto unit = exact_normal(v, x, y);
+                const auto unit = exact_normal(v, x, y, away > 0 ? -1 : 1);
                 const long double cosine = unit[0] * static_cast<long double>(light[0]) +
                                            unit[1] * static_cast<long double>(light[1]) +
                                            unit[2] * static_cast<long double>(light[2]);
@@ -177,6 +198,17 @@ TEST(SurfaceShading, SeenFromBehindTheNormalTurns) {
     picture.begin(l3d_shade::lambert, {0, 0, 1});
     picture.draw({cell[0], cell[1], cell[2]}); // a triangle by the same rule
     EXPECT_EQ(picture.word(6, 2), grey(255));
+}
+
+TEST(SurfaceShading, NormalsAndNotTheOrientationSayWhatIsTheFront) {
+    surface_picture picture(8, 6);
+    reference::corners cell = upright_cell();
+    std::swap(cell[1], cell[3]); // runs the other way round
+    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat}) {
+        picture.begin(mode, {0, 0, 1});
+        picture.draw(cell);
+        EXPECT_EQ(picture.word(3, 2), grey(255)) << static_cast<int>(mode);
+    }
 }
 
 TEST(SurfaceShading, GouraudInterpolatesTheCornersGreys) {
