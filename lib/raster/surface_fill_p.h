@@ -4,7 +4,6 @@
 #define L3D_RASTER_SURFACE_FILL_P_H
 
 #include "raster/attribute_plane_p.h"
-#include "raster/facing_p.h"
 #include "raster/projective_centre_p.h"
 #include "raster/surface_target_p.h"
 
@@ -12,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 
 namespace l3d_detail {
@@ -39,10 +39,18 @@ public:
         const bool turns_left = at_a <= 0 && at_b <= 0 && at_c <= 0 && at_d <= 0;
         if (turns_right && turns_left)
             return; // all on one line: covers nothing
-        if ((turns_right || turns_left) && area2 != 0)
-            convex(v, area2);
+        if (!(turns_right || turns_left) || area2 == 0)
+            return folded(v);
+        // A plane of the corners' numbers is taken where the diagonals' middles are. The farther
+        // these are apart, the farther it runs past the corners' numbers: by their range times
+        // skew / area2 / 4, here at most an eighth.
+        const std::int64_t skew = std::abs(at_a - at_c) + std::abs(at_b - at_d);
+        if (2 * skew <= std::abs(area2))
+            return convex(v, area2);
+        if (std::min(std::abs(at_a), std::abs(at_c)) > std::min(std::abs(at_b), std::abs(at_d)))
+            halves(v[1], v[2], v[3], v[0]);
         else
-            folded(v);
+            halves(v[0], v[1], v[2], v[3]);
     }
 
     void triangle(const std::array<l3d_micro_vertex, 3>& v) {
@@ -56,6 +64,13 @@ private:
     static constexpr std::size_t count = 1 + Shader::components;
     using planes = attribute_planes<count>;
     using numbers = typename planes::numbers;
+
+    /// Fills a quad as two triangles with the diagonal a c.
+    void halves(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c,
+                const l3d_micro_vertex& d) {
+        triangle({a, b, c});
+        triangle({a, c, d});
+    }
 
     void folded(const std::array<l3d_micro_vertex, 4>& v) {
         const l3d_micro_vertex centre = projective_centre(v);
@@ -73,7 +88,7 @@ private:
         if (rows.top >= rows.bottom)
             return;
 
-        shader_.begin_polygon(v, facing(v, target_.shading));
+        shader_.begin_polygon(v);
         std::array<numbers, Corners> values;
         float farthest = v[0].inv_w, nearest = v[0].inv_w;
         for (std::size_t i = 0; i < Corners; ++i) {

@@ -41,8 +41,8 @@ struct l3d_surface_counts {
 ///
 /// A pixel belongs to a polygon if its centre (x + 1/2, y + 1/2) is inside, or on a left or top
 /// edge; vertices are exact 1/256 pixel integers and the rule is evaluated exactly, so polygons
-/// that share an edge cover each pixel once: no gap, no double hit. Surfaces are two-sided: a
-/// polygon's normals are turned to the eye, all or none.
+/// that share an edge cover each pixel once: no gap, no double hit. Surfaces are two-sided:
+/// normals are turned to the eye.
 /// The nearer (larger inv_w) sample wins; of equals, the first.
 class l3d_surface_rasterizer {
 public:
@@ -59,7 +59,7 @@ public:
     /// Colour of everything drawn from now on in mode `error`. Units: a pixel word.
     void set_error_color(std::uint32_t color) { do_set_error_color(color); }
 
-    /// Fills the (rows - 1) x (columns - 1) quads of a grid. Convex quads are filled whole,
+    /// Fills the (rows - 1) x (columns - 1) quads of a grid. Convex quads are covered as such,
     /// folded ones as four triangles around their projective centre.
     void draw_grid(const l3d_micro_grid& grid) { do_draw_grid(grid); }
 

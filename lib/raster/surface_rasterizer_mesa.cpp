@@ -2,7 +2,6 @@
 // l3d_surface_rasterizer_mesa: the shaders, and triangles for them.
 #include "raster/surface_rasterizer_mesa.h"
 
-#include "raster/facing_p.h"
 #include "raster/projective_centre_p.h"
 
 #include <algorithm>
@@ -25,8 +24,12 @@ const mesa_target::program_text shaded_surfaces{.vertex = R"(#version 120
         attribute vec3 normal;
         uniform vec2 middle;
         uniform vec3 light;
+        uniform vec3 ray;
+        uniform vec3 ray_right;
+        uniform vec3 ray_down;
         varying float inv_w;
         varying vec3 direction;
+        varying float away;
         varying float grey;
         float intensity(float cosine) { return 0.1 + 0.9 * clamp(cosine, 0.0, 1.0); }
         void main() {
@@ -34,20 +37,23 @@ const mesa_target::program_text shaded_surfaces{.vertex = R"(#version 120
             inv_w = position.z;
             direction = normal;
             float cosine = dot(light, normal) / sqrt(max(dot(normal, normal), 1.2e-38));
-            grey = intensity(cosine);
+            away = dot(normal, ray + position.x * ray_right + position.y * ray_down);
+            grey = intensity(away > 0.0 ? -cosine : cosine);
         })",
                                                 .fragment = R"(#version 120
         uniform int shade;
         uniform vec3 light;
         varying float inv_w;
         varying vec3 direction;
+        varying float away;
         varying float grey;
         vec3 shaded() {
+            float side = away > 0.0 ? -1.0 : 1.0;
             if (shade == 1)
                 return vec3(grey);
             if (shade == 4)
                 return direction;
-            vec3 unit = direction / sqrt(max(dot(direction, direction), 1.2e-38));
+            vec3 unit = side * direction / sqrt(max(dot(direction, direction), 1.2e-38));
             if (shade == 3)
                 return 0.5 * (unit + 1.0);
             return vec3(0.1 + 0.9 * clamp(dot(light, unit), 0.0, 1.0));
@@ -111,7 +117,10 @@ void l3d_surface_rasterizer_mesa::do_begin(l3d_pixels target, l3d_depth_buffer& 
                      static_cast<float>(gl_target_.middle_y()));
     }
     gl.Uniform1i(gl_target_.uniform("shade"), static_cast<int>(shading.mode));
-    gl.Uniform3f(gl_target_.uniform("light"), shading.light[0], shading.light[1], shading.light[2]);
+    for (const auto& [name, value] :
+         {std::pair{"light", &shading.light}, std::pair{"ray", &shading.ray},
+          std::pair{"ray_right", &shading.ray_right}, std::pair{"ray_down", &shading.ray_down}})
+        gl.Uniform3f(gl_target_.uniform(name), (*value)[0], (*value)[1], (*value)[2]);
 }
 
 void l3d_surface_rasterizer_mesa::do_set_error_color(std::uint32_t color) {
@@ -150,14 +159,13 @@ void l3d_surface_rasterizer_mesa::add(std::span<const l3d_micro_vertex> convex) 
     const auto part = [this](int shift) { // of the error colour
         return static_cast<float>(error_color_ >> shift & 255) / 255.0f;
     };
-    const float side = facing(convex, shading_);
     const auto add_corner = [&](const l3d_micro_vertex& corner) {
         const l3d_micro_vertex v =
             shading_.mode == l3d_shade::flat ? mean_normal(convex, corner) : corner;
-        vertex& made = batch_.emplace_back(
-            vertex{{static_cast<float>(v.x) / l3d_subpixel_one,
-                    static_cast<float>(v.y) / l3d_subpixel_one, v.inv_w},
-                   {side * v.normal[0], side * v.normal[1], side * v.normal[2]}});
+        vertex& made =
+            batch_.emplace_back(vertex{{static_cast<float>(v.x) / l3d_subpixel_one,
+                                        static_cast<float>(v.y) / l3d_subpixel_one, v.inv_w},
+                                       {v.normal[0], v.normal[1], v.normal[2]}});
         if (shading_.mode == l3d_shade::error)
             made = {{made.position[0], made.position[1], made.position[2]},
                     {part(16), part(8), part(0)}};

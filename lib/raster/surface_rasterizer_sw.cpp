@@ -58,13 +58,13 @@ void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer& de
 template <class Draw> void l3d_surface_rasterizer_sw::with_shader(const Draw& draw) {
     switch (target_.shading.mode) {
     case l3d_shade::lambert:
-        return draw(surface_fill(target_, lambert_shader(target_.shading.light)));
+        return draw(surface_fill(target_, lambert_shader(target_.shading)));
     case l3d_shade::gouraud:
-        return draw(surface_fill(target_, gouraud_shader(target_.shading.light)));
+        return draw(surface_fill(target_, gouraud_shader(target_.shading)));
     case l3d_shade::flat:
-        return draw(surface_fill(target_, flat_shader(target_.shading.light)));
+        return draw(surface_fill(target_, flat_shader(target_.shading)));
     case l3d_shade::normals:
-        return draw(surface_fill(target_, normals_shader()));
+        return draw(surface_fill(target_, normals_shader(target_.shading)));
     case l3d_shade::error:
         return draw(surface_fill(target_, constant_shader(error_color_)));
     }

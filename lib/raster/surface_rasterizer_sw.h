@@ -9,7 +9,7 @@
 /// Fills surfaces with exact integer coverage and attributes that are linear in the picture.
 ///
 /// A quad's attribute plane is the one through its two diagonals' differences and the mean of its
-/// corners, so no diagonal shows.
+/// corners, so no diagonal shows; quads far from a parallelogram are filled as two triangles.
 /// Units:   normals of 1e-18 to 1e18 in length; a zero normal gets the ambient grey, and the middle
 ///          grey in mode `normals`.
 /// Expects: begin before anything is drawn. One object serves one thread.

@@ -3,7 +3,9 @@
 #ifndef L3D_RASTER_SURFACE_SHADER_P_H
 #define L3D_RASTER_SURFACE_SHADER_P_H
 
+#include "raster/away_from_eye_p.h"
 #include "raster/micro_grid.h"
+#include "raster/surface_rasterizer.h"
 
 #include <algorithm>
 #include <array>
@@ -14,10 +16,10 @@
 #include <span>
 
 // A shader is a class with
-//   components            how many numbers are interpolated beside inv_w
-//   begin_polygon(v, s)   told the corners and s = -1 if normals are to be turned round, else 1
-//   corner(v, out)        the numbers of one corner
-//   word(values)          the pixel word for interpolated numbers
+//   components         how many numbers are interpolated beside inv_w
+//   begin_polygon(v)   told the corners
+//   corner(v, out)     the numbers of one corner
+//   word(values)       the pixel word for interpolated numbers
 
 namespace l3d_detail {
 
@@ -50,30 +52,31 @@ inline std::uint32_t grey_word(float intensity) {
     return level * 0x010101u;
 }
 
-inline vector3 turned(const std::array<float, 3>& light, float sign) {
-    return {sign * light[0], sign * light[1], sign * light[2]};
+/// The normal's components, and how far it points away from the eye.
+inline void put_normal(const l3d_micro_vertex& vertex, const l3d_shading& shading, float* out) {
+    for (std::size_t i = 0; i < 3; ++i)
+        out[i] = vertex.normal[i];
+    out[3] = away_from_eye(vertex, shading);
 }
 
-/// Grey from the interpolated normal. A polygon seen from behind turns the light, not its normals.
+/// Grey from the interpolated normal, turned to the eye.
 class lambert_shader {
 public:
-    static constexpr std::size_t components = 3;
+    static constexpr std::size_t components = 4;
 
-    explicit lambert_shader(const std::array<float, 3>& light) : light_(light), turned_(light) {}
+    explicit lambert_shader(const l3d_shading& shading) : shading_(shading) {}
 
-    void begin_polygon(std::span<const l3d_micro_vertex>, float sign) {
-        turned_ = turned(light_, sign);
-    }
+    void begin_polygon(std::span<const l3d_micro_vertex>) {}
     void corner(const l3d_micro_vertex& vertex, float* out) const {
-        for (std::size_t i = 0; i < components; ++i)
-            out[i] = vertex.normal[i];
+        put_normal(vertex, shading_, out);
     }
     std::uint32_t word(const float* normal) const {
-        return grey_word(intensity(cosine(turned_, normal)));
+        const float lit = cosine(shading_.light, normal);
+        return grey_word(intensity(normal[3] > 0 ? -lit : lit));
     }
 
 private:
-    vector3 light_, turned_;
+    const l3d_shading& shading_;
 };
 
 /// Grey interpolated from the corners' greys.
@@ -81,10 +84,9 @@ class gouraud_shader {
 public:
     static constexpr std::size_t components = 1;
 
-    explicit gouraud_shader(const std::array<float, 3>& light) : light_(light), turned_(light) {}
+    explicit gouraud_shader(const l3d_shading& shading) : shading_(shading) {}
 
-    void begin_polygon(std::span<const l3d_micro_vertex> corners, float sign) {
-        turned_ = turned(light_, sign);
+    void begin_polygon(std::span<const l3d_micro_vertex> corners) {
         darkest_ = 1;
         brightest_ = 0;
         for (const l3d_micro_vertex& vertex : corners) {
@@ -102,10 +104,11 @@ public:
 
 private:
     float grey(const l3d_micro_vertex& vertex) const {
-        return intensity(cosine(turned_, vertex.normal));
+        const float lit = cosine(shading_.light, vertex.normal);
+        return intensity(away_from_eye(vertex, shading_) > 0 ? -lit : lit);
     }
 
-    vector3 light_, turned_;
+    const l3d_shading& shading_;
     float darkest_ = 0, brightest_ = 1;
 };
 
@@ -114,38 +117,43 @@ class flat_shader {
 public:
     static constexpr std::size_t components = 0;
 
-    explicit flat_shader(const std::array<float, 3>& light) : light_(light) {}
+    explicit flat_shader(const l3d_shading& shading) : shading_(shading) {}
 
-    void begin_polygon(std::span<const l3d_micro_vertex> corners, float sign) {
+    void begin_polygon(std::span<const l3d_micro_vertex> corners) {
         vector3 sum{0, 0, 0};
-        for (const l3d_micro_vertex& vertex : corners)
+        float away = 0;
+        for (const l3d_micro_vertex& vertex : corners) {
             for (std::size_t i = 0; i < sum.size(); ++i)
                 sum[i] += vertex.normal[i];
-        word_ = grey_word(intensity(cosine(turned(light_, sign), sum.data())));
+            away += away_from_eye(vertex, shading_);
+        }
+        const float lit = cosine(shading_.light, sum.data());
+        word_ = grey_word(intensity(away > 0 ? -lit : lit));
     }
     void corner(const l3d_micro_vertex&, float*) const {}
     std::uint32_t word(const float*) const { return word_; }
 
 private:
-    vector3 light_;
+    const l3d_shading& shading_;
     std::uint32_t word_ = 0;
 };
 
-/// The unit normal as a colour.
+/// The unit normal, turned to the eye, as a colour.
 class normals_shader {
 public:
-    static constexpr std::size_t components = 3;
+    static constexpr std::size_t components = 4;
 
-    void begin_polygon(std::span<const l3d_micro_vertex>, float sign) { sign_ = sign; }
+    explicit normals_shader(const l3d_shading& shading) : shading_(shading) {}
+
+    void begin_polygon(std::span<const l3d_micro_vertex>) {}
     void corner(const l3d_micro_vertex& vertex, float* out) const {
-        for (std::size_t i = 0; i < components; ++i)
-            out[i] = vertex.normal[i];
+        put_normal(vertex, shading_, out);
     }
     std::uint32_t word(const float* normal) const {
         std::uint32_t word = 0;
-        for (std::size_t i = 0; i < components; ++i) {
+        for (std::size_t i = 0; i < 3; ++i) {
             vector3 axis{0, 0, 0};
-            axis[i] = sign_;
+            axis[i] = normal[3] > 0 ? -1.0f : 1.0f;
             word = word << 8 | level(cosine(axis, normal));
         }
         return word;
@@ -158,7 +166,7 @@ private:
         return static_cast<std::uint32_t>(static_cast<int>(127.5f * (inside + 1.0f) + 0.5f));
     }
 
-    float sign_ = 1;
+    const l3d_shading& shading_;
 };
 
 /// The same word everywhere.
@@ -168,7 +176,7 @@ public:
 
     explicit constant_shader(std::uint32_t word) : word_(word) {}
 
-    void begin_polygon(std::span<const l3d_micro_vertex>, float) {}
+    void begin_polygon(std::span<const l3d_micro_vertex>) {}
     void corner(const l3d_micro_vertex&, float*) const {}
     std::uint32_t word(const float*) const { return word_; }
 

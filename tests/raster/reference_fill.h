@@ -50,8 +50,29 @@ inline bool covers(const corners& v, int column, int row) {
     return true;
 }
 
-/// The convex polygons that a triangle or quad is filled as: itself, or, if it turns both ways,
-/// four triangles around its weighted mean. Collinear corners are nothing.
+/// Whether the diagonals of a convex quad are far from halving each other: the differences of the
+/// areas on either side of each, together, are more than half the quad.
+inline bool is_skew(const corners& v) {
+    if (v.size() != 4)
+        return false;
+    const std::int64_t across = area2(v[0], v[1], v[3]) - area2(v[1], v[2], v[3]);
+    const std::int64_t along = area2(v[0], v[1], v[2]) - area2(v[0], v[2], v[3]);
+    return 2 * (std::abs(across) + std::abs(along)) > std::abs(area2(v));
+}
+
+/// The two triangles whose smaller one is larger.
+inline std::vector<corners> halves(const corners& v) {
+    const auto smaller = [](const std::vector<corners>& two) {
+        return std::min(std::abs(area2(two[0])), std::abs(area2(two[1])));
+    };
+    const std::vector<corners> one{{v[0], v[1], v[2]}, {v[0], v[2], v[3]}};
+    const std::vector<corners> other{{v[1], v[2], v[3]}, {v[1], v[3], v[0]}};
+    return smaller(other) > smaller(one) ? other : one;
+}
+
+/// The convex polygons that a triangle or quad is filled as: itself, or two triangles if it is
+/// skew, or, if it turns both ways, four triangles around its weighted mean. Collinear corners are
+/// nothing.
 inline std::vector<corners> pieces(const corners& quad) {
     bool right = false, left = false;
     for (std::size_t i = 0; i < quad.size(); ++i) {
@@ -63,7 +84,7 @@ inline std::vector<corners> pieces(const corners& quad) {
     if (!right && !left)
         return {};
     if (!(right && left))
-        return {quad};
+        return is_skew(quad) ? halves(quad) : std::vector<corners>{quad};
     double sum = 0, x = 0, y = 0, normal[3] = {0, 0, 0};
     for (const l3d_micro_vertex& v : quad) {
         const double w = 1.0 / static_cast<double>(v.inv_w);

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 namespace {
 
@@ -80,15 +81,19 @@ l3d_shading slanting(l3d_shade mode, std::array<float, 3> light) {
     return {mode, light, {-0.4f, 0.3f, -1}, {0.05f, 0.01f, 0.02f}, {-0.01f, -0.06f, 0.03f}};
 }
 
-/// How far the normals of a polygon point away from the eye, all together.
-long double away_from_eye(const reference::corners& v, const l3d_shading& shading) {
-    long double away = 0;
-    for (const l3d_micro_vertex& corner : v)
+/// How far the normals at the corners point away from the eye.
+std::vector<float> away_from_eye(const reference::corners& v, const l3d_shading& shading) {
+    std::vector<float> result;
+    for (const l3d_micro_vertex& corner : v) {
+        double away = 0;
         for (std::size_t i = 0; i < 3; ++i)
-            away += corner.normal[i] * (static_cast<long double>(shading.ray[i]) +
-                                        corner.x / 256.0L * shading.ray_right[i] +
-                                        corner.y / 256.0L * shading.ray_down[i]);
-    return away;
+            away += static_cast<double>(corner.normal[i]) *
+                    (static_cast<double>(shading.ray[i]) +
+                     corner.x / 256.0 * static_cast<double>(shading.ray_right[i]) +
+                     corner.y / 256.0 * static_cast<double>(shading.ray_down[i]));
+        result.push_back(static_cast<float>(away));
+    }
+    return result;
 }
 
 /// The unit normal, turned round if sign is -1, from the twin.
@@ -124,10 +129,9 @@ TEST(SurfaceShading, LambertAndNormalsAreTheTwinsWithinTheBound) {
             continue;
         const long double allowed = allowed_error(v, 1);
         const l3d_shading shading = slanting(l3d_shade::lambert, light);
-        const long double away = away_from_eye(v, shading);
-        // Twelve products of floats up to 2^15 * 0.06 are rounded to 2^-24 each, and their sums.
-        if (std::abs(away) < 0.01L)
-            continue; // either side may be the front
+        const std::vector<float> aways = away_from_eye(v, shading);
+        const float largest =
+            std::ranges::max(std::views::transform(aways, [](float f) { return std::abs(f); }));
         grey_picture.begin(shading);
         color_picture.begin(slanting(l3d_shade::normals, light));
         grey_picture.draw(v);
@@ -140,6 +144,9 @@ TEST(SurfaceShading, LambertAndNormalsAreTheTwinsWithinTheBound) {
                 const long double turn = 4 * allowed / shortest(v, x, y);
                 if (!(turn < 0.001L))
                     continue;
+                const long double away = reference::at_centre(v, aways, x, y);
+                if (std::abs(away) <= 4 * allowed * static_cast<long double>(largest))
+                    continue; // either side may be the front
                 const auto unit = exact_normal(v, x, y, away > 0 ? -1 : 1);
                 const long double cosine = unit[0] * static_cast<long double>(light[0]) +
                                            unit[1] * static_cast<long double>(light[1]) +
