@@ -2,6 +2,7 @@
 // l3d_pipeline_afd: the stages of a frame.
 #include "pipeline/pipeline_afd.h"
 
+#include "pipeline/camera_shading.h"
 #include "pipeline/dice_sinks_p.h"
 #include "pipeline/near_clip.h"
 #include "pipeline/snap.h"
@@ -17,18 +18,6 @@ namespace {
 using l3d_detail::stopwatch;
 
 constexpr std::uint32_t wire_color = 0x0080d0ff, net_color = 0x00ff9030;
-
-std::array<float, 3> to_floats(const l3d_camera::vector& v) {
-    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
-}
-
-l3d_shading shading_of(const l3d_afd_settings& settings, const l3d_camera& camera, l3d_size size) {
-    const l3d_camera::frame axes = camera.axes();
-    const auto corner = axes.forward * camera.focal_length(size) - axes.right * (size.width / 2.0) +
-                        axes.up * (size.height / 2.0);
-    return {settings.shade, to_floats(l3d_normalized(settings.light)), to_floats(corner),
-            to_floats(axes.right), to_floats(axes.up * -1.0)};
-}
 
 } // namespace
 
@@ -116,8 +105,9 @@ void l3d_pipeline_afd::place_patches() {
 /// Returns the milliseconds that filling took.
 double l3d_pipeline_afd::draw_surfaces() {
     dicer_.begin(view_);
-    surface_rasterizer_->begin(screen_->pixels(), depth_,
-                               shading_of(settings_, camera_, screen_->pixels().size()));
+    surface_rasterizer_->begin(
+        screen_->pixels(), depth_,
+        l3d_camera_shading(camera_, screen_->pixels().size(), settings_.shade, settings_.light));
     const auto draw_into = [this](l3d_dice_sink& sink) {
         for (const placed_patch& p : placed_)
             dicer_.dice(p.net, model_.normals(p.index), sink);

@@ -3,11 +3,11 @@
 #ifndef L3D_TESTS_PIPELINE_PICTURE_H
 #define L3D_TESTS_PIPELINE_PICTURE_H
 
+#include "pipeline/camera_shading.h"
 #include "pipeline/dice_sink.h"
 #include "raster/surface_rasterizer_sw.h"
 #include "reference/views.h"
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -17,21 +17,21 @@ namespace pipeline_tests {
 /// Draws what it is given. Cleared when made and by `clear`.
 class picture final : public l3d_dice_sink {
 public:
-    explicit picture(l3d_size size) : size_(size) {
+    explicit picture(l3d_size size, const l3d_camera& camera = {})
+        : size_(size),
+          shading_(l3d_camera_shading(camera, size, l3d_shade::lambert,
+                                      {reference::project_light.x, reference::project_light.y,
+                                       reference::project_light.z})) {
         words_.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
         depth_.resize(size);
         clear();
     }
 
     void clear() {
-        const reference::vec3 l = reference::project_light;
-        const double length = std::sqrt(l.x * l.x + l.y * l.y + l.z * l.z);
         std::fill(words_.begin(), words_.end(), 0u);
         depth_.clear();
         rasterizer_.begin({words_.data(), size_.width, size_.height, size_.width}, depth_,
-                          {l3d_shade::lambert,
-                           {static_cast<float>(l.x / length), static_cast<float>(l.y / length),
-                            static_cast<float>(l.z / length)}});
+                          shading_);
     }
 
     l3d_size size() const { return size_; }
@@ -74,6 +74,7 @@ private:
     }
 
     l3d_size size_;
+    l3d_shading shading_;
     std::vector<std::uint32_t> words_;
     l3d_depth_buffer depth_;
     l3d_surface_rasterizer_sw rasterizer_;

@@ -30,7 +30,7 @@ template <class T> void compare(const judged& j, double tolerance) {
     const l3d_size size = j.seen.size;
     SCOPED_TRACE(testing::Message() << name_of<T>() << " " << j.name << " " << size.width << "x"
                                     << size.height << " tolerance " << tolerance);
-    picture drawn(size);
+    picture drawn(size, j.seen.camera);
     const l3d_dice_counts counts = dice<T>(j.seen, tolerance, drawn);
     const std::vector<float> depth = drawn.distances();
     const reference::measurement m = reference::measure(depth, j.exact, j.region);
