@@ -2,19 +2,19 @@
 # SPDX-License-Identifier: MIT
 """The library reports; whether a program ends is the program's decision."""
 
-import glob
 import os
 import subprocess
 
 import harness
 from harness import Checks, expect, expect_equal
 
+LAYERS = ("geom", "tool_2d", "raster", "pipeline", "system")
 ENDS_A_PROGRAM = {"exit", "_exit", "_Exit", "quick_exit", "abort"}
 
 
 def never_ends_the_program():
-    archives = sorted(glob.glob(os.path.join(os.path.dirname(harness.BIN), "libl3d_*.a")))
-    expect_equal(len(archives), 5, archives)
+    folder = os.path.dirname(harness.BIN)
+    archives = [os.path.join(folder, "libl3d_%s.a" % layer) for layer in LAYERS]
     found, seen = [], set()
     for archive in archives:
         for line in listed("--undefined-only", archive):
