@@ -65,6 +65,13 @@ namespace {
 /// Where to go on if the server dies while this thread connects to it; else null.
 thread_local std::jmp_buf* way_out_of_opening = nullptr;
 
+// A picture of 1024 x 768 with room for another. Linux allows 208 KiB unless told otherwise.
+constexpr int wanted_buffer = 1 << 23;
+// What a request holds beside its data: 24 bytes for a picture.
+constexpr std::size_t own_size = 32;
+// What every system's sockets hold.
+constexpr std::size_t least_writable = std::size_t{1} << 13;
+
 // Longer than any display worth drawing on needs to answer, shorter than anyone's patience.
 constexpr std::chrono::seconds longest_connect{3};
 // A server that is well closes its end at once; one that is stopped is not waited for.
@@ -168,6 +175,24 @@ x11_connection::x11_connection(const char* name) {
     local_ =
         getpeername(ConnectionNumber(display_), reinterpret_cast<sockaddr*>(&peer), &size) != 0 ||
         peer.ss_family == AF_UNIX;
+    widen();
+}
+
+/// Finds out how much fits into the socket; into a local one, as much as the system allows. (The
+/// buffers of others are the network's business.)
+void x11_connection::widen() {
+    const int server = ConnectionNumber(display_);
+    if (local_)
+        setsockopt(server, SOL_SOCKET, SO_SNDBUF, &wanted_buffer, sizeof wanted_buffer);
+    int buffer = 0;
+    socklen_t size = sizeof buffer;
+    if (getsockopt(server, SOL_SOCKET, SO_SNDBUF, &buffer, &size) != 0)
+        buffer = 0;
+    // Linux calls a local socket writable when at most a quarter of its buffer is full. Of the
+    // other three, a fifth is left for the kernel's own records. Xlib cuts larger requests than
+    // these, which are counted in fours, and waits before each piece.
+    const auto largest = 4 * static_cast<std::size_t>(XMaxRequestSize(display_)) - own_size;
+    writable_size_ = std::clamp(static_cast<std::size_t>(buffer) / 5 * 3, least_writable, largest);
 }
 
 x11_connection::~x11_connection() {

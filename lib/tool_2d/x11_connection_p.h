@@ -52,16 +52,15 @@ public:
     /// Errors:  false when the time is over or a signal came.
     bool wait_readable(std::chrono::steady_clock::time_point deadline) const;
 
-    /// Sleeps until so much can be sent at once that a request of writable_size does not block.
+    /// Sleeps until so much can be sent at once that a request with writable_size() bytes of data
+    /// does not block.
     /// Errors:  likewise.
     bool wait_writable(std::chrono::steady_clock::time_point deadline) const;
 
     /// Sleeps until either is the case. Expects, Errors: likewise.
     bool wait_ready(std::chrono::steady_clock::time_point deadline) const;
 
-    /// Linux calls a local socket writable when at most a quarter of its buffer is full. By
-    /// default that has 208 KiB: 156 are left, some of them for the kernel's own records.
-    static constexpr std::size_t writable_size = std::size_t{128} * 1024;
+    std::size_t writable_size() const { return writable_size_; }
 
     /// The error code of a request made outside any trap; 0 if none was reported. The last few
     /// errors are remembered, so ask soon.
@@ -78,12 +77,14 @@ private:
     };
 
     explicit x11_connection(const char* name);
+    void widen();
     void keep(const failure& error);
     bool wait(short events, std::chrono::steady_clock::time_point deadline) const;
     void leave();
 
     Display* display_ = nullptr;
     bool local_ = false;
+    std::size_t writable_size_ = 0;
     bool lost_ = false;
     bool shares_memory_ = false;
     unsigned long trap_serial_ = 0; ///< first request whose errors are asked for; 0: none

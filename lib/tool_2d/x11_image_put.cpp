@@ -79,7 +79,7 @@ private:
     /// The end of the stale rows from next_row_ on, as many as go at once.
     int end_of_piece() const {
         const auto most = std::max(
-            1, static_cast<int>(x11_connection::writable_size / ximage_row_size(*ximage_)));
+            1, static_cast<int>(window_.connection().writable_size() / ximage_row_size(*ximage_)));
         const int end = std::min(ximage_->height, next_row_ + most);
         int row = next_row_ + 1;
         while (row < end && is_stale(row))
