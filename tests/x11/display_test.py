@@ -248,19 +248,10 @@ def waits_for_a_stopped_server(program, backend, seconds=1.5):
             wait_for(lambda: it.picture() != before, "life after the stop")
             with stopped(server):
                 start = time.monotonic()
-                interrupt(it.process, 2 if backend == "ximage" else 1)
+                it.process.send_signal(signal.SIGINT)
                 it.expect_end(-signal.SIGINT)
                 took = time.monotonic() - start
                 expect(took < GOODBYE, "seconds", took)
-
-
-def interrupt(process, most):
-    """Nobody can stop Xlib amid a picture larger than what the socket holds but a second Ctrl-C."""
-    for _ in range(most):
-        process.send_signal(signal.SIGINT)
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            process.wait(timeout=1)
-            return
 
 
 def obeys_on_a_slow_wire():
