@@ -48,8 +48,9 @@ public:
     /// Takes the event if it is an answer to put; false if it is not.
     bool take(const XEvent& event) { return do_take(event); }
 
-    /// True, with one line in `why`, once this way has turned out not to work. Pictures that were
-    /// put may not have been seen; another x11_image has to go on.
+    /// Whether this way has turned out not to work. Pictures that were put may not have been seen;
+    /// another x11_image has to go on.
+    /// Errors:  true, with one line in `why`.
     bool has_failed(std::string& why) const { return do_has_failed(why); }
 
     /// One phrase for describe(): how words become what travels.

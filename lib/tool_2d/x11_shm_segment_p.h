@@ -44,6 +44,7 @@ public:
 private:
     explicit x11_shm_segment(Display* display) : display_(display) {}
 
+    /// Errors:  false, with one line in `why`.
     bool attach(std::size_t size, std::string& why);
     void forget_name();
 

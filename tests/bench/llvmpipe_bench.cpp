@@ -144,12 +144,14 @@ double compare(const l3d_patch_model& model, const named_view& view, l3d_size si
         n += n < 16 ? 1 : 2;
     const double theirs = uniform_error(model, view.camera, size, n);
 
-    std::string why;
+    l3d_service refusal;
     l3d_screen_factory_memory screens;
+    l3d_screen_request request;
+    request.size = size;
     l3d_afd_settings settings;
     settings.tolerance = tolerance;
-    l3d_pipeline_afd pipeline(screens.create({size, "bench"}, why),
-                              l3d_rasterizer_factory_sw(), model, view.camera, settings);
+    l3d_pipeline_afd pipeline(screens.create(request, refusal), l3d_rasterizer_factory_sw(), model,
+                              view.camera, settings);
     gl.set_projection(clip_matrix(view.camera, size));
     gl.upload(uniform_mesh(model, view.camera, n));
 
