@@ -237,6 +237,6 @@ $(OUT)/log/fail.log: FORCE | packages-build
 
 $(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o
 	$(call say,TIDY,$<)
-	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ $(FLAGS) $(if $(filter tests/%,$<),-Itests) && touch $@
+	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ -Wno-unknown-warning-option $(FLAGS) $(if $(filter tests/%,$<),-Itests) && touch $@
 
 -include $(wildcard $(OBJECTS:.o=.d) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))

@@ -38,7 +38,9 @@ private:
     bool frames_are_made() const { return settings_.frames > 0 && frames_ >= settings_.frames; }
 
     /// Whether a picture would be for nobody.
-    bool is_unseen() const { return hidden_ && settings_.frames == 0 && settings_.output.empty(); }
+    bool is_unseen() const {
+        return (hidden_ || screen_.is_busy()) && settings_.frames == 0 && settings_.output.empty();
+    }
 
     void take_events();
     void take(const l3d_event& event);

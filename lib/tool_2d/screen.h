@@ -26,6 +26,10 @@ public:
     /// Makes the pixels visible.
     void show() { do_show(); }
 
+    /// Whether a picture that was shown still waits to get to the display: another would only
+    /// take its place.
+    bool is_busy() const { return do_is_busy(); }
+
     /// Whether somebody sees it: then events come, and time is that of the clock.
     bool is_window() const { return do_is_window(); }
 
@@ -48,6 +52,7 @@ private:
     virtual l3d_pixels do_pixels() = 0;
     virtual const l3d_screen_info& do_info() const = 0;
     virtual void do_show() = 0;
+    virtual bool do_is_busy() const { return false; }
     virtual bool do_is_window() const { return false; }
     virtual double do_usual_fps() const { return 60; }
     virtual void do_set_fullscreen(bool) {}

@@ -53,6 +53,7 @@ private:
     l3d_pixels do_pixels() override { return picture_.pixels(); }
     const l3d_screen_info& do_info() const override { return window_->info(); }
     void do_show() override;
+    bool do_is_busy() const override { return put_is_due_; }
     bool do_is_window() const override { return true; }
     double do_usual_fps() const override;
     void do_set_fullscreen(bool on) override { fullscreen_.set(on); }

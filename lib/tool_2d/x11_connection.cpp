@@ -146,6 +146,7 @@ int x11_handlers::on_io_error(Display* display) {
     if (way_out_of_opening == nullptr)
         return handlers.previous_io_error(display);
     close(ConnectionNumber(display));
+    handlers.keep_lost(display);
     std::longjmp(*way_out_of_opening, 1);
 }
 

@@ -129,6 +129,17 @@ TEST(dispatcher_x11, hidden_windows_are_neither_drawn_nor_shown) {
                                  "frame", "update", "draw", "show", "frame"}));
 }
 
+TEST(dispatcher_x11, pictures_that_wait_for_the_display_are_not_drawn_over) {
+    window_run run(frames(0, 500));
+    run.pipeline.on_update = [&](int update) {
+        run.screen.busy = update == 2 || update == 3;
+        run.pipeline.done = update == 4;
+    };
+    run.dispatcher.start();
+    EXPECT_EQ(run.log, (call_log{"update", "draw", "show", "frame", "update", "update", "update",
+                                 "draw", "show", "frame"}));
+}
+
 TEST(dispatcher_x11, frames_that_are_counted_or_written_are_drawn_unseen) {
     const temporary_folder folder;
     window_run counted(frames(2));

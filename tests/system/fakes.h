@@ -44,6 +44,7 @@ public:
     std::chrono::nanoseconds longest_wait{0};
     int waits = 0;
     bool window = true;
+    bool busy = false;
     double fps = 60;
     std::string remark; ///< told once
 
@@ -52,6 +53,7 @@ private:
     const l3d_screen_info& do_info() const override { return info_; }
     void do_show() override { log_.push_back("show"); }
     std::string do_describe() const override { return "fake"; }
+    bool do_is_busy() const override { return busy; }
     bool do_is_window() const override { return window; }
     double do_usual_fps() const override { return fps; }
     bool do_is_fullscreen() const override { return fullscreen_; }

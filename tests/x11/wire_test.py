@@ -89,7 +89,8 @@ def weathers_a_storm_of_sizes(backend, count=300):
             storm()
             wait_for(lambda: is_quiet(proxy), "rest")
             grown = resident_bytes(it.process) - size
-            expect(grown < 4 << 20, "bytes more in memory", grown)
+            # 300 pictures of up to 360 x 260 are 110 MB; sanitizers keep some of what is freed.
+            expect(grown < 16 << 20, "bytes more in memory", grown)
             made = (proxy.mark() - mark).requests.count("MIT-SHM.Attach")
             expect(made <= count + 1, "segments made", made)
             wanted = harness.memory_picture(harness.Program("teapot_afd", last))
