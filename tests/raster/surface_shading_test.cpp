@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 namespace {
 
@@ -130,8 +129,9 @@ TEST(SurfaceShading, LambertAndNormalsAreTheTwinsWithinTheBound) {
         const long double allowed = allowed_error(v, 1);
         const l3d_shading shading = slanting(l3d_shade::lambert, light);
         const std::vector<float> aways = away_from_eye(v, shading);
-        const float largest =
-            std::ranges::max(std::views::transform(aways, [](float f) { return std::abs(f); }));
+        float largest = 0;
+        for (const float corner : aways)
+            largest = std::max(largest, std::abs(corner));
         grey_picture.begin(shading);
         color_picture.begin(slanting(l3d_shade::normals, light));
         grey_picture.draw(v);
