@@ -37,7 +37,8 @@ public:
 
     int strips() const { return strips_; }
     const block_need& at(int a, int b) const {
-        return blocks_[static_cast<std::size_t>(strips_ * b + a)];
+        return blocks_[static_cast<std::size_t>(b) * static_cast<std::size_t>(strips_) +
+                       static_cast<std::size_t>(a)];
     }
 
     double error(int a, int b, int nu, int nv) const { return error_of(at(a, b).image, nu, nv); }
@@ -83,7 +84,8 @@ private:
     int strips_;
     double budget_;
     l3d_quad_kind kind_;
-    std::array<block_need, l3d_step_plan::most_strips * l3d_step_plan::most_strips> blocks_;
+    std::array<block_need, std::size_t{l3d_step_plan::most_strips} * l3d_step_plan::most_strips>
+        blocks_;
 };
 
 /// Half the budget to each direction: the product of the steps is then least.

@@ -70,13 +70,14 @@ void backend_survey::diagnose(std::ostream& out) {
 }
 
 const l3d_backend& backend_survey::named(const std::string& name, const std::string& named_by) {
+    const std::string what = named_by + ": back-end '" + name + "'";
     std::string names = "ask auto";
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         names += ' ' + rows_[i].name;
         if (rows_[i].name != name)
             continue;
         if (!serves(i))
-            fail(named_by + ": back-end '" + name + "'", service(i));
+            fail(what, service(i));
         return rows_[i];
     }
     throw l3d_error(l3d_exit::usage, named_by + ": '" + name + "' is none of " + names);

@@ -42,8 +42,8 @@ std::string long_name(const std::string& name) {
 /// and no ranges, and their messages leave out the value.
 void add_text(CLI::App& app, const std::string& name, const std::string& help,
               const std::string& kind, const std::string& preset,
-              std::function<void(const std::string&)> read) {
-    app.add_option_function<std::string>(name, std::move(read), help)
+              const std::function<void(const std::string&)>& read) {
+    app.add_option_function<std::string>(name, read, help)
         ->type_name(kind)
         ->default_str(preset)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
@@ -218,7 +218,7 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
     }
     if (const auto unknown = parser_->app.remaining(); !unknown.empty())
         throw l3d_error(l3d_exit::usage, "unknown option '" + unknown.front() + "' (see --help)");
-    l3d_frame_writer{common_.output}; // complains now rather than after a question
+    const l3d_frame_writer complains_now_rather_than_after_a_question(common_.output);
     return true;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstdlib>
 #include <random>
 #include <system_error>
@@ -28,7 +29,7 @@ constexpr bool attaches_nameless = false;
 // chance once in 2^512.
 constexpr int proof_width = 64;
 // Room for such a row, at 32 bits each.
-constexpr std::size_t proof_size = 4 * proof_width;
+constexpr std::size_t proof_size = std::size_t{4} * proof_width;
 
 constexpr auto gone = "the X server went away";
 
@@ -131,7 +132,7 @@ bool x11_shm_segment::attach(std::size_t size, std::string& why) {
     }
     is_named_ = true;
     void* const address = shmat(info_.shmid, nullptr, 0);
-    if (address == reinterpret_cast<void*>(-1)) {
+    if (reinterpret_cast<std::intptr_t>(address) == -1) {
         why = kernel_reason("shmat");
         forget_name();
         return false;
