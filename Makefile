@@ -31,7 +31,7 @@ flags_tsan    := -O1 -g -fsanitize=thread
 flags_cov     := -O0 -g --coverage
 
 # Leaks in libraries that are not ours to mend.
-export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lint/mesa.supp:print_suppressions=0
+export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lint/leaks.supp:print_suppressions=0
 
 ifeq ($(filter $(REAL),float double fixed),)
 $(error REAL=$(REAL) is unknown; choose float, double or fixed)
