@@ -252,7 +252,9 @@ std::optional<x11_visual> choose_visual(const x11_connection* connection, l3d_se
         refusal.how = l3d_service::level::no_display;
         return {};
     }
-    const auto visual = choose_x11_visual(*connection, refusal.why);
+    std::optional<x11_visual> visual;
+    if (!connection->lost())
+        visual = choose_x11_visual(*connection, refusal.why);
     if (connection->lost()) {
         refusal = {l3d_service::level::display_lost, "the X server went away"};
         return {};

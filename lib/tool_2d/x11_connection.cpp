@@ -80,12 +80,13 @@ constexpr std::chrono::milliseconds longest_leave{200};
 /// XOpenDisplay, which ends the process if the server goes away in the middle: before it
 /// returns there is no display to set the exit handler of. The jump leaves Xlib's half-made
 /// display behind; that is the price, once, of going on.
-Display* open_display(const char* name) {
+Display* open_display(const char* name, bool& lost) {
     if (!can_reach_x11_host(name, longest_connect))
         return nullptr;
     std::jmp_buf way_out;
     if (setjmp(way_out) != 0) {
         way_out_of_opening = nullptr;
+        lost = true;
         return nullptr;
     }
     way_out_of_opening = &way_out;
@@ -157,7 +158,7 @@ std::unique_ptr<x11_connection> x11_connection::open(std::string& why) {
         return nullptr;
     }
     std::unique_ptr<x11_connection> connection(new x11_connection(name));
-    if (connection->display_ == nullptr) {
+    if (connection->display_ == nullptr && !connection->lost_) {
         why = std::string("cannot open the display that DISPLAY names, '") + name + "'";
         return nullptr;
     }
@@ -166,7 +167,7 @@ std::unique_ptr<x11_connection> x11_connection::open(std::string& why) {
 
 x11_connection::x11_connection(const char* name) {
     x11_handlers::instance().add(*this);
-    display_ = open_display(name);
+    display_ = open_display(name, lost_);
     if (display_ == nullptr)
         return;
     XSetIOErrorExitHandler(display_, x11_handlers::on_io_exit, this);

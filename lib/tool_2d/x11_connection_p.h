@@ -23,7 +23,8 @@ namespace l3d_detail {
 class x11_connection {
 public:
     /// Connects to the display that the environment names.
-    /// Errors:  null, with one line in `why` that gives the value of DISPLAY.
+    /// Errors:  null, with one line in `why` that gives the value of DISPLAY; a connection that is
+    ///          lost(), and without a display(), if the server went away while it answered.
     static std::unique_ptr<x11_connection> open(std::string& why);
 
     x11_connection(const x11_connection&) = delete;

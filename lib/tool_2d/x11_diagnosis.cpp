@@ -77,6 +77,10 @@ l3d_probe probe_sharing(x11_connection& connection) {
 std::unique_ptr<x11_connection> diagnose_connection(l3d_probes& probes) {
     std::string why;
     auto connection = x11_connection::open(why);
+    if (connection && connection->lost()) {
+        connection.reset();
+        why = "the X server went away";
+    }
     if (std::ranges::find(probes, display_name, &l3d_probe::what) != probes.end())
         return connection;
     if (!connection) {

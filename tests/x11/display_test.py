@@ -32,13 +32,13 @@ SEED = random.randrange(1 << 32)
 
 
 def dies_with_its_display(program, backend, numbers):
-    """3 if the display dies before it was first open, 6 from then on; and one line."""
+    """3 if the display dies before it answered, 6 from its first request on; and one line."""
     command = program.command("--backend", backend, "--fps", "500", *MOVING[program])
     with x_server() as server:
         last = last_of_opening(server, command)
         for number in numbers:
             with Proxy(server.display, die_after=number) as proxy:
-                expect_death(command, proxy, 3 if number <= last else 6, "request %d" % number)
+                expect_death(command, proxy, number, number <= last)
 
 
 def last_of_opening(server, command):
@@ -49,9 +49,10 @@ def last_of_opening(server, command):
     return names.index(LAST_OF_OPENING) + 1
 
 
-def expect_death(command, proxy, wanted, what):
+def expect_death(command, proxy, number, opening):
+    wanted, what = 6 if number else 3, "request %d" % number
     # Xlib loses what it had begun when the display dies while it is opened.
-    sanitizer = {"ASAN_OPTIONS": "detect_leaks=0"} if wanted == 3 else {}
+    sanitizer = {"ASAN_OPTIONS": "detect_leaks=0"} if opening else {}
     with started(command, environment(proxy.display, **sanitizer)) as process:
         wait_for(lambda: not proxy.is_listening or process.poll() is not None, what)
         start = time.monotonic()

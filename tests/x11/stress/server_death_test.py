@@ -23,17 +23,17 @@ def survives_every_death(program, backend):
     command = program.command("--backend", backend, "--turntable", "3", "--fps", "500")
     with x_server() as server:
         last = display_test.last_of_opening(server, command)
-    outlive = lambda number: outlives(command, number, 3 if number <= last else 6)
+    outlive = lambda number: outlives(command, number, number <= last)
     with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
         makers = list(pool.map(outlive, REQUESTS))
     wait_for(lambda: not display_test.segments_of(makers), "the end of the segments")
 
 
-def outlives(command, number, wanted):
+def outlives(command, number, opening):
     """Returns the number of the process whose server was killed."""
     with x_server() as server:
         with Proxy(server.display, die_after=number, kill_server=server.pid) as proxy:
-            return display_test.expect_death(command, proxy, wanted, "request %d" % number)
+            return display_test.expect_death(command, proxy, number, opening)
 
 
 if __name__ == "__main__":
