@@ -103,7 +103,7 @@ TEST(screen_x11_loss, a_server_may_die_at_any_byte) {
         well += code == 0;
         EXPECT_TRUE(code == 3 || code == 6 || code == 0) << code << " at " << bytes;
     }
-    EXPECT_GT(declined, 10);
+    EXPECT_GT(declined, 2); // within the 12 bytes that connecting takes
     EXPECT_GT(lost, 10);
     EXPECT_GT(well, 0);
 }
