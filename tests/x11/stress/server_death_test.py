@@ -13,7 +13,7 @@ import harness
 from harness import Checks, wait_for, x_server
 from x_proxy import Proxy
 
-REQUESTS = range(0, 301)
+REQUESTS = range(1, 301)
 AT_ONCE = 4  # servers; most of the time goes into their start
 # Pictures that the socket's buffer holds, and larger ones, which are cut off in the middle.
 PROGRAMS = [harness.Program("teapot_afd", size) for size in ((157, 119), (401, 307))]
