@@ -15,6 +15,7 @@ tests_with_reference := pipeline reference bench
 
 # What a layer links from outside.
 links_tool_2d := -lpng -lXext -lX11
+links_raster  := -ltbb -lhwy
 
 include config.mk
 

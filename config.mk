@@ -19,7 +19,8 @@ TEST_TIMEOUT ?= 900#  seconds a test program may take, sanitizers on a slow mach
 # Debian packages, each with its proof: a header, a library or a program that must be there.
 PACKAGES_build  := g++:$(CXX) libglm-dev:glm/glm.hpp libpng-dev:png.h libx11-dev:X11/Xlib.h \
     libxext-dev:X11/extensions/XShm.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
-    nlohmann-json3-dev:nlohmann/json.hpp
+    nlohmann-json3-dev:nlohmann/json.hpp libtbb-dev:oneapi/tbb/parallel_for.h \
+    libhwy-dev:hwy/highway.h
 PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool \
     x11-xkb-utils:setxkbmap x11-utils:xprop \
     libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so

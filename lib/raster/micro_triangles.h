@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// l3d_micro_triangles: loose triangles of a surface, ready to be filled.
+#ifndef L3D_RASTER_MICRO_TRIANGLES_H
+#define L3D_RASTER_MICRO_TRIANGLES_H
+
+#include "raster/micro_grid.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/// Triangles that belong to no grid: what closes the slits between pieces, and clipped pieces.
+///
+/// Shape: one array per corner and component, triangle i in element i, so that triangles can be
+///        set up side by side in SIMD lanes. Arrays have room for a multiple of 16.
+/// Cost:  clear keeps the memory; add allocates only when there are more than ever before.
+struct l3d_micro_triangles {
+    static constexpr std::size_t lanes = 16;
+
+    struct corner {
+        std::vector<std::int32_t> x, y;
+        std::vector<float> inv_w;
+        std::array<std::vector<float>, 3> normal;
+    };
+
+    std::array<corner, 3> corners;
+    std::size_t count = 0;
+
+    void clear() { count = 0; }
+
+    void add(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c) {
+        if (count == corners[0].x.size())
+            grow();
+        set(corners[0], a);
+        set(corners[1], b);
+        set(corners[2], c);
+        ++count;
+    }
+
+    l3d_micro_vertex vertex(std::size_t triangle, std::size_t at) const {
+        const corner& c = corners[at];
+        return {c.x[triangle],
+                c.y[triangle],
+                c.inv_w[triangle],
+                {c.normal[0][triangle], c.normal[1][triangle], c.normal[2][triangle]}};
+    }
+
+private:
+    void grow() {
+        const std::size_t size = count + count / lanes / 2 * lanes + lanes;
+        for (corner& c : corners) {
+            c.x.resize(size);
+            c.y.resize(size);
+            c.inv_w.resize(size);
+            for (auto& component : c.normal)
+                component.resize(size);
+        }
+    }
+
+    void set(corner& c, const l3d_micro_vertex& v) const {
+        c.x[count] = v.x;
+        c.y[count] = v.y;
+        c.inv_w[count] = v.inv_w;
+        for (std::size_t k = 0; k < c.normal.size(); ++k)
+            c.normal[k][count] = v.normal[k];
+    }
+};
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// l3d_surface_part: what a piece of surface becomes before it is filled.
+#ifndef L3D_RASTER_SURFACE_PART_H
+#define L3D_RASTER_SURFACE_PART_H
+
+#include "raster/micro_grid.h"
+#include "raster/micro_triangles.h"
+
+#include <array>
+#include <cstdint>
+
+/// Where the blocks of a grid begin, in rows or columns of its quads; the last entry is their
+/// number. A block is what is tested for being hidden, and sorted front to back, as a whole.
+struct l3d_block_starts {
+    static constexpr int most_blocks = 4;
+    int blocks = 1;
+    std::array<int, most_blocks + 1> first{};
+};
+
+/// A grid of micro-quads and loose triangles, drawn together.
+///
+/// Shape:   the grid may be empty (rows < 2); triangles may be none.
+/// Expects: the grid's normals have unit length or are zero.
+struct l3d_surface_part {
+    l3d_micro_grid grid;
+    l3d_block_starts block_rows, block_columns;
+    l3d_micro_triangles triangles;
+    std::uint32_t error_color = 0; ///< of everything in it, in mode `error`. A pixel word
+};
+
+#endif

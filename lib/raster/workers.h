@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// l3d_workers: the threads that share the work of a frame.
+#ifndef L3D_RASTER_WORKERS_H
+#define L3D_RASTER_WORKERS_H
+
+#include <concepts>
+#include <memory>
+#include <utility>
+
+/// A number of threads that do independent items of work.
+///
+/// The caller is one of them and goes on working until nothing is left to be taken, so a worker
+/// that the system does not let run holds nobody up but for the item it has begun.
+class l3d_workers {
+public:
+    /// Expects: threads >= 1. With 1, all work is done by the caller, in order.
+    explicit l3d_workers(int threads);
+    l3d_workers(const l3d_workers&) = delete;
+    l3d_workers& operator=(const l3d_workers&) = delete;
+    ~l3d_workers();
+
+    int count() const { return count_; }
+
+    /// Calls work(item, worker) once for each item in [0, items), on any worker in [0, count()),
+    /// and returns when all are done. Lower items are begun first. No two calls at a time have the
+    /// same worker.
+    /// Expects: work does not throw. Not called from within work.
+    template <std::invocable<int, int> Work> void for_each(int items, Work&& work) {
+        run(
+            items,
+            [](void* context, int item, int worker) {
+                (*static_cast<std::remove_reference_t<Work>*>(context))(item, worker);
+            },
+            const_cast<void*>(static_cast<const void*>(std::addressof(work))));
+    }
+
+private:
+    void run(int items, void (*call)(void*, int, int), void* context);
+
+    struct threads;
+    int count_;
+    std::unique_ptr<threads> threads_;
+};
+
+#endif
