@@ -85,12 +85,12 @@ private:
             most_y = hn::Max(most_y, y_[i]);
         }
         const int_vec zero = hn::Zero(ints());
-        column_ = first_centre_of(least_x);
-        row_ = first_centre_of(least_y);
+        column_ = first_centre_of(ints(), least_x);
+        row_ = first_centre_of(ints(), least_y);
         from_column_ = hn::Max(zero, hn::Sub(zero, column_));
-        to_column_ = hn::Sub(hn::Min(first_centre_of(most_x), set(band.width)), column_);
+        to_column_ = hn::Sub(hn::Min(first_centre_of(ints(), most_x), set(band.width)), column_);
         from_row_ = hn::Max(zero, hn::Sub(set(band.top), row_));
-        to_row_ = hn::Sub(hn::Min(first_centre_of(most_y), set(band.bottom)), row_);
+        to_row_ = hn::Sub(hn::Min(first_centre_of(ints(), most_y), set(band.bottom)), row_);
         live_ = hn::And(hn::Lt(from_column_, to_column_), hn::Lt(from_row_, to_row_));
         const int_vec extent = hn::Max(hn::Sub(most_x, least_x), hn::Sub(most_y, least_y));
         large_ = hn::Gt(extent, set(most_pixels * pixel - 1));

@@ -34,15 +34,21 @@ struct corner_arrays {
 /// A vector from an array's element `at` on; zeros behind its end.
 template <class D, class T>
 HWY_INLINE hn::Vec<D> load_within(D d, const T* array, std::size_t at, std::size_t size) {
-    if (HWY_LIKELY(at + lanes <= size))
+    constexpr std::size_t width = hn::MaxLanes(D());
+    if (HWY_LIKELY(at + width <= size))
         return hn::LoadU(d, array + at);
-    HWY_ALIGN T part[lanes] = {};
+    HWY_ALIGN T part[width] = {};
     std::copy(array + at, array + size, part);
     return hn::Load(d, part);
 }
 
-HWY_INLINE void put(int_vec v, std::int32_t* to) {
-    hn::StoreU(v, ints(), to);
+/// Whether a pixel centre in [begin, end) lies between the corners.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> meets(D d, const V (&v)[4], std::int32_t begin, std::int32_t end) {
+    const V least = hn::Min(hn::Min(v[0], v[1]), hn::Min(v[2], v[3]));
+    const V most = hn::Max(hn::Max(v[0], v[1]), hn::Max(v[2], v[3]));
+    return hn::Lt(hn::Max(first_centre_of(d, least), hn::Set(d, begin)),
+                  hn::Min(first_centre_of(d, most), hn::Set(d, end)));
 }
 
 /// Keeps those polygons that may cover a pixel, and fills them when there are enough.
@@ -56,11 +62,12 @@ public:
     HWY_INLINE void take(const corner_arrays (&from)[4], const std::size_t (&at)[4],
                          std::size_t count, const void* source, std::int32_t name,
                          std::int32_t step) {
-        const ints d;
-        const int_vec steps = hn::Mul(hn::Iota(d, 0), hn::Set(d, step));
+        using few = hn::CappedTag<std::int32_t, (lanes + 1) / 2>;
+        if (count <= hn::MaxLanes(few()))
+            return take_vector(few(), from, at, 0, count, source, name, step);
         for (std::size_t i = 0; i < count; i += lanes)
-            take_vector(from, at, i, std::min(lanes, count - i), source,
-                        hn::Add(steps, hn::Set(d, name + static_cast<std::int32_t>(i) * step)));
+            take_vector(ints(), from, at, i, std::min(lanes, count - i), source,
+                        name + static_cast<std::int32_t>(i) * step, step);
     }
 
     HWY_INLINE void finish() {
@@ -75,49 +82,46 @@ public:
     }
 
 private:
-    HWY_INLINE void take_vector(const corner_arrays (&from)[4], const std::size_t (&at)[4],
+    template <class D>
+    HWY_INLINE void take_vector(D d, const corner_arrays (&from)[4], const std::size_t (&at)[4],
                                 std::size_t i, std::size_t count, const void* source,
-                                int_vec names) {
-        const ints d;
-        const floats df;
-        int_vec x[4], y[4];
+                                std::int32_t name, std::int32_t step) {
+        using vec = hn::Vec<D>;
+        const hn::RebindToFloat<D> df;
+        vec x[4], y[4];
         for (std::size_t k = 0; k < 4; ++k) {
             x[k] = load_within(d, from[k].x, at[k] + i, from[k].size);
             y[k] = load_within(d, from[k].y, at[k] + i, from[k].size);
         }
         const fill_band& band = target_.band;
-        const int_mask live =
+        const auto live =
             hn::And(hn::FirstN(d, count),
-                    hn::And(meets(x, 0, band.width), meets(y, band.top, band.bottom)));
+                    hn::And(meets(d, x, 0, band.width), meets(d, y, band.top, band.bottom)));
         const std::size_t found = hn::CountTrue(d, live);
         if (found == 0)
             return;
         const std::size_t to = queue_.count;
         const bool all = found == count;
-        const auto kept = [&](int_vec v) HWY_ATTR { return all ? v : hn::Compress(v, live); };
+        const auto put = [&](vec v, std::int32_t* place) HWY_ATTR {
+            if (!all)
+                v = hn::Compress(v, live);
+            hn::StoreU(v, d, place + to);
+        };
         const auto number = [&](std::size_t k, const float* array) HWY_ATTR {
             return hn::BitCast(d, load_within(df, array, at[k] + i, from[k].size));
         };
         for (std::size_t k = 0; k < 4; ++k) {
-            put(kept(x[k]), queue_.corner[k][0] + to);
-            put(kept(y[k]), queue_.corner[k][1] + to);
-            put(kept(number(k, from[k].inv_w)), queue_.corner[k][2] + to);
+            put(x[k], queue_.corner[k][0]);
+            put(y[k], queue_.corner[k][1]);
+            put(number(k, from[k].inv_w), queue_.corner[k][2]);
             for (std::size_t c = 0; c < 3; ++c)
-                put(kept(number(k, from[k].normal[c])), queue_.corner[k][3 + c] + to);
+                put(number(k, from[k].normal[c]), queue_.corner[k][3 + c]);
         }
-        put(kept(names), queue_.name + to);
+        put(hn::Add(hn::Mul(hn::Iota(d, 0), hn::Set(d, step)), hn::Set(d, name)), queue_.name);
         std::fill_n(queue_.source.begin() + static_cast<std::ptrdiff_t>(to), lanes, source);
         queue_.count += found;
         if (queue_.count > fill_queue::most - lanes)
             fill_whole();
-    }
-
-    /// Whether a pixel centre in [begin, end) lies between the corners.
-    static HWY_INLINE int_mask meets(const int_vec (&v)[4], std::int32_t begin, std::int32_t end) {
-        const int_vec least = hn::Min(hn::Min(v[0], v[1]), hn::Min(v[2], v[3]));
-        const int_vec most = hn::Max(hn::Max(v[0], v[1]), hn::Max(v[2], v[3]));
-        return hn::Lt(hn::Max(first_centre_of(least), set(begin)),
-                      hn::Min(first_centre_of(most), set(end)));
     }
 
     /// Adds a piece. Expects: room.

@@ -18,8 +18,7 @@ namespace {
 constexpr std::int32_t pixel = l3d_subpixel_one;
 
 /// first_centre of scan_edge_p.h.
-HWY_INLINE int_vec first_centre_of(int_vec position) {
-    const ints d;
+template <class D> HWY_INLINE hn::Vec<D> first_centre_of(D d, hn::Vec<D> position) {
     return hn::ShiftRight<l3d_subpixel_bits>(hn::Add(position, hn::Set(d, pixel / 2 - 1)));
 }
 
