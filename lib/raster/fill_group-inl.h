@@ -28,6 +28,9 @@ constexpr float grey_of_cosine = 229.5f;
 /// 229.5. Up to `bent` squares stay above 0.9, up to `smooth` above 0.75.
 constexpr float flat_spread = 1.0f / 48, bent_spread = 0.4f, smooth_spread = 1.0f;
 
+/// The product of a polygon's diagonals, in areas, from which on it counts as a sliver.
+constexpr float sliver_ratio = 64;
+
 /// A triangle's corners may be twice as unlike as those of the quad that it is a piece of.
 constexpr float piece_spread = 0.49f * smooth_spread;
 
@@ -141,12 +144,30 @@ private:
         const int_mask is_quad = hn::Not(hn::Lt(load(to.queue.name + at), zero));
         const int_mask skewed = hn::And(is_quad, hn::Gt(skew, hn::ShiftRight<1>(hn::Abs(area2_))));
         const int_mask rough = mask_of(hn::Gt(spread_, set(smooth_spread)));
-        const int_mask others = hn::Or(hn::Or(large_, rough), hn::Or(folded, skewed));
+        const int_mask unfit = hn::Or(large_, hn::Or(rough, slivers_at_the_edge(to, at)));
+        const int_mask others = hn::Or(unfit, hn::Or(folded, skewed));
         candidates = hn::AndNot(hn::AndNot(large_, level), candidates);
         const int_mask left_over = hn::And(others, candidates);
         if (!hn::AllFalse(ints(), left_over))
-            put_by(to, at, left_over);
+            put_by(to, at, left_over,
+                   hn::AndNot(unfit, mask_of(hn::Le(spread_, set(piece_spread)))));
         return hn::AndNot(others, candidates);
+    }
+
+    /// Polygons so thin that left of them, where a run begins that would not fit the picture,
+    /// numbers are some hundred times the corners'. Pieces of quads are left as they are.
+    HWY_INLINE int_mask slivers_at_the_edge(const fill_target& to, std::size_t at) const {
+        const int_mask at_edge = hn::Gt(hn::Add(column_, to_column_), set(to.band.width - run + 1));
+        if (hn::AllFalse(ints(), at_edge))
+            return at_edge;
+        const float_vec square1 =
+            hn::Add(square_of(to_float(along1_x_)), square_of(to_float(along1_y_)));
+        const float_vec square2 =
+            hn::Add(square_of(to_float(along2_x_)), square_of(to_float(along2_y_)));
+        const float_vec limit = hn::Mul(to_float(area2_), set(sliver_ratio));
+        const auto thin = hn::Gt(hn::Mul(square1, square2), square_of(limit));
+        const int_mask piece = hn::Eq(load(to.queue.name + at), set(fill_queue::piece));
+        return hn::AndNot(piece, hn::And(at_edge, hn::RebindMask(ints(), thin)));
     }
 
     HWY_INLINE int_vec turn(int before, int i, int next) const {
@@ -158,15 +179,14 @@ private:
         return hn::RebindMask(ints(), mask);
     }
 
-    void put_by(const fill_target& to, std::size_t at, int_mask left_over) const {
-        HWY_ALIGN std::int32_t is_left_over[lanes], is_large[lanes];
-        HWY_ALIGN float spread[lanes];
+    static void put_by(const fill_target& to, std::size_t at, int_mask left_over,
+                       int_mask in_pieces) {
+        HWY_ALIGN std::int32_t is_left_over[lanes], is_in_pieces[lanes];
         hn::Store(hn::IfThenElseZero(left_over, set(1)), ints(), is_left_over);
-        hn::Store(hn::IfThenElseZero(large_, set(1)), ints(), is_large);
-        hn::Store(spread_, floats(), spread);
+        hn::Store(hn::IfThenElseZero(in_pieces, set(1)), ints(), is_in_pieces);
         for (std::size_t i = 0; i < lanes; ++i)
             if (is_left_over[i] != 0)
-                fill_put_by(to, at + i, is_large[i] == 0 && spread[i] <= piece_spread);
+                fill_put_by(to, at + i, is_in_pieces[i] != 0);
     }
 
     HWY_INLINE void attributes(const fill_shading& shading, const fill_queue& queue, std::size_t at,
