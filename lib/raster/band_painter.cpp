@@ -9,6 +9,12 @@ namespace l3d_detail {
 
 constexpr bool kernel_is_there = false;
 
+void band_painter::reserve(int rows, std::size_t polygons) {
+    scalar_.reserve(rows);
+    rest_.quads.reserve(polygons);
+    rest_.triangles.reserve(polygons);
+}
+
 void band_painter::draw(const band_frame& frame, const fill_band& band, const band_list& list,
                         std::span<const std::uint32_t> items, coarse_depth& coarse) {
     const pixel_box here{0, band.top, band.width, band.bottom};

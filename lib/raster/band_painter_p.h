@@ -8,6 +8,7 @@
 #include "raster/coarse_depth_p.h"
 #include "raster/fill_kernel_p.h"
 
+#include <cstddef>
 #include <span>
 
 namespace l3d_detail {
@@ -24,6 +25,10 @@ struct band_frame {
 /// Shape: begins a cache line, so that workers do not take each other's.
 class alignas(64) band_painter {
 public:
+    /// So that drawing bands of so many rows and items of so many polygons allocates nothing, also
+    /// if they come to a worker who had nothing to do so far.
+    void reserve(int rows, std::size_t polygons);
+
     /// Draws the items into the band, in this order, and notes them in the coarse depth.
     void draw(const band_frame& frame, const fill_band& band, const band_list& list,
               std::span<const std::uint32_t> items, coarse_depth& coarse);

@@ -19,6 +19,9 @@ namespace l3d_detail {
 /// Cost:  allocates only when a band is higher than any before.
 class band_scalar {
 public:
+    /// So that no band of so many rows makes it allocate.
+    void reserve(int rows) { target_.scan.set_rows({0, rows}); }
+
     /// From now on it draws here and counts from 0.
     void begin(const fill_band& band, const l3d_shading& shading);
 

@@ -77,6 +77,8 @@ void l3d_surface_rasterizer_sw::do_draw(std::span<const l3d_surface_part* const>
         const std::size_t of_a = list.items(a).size(), of_b = list.items(b).size();
         return of_a != of_b ? of_a > of_b : a < b;
     });
+    for (band_painter& painter : work_->painters)
+        painter.reserve(rows_, list.most_polygons());
     workers_.for_each(static_cast<int>(order.size()), [&](int i, int worker) {
         draw_band(order[static_cast<std::size_t>(i)], static_cast<std::size_t>(worker));
     });

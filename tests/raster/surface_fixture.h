@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -123,6 +124,19 @@ l3d_surface_part part_of(const reference::corners& v, std::uint32_t error_color)
     surface_picture::set(grid, 1, 1, v[2]);
     surface_picture::set(grid, 1, 0, v[3]);
     return part_of(grid, error_color);
+}
+
+/// What the rasterizers expect of a part's normals.
+inline reference::corners with_unit_normals(reference::corners v) {
+    for (l3d_micro_vertex& corner : v) {
+        float& x = corner.normal[0];
+        float &y = corner.normal[1], &z = corner.normal[2];
+        const float length = std::sqrt(x * x + y * y + z * z);
+        x /= length;
+        y /= length;
+        z /= length;
+    }
+    return v;
 }
 
 /// Random polygons of every awkward kind, near a picture of a given size.
