@@ -3,6 +3,7 @@
 #include "surface_fixture.h"
 
 #include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
 
 #include <atomic>
 #include <cmath>
@@ -157,6 +158,8 @@ TEST(SurfaceBands, DrawWhatTheSlowTwinDraws) {
 }
 
 TEST(SurfaceBands, PictureDoesNotDependOnThemNorOnThreads) {
+    // Else oneTBB has no more threads than the machine has cores.
+    const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
     for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::normals})
         for (unsigned n = 0; n < 4; ++n) {
             const parts scene = random_scene(seed + n, odd, 30);
