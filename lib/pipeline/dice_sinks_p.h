@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The sinks of l3d_pipeline_afd: one fills, one draws lines.
+// What l3d_pipeline_afd makes of pieces: filled surfaces, or lines.
 #ifndef L3D_PIPELINE_DICE_SINKS_P_H
 #define L3D_PIPELINE_DICE_SINKS_P_H
 
-#include "pipeline/dice_sink.h"
+#include "pipeline/diced_pieces.h"
 #include "pipeline/stopwatch_p.h"
 #include "raster/rasterizer_2d.h"
 #include "raster/surface_rasterizer.h"
@@ -22,66 +22,50 @@ inline std::uint32_t error_color(double bound, double tolerance) {
     return red << 16 | green << 8;
 }
 
-/// Hands everything to the surface rasterizer, and takes the time that it needs.
-class filling_sink final : public l3d_dice_sink {
-public:
-    filling_sink(l3d_surface_rasterizer& rasterizer, bool show_error, double tolerance)
-        : rasterizer_(rasterizer), show_error_(show_error), tolerance_(tolerance) {}
-
-    double milliseconds() const { return milliseconds_; }
-
-private:
-    void do_grid(const l3d_dice_grid& grid) override {
-        const stopwatch watch;
-        if (show_error_)
-            rasterizer_.set_error_color(error_color(grid.bound, tolerance_));
-        rasterizer_.draw_grid(grid.vertices);
-        milliseconds_ += watch.milliseconds();
+/// Hands pieces to the surface rasterizer, and takes the time that it needs.
+inline double fill_pieces(const l3d_diced_pieces& pieces, l3d_surface_rasterizer& rasterizer,
+                          bool show_error, double tolerance) {
+    const stopwatch watch;
+    for (const l3d_diced_piece& piece : pieces.used()) {
+        if (show_error)
+            rasterizer.set_error_color(error_color(piece.bound, tolerance));
+        const l3d_surface_part& part = piece.part;
+        if (part.grid.rows > 1)
+            rasterizer.draw_grid(part.grid);
+        for (std::size_t i = 0; i < part.triangles.count; ++i)
+            rasterizer.draw_triangle(part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
+                                     part.triangles.vertex(i, 2));
     }
-
-    void do_triangles(std::span<const l3d_dice_vertex> corners, double) override {
-        const stopwatch watch;
-        for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-            rasterizer_.draw_triangle(corners[i].vertex, corners[i + 1].vertex,
-                                      corners[i + 2].vertex);
-        milliseconds_ += watch.milliseconds();
-    }
-
-    l3d_surface_rasterizer& rasterizer_;
-    bool show_error_;
-    double tolerance_;
-    double milliseconds_ = 0;
-};
+    return watch.milliseconds();
+}
 
 /// Draws the rows and columns of every grid as lines: the steps that were taken.
-class line_sink final : public l3d_dice_sink {
+class line_sink {
 public:
     line_sink(l3d_rasterizer_2d& rasterizer, std::uint32_t color)
         : rasterizer_(rasterizer), color_(color) {}
 
+    void draw(const l3d_diced_pieces& pieces) {
+        lines_.clear();
+        for (const l3d_diced_piece& piece : pieces.used()) {
+            const l3d_micro_grid& g = piece.part.grid;
+            for (int r = 0; r < g.rows; ++r)
+                for (int c = 0; c < g.columns; ++c) {
+                    if (c + 1 < g.columns)
+                        add(g.vertex(r, c), g.vertex(r, c + 1));
+                    if (r + 1 < g.rows)
+                        add(g.vertex(r, c), g.vertex(r + 1, c));
+                }
+            // Slits are empty to the eye; pieces that had to be clipped are triangles, too.
+            const l3d_micro_triangles& t = piece.part.triangles;
+            for (std::size_t i = 0; i < t.count; ++i)
+                for (std::size_t k = 0; k < 3; ++k)
+                    add(t.vertex(i, k), t.vertex(i, (k + 1) % 3));
+        }
+        rasterizer_.draw_lines(lines_, color_);
+    }
+
 private:
-    void do_grid(const l3d_dice_grid& grid) override {
-        const l3d_micro_grid& g = grid.vertices;
-        lines_.clear();
-        for (int r = 0; r < g.rows; ++r)
-            for (int c = 0; c < g.columns; ++c) {
-                if (c + 1 < g.columns)
-                    add(g.vertex(r, c), g.vertex(r, c + 1));
-                if (r + 1 < g.rows)
-                    add(g.vertex(r, c), g.vertex(r + 1, c));
-            }
-        rasterizer_.draw_lines(lines_, color_);
-    }
-
-    /// Slits are empty to the eye; pieces that had to be clipped come as triangles, too.
-    void do_triangles(std::span<const l3d_dice_vertex> corners, double) override {
-        lines_.clear();
-        for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-            for (std::size_t k = 0; k < 3; ++k)
-                add(corners[i + k].vertex, corners[i + (k + 1) % 3].vertex);
-        rasterizer_.draw_lines(lines_, color_);
-    }
-
     /// The pixel a sub-pixel position lies in: a shift rounds down, also below zero.
     void add(const l3d_micro_vertex& a, const l3d_micro_vertex& b) {
         lines_.push_back({a.x >> l3d_subpixel_bits, a.y >> l3d_subpixel_bits,
