@@ -3,6 +3,8 @@
 #ifndef L3D_PIPELINE_DICE_COUNTS_H
 #define L3D_PIPELINE_DICE_COUNTS_H
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 /// What a frame's dicing did, and left out.
@@ -16,6 +18,12 @@ struct l3d_dice_counts {
     std::int64_t clipped = 0;   ///< of those, clipped at the near plane or the guard band
     std::int64_t samples = 0;   ///< vertices evaluated
     double bound_px = 0;        ///< certified image error of all that was drawn
+
+    /// An edge polyline of so many points, and its certified error.
+    void add_edge(std::size_t points, double bound) {
+        samples += static_cast<std::int64_t>(points);
+        bound_px = std::max(bound_px, bound);
+    }
 };
 
 #endif

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The sinks of l3d_pipeline_afd: one fills, one draws lines.
+// What l3d_pipeline_afd makes of pieces: filled surfaces, or lines.
 #ifndef L3D_PIPELINE_DICE_SINKS_P_H
 #define L3D_PIPELINE_DICE_SINKS_P_H
 
-#include "pipeline/dice_sink.h"
+#include "pipeline/diced_pieces.h"
+#include "pipeline/stopwatch_p.h"
 #include "raster/rasterizer_2d.h"
 #include "raster/surface_rasterizer.h"
 
 #include <algorithm>
-#include <cfloat>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -23,100 +22,50 @@ inline std::uint32_t error_color(double bound, double tolerance) {
     return red << 16 | green << 8;
 }
 
-/// Gathers everything as parts, to be drawn together.
-class filling_sink final : public l3d_dice_sink {
-public:
-    filling_sink(std::vector<l3d_surface_part>& parts, bool show_error, double tolerance)
-        : parts_(parts), show_error_(show_error), tolerance_(tolerance) {}
-
-    /// Draws all of them.
-    void draw(l3d_surface_rasterizer& rasterizer) const {
-        std::vector<const l3d_surface_part*> pointers;
-        for (std::size_t i = 0; i < used_; ++i)
-            pointers.push_back(&parts_[i]);
-        rasterizer.draw(pointers);
+/// Hands pieces to the surface rasterizer, and takes the time that it needs.
+inline double fill_pieces(const l3d_diced_pieces& pieces, l3d_surface_rasterizer& rasterizer,
+                          bool show_error, double tolerance) {
+    const stopwatch watch;
+    for (const l3d_diced_piece& piece : pieces.used()) {
+        if (show_error)
+            rasterizer.set_error_color(error_color(piece.bound, tolerance));
+        const l3d_surface_part& part = piece.part;
+        if (part.grid.rows > 1)
+            rasterizer.draw_grid(part.grid);
+        for (std::size_t i = 0; i < part.triangles.count; ++i)
+            rasterizer.draw_triangle(part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
+                                     part.triangles.vertex(i, 2));
     }
-
-private:
-    void do_grid(const l3d_dice_grid& grid) override {
-        l3d_surface_part& part = next();
-        part.grid = grid.vertices;
-        unit_normals(part.grid);
-        part.block_rows.first[1] = part.grid.rows - 1;
-        part.block_columns.first[1] = part.grid.columns - 1;
-        if (show_error_)
-            part.error_color = error_color(grid.bound, tolerance_);
-    }
-
-    void do_triangles(std::span<const l3d_dice_vertex> corners, double bound) override {
-        l3d_surface_part& part = next();
-        part.grid.resize(0, 0);
-        for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-            part.triangles.add(unit(corners[i].vertex), unit(corners[i + 1].vertex),
-                               unit(corners[i + 2].vertex));
-        if (show_error_)
-            part.error_color = error_color(bound, tolerance_);
-    }
-
-    l3d_surface_part& next() {
-        if (used_ == parts_.size())
-            parts_.emplace_back();
-        parts_[used_].triangles.clear();
-        return parts_[used_++];
-    }
-
-    static l3d_micro_vertex unit(l3d_micro_vertex v) {
-        const float square =
-            v.normal[0] * v.normal[0] + v.normal[1] * v.normal[1] + v.normal[2] * v.normal[2];
-        for (float& component : v.normal)
-            component = square > FLT_MIN ? component / std::sqrt(square) : 0.0f;
-        return v;
-    }
-
-    static void unit_normals(l3d_micro_grid& grid) {
-        for (int row = 0; row < grid.rows; ++row)
-            for (int column = 0; column < grid.columns; ++column) {
-                const l3d_micro_vertex v = unit(grid.vertex(row, column));
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    grid.normal[axis][grid.index(row, column)] = v.normal[axis];
-            }
-    }
-
-    std::vector<l3d_surface_part>& parts_;
-    bool show_error_;
-    double tolerance_;
-    std::size_t used_ = 0;
-};
+    return watch.milliseconds();
+}
 
 /// Draws the rows and columns of every grid as lines: the steps that were taken.
-class line_sink final : public l3d_dice_sink {
+class line_sink {
 public:
     line_sink(l3d_rasterizer_2d& rasterizer, std::uint32_t color)
         : rasterizer_(rasterizer), color_(color) {}
 
+    void draw(const l3d_diced_pieces& pieces) {
+        lines_.clear();
+        for (const l3d_diced_piece& piece : pieces.used()) {
+            const l3d_micro_grid& g = piece.part.grid;
+            for (int r = 0; r < g.rows; ++r)
+                for (int c = 0; c < g.columns; ++c) {
+                    if (c + 1 < g.columns)
+                        add(g.vertex(r, c), g.vertex(r, c + 1));
+                    if (r + 1 < g.rows)
+                        add(g.vertex(r, c), g.vertex(r + 1, c));
+                }
+            // Slits are empty to the eye; pieces that had to be clipped are triangles, too.
+            const l3d_micro_triangles& t = piece.part.triangles;
+            for (std::size_t i = 0; i < t.count; ++i)
+                for (std::size_t k = 0; k < 3; ++k)
+                    add(t.vertex(i, k), t.vertex(i, (k + 1) % 3));
+        }
+        rasterizer_.draw_lines(lines_, color_);
+    }
+
 private:
-    void do_grid(const l3d_dice_grid& grid) override {
-        const l3d_micro_grid& g = grid.vertices;
-        lines_.clear();
-        for (int r = 0; r < g.rows; ++r)
-            for (int c = 0; c < g.columns; ++c) {
-                if (c + 1 < g.columns)
-                    add(g.vertex(r, c), g.vertex(r, c + 1));
-                if (r + 1 < g.rows)
-                    add(g.vertex(r, c), g.vertex(r + 1, c));
-            }
-        rasterizer_.draw_lines(lines_, color_);
-    }
-
-    /// Slits are empty to the eye; pieces that had to be clipped come as triangles, too.
-    void do_triangles(std::span<const l3d_dice_vertex> corners, double) override {
-        lines_.clear();
-        for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-            for (std::size_t k = 0; k < 3; ++k)
-                add(corners[i + k].vertex, corners[i + (k + 1) % 3].vertex);
-        rasterizer_.draw_lines(lines_, color_);
-    }
-
     /// The pixel a sub-pixel position lies in: a shift rounds down, also below zero.
     void add(const l3d_micro_vertex& a, const l3d_micro_vertex& b) {
         lines_.push_back({a.x >> l3d_subpixel_bits, a.y >> l3d_subpixel_bits,

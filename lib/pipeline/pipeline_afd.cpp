@@ -5,8 +5,8 @@
 #include "pipeline/camera_shading.h"
 #include "pipeline/dice_sinks_p.h"
 #include "pipeline/near_clip.h"
-#include "pipeline/snap.h"
 #include "pipeline/stopwatch_p.h"
+#include "pipeline/visibility.h"
 
 #include <algorithm>
 #include <array>
@@ -26,7 +26,7 @@ l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
                                    const l3d_patch_model& model, const l3d_camera& camera,
                                    const l3d_afd_settings& settings)
     : screen_(std::move(screen)), imp_(rasterizers.create_2d(screen_->pixels())),
-      rasterizer_(*imp_), surface_rasterizer_(rasterizers.create_surface(workers_)), model_(model),
+      rasterizer_(*imp_), surface_rasterizer_(rasterizers.create_surface()), model_(model),
       camera_(camera), first_camera_(camera), settings_(settings) {
     report_.frame = -1;
     report_.method = "afd";
@@ -67,7 +67,7 @@ void l3d_pipeline_afd::draw_event() {
     report_.size = view_.size;
     report_.tolerance_px = settings_.tolerance;
     report_.patches = static_cast<std::int64_t>(model_.patches().size());
-    report_.dice = dicer_.counts();
+    report_.dice = counts_;
     report_.surface = surface_rasterizer_->counts();
     stale_ = false;
 }
@@ -78,20 +78,23 @@ void l3d_pipeline_afd::frame_event(const l3d_frame_times& times) {
 }
 
 void l3d_pipeline_afd::clear() {
+    rasterizer_.clear_buffer();
+    rasterizer_.finish();
     depth_.resize(screen_->pixels().size());
+    depth_.clear();
 }
 
 /// Nearest first: what is hidden is then mostly rejected by the depth test before it is shaded.
 void l3d_pipeline_afd::place_patches() {
     const l3d_size size = screen_->pixels().size();
-    transform_ = l3d_image_transform<wide>(camera_, size, model_);
+    transform_ = l3d_image_transform(camera_, size, model_);
     view_ = transform_.view(settings_.tolerance);
     view_.keep_all = settings_.keep_all;
     placed_.clear();
     for (std::size_t i = 0; i < model_.patches().size(); ++i) {
         placed_patch& p = placed_.emplace_back();
         p.net = transform_(model_.patches()[i]);
-        p.nearest_w = l3d_to_double(p.net.bounds().first[2]);
+        p.nearest_w = p.net.bounds().first[2];
         p.index = i;
     }
     std::sort(placed_.begin(), placed_.end(), [](const placed_patch& a, const placed_patch& b) {
@@ -101,35 +104,42 @@ void l3d_pipeline_afd::place_patches() {
 
 /// Returns the milliseconds that filling took.
 double l3d_pipeline_afd::draw_surfaces() {
-    dicer_.begin(view_);
+    counts_ = {};
     surface_rasterizer_->begin(
-        screen_->pixels(), &depth_,
+        screen_->pixels(), depth_,
         l3d_camera_shading(camera_, screen_->pixels().size(), settings_.shade, settings_.light));
-    const auto draw_into = [this](l3d_dice_sink& sink) {
-        for (const placed_patch& p : placed_)
-            dicer_.dice(p.net, model_.normals(p.index), sink);
+    const auto for_patches = [this](auto draw) {
+        for (const placed_patch& p : placed_) {
+            if (!view_.keep_all && l3d_left_out(p.net, view_, counts_))
+                continue;
+            pieces_.clear();
+            edges_.build(p.net, view_);
+            dicer_.dice(p.net, model_.normals(p.index), view_, edges_, pieces_, counts_);
+            draw();
+        }
     };
     if (settings_.wireframe) {
         l3d_detail::line_sink lines(rasterizer_, wire_color);
-        surface_rasterizer_->finish();
-        draw_into(lines);
+        for_patches([&] { lines.draw(pieces_); });
         return 0;
     }
-    l3d_detail::filling_sink filling(parts_, settings_.shade == l3d_shade::error,
-                                     settings_.tolerance);
-    draw_into(filling);
+    double milliseconds = 0;
+    for_patches([&] {
+        milliseconds +=
+            l3d_detail::fill_pieces(pieces_, *surface_rasterizer_,
+                                    settings_.shade == l3d_shade::error, settings_.tolerance);
+    });
     const stopwatch finishing;
-    filling.draw(*surface_rasterizer_);
     surface_rasterizer_->finish();
-    return finishing.milliseconds();
+    return milliseconds + finishing.milliseconds();
 }
 
 /// The 24 edges of every control net. An edge that reaches behind the near plane is left out.
 void l3d_pipeline_afd::draw_nets() {
     std::vector<l3d_line_2d> lines;
-    const auto add = [&](const l3d_vector<wide, 3>& from, const l3d_vector<wide, 3>& to) {
-        const l3d_clip_vertex a = l3d_canonical_vertex<wide>(from, view_);
-        const l3d_clip_vertex b = l3d_canonical_vertex<wide>(to, view_);
+    const auto add = [&](const l3d_image_point& from, const l3d_image_point& to) {
+        const l3d_clip_vertex a = l3d_canonical_vertex(from, view_);
+        const l3d_clip_vertex b = l3d_canonical_vertex(to, view_);
         if (a.drawable && b.drawable)
             lines.push_back(
                 {a.dice.vertex.x >> l3d_subpixel_bits, a.dice.vertex.y >> l3d_subpixel_bits,
@@ -147,6 +157,6 @@ void l3d_pipeline_afd::draw_nets() {
 l3d_frame_report l3d_pipeline_afd::report() const {
     l3d_frame_report result = report_;
     result.hash = l3d_hash(screen_->pixels());
-    result.pixels_covered = result.surface.covered;
+    result.pixels_covered = l3d_covered(depth_);
     return result;
 }

@@ -61,7 +61,7 @@ protected:
     const l3d_frame_report& last_report() const { return report_; }
 
     /// The certified bound of what has been drawn in this frame. Units: pixels.
-    double bound() const { return dicer_.counts().bound_px; }
+    double bound() const { return counts_.bound_px; }
 
     l3d_pixels pixels() { return screen_->pixels(); }
 
@@ -72,11 +72,8 @@ protected:
     virtual void draw_overlay() {}
 
 private:
-    using wide = l3d_real_traits<l3d_real>::wide;
-    using image_net = l3d_bezier_patch<wide, 3>;
-
     struct placed_patch {
-        image_net net;
+        l3d_image_patch net;
         double nearest_w;
         std::size_t index;
     };
@@ -99,10 +96,13 @@ private:
     l3d_afd_settings settings_;
     bool stale_ = true;
 
-    l3d_image_transform<wide> transform_;
+    l3d_image_transform transform_;
     l3d_dice_view view_;
     std::vector<placed_patch> placed_;
+    l3d_edge_polylines edges_;
     l3d_patch_dicer<l3d_real> dicer_;
+    l3d_diced_pieces pieces_;
+    l3d_dice_counts counts_;
     l3d_frame_report report_;
 };
 

@@ -9,6 +9,7 @@
 #include "bench/surface_error.h"
 #include "geom/teapot.h"
 #include "pipeline/pipeline_afd.h"
+#include "pipeline/visibility.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "tool_2d/screen_memory.h"
 
@@ -93,18 +94,23 @@ double uniform_error(const l3d_patch_model& model, const l3d_camera& camera, l3d
 
 double our_error(const l3d_patch_model& model, const l3d_camera& camera, l3d_size size,
                  double tolerance, double& bound) {
-    using wide = l3d_real_traits<l3d_real>::wide;
-    const l3d_image_transform<wide> transform(camera, size, model);
+    const l3d_image_transform transform(camera, size, model);
     const l3d_dice_view view = transform.view(tolerance);
     surface_error error(camera, size);
-    measuring_sink sink(error, view);
     l3d_patch_dicer<l3d_real> dicer;
-    dicer.begin(view);
+    l3d_edge_polylines edges;
+    l3d_diced_pieces pieces = l3d_diced_pieces::with_parameters();
+    l3d_dice_counts counts;
     for (std::size_t i = 0; i < model.patches().size(); ++i) {
-        sink.set_patch(model.patches()[i]);
-        dicer.dice(transform(model.patches()[i]), model.normals(i), sink);
+        const l3d_image_patch net = transform(model.patches()[i]);
+        if (l3d_left_out(net, view, counts))
+            continue;
+        pieces.clear();
+        edges.build(net, view);
+        dicer.dice(net, model.normals(i), view, edges, pieces, counts);
+        add_pieces(error, model.patches()[i], pieces.used(), view);
     }
-    bound = dicer.counts().bound_px;
+    bound = counts.bound_px;
     return error.largest();
 }
 
