@@ -238,6 +238,13 @@ int x11_connection::error_of(unsigned long serial) const {
     return found == failures_.end() ? 0 : found->code;
 }
 
+bool has_x11_manager(const x11_connection& connection) {
+    // A window manager is who redirects the root's children; only one client can.
+    XWindowAttributes root{};
+    return XGetWindowAttributes(connection.display(), connection.root(), &root) != 0 &&
+           (root.all_event_masks & SubstructureRedirectMask) != 0;
+}
+
 std::string x11_error_text(const x11_connection& connection, int code) {
     std::array<char, 128> text{};
     XGetErrorText(connection.display(), code, text.data(), static_cast<int>(text.size()));

@@ -95,6 +95,11 @@ private:
     std::size_t failure_count_ = 0; ///< in all; the array is a ring
 };
 
+/// Whether a window manager looks after the windows of this display.
+/// Errors:  false if the server goes away meanwhile.
+/// Cost:    one round trip; the errors of all requests before are known then.
+bool has_x11_manager(const x11_connection& connection);
+
 /// What the error code means, in words. No request is made.
 std::string x11_error_text(const x11_connection& connection, int code);
 
