@@ -13,6 +13,9 @@
 
 namespace l3d_detail {
 
+/// Why there is no screen, if the display was lost while it was asked.
+inline constexpr auto x11_server_went_away = "the X server went away";
+
 /// Owns a Display.
 ///
 /// Xlib's two error handlers belong to the whole process, and its own ones end it. While

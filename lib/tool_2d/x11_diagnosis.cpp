@@ -74,7 +74,7 @@ std::unique_ptr<x11_connection> diagnose_connection(l3d_probes& probes) {
     auto connection = x11_connection::open(why);
     if (connection && connection->lost()) {
         connection.reset();
-        why = "the X server went away";
+        why = x11_server_went_away;
     }
     if (std::ranges::find(probes, display_name, &l3d_probe::what) != probes.end())
         return connection;

@@ -63,7 +63,7 @@ std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> con
     window->set_protocols();
     window->managed_ = has_x11_manager(window->connection());
     if (window->connection().lost()) {
-        refusal = {l3d_service::level::display_lost, "the X server went away"};
+        refusal = {l3d_service::level::display_lost, x11_server_went_away};
         return nullptr;
     }
     if (trap.error() != 0) {
