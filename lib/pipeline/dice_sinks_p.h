@@ -4,11 +4,12 @@
 #define L3D_PIPELINE_DICE_SINKS_P_H
 
 #include "pipeline/dice_sink.h"
-#include "pipeline/stopwatch_p.h"
 #include "raster/rasterizer_2d.h"
 #include "raster/surface_rasterizer.h"
 
 #include <algorithm>
+#include <cfloat>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -22,35 +23,69 @@ inline std::uint32_t error_color(double bound, double tolerance) {
     return red << 16 | green << 8;
 }
 
-/// Hands everything to the surface rasterizer, and takes the time that it needs.
+/// Gathers everything as parts, to be drawn together.
 class filling_sink final : public l3d_dice_sink {
 public:
-    filling_sink(l3d_surface_rasterizer& rasterizer, bool show_error, double tolerance)
-        : rasterizer_(rasterizer), show_error_(show_error), tolerance_(tolerance) {}
+    filling_sink(std::vector<l3d_surface_part>& parts, bool show_error, double tolerance)
+        : parts_(parts), show_error_(show_error), tolerance_(tolerance) {}
 
-    double milliseconds() const { return milliseconds_; }
+    /// Draws all of them.
+    void draw(l3d_surface_rasterizer& rasterizer) const {
+        std::vector<const l3d_surface_part*> pointers;
+        for (std::size_t i = 0; i < used_; ++i)
+            pointers.push_back(&parts_[i]);
+        rasterizer.draw(pointers);
+    }
 
 private:
     void do_grid(const l3d_dice_grid& grid) override {
-        const stopwatch watch;
+        l3d_surface_part& part = next();
+        part.grid = grid.vertices;
+        unit_normals(part.grid);
+        part.block_rows.first[1] = part.grid.rows - 1;
+        part.block_columns.first[1] = part.grid.columns - 1;
         if (show_error_)
-            rasterizer_.set_error_color(error_color(grid.bound, tolerance_));
-        rasterizer_.draw_grid(grid.vertices);
-        milliseconds_ += watch.milliseconds();
+            part.error_color = error_color(grid.bound, tolerance_);
     }
 
-    void do_triangles(std::span<const l3d_dice_vertex> corners, double) override {
-        const stopwatch watch;
+    void do_triangles(std::span<const l3d_dice_vertex> corners, double bound) override {
+        l3d_surface_part& part = next();
+        part.grid.resize(0, 0);
         for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-            rasterizer_.draw_triangle(corners[i].vertex, corners[i + 1].vertex,
-                                      corners[i + 2].vertex);
-        milliseconds_ += watch.milliseconds();
+            part.triangles.add(unit(corners[i].vertex), unit(corners[i + 1].vertex),
+                               unit(corners[i + 2].vertex));
+        if (show_error_)
+            part.error_color = error_color(bound, tolerance_);
     }
 
-    l3d_surface_rasterizer& rasterizer_;
+    l3d_surface_part& next() {
+        if (used_ == parts_.size())
+            parts_.emplace_back();
+        parts_[used_].triangles.clear();
+        return parts_[used_++];
+    }
+
+    static l3d_micro_vertex unit(l3d_micro_vertex v) {
+        const float square =
+            v.normal[0] * v.normal[0] + v.normal[1] * v.normal[1] + v.normal[2] * v.normal[2];
+        for (float& component : v.normal)
+            component = square > FLT_MIN ? component / std::sqrt(square) : 0.0f;
+        return v;
+    }
+
+    static void unit_normals(l3d_micro_grid& grid) {
+        for (int row = 0; row < grid.rows; ++row)
+            for (int column = 0; column < grid.columns; ++column) {
+                const l3d_micro_vertex v = unit(grid.vertex(row, column));
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    grid.normal[axis][grid.index(row, column)] = v.normal[axis];
+            }
+    }
+
+    std::vector<l3d_surface_part>& parts_;
     bool show_error_;
     double tolerance_;
-    double milliseconds_ = 0;
+    std::size_t used_ = 0;
 };
 
 /// Draws the rows and columns of every grid as lines: the steps that were taken.

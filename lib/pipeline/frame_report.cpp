@@ -102,12 +102,3 @@ std::uint64_t l3d_hash(const l3d_pixels& pixels) {
                 hash = (hash ^ ((word >> (8 * byte)) & 0xff)) * prime;
     return hash;
 }
-
-std::int64_t l3d_covered(const l3d_depth_buffer& depth) {
-    std::int64_t covered = 0;
-    for (int y = 0; y < depth.size().height; ++y) {
-        const auto row = depth.row(y);
-        covered += std::count_if(row.begin(), row.end(), [](float inv_w) { return inv_w > 0; });
-    }
-    return covered;
-}

@@ -49,7 +49,4 @@ struct l3d_frame_report {
 /// Source: Fowler, Noll, Vo; constants from RFC 9923.
 std::uint64_t l3d_hash(const l3d_pixels& pixels);
 
-/// Pixels in which something is.
-std::int64_t l3d_covered(const l3d_depth_buffer& depth);
-
 #endif

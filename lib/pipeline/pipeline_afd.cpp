@@ -26,7 +26,7 @@ l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
                                    const l3d_patch_model& model, const l3d_camera& camera,
                                    const l3d_afd_settings& settings)
     : screen_(std::move(screen)), imp_(rasterizers.create_2d(screen_->pixels())),
-      rasterizer_(*imp_), surface_rasterizer_(rasterizers.create_surface()), model_(model),
+      rasterizer_(*imp_), surface_rasterizer_(rasterizers.create_surface(workers_)), model_(model),
       camera_(camera), first_camera_(camera), settings_(settings) {
     report_.frame = -1;
     report_.method = "afd";
@@ -78,10 +78,7 @@ void l3d_pipeline_afd::frame_event(const l3d_frame_times& times) {
 }
 
 void l3d_pipeline_afd::clear() {
-    rasterizer_.clear_buffer();
-    rasterizer_.finish();
     depth_.resize(screen_->pixels().size());
-    depth_.clear();
 }
 
 /// Nearest first: what is hidden is then mostly rejected by the depth test before it is shaded.
@@ -106,7 +103,7 @@ void l3d_pipeline_afd::place_patches() {
 double l3d_pipeline_afd::draw_surfaces() {
     dicer_.begin(view_);
     surface_rasterizer_->begin(
-        screen_->pixels(), depth_,
+        screen_->pixels(), &depth_,
         l3d_camera_shading(camera_, screen_->pixels().size(), settings_.shade, settings_.light));
     const auto draw_into = [this](l3d_dice_sink& sink) {
         for (const placed_patch& p : placed_)
@@ -114,15 +111,17 @@ double l3d_pipeline_afd::draw_surfaces() {
     };
     if (settings_.wireframe) {
         l3d_detail::line_sink lines(rasterizer_, wire_color);
+        surface_rasterizer_->finish();
         draw_into(lines);
         return 0;
     }
-    l3d_detail::filling_sink filling(*surface_rasterizer_, settings_.shade == l3d_shade::error,
+    l3d_detail::filling_sink filling(parts_, settings_.shade == l3d_shade::error,
                                      settings_.tolerance);
     draw_into(filling);
     const stopwatch finishing;
+    filling.draw(*surface_rasterizer_);
     surface_rasterizer_->finish();
-    return filling.milliseconds() + finishing.milliseconds();
+    return finishing.milliseconds();
 }
 
 /// The 24 edges of every control net. An edge that reaches behind the near plane is left out.
@@ -148,6 +147,6 @@ void l3d_pipeline_afd::draw_nets() {
 l3d_frame_report l3d_pipeline_afd::report() const {
     l3d_frame_report result = report_;
     result.hash = l3d_hash(screen_->pixels());
-    result.pixels_covered = l3d_covered(depth_);
+    result.pixels_covered = result.surface.covered;
     return result;
 }

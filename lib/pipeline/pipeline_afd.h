@@ -89,7 +89,9 @@ private:
     std::unique_ptr<l3d_screen> screen_;
     std::unique_ptr<l3d_rasterizer_2d_imp> imp_;
     l3d_rasterizer_2d rasterizer_;
+    l3d_workers workers_{1};
     std::unique_ptr<l3d_surface_rasterizer> surface_rasterizer_;
+    std::vector<l3d_surface_part> parts_;
     l3d_depth_buffer depth_;
 
     const l3d_patch_model& model_;

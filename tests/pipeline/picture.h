@@ -5,7 +5,7 @@
 
 #include "pipeline/camera_shading.h"
 #include "pipeline/dice_sink.h"
-#include "raster/surface_rasterizer_sw.h"
+#include "raster/surface_rasterizer_scalar.h"
 #include "reference/views.h"
 
 #include <cstdint>
@@ -30,7 +30,7 @@ public:
     void clear() {
         std::fill(words_.begin(), words_.end(), 0u);
         depth_.clear();
-        rasterizer_.begin({words_.data(), size_.width, size_.height, size_.width}, depth_,
+        rasterizer_.begin({words_.data(), size_.width, size_.height, size_.width}, &depth_,
                           shading_);
     }
 
@@ -65,19 +65,31 @@ public:
     }
 
 private:
-    void do_grid(const l3d_dice_grid& grid) override { rasterizer_.draw_grid(grid.vertices); }
+    void do_grid(const l3d_dice_grid& grid) override {
+        part_.grid = grid.vertices;
+        part_.triangles.clear();
+        draw();
+    }
 
     void do_triangles(std::span<const l3d_dice_vertex> corners, double) override {
+        part_.grid.resize(0, 0);
+        part_.triangles.clear();
         for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-            rasterizer_.draw_triangle(corners[i].vertex, corners[i + 1].vertex,
-                                      corners[i + 2].vertex);
+            part_.triangles.add(corners[i].vertex, corners[i + 1].vertex, corners[i + 2].vertex);
+        draw();
+    }
+
+    void draw() {
+        const l3d_surface_part* const parts[] = {&part_};
+        rasterizer_.draw(parts);
     }
 
     l3d_size size_;
     l3d_shading shading_;
     std::vector<std::uint32_t> words_;
     l3d_depth_buffer depth_;
-    l3d_surface_rasterizer_sw rasterizer_;
+    l3d_surface_part part_;
+    l3d_surface_rasterizer_scalar rasterizer_;
 };
 
 } // namespace pipeline_tests

@@ -27,8 +27,7 @@ TEST(SurfaceCoverage, IsTheTwinsForRandomPolygons) {
         const std::vector<reference::corners> pieces = reference::pieces(v);
         folded += pieces.size() == 4;
         picture.begin(l3d_shade::error);
-        picture.rasterizer.set_error_color(0x123456);
-        picture.draw(v);
+        picture.draw(v, 0x123456);
 
         std::int64_t samples = 0;
         for (int y = 0; y < picture.size.height; ++y)
@@ -76,7 +75,7 @@ TEST(SurfaceCoverage, OfAMeshWithoutFoldsIsEachPixelOnce) {
         const int cell = random.number(150, 3000);
         const int snap = n % 2 ? 1 : 16; // 16: many edges through pixel centres
         picture.begin(l3d_shade::error);
-        picture.rasterizer.draw_grid(jittered(random, picture.size, cell, cell / 4 - snap, snap));
+        picture.draw(jittered(random, picture.size, cell, cell / 4 - snap, snap));
         const l3d_surface_counts& counts = picture.rasterizer.counts();
         ASSERT_EQ(counts.samples, picture.size.width * picture.size.height)
             << "seed " << seed + 1 << ", mesh " << n;
@@ -90,8 +89,7 @@ TEST(SurfaceCoverage, OfAFoldedMeshHasNoHole) {
     for (int n = 0; n < 300; ++n) {
         const int cell = random.number(150, 3000);
         picture.begin(l3d_shade::error);
-        picture.rasterizer.draw_grid(
-            jittered(random, picture.size, cell, 2 * cell, n % 2 ? 1 : 128));
+        picture.draw(jittered(random, picture.size, cell, 2 * cell, n % 2 ? 1 : 128));
         for (int y = 0; y < picture.size.height; ++y)
             for (int x = 0; x < picture.size.width; ++x)
                 ASSERT_GT(picture.inv_w(x, y), 0.0f)
@@ -103,9 +101,9 @@ TEST(SurfaceCoverage, OfAGridWithoutCellsIsNothing) {
     surface_picture picture(9, 5);
     picture.begin(l3d_shade::error);
     l3d_micro_grid grid;
-    picture.rasterizer.draw_grid(grid);
+    picture.draw(grid);
     grid.resize(7, 1);
-    picture.rasterizer.draw_grid(grid);
+    picture.draw(grid);
     EXPECT_EQ(picture.rasterizer.counts().quads, 0);
     EXPECT_EQ(picture.rasterizer.counts().samples, 0);
 }
