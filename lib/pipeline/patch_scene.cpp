@@ -10,7 +10,7 @@ namespace {
 
 using vector = l3d_patch_scene::vector;
 
-bool is_affine(const l3d_matrix<double>& m) {
+[[maybe_unused]] bool is_affine(const l3d_matrix<double>& m) {
     return m(3, 0) == 0 && m(3, 1) == 0 && m(3, 2) == 0 && m(3, 3) == 1;
 }
 

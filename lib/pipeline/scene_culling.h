@@ -15,6 +15,10 @@
 #include <span>
 #include <vector>
 
+namespace l3d_detail {
+struct culled_boxes;
+}
+
 /// Patches that were left out, by the proof that they cannot be seen.
 struct l3d_cull_counts {
     std::int64_t offscreen = 0; ///< box beyond one side of the window
@@ -29,17 +33,17 @@ struct l3d_placed_patch {
     std::uint32_t instance = 0; ///< index in the scene
     std::uint32_t patch = 0;    ///< index in the instance's model
     std::uint32_t matrix = 0;   ///< for l3d_scene_culling::matrix
-    double nearest_w = 0;       ///< nothing of it that is drawn has a lesser w. In the view's units
+    float nearest_w = 0;        ///< least w of its box, or near. In the view's units
 };
 
 /// Hands out the visible patches of a scene in batches, nearest first.
 ///
 /// Whole instances are looked at first, by their boxes: a patch of an instance that is not seen
-/// costs nothing of its own. The boxes of the others' patches come next. The proofs hold for all
-/// that is inside a box, so they may let pass what its control net would prove unseen.
+/// costs nothing of its own. When their turn has come, the nearest first, the others are opened,
+/// that is, the boxes of their patches are looked at. The proofs hold for all that is inside a
+/// box, so they let pass some of what control nets would prove unseen.
 /// Lives: kept from frame to frame for its memory; borrows the scene for a frame.
-/// Cost:  some 10 ns an instance (1 ns if it is off-screen, see tests/bench/scaling_bench.cpp);
-///        no allocation once the largest frame has been seen.
+/// Cost:  tests/bench/scaling_bench.cpp; no allocation once the largest frame has been seen.
 class l3d_scene_culling {
 public:
     /// Starts a frame.
@@ -49,8 +53,10 @@ public:
     void begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,
                const l3d_dice_view& view);
 
-    /// The nearest of those patches that have not been handed out; none if that was all.
+    /// The next batch, its nearest patch first; empty if there are no more.
     ///
+    /// A batch takes the nearest patches of those instances that are open then; so some may be
+    /// farther than some of the next batch, by the depth of their instance at most.
     /// `hidden(box, inv_w)` tells whether what lies in a box and no nearer than inv_w (1 / distance
     /// along the view axis) would change no pixel; it is asked from the second batch on. So the
     /// caller is to draw each batch before he asks for the next. Batches grow, as what is near
@@ -78,10 +84,10 @@ public:
 private:
     using hidden_call = bool (*)(const void*, const l3d_subpixel_box&, float);
 
-    /// Where something is in the picture, for the caller's `hidden`.
+    /// Where something is in the picture.
     struct extent {
-        double nearest_w;
-        float inv_w; ///< infinite if it cannot be told
+        float nearest_w;
+        float inv_w; ///< for the caller's `hidden`; infinite if he cannot be asked
         l3d_subpixel_box box;
     };
     struct seen_instance {
@@ -92,17 +98,20 @@ private:
         extent where;
         std::uint32_t instance, patch, matrix;
     };
-    /// What stands in line: a place in instances_ or patches_.
-    struct ticket {
-        double nearest_w;
-        std::uint32_t at;
-    };
+    /// What stands in line: a place in instances_ or patches_, and above it the bits of nearest_w.
+    /// Floats from 0 up are in the order of their bits.
+    using ticket = std::uint64_t;
 
-    template <class Add>
-    void look_at(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image, Add add);
+    static ticket ticket_of(const extent& where, std::size_t at);
+    extent extent_of(const l3d_detail::culled_boxes& boxes, std::size_t i) const;
+    template <class See, class LeaveOut>
+    void look_at(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image, See see,
+                 LeaveOut leave_out);
+    void leave_out(const l3d_patch_instance& instance, std::int64_t& count);
     void open_next_instance(hidden_call hidden, const void* context);
+    void sort_nearest(std::size_t count);
+    void take_from_line(std::size_t count, hidden_call hidden, const void* context);
     std::span<const l3d_placed_patch> next_batch(hidden_call hidden, const void* context);
-    static bool is_later(const ticket& a, const ticket& b);
 
     const l3d_patch_scene* scene_ = nullptr;
     l3d_matrix<double> to_image_;
@@ -110,9 +119,10 @@ private:
     l3d_cull_counts counts_;
 
     std::vector<seen_instance> instances_;
-    std::vector<ticket> instance_line_; ///< sorted, nearest last
+    std::vector<ticket> instance_line_; ///< farthest first
     std::vector<seen_patch> patches_;   ///< of the instances that were opened
-    std::vector<ticket> patch_line_;    ///< a heap, nearest first
+    std::vector<ticket> patch_line_;
+    std::size_t sorted_ = 0; ///< so many at the end of patch_line_ are its nearest, nearest last
     std::vector<l3d_matrix<double>> matrices_;
     std::vector<l3d_placed_patch> batch_;
     std::int64_t left_ = 0; ///< patches not yet handed out or left out

@@ -24,21 +24,22 @@ struct coordinate {
     std::array<row, 3> axes;
 };
 
-void place(const l3d_box_lanes& boxes, std::size_t first, const l3d_vector<double, 4>& m,
-           coordinate& out) {
-    const double mx = m[0], my = m[1], mz = m[2], mw = m[3];
-    const auto* cx = boxes.centre(0, first);
-    const auto* cy = boxes.centre(1, first);
-    const auto* cz = boxes.centre(2, first);
+/// Written to a row of its own, of which the compiler knows that nothing else is in it.
+row sums(const l3d_vector<double, 4>& m, const double* x, const double* y, const double* z,
+         double more) {
+    row result;
     for (std::size_t i = 0; i < lanes; ++i)
-        out.centre[i] = mx * cx[i] + my * cy[i] + (mz * cz[i] + mw);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto* ax = boxes.axis(k, 0, first);
-        const auto* ay = boxes.axis(k, 1, first);
-        const auto* az = boxes.axis(k, 2, first);
-        for (std::size_t i = 0; i < lanes; ++i)
-            out.axes[k][i] = mx * ax[i] + my * ay[i] + mz * az[i];
-    }
+        result[i] = m[0] * x[i] + m[1] * y[i] + (m[2] * z[i] + more);
+    return result;
+}
+
+coordinate placed(const l3d_box_lanes& boxes, std::size_t first, const l3d_vector<double, 4>& m) {
+    const auto axis = [&](std::size_t k) HWY_ATTR {
+        return sums(m, boxes.axis(k, 0, first), boxes.axis(k, 1, first), boxes.axis(k, 2, first),
+                    0);
+    };
+    return {sums(m, boxes.centre(0, first), boxes.centre(1, first), boxes.centre(2, first), m[3]),
+            {axis(0), axis(1), axis(2)}};
 }
 
 /// How far the boxes reach to the inner side of a half-space: the most that sign (x - at w) can be.
@@ -71,10 +72,9 @@ void project(const coordinate& x, const coordinate& w, const row& least, const l
 
 void cull_lanes(const l3d_box_lanes& boxes, std::size_t first, const l3d_matrix<double>& to_image,
                 const l3d_dice_view& view, culled_boxes& result) {
-    coordinate x, y, w;
-    place(boxes, first, to_image.row(0), x);
-    place(boxes, first, to_image.row(1), y);
-    place(boxes, first, to_image.row(3), w);
+    const coordinate x = placed(boxes, first, to_image.row(0));
+    const coordinate y = placed(boxes, first, to_image.row(1));
+    const coordinate w = placed(boxes, first, to_image.row(3));
     for (std::size_t i = 0; i < lanes; ++i) {
         const double reach =
             std::abs(w.axes[0][i]) + std::abs(w.axes[1][i]) + std::abs(w.axes[2][i]) + view.error_w;
