@@ -144,6 +144,34 @@ bool l3d_normal_net::divide_by_vanishing_factor() {
     return false;
 }
 
+l3d_normal_net l3d_normal_net::turned(const l3d_matrix<double>& by) const {
+    const auto turn = [&by](const vector& v) {
+        vector result;
+        for (int i = 0; i < 3; ++i)
+            result[i] = by(i, 0) * v[0] + by(i, 1) * v[1] + by(i, 2) * v[2];
+        return result;
+    };
+    l3d_normal_net result;
+    double most = 0;
+    for (std::size_t i = 0; i < net_.size(); ++i) {
+        result.net_[i] = turn(net_[i]);
+        most = std::max(most, largest(result.net_[i]));
+    }
+    const double scale = most > 0 ? 1 / most : 0;
+    for (vector& v : result.net_)
+        v = v * scale;
+    for (std::size_t along_v = 0; along_v < order; ++along_v)
+        for (std::size_t along_u = 0; along_u < order; ++along_u) {
+            const auto& p = powers_;
+            const vector v =
+                turn({p[0][along_v][along_u], p[1][along_v][along_u], p[2][along_v][along_u]}) *
+                scale;
+            for (int k = 0; k < 3; ++k)
+                result.powers_[k][along_v][along_u] = static_cast<float>(v[k]);
+        }
+    return result;
+}
+
 l3d_normal_net::vector l3d_normal_net::evaluate(double u, double v) const {
     const auto collapse = [](std::array<vector, order> b, double t) {
         for (int level = degree; level > 0; --level)

@@ -4,6 +4,7 @@
 #define L3D_GEOM_NORMAL_NET_H
 
 #include "geom/bezier_patch.h"
+#include "geom/matrix.h"
 
 #include <array>
 #include <cstddef>
@@ -33,6 +34,11 @@ public:
 
     /// The normal at (u, v), any length. Source: de Casteljau.
     vector evaluate(double u, double v) const;
+
+    /// With each vector multiplied by the upper left three by three of a matrix: the normals of a
+    /// patch that was moved by an affine map, if the matrix is its cofactors'.
+    /// Expects: a matrix that can be inverted.
+    l3d_normal_net turned(const l3d_matrix<double>& by) const;
 
     /// The same polynomial in powers of u - middle and v - middle, to be evaluated quickly.
     ///
