@@ -114,7 +114,7 @@ bool surely_seen(const std::vector<vector>& points, const l3d_dice_view& view) {
     double low[2]{1e30, 1e30}, high[2]{-1e30, -1e30};
     for (const vector& p : points) {
         const bool between = p[2] > view.near && p[2] < view.far;
-        in_front = in_front && between;
+        in_front = in_front && p[2] > view.near;
         inside = inside || (between && std::abs(p[0]) < right && std::abs(p[1]) < bottom);
         for (int i = 0; i < 2; ++i) {
             low[i] = std::min(low[i], p[i]);
@@ -327,7 +327,7 @@ TEST(scene_culling, asks_about_all_that_is_in_a_patch_and_of_the_picture) {
         // The first batch is not asked about.
         EXPECT_LT(missed, 64 + rest.size() / 10) << "seed " << seed;
     }
-    EXPECT_GT(hidden, 1000);
+    EXPECT_GT(hidden, 500);
 }
 
 /// The slow twin: the eight corners of a box.
