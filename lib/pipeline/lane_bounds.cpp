@@ -312,7 +312,7 @@ HWY_ATTR void bound_blocks(const l3d_dice_view& view, lane_bounds& out) {
         put(shown(hn::Mul(nine, hn::Add(uv.image, rounding))), needs.uv, lane);
         put(shown(hn::Mul(six, hn::Add(vv.image, rounding))), needs.vv, lane);
 
-        const auto gaps = hn::Set(d, static_cast<float>(3 / l3d_largest_side));
+        const auto gaps = hn::Set(d, static_cast<float>(3 / l3d_largest_quad));
         put(shown(hn::Mul(gaps, box.gap_u)), needs.least_u, lane);
         put(shown(hn::Mul(gaps, box.gap_v)), needs.least_v, lane);
 

@@ -61,8 +61,8 @@ void add_need(l3d_block_needs& needs, std::size_t i, const l3d_image_patch& bloc
     if (kind == l3d_quad_kind::whole) {
         // A cubic moves by at most three gaps of its control polygon.
         const auto [along_u, along_v] = largest_gaps(block);
-        needs.least_u[i] = 3 / l3d_largest_side * along_u;
-        needs.least_v[i] = 3 / l3d_largest_side * along_v;
+        needs.least_u[i] = 3 / l3d_largest_quad * along_u;
+        needs.least_v[i] = 3 / l3d_largest_quad * along_v;
     }
 }
 
