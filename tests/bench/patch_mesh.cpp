@@ -123,11 +123,11 @@ constexpr std::array all_sides{shared_edges::low_v, shared_edges::high_v, shared
 
 } // namespace
 
-double patch_mesh::error(const seen_patch& patch) const {
+double patch_mesh::error(const triangle& t, const seen_patch& patch) const {
     double largest = 0;
-    for (const triangle& t : triangles)
-        largest = std::max(largest, patch.triangle_error(corners[t[0]], corners[t[1]],
-                                                         corners[t[2]]));
+    each_sample(t, [&](const l3d_image_point& drawn, double u, double v) {
+        largest = std::max(largest, patch.point_error(drawn, u, v));
+    });
     return largest;
 }
 
@@ -245,7 +245,7 @@ bool grid_maker::improve(shared_edges& edges, double tolerance, double& scale) c
     for (const auto& t : mesh.triangles) {
         const mesh_corner &a = mesh.corners[t[0]], &b = mesh.corners[t[1]],
                           &c = mesh.corners[t[2]];
-        if (patch_.triangle_error(a, b, c) <= tolerance)
+        if (mesh.error(t, patch_) <= tolerance)
             continue;
         bool at_rim = false;
         for (const auto s : all_sides) {

@@ -5,6 +5,7 @@
 
 #include "bench/seen_patch.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -16,8 +17,22 @@ struct patch_mesh {
     std::vector<mesh_corner> corners;
     std::vector<triangle> triangles;
 
-    /// The largest error, of dense samples of every triangle that is seen.
-    double error(const seen_patch& patch) const;
+    /// Calls sample(drawn image point, u, v) for twelve points of a triangle: the lattice of its
+    /// fourths, without the corners.
+    template <class Sample> void each_sample(const triangle& t, Sample sample) const {
+        constexpr int steps = 4;
+        const mesh_corner &a = corners[t[0]], &b = corners[t[1]], &c = corners[t[2]];
+        for (int i = 0; i <= steps; ++i)
+            for (int j = 0; i + j <= steps; ++j) {
+                const double p = i / double{steps}, q = j / double{steps}, r = 1 - p - q;
+                if (std::max({p, q, r}) < 1)
+                    sample(a.image * p + b.image * q + c.image * r, a.u * p + b.u * q + c.u * r,
+                           a.v * p + b.v * q + c.v * r);
+            }
+    }
+
+    /// The largest error of a triangle's samples.
+    double error(const triangle& t, const seen_patch& patch) const;
     /// Takes away what is not seen or has two corners in one place.
     void keep_visible(const seen_patch& patch);
 };

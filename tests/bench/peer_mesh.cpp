@@ -37,11 +37,38 @@ std::vector<std::size_t> nearest_first(const mesh_wish& wish) {
     return order;
 }
 
+/// Triangles in an order in which each shares vertices with those just before: fans around the
+/// vertices of the fan before.
+std::vector<patch_mesh::triangle> in_fans(const patch_mesh& mesh) {
+    std::vector<std::vector<std::uint32_t>> star(mesh.corners.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+        for (const std::uint32_t i : mesh.triangles[t])
+            star[i].push_back(t);
+    std::vector<bool> done(mesh.triangles.size()), seen(mesh.corners.size());
+    std::vector<patch_mesh::triangle> order;
+    for (std::uint32_t start = 0; start < star.size(); ++start) {
+        std::vector<std::uint32_t> waiting{start}; // first come, first served: ring by ring
+        for (std::size_t next = 0; next < waiting.size(); ++next)
+            for (const std::uint32_t t : star[waiting[next]]) {
+                if (done[t])
+                    continue;
+                done[t] = true;
+                order.push_back(mesh.triangles[t]);
+                for (const std::uint32_t i : mesh.triangles[t])
+                    if (!seen[i]) {
+                        seen[i] = true;
+                        waiting.push_back(i);
+                    }
+            }
+    }
+    return order;
+}
+
 /// Appends a patch, vertices in the order of their first use.
 void append(const mesh_wish& wish, std::size_t patch, const patch_mesh& part, peer_mesh& mesh) {
     constexpr std::uint32_t unused = ~0u;
     std::vector<std::uint32_t> place(part.corners.size(), unused);
-    for (const auto& t : part.triangles)
+    for (const auto& t : in_fans(part))
         for (const std::uint32_t i : t) {
             if (place[i] == unused) {
                 place[i] = static_cast<std::uint32_t>(mesh.greys.size());
@@ -55,21 +82,6 @@ void append(const mesh_wish& wish, std::size_t patch, const patch_mesh& part, pe
         }
 }
 
-/// The samples of a triangle's error: a lattice of fifteen points without the corners.
-void measure(const l3d_patch_model::patch& patch, const patch_mesh& part, surface_error& error) {
-    constexpr int steps = 4;
-    for (const auto& t : part.triangles) {
-        const mesh_corner &a = part.corners[t[0]], &b = part.corners[t[1]], &c = part.corners[t[2]];
-        for (int i = 0; i <= steps; ++i)
-            for (int j = 0; i + j <= steps; ++j) {
-                const double p = i / double{steps}, q = j / double{steps}, r = 1 - p - q;
-                if (std::max({p, q, r}) < 1)
-                    error.add_point(patch, a.image * p + b.image * q + c.image * r,
-                                    a.u * p + b.u * q + c.u * r, a.v * p + b.v * q + c.v * r);
-            }
-    }
-}
-
 /// Puts together what `make` makes of each patch.
 template <class Make>
 peer_mesh assembled(const mesh_wish& wish, const char* kind, const seen_world& world, Make make) {
@@ -80,7 +92,10 @@ peer_mesh assembled(const mesh_wish& wish, const char* kind, const seen_world& w
         const seen_patch patch(wish.model.patches()[i], world);
         patch_mesh part = make(patch, i);
         part.keep_visible(patch);
-        measure(patch.patch(), part, error);
+        for (const auto& t : part.triangles)
+            part.each_sample(t, [&](const l3d_image_point& drawn, double u, double v) {
+                error.add_point(patch.patch(), drawn, u, v);
+            });
         append(wish, i, part, mesh);
     }
     mesh.error = error.largest();
@@ -122,17 +137,6 @@ private:
     std::vector<double> scales_;
 };
 
-/// The meshes of `make(tolerance)` with the tolerance lowered until the measured error fits.
-template <class Make> peer_mesh within(const mesh_wish& wish, Make make) {
-    double tolerance = wish.tolerance;
-    for (;;) {
-        peer_mesh mesh = make(tolerance);
-        if (mesh.error <= wish.tolerance)
-            return mesh;
-        tolerance *= std::min(0.995, wish.tolerance / mesh.error);
-    }
-}
-
 patch_mesh uniform_grid(const seen_patch& patch, int n) {
     patch_mesh mesh;
     for (int r = 0; r <= n; ++r)
@@ -168,22 +172,18 @@ peer_mesh uniform_mesh(const mesh_wish& wish) {
 
 peer_mesh adaptive_mesh(const mesh_wish& wish) {
     const seen_world world(wish.camera, wish.size);
-    return within(wish, [&](double tolerance) {
-        grids made(wish, world, tolerance);
-        return assembled(wish, "adaptive", world,
-                         [&](const seen_patch&, std::size_t i) { return made.grid(i); });
-    });
+    grids made(wish, world, wish.tolerance);
+    return assembled(wish, "adaptive", world,
+                     [&](const seen_patch&, std::size_t i) { return made.grid(i); });
 }
 
 peer_mesh thinned_mesh(const mesh_wish& wish) {
     constexpr double finer = 2.5;
     const seen_world world(wish.camera, wish.size);
-    return within(wish, [&](double tolerance) {
-        grids made(wish, world, tolerance);
-        return assembled(wish, "thinned", world, [&](const seen_patch& patch, std::size_t i) {
-            patch_mesh mesh = made.grid(i, finer);
-            thin_out(mesh, patch, tolerance);
-            return mesh;
-        });
+    grids made(wish, world, wish.tolerance);
+    return assembled(wish, "thinned", world, [&](const seen_patch& patch, std::size_t i) {
+        patch_mesh mesh = made.grid(i, finer);
+        thin_out(mesh, patch, wish.tolerance);
+        return mesh;
     });
 }

@@ -94,6 +94,13 @@ double seen_patch::distance(double x, double y, const l3d_image_point& exact) co
     return std::hypot(x - exact[0] / exact[2], y - exact[1] / exact[2]);
 }
 
+double seen_patch::point_error(const l3d_image_point& drawn, double u, double v) const {
+    const double x = drawn[0] / drawn[2], y = drawn[1] / drawn[2];
+    const l3d_image_box& w = world_.window;
+    return x < w.left || x > w.right || y < w.top || y > w.bottom ? 0
+                                                                  : distance(x, y, exact(u, v));
+}
+
 double seen_patch::edge_error(const mesh_corner& a, const mesh_corner& b) const {
     if (beyond_one_side(world_.window, std::min(a.x, b.x), std::max(a.x, b.x), std::min(a.y, b.y),
                         std::max(a.y, b.y)))

@@ -38,6 +38,8 @@ public:
 
     mesh_corner corner(double u, double v) const;
 
+    /// Of a drawn point; none outside of the window.
+    double point_error(const l3d_image_point& drawn, double u, double v) const;
     /// Of the middle of the line from a to b.
     double edge_error(const mesh_corner& a, const mesh_corner& b) const;
     /// Of the centre of a triangle.
