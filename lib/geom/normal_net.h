@@ -4,6 +4,7 @@
 #define L3D_GEOM_NORMAL_NET_H
 
 #include "geom/bezier_patch.h"
+#include "geom/matrix.h"
 
 #include <array>
 #include <cstddef>
@@ -34,11 +35,27 @@ public:
     /// The normal at (u, v), any length. Source: de Casteljau.
     vector evaluate(double u, double v) const;
 
+    /// With each vector multiplied by the upper left three by three of a matrix: the normals of a
+    /// patch that was moved by an affine map, if the matrix is its cofactors'.
+    /// Expects: a matrix that can be inverted.
+    l3d_normal_net turned(const l3d_matrix<double>& by) const;
+
+    /// The same polynomial in powers of u - middle and v - middle, to be evaluated quickly.
+    ///
+    /// Shape:  [component][power of v][power of u].
+    /// Errors: around the middle of [0, 1] a quintic's terms add up to at most 2^5 times its
+    ///         largest Bernstein coefficient, around 0 to 3^5 times: floats are good enough.
+    using power_form = float[3][6][6];
+    static constexpr double middle = 0.5;
+    const power_form& powers() const { return powers_; }
+
 private:
     void scale_to_one();
+    void fill_powers();
     bool divide_by_vanishing_factor();
 
     std::array<vector, 36> net_{};
+    power_form powers_{};
 };
 
 #endif

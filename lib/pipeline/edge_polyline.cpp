@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 namespace {
@@ -19,21 +18,13 @@ constexpr int deepest = 24;
 /// Edges that are not small are halved twice, into four strips, as patches are.
 constexpr int usual_level = 2;
 
-template <class Wide> bool runs_backwards(const l3d_bezier_curve<Wide, 3>& edge) {
+bool runs_backwards(const l3d_image_curve& edge) {
     const auto& p = edge.points;
     for (std::size_t i = 0; i < 2; ++i)
         for (int k = 0; k < 3; ++k)
             if (p[i][k] != p[3 - i][k])
                 return p[3 - i][k] < p[i][k];
     return false;
-}
-
-template <class Wide> l3d_image_curve in_double(const l3d_bezier_curve<Wide, 3>& curve) {
-    l3d_image_curve result;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (int k = 0; k < 3; ++k)
-            result.points[i][k] = l3d_to_double(curve.points[i][k]);
-    return result;
 }
 
 double largest_of(const l3d_image_curve& curve, bool depth) {
@@ -44,83 +35,92 @@ double largest_of(const l3d_image_curve& curve, bool depth) {
     return largest;
 }
 
-template <class Wide>
 double points_error(const l3d_image_curve& curve, const l3d_image_box& seen, bool in_front,
                     double w_low, const l3d_dice_view& view) {
     l3d_vertex_accuracy accuracy;
-    accuracy.error_xy = view.error_xy + l3d_evaluation_error<Wide>(largest_of(curve, false));
-    accuracy.error_w = view.error_w + l3d_evaluation_error<Wide>(largest_of(curve, true));
+    accuracy.error_xy = view.error_xy + l3d_evaluation_error(largest_of(curve, false));
+    accuracy.error_w = view.error_w + l3d_evaluation_error(largest_of(curve, true));
     accuracy.w_low = w_low;
     accuracy.seen_reach = seen.reach();
     accuracy.reach = in_front ? std::min(l3d_image_box_of(curve.points).reach(), l3d_guard_band)
                               : l3d_guard_band;
-    accuracy.snap_error = l3d_snap_error<Wide>(accuracy.reach);
+    accuracy.snap_error = l3d_snap_error<double>(accuracy.reach);
     return accuracy.drawn_error(in_front ? l3d_vertex_accuracy::in_front
                                          : l3d_vertex_accuracy::crossing);
 }
 
 } // namespace
 
-template <class Wide>
-l3d_clip_vertex l3d_canonical_vertex(const l3d_vector<Wide, 3>& h, const l3d_dice_view& view) {
+l3d_clip_vertex l3d_edge_polyline::clip_vertex(std::size_t i) const {
     l3d_clip_vertex result;
-    for (int k = 0; k < 3; ++k)
-        result.h[k] = l3d_to_double(h[k]);
-    result.drawable = l3d_drawable(result.h, view);
-    if (result.drawable) {
-        const l3d_snapped s = l3d_snap(h[0], h[1], h[2]);
-        result.dice.vertex.x = s.x + view.centre_x();
-        result.dice.vertex.y = s.y + view.centre_y();
-        result.dice.vertex.inv_w = s.inv_w * static_cast<float>(view.depth_scale);
-    }
+    result.h = h_[i];
+    result.drawable = drawable_[i] != 0;
+    result.dice.vertex.x = x_[i];
+    result.dice.vertex.y = y_[i];
+    result.dice.vertex.inv_w = inv_w_[i];
     return result;
 }
 
-template <class Wide>
-void l3d_edge_polyline::add_point(const l3d_vector<Wide, 3>& h, double t,
-                                  const l3d_dice_view& view) {
-    points_.push_back({t, l3d_canonical_vertex<Wide>(h, view)});
+void l3d_edge_polyline::add_point(const l3d_image_point& h, double t, const l3d_dice_view& view) {
+    const l3d_clip_vertex vertex = l3d_canonical_vertex(h, view);
+    t_.push_back(t);
+    x_.push_back(vertex.dice.vertex.x);
+    y_.push_back(vertex.dice.vertex.y);
+    inv_w_.push_back(vertex.dice.vertex.inv_w);
+    h_.push_back(h);
+    drawable_.push_back(vertex.drawable);
 }
 
-template <class Wide>
-void l3d_edge_polyline::build(const l3d_bezier_curve<Wide, 3>& edge, const l3d_dice_view& view) {
-    points_.clear();
+void l3d_edge_polyline::reverse() {
+    std::reverse(t_.begin(), t_.end());
+    std::reverse(x_.begin(), x_.end());
+    std::reverse(y_.begin(), y_.end());
+    std::reverse(inv_w_.begin(), inv_w_.end());
+    std::reverse(h_.begin(), h_.end());
+    std::reverse(drawable_.begin(), drawable_.end());
+    for (double& t : t_)
+        t = 1 - t;
+}
+
+void l3d_edge_polyline::build(const l3d_image_curve& edge, const l3d_dice_view& view) {
+    t_.clear();
+    x_.clear();
+    y_.clear();
+    inv_w_.clear();
+    h_.clear();
+    drawable_.clear();
+    strips_ = {0, {}};
     chord_error_ = vertex_error_ = 0;
     const bool backwards = runs_backwards(edge);
-    const auto canonical = backwards ? edge.reversed() : edge;
-    add_point<Wide>(canonical.points[0], 0, view);
+    const l3d_image_curve canonical = backwards ? edge.reversed() : edge;
+    add_point(canonical.points[0], 0, view);
     add_strip(canonical, 0, 1, 0, view);
-    if (backwards) {
-        std::reverse(points_.begin(), points_.end());
-        for (l3d_edge_point& p : points_)
-            p.t = 1 - p.t;
-    }
+    if (backwards)
+        reverse();
 }
 
-template <class Wide>
-void l3d_edge_polyline::add_strip(const l3d_bezier_curve<Wide, 3>& strip, double t0, double t1,
-                                  int level, const l3d_dice_view& view) {
-    const l3d_image_curve net = in_double(strip);
-    const l3d_depth_range depth = l3d_depth_range_of(net.points);
+void l3d_edge_polyline::add_strip(const l3d_image_curve& strip, double t0, double t1, int level,
+                                  const l3d_dice_view& view) {
+    const l3d_depth_range depth = l3d_depth_range_of(strip.points);
     const bool in_front = depth.least > view.near;
     l3d_image_box box = view.margin();
-    bool visible = !l3d_outside(net.points, box, view.near, view.far);
+    bool visible = !l3d_outside(strip.points, box, view.near, view.far);
     bool small = false;
     if (visible && in_front) {
-        const l3d_image_box whole = l3d_image_box_of(net.points);
+        const l3d_image_box whole = l3d_image_box_of(strip.points);
         small = whole.width() < l3d_small_net && whole.height() < l3d_small_net;
         box = box.intersected(whole);
         visible = !box.empty();
     }
     if (!visible)
-        return add_point<Wide>(strip.points[3], t1, view);
+        return add_point(strip.points[3], t1, view);
 
     const double w_low = view.drawn_w(depth.least);
-    const double vertex = points_error<Wide>(net, box, in_front, w_low, view);
+    const double vertex = points_error(strip, box, in_front, w_low, view);
     const double budget = view.chord_budget(vertex);
     const double depth_budget = view.depth_budget(depth.least);
-    const double second = l3d_second_bound_of(net, box, w_low);
-    const double depth_second = l3d_depth_bound_of(net);
+    const double second = l3d_second_bound_of(strip, box, w_low);
+    const double depth_second = l3d_depth_bound_of(strip);
     // Half the budget, as each direction of a quad gets: then an edge and the boundary row of a
     // patch mostly have the same steps, and the slit between them is empty.
     const double wanted = std::max({1.0, std::ceil(std::sqrt(second / (4 * budget))),
@@ -136,18 +136,11 @@ void l3d_edge_polyline::add_strip(const l3d_bezier_curve<Wide, 3>& strip, double
     const int n = static_cast<int>(std::min<double>(wanted, most_steps));
     for (int i = 1; i < n; ++i) {
         const double t = static_cast<double>(i) / n;
-        add_point<Wide>(strip.evaluate(l3d_from_double<Wide>(t)), t0 + t * (t1 - t0), view);
+        add_point(strip.evaluate(t), t0 + t * (t1 - t0), view);
     }
-    add_point<Wide>(strip.points[3], t1, view);
+    add_point(strip.points[3], t1, view);
     const bool depth_kept = depth_second <= 8.0 * n * n * depth_budget;
     chord_error_ = std::max(chord_error_, depth_kept ? second / (8.0 * n * n)
                                                      : std::numeric_limits<double>::infinity());
     vertex_error_ = std::max(vertex_error_, vertex);
 }
-
-template void l3d_edge_polyline::build(const l3d_bezier_curve<double, 3>&, const l3d_dice_view&);
-template void l3d_edge_polyline::build(const l3d_bezier_curve<l3d_fixed<std::int64_t, 32>, 3>&,
-                                       const l3d_dice_view&);
-template l3d_clip_vertex l3d_canonical_vertex(const l3d_vector<double, 3>&, const l3d_dice_view&);
-template l3d_clip_vertex l3d_canonical_vertex(const l3d_vector<l3d_fixed<std::int64_t, 32>, 3>&,
-                                              const l3d_dice_view&);

@@ -24,9 +24,10 @@ TYPED_TEST_SUITE(bound_of, number_types, type_names);
 /// Dices and measures; what must hold in every frame.
 template <class T>
 void measure(const scene& s, double tolerance, certificate& result, l3d_dice_counts& counts) {
-    l3d_patch_dicer<T> dicer;
-    dice(dicer, s, tolerance, result, [&](std::size_t i) { result.next(s.patches[i]); });
-    counts = dicer.counts();
+    counts = scene_dicer<T>().dice(s, tolerance, [&](std::size_t i, diced pieces, double bound) {
+        result.next(s.patches[i]);
+        result.draw(pieces, bound);
+    });
     EXPECT_EQ(result.violations, 0)
         << "worst at u " << result.worst_u << " v " << result.worst_v << ", in a "
         << (result.worst_is_grid ? "grid" : "triangle") << ": measured " << result.worst_measured

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
-// A sink that draws, and the picture it draws.
+// A picture that pieces are drawn into.
 #ifndef L3D_TESTS_PIPELINE_PICTURE_H
 #define L3D_TESTS_PIPELINE_PICTURE_H
 
 #include "pipeline/camera_shading.h"
-#include "pipeline/dice_sink.h"
+#include "pipeline/diced_piece.h"
 #include "raster/surface_rasterizer_sw.h"
 #include "reference/views.h"
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace pipeline_tests {
 
 /// Draws what it is given. Cleared when made and by `clear`.
-class picture final : public l3d_dice_sink {
+class picture {
 public:
     explicit picture(l3d_size size, const l3d_camera& camera = {})
         : size_(size),
@@ -32,6 +33,17 @@ public:
         depth_.clear();
         rasterizer_.begin({words_.data(), size_.width, size_.height, size_.width}, depth_,
                           shading_);
+    }
+
+    void draw(std::span<const l3d_diced_piece> pieces, double) {
+        for (const l3d_diced_piece& piece : pieces) {
+            if (piece.part.grid.rows > 1)
+                rasterizer_.draw_grid(piece.part.grid);
+            const l3d_micro_triangles& triangles = piece.part.triangles;
+            for (std::size_t i = 0; i < triangles.count; ++i)
+                rasterizer_.draw_triangle(triangles.vertex(i, 0), triangles.vertex(i, 1),
+                                          triangles.vertex(i, 2));
+        }
     }
 
     l3d_size size() const { return size_; }
@@ -65,14 +77,6 @@ public:
     }
 
 private:
-    void do_grid(const l3d_dice_grid& grid) override { rasterizer_.draw_grid(grid.vertices); }
-
-    void do_triangles(std::span<const l3d_dice_vertex> corners, double) override {
-        for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-            rasterizer_.draw_triangle(corners[i].vertex, corners[i + 1].vertex,
-                                      corners[i + 2].vertex);
-    }
-
     l3d_size size_;
     l3d_shading shading_;
     std::vector<std::uint32_t> words_;

@@ -5,11 +5,13 @@
 
 #include "pipeline/image_transform.h"
 #include "pipeline/patch_dicer.h"
+#include "pipeline/visibility.h"
 #include "reference/views.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,27 +52,43 @@ struct scene {
 /// The teapot as one of the project's views shows it.
 scene teapot(const reference::view& view, l3d_size size);
 
-/// Dices a whole scene; calls before(i) ahead of patch i.
-template <class T, class Before>
-void dice(l3d_patch_dicer<T>& dicer, const scene& s, double tolerance, l3d_dice_sink& sink,
-          Before before, bool keep_all = false) {
-    const l3d_image_transform<typename l3d_patch_dicer<T>::wide> to_image(s.camera, s.size,
-                                                                          s.model);
-    l3d_dice_view view = to_image.view(tolerance);
-    view.keep_all = keep_all;
-    dicer.begin(view);
-    for (std::size_t i = 0; i < s.patches.size(); ++i) {
-        before(i);
-        dicer.dice(to_image(s.model.patches()[i]), s.model.normals(i), sink);
+/// A dicer and what it keeps from patch to patch.
+template <class T> class scene_dicer {
+public:
+    /// Dices a whole scene; calls sink(i, pieces, frame_bound) with the pieces of patch i. The
+    /// bound is that of the frame so far.
+    template <class Sink>
+    l3d_dice_counts dice(const scene& s, double tolerance, Sink sink, bool keep_all = false) {
+        const l3d_image_transform to_image(s.camera, s.size, s.model);
+        l3d_dice_view view = to_image.view(tolerance);
+        view.keep_all = keep_all;
+        l3d_dice_counts counts;
+        for (std::size_t i = 0; i < s.patches.size(); ++i) {
+            const l3d_image_patch net = to_image(s.model.patches()[i]);
+            pieces_.clear();
+            if (keep_all || !l3d_left_out(net, view, counts)) {
+                edges_.build(net, view);
+                dicer_.dice(net, s.model.normals(i), view, edges_, pieces_, counts);
+            }
+            sink(i, pieces_.used(), counts.bound_px);
+        }
+        return counts;
     }
-}
 
-template <class T>
-l3d_dice_counts dice(const scene& s, double tolerance, l3d_dice_sink& sink, bool keep_all = false) {
-    l3d_patch_dicer<T> dicer;
-    dice(
-        dicer, s, tolerance, sink, [](std::size_t) {}, keep_all);
-    return dicer.counts();
+private:
+    l3d_patch_dicer<T> dicer_;
+    l3d_edge_polylines edges_;
+    l3d_diced_pieces pieces_ = l3d_diced_pieces::with_parameters();
+};
+
+using diced = std::span<const l3d_diced_piece>;
+
+/// Hands every patch's pieces to sink.draw(pieces, frame_bound).
+template <class T, class Sink>
+l3d_dice_counts dice(const scene& s, double tolerance, Sink& sink, bool keep_all = false) {
+    return scene_dicer<T>().dice(
+        s, tolerance, [&](std::size_t, diced pieces, double bound) { sink.draw(pieces, bound); },
+        keep_all);
 }
 
 } // namespace pipeline_tests
