@@ -9,13 +9,15 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <cstdlib>
 
 namespace {
 
 constexpr int tile = 4;
 constexpr int rays = tile * tile;
 static_assert(rays == 16, "a packet is a tile");
+
+/// Packets a call: a twentieth faster than one by one.
+constexpr int stream = 16;
 
 /// Directions of the rays of a picture: right and down are steps of one pixel.
 struct ray_directions {
@@ -131,59 +133,38 @@ void embree_peer::draw(l3d_workers& workers) {
 }
 
 void embree_peer::draw_row(int top) {
-    static const int mode = getenv("EMB") ? atoi(getenv("EMB")) : 0;
     const l3d_pixels pixels = picture_.pixels();
     const ray_directions& d = scene_->directions;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    alignas(64) std::array<int, rays> valid;
-    valid.fill(-1);
-    alignas(64) RTCRayHit16 packet{};
-    std::fill_n(packet.ray.org_x, rays, d.eye[0]);
-    std::fill_n(packet.ray.org_y, rays, d.eye[1]);
-    std::fill_n(packet.ray.org_z, rays, d.eye[2]);
-    std::fill_n(packet.ray.mask, rays, ~0u);
+
+    RTCRayHit16 first{};
+    std::fill_n(first.ray.org_x, rays, d.eye[0]);
+    std::fill_n(first.ray.org_y, rays, d.eye[1]);
+    std::fill_n(first.ray.org_z, rays, d.eye[2]);
+    std::fill_n(first.ray.mask, rays, ~0u);
+    alignas(RTCRayHit16) std::array<RTCRayHit16, stream> packets;
+    packets.fill(first);
     std::array<std::uint32_t, rays> words;
-    if (mode == 1) {
-        constexpr int n = 16;
-        static thread_local RTCRayHit16 many[n];
-        for (auto& m : many) m = packet;
-        for (int left = 0; left < pixels.width; left += tile * n) {
-            for (int i = 0; i < n; ++i) aim(d, left + i*tile, top, many[i]);
-            rtcIntersectNM(scene_->handle, &context, (RTCRayHitN*)many, 16, n, sizeof(RTCRayHit16));
-            for (int i = 0; i < n; ++i) {
-                shade(many[i].hit, grey_.data(), along_u_.data(), along_v_.data(), words.data());
-                if (left+i*tile < pixels.width)
-                for (int r = 0; r < tile; ++r)
-                    std::copy_n(words.begin() + r * tile, tile, pixels.row(top + r).begin() + left + i*tile);
-            }
-        }
-        return;
-    }
-    if (mode == 2) {
-        for (int left = 0; left < pixels.width; left += tile) {
-            aim(d, left, top, packet);
-            RTCRayHit16 out = packet;
-            for (int i = 0; i < rays; ++i) {
-                RTCRayHit r{};
-                r.ray.org_x=d.eye[0]; r.ray.org_y=d.eye[1]; r.ray.org_z=d.eye[2];
-                r.ray.dir_x=packet.ray.dir_x[i]; r.ray.dir_y=packet.ray.dir_y[i]; r.ray.dir_z=packet.ray.dir_z[i];
-                r.ray.tfar=packet.ray.tfar[i]; r.ray.mask=-1; r.hit.geomID=RTC_INVALID_GEOMETRY_ID;
-                rtcIntersect1(scene_->handle, &context, &r);
-                out.hit.u[i]=r.hit.u; out.hit.v[i]=r.hit.v; out.hit.primID[i]=r.hit.primID; out.hit.geomID[i]=r.hit.geomID;
-            }
-            shade(out.hit, grey_.data(), along_u_.data(), along_v_.data(), words.data());
+    for (int left = 0; left < pixels.width; left += tile * stream) {
+        const int count = std::min(stream, (pixels.width - left) / tile);
+        for (int i = 0; i < count; ++i)
+            aim(d, left + i * tile, top, packets[static_cast<std::size_t>(i)]);
+        rtcIntersectNM(scene_->handle, &context, reinterpret_cast<RTCRayHitN*>(packets.data()),
+                       rays, static_cast<unsigned>(count), sizeof(RTCRayHit16));
+        for (int i = 0; i < count; ++i) {
+            shade(packets[static_cast<std::size_t>(i)].hit, grey_.data(), along_u_.data(),
+                  along_v_.data(), words.data());
             for (int r = 0; r < tile; ++r)
-                std::copy_n(words.begin() + r * tile, tile, pixels.row(top + r).begin() + left);
+                std::copy_n(words.begin() + r * tile, tile,
+                            pixels.row(top + r).begin() + left + i * tile);
         }
-        return;
     }
-    for (int left = 0; left < pixels.width; left += tile) {
-        aim(d, left, top, packet);
-        rtcIntersect16(valid.data(), scene_->handle, &context, &packet);
-        shade(packet.hit, grey_.data(), along_u_.data(), along_v_.data(), words.data());
-        for (int r = 0; r < tile; ++r)
-            std::copy_n(words.begin() + r * tile, tile, pixels.row(top + r).begin() + left);
-    }
+}
+
+std::string embree_peer::name() const {
+    const auto version = rtcGetDeviceProperty(scene_->device, RTC_DEVICE_PROPERTY_VERSION);
+    return "Embree " + std::to_string(version / 10000) + "." + std::to_string(version / 100 % 100) +
+           "." + std::to_string(version % 100);
 }

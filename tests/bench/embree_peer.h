@@ -12,13 +12,15 @@
 #include <string>
 #include <vector>
 
-/// A scene built once at high quality, seen by coherent packets of 16 rays, 4 x 4 pixels each,
-/// with the grey of each vertex interpolated.
+/// A scene built once at high quality, seen by streams of coherent packets of 16 rays, 4 x 4 pixels
+/// each, with the grey of each vertex interpolated.
 class embree_peer {
 public:
     /// Errors: null, with one line in `why`, if there is no device.
     static std::unique_ptr<embree_peer> open(std::string& why);
     ~embree_peer();
+
+    std::string name() const;
 
     /// Expects: width and height are multiples of 4.
     void prepare(const peer_mesh& mesh, const l3d_camera& camera, l3d_size size);

@@ -55,11 +55,11 @@ constexpr const char* vertex_text = R"(#version 130
 uniform mat4 to_clip;
 in vec3 position;
 in float grey;
-VARYING out float shade;
+out float shade;
 void main() { shade = grey; gl_Position = to_clip * vec4(position, 1.0); }
 )";
 constexpr const char* fragment_text = R"(#version 130
-VARYING in float shade;
+in float shade;
 out vec4 color;
 void main() { color = vec4(shade); }
 )";
@@ -118,11 +118,7 @@ bool mesa_peer::make_program(std::string& why) {
     for (const auto& [kind, text] : {std::pair{GL_VERTEX_SHADER, vertex_text},
                                      std::pair{GL_FRAGMENT_SHADER, fragment_text}}) {
         const unsigned shader = gl_->CreateShader(static_cast<GLenum>(kind));
-        std::string source = text;
-        const char* v = getenv("PEER_VARYING");
-        source.replace(source.find("VARYING"), 7, v ? v : "noperspective");
-        const char* s = source.c_str();
-        gl_->ShaderSource(shader, 1, &s, nullptr);
+        gl_->ShaderSource(shader, 1, &text, nullptr);
         gl_->CompileShader(shader);
         gl_->AttachShader(program_, shader);
         gl_->DeleteShader(shader);
@@ -151,13 +147,13 @@ bool mesa_peer::make_program(std::string& why) {
 }
 
 void mesa_peer::prepare(const peer_mesh& mesh, const l3d_camera& camera, l3d_size size,
-                        const state& how) {
+                        culling sides) {
     size_ = size;
     gl_->BindRenderbuffer(GL_RENDERBUFFER, color_);
     gl_->RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, size.width, size.height);
     gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_);
     gl_->BindRenderbuffer(GL_RENDERBUFFER, depth_);
-    gl_->RenderbufferStorage(GL_RENDERBUFFER, how.depth_format, size.width, size.height);
+    gl_->RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, size.width, size.height);
     gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
     gl_->Viewport(0, 0, size.width, size.height);
 
@@ -173,7 +169,7 @@ void mesa_peer::prepare(const peer_mesh& mesh, const l3d_camera& camera, l3d_siz
     gl_->EnableVertexAttribArray(0);
     gl_->EnableVertexAttribArray(1);
     index_count_ = static_cast<int>(mesh.indices.size());
-    if (how.small_indices && mesh.vertices() <= 65536) {
+    if (mesh.vertices() <= 65536) {
         const std::vector<std::uint16_t> indices(mesh.indices.begin(), mesh.indices.end());
         fill(GL_ELEMENT_ARRAY_BUFFER, buffers_[2], indices);
         index_type_ = GL_UNSIGNED_SHORT;
@@ -181,9 +177,9 @@ void mesa_peer::prepare(const peer_mesh& mesh, const l3d_camera& camera, l3d_siz
         fill(GL_ELEMENT_ARRAY_BUFFER, buffers_[2], mesh.indices);
         index_type_ = GL_UNSIGNED_INT;
     }
-    if (how.cull_back || how.cull_front) {
+    if (sides != culling::none) {
         gl_->Enable(GL_CULL_FACE);
-        gl_->CullFace(how.cull_back ? GL_BACK : GL_FRONT);
+        gl_->CullFace(sides == culling::back ? GL_BACK : GL_FRONT);
     } else {
         gl_->Disable(GL_CULL_FACE);
     }

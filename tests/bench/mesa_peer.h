@@ -23,16 +23,11 @@ public:
 
     std::string renderer() const;
 
-    /// How things are drawn; the cheapest is found by trying.
-    struct state {
-        unsigned depth_format = 0x8CAC; ///< GL_DEPTH_COMPONENT32F
-        bool cull_back = false, cull_front = false;
-        bool small_indices = true; ///< 16 bits if they suffice
-    };
+    /// Which side of triangles is left out.
+    enum class culling { none, back, front };
 
     /// Expects: a mesh for this camera and size.
-    void prepare(const peer_mesh& mesh, const l3d_camera& camera, l3d_size size,
-                 const state& how);
+    void prepare(const peer_mesh& mesh, const l3d_camera& camera, l3d_size size, culling sides);
 
     /// Clears colour and depth, draws the mesh, and waits until the picture is in memory, where a
     /// software GL keeps it.
