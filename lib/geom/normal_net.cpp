@@ -80,31 +80,14 @@ l3d_normal_net::l3d_normal_net(const l3d_bezier_patch<double, 3>& patch) {
     // A polynomial of degree 5 by 5 has at most 5 factors of each of u, 1 - u, v, 1 - v.
     for (int factors = 0; factors < 4 * degree && divide_by_vanishing_factor(); ++factors)
         scale_to_one();
-    fill_powers();
+    fill_floats();
 }
 
-/// B5_i(1/2 + s) = C(5, i) (1/2 + s)^i (1/2 - s)^(5 - i), multiplied out.
-void l3d_normal_net::fill_powers() {
-    std::array<std::array<double, order>, order> bernstein{}; // [i][power of s]
-    for (std::size_t i = 0; i < order; ++i) {
-        auto& b = bernstein[i];
-        b[0] = binomial(degree, static_cast<int>(i));
-        for (std::size_t factor = 0; factor < degree; ++factor)
-            for (std::size_t power = order; power-- > 0;) {
-                const double below = power > 0 ? b[power - 1] : 0;
-                b[power] = b[power] / 2 + (factor < i ? below : -below);
-            }
-    }
+void l3d_normal_net::fill_floats() {
     for (std::size_t k = 0; k < 3; ++k)
-        for (std::size_t along_v = 0; along_v < order; ++along_v)
-            for (std::size_t along_u = 0; along_u < order; ++along_u) {
-                double sum = 0;
-                for (std::size_t r = 0; r < order; ++r)
-                    for (std::size_t c = 0; c < order; ++c)
-                        sum += bernstein[r][along_v] * bernstein[c][along_u] *
-                               net_[order * r + c][static_cast<int>(k)];
-                powers_[k][along_v][along_u] = static_cast<float>(sum);
-            }
+        for (std::size_t r = 0; r < order; ++r)
+            for (std::size_t c = 0; c < order; ++c)
+                in_floats_[k][r][c] = static_cast<float>(net_[order * r + c][static_cast<int>(k)]);
 }
 
 void l3d_normal_net::scale_to_one() {
@@ -145,30 +128,13 @@ bool l3d_normal_net::divide_by_vanishing_factor() {
 }
 
 l3d_normal_net l3d_normal_net::turned(const l3d_matrix<double>& by) const {
-    const auto turn = [&by](const vector& v) {
-        vector result;
-        for (int i = 0; i < 3; ++i)
-            result[i] = by(i, 0) * v[0] + by(i, 1) * v[1] + by(i, 2) * v[2];
-        return result;
-    };
     l3d_normal_net result;
-    double most = 0;
-    for (std::size_t i = 0; i < net_.size(); ++i) {
-        result.net_[i] = turn(net_[i]);
-        most = std::max(most, largest(result.net_[i]));
-    }
-    const double scale = most > 0 ? 1 / most : 0;
-    for (vector& v : result.net_)
-        v = v * scale;
-    for (std::size_t along_v = 0; along_v < order; ++along_v)
-        for (std::size_t along_u = 0; along_u < order; ++along_u) {
-            const auto& p = powers_;
-            const vector v =
-                turn({p[0][along_v][along_u], p[1][along_v][along_u], p[2][along_v][along_u]}) *
-                scale;
-            for (int k = 0; k < 3; ++k)
-                result.powers_[k][along_v][along_u] = static_cast<float>(v[k]);
-        }
+    for (std::size_t i = 0; i < net_.size(); ++i)
+        for (int k = 0; k < 3; ++k)
+            result.net_[i][k] =
+                by(k, 0) * net_[i][0] + by(k, 1) * net_[i][1] + by(k, 2) * net_[i][2];
+    result.scale_to_one();
+    result.fill_floats();
     return result;
 }
 

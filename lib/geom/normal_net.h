@@ -40,22 +40,17 @@ public:
     /// Expects: a matrix that can be inverted.
     l3d_normal_net turned(const l3d_matrix<double>& by) const;
 
-    /// The same polynomial in powers of u - middle and v - middle, to be evaluated quickly.
-    ///
-    /// Shape:  [component][power of v][power of u].
-    /// Errors: around the middle of [0, 1] a quintic's terms add up to at most 2^5 times its
-    ///         largest Bernstein coefficient, around 0 to 3^5 times: floats are good enough.
-    using power_form = float[3][6][6];
-    static constexpr double middle = 0.5;
-    const power_form& powers() const { return powers_; }
+    /// The coefficients as floats, one array per component: [component][row][column].
+    using float_net = float[3][6][6];
+    const float_net& in_floats() const { return in_floats_; }
 
 private:
     void scale_to_one();
-    void fill_powers();
+    void fill_floats();
     bool divide_by_vanishing_factor();
 
     std::array<vector, 36> net_{};
-    power_form powers_{};
+    float_net in_floats_{};
 };
 
 #endif

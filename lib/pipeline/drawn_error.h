@@ -15,6 +15,15 @@ inline double l3d_evaluation_error(double largest) {
     return 16 * l3d_real_traits<double>::unit_roundoff * largest;
 }
 
+/// The same of a curve's points by Horner's scheme, from power coefficients that are differences of
+/// its control points. In units of u * largest, first to third differences are at most 2, 4, 8 and
+/// off by 2, 8, 24; the coefficients at most 6, 12, 8, off by 12, 36, 24. Horner's products and
+/// sums are at most 8, 20, 20, 26, 26, 1 and rounded each; t is rounded, too, along which the curve
+/// changes by at most 6: 179 in all.
+inline double l3d_power_form_error(double largest) {
+    return 179 * l3d_real_traits<double>::unit_roundoff * largest;
+}
+
 /// How exact a piece's vertices are, and where they lie.
 ///
 /// Units: x, y, w those of homogeneous points; pixels from the picture's centre.

@@ -3,6 +3,7 @@
 #include "pipeline/edge_polyline.h"
 
 #include "pipeline/drawn_error.h"
+#include "pipeline/edge_strips_p.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,22 +11,13 @@
 
 namespace {
 
-constexpr int most_steps = 32;
+using l3d_detail::most_edge_steps;
 
 /// 2^24 strips are more than any picture has pixels along an edge.
 constexpr int deepest = 24;
 
 /// Edges that are not small are halved twice, into four strips, as patches are.
 constexpr int usual_level = 2;
-
-bool runs_backwards(const l3d_image_curve& edge) {
-    const auto& p = edge.points;
-    for (std::size_t i = 0; i < 2; ++i)
-        for (int k = 0; k < 3; ++k)
-            if (p[i][k] != p[3 - i][k])
-                return p[3 - i][k] < p[i][k];
-    return false;
-}
 
 double largest_of(const l3d_image_curve& curve, bool depth) {
     double largest = 0;
@@ -51,10 +43,18 @@ double points_error(const l3d_image_curve& curve, const l3d_image_box& seen, boo
 
 } // namespace
 
-l3d_clip_vertex l3d_edge_polyline::clip_vertex(std::size_t i) const {
+l3d_clip_vertex l3d_edge_polyline::clip_vertex(std::size_t i, const l3d_dice_view& view) const {
     l3d_clip_vertex result;
-    result.h = h_[i];
-    result.drawable = drawable_[i] != 0;
+    if (strips_.blocks > 0) {
+        // Drawn as it is; only one that meets a corner which rounding put out of range is clipped.
+        const double w = view.depth_scale / static_cast<double>(inv_w_[i]);
+        result.h = {(x_[i] - view.centre_x()) * w / l3d_subpixel_one,
+                    (y_[i] - view.centre_y()) * w / l3d_subpixel_one, w};
+        result.drawable = true;
+    } else {
+        result.h = h_[i];
+        result.drawable = drawable_[i] != 0;
+    }
     result.dice.vertex.x = x_[i];
     result.dice.vertex.y = y_[i];
     result.dice.vertex.inv_w = inv_w_[i];
@@ -82,19 +82,59 @@ void l3d_edge_polyline::reverse() {
         t = 1 - t;
 }
 
+void l3d_edge_polyline::build(std::span<l3d_edge_polyline, 4> lines,
+                              const std::array<l3d_image_curve, 4>& edges,
+                              const l3d_dice_view& view) {
+    std::array<l3d_detail::edge_strips, 4> strips;
+    for (std::size_t e = 0; e < lines.size(); ++e)
+        strips[e] = lines[e].room_for_strips();
+    l3d_detail::make_edge_strips(edges, view, strips);
+    for (std::size_t e = 0; e < lines.size(); ++e)
+        lines[e].take(strips[e], edges[e], view);
+}
+
 void l3d_edge_polyline::build(const l3d_image_curve& edge, const l3d_dice_view& view) {
+    // The other three write the same numbers to the same places.
+    std::array<l3d_detail::edge_strips, 4> strips;
+    strips.fill(room_for_strips());
+    l3d_detail::make_edge_strips({edge, edge, edge, edge}, view, strips);
+    take(strips[0], edge, view);
+}
+
+l3d_detail::edge_strips l3d_edge_polyline::room_for_strips() {
+    if (t_.size() < l3d_detail::edge_strips::room) {
+        t_.resize(l3d_detail::edge_strips::room);
+        x_.resize(l3d_detail::edge_strips::room);
+        y_.resize(l3d_detail::edge_strips::room);
+        inv_w_.resize(l3d_detail::edge_strips::room);
+    }
+    return {t_.data(), x_.data(), y_.data(), inv_w_.data(), {}, 0, 0};
+}
+
+void l3d_edge_polyline::take(const l3d_detail::edge_strips& strips, const l3d_image_curve& edge,
+                             const l3d_dice_view& view) {
+    strips_ = strips.strips;
+    if (strips_.blocks == 0)
+        return cut(edge, view);
+    size_ = static_cast<std::size_t>(strips_.first[static_cast<std::size_t>(strips_.blocks)]) + 1;
+    chord_error_ = strips.chord_error;
+    vertex_error_ = strips.vertex_error;
+}
+
+/// Any edge, in as many strips as it takes.
+void l3d_edge_polyline::cut(const l3d_image_curve& edge, const l3d_dice_view& view) {
     t_.clear();
     x_.clear();
     y_.clear();
     inv_w_.clear();
     h_.clear();
     drawable_.clear();
-    strips_ = {0, {}};
     chord_error_ = vertex_error_ = 0;
-    const bool backwards = runs_backwards(edge);
+    const bool backwards = l3d_detail::runs_backwards(edge);
     const l3d_image_curve canonical = backwards ? edge.reversed() : edge;
     add_point(canonical.points[0], 0, view);
     add_strip(canonical, 0, 1, 0, view);
+    size_ = t_.size();
     if (backwards)
         reverse();
 }
@@ -126,14 +166,14 @@ void l3d_edge_polyline::add_strip(const l3d_image_curve& strip, double t0, doubl
     const double wanted = std::max({1.0, std::ceil(std::sqrt(second / (4 * budget))),
                                     std::ceil(std::sqrt(depth_second / (8 * depth_budget)))});
 
-    if ((level < usual_level && !small) || (wanted > most_steps && level < deepest)) {
+    if ((level < usual_level && !small) || (wanted > most_edge_steps && level < deepest)) {
         const auto [low, high] = strip.split();
         const double middle = (t0 + t1) / 2;
         add_strip(low, t0, middle, level + 1, view);
         add_strip(high, middle, t1, level + 1, view);
         return;
     }
-    const int n = static_cast<int>(std::min<double>(wanted, most_steps));
+    const int n = static_cast<int>(std::min<double>(wanted, most_edge_steps));
     for (int i = 1; i < n; ++i) {
         const double t = static_cast<double>(i) / n;
         add_point(strip.evaluate(t), t0 + t * (t1 - t0), view);

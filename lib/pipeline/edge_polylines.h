@@ -21,10 +21,8 @@ public:
 
     /// Builds the four outer edges of a patch, and forgets all others.
     void build(const l3d_image_patch& net, const l3d_dice_view& view) {
-        edges_[0].build(net.row(0), view);
-        edges_[1].build(net.row(3), view);
-        edges_[2].build(net.column(0), view);
-        edges_[3].build(net.column(3), view);
+        l3d_edge_polyline::build(std::span(edges_).first<sides>(),
+                                 {net.row(0), net.row(3), net.column(0), net.column(3)}, view);
         used_ = sides;
     }
 

@@ -30,12 +30,6 @@ template <class T> double walking_error(double largest, int strips) {
                                            4 * largest / (s * s), 8 * largest / (s * s * s));
 }
 
-void set_vertex(l3d_micro_grid& grid, std::size_t at, const l3d_micro_vertex& vertex) {
-    grid.x[at] = vertex.x;
-    grid.y[at] = vertex.y;
-    grid.inv_w[at] = vertex.inv_w;
-}
-
 l3d_block_starts starts_of(const l3d_step_plan& plan, const std::array<int, 4>& steps) {
     l3d_block_starts starts;
     starts.blocks = plan.strips;
@@ -110,85 +104,55 @@ template <class T> bool l3d_lane_dicer<T>::judge(const l3d_dice_view& view) {
     }
 }
 
-/// Corners are at their canonical places; so are strips of the boundary that have the steps of
-/// the edge polyline: then there is no slit.
 template <class T>
-void l3d_lane_dicer<T>::place_boundary(std::span<const l3d_edge_polyline, 4> edges,
-                                       l3d_micro_grid& grid) const {
-    for (std::size_t side = 0; side < 4; ++side) {
-        const bool along_u = side < 2, high = side % 2 == 1;
-        const auto& points = edges[side].points();
-        const auto& parameters = along_u ? u_ : v_;
-        const auto& steps = along_u ? plan_.nu : plan_.nv;
-        const auto at = [&](std::size_t i) {
-            const int line = high ? (along_u ? grid.rows : grid.columns) - 1 : 0;
-            return along_u ? grid.index(line, static_cast<int>(i))
-                           : grid.index(static_cast<int>(i), line);
-        };
-        set_vertex(grid, at(0), points.front().vertex.dice.vertex);
-        set_vertex(grid, at(parameters.count - 1), points.back().vertex.dice.vertex);
-        std::size_t row = 0, edge = 0;
-        for (int strip = 0; strip < plan_.strips; ++strip) {
-            const double end = (strip + 1.0) / plan_.strips;
-            const auto n = static_cast<std::size_t>(steps[static_cast<std::size_t>(strip)]);
-            std::size_t edge_end = edge;
-            while (edge_end + 1 < points.size() && points[edge_end].t < end)
-                ++edge_end;
-            const auto same = [&](std::size_t i) {
-                constexpr double rounding = 0x1p-48; // a few of numbers below 1; steps are 2^-7
-                return points[edge + i].vertex.drawable &&
-                       std::abs(points[edge + i].t - parameters.at[row + i]) < rounding;
-            };
-            bool all = edge_end - edge == n;
-            for (std::size_t i = 0; all && i <= n; ++i)
-                all = same(i);
-            for (std::size_t i = 0; all && i <= n; ++i)
-                set_vertex(grid, at(row + i), points[edge + i].vertex.dice.vertex);
-            row += n;
-            edge = edge_end;
-        }
-    }
+void l3d_lane_dicer<T>::fill_grid(const l3d_normal_net& normals, const l3d_dice_view& view,
+                                  l3d_surface_part& part) {
+    u_.fill(plan_.strips, plan_.nu);
+    v_.fill(plan_.strips, plan_.nv);
+    part.block_columns = starts_of(plan_, plan_.nu);
+    part.block_rows = starts_of(plan_, plan_.nv);
+    part.grid.resize(static_cast<int>(u_.count), static_cast<int>(v_.count));
+    const l3d_detail::centred_net& net = bounds_.net;
+    const l3d_detail::lane_walk walk{net,
+                                     u_,
+                                     plan_.strips,
+                                     plan_.nv,
+                                     view.centre_x() + net.x * l3d_subpixel_one,
+                                     view.centre_y() + net.y * l3d_subpixel_one,
+                                     register_xy_,
+                                     register_w_,
+                                     static_cast<float>(view.depth_scale)};
+    l3d_detail::walk_in_lanes(walk, register_, part.grid);
+    l3d_detail::normals_in_lanes(normals, u_, v_, part.grid);
 }
 
 template <class T>
 bool l3d_lane_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& normals,
                              const l3d_dice_view& view, std::span<const l3d_edge_polyline, 4> edges,
                              l3d_diced_piece& out, l3d_dice_counts& counts) {
+    double edge_chord = 0, edge_vertex = 0;
+    for (const l3d_edge_polyline& edge : edges) {
+        if (edge.strips().blocks == 0)
+            return false;
+        edge_chord = std::max(edge_chord, edge.chord_error());
+        edge_vertex = std::max(edge_vertex, edge.vertex_error());
+    }
     l3d_detail::bounds_in_lanes(net, view, bounds_);
     if (!bounds_.ordinary || !judge(view))
         return false;
-    double edge_chord = 0, vertex = vertex_error_;
-    for (const l3d_edge_polyline& edge : edges) {
-        edge_chord = std::max(edge_chord, edge.chord_error());
-        vertex = std::max(vertex, edge.vertex_error());
-    }
+    const double vertex = std::max(vertex_error_, edge_vertex);
     plan_ = l3d_plan_steps(bounds_.needs, view.chord_budget(vertex), l3d_quad_kind::whole);
     if (std::max(plan_.most_u(), plan_.most_v()) > l3d_most_steps_whole)
         return false;
 
-    u_.fill(plan_.strips, plan_.nu);
-    v_.fill(plan_.strips, plan_.nv);
-    l3d_micro_grid& grid = out.part.grid;
-    grid.resize(static_cast<int>(u_.count), static_cast<int>(v_.count));
-    const l3d_detail::lane_walk walk{bounds_.net,
-                                     u_,
-                                     plan_.strips,
-                                     plan_.nv,
-                                     view.centre_x() + bounds_.net.x * l3d_subpixel_one,
-                                     view.centre_y() + bounds_.net.y * l3d_subpixel_one,
-                                     register_xy_,
-                                     register_w_,
-                                     static_cast<float>(view.depth_scale)};
-    l3d_detail::walk_in_lanes(walk, register_, grid);
-    l3d_detail::normals_in_lanes(normals, u_, v_, grid);
-    place_boundary(edges, grid);
-    out.part.block_columns = starts_of(plan_, plan_.nu);
-    out.part.block_rows = starts_of(plan_, plan_.nv);
-    out.part.triangles.clear();
+    fill_grid(normals, view, out.part);
     out.u.assign(u_.at, u_.at + u_.count);
     out.v.assign(v_.at, v_.at + v_.count);
-
     out.bound = plan_.visible ? plan_.chord_error + vertex : 0;
+    for (std::size_t side = 0; side < edges.size(); ++side) {
+        l3d_close_side(out, side, edges[side]);
+        counts.add_edge(edges[side].size(), edges[side].bound());
+    }
     // Slits lie between vertices of the patch and of its edges, each off by its own error.
     counts.bound_px = std::max({counts.bound_px, out.bound, edge_chord + vertex});
     ++counts.drawn;

@@ -22,12 +22,11 @@ template <class T> class l3d_lane_dicer {
 public:
     /// The patch in one piece, grid and slits. What could be left out is not.
     ///
-    /// Shape:   edges as the sides of l3d_surface_piece, built from the net's rows 0 and 3 and
-    ///          columns 0 and 3.
+    /// Shape:   edges as l3d_edge_polylines::outer() has them, of this net and view.
     /// Expects: tolerance > 0, near > 0.
     /// Errors:  false, with nothing written, if the patch is not ordinary: if it reaches to the
-    ///          near or the far plane or out of the guard band, needs more than 32 steps in one
-    ///          of its strips, or cannot be walked in T exactly enough.
+    ///          near or the far plane or out of the guard band, it or an edge needs more than 32
+    ///          steps in a strip, or it cannot be walked in T exactly enough.
     bool dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               std::span<const l3d_edge_polyline, 4> edges, l3d_diced_piece& out,
               l3d_dice_counts& counts);
@@ -36,7 +35,8 @@ private:
     bool judge(const l3d_dice_view& view);
     double vertex_error(const l3d_dice_view& view, double walk_xy, double walk_w,
                         double snap_error) const;
-    void place_boundary(std::span<const l3d_edge_polyline, 4> edges, l3d_micro_grid& grid) const;
+    void fill_grid(const l3d_normal_net& normals, const l3d_dice_view& view,
+                   l3d_surface_part& part);
 
     l3d_detail::lane_bounds bounds_;
     l3d_step_plan plan_;

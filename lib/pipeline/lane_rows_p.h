@@ -18,8 +18,12 @@ inline constexpr std::size_t lane_columns = 16;
 /// Parameters along one direction of a grid of at most 4 strips of 32 steps.
 struct lane_parameters {
     static constexpr std::size_t most = 4 * 32 + 1;
-    alignas(64) double at[(most + lane_columns - 1) / lane_columns * lane_columns];
+    static constexpr std::size_t room = (most + lane_columns - 1) / lane_columns * lane_columns;
+    alignas(64) double at[room];
     std::size_t count = 0;
+
+    /// Rounded up to whole vectors.
+    std::size_t padded() const { return (count + lane_columns - 1) / lane_columns * lane_columns; }
 
     /// The points i / n of each of the strips; 1 from the last one on.
     void fill(int strips, const std::array<int, 4>& steps);
@@ -45,8 +49,13 @@ struct lane_walk {
 /// Cost:    9 additions a column and step, one division and a few products a vertex.
 void walk_in_lanes(const lane_walk& walk, lane_register kind, l3d_micro_grid& grid);
 
-/// Writes unit normals, or zero where the net is. The slow twin is l3d_normal_columns.
-/// Errors: some 100 * 2^-24 of the net's largest coefficient, which is 1, before normalising.
+/// A normal shorter than this is nothing but rounding, as in l3d_unit_normal: where the net's own
+/// coefficients vanish, as in the corner of a singular patch, weights of all others are exactly 0.
+inline constexpr float normal_rounding = 0x1p-43F;
+
+/// Writes unit normals, or zero where there is none. The slow twin is l3d_normal_columns.
+/// Errors: before the normal is made a unit vector, some 16 * 2^-24 of the coefficients as they are
+///         weighed there (Bernstein polynomials are positive, so nothing else cancels).
 void normals_in_lanes(const l3d_normal_net& net, const lane_parameters& u, const lane_parameters& v,
                       l3d_micro_grid& grid);
 

@@ -94,7 +94,7 @@ void l3d_fill_slit(std::span<const l3d_boundary_point> row, const l3d_edge_polyl
 
     // An edge point on this side of the surface: parameters along the row, the row's normal.
     const auto on_row = [&](std::size_t j, const l3d_boundary_point& near_by) {
-        l3d_clip_vertex v = edge.clip_vertex(j);
+        l3d_clip_vertex v = edge.clip_vertex(j, view);
         const double s = (t[j] - t0) / (t1 - t0);
         v.dice.u = first.u + (last.u - first.u) * s;
         v.dice.v = first.v + (last.v - first.v) * s;

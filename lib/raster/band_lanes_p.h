@@ -3,6 +3,9 @@
 #ifndef L3D_RASTER_BAND_LANES_P_H
 #define L3D_RASTER_BAND_LANES_P_H
 
+#include "raster/band_cells_p.h"
+#include "raster/surface_rasterizer.h"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -21,15 +24,23 @@ float farthest_of(const depth_block& block);
 /// How many depths are not 0.
 std::int64_t covered_of(const depth_block& block);
 
-/// Ends of some numbers, and the greatest of others beside them.
-struct vertex_bounds {
-    std::int32_t left, top, right, bottom;
-    float nearest;
+/// The pixel rows that a row of quads may cover. May be empty: top >= bottom.
+struct band_rows {
+    std::int32_t top = 0, bottom = 0;
 };
 
-/// Of `count` vertices side by side. Expects: count >= 1.
-vertex_bounds bounds_of(const std::int32_t* x, const std::int32_t* y, const float* inv_w,
-                        std::size_t count);
+/// Where some polygons are, and the inv_w that no pixel of them is above.
+struct polygon_bounds {
+    l3d_subpixel_box box;
+    float nearest = 0;
+};
+
+/// Of the quads of a grid; `rows` gets a number for each row of quads.
+/// Expects: cells of at least one quad.
+polygon_bounds bounds_of(const l3d_micro_grid& grid, const grid_cells& cells, band_rows* rows);
+
+/// Of triangles [first, last). Expects: at least one.
+polygon_bounds bounds_of(const l3d_micro_triangles& triangles, std::size_t first, std::size_t last);
 
 } // namespace l3d_detail
 

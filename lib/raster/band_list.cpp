@@ -2,8 +2,6 @@
 // band_list: boxes of all items, a radix sort, and the bands they touch.
 #include "raster/band_list_p.h"
 
-#include "raster/band_lanes_p.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -27,48 +25,9 @@ template <class Visit> void visit_blocks(const l3d_surface_part& part, const Vis
         }
 }
 
-void join(vertex_bounds& a, const vertex_bounds& b) {
-    a.left = std::min(a.left, b.left);
-    a.top = std::min(a.top, b.top);
-    a.right = std::max(a.right, b.right);
-    a.bottom = std::max(a.bottom, b.bottom);
-    a.nearest = std::max(a.nearest, b.nearest);
-}
-
-/// The vertices of a block in one row of the grid.
-vertex_bounds bounds_of_row(const l3d_micro_grid& grid, const grid_cells& cells, int row) {
-    const std::size_t at = grid.index(row, cells.column_begin);
-    return bounds_of(&grid.x[at], &grid.y[at], &grid.inv_w[at],
-                     static_cast<std::size_t>(cells.column_end - cells.column_begin) + 1);
-}
-
-/// Sets box and depth of an item, and the rows of pixels of each of its rows of quads.
-void bound_block(band_item& item, band_rows* rows, l3d_size window) {
-    const l3d_micro_grid& grid = item.part->grid;
-    vertex_bounds above = bounds_of_row(grid, item.cells, item.cells.row_begin);
-    vertex_bounds all = above;
-    for (int row = item.cells.row_begin; row < item.cells.row_end; ++row) {
-        const vertex_bounds below = bounds_of_row(grid, item.cells, row + 1);
-        *rows++ = {first_centre(std::min(above.top, below.top)),
-                   first_centre(std::max(above.bottom, below.bottom))};
-        join(all, below);
-        above = below;
-    }
-    item.box = pixels_in({all.left, all.top, all.right, all.bottom}).intersected(whole(window));
-    item.nearest = all.nearest;
-}
-
-void bound_triangles(band_item& item, l3d_size window) {
-    const std::size_t at = item.triangle_begin, count = item.triangle_end - at;
-    const auto bounds_of_corner = [&](const l3d_micro_triangles::corner& corner) {
-        return bounds_of(&corner.x[at], &corner.y[at], &corner.inv_w[at], count);
-    };
-    const auto& corners = item.part->triangles.corners;
-    vertex_bounds all = bounds_of_corner(corners[0]);
-    join(all, bounds_of_corner(corners[1]));
-    join(all, bounds_of_corner(corners[2]));
-    item.box = pixels_in({all.left, all.top, all.right, all.bottom}).intersected(whole(window));
-    item.nearest = all.nearest;
+void place_item(band_item& item, const polygon_bounds& bounds, l3d_size window) {
+    item.box = pixels_in(bounds.box).intersected(whole(window));
+    item.nearest = bounds.nearest;
 }
 
 } // namespace
@@ -110,7 +69,7 @@ void band_list::list_part(const l3d_surface_part& part, place at, l3d_size windo
     visit_blocks(part, [&](const grid_cells& cells) {
         band_item& item = items_[at.items++];
         item = {.part = &part, .cells = cells, .rows_at = at.rows};
-        bound_block(item, rows_.data() + at.rows, window);
+        place_item(item, bounds_of(part.grid, cells, rows_.data() + at.rows), window);
         at.rows += static_cast<std::uint32_t>(cells.row_end - cells.row_begin);
     });
     const auto triangles = static_cast<std::uint32_t>(part.triangles.count);
@@ -119,7 +78,7 @@ void band_list::list_part(const l3d_surface_part& part, place at, l3d_size windo
         item = {.part = &part,
                 .triangle_begin = i,
                 .triangle_end = std::min(i + triangles_in_item, triangles)};
-        bound_triangles(item, window);
+        place_item(item, bounds_of(part.triangles, item.triangle_begin, item.triangle_end), window);
     }
 }
 

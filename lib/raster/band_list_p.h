@@ -4,6 +4,7 @@
 #define L3D_RASTER_BAND_LIST_P_H
 
 #include "raster/band_cells_p.h"
+#include "raster/band_lanes_p.h"
 #include "raster/pixel_box_p.h"
 #include "raster/surface_part.h"
 #include "raster/workers.h"
@@ -24,11 +25,6 @@ struct band_item {
     grid_cells cells{};
     std::uint32_t triangle_begin = 0, triangle_end = 0; ///< of the part's triangles
     std::uint32_t rows_at = 0;                          ///< where its cells' rows begin in the list
-};
-
-/// The pixel rows that a row of quads may cover. May be empty: top >= bottom.
-struct band_rows {
-    std::int32_t top = 0, bottom = 0;
 };
 
 /// Items, sorted front to back, and which bands they touch.

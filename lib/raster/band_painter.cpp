@@ -7,8 +7,6 @@
 
 namespace l3d_detail {
 
-constexpr bool kernel_is_there = false;
-
 void band_painter::reserve(int rows, std::size_t polygons) {
     scalar_.reserve(rows);
     rest_.quads.reserve(polygons);
@@ -36,7 +34,7 @@ void band_painter::draw(const band_frame& frame, const fill_band& band, const ba
 void band_painter::draw_item(const band_frame& frame, const fill_band& band, const band_list& list,
                              const band_item& item) {
     if (item.triangle_begin < item.triangle_end) {
-        if constexpr (kernel_is_there)
+        if (frame.by_lanes)
             fill_triangles(band, fill_shading(frame.shading), item.part->triangles,
                            item.triangle_begin, item.triangle_end, by_lanes_, rest_);
         else
@@ -63,7 +61,7 @@ void band_painter::draw_item(const band_frame& frame, const fill_band& band, con
 
 void band_painter::draw_cells(const band_frame& frame, const fill_band& band, const band_item& item,
                               const grid_cells& cells) {
-    if constexpr (kernel_is_there)
+    if (frame.by_lanes)
         fill_quads(band, fill_shading(frame.shading), item.part->grid, cells.row_begin,
                    cells.row_end, cells.column_begin, cells.column_end, by_lanes_, rest_);
     else

@@ -3,11 +3,14 @@
 #include "nasty.h"
 #include "pipeline/edge_polyline.h"
 #include "pipeline/slit.h"
+#include "raster/simd_target.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 
 namespace pipeline_tests {
 namespace {
@@ -36,15 +39,15 @@ bool same(const l3d_micro_vertex& a, const l3d_micro_vertex& b) {
 }
 
 bool same_point(const l3d_edge_polyline& a, std::size_t i, const l3d_edge_polyline& b,
-                std::size_t j) {
-    const l3d_clip_vertex p = a.clip_vertex(i), q = b.clip_vertex(j);
+                std::size_t j, const l3d_dice_view& view) {
+    const l3d_clip_vertex p = a.clip_vertex(i, view), q = b.clip_vertex(j, view);
     return p.drawable == q.drawable && p.h == q.h && same(p.dice.vertex, q.dice.vertex);
 }
 
 /// Whether a point of the line is where everybody has this homogeneous point.
 bool is_at(const l3d_edge_polyline& line, std::size_t i, const l3d_image_point& h,
            const l3d_dice_view& view) {
-    const l3d_clip_vertex mine = line.clip_vertex(i), its = l3d_canonical_vertex(h, view);
+    const l3d_clip_vertex mine = line.clip_vertex(i, view), its = l3d_canonical_vertex(h, view);
     return mine.drawable == its.drawable && same(mine.dice.vertex, its.dice.vertex);
 }
 
@@ -67,13 +70,100 @@ TEST(edge_polyline, is_the_same_backwards_bit_for_bit) {
         ASSERT_EQ(forth.size(), back.size()) << "seed " << seed;
         const std::size_t last = forth.size() - 1;
         for (std::size_t i = 0; i <= last; ++i) {
-            ASSERT_TRUE(same_point(forth, i, back, last - i)) << "seed " << seed << " point " << i;
+            ASSERT_TRUE(same_point(forth, i, back, last - i, view))
+                << "seed " << seed << " point " << i;
             ASSERT_NEAR(forth.t()[i], 1 - back.t()[last - i], 1e-15);
         }
         EXPECT_EQ(forth.bound(), back.bound());
         points += last + 1;
     }
     EXPECT_GT(points, 3000u);
+}
+
+/// Fails where two lines differ in a bit.
+void expect_equal(const l3d_edge_polyline& a, const l3d_edge_polyline& b,
+                  const l3d_dice_view& view) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        ASSERT_TRUE(same_point(a, i, b, i, view)) << "point " << i;
+        ASSERT_EQ(a.t()[i], b.t()[i]) << "point " << i;
+    }
+    EXPECT_EQ(a.strips().blocks, b.strips().blocks);
+    EXPECT_EQ(a.strips().first, b.strips().first);
+    EXPECT_EQ(a.chord_error(), b.chord_error());
+    EXPECT_EQ(a.vertex_error(), b.vertex_error());
+}
+
+TEST(edge_polyline, is_the_same_alone_and_among_four_on_every_simd_target) {
+    int in_lanes = 0, cut = 0;
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        number_source random(seed);
+        std::array<l3d_image_curve, 4> edges;
+        for (l3d_image_curve& edge : edges)
+            edge = random_edge(random);
+        const l3d_dice_view view = view_with(random.of_any_size(0.002, 2));
+        std::array<l3d_edge_polyline, 4> first;
+        l3d_edge_polyline::build(first, edges, view);
+        for (const std::string& target : l3d_simd_targets()) {
+            SCOPED_TRACE(target);
+            ASSERT_TRUE(l3d_set_simd_target(target));
+            std::array<l3d_edge_polyline, 4> four;
+            l3d_edge_polyline::build(four, edges, view);
+            for (std::size_t e = 0; e < 4; ++e) {
+                l3d_edge_polyline alone;
+                alone.build(edges[e], view);
+                expect_equal(first[e], four[e], view);
+                expect_equal(first[e], alone, view);
+            }
+        }
+        l3d_set_simd_target("");
+        for (const l3d_edge_polyline& line : first)
+            ++(line.strips().blocks > 0 ? in_lanes : cut);
+    }
+    EXPECT_GT(in_lanes, 300);
+    EXPECT_GT(cut, 300);
+}
+
+/// Edges in the window that 32 steps a strip are enough for.
+TEST(edge_polyline, strips_are_one_or_four_and_hold_the_points_of_their_parameters) {
+    std::array<int, 5> seen{};
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        number_source random(seed);
+        const double size = random.of_any_size(1, 400);
+        l3d_image_curve edge;
+        for (auto& point : edge.points) {
+            const double w = random.between(2, 3);
+            point = {random.between(-size, size) * w, random.between(-size, size) * w, w};
+        }
+        const l3d_dice_view view = view_with(random.of_any_size(0.3, 1));
+        l3d_edge_polyline line;
+        line.build(edge, view);
+        const l3d_block_starts& strips = line.strips();
+        ASSERT_TRUE(strips.blocks == 1 || strips.blocks == 4);
+        ++seen[static_cast<std::size_t>(strips.blocks)];
+        EXPECT_EQ(strips.first[0], 0);
+        for (int s = 0; s < strips.blocks; ++s) {
+            const int low = strips.first[static_cast<std::size_t>(s)];
+            const int n = strips.first[static_cast<std::size_t>(s) + 1] - low;
+            ASSERT_GE(n, 1);
+            for (int i = 0; i <= n; ++i) {
+                const auto at = static_cast<std::size_t>(low + i);
+                const double t = (s + static_cast<double>(i) / n) / strips.blocks;
+                EXPECT_NEAR(line.t()[at], t, 1e-15);
+                const l3d_micro_vertex exact =
+                    l3d_canonical_vertex(edge.evaluate(t), view).dice.vertex;
+                EXPECT_NEAR(line.x()[at], exact.x, 1);
+                EXPECT_NEAR(line.y()[at], exact.y, 1);
+                EXPECT_NEAR(line.inv_w()[at], exact.inv_w, 1e-7);
+            }
+        }
+        EXPECT_EQ(line.size(), static_cast<std::size_t>(
+                                   strips.first[static_cast<std::size_t>(strips.blocks)] + 1));
+    }
+    EXPECT_GT(seen[1], 50);
+    EXPECT_GT(seen[4], 100);
 }
 
 TEST(edge_polyline, runs_from_end_to_end_within_its_bound) {
@@ -90,7 +180,7 @@ TEST(edge_polyline, runs_from_end_to_end_within_its_bound) {
         EXPECT_TRUE(is_at(line, 0, edge.points[0], view));
         EXPECT_TRUE(is_at(line, line.size() - 1, edge.points[3], view));
         for (std::size_t i = 1; i < line.size(); ++i) {
-            const l3d_clip_vertex a = line.clip_vertex(i - 1), b = line.clip_vertex(i);
+            const l3d_clip_vertex a = line.clip_vertex(i - 1, view), b = line.clip_vertex(i, view);
             const double t = line.t()[i - 1], step = line.t()[i] - t;
             ASSERT_GT(step, 0) << "seed " << seed;
             if (!a.drawable || !b.drawable)

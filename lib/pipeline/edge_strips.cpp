@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: MIT
+// Edges in lanes: bounds and steps of all strips side by side, then the points of each.
+#include "pipeline/edge_strips_p.h"
+
+#include "pipeline/drawn_error.h"
+#include "pipeline/near_clip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "pipeline/edge_strips.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr std::size_t most_strips = l3d_block_starts::most_blocks;
+constexpr std::size_t lanes = edges_at_once * most_strips;
+
+/// One number per strip: strip s of edge e is lane 4 s + e.
+struct alignas(64) row {
+    double at[lanes];
+};
+
+/// The four control values in one coordinate; or the four coefficients of powers of t.
+using cubic = std::array<row, 4>;
+
+/// The halves of curves, as l3d_bezier_curve::split makes them.
+void split(const cubic& p, cubic& HWY_RESTRICT low, cubic& HWY_RESTRICT high) {
+    for (std::size_t l = 0; l < lanes; ++l) {
+        const double a = (p[0].at[l] + p[1].at[l]) / 2, b = (p[1].at[l] + p[2].at[l]) / 2,
+                     c = (p[2].at[l] + p[3].at[l]) / 2;
+        const double ab = (a + b) / 2, bc = (b + c) / 2;
+        const double middle = (ab + bc) / 2;
+        low[0].at[l] = p[0].at[l];
+        low[1].at[l] = a;
+        low[2].at[l] = ab;
+        low[3].at[l] = middle;
+        high[0].at[l] = middle;
+        high[1].at[l] = bc;
+        high[2].at[l] = c;
+        high[3].at[l] = p[3].at[l];
+    }
+}
+
+/// The strips' control points: [coordinate][control point].
+using strip_nets = std::array<cubic, 3>;
+
+/// `edges` has coordinate k of edge e in lane 4 k + e, a whole edge each.
+void cut_in_four(const cubic& edges, strip_nets& out) {
+    std::array<cubic, 2> halves;
+    std::array<cubic, most_strips> strips;
+    split(edges, halves[0], halves[1]);
+    split(halves[0], strips[0], strips[1]);
+    split(halves[1], strips[2], strips[3]);
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t s = 0; s < most_strips; ++s)
+                for (std::size_t e = 0; e < edges_at_once; ++e)
+                    out[k][i].at[4 * s + e] = strips[s][i].at[4 * k + e];
+}
+
+double least(double a, double b) {
+    return b < a ? b : a;
+}
+double greatest(double a, double b) {
+    return a < b ? b : a;
+}
+
+/// Steps and chord errors of all strips; see l3d_second_bound_of and l3d_depth_bound_of.
+/// per_budget: 1 / (4 budget): half the budget, as each direction of a quad gets; then an edge and
+/// the boundary row of a patch mostly have the same steps, and the slit between them is empty.
+void plan_strips(const strip_nets& nets, const l3d_image_box& window, const row& per_budget,
+                 row& HWY_RESTRICT steps, row& HWY_RESTRICT chord_error) {
+    const auto& [x, y, w] = nets;
+    for (std::size_t l = 0; l < lanes; ++l) {
+        const double r0 = 1 / w[0].at[l], r1 = 1 / w[1].at[l], r2 = 1 / w[2].at[l],
+                     r3 = 1 / w[3].at[l];
+        const double x0 = x[0].at[l] * r0, x1 = x[1].at[l] * r1, x2 = x[2].at[l] * r2,
+                     x3 = x[3].at[l] * r3;
+        const double y0 = y[0].at[l] * r0, y1 = y[1].at[l] * r1, y2 = y[2].at[l] * r2,
+                     y3 = y[3].at[l] * r3;
+        const double left = greatest(window.left, least(least(x0, x1), least(x2, x3)));
+        const double right = least(window.right, greatest(greatest(x0, x1), greatest(x2, x3)));
+        const double top = greatest(window.top, least(least(y0, y1), least(y2, y3)));
+        const double bottom = least(window.bottom, greatest(greatest(y0, y1), greatest(y2, y3)));
+        const double width = right - left, height = bottom - top;
+        const bool visible = (width >= 0) & (height >= 0);
+        const double centre_x = (left + right) / 2, centre_y = (top + bottom) / 2;
+        const double radius = std::sqrt(width * width + height * height) / 2;
+
+        const auto second = [l](const cubic& p, std::size_t i) {
+            return p[i].at[l] - 2 * p[i + 1].at[l] + p[i + 2].at[l];
+        };
+        double bound = 0, depth_bound = 0;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double dw = second(w, i);
+            const double dx = second(x, i) - centre_x * dw, dy = second(y, i) - centre_y * dw;
+            const double change = std::abs(dw);
+            bound = greatest(bound, std::sqrt(dx * dx + dy * dy) + radius * change);
+            depth_bound = greatest(depth_bound, change);
+        }
+        const double inverse_w = greatest(greatest(r0, r1), greatest(r2, r3));
+        bound *= 6 * inverse_w;
+        // w may be off by an eighth, l3d_dice_view::depth_budget.
+        const double squared = greatest(bound * per_budget.at[l], 6 * depth_bound * inverse_w);
+        // More than 32 steps are too many, however many; what is no number is too many, too.
+        constexpr double too_many = 4.0 * most_edge_steps * most_edge_steps;
+        const double wanted = std::sqrt(squared < too_many ? squared : too_many);
+        const double floor = static_cast<double>(static_cast<std::int32_t>(wanted));
+        double n = greatest(1, floor < wanted ? floor + 1 : floor);
+        n = visible ? n : 1;
+        steps.at[l] = n;
+        chord_error.at[l] = visible ? bound / (8 * n * n) : 0;
+    }
+}
+
+/// p(t) = c0 + t (c1 + t (c2 + t c3)).
+void to_powers(const cubic& p, cubic& HWY_RESTRICT c) {
+    for (std::size_t l = 0; l < lanes; ++l) {
+        const double first = p[1].at[l] - p[0].at[l], second = p[2].at[l] - p[1].at[l],
+                     third = p[3].at[l] - p[2].at[l];
+        const double bend = second - first;
+        c[0].at[l] = p[0].at[l];
+        c[1].at[l] = 3 * first;
+        c[2].at[l] = 3 * bend;
+        c[3].at[l] = (third - second) - bend;
+    }
+}
+
+/// Writes points and goes on behind them.
+class point_writer {
+public:
+    point_writer(const l3d_dice_view& view, const edge_strips& out)
+        : centre_x_(view.centre_x()), centre_y_(view.centre_y()),
+          depth_scale_(static_cast<float>(view.depth_scale)), t_(out.t), x_(out.x), y_(out.y),
+          inv_w_(out.inv_w) {}
+
+    /// Points i = 0 .. n - 1 of n steps of a strip, or in the opposite order; t = t_first + i
+    /// t_step along the edge as it was given.
+    void strip(const strip_nets& powers, std::size_t lane, int n, bool backwards, double t_first,
+               double t_step) {
+        const hn::ScalableTag<double> d;
+        const hn::Rebind<std::int32_t, decltype(d)> di;
+        const hn::Rebind<float, decltype(d)> df;
+        const auto last = hn::Set(d, n - 1), steps = hn::Set(d, n);
+        const auto first = hn::Set(d, backwards ? n - 1 : 0);
+        const auto direction = hn::Set(d, backwards ? -1 : 1), one = hn::Set(d, 1);
+        const auto count = static_cast<std::size_t>(n);
+        for (std::size_t at = 0; at < count; at += hn::Lanes(d)) {
+            // Lanes beyond the last point repeat it.
+            const auto rising = hn::Min(hn::Iota(d, static_cast<double>(at)), last);
+            const auto i = hn::Add(first, hn::Mul(rising, direction));
+            const auto t = hn::Div(i, steps);
+            const auto w = hn::Div(one, value(d, powers[2], lane, t));
+            const auto x = hn::Mul(value(d, powers[0], lane, t), w);
+            const auto y = hn::Mul(value(d, powers[1], lane, t), w);
+            hn::StoreU(hn::Add(hn::Set(d, t_first), hn::Mul(i, hn::Set(d, t_step))), d, t_ + at);
+            hn::StoreU(hn::Add(snapped(d, di, x), hn::Set(di, centre_x_)), di, x_ + at);
+            hn::StoreU(hn::Add(snapped(d, di, y), hn::Set(di, centre_y_)), di, y_ + at);
+            hn::StoreU(hn::Mul(hn::DemoteTo(df, w), hn::Set(df, depth_scale_)), df, inv_w_ + at);
+        }
+        advance(n);
+    }
+
+    /// An end of the edge, a corner of its patches.
+    void corner(const l3d_image_point& h, double t, const l3d_dice_view& view) {
+        const l3d_micro_vertex vertex = l3d_canonical_vertex(h, view).dice.vertex;
+        *t_ = t;
+        *x_ = vertex.x;
+        *y_ = vertex.y;
+        *inv_w_ = vertex.inv_w;
+        advance(1);
+    }
+
+private:
+    template <class D>
+    static hn::Vec<D> value(D d, const cubic& c, std::size_t lane, hn::Vec<D> t) {
+        auto sum = hn::Set(d, c[3].at[lane]);
+        for (const std::size_t power : {2, 1, 0})
+            sum = hn::Add(hn::Mul(sum, t), hn::Set(d, c[power].at[lane]));
+        return sum;
+    }
+
+    /// To sub-pixels as l3d_snap does: to nearest, ties away from zero.
+    template <class D, class I> static hn::Vec<I> snapped(D d, I di, hn::Vec<D> pixels) {
+        const auto scaled = hn::Mul(pixels, hn::Set(d, double{l3d_subpixel_one}));
+        const auto half = hn::CopySign(hn::Set(d, 0.5), scaled);
+        return hn::DemoteTo(di, hn::Add(scaled, half));
+    }
+
+    void advance(int by) {
+        t_ += by;
+        x_ += by;
+        y_ += by;
+        inv_w_ += by;
+    }
+
+    std::int32_t centre_x_, centre_y_;
+    float depth_scale_;
+    double* t_;
+    std::int32_t *x_, *y_;
+    float* inv_w_;
+};
+
+/// What is found out of a whole edge before its strips.
+struct edge_view {
+    bool drawable = false, one_strip = false, backwards = false;
+    double vertex_error = 0;
+};
+
+/// Whether a point can be drawn, and is by more than rounding of its neighbours can take.
+bool safely_drawable(const l3d_image_point& h, const l3d_dice_view& view) {
+    constexpr double slack = 0x1p-30;
+    const double reach = l3d_guard_band * (1 - slack) * h[2];
+    return h[2] > view.near * (1 + slack) && h[2] < view.far * (1 - slack) &&
+           std::abs(h[0]) <= reach && std::abs(h[1]) <= reach;
+}
+
+edge_view view_edge(const l3d_image_curve& edge, const l3d_dice_view& view) {
+    edge_view result;
+    result.drawable = true;
+    for (const l3d_image_point& p : edge.points)
+        result.drawable = result.drawable && safely_drawable(p, view);
+    if (!result.drawable)
+        return result;
+    result.backwards = runs_backwards(edge);
+    const l3d_image_box whole = l3d_image_box_of(edge.points);
+    const l3d_image_box seen = whole.intersected(view.margin());
+    result.one_strip =
+        seen.empty() || (whole.width() < l3d_small_net && whole.height() < l3d_small_net);
+    if (seen.empty())
+        return result;
+    double largest_xy = 0, largest_w = 0, least_w = edge.points[0][2];
+    for (const l3d_image_point& p : edge.points) {
+        largest_xy = std::max({largest_xy, std::abs(p[0]), std::abs(p[1])});
+        largest_w = std::max(largest_w, p[2]);
+        least_w = std::min(least_w, p[2]);
+    }
+    l3d_vertex_accuracy accuracy;
+    accuracy.error_xy = view.error_xy + l3d_power_form_error(largest_xy);
+    accuracy.error_w = view.error_w + l3d_power_form_error(largest_w);
+    accuracy.w_low = least_w;
+    accuracy.seen_reach = seen.reach();
+    accuracy.reach = whole.reach();
+    accuracy.snap_error = l3d_snap_error<double>(accuracy.reach);
+    result.vertex_error = accuracy.drawn_error(l3d_vertex_accuracy::in_front);
+    return result;
+}
+
+} // namespace
+
+void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
+                      const l3d_dice_view& view, std::array<edge_strips, edges_at_once>& results) {
+    std::array<edge_view, edges_at_once> seen;
+    cubic whole{};
+    row per_budget;
+    for (std::size_t e = 0; e < edges_at_once; ++e) {
+        seen[e] = view_edge(edges[e], view);
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                whole[i].at[4 * k + e] =
+                    edges[e].points[seen[e].backwards ? 3 - i : i][static_cast<int>(k)];
+        for (std::size_t s = 0; s < most_strips; ++s)
+            per_budget.at[4 * s + e] = 1 / (4 * view.chord_budget(seen[e].vertex_error));
+    }
+    strip_nets nets;
+    cut_in_four(whole, nets);
+    for (std::size_t e = 0; e < edges_at_once; ++e)
+        if (seen[e].one_strip)
+            for (std::size_t k = 0; k < 3; ++k)
+                for (std::size_t i = 0; i < 4; ++i)
+                    nets[k][i].at[e] = whole[i].at[4 * k + e];
+    row steps, chord_error;
+    plan_strips(nets, view.margin(), per_budget, steps, chord_error);
+    strip_nets powers;
+    for (std::size_t k = 0; k < 3; ++k)
+        to_powers(nets[k], powers[k]);
+
+    for (std::size_t e = 0; e < edges_at_once; ++e) {
+        edge_strips& out = results[e];
+        out.strips = {0, {}};
+        if (!seen[e].drawable)
+            continue;
+        const std::size_t strips = seen[e].one_strip ? 1 : most_strips;
+        const bool backwards = seen[e].backwards;
+        std::array<int, most_strips> n{};
+        int most = 0;
+        out.chord_error = 0;
+        for (std::size_t s = 0; s < strips; ++s) {
+            const std::size_t lane = 4 * s + e;
+            n[s] = static_cast<int>(steps.at[lane]);
+            most = std::max(most, n[s]);
+            out.chord_error = std::max(out.chord_error, chord_error.at[lane]);
+        }
+        if (most > most_edge_steps)
+            continue;
+        out.vertex_error = seen[e].vertex_error;
+        out.strips.blocks = static_cast<int>(strips);
+        point_writer writer(view, out);
+        if (backwards)
+            writer.corner(edges[e].points[0], 0, view);
+        for (std::size_t s = 0; s < strips; ++s) {
+            const std::size_t of = backwards ? strips - 1 - s : s;
+            const double t_start = static_cast<double>(of) / static_cast<double>(strips);
+            const double t_step = 1.0 / (static_cast<double>(strips) * n[of]);
+            writer.strip(powers, 4 * of + e, n[of], backwards, backwards ? 1 - t_start : t_start,
+                         backwards ? -t_step : t_step);
+            out.strips.first[s + 1] = out.strips.first[s] + n[of];
+        }
+        if (!backwards)
+            writer.corner(edges[e].points[3], 1, view);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace l3d_detail {
+
+HWY_EXPORT(make_edge_strips);
+
+void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
+                      const l3d_dice_view& view, std::array<edge_strips, edges_at_once>& results) {
+    HWY_DYNAMIC_DISPATCH(make_edge_strips)(edges, view, results);
+}
+
+} // namespace l3d_detail
+#endif
