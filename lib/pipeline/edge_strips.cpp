@@ -195,7 +195,7 @@ private:
     template <class D>
     static hn::Vec<D> value(D d, const cubic& c, std::size_t lane, hn::Vec<D> t) {
         auto sum = hn::Set(d, c[3].at[lane]);
-        for (const std::size_t power : {2, 1, 0})
+        for (std::size_t power = 3; power-- > 0;)
             sum = hn::Add(hn::Mul(sum, t), hn::Set(d, c[power].at[lane]));
         return sum;
     }
