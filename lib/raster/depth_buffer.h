@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,13 +15,17 @@
 ///
 /// Reciprocal, because it is linear in the picture for a plane, and because 0 = infinitely far is
 /// then the value of an empty pixel.
+///
+/// Shape:   rows are `pitch` floats apart. A vector more than the width, so that the same column of
+///          neighbouring rows is not in the same set of the processor's cache.
 class l3d_depth_buffer {
 public:
     /// Expects: width, height >= 0. Cost: allocates only when larger than before.
     void resize(l3d_size size) {
+        constexpr int vector = 16;
         size_ = size;
-        const auto count =
-            static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+        pitch_ = (size.width + vector - 1) / vector * vector + vector;
+        const auto count = static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(size.height);
         if (values_.size() < count)
             values_.resize(count);
     }
@@ -29,19 +34,25 @@ public:
 
     l3d_size size() const { return size_; }
 
+    /// The first row; others are at multiples of the pitch.
+    float* data() { return values_.data(); }
+    std::ptrdiff_t pitch() const { return pitch_; }
+
     std::span<float> row(int y) {
-        return {values_.data() + static_cast<std::ptrdiff_t>(y) * size_.width,
-                static_cast<std::size_t>(size_.width)};
+        return {values_.data() + y * pitch_, static_cast<std::size_t>(size_.width)};
     }
     std::span<const float> row(int y) const {
-        return {values_.data() + static_cast<std::ptrdiff_t>(y) * size_.width,
-                static_cast<std::size_t>(size_.width)};
+        return {values_.data() + y * pitch_, static_cast<std::size_t>(size_.width)};
     }
 
 private:
     l3d_size size_;
+    std::ptrdiff_t pitch_ = 0;
     std::vector<float> values_;
 };
+
+/// Pixels in which something is.
+std::int64_t l3d_covered(const l3d_depth_buffer& depth);
 
 /// Distance along the view axis per pixel, +infinity where nothing is.
 /// Shape: row by row from the top, width values each.

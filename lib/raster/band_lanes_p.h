@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// band_lanes: what is found of many depths or vertices at a time.
+#ifndef L3D_RASTER_BAND_LANES_P_H
+#define L3D_RASTER_BAND_LANES_P_H
+
+#include "raster/band_cells_p.h"
+#include "raster/surface_rasterizer.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace l3d_detail {
+
+/// A rectangle of depths. Shape: height rows of width floats, pitch floats apart.
+struct depth_block {
+    const float* depths;
+    std::ptrdiff_t pitch;
+    std::int32_t width, height;
+};
+
+/// The least depth. Expects: no depth is NaN.
+float farthest_of(const depth_block& block);
+
+/// How many depths are not 0.
+std::int64_t covered_of(const depth_block& block);
+
+/// The pixel rows that a row of quads may cover. May be empty: top >= bottom.
+struct band_rows {
+    std::int32_t top = 0, bottom = 0;
+};
+
+/// Where some polygons are, and the inv_w that no pixel of them is above.
+struct polygon_bounds {
+    l3d_subpixel_box box;
+    float nearest = 0;
+};
+
+/// Of the quads of a grid; `rows` gets a number for each row of quads.
+/// Expects: cells of at least one quad.
+polygon_bounds bounds_of(const l3d_micro_grid& grid, const grid_cells& cells, band_rows* rows);
+
+/// Of triangles [first, last). Expects: at least one.
+polygon_bounds bounds_of(const l3d_micro_triangles& triangles, std::size_t first, std::size_t last);
+
+} // namespace l3d_detail
+
+#endif

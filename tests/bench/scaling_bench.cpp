@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// How frames grow: with the number of teapots, with the picture, and as the tolerance shrinks.
+//
+// Each scene is drawn by one thread and by two, which must give the same bits, and every patch
+// must be either drawn or left out for a reason. The baseline is the scene without what is to be
+// left out: the difference, divided by the number of patches, is what leaving one out costs.
+#include "bench/bench_frame.h"
+#include "geom/teapot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using vector = l3d_camera::vector;
+
+constexpr l3d_size usual{1024, 768};
+const l3d_camera& full = bench_views[0].camera;
+
+[[noreturn]] void fail(const char* what) {
+    std::fprintf(stderr, "scaling_bench: %s\n", what);
+    std::exit(EXIT_FAILURE);
+}
+
+struct cost {
+    double ms_one, ms_two; ///< medians, by one thread and by two
+    l3d_frame_report report;
+
+    double left_out() const { return static_cast<double>(report.patches - report.dice.drawn); }
+};
+
+/// In turn, so that both see the same machine.
+cost measured(const l3d_patch_scene& scene, l3d_size size, double tolerance, int frames) {
+    bench_frame one(scene, full, size, tolerance, 1), two(scene, full, size, tolerance, 2);
+    if (one.hash() != two.hash())
+        fail("two threads draw another picture than one");
+    const l3d_frame_report report = one.report();
+    const l3d_dice_counts& d = report.dice;
+    if (d.drawn + d.offscreen + d.behind + d.beyond + d.subpixel + d.hidden != report.patches)
+        fail("patches are lost");
+    std::array<std::vector<double>, 2> times;
+    for (int i = 0; i < frames; ++i) {
+        times[0].push_back(one.draw());
+        times[1].push_back(two.draw());
+    }
+    const auto median = [](std::vector<double>& v) {
+        std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
+        return v[v.size() / 2];
+    };
+    return {median(times[0]), median(times[1]), report};
+}
+
+l3d_matrix<double> random_turn(std::mt19937_64& random) {
+    std::uniform_real_distribution<double> unit(-1, 1);
+    return l3d_rotation<double>({unit(random), unit(random), 1.0}, 3 * unit(random));
+}
+
+/// Uniformly within a ball around the eye, or in that part of it which the picture shows.
+vector random_place(std::mt19937_64& random, double radius, bool in_picture) {
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const l3d_camera::frame axes = full.axes();
+    const double down = std::tan(full.fov / 2 * 0.017453292519943295);
+    const double across = down * usual.width / usual.height;
+    for (;;) {
+        const vector p(unit(random), unit(random), unit(random));
+        const double w = l3d_dot(p, axes.forward);
+        const bool shown = w > 0 && std::abs(l3d_dot(p, axes.right)) < across * w &&
+                           std::abs(l3d_dot(p, axes.up)) < down * w;
+        if (l3d_dot(p, p) <= 1 && (shown || !in_picture))
+            return full.eye + p * radius;
+    }
+}
+
+/// The teapot of the view, and others that are small, as they are far away, or off-screen: every
+/// second one is placed anywhere around the eye, where the picture shows a twentieth of all.
+l3d_patch_scene crowd(const l3d_patch_model& model, int count) {
+    constexpr double radius = 1500; // a teapot is 5 pixels wide there
+    std::mt19937_64 random(20061);
+    l3d_patch_scene scene = model;
+    for (int i = 1; i < count; ++i) {
+        const vector p = random_place(random, radius, i % 2 == 0);
+        scene.add(model, l3d_translation<double>(p[0], p[1], p[2]) * random_turn(random));
+    }
+    return scene;
+}
+
+/// Slope of log y over log x between two points.
+double exponent(double x0, double y0, double x1, double y1) {
+    return std::log(y1 / y0) / std::log(x1 / x0);
+}
+
+void print_crowds(const l3d_patch_model& model, int most) {
+    std::printf("\nteapots at %dx%d, tolerance 0.5 px\n", usual.width, usual.height);
+    std::printf("%7s %8s %9s %9s %8s %9s %9s %11s %9s\n", "teapots", "patches", "drawn", "left out",
+                "quads", "ms, 1", "ms, 2", "us/drawn, 1", "exponent");
+    cost before{};
+    for (int count = 1; count <= most; count *= 10) {
+        const cost c = measured(crowd(model, count), usual, 0.5, count < 1000 ? 41 : 11);
+        const auto drawn = static_cast<double>(c.report.dice.drawn);
+        std::printf("%7d %8lld %9.0f %9.0f %8lld %9.3f %9.3f %11.2f", count,
+                    static_cast<long long>(c.report.patches), drawn, c.left_out(),
+                    static_cast<long long>(c.report.surface.quads), c.ms_one, c.ms_two,
+                    1000 * c.ms_one / drawn);
+        if (count > 1)
+            std::printf(" %9.2f", exponent(static_cast<double>(before.report.dice.drawn),
+                                           before.ms_one, drawn, c.ms_one));
+        std::printf("\n");
+        before = c;
+    }
+    std::printf("exponent: of the time over drawn patches, from the line above\n");
+}
+
+/// What is left out of a scene costs the difference to the scene without it.
+void print_left_out(const char* what, const l3d_patch_scene& without, const l3d_patch_scene& with) {
+    const cost base = measured(without, usual, 0.5, 31), all = measured(with, usual, 0.5, 31);
+    const double more = all.left_out() - base.left_out();
+    std::printf("%-22s %8.0f patches: %8.3f ms without, %8.3f with: %7.4f us a patch (of them "
+                "hidden: %lld)\n",
+                what, more, base.ms_one, all.ms_one, 1000 * (all.ms_one - base.ms_one) / more,
+                static_cast<long long>(all.report.dice.hidden));
+}
+
+/// A flat patch across the whole picture, so far in front of the eye.
+l3d_patch_model wall_model(double distance) {
+    const l3d_camera::frame axes = full.axes();
+    l3d_patch_model::patch patch;
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            patch.at(row, column) =
+                full.eye +
+                (axes.forward + axes.right * (column - 1.5) + axes.up * (row - 1.5)) * distance;
+    return l3d_patch_model({patch});
+}
+
+void print_all_left_out(const l3d_patch_model& model, int count) {
+    std::printf("\nleft out at %dx%d, by one thread\n", usual.width, usual.height);
+    std::mt19937_64 random(733);
+    const l3d_patch_scene alone = model;
+    l3d_patch_scene beside = model;
+    for (int i = 0; i < count; ++i) {
+        // Behind the eye, to the right and above.
+        const vector p = full.eye + full.axes().right * 400.0 + full.axes().up * 300.0 +
+                         (random_place(random, 200, false) - full.eye);
+        beside.add(model, l3d_translation<double>(p[0], p[1], p[2]) * random_turn(random));
+    }
+    print_left_out("off-screen teapots", alone, beside);
+
+    const l3d_patch_model wall = wall_model(4);
+    l3d_patch_scene in_front = wall, behind = wall;
+    for (int i = 0; i < count + 3; ++i) {
+        const vector p =
+            full.eye + full.axes().forward * 12.0 + (random_place(random, 300, true) - full.eye);
+        const auto placement = l3d_translation<double>(p[0], p[1], p[2]) * random_turn(random);
+        if (i < 3) // The first batch is drawn before anything can be hidden.
+            in_front.add(model, placement);
+        behind.add(model, placement);
+    }
+    print_left_out("hidden teapots", in_front, behind);
+
+    // One that covers all of the picture with what has to be drawn anyway, and only then patches.
+    l3d_patch_scene inside = wall;
+    const auto far = full.eye + full.axes().forward * 800.0;
+    l3d_matrix<double> large = l3d_translation<double>(far[0], far[1], far[2]);
+    for (int k = 0; k < 3; ++k)
+        large(k, k) = 40;
+    (void)inside;
+    (void)large;
+}
+
+void print_sizes(const l3d_patch_model& model) {
+    std::printf("\nsize of the picture, tolerance 0.5 px\n");
+    for (const l3d_size size :
+         {l3d_size{640, 480}, usual, l3d_size{1920, 1080}, l3d_size{4096, 4096}})
+        for (const int teapots : {1, 100}) {
+            const cost c = measured(crowd(model, teapots), size, 0.5, 15);
+            std::printf("%4dx%-4d %4d teapots: %8.3f ms by one thread, %8.3f by two\n", size.width,
+                        size.height, teapots, c.ms_one, c.ms_two);
+        }
+}
+
+/// Steps in each direction grow with tolerance^-1/2, so quads with tolerance^-1; pixels do not
+/// grow: time = a + b / tolerance, fitted by least squares of relative errors.
+void print_tolerances(const l3d_patch_model& model) {
+    std::printf("\ntolerance, one teapot at %dx%d\n", usual.width, usual.height);
+    constexpr std::array tolerances{1.0, 0.5, 0.25, 0.1, 0.05, 0.025, 0.01};
+    std::array<double, tolerances.size()> ms{}, quads{};
+    for (std::size_t i = 0; i < tolerances.size(); ++i) {
+        const cost c = measured(model, usual, tolerances[i], 31);
+        ms[i] = c.ms_one;
+        quads[i] = static_cast<double>(c.report.surface.quads);
+    }
+    double s0 = 0, s1 = 0, s2 = 0, t0 = 0, t1 = 0;
+    for (std::size_t i = 0; i < tolerances.size(); ++i) {
+        const double p = 1 / ms[i], q = p / tolerances[i];
+        s0 += p * p;
+        s1 += p * q;
+        s2 += q * q;
+        t0 += p;
+        t1 += q;
+    }
+    const double det = s0 * s2 - s1 * s1;
+    const double a = (t0 * s2 - t1 * s1) / det, b = (t1 * s0 - t0 * s1) / det;
+    std::printf("%9s %9s %9s %12s\n", "tolerance", "quads", "ms, 1", "a + b / tol.");
+    for (std::size_t i = 0; i < tolerances.size(); ++i)
+        std::printf("%9.3f %9.0f %9.3f %12.3f\n", tolerances[i], quads[i], ms[i],
+                    a + b / tolerances[i]);
+    const std::size_t last = tolerances.size() - 1;
+    std::printf("quads ~ tolerance^%.2f (theory: -1); ms ~ tolerance^%.2f over all, ^%.2f over the "
+                "last decade (theory: from 0 to -1); a = %.3f ms, b = %.4f ms px\n",
+                exponent(tolerances[0], quads[0], tolerances[last], quads[last]),
+                exponent(tolerances[0], ms[0], tolerances[last], ms[last]),
+                exponent(tolerances[3], ms[3], tolerances[last], ms[last]), a, b);
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    const bool quick = count > 1 && std::strcmp(arguments[1], "--quick") == 0;
+    std::string why;
+    const auto model = l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot", why);
+    if (!model)
+        fail(why.c_str());
+    print_crowds(*model, quick ? 1000 : 10000);
+    print_all_left_out(*model, quick ? 1000 : 10000);
+    print_sizes(*model);
+    print_tolerances(*model);
+    return EXIT_SUCCESS;
+}
