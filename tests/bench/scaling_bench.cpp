@@ -212,21 +212,25 @@ void print_sizes(const l3d_patch_model& model) {
         }
 }
 
-/// Steps in each direction grow with tolerance^-1/2, so quads with tolerance^-1; pixels do not
-/// grow: time = a + b / tolerance, fitted by least squares of relative errors.
+/// What snapping takes of a tolerance: a vertex and the centre of a folded quad are each off by
+/// sqrt(2) / 512 px, counted with the weight 1.25 (docs/NUMERICS.md, sections 9 and 12).
+constexpr double snapping = 2 * 1.25 * 1.4142135623730951 / 512;
+
+/// Steps in each direction grow with the chord's budget to the power -1/2, so quads with its power
+/// -1, while pixels do not grow: time = a + b quads, fitted by least squares of relative errors.
 void print_tolerances(const l3d_patch_model& model) {
-    std::printf("\ntolerance, one teapot at %dx%d\n", usual.width, usual.height);
+    std::printf("\ntolerance, one teapot at %dx%d, by one thread\n", usual.width, usual.height);
     constexpr std::array tolerances{1.0, 0.5, 0.25, 0.1, 0.05, 0.025, 0.01};
-    std::array<double, tolerances.size()> ms{}, quads{}, bound{};
-    for (std::size_t i = 0; i < tolerances.size(); ++i) {
+    constexpr std::size_t last = tolerances.size() - 1;
+    std::array<double, tolerances.size()> ms{}, quads{}, bound{}, budget{};
+    double s0 = 0, s1 = 0, s2 = 0, t0 = 0, t1 = 0;
+    for (std::size_t i = 0; i <= last; ++i) {
         const cost c = measured(model, usual, tolerances[i], 31);
         ms[i] = c.one;
         bound[i] = c.report.dice.bound_px;
         quads[i] = static_cast<double>(c.report.surface.quads);
-    }
-    double s0 = 0, s1 = 0, s2 = 0, t0 = 0, t1 = 0;
-    for (std::size_t i = 0; i < tolerances.size(); ++i) {
-        const double p = 1 / ms[i], q = p / tolerances[i];
+        budget[i] = std::max(tolerances[i] - snapping, tolerances[i] / 4);
+        const double p = 1 / ms[i], q = quads[i] / ms[i];
         s0 += p * p;
         s1 += p * q;
         s2 += q * q;
@@ -235,16 +239,18 @@ void print_tolerances(const l3d_patch_model& model) {
     }
     const double det = s0 * s2 - s1 * s1;
     const double a = (t0 * s2 - t1 * s1) / det, b = (t1 * s0 - t0 * s1) / det;
-    std::printf("%9s %9s %9s %9s %13s\n", "tolerance", "bound", "quads", "ms, 1", "a + b / tol.");
-    for (std::size_t i = 0; i < tolerances.size(); ++i)
-        std::printf("%9.3f %9.4f %9.0f %9.3f %13.3f\n", tolerances[i], bound[i], quads[i], ms[i],
-                    a + b / tolerances[i]);
-    const std::size_t last = tolerances.size() - 1;
-    std::printf("quads ~ tolerance^%.2f (theory: -1); ms ~ tolerance^%.2f over all, ^%.2f over the "
-                "last decade (theory: from 0 to -1); a = %.3f ms, b = %.4f ms px\n",
-                exponent(tolerances[0], quads[0], tolerances[last], quads[last]),
-                exponent(tolerances[0], ms[0], tolerances[last], ms[last]),
-                exponent(tolerances[3], ms[3], tolerances[last], ms[last]), a, b);
+    std::printf("%9s %9s %9s %9s %9s %9s %9s\n", "tolerance", "budget", "bound", "quads", "theory",
+                "ms", "a + b n");
+    for (std::size_t i = 0; i <= last; ++i)
+        std::printf("%9.3f %9.4f %9.4f %9.0f %9.0f %9.3f %9.3f\n", tolerances[i], budget[i],
+                    bound[i], quads[i], quads[2] * budget[2] / budget[i], ms[i], a + b * quads[i]);
+    std::printf(
+        "n = quads ~ budget^%.2f over all, ^%.2f from 0.25 on (theory: -1), tolerance^%.2f; "
+        "ms ~ tolerance^%.2f over all (theory: 0 to -1); a = %.3f ms, b = %.1f ns\n",
+        exponent(budget[0], quads[0], budget[last], quads[last]),
+        exponent(budget[2], quads[2], budget[last], quads[last]),
+        exponent(tolerances[0], quads[0], tolerances[last], quads[last]),
+        exponent(tolerances[0], ms[0], tolerances[last], ms[last]), a, 1e6 * b);
 }
 
 } // namespace
