@@ -11,6 +11,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/simd_dispatch_p.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
@@ -424,11 +426,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace l3d_detail {
 
-HWY_EXPORT(bounds);
+L3D_SIMD_TABLE(bounds);
 
 void bounds_in_lanes(const l3d_image_patch& patch, const l3d_dice_view& view, lane_bounds& out) {
     static_assert(sizeof patch == 48 * sizeof(double), "points without gaps");
-    HWY_DYNAMIC_DISPATCH(bounds)(&patch.points[0][0], view, out);
+    L3D_SIMD_CALL(bounds)(&patch.points[0][0], view, out);
 }
 
 } // namespace l3d_detail

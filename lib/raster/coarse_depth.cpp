@@ -5,6 +5,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/simd_dispatch_p.h"
+
 #include "raster/coarse_depth_p.h"
 
 #include <algorithm>
@@ -194,11 +196,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace l3d_detail {
 
-HWY_EXPORT(open);
-HWY_EXPORT(define);
-HWY_EXPORT(hidden);
-HWY_EXPORT(refresh);
-HWY_EXPORT(covered);
+L3D_SIMD_TABLE(open);
+L3D_SIMD_TABLE(define);
+L3D_SIMD_TABLE(hidden);
+L3D_SIMD_TABLE(refresh);
+L3D_SIMD_TABLE(covered);
 
 void coarse_depth::resize(l3d_size size) {
     const pixel_box tiles = tiles_of(whole(size));
@@ -215,15 +217,15 @@ void coarse_depth::forget(std::int32_t top, std::int32_t bottom) {
 }
 
 void coarse_depth::open(const pixel_box& box, const fill_band& band) {
-    HWY_DYNAMIC_DISPATCH(open)({tiles_.data(), columns_}, box, band);
+    L3D_SIMD_CALL(open)({tiles_.data(), columns_}, box, band);
 }
 
 void coarse_depth::define(const fill_band& band, bool with_depths) {
-    HWY_DYNAMIC_DISPATCH(define)({tiles_.data(), columns_}, band, with_depths);
+    L3D_SIMD_CALL(define)({tiles_.data(), columns_}, band, with_depths);
 }
 
 bool coarse_depth::hidden(const pixel_box& box, float nearest, const fill_band& band) {
-    return HWY_DYNAMIC_DISPATCH(hidden)({tiles_.data(), columns_}, box, nearest, band);
+    return L3D_SIMD_CALL(hidden)({tiles_.data(), columns_}, box, nearest, band);
 }
 
 bool coarse_depth::hidden(const pixel_box& box, float nearest) const {
@@ -238,13 +240,13 @@ bool coarse_depth::hidden(const pixel_box& box, float nearest) const {
 }
 
 void coarse_depth::refresh(const fill_band& band) {
-    HWY_DYNAMIC_DISPATCH(refresh)({tiles_.data(), columns_}, band);
+    L3D_SIMD_CALL(refresh)({tiles_.data(), columns_}, band);
 }
 
 std::int64_t coarse_depth::covered(const fill_band& band) const {
     // Nothing is changed; the walks over tiles have but one kind of rows.
     const tile_rows all{const_cast<depth_tile*>(tiles_.data()), columns_};
-    return HWY_DYNAMIC_DISPATCH(covered)(all, band);
+    return L3D_SIMD_CALL(covered)(all, band);
 }
 
 } // namespace l3d_detail
