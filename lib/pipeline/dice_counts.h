@@ -7,12 +7,13 @@
 #include <cstddef>
 #include <cstdint>
 
-/// What a frame's dicing did, and left out.
+/// What a frame's dicing did, and what was left out, as control nets or the boxes around them
+/// prove.
 struct l3d_dice_counts {
     std::int64_t drawn = 0;     ///< patches diced
-    std::int64_t offscreen = 0; ///< patches left out: control net beyond one side of the window
-    std::int64_t behind = 0;    ///< patches left out: control net behind the near plane
-    std::int64_t beyond = 0;    ///< patches left out: control net beyond the far plane
+    std::int64_t offscreen = 0; ///< patches left out: beyond one side of the window
+    std::int64_t behind = 0;    ///< patches left out: behind the near plane
+    std::int64_t beyond = 0;    ///< patches left out: beyond the far plane
     std::int64_t subpixel = 0;  ///< patches left out: hull holds no pixel centre
     std::int64_t hidden = 0;    ///< patches left out: behind what had been drawn before
     std::int64_t pieces = 0;    ///< grids made; more than `drawn` if patches had to be cut

@@ -60,12 +60,7 @@ void l3d_pipeline_afd::draw_event() {
     report_.tolerance_px = settings_.tolerance;
     report_.patches = scene_.patch_count();
     report_.dice = dicer_.counts();
-    const l3d_cull_counts& culled = culling_.counts();
-    report_.dice.offscreen += culled.offscreen;
-    report_.dice.behind += culled.behind;
-    report_.dice.beyond += culled.beyond;
-    report_.dice.subpixel += culled.subpixel;
-    report_.dice.hidden += culled.hidden;
+    report_.dice.add(culling_.counts());
     report_.surface = settings_.wireframe ? l3d_surface_counts{} : surface_rasterizer_->counts();
     stale_ = false;
 }

@@ -3,6 +3,7 @@
 #include "pipeline/scene_culling.h"
 
 #include "pipeline/scene_culling_p.h"
+#include "pipeline/visibility.h"
 
 #include <algorithm>
 #include <bit>
@@ -24,35 +25,20 @@ constexpr std::size_t first_batch = 64, largest_batch = 1024;
 /// nearest.
 constexpr double most_depth_ratio = 16;
 
-/// Whether a box (pixels from the picture's corner) holds no pixel centre k + 1/2, even when
-/// snapping moves its points by half a sub-pixel.
-bool holds_no_centre(const l3d_image_box& box) {
-    constexpr double slack = 1.0 / l3d_subpixel_one;
-    if (box.width() > 1 && box.height() > 1)
-        return false;
-    const auto none = [](double low, double high) {
-        return std::floor(high + slack - 0.5) < std::ceil(low - slack - 0.5);
-    };
-    return none(box.left, box.right) || none(box.top, box.bottom);
-}
-
 l3d_image_box box_of(const culled_boxes& boxes, std::size_t i) {
     return {boxes.left[i], boxes.top[i], boxes.right[i], boxes.bottom[i]};
 }
 
 /// The count of those that are left out for the same reason as box i; null if it may be seen.
 std::int64_t* reason_to_leave_out(const culled_boxes& boxes, std::size_t i,
-                                  const l3d_dice_view& view, l3d_cull_counts& counts) {
+                                  const l3d_dice_view& view, l3d_dice_counts& counts) {
     if (boxes.most[i] <= view.near)
         return &counts.behind;
     if (boxes.least[i] >= view.far)
         return &counts.beyond;
     if (boxes.inside[i] < 0)
         return &counts.offscreen;
-    const l3d_image_box box = box_of(boxes, i), window = view.window();
-    if (boxes.least[i] > view.near &&
-        holds_no_centre({box.left - window.left, box.top - window.top, box.right - window.left,
-                         box.bottom - window.top}))
+    if (boxes.least[i] > view.near && l3d_holds_no_centre(box_of(boxes, i), view))
         return &counts.subpixel;
     return nullptr;
 }

@@ -4,6 +4,7 @@
 #define L3D_PIPELINE_SCENE_CULLING_H
 
 #include "geom/matrix.h"
+#include "pipeline/dice_counts.h"
 #include "pipeline/dice_view.h"
 #include "pipeline/patch_scene.h"
 #include "raster/surface_rasterizer.h"
@@ -18,15 +19,6 @@
 namespace l3d_detail {
 struct culled_boxes;
 }
-
-/// Patches that were left out, by the proof that they cannot be seen.
-struct l3d_cull_counts {
-    std::int64_t offscreen = 0; ///< box beyond one side of the window
-    std::int64_t behind = 0;    ///< box behind the near plane
-    std::int64_t beyond = 0;    ///< box beyond the far plane
-    std::int64_t subpixel = 0;  ///< box holds no pixel centre
-    std::int64_t hidden = 0;    ///< box behind what was drawn before
-};
 
 /// A patch of an instance that may be seen.
 struct l3d_placed_patch {
@@ -78,8 +70,8 @@ public:
         return matrices_[p.matrix];
     }
 
-    /// Of this frame until now.
-    const l3d_cull_counts& counts() const { return counts_; }
+    /// What has been left out in this frame until now.
+    const l3d_dice_counts& counts() const { return counts_; }
 
 private:
     using hidden_call = bool (*)(const void*, const l3d_subpixel_box&, float);
@@ -116,7 +108,7 @@ private:
     const l3d_patch_scene* scene_ = nullptr;
     l3d_matrix<double> to_image_;
     l3d_dice_view view_;
-    l3d_cull_counts counts_;
+    l3d_dice_counts counts_;
 
     std::vector<seen_instance> instances_;
     std::vector<ticket> instance_line_; ///< farthest first

@@ -21,36 +21,6 @@ constexpr hn::RebindToSigned<decltype(floats)> integers;
 using float_lanes = hn::Vec<decltype(floats)>;
 using integer_lanes = hn::Vec<decltype(integers)>;
 
-float least_of(const depth_block& block) {
-    const auto lanes = static_cast<std::int32_t>(hn::Lanes(floats));
-    float_lanes least = hn::Set(floats, block.depths[0]);
-    float rest = block.depths[0];
-    for (std::int32_t row = 0; row < block.height; ++row) {
-        const float* const depths = block.depths + row * block.pitch;
-        std::int32_t column = 0;
-        for (; column + lanes <= block.width; column += lanes)
-            least = hn::Min(least, hn::LoadU(floats, depths + column));
-        for (; column < block.width; ++column)
-            rest = std::min(rest, depths[column]);
-    }
-    return std::min(rest, hn::GetLane(hn::MinOfLanes(floats, least)));
-}
-
-std::int64_t count_not_zero(const depth_block& block) {
-    const auto lanes = static_cast<std::int32_t>(hn::Lanes(floats));
-    std::size_t count = 0;
-    for (std::int32_t row = 0; row < block.height; ++row) {
-        const float* const depths = block.depths + row * block.pitch;
-        std::int32_t column = 0;
-        for (; column + lanes <= block.width; column += lanes)
-            count +=
-                hn::CountTrue(floats, hn::Gt(hn::LoadU(floats, depths + column), hn::Zero(floats)));
-        for (; column < block.width; ++column)
-            count += depths[column] > 0;
-    }
-    return static_cast<std::int64_t>(count);
-}
-
 struct lane_bounds {
     integer_lanes left, top, right, bottom;
     float_lanes nearest;
@@ -136,18 +106,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace l3d_detail {
 
-HWY_EXPORT(least_of);
-HWY_EXPORT(count_not_zero);
 HWY_EXPORT(bounds_of_cells);
 HWY_EXPORT(bounds_of_triangles);
-
-float farthest_of(const depth_block& block) {
-    return HWY_DYNAMIC_DISPATCH(least_of)(block);
-}
-
-std::int64_t covered_of(const depth_block& block) {
-    return HWY_DYNAMIC_DISPATCH(count_not_zero)(block);
-}
 
 polygon_bounds bounds_of(const l3d_micro_grid& grid, const grid_cells& cells, band_rows* rows) {
     return HWY_DYNAMIC_DISPATCH(bounds_of_cells)(grid, cells, rows);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// band_lanes: what is found of many depths or vertices at a time.
+// band_lanes: where many vertices are.
 #ifndef L3D_RASTER_BAND_LANES_P_H
 #define L3D_RASTER_BAND_LANES_P_H
 
@@ -10,19 +10,6 @@
 #include <cstdint>
 
 namespace l3d_detail {
-
-/// A rectangle of depths. Shape: height rows of width floats, pitch floats apart.
-struct depth_block {
-    const float* depths;
-    std::ptrdiff_t pitch;
-    std::int32_t width, height;
-};
-
-/// The least depth. Expects: no depth is NaN.
-float farthest_of(const depth_block& block);
-
-/// How many depths are not 0.
-std::int64_t covered_of(const depth_block& block);
 
 /// The pixel rows that a row of quads may cover. May be empty: top >= bottom.
 struct band_rows {

@@ -22,8 +22,8 @@ void band_painter::draw(const band_frame& frame, const fill_band& band, const ba
         const pixel_box box = item.box.intersected(here);
         if (frame.leaves_out_hidden && coarse.hidden(box, item.nearest, band))
             continue;
+        coarse.open(box, band);
         draw_item(frame, band, list, item);
-        coarse.touch(box);
     }
     by_scalar_.samples += scalar_.counts().samples;
     by_scalar_.written += scalar_.counts().written;

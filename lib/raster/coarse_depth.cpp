@@ -1,107 +1,251 @@
 // SPDX-License-Identifier: MIT
-// coarse_depth: the walks over tiles.
-#include "raster/coarse_depth_p.h"
+// coarse_depth: the walks over tiles, for every instruction set that the processor may have.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/coarse_depth.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
-#include "raster/band_lanes_p.h"
+#include "raster/coarse_depth_p.h"
 
 #include <algorithm>
 
+#ifndef L3D_RASTER_COARSE_DEPTH_ONCE
+#define L3D_RASTER_COARSE_DEPTH_ONCE
 namespace l3d_detail {
 
-namespace {
+/// Tiles in rows of `columns`.
+struct tile_rows {
+    depth_tile* tiles;
+    std::size_t columns;
+
+    depth_tile* row(std::int32_t index) const {
+        return tiles + static_cast<std::size_t>(index) * columns;
+    }
+};
 
 /// The tiles that pixels lie in.
-pixel_box tiles_of(const pixel_box& pixels) {
-    constexpr auto width = coarse_depth::tile_width, height = coarse_depth::tile_height;
+inline pixel_box tiles_of(const pixel_box& pixels) {
+    constexpr auto width = depth_tile::width, height = depth_tile::height;
     return {pixels.left / width, pixels.top / height, (pixels.right + width - 1) / width,
             (pixels.bottom + height - 1) / height};
 }
 
-pixel_box whole(const fill_band& band) {
-    return {0, band.top, band.width, band.bottom};
+inline pixel_box tiles_of(const fill_band& band) {
+    return tiles_of(pixel_box{0, band.top, band.width, band.bottom});
 }
 
-/// The depths of a tile; at the right and lower end of the picture it is smaller.
-depth_block depths_of(std::int32_t column, std::int32_t row, const fill_band& band) {
-    const std::int32_t left = column * coarse_depth::tile_width;
-    const std::int32_t top = row * coarse_depth::tile_height;
-    return {band.depths + (top - band.top) * band.depth_pitch + left, band.depth_pitch,
-            std::min(coarse_depth::tile_width, band.width - left),
-            std::min(coarse_depth::tile_height, band.bottom - top)};
+/// The pixels of some tiles in a row; at the right and lower end of the picture they are smaller.
+struct tile_pixels {
+    std::ptrdiff_t words_at, depths_at; ///< of the first, in the band
+    std::int32_t width, height;
+
+    tile_pixels(std::int32_t begin, std::int32_t end, std::int32_t row, const fill_band& band) {
+        const std::int32_t left = begin * depth_tile::width, top = row * depth_tile::height;
+        words_at = (top - band.top) * band.word_pitch + left;
+        depths_at = (top - band.top) * band.depth_pitch + left;
+        width = std::min(end * depth_tile::width, band.width) - left;
+        height = std::min(depth_tile::height, band.bottom - top);
+    }
+};
+
+} // namespace l3d_detail
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr hn::CappedTag<float, depth_tile::width> floats;
+constexpr hn::CappedTag<std::uint32_t, depth_tile::width> words;
+
+std::int32_t lanes() {
+    return static_cast<std::int32_t>(hn::Lanes(floats));
+}
+
+/// Sets rows of numbers to 0.
+template <class D, class T>
+void clear(D d, T* to, std::ptrdiff_t pitch, std::int32_t width, std::int32_t height) {
+    for (std::int32_t row = 0; row < height; ++row, to += pitch) {
+        std::int32_t column = 0;
+        for (; column + lanes() <= width; column += lanes())
+            hn::StoreU(hn::Zero(d), d, to + column);
+        for (; column < width; ++column)
+            to[column] = 0;
+    }
+}
+
+void open(const tile_rows& all, const pixel_box& box, const fill_band& band) {
+    const pixel_box tiles = tiles_of(box);
+    for (std::int32_t row = tiles.top; row < tiles.bottom; ++row)
+        for (std::int32_t column = tiles.left; column < tiles.right; ++column) {
+            depth_tile& tile = all.row(row)[column];
+            tile.stale = true;
+            if (tile.drawn)
+                continue;
+            tile.drawn = true;
+            const tile_pixels p(column, column + 1, row, band);
+            clear(floats, band.depths + p.depths_at, band.depth_pitch, p.width, p.height);
+            clear(words, band.words + p.words_at, band.word_pitch, p.width, p.height);
+        }
+}
+
+/// Calls visit(begin, end, row) for every run of tiles side by side that have been drawn to, or of
+/// those that have not.
+template <class Visit>
+void visit_runs(const tile_rows& all, const fill_band& band, bool drawn, const Visit& visit) {
+    const pixel_box tiles = tiles_of(band);
+    for (std::int32_t row = tiles.top; row < tiles.bottom; ++row) {
+        const depth_tile* const here = all.row(row);
+        for (std::int32_t end = 0; end < tiles.right;) {
+            std::int32_t begin = end;
+            while (begin < tiles.right && here[begin].drawn != drawn)
+                ++begin;
+            end = begin;
+            while (end < tiles.right && here[end].drawn == drawn)
+                ++end;
+            if (begin < end)
+                visit(begin, end, row);
+        }
+    }
+}
+
+void define(const tile_rows& all, const fill_band& band, bool with_depths) {
+    visit_runs(all, band, false, [&](std::int32_t begin, std::int32_t end, std::int32_t row) {
+        const tile_pixels p(begin, end, row, band);
+        clear(words, band.words + p.words_at, band.word_pitch, p.width, p.height);
+        if (with_depths)
+            clear(floats, band.depths + p.depths_at, band.depth_pitch, p.width, p.height);
+    });
+}
+
+std::int64_t covered(const tile_rows& all, const fill_band& band) {
+    std::size_t count = 0;
+    visit_runs(all, band, true, [&](std::int32_t begin, std::int32_t end, std::int32_t row) {
+        const tile_pixels p(begin, end, row, band);
+        for (std::int32_t y = 0; y < p.height; ++y) {
+            const float* const depths = band.depths + p.depths_at + y * band.depth_pitch;
+            std::int32_t x = 0;
+            for (; x + lanes() <= p.width; x += lanes())
+                count +=
+                    hn::CountTrue(floats, hn::Gt(hn::LoadU(floats, depths + x), hn::Zero(floats)));
+            for (; x < p.width; ++x)
+                count += depths[x] > 0;
+        }
+    });
+    return static_cast<std::int64_t>(count);
+}
+
+/// Finds a tile's farthest depth, unless a depth is below `least`: then there is no need to know.
+void find(depth_tile& tile, std::int32_t column, std::int32_t row, const fill_band& band,
+          float least) {
+    const tile_pixels p(column, column + 1, row, band);
+    const float* depths = band.depths + p.depths_at;
+    float farthest = depths[0];
+    if (p.width == depth_tile::width) {
+        auto all = hn::Set(floats, farthest);
+        const auto limit = hn::Set(floats, least);
+        for (std::int32_t y = 0; y < p.height; ++y, depths += band.depth_pitch) {
+            for (std::int32_t x = 0; x < depth_tile::width; x += lanes())
+                all = hn::Min(all, hn::LoadU(floats, depths + x));
+            if (!hn::AllFalse(floats, hn::Lt(all, limit)))
+                return;
+        }
+        farthest = hn::GetLane(hn::MinOfLanes(floats, all));
+    } else {
+        for (std::int32_t y = 0; y < p.height; ++y, depths += band.depth_pitch)
+            farthest = std::min(farthest, *std::min_element(depths, depths + p.width));
+    }
+    tile.farthest = farthest;
+    tile.stale = false;
+}
+
+bool hidden(const tile_rows& all, const pixel_box& box, float nearest, const fill_band& band) {
+    const pixel_box tiles = tiles_of(box);
+    for (std::int32_t row = tiles.top; row < tiles.bottom; ++row)
+        for (std::int32_t column = tiles.left; column < tiles.right; ++column) {
+            depth_tile& tile = all.row(row)[column];
+            if (nearest <= tile.farthest)
+                continue;
+            if (!tile.stale)
+                return false;
+            find(tile, column, row, band, nearest);
+            if (nearest > tile.farthest)
+                return false;
+        }
+    return true;
+}
+
+void refresh(const tile_rows& all, const fill_band& band) {
+    const pixel_box tiles = tiles_of(band);
+    for (std::int32_t row = tiles.top; row < tiles.bottom; ++row)
+        for (std::int32_t column = tiles.left; column < tiles.right; ++column)
+            if (depth_tile& tile = all.row(row)[column]; tile.stale)
+                find(tile, column, row, band, 0);
 }
 
 } // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace l3d_detail {
+
+HWY_EXPORT(open);
+HWY_EXPORT(define);
+HWY_EXPORT(hidden);
+HWY_EXPORT(refresh);
+HWY_EXPORT(covered);
 
 void coarse_depth::resize(l3d_size size) {
-    const pixel_box tiles = tiles_of(l3d_detail::whole(size));
+    const pixel_box tiles = tiles_of(whole(size));
     columns_ = static_cast<std::size_t>(tiles.right);
     const std::size_t count = columns_ * static_cast<std::size_t>(tiles.bottom);
     if (tiles_.size() < count)
         tiles_.resize(count);
 }
 
-void coarse_depth::clear(std::int32_t top, std::int32_t bottom) {
-    const pixel_box rows = tiles_of({0, top, 0, bottom});
-    std::fill(&at(0, rows.top), &at(0, rows.top) + (rows.bottom - rows.top) * columns_,
-              tile{0, false, false});
+void coarse_depth::forget(std::int32_t top, std::int32_t bottom) {
+    const pixel_box rows = tiles_of(pixel_box{0, top, 0, bottom});
+    const tile_rows all{tiles_.data(), columns_};
+    std::fill(all.row(rows.top), all.row(rows.bottom), depth_tile{0, false, false});
 }
 
-void coarse_depth::touch(const pixel_box& box) {
-    const pixel_box tiles = tiles_of(box);
-    for (std::int32_t row = tiles.top; row < tiles.bottom; ++row)
-        for (std::int32_t column = tiles.left; column < tiles.right; ++column) {
-            tile& t = at(column, row);
-            t.touched = true;
-            t.stale = true;
-        }
+void coarse_depth::open(const pixel_box& box, const fill_band& band) {
+    HWY_DYNAMIC_DISPATCH(open)({tiles_.data(), columns_}, box, band);
 }
 
-void coarse_depth::find(tile& t, std::int32_t column, std::int32_t row, const fill_band& band) {
-    t.farthest = farthest_of(depths_of(column, row, band));
-    t.stale = false;
+void coarse_depth::define(const fill_band& band, bool with_depths) {
+    HWY_DYNAMIC_DISPATCH(define)({tiles_.data(), columns_}, band, with_depths);
 }
 
 bool coarse_depth::hidden(const pixel_box& box, float nearest, const fill_band& band) {
-    const pixel_box tiles = tiles_of(box);
-    for (std::int32_t row = tiles.top; row < tiles.bottom; ++row)
-        for (std::int32_t column = tiles.left; column < tiles.right; ++column) {
-            tile& t = at(column, row);
-            if (nearest <= t.farthest)
-                continue;
-            if (!t.stale)
-                return false;
-            find(t, column, row, band);
-            if (nearest > t.farthest)
-                return false;
-        }
-    return true;
+    return HWY_DYNAMIC_DISPATCH(hidden)({tiles_.data(), columns_}, box, nearest, band);
 }
 
 bool coarse_depth::hidden(const pixel_box& box, float nearest) const {
     const pixel_box tiles = tiles_of(box);
-    for (std::int32_t row = tiles.top; row < tiles.bottom; ++row)
-        for (std::int32_t column = tiles.left; column < tiles.right; ++column)
-            if (!(nearest <= at(column, row).farthest))
-                return false;
+    for (std::int32_t row = tiles.top; row < tiles.bottom; ++row) {
+        const depth_tile* const here = tiles_.data() + static_cast<std::size_t>(row) * columns_;
+        if (std::any_of(here + tiles.left, here + tiles.right,
+                        [nearest](const depth_tile& tile) { return nearest > tile.farthest; }))
+            return false;
+    }
     return true;
 }
 
 void coarse_depth::refresh(const fill_band& band) {
-    const pixel_box tiles = tiles_of(whole(band));
-    for (std::int32_t row = tiles.top; row < tiles.bottom; ++row)
-        for (std::int32_t column = tiles.left; column < tiles.right; ++column)
-            if (tile& t = at(column, row); t.stale)
-                find(t, column, row, band);
+    HWY_DYNAMIC_DISPATCH(refresh)({tiles_.data(), columns_}, band);
 }
 
 std::int64_t coarse_depth::covered(const fill_band& band) const {
-    std::int64_t covered = 0;
-    const pixel_box tiles = tiles_of(whole(band));
-    for (std::int32_t row = tiles.top; row < tiles.bottom; ++row)
-        for (std::int32_t column = tiles.left; column < tiles.right; ++column)
-            if (at(column, row).touched)
-                covered += covered_of(depths_of(column, row, band));
-    return covered;
+    // Nothing is changed; the walks over tiles have but one kind of rows.
+    const tile_rows all{const_cast<depth_tile*>(tiles_.data()), columns_};
+    return HWY_DYNAMIC_DISPATCH(covered)(all, band);
 }
 
 } // namespace l3d_detail
+#endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// coarse_depth: the farthest depth of every tile of the picture, to leave out what is behind it.
+// coarse_depth: what is known of a picture's depth tile by tile.
 #ifndef L3D_RASTER_COARSE_DEPTH_P_H
 #define L3D_RASTER_COARSE_DEPTH_P_H
 
@@ -12,55 +12,52 @@
 
 namespace l3d_detail {
 
-/// Lower bounds of inv_w, tile by tile.
+/// A rectangle of pixels, and what is known of the depths in it.
+struct depth_tile {
+    /// A cache line of depths wide; about as large as a micro-quad at a tolerance of 1/4 pixel.
+    static constexpr std::int32_t width = 16, height = 8;
+
+    float farthest; ///< no pixel has a smaller inv_w
+    bool drawn;     ///< something may be in it; if not, its pixels need not be defined
+    bool stale;     ///< something may have come since `farthest` was found
+};
+
+/// The tiles of a picture: they tell what is behind what is there, and which pixels are empty
+/// without anybody's having set them to 0.
 ///
 /// Depth only ever comes nearer in a frame, so what was found for a tile stays a bound; it is found
-/// anew when that could change an answer and the tile was drawn to in the meantime.
-/// Expects: boxes inside the window; threads that change different rows of tiles do not meet.
-/// Cost:    a tile is found in some tens of cycles, from 8 cache lines.
+/// anew when that could change an answer and something may have come in the meantime.
+/// Expects: boxes inside the window, and inside the band where there is one; bands of whole rows of
+///          tiles. Threads that change different bands do not meet.
 class coarse_depth {
 public:
-    /// A cache line of depths wide; about as large as a micro-quad at a tolerance of 1/4 pixel.
-    static constexpr std::int32_t tile_width = 16, tile_height = 8;
-
     void resize(l3d_size size);
 
-    /// Nothing is in rows [top, bottom). Expects: whole rows of tiles, but for the last.
-    void clear(std::int32_t top, std::int32_t bottom);
+    /// Nothing is in rows [top, bottom), whatever their pixels say.
+    void forget(std::int32_t top, std::int32_t bottom);
 
-    /// Something may have been drawn in the box.
-    void touch(const pixel_box& box);
+    /// Something will be drawn in the box: from now on the pixels of its tiles are defined.
+    void open(const pixel_box& box, const fill_band& band);
+
+    /// Sets all pixels of the band to 0 that are not defined, depths only `with_depths`.
+    void define(const fill_band& band, bool with_depths);
 
     /// Whether nothing in the box that is no nearer than `nearest` would be seen.
-    /// Expects: the box inside the band.
+    /// Cost:    for a tile that was drawn to, one to eight cache lines of depths.
     bool hidden(const pixel_box& box, float nearest, const fill_band& band);
 
     /// The same from what is known already.
     bool hidden(const pixel_box& box, float nearest) const;
 
-    /// Finds all tiles of the band that were drawn to. Expects: the band is whole rows of tiles.
+    /// Finds out about all tiles of the band.
     void refresh(const fill_band& band);
 
-    /// Pixels of the band in which something is. Expects: as refresh.
+    /// Pixels of the band in which something is.
     std::int64_t covered(const fill_band& band) const;
 
 private:
-    struct tile {
-        float farthest;
-        bool touched; ///< since the frame began
-        bool stale;   ///< touched since it was found
-    };
-
-    tile& at(std::int32_t column, std::int32_t row) {
-        return tiles_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)];
-    }
-    const tile& at(std::int32_t column, std::int32_t row) const {
-        return tiles_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)];
-    }
-    void find(tile& t, std::int32_t column, std::int32_t row, const fill_band& band);
-
-    std::size_t columns_ = 0;
-    std::vector<tile> tiles_;
+    std::size_t columns_ = 0; ///< of tiles
+    std::vector<depth_tile> tiles_;
 };
 
 } // namespace l3d_detail

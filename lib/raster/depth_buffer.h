@@ -16,15 +16,17 @@
 /// Reciprocal, because it is linear in the picture for a plane, and because 0 = infinitely far is
 /// then the value of an empty pixel.
 ///
-/// Shape:   rows are `pitch` floats apart. A vector more than the width, so that the same column of
-///          neighbouring rows is not in the same set of the processor's cache.
+/// Shape:   rows are `pitch` floats apart, an odd multiple of 64: were it one of 1024, that is 4
+/// KB,
+///          a row's loads would wait for stores to the row above, which processors tell apart by
+///          the last 12 bits of their addresses, and a column's pixels would share a set of the
+///          cache.
 class l3d_depth_buffer {
 public:
     /// Expects: width, height >= 0. Cost: allocates only when larger than before.
     void resize(l3d_size size) {
-        constexpr int vector = 16;
         size_ = size;
-        pitch_ = (size.width + vector - 1) / vector * vector + vector;
+        pitch_ = (size.width + 63) / 64 * 64 | 64;
         const auto count = static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(size.height);
         if (values_.size() < count)
             values_.resize(count);

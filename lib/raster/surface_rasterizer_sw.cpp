@@ -19,7 +19,7 @@ using namespace l3d_detail;
 /// Not more of them for more workers: what is counted would depend on it.
 int rows_of_band(l3d_size size) {
     constexpr int bytes = 512 << 10, bytes_of_pixel = 4 + 4, least_bands = 16;
-    constexpr int tile = coarse_depth::tile_height;
+    constexpr int tile = depth_tile::height;
     const int fitting = bytes / bytes_of_pixel / std::max(size.width, 1) / tile * tile;
     const int sharing = (size.height + least_bands * tile - 1) / (least_bands * tile) * tile;
     return std::max(std::min(fitting, sharing), tile);
@@ -40,7 +40,7 @@ struct l3d_surface_rasterizer_sw::work_space {
 l3d_surface_rasterizer_sw::l3d_surface_rasterizer_sw(l3d_workers& workers,
                                                      l3d_band_settings settings)
     : workers_(workers), settings_(settings), work_(std::make_unique<work_space>()) {
-    assert(settings.rows >= 0 && settings.rows % coarse_depth::tile_height == 0);
+    assert(settings.rows >= 0 && settings.rows % depth_tile::height == 0);
     work_->painters.resize(static_cast<std::size_t>(workers.count()));
     work_->worker_depths.resize(static_cast<std::size_t>(workers.count()));
 }
@@ -105,17 +105,15 @@ void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
                          target_.width,
                          top,
                          bottom};
-    if (!drawn_) {
-        for (int row = 0; row < bottom - top; ++row) {
-            std::fill_n(band.words + row * band.word_pitch, band.width, 0u);
-            std::fill_n(band.depths + row * band.depth_pitch, band.width, 0.0f);
-        }
-        work_->coarse.clear(top, bottom);
-    }
-    work_->painters[worker].draw(work_->frame, band, work_->list, items, work_->coarse);
+    coarse_depth& coarse = work_->coarse;
+    if (!drawn_)
+        coarse.forget(top, bottom);
+    work_->painters[worker].draw(work_->frame, band, work_->list, items, coarse);
+    if (!drawn_)
+        coarse.define(band, depth_ != nullptr);
     if (depth_)
-        work_->coarse.refresh(band); // `hidden` may be asked by many, so it finds nothing itself
-    work_->covered[static_cast<std::size_t>(index)] = work_->coarse.covered(band);
+        coarse.refresh(band); // `hidden` may be asked by many, so it finds nothing itself
+    work_->covered[static_cast<std::size_t>(index)] = coarse.covered(band);
 }
 
 bool l3d_surface_rasterizer_sw::do_hidden(const l3d_subpixel_box& box, float nearest_inv_w) const {

@@ -84,7 +84,7 @@ l3d_patch_scene random_scene(std::mt19937_64& random, const l3d_patch_model& mod
 
 constexpr auto never = [](const l3d_subpixel_box&, float) { return false; };
 
-std::int64_t left_out(const l3d_cull_counts& counts) {
+std::int64_t left_out(const l3d_dice_counts& counts) {
     return counts.offscreen + counts.behind + counts.beyond + counts.subpixel + counts.hidden;
 }
 
@@ -133,7 +133,7 @@ TEST(scene_culling, leaves_out_nothing_that_is_seen) {
     const l3d_matrix<double> to_image = camera.image_matrix(odd);
     l3d_scene_culling culling;
     std::int64_t seen = 0;
-    l3d_cull_counts sum;
+    l3d_dice_counts sum;
     for (const unsigned seed : {71u, 72u, 73u, 74u}) {
         std::mt19937_64 random(seed);
         const l3d_patch_model model = random_model(random, 37);
@@ -143,7 +143,7 @@ TEST(scene_culling, leaves_out_nothing_that_is_seen) {
         while (!culling.is_done())
             for (const l3d_placed_patch& p : culling.next(never))
                 EXPECT_TRUE(handed_out.insert({p.instance, p.patch}).second);
-        const l3d_cull_counts& counts = culling.counts();
+        const l3d_dice_counts& counts = culling.counts();
         EXPECT_EQ(left_out(counts) + static_cast<std::int64_t>(handed_out.size()),
                   scene.patch_count());
         EXPECT_EQ(counts.hidden, 0);
