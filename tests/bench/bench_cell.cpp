@@ -56,16 +56,14 @@ void plan_ours(const l3d_patch_model& model, bench_cell& cell) {
 
 void plan(const l3d_patch_model& model, bench_cell& cell) {
     plan_ours(model, cell);
-    const mesh_wish wish{model, cell.view->camera, cell.size, cell.error,
-                         l3d_afd_settings().light};
-    for (const auto& make : {uniform_mesh, adaptive_mesh, thinned_mesh})
+    const mesh_wish wish{model, cell.view->camera, cell.size, cell.error, l3d_afd_settings().light};
+    for (const auto& make : {adaptive_mesh, thinned_mesh})
         cell.meshes.push_back(make(wish));
 }
 
 } // namespace
 
-std::vector<bench_cell> planned_cells(const l3d_patch_model& model,
-                                      std::span<const l3d_size> sizes,
+std::vector<bench_cell> planned_cells(const l3d_patch_model& model, std::span<const l3d_size> sizes,
                                       std::span<const double> errors) {
     std::vector<bench_cell> cells;
     for (const l3d_size size : sizes)

@@ -39,8 +39,8 @@ public:
 private:
     class moving_pipeline final : public l3d_pipeline_afd {
     public:
-        using l3d_pipeline_afd::l3d_pipeline_afd;
         using l3d_pipeline_afd::camera;
+        using l3d_pipeline_afd::l3d_pipeline_afd;
     };
 
     l3d_camera camera_;

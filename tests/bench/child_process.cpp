@@ -30,8 +30,7 @@ void stay_on_one_processor() {
     try {
         const std::vector<double> result = work();
         std::FILE* const pipe = fdopen(out, "w");
-        const std::size_t written =
-            std::fwrite(result.data(), sizeof(double), result.size(), pipe);
+        const std::size_t written = std::fwrite(result.data(), sizeof(double), result.size(), pipe);
         status = std::fclose(pipe) == 0 && written == result.size() ? 0 : 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());

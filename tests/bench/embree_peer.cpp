@@ -33,9 +33,9 @@ ray_directions directions_of(const l3d_camera& camera, l3d_size size) {
         d.eye[i] = static_cast<float>(camera.eye[k]);
         d.right[i] = static_cast<float>(axes.right[k] / focal);
         d.down[i] = static_cast<float>(-axes.up[k] / focal);
-        d.first[i] = static_cast<float>(axes.forward[k] +
-                                        (0.5 - size.width / 2.0) * axes.right[k] / focal -
-                                        (0.5 - size.height / 2.0) * axes.up[k] / focal);
+        d.first[i] =
+            static_cast<float>(axes.forward[k] + (0.5 - size.width / 2.0) * axes.right[k] / focal -
+                               (0.5 - size.height / 2.0) * axes.up[k] / focal);
     }
     return d;
 }
@@ -61,8 +61,8 @@ PEER_CLONES void shade(const RTCHit16& hit, const float* grey, const float* alon
         const bool is_hit = hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
         const std::uint32_t t = is_hit ? hit.primID[i] : 0;
         const float level = grey[t] + hit.u[i] * along_u[t] + hit.v[i] * along_v[t];
-        words[i] = is_hit ? static_cast<std::uint32_t>(static_cast<int>(level + 0.5f)) * 0x010101u
-                          : 0;
+        words[i] =
+            is_hit ? static_cast<std::uint32_t>(static_cast<int>(level + 0.5f)) * 0x010101u : 0;
     }
 }
 

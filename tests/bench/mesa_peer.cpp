@@ -83,8 +83,8 @@ double nearest_w(const peer_mesh& mesh, const l3d_camera& camera, l3d_size size)
     const seen_world world(camera, size);
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < mesh.positions.size(); i += 3)
-        least = std::min(least, world({mesh.positions[i], mesh.positions[i + 1],
-                                       mesh.positions[i + 2]})[2]);
+        least = std::min(
+            least, world({mesh.positions[i], mesh.positions[i + 1], mesh.positions[i + 2]})[2]);
     return least;
 }
 
@@ -115,8 +115,8 @@ std::string mesa_peer::renderer() const {
 
 bool mesa_peer::make_program(std::string& why) {
     program_ = gl_->CreateProgram();
-    for (const auto& [kind, text] : {std::pair{GL_VERTEX_SHADER, vertex_text},
-                                     std::pair{GL_FRAGMENT_SHADER, fragment_text}}) {
+    for (const auto& [kind, text] :
+         {std::pair{GL_VERTEX_SHADER, vertex_text}, std::pair{GL_FRAGMENT_SHADER, fragment_text}}) {
         const unsigned shader = gl_->CreateShader(static_cast<GLenum>(kind));
         gl_->ShaderSource(shader, 1, &text, nullptr);
         gl_->CompileShader(shader);

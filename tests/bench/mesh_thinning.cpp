@@ -152,7 +152,8 @@ private:
             again = false;
             for (std::uint32_t t = 0; t < alive_.size(); ++t)
                 for (std::size_t k = 0; k < 3 && alive_[t]; ++k)
-                    again = flip(t, mesh_.triangles[t][k], mesh_.triangles[t][(k + 1) % 3]) || again;
+                    again =
+                        flip(t, mesh_.triangles[t][k], mesh_.triangles[t][(k + 1) % 3]) || again;
         }
     }
 

@@ -90,9 +90,8 @@ public:
         std::size_t i = 0, j = 0;
         while (i + 1 < outer.size() || j + 1 < inner.size()) {
             const bool can_outer = i + 1 < outer.size(), can_inner = j + 1 < inner.size();
-            const bool step_outer =
-                can_outer && (!can_inner || rung(outer[i + 1], inner[j]) <=
-                                                rung(inner[j + 1], outer[i]));
+            const bool step_outer = can_outer && (!can_inner || rung(outer[i + 1], inner[j]) <=
+                                                                    rung(inner[j + 1], outer[i]));
             if (step_outer) {
                 triangle(outer[i], outer[i + 1], inner[j]);
                 ++i;
@@ -105,9 +104,7 @@ public:
 
 private:
     const mesh_corner& at(std::uint32_t i) const { return mesh_.corners[i]; }
-    double error(std::uint32_t a, std::uint32_t b) const {
-        return patch_.edge_error(at(a), at(b));
-    }
+    double error(std::uint32_t a, std::uint32_t b) const { return patch_.edge_error(at(a), at(b)); }
     /// Out of the window there are no errors, and the shortest in parameters is taken.
     double rung(std::uint32_t a, std::uint32_t b) const {
         constexpr double little = 1e-3;
@@ -156,8 +153,8 @@ shared_edges::shared_edges(const l3d_patch_model& model, const seen_world& world
             edge& e = edges_.emplace_back(
                 edge{canonical, growth_of(canonical, world), is_a_point(canonical), 1});
             // A chord of 1 / n errs by second / (8 n^2).
-            e.pieces = std::max(1, static_cast<int>(0.9 * e.growth.back() /
-                                                    std::sqrt(8 * tolerance)));
+            e.pieces =
+                std::max(1, static_cast<int>(0.9 * e.growth.back() / std::sqrt(8 * tolerance)));
             while (!e.collapsed &&
                    error_of(canonical, points_at(canonical, knots(e.growth, e.pieces)), world) >
                        tolerance)
@@ -214,8 +211,8 @@ patch_mesh grid_maker::grid(const shared_edges& edges) const {
         }
         const double across = s == shared_edges::high_v || s == shared_edges::high_u ? 1 : 0;
         for (const double t : along_u ? u : v)
-            rim[s].push_back(tile.add(along_u ? patch_.corner(t, across)
-                                              : patch_.corner(across, t)));
+            rim[s].push_back(
+                tile.add(along_u ? patch_.corner(t, across) : patch_.corner(across, t)));
     }
     std::vector<std::vector<std::uint32_t>> inner;
     for (std::size_t r = 1; r + 1 < v.size(); ++r) {
@@ -243,8 +240,7 @@ bool grid_maker::improve(shared_edges& edges, double tolerance, double& scale) c
     bool inside = false;
     std::array<bool, 4> rims{};
     for (const auto& t : mesh.triangles) {
-        const mesh_corner &a = mesh.corners[t[0]], &b = mesh.corners[t[1]],
-                          &c = mesh.corners[t[2]];
+        const mesh_corner &a = mesh.corners[t[0]], &b = mesh.corners[t[1]], &c = mesh.corners[t[2]];
         if (mesh.error(t, patch_) <= tolerance)
             continue;
         bool at_rim = false;
@@ -254,8 +250,8 @@ bool grid_maker::improve(shared_edges& edges, double tolerance, double& scale) c
             const auto on_side = [&](const mesh_corner& q) {
                 return (along_u ? q.v : q.u) == across;
             };
-            const bool coarse = !edges.collapsed(index_, s) &&
-                                edges.pieces(index_, s) < (along_u ? nu_ : nv_);
+            const bool coarse =
+                !edges.collapsed(index_, s) && edges.pieces(index_, s) < (along_u ? nu_ : nv_);
             if (coarse && (on_side(a) || on_side(b) || on_side(c)))
                 at_rim = rims[s] = true;
         }

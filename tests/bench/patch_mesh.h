@@ -80,7 +80,8 @@ class grid_maker {
 public:
     grid_maker(const seen_patch& patch, std::size_t index);
 
-    /// Steps for an error of `scale` times `tolerance`, half of it along each direction; at least 2.
+    /// Steps for an error of `scale` times `tolerance`, half of it along each direction; at
+    /// least 2.
     void set_steps(double tolerance, double scale);
     patch_mesh grid(const shared_edges& edges) const;
 

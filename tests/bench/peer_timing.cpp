@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
-#include <ranges>
 #include <stdexcept>
 
 namespace {
@@ -20,10 +18,9 @@ constexpr int warm_up = 2, trial_frames = 5, frames = 31;
 /// A picture within a pixel of the truth differs along outlines alone. Share of covered pixels.
 constexpr double most_different = 0.01;
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
+frame_times summary(std::vector<double> ms) {
+    std::ranges::sort(ms);
+    return {ms[ms.size() / 2], ms.front()};
 }
 
 template <class Action> double milliseconds(Action action) {
@@ -38,7 +35,7 @@ template <class Action> double median_of(int count, Action action) {
     for (int i = 0; i < warm_up + count; ++i)
         if (const double ms = milliseconds(action); i >= warm_up)
             times.push_back(ms);
-    return median(times);
+    return summary(times).median;
 }
 
 std::unique_ptr<mesa_peer> open_mesa() {
@@ -72,7 +69,7 @@ std::vector<peer_choice> mesa_ways(int threads) {
     return ways;
 }
 
-/// A trial of every mesh of every cell, in one child; draw(cell, mesh) returns milliseconds.
+/// Tries every mesh of every cell, in one child; trial() returns the milliseconds of each.
 template <class Trial>
 void choose(std::span<const bench_cell> cells, peer_choice way, std::vector<peer_choice>& best,
             Trial trial) {
@@ -147,27 +144,11 @@ public:
         : scene_(model), threads_(threads), workers_(threads) {}
 
     void time(const bench_cell& cell, cell_times& times) {
-        const peer_mesh& mesh = cell.meshes[times.mesa.mesh];
+        const peer_mesh& mesh = cell.meshes[times.mesa_way.mesh];
         const auto& camera = cell.view->camera;
-        // Culling is used where it loses nothing.
-        mesa_->prepare(mesh, camera, cell.size, mesa_peer::culling::none);
-        mesa_->draw();
-        const std::vector<std::uint8_t> whole = mesa_->picture();
-        auto culling = mesa_peer::culling::none;
-        times.culled = std::numeric_limits<long>::max();
-        for (const auto side : {mesa_peer::culling::back, mesa_peer::culling::front}) {
-            mesa_->prepare(mesh, camera, cell.size, side);
-            mesa_->draw();
-            const std::vector<std::uint8_t> culled = mesa_->picture();
-            const long lost = static_cast<long>(std::ranges::count_if(
-                std::views::iota(std::size_t{0}, whole.size()),
-                [&](std::size_t i) { return whole[i] != culled[i]; }));
-            times.culled = std::min(times.culled, lost);
-            if (lost == 0)
-                culling = side;
-        }
+        const auto culling = harmless_culling(mesh, cell, times.culled);
         mesa_->prepare(mesh, camera, cell.size, culling);
-        embree_->prepare(cell.meshes[times.embree.mesh], camera, cell.size);
+        embree_->prepare(cell.meshes[times.embree_way.mesh], camera, cell.size);
 
         bench_frame ours(scene_, camera, cell.size, cell.our_tolerance, threads_);
         std::vector<double> our_ms, mesa_ms, embree_ms;
@@ -181,17 +162,16 @@ public:
             mesa_ms.push_back(b);
             embree_ms.push_back(c);
         }
-        times.ours_ms = median(our_ms);
-        times.mesa_ms = median(mesa_ms);
-        times.embree_ms = median(embree_ms);
+        times.ours = summary(our_ms);
+        times.mesa = summary(mesa_ms);
+        times.embree = summary(embree_ms);
 
         ours.hash();
         const auto our_words = words_of(ours.pixels());
         times.covered = differences(cell.size, our_words, [](int, int) { return 0; });
         times.mesa_differs =
             differences(cell.size, our_words, bytes_of(mesa_->picture(), cell.size.width));
-        times.embree_differs =
-            differences(cell.size, our_words, words_of(embree_->picture()));
+        times.embree_differs = differences(cell.size, our_words, words_of(embree_->picture()));
         for (const long different : {times.mesa_differs, times.embree_differs})
             if (static_cast<double>(different) >
                 most_different * static_cast<double>(times.covered))
@@ -199,6 +179,29 @@ public:
     }
 
 private:
+    /// A side that llvmpipe can leave out without losing a pixel; `lost` is what it loses by the
+    /// side that loses least.
+    mesa_peer::culling harmless_culling(const peer_mesh& mesh, const bench_cell& cell, long& lost) {
+        const auto picture = [&](mesa_peer::culling sides) {
+            mesa_->prepare(mesh, cell.view->camera, cell.size, sides);
+            mesa_->draw();
+            return mesa_->picture();
+        };
+        const std::vector<std::uint8_t> whole = picture(mesa_peer::culling::none);
+        auto best = mesa_peer::culling::none;
+        lost = static_cast<long>(whole.size());
+        for (const auto side : {mesa_peer::culling::back, mesa_peer::culling::front}) {
+            const std::vector<std::uint8_t> culled = picture(side);
+            long different = 0;
+            for (std::size_t i = 0; i < whole.size(); ++i)
+                different += whole[i] != culled[i];
+            lost = std::min(lost, different);
+            if (different == 0)
+                best = side;
+        }
+        return best;
+    }
+
     l3d_patch_scene scene_;
     int threads_;
     l3d_workers workers_;
@@ -206,12 +209,36 @@ private:
     std::unique_ptr<embree_peer> embree_ = open_embree();
 };
 
+/// A cell's numbers, as they come through a pipe.
+constexpr std::size_t numbers_of_a_cell = 10;
+
+void write(const cell_times& t, std::vector<double>& numbers) {
+    for (const frame_times& times : {t.ours, t.mesa, t.embree})
+        numbers.insert(numbers.end(), {times.median, times.least});
+    for (const long count : {t.mesa_differs, t.embree_differs, t.covered, t.culled})
+        numbers.push_back(static_cast<double>(count));
+}
+
+void read(std::span<const double, numbers_of_a_cell> numbers, cell_times& t) {
+    std::size_t next = 0;
+    for (frame_times* const times : {&t.ours, &t.mesa, &t.embree}) {
+        times->median = numbers[next++];
+        times->least = numbers[next++];
+    }
+    for (long* const count : {&t.mesa_differs, &t.embree_differs, &t.covered, &t.culled})
+        *count = static_cast<long>(numbers[next++]);
+}
+
 } // namespace
 
 std::vector<cell_times> compare(const l3d_patch_model& model, std::span<const bench_cell> cells,
                                 int threads) {
     const auto mesa = best_of_mesa(cells, threads), embree = best_of_embree(cells, threads);
     std::vector<cell_times> all(cells.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i].mesa_way = mesa[i];
+        all[i].embree_way = embree[i];
+    }
     for (const peer_choice& way : mesa_ways(threads)) {
         std::vector<std::size_t> chosen;
         for (std::size_t i = 0; i < cells.size(); ++i)
@@ -221,28 +248,14 @@ std::vector<cell_times> compare(const l3d_patch_model& model, std::span<const be
             cell_timer timer(model, threads);
             std::vector<double> result;
             for (const std::size_t i : chosen) {
-                cell_times t;
-                t.mesa = mesa[i];
-                t.embree = embree[i];
-                timer.time(cells[i], t);
-                result.insert(result.end(), {t.ours_ms, t.mesa_ms, t.embree_ms,
-                                             static_cast<double>(t.mesa_differs),
-                                             static_cast<double>(t.embree_differs),
-                                             static_cast<double>(t.covered),
-                                             static_cast<double>(t.culled)});
+                timer.time(cells[i], all[i]);
+                write(all[i], result);
             }
             return result;
         });
-        std::size_t next = 0;
-        for (const std::size_t i : chosen) {
-            cell_times& t = all[i];
-            t.mesa = mesa[i];
-            t.embree = embree[i];
-            for (double* const ms : {&t.ours_ms, &t.mesa_ms, &t.embree_ms})
-                *ms = numbers.at(next++);
-            for (long* const count : {&t.mesa_differs, &t.embree_differs, &t.covered, &t.culled})
-                *count = static_cast<long>(numbers.at(next++));
-        }
+        for (std::size_t k = 0; k < chosen.size(); ++k)
+            read(std::span(numbers).subspan(numbers_of_a_cell * k).first<numbers_of_a_cell>(),
+                 all[chosen[k]]);
     }
     return all;
 }

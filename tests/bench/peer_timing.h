@@ -12,16 +12,22 @@
 
 /// A peer's fastest way to draw a cell.
 struct peer_choice {
-    std::size_t mesh = 0;    ///< in bench_cell::meshes
-    int mesa_threads = 0;    ///< llvmpipe's workers
+    std::size_t mesh = 0; ///< in bench_cell::meshes
+    int mesa_threads = 0; ///< llvmpipe's workers
     bool one_processor = false;
     double ms = 0;
 };
 
-/// What was measured in a cell. Times are medians, in milliseconds.
+/// Of many frames. Units: milliseconds.
+struct frame_times {
+    double median = 0;
+    double least = 0; ///< where others use the machine too, this one is the truer
+};
+
+/// What was measured in a cell.
 struct cell_times {
-    peer_choice mesa, embree;
-    double ours_ms = 0, mesa_ms = 0, embree_ms = 0;
+    peer_choice mesa_way, embree_way;
+    frame_times ours, mesa, embree;
     long mesa_differs = 0, embree_differs = 0; ///< pixels that only one of us covers
     long covered = 0;                          ///< pixels that ours covers
     long culled = 0; ///< pixels that llvmpipe would lose if it culled the side that loses least

@@ -5,16 +5,20 @@
 // All draw the same view into memory, in turn, and medians are compared. A cell of the table is a
 // view, a size and an error in pixels: ours gets the largest tolerance with which what it draws is
 // within that error of the exact surface, the peers get the triangle mesh that is fastest for
-// them of several that are within it: uniform, adaptive, and adaptive thinned out, all made for
-// this very view, without what is outside of the window, in static buffers, with the shading
-// baked into the vertices. Ours starts each frame from the patches and shades each pixel.
+// them of those that are within it: adaptive, or adaptive and thinned out, both made for this very
+// view, without what is outside of the window, in static buffers, with the shading baked into the
+// vertices. Ours starts each frame from the patches and shades each pixel.
 #include "bench/bench_cell.h"
 #include "bench/peer_timing.h"
 #include "geom/teapot.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,46 +42,59 @@ struct options {
     }
 };
 
+/// Theirs to ours.
+double ratio(const frame_times& theirs, const frame_times& ours) {
+    return theirs.median / ours.median;
+}
+
 void print_head(int threads) {
-    std::printf("\n%d thread%s\n", threads, threads == 1 ? "" : "s");
-    std::printf("%-28s | %-33s | %-46s | %-32s\n", "", "l3d", "llvmpipe", "Embree");
-    std::printf("%-8s %10s %5s  | %6s %6s %6s %8s  | %-9s %7s %6s %2s %8s %7s | %-9s %7s %8s %6s "
-                "| %s\n",
-                "view", "size", "px", "tol", "bound", "error", "ms", "mesh", "tris", "error", "w",
-                "ms", "ratio", "mesh", "tris", "ms", "ratio", "pixels differ");
+    std::printf("\n%d thread%s\n%-23s | %-29s | %-48s | %-33s |\n", threads,
+                threads == 1 ? "" : "s", "", "l3d", "llvmpipe", "Embree");
+    std::printf("%-7s %9s %5s | %5s %5s %5s %11s | %-8s %6s %5s %7s %8s %8s | %-8s %6s %8s %8s | "
+                "%s\n",
+                "view", "size", "px", "tol", "bound", "error", "ms", "mesh", "tris", "error",
+                "workers", "ms", "ratio", "mesh", "tris", "ms", "ratio", "pixels differ");
 }
 
 void print_row(const bench_cell& cell, const cell_times& times) {
-    const peer_mesh &mesa = cell.meshes[times.mesa.mesh], &embree = cell.meshes[times.embree.mesh];
-    std::printf("%-8s %5dx%-4d %5.2f  | %6.3f %6.3f %6.3f %8.3f  | %-9s %7zu %6.3f %2d %8.3f %7.2f "
-                "| %-9s %7zu %8.3f %6.2f | %ld %ld of %ld\n",
-                cell.view->name, cell.size.width, cell.size.height, cell.error, cell.our_tolerance,
-                cell.our_bound, cell.our_error, times.ours_ms, mesa.kind.c_str(), mesa.triangles(),
-                mesa.error, times.mesa.mesa_threads, times.mesa_ms, times.mesa_ms / times.ours_ms,
-                embree.kind.c_str(), embree.triangles(), times.embree_ms,
-                times.embree_ms / times.ours_ms, times.mesa_differs, times.embree_differs,
-                times.covered);
+    const peer_mesh& mesa = cell.meshes[times.mesa_way.mesh];
+    const peer_mesh& embree = cell.meshes[times.embree_way.mesh];
+    std::printf("%-7s %4dx%-4d %5.2f | %5.3f %5.3f %5.3f %11.3f | ", cell.view->name,
+                cell.size.width, cell.size.height, cell.error, cell.our_tolerance, cell.our_bound,
+                cell.our_error, times.ours.median);
+    std::printf("%-8s %6zu %5.3f %7d %8.3f %8.2f | ", mesa.kind.c_str(), mesa.triangles(),
+                mesa.error, times.mesa_way.mesa_threads, times.mesa.median,
+                ratio(times.mesa, times.ours));
+    std::printf("%-8s %6zu %8.3f %8.2f | %ld %ld of %ld\n", embree.kind.c_str(), embree.triangles(),
+                times.embree.median, ratio(times.embree, times.ours), times.mesa_differs,
+                times.embree_differs, times.covered);
 }
 
-void print_ratios(const char* peer, std::vector<double> ratios) {
-    std::ranges::sort(ratios);
-    std::printf("%-8s least ratio %6.2f, median %6.2f\n", peer, ratios.front(),
-                ratios[ratios.size() / 2]);
+void print_ratios(const char* peer, std::span<const cell_times> times,
+                  frame_times cell_times::*theirs) {
+    std::vector<double> medians, least;
+    for (const cell_times& t : times) {
+        medians.push_back(ratio(t.*theirs, t.ours));
+        least.push_back((t.*theirs).least / t.ours.least);
+    }
+    std::ranges::sort(medians);
+    std::ranges::sort(least);
+    std::printf("%-8s ratio: least %.2f, median %.2f; of the fastest frames: least %.2f, median "
+                "%.2f\n",
+                peer, medians.front(), medians[medians.size() / 2], least.front(),
+                least[least.size() / 2]);
 }
 
 /// The table of one number of threads.
 void print(std::span<const bench_cell> cells, std::span<const cell_times> times, int threads) {
     print_head(threads);
-    std::vector<double> mesa, embree;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
         print_row(cells[i], times[i]);
-        mesa.push_back(times[i].mesa_ms / times[i].ours_ms);
-        embree.push_back(times[i].embree_ms / times[i].ours_ms);
-    }
-    print_ratios("llvmpipe", mesa);
-    print_ratios("Embree", embree);
-    const long culled = std::ranges::min(times, {}, &cell_times::culled).culled;
-    std::printf("llvmpipe draws both sides: without one it would lose %ld pixels or more\n", culled);
+    print_ratios("llvmpipe", times, &cell_times::mesa);
+    print_ratios("Embree", times, &cell_times::embree);
+    const long lost = std::ranges::min(times, {}, &cell_times::culled).culled;
+    if (lost > 0)
+        std::printf("llvmpipe culls nothing: it would lose at least %ld pixels\n", lost);
 }
 
 void write_csv(std::FILE* file, std::span<const bench_cell> cells,
@@ -85,13 +102,14 @@ void write_csv(std::FILE* file, std::span<const bench_cell> cells,
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const bench_cell& c = cells[i];
         const cell_times& t = times[i];
-        const peer_mesh &mesa = c.meshes[t.mesa.mesh], &embree = c.meshes[t.embree.mesh];
-        std::fprintf(file, "%d,%s,%d,%d,%g,%g,%g,%g,%g,%s,%zu,%g,%d,%g,%g,%s,%zu,%g,%g\n", threads,
-                     c.view->name, c.size.width, c.size.height, c.error, c.our_tolerance,
-                     c.our_bound, c.our_error, t.ours_ms, mesa.kind.c_str(), mesa.triangles(),
-                     mesa.error, t.mesa.mesa_threads, t.mesa_ms, t.mesa_ms / t.ours_ms,
-                     embree.kind.c_str(), embree.triangles(), t.embree_ms,
-                     t.embree_ms / t.ours_ms);
+        const peer_mesh &mesa = c.meshes[t.mesa_way.mesh], &embree = c.meshes[t.embree_way.mesh];
+        std::fprintf(file, "%d,%s,%d,%d,%g,%g,%g,%g,%g,%g,", threads, c.view->name, c.size.width,
+                     c.size.height, c.error, c.our_tolerance, c.our_bound, c.our_error,
+                     t.ours.median, t.ours.least);
+        std::fprintf(file, "%s,%zu,%g,%d,%g,%g,", mesa.kind.c_str(), mesa.triangles(), mesa.error,
+                     t.mesa_way.mesa_threads, t.mesa.median, t.mesa.least);
+        std::fprintf(file, "%s,%zu,%g,%g\n", embree.kind.c_str(), embree.triangles(),
+                     t.embree.median, t.embree.least);
     }
 }
 
@@ -100,8 +118,9 @@ std::FILE* open_csv(const std::string& path) {
     if (!file)
         throw std::runtime_error("cannot write " + path);
     std::fputs("threads,view,width,height,error_px,l3d_tolerance,l3d_bound,l3d_error,l3d_ms,"
-               "llvmpipe_mesh,llvmpipe_triangles,llvmpipe_error,llvmpipe_workers,llvmpipe_ms,"
-               "llvmpipe_ratio,embree_mesh,embree_triangles,embree_ms,embree_ratio\n",
+               "l3d_least_ms,llvmpipe_mesh,llvmpipe_triangles,llvmpipe_error,llvmpipe_workers,"
+               "llvmpipe_ms,llvmpipe_least_ms,embree_mesh,embree_triangles,embree_ms,"
+               "embree_least_ms\n",
                file);
     return file;
 }
@@ -116,7 +135,10 @@ void run(const options& wanted) {
         sizes = {{1024, 768}};
     std::FILE* const csv = wanted.csv.empty() ? nullptr : open_csv(wanted.csv);
 
-    std::printf("l3d %s against %s\n", l3d_real_name(), peer_names().c_str());
+    double load = 0;
+    getloadavg(&load, 1);
+    std::printf("l3d %s against %s; medians of frames in turn; load before: %.1f\n",
+                l3d_real_name(), peer_names().c_str(), load);
     constexpr std::array errors{0.5, 0.25, 0.1};
     const auto cells = planned_cells(*model, sizes, errors);
     for (const int threads : {1, 2}) {

@@ -97,8 +97,7 @@ double seen_patch::distance(double x, double y, const l3d_image_point& exact) co
 double seen_patch::point_error(const l3d_image_point& drawn, double u, double v) const {
     const double x = drawn[0] / drawn[2], y = drawn[1] / drawn[2];
     const l3d_image_box& w = world_.window;
-    return x < w.left || x > w.right || y < w.top || y > w.bottom ? 0
-                                                                  : distance(x, y, exact(u, v));
+    return x < w.left || x > w.right || y < w.top || y > w.bottom ? 0 : distance(x, y, exact(u, v));
 }
 
 double seen_patch::edge_error(const mesh_corner& a, const mesh_corner& b) const {
@@ -114,14 +113,12 @@ double seen_patch::centre_error(const mesh_corner& a, const mesh_corner& b,
     if (!visible(a, b, c))
         return 0;
     const l3d_image_point h = a.image + b.image + c.image;
-    return distance(h[0] / h[2], h[1] / h[2],
-                    exact((a.u + b.u + c.u) / 3, (a.v + b.v + c.v) / 3));
+    return distance(h[0] / h[2], h[1] / h[2], exact((a.u + b.u + c.u) / 3, (a.v + b.v + c.v) / 3));
 }
 
 double seen_patch::triangle_error(const mesh_corner& a, const mesh_corner& b,
                                   const mesh_corner& c) const {
-    return std::max(
-        {edge_error(a, b), edge_error(b, c), edge_error(c, a), centre_error(a, b, c)});
+    return std::max({edge_error(a, b), edge_error(b, c), edge_error(c, a), centre_error(a, b, c)});
 }
 
 bool seen_patch::visible(const mesh_corner& a, const mesh_corner& b, const mesh_corner& c) const {
@@ -139,8 +136,8 @@ seen_patch::growth seen_patch::growth_along_u() const {
         const l3d_image_curve along = net_.curve_at_u(u);
         for (int k = 0; k <= lines; ++k) {
             const double v = static_cast<double>(k) / lines;
-            most = std::max(most,
-                            second_seen(along.evaluate(v), second.evaluate(v), world_.window));
+            most =
+                std::max(most, second_seen(along.evaluate(v), second.evaluate(v), world_.window));
         }
         return most;
     });
@@ -170,7 +167,6 @@ seen_patch::growth growth_of(const l3d_bezier_curve<double, 3>& curve, const see
     l3d_image_curve seen;
     for (std::size_t i = 0; i < 4; ++i)
         seen.points[i] = world(curve.points[i]);
-    return integrated([&](double t) {
-        return second_seen(seen.evaluate(t), second_at(seen, t), world.window);
-    });
+    return integrated(
+        [&](double t) { return second_seen(seen.evaluate(t), second_at(seen, t), world.window); });
 }
