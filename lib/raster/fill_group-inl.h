@@ -268,7 +268,6 @@ private:
         for (int i = 0; i < Corners; ++i)
             edges[i].set(x_[i], y_[i], x_[(i + 1) % Corners], y_[(i + 1) % Corners], clockwise,
                          from_row_);
-        hn::Store(hn::Sub(to_column_, from_column_), d, table.width);
 
         const auto word_pitch = static_cast<std::int32_t>(job.band.word_pitch);
         const auto depth_pitch = static_cast<std::int32_t>(job.band.depth_pitch);
@@ -285,9 +284,9 @@ private:
         const int_vec column_s = hn::ShiftLeft<l3d_subpixel_bits>(along2_y_);
         const int_vec column_t = hn::ShiftLeft<l3d_subpixel_bits>(along1_y_);
 
-        int_vec samples = zero;
+        int_vec samples = zero, longest = zero;
         for (std::int32_t k = 0; k < highest; ++k) {
-            const std::size_t at = static_cast<std::size_t>(k) * lanes;
+            fill_row& row_k = table.rows[k];
             int_vec from = from_column_, to = to_column_;
             for (lane_edge& edge : edges) {
                 edge.limit(from, to);
@@ -296,30 +295,32 @@ private:
             const int_vec begin = hn::Min(from, last_begin);
             const int_vec first = hn::Sub(from, begin);
             const int_vec last = hn::Max(hn::Sub(to, begin), first);
-            hn::Store(hn::Add(word_at, begin), d, table.word_at + at);
-            hn::Store(hn::Add(depth_at, begin), d, table.depth_at + at);
-            hn::Store(last, d, table.last + at);
+            hn::Store(hn::Add(word_at, begin), d, row_k.word_at);
+            hn::Store(hn::Add(depth_at, begin), d, row_k.depth_at);
+            hn::Store(last, d, row_k.last);
             const int_vec end = hn::Max(hn::Min(last, set(run)), first);
-            hn::Store(hn::Sub(hn::Shl(one, end), hn::Shl(one, first)), d, table.mask + at);
-            samples =
-                hn::Add(samples, hn::IfThenElseZero(hn::Lt(set(k), height), hn::Sub(last, first)));
+            hn::Store(hn::Sub(hn::Shl(one, end), hn::Shl(one, first)), d, row_k.mask);
+            const int_mask inside = hn::Lt(set(k), height);
+            longest = hn::Max(longest, hn::IfThenElseZero(inside, last));
+            samples = hn::Add(samples, hn::IfThenElseZero(inside, hn::Sub(last, first)));
 
             const float_vec s = to_float(hn::Add(row_s, hn::Mul(begin, column_s)));
             const float_vec t = to_float(hn::Sub(row_t, hn::Mul(begin, column_t)));
-            hn::Store(inv_w_.at(s, t), df, table.inv_w + at);
-            hn::Store(lit_.at(s, t), df, table.lit + at);
+            hn::Store(inv_w_.at(s, t), df, row_k.inv_w);
+            hn::Store(lit_.at(s, t), df, row_k.lit);
             if (table.curved)
-                curve(s, t, at, table);
+                curve(s, t, row_k);
             word_at = hn::Add(word_at, set(word_pitch));
             depth_at = hn::Add(depth_at, set(depth_pitch));
             row_s = hn::Sub(row_s, down_s);
             row_t = hn::Add(row_t, down_t);
         }
+        hn::Store(longest, d, table.longest);
         job.counts.samples += hn::GetLane(hn::SumOfLanes(d, samples));
     }
 
     /// The square of the normal's length along a row, and which way it points.
-    HWY_INLINE void curve(float_vec s, float_vec t, std::size_t at, fill_table& table) const {
+    HWY_INLINE void curve(float_vec s, float_vec t, fill_row& to) const {
         const floats d;
         float_vec square = hn::Zero(d), square_x = hn::Zero(d);
         for (int k = 0; k < 3; ++k) {
@@ -327,9 +328,9 @@ private:
             square = hn::Add(square, square_of(n));
             square_x = hn::Add(square_x, hn::Mul(n, normal_x_[k]));
         }
-        hn::Store(square, d, table.square + at);
-        hn::Store(hn::Add(square_x, square_x), d, table.square_x + at);
-        hn::Store(facing_.at(s, t), d, table.facing + at);
+        hn::Store(square, d, to.square);
+        hn::Store(hn::Add(square_x, square_x), d, to.square_x);
+        hn::Store(facing_.at(s, t), d, to.facing);
     }
 
     int_vec x_[Corners], y_[Corners]; ///< from the centre of pixel (column_, row_)

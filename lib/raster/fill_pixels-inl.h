@@ -20,141 +20,177 @@ namespace {
 alignas(64) constexpr float run_columns[run] = {0, 1, 2,  3,  4,  5,  6,  7,
                                                 8, 9, 10, 11, 12, 13, 14, 15};
 
-/// A vector of pixels; a run is several of them where vectors are short.
-constexpr std::int32_t vector_pixels = static_cast<std::int32_t>(lanes);
-constexpr std::int32_t run_vectors = run / vector_pixels;
-
-/// A grey level of less than 256 in each word, 26 more, as a word of three equal bytes.
-HWY_INLINE hn::Vec<words> grey_words(int_vec level) {
+/// The words of three equal bytes 26 + floor(max(0, lit)), at most 255. Expects: lit < 256.
+///
+/// Where 2^23 is added to a number below 2^23, the last bits of the sum are the nearest integer.
+template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> grey_words(D d, hn::Vec<D> lit) {
+    const hn::RebindToUnsigned<D> dw;
+    const auto zero = hn::Set(d, 8388608.0f); // 2^23
+    const auto sum = hn::Max(hn::Add(lit, hn::Set(d, 8388607.5f)), zero);
 #if HWY_TARGET == HWY_SCALAR // has no bytes to shuffle
-    const int_vec grey = hn::Min(hn::Add(level, hn::Set(ints(), 26)), hn::Set(ints(), 255));
-    return hn::BitCast(words(), hn::Mul(grey, hn::Set(ints(), 0x010101)));
+    const auto level = hn::And(hn::BitCast(dw, sum), hn::Set(dw, 0xffu));
+    const auto grey = hn::Min(hn::Add(level, hn::Set(dw, 26u)), hn::Set(dw, 255u));
+    return hn::Mul(grey, hn::Set(dw, 0x010101u));
 #else
-    const hn::Repartition<std::uint8_t, ints> bytes;
+    const hn::Repartition<std::uint8_t, D> bytes;
     alignas(16) static constexpr std::uint8_t lowest[16] = {0, 0, 0, 0x80, 4,  4,  4,  0x80,
                                                             8, 8, 8, 0x80, 12, 12, 12, 0x80};
     const auto spread =
-        hn::TableLookupBytesOr0(hn::BitCast(bytes, level), hn::LoadDup128(bytes, lowest));
-    const auto ambient = hn::BitCast(bytes, hn::Set(words(), 0x001a1a1au));
-    return hn::BitCast(words(), hn::SaturatedAdd(spread, ambient));
+        hn::TableLookupBytesOr0(hn::BitCast(bytes, sum), hn::LoadDup128(bytes, lowest));
+    const auto ambient = hn::BitCast(bytes, hn::Set(dw, 0x001a1a1au));
+    return hn::BitCast(dw, hn::SaturatedAdd(spread, ambient));
 #endif
 }
 
-/// Fills the polygons of a table, one after the other.
-template <bool Curved> class fill_pixels {
+/// One polygon of a table, `Pixels` of a row at a time.
+template <class D, std::int32_t Pixels, bool Curved> class fill_polygon {
 public:
-    HWY_INLINE fill_pixels(const fill_band& band, const fill_table& table)
-        : band_(band), table_(table) {}
-
-    /// Returns how many pixels were written.
-    HWY_INLINE std::int64_t fill() {
-        for (std::size_t i = 0; i < lanes; ++i) {
-            if (table_.height[i] == 0)
-                continue;
-            begin(i);
-            if (table_.width[i] > run)
-                wide(i);
-            else
-                narrow(i);
+    HWY_INLINE fill_polygon(const fill_band& band, const fill_table& table, std::size_t i)
+        : band_(band), table_(table), i_(i) {
+        const D d;
+        farthest_ = hn::Set(d, table.farthest[i]);
+        nearest_ = hn::Set(d, table.nearest[i]);
+        for (std::size_t v = 0; v < vectors; ++v) {
+            const vec x = hn::Load(d, run_columns + v * width);
+            inv_w_x_[v] = hn::Mul(hn::Set(d, table.inv_w_x[i]), x);
+            lit_x_[v] = hn::Mul(hn::Set(d, table.lit_x[i]), x);
+            if constexpr (Curved) {
+                x_[v] = x;
+                square_xx_[v] = hn::Mul(hn::Set(d, table.square_xx[i]), hn::Mul(x, x));
+                facing_x_[v] = hn::Mul(hn::Set(d, table.facing_x[i]), x);
+            }
         }
-        return written_;
+        if constexpr (Curved) {
+            unit0_ = hn::Set(d, table.unit0[i]);
+            unit1_ = hn::Set(d, table.unit1[i]);
+            unit2_ = hn::Set(d, table.unit2[i]);
+        }
+    }
+
+    /// The first run of each row. Returns how many pixels were written; so do the others.
+    HWY_INLINE std::int64_t fill() const {
+        std::int64_t written = 0;
+        const fill_row* const end = table_.rows + table_.height[i_];
+        for (const fill_row* row = table_.rows; row != end; ++row)
+            written += first_run(*row);
+        return written;
+    }
+
+    /// All runs of each row.
+    HWY_INLINE std::int64_t fill_wide() const {
+        std::int64_t written = 0;
+        const fill_row* const end = table_.rows + table_.height[i_];
+        for (const fill_row* row = table_.rows; row != end; ++row) {
+            written += first_run(*row);
+            for (std::int32_t done = Pixels; done < row->last[i_]; done += Pixels)
+                written += later_run(*row, done);
+        }
+        return written;
     }
 
 private:
-    HWY_INLINE void begin(std::size_t i) {
-        const floats d;
-        farthest_ = hn::Set(d, table_.farthest[i]);
-        nearest_ = hn::Set(d, table_.nearest[i]);
-        for (std::int32_t v = 0; v < run_vectors; ++v) {
-            const float_vec x = hn::Load(d, run_columns + v * vector_pixels);
-            inv_w_x_[v] = hn::Mul(hn::Set(d, table_.inv_w_x[i]), x);
-            lit_x_[v] = hn::Mul(hn::Set(d, table_.lit_x[i]), x);
-            if constexpr (Curved) {
-                x_[v] = x;
-                square_xx_[v] = hn::Mul(hn::Set(d, table_.square_xx[i]), hn::Mul(x, x));
-                facing_x_[v] = hn::Mul(hn::Set(d, table_.facing_x[i]), x);
-            }
-        }
-        if constexpr (Curved) {
-            unit0_ = hn::Set(d, table_.unit0[i]);
-            unit1_ = hn::Set(d, table_.unit1[i]);
-            unit2_ = hn::Set(d, table_.unit2[i]);
-        }
-    }
+    using vec = hn::Vec<D>;
+    static constexpr std::size_t width = hn::MaxLanes(D()), vectors = Pixels / width;
 
-    HWY_INLINE void narrow(std::size_t i) {
-        const std::size_t end = i + lanes * static_cast<std::size_t>(table_.height[i]);
-        for (std::size_t at = i; at < end; at += lanes)
-            one_run(at, 0, 0.0f, static_cast<std::uint32_t>(table_.mask[at]));
+    /// Numbers at a run's first pixel, in all lanes.
+    struct run_start {
+        vec inv_w, lit, square, square_x, facing;
+    };
+
+    HWY_INLINE std::int64_t first_run(const fill_row& row) const {
+        const D d;
+        run_start start{hn::Set(d, row.inv_w[i_]), hn::Set(d, row.lit[i_]), {}, {}, {}};
+        if constexpr (Curved) {
+            start.square = hn::Set(d, row.square[i_]);
+            start.square_x = hn::Set(d, row.square_x[i_]);
+            start.facing = hn::Set(d, row.facing[i_]);
+        }
+        return one_run(start, row.mask[i_], band_.words + row.word_at[i_],
+                       band_.depths + row.depth_at[i_]);
     }
 
     /// The last run ends where the row does, so that it fits the picture if the row does.
-    HWY_INLINE void wide(std::size_t i) {
-        const std::size_t end = i + lanes * static_cast<std::size_t>(table_.height[i]);
-        for (std::size_t at = i; at < end; at += lanes) {
-            one_run(at, 0, 0.0f, static_cast<std::uint32_t>(table_.mask[at]));
-            const std::int32_t last = table_.last[at];
-            for (std::int32_t done = run; done < last; done += run) {
-                const std::int32_t start = std::min(done, last - run);
-                const std::uint32_t mask =
-                    ((1u << std::min(run, last - start)) - 1) & ~((1u << (done - start)) - 1);
-                one_run(at, start, static_cast<float>(start), mask);
-            }
+    HWY_INLINE std::int64_t later_run(const fill_row& row, std::int32_t done) const {
+        const D d;
+        const std::int32_t start = std::min(done, row.last[i_] - Pixels);
+        const auto x = static_cast<float>(start);
+        run_start there{hn::Set(d, row.inv_w[i_] + x * table_.inv_w_x[i_]),
+                        hn::Set(d, row.lit[i_] + x * table_.lit_x[i_]),
+                        {},
+                        {},
+                        {}};
+        if constexpr (Curved) {
+            const float xx = x * table_.square_xx[i_];
+            there.square = hn::Set(d, row.square[i_] + x * (row.square_x[i_] + xx));
+            there.square_x = hn::Set(d, row.square_x[i_] + 2.0f * xx);
+            there.facing = hn::Set(d, row.facing[i_] + x * table_.facing_x[i_]);
         }
+        const std::int32_t mask = ((1 << Pixels) - 1) & ~((1 << (done - start)) - 1);
+        return one_run(there, mask, band_.words + row.word_at[i_] + start,
+                       band_.depths + row.depth_at[i_] + start);
     }
 
-    /// Pixels `start` ... of a row.
-    HWY_INLINE void one_run(std::size_t at, std::int32_t start, float x, std::uint32_t bits) {
-        std::uint32_t* const to_words = band_.words + (table_.word_at[at] + start);
-        float* const to_depths = band_.depths + (table_.depth_at[at] + start);
-        for (std::int32_t v = 0; v < run_vectors; ++v) {
-            const std::uint32_t mask = bits >> (v * vector_pixels);
-            if (run_vectors > 1 && (mask & ((1u << vector_pixels) - 1)) == 0)
-                continue;
-            one_vector(at, static_cast<std::size_t>(v), start > 0 ? x : 0.0f, mask,
-                       to_words + v * vector_pixels, to_depths + v * vector_pixels);
-        }
+    HWY_INLINE std::int64_t one_run(const run_start& start, std::int32_t mask,
+                                    std::uint32_t* to_words, float* to_depths) const {
+        std::int64_t written = 0;
+        for (std::size_t v = 0; v < vectors; ++v)
+            written += one_vector(start, v, static_cast<std::uint32_t>(mask) >> v * width,
+                                  to_words + v * width, to_depths + v * width);
+        return written;
     }
 
-    HWY_INLINE void one_vector(std::size_t at, std::size_t v, float x, std::uint32_t bits,
-                               std::uint32_t* to_words, float* to_depths) {
-        const floats d;
-        const std::size_t i = at % lanes;
+    HWY_INLINE std::int64_t one_vector(const run_start& start, std::size_t v, std::uint32_t bits,
+                                       std::uint32_t* to_words, float* to_depths) const {
+        const D d;
         const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits),
                                        static_cast<std::uint8_t>(bits >> 8)};
         const auto covered = hn::LoadMaskBits(d, bytes);
-        const float_vec inv_w = hn::Min(
-            hn::Max(hn::Add(hn::Set(d, table_.inv_w[at] + table_.inv_w_x[i] * x), inv_w_x_[v]),
-                    farthest_),
-            nearest_);
-        const auto seen = hn::And(covered, hn::Gt(inv_w, hn::LoadU(d, to_depths)));
+        const vec inv_w = hn::IfThenElseZero(
+            covered, hn::Min(hn::Max(hn::Add(start.inv_w, inv_w_x_[v]), farthest_), nearest_));
+        const auto seen = hn::Gt(inv_w, hn::LoadU(d, to_depths));
         hn::BlendedStore(inv_w, seen, d, to_depths);
-        float_vec lit = hn::Add(hn::Set(d, table_.lit[at] + table_.lit_x[i] * x), lit_x_[v]);
+        vec lit = hn::Add(start.lit, lit_x_[v]);
         if constexpr (Curved) {
-            // square + x square_x + x^2 square_xx, from x on
-            const float xx = table_.square_xx[i] * x;
-            const float square_x = table_.square_x[at] + 2.0f * xx;
-            const float square0 = table_.square[at] + (table_.square_x[at] + xx) * x;
-            const float_vec square = hn::Add(
-                hn::Set(d, square0), hn::Add(hn::Mul(hn::Set(d, square_x), x_[v]), square_xx_[v]));
-            const float_vec unit =
+            const vec square =
+                hn::Add(start.square, hn::Add(hn::Mul(start.square_x, x_[v]), square_xx_[v]));
+            const vec unit =
                 hn::Add(unit0_, hn::Mul(square, hn::Add(unit1_, hn::Mul(unit2_, square))));
-            const float_vec facing =
-                hn::Add(hn::Set(d, table_.facing[at] + table_.facing_x[i] * x), facing_x_[v]);
+            const vec facing = hn::Add(start.facing, facing_x_[v]);
             lit = hn::Xor(hn::Mul(lit, unit), hn::And(facing, hn::SignBit(d)));
         }
-        const int_vec level = hn::ConvertTo(ints(), hn::Max(lit, hn::Zero(d)));
-        hn::BlendedStore(grey_words(level), hn::RebindMask(words(), seen), words(), to_words);
-        written_ += static_cast<std::int64_t>(hn::CountTrue(d, seen));
+        const hn::RebindToUnsigned<D> dw;
+        hn::BlendedStore(grey_words(d, lit), hn::RebindMask(dw, seen), dw, to_words);
+        return static_cast<std::int64_t>(hn::CountTrue(d, seen));
     }
 
     const fill_band& band_;
     const fill_table& table_;
-    std::int64_t written_ = 0;
-    float_vec inv_w_x_[run_vectors], lit_x_[run_vectors], farthest_, nearest_;
-    float_vec x_[run_vectors], square_xx_[run_vectors], facing_x_[run_vectors];
-    float_vec unit0_, unit1_, unit2_;
+    std::size_t i_;
+    vec inv_w_x_[vectors], lit_x_[vectors], farthest_, nearest_;
+    vec x_[vectors], square_xx_[vectors], facing_x_[vectors];
+    vec unit0_, unit1_, unit2_;
 };
+
+/// Fills the polygons of a table, in their order. Returns how many pixels were written.
+///
+/// Most rows are short, and short vectors do: more of them fit the processor's ports.
+template <bool Curved>
+HWY_INLINE std::int64_t fill_pixels(const fill_band& band, const fill_table& table) {
+    constexpr std::int32_t half = run / 2;
+    using half_floats = hn::CappedTag<float, half>;
+    std::int64_t written = 0;
+    for (std::size_t i = 0; i < lanes; ++i) {
+        if (table.height[i] == 0)
+            continue;
+        if (table.longest[i] <= half)
+            written += fill_polygon<half_floats, half, Curved>(band, table, i).fill();
+        else if (table.longest[i] <= run)
+            written += fill_polygon<floats, run, Curved>(band, table, i).fill();
+        else
+            written += fill_polygon<floats, run, Curved>(band, table, i).fill_wide();
+    }
+    return written;
+}
 
 } // namespace
 } // namespace HWY_NAMESPACE

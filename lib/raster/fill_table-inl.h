@@ -48,20 +48,24 @@ struct fill_queue {
     std::size_t count = 0;
 };
 
-/// What the pixel loops need. Row k of polygon i is in element k * lanes + i.
-///
-/// A row's first run begins at its first covered pixel, or further left where it would not fit
-/// the picture. Numbers are those of the run's first pixel; `_x` is what a column adds.
-struct fill_table {
-    static constexpr std::size_t rows = lanes * (most_pixels + 1);
-    alignas(64) std::int32_t word_at[rows], depth_at[rows];
-    alignas(64) std::int32_t mask[rows]; ///< covered pixels of the first run
-    alignas(64) std::int32_t last[rows]; ///< where the row ends, from the run's first pixel on
-    alignas(64) float inv_w[rows], lit[rows];
-    alignas(64) float square[rows], square_x[rows], facing[rows];
+/// The first run of a row of each polygon. Numbers are those of the run's first pixel; `_x` is what
+/// a column adds.
+struct fill_row {
+    alignas(64) std::int32_t word_at[lanes], depth_at[lanes];
+    alignas(64) std::int32_t mask[lanes]; ///< covered pixels
+    alignas(64) std::int32_t last[lanes]; ///< where the row ends, from the run's first pixel on
+    alignas(64) float inv_w[lanes], lit[lanes];
+    alignas(64) float square[lanes], square_x[lanes], facing[lanes];
+};
 
-    alignas(64) std::int32_t height[lanes]; ///< rows; 0 if there is nothing to fill
-    alignas(64) std::int32_t width[lanes];  ///< no row is longer
+/// What the pixel loops need.
+///
+/// A run begins at its row's first covered pixel, or further left where it would not fit the
+/// picture.
+struct fill_table {
+    fill_row rows[most_pixels + 1];
+    alignas(64) std::int32_t height[lanes];  ///< rows; 0 if there is nothing to fill
+    alignas(64) std::int32_t longest[lanes]; ///< `last` of the longest row
     alignas(64) float inv_w_x[lanes], lit_x[lanes], farthest[lanes], nearest[lanes];
     alignas(64) float square_xx[lanes], facing_x[lanes];
     alignas(64) float unit0[lanes], unit1[lanes], unit2[lanes];
