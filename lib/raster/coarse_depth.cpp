@@ -36,15 +36,14 @@ inline pixel_box tiles_of(const fill_band& band) {
     return tiles_of(pixel_box{0, band.top, band.width, band.bottom});
 }
 
-/// The pixels of some tiles in a row; at the right and lower end of the picture they are smaller.
-struct tile_pixels {
-    std::ptrdiff_t words_at, depths_at; ///< of the first, in the band
+/// The depths of some tiles in a row; at the right and lower end of the picture they are smaller.
+struct tile_depths {
+    std::ptrdiff_t at; ///< of the first, in the band
     std::int32_t width, height;
 
-    tile_pixels(std::int32_t begin, std::int32_t end, std::int32_t row, const fill_band& band) {
+    tile_depths(std::int32_t begin, std::int32_t end, std::int32_t row, const fill_band& band) {
         const std::int32_t left = begin * depth_tile::width, top = row * depth_tile::height;
-        words_at = (top - band.top) * band.word_pitch + left;
-        depths_at = (top - band.top) * band.depth_pitch + left;
+        at = (top - band.top) * band.depth_pitch + left;
         width = std::min(end * depth_tile::width, band.width) - left;
         height = std::min(depth_tile::height, band.bottom - top);
     }
@@ -61,22 +60,21 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr hn::CappedTag<float, depth_tile::width> floats;
-constexpr hn::CappedTag<std::uint32_t, depth_tile::width> words;
 
 std::int32_t lanes() {
     return static_cast<std::int32_t>(hn::Lanes(floats));
 }
 
-/// Sets rows of numbers to 0.
-template <class D, class T>
-void clear(D d, T* to, std::ptrdiff_t pitch, std::int32_t width, std::int32_t height) {
-    for (std::int32_t row = 0; row < height; ++row, to += pitch) {
-        std::int32_t column = 0;
-        for (; column + lanes() <= width; column += lanes())
-            hn::StoreU(hn::Zero(d), d, to + column);
-        for (; column < width; ++column)
-            to[column] = 0;
-    }
+/// Sets depths to 0.
+void clear(const tile_depths& p, const fill_band& band) {
+    float* to = band.depths + p.at;
+    if (p.width == depth_tile::width) // most often; the compiler then calls no memset
+        for (std::int32_t row = 0; row < p.height; ++row, to += band.depth_pitch)
+            for (std::int32_t column = 0; column < depth_tile::width; column += lanes())
+                hn::StoreU(hn::Zero(floats), floats, to + column);
+    else
+        for (std::int32_t row = 0; row < p.height; ++row, to += band.depth_pitch)
+            std::fill_n(to, p.width, 0.0f);
 }
 
 void open(const tile_rows& all, const pixel_box& box, const fill_band& band) {
@@ -88,9 +86,7 @@ void open(const tile_rows& all, const pixel_box& box, const fill_band& band) {
             if (tile.drawn)
                 continue;
             tile.drawn = true;
-            const tile_pixels p(column, column + 1, row, band);
-            clear(floats, band.depths + p.depths_at, band.depth_pitch, p.width, p.height);
-            clear(words, band.words + p.words_at, band.word_pitch, p.width, p.height);
+            clear({column, column + 1, row, band}, band);
         }
 }
 
@@ -114,21 +110,18 @@ void visit_runs(const tile_rows& all, const fill_band& band, bool drawn, const V
     }
 }
 
-void define(const tile_rows& all, const fill_band& band, bool with_depths) {
+void open_others(const tile_rows& all, const fill_band& band) {
     visit_runs(all, band, false, [&](std::int32_t begin, std::int32_t end, std::int32_t row) {
-        const tile_pixels p(begin, end, row, band);
-        clear(words, band.words + p.words_at, band.word_pitch, p.width, p.height);
-        if (with_depths)
-            clear(floats, band.depths + p.depths_at, band.depth_pitch, p.width, p.height);
+        clear({begin, end, row, band}, band);
     });
 }
 
 std::int64_t covered(const tile_rows& all, const fill_band& band) {
     std::size_t count = 0;
     visit_runs(all, band, true, [&](std::int32_t begin, std::int32_t end, std::int32_t row) {
-        const tile_pixels p(begin, end, row, band);
+        const tile_depths p(begin, end, row, band);
         for (std::int32_t y = 0; y < p.height; ++y) {
-            const float* const depths = band.depths + p.depths_at + y * band.depth_pitch;
+            const float* const depths = band.depths + p.at + y * band.depth_pitch;
             std::int32_t x = 0;
             for (; x + lanes() <= p.width; x += lanes())
                 count +=
@@ -143,8 +136,8 @@ std::int64_t covered(const tile_rows& all, const fill_band& band) {
 /// Finds a tile's farthest depth, unless a depth is below `least`: then there is no need to know.
 void find(depth_tile& tile, std::int32_t column, std::int32_t row, const fill_band& band,
           float least) {
-    const tile_pixels p(column, column + 1, row, band);
-    const float* depths = band.depths + p.depths_at;
+    const tile_depths p(column, column + 1, row, band);
+    const float* depths = band.depths + p.at;
     float farthest = depths[0];
     if (p.width == depth_tile::width) {
         auto all = hn::Set(floats, farthest);
@@ -197,7 +190,7 @@ HWY_AFTER_NAMESPACE();
 namespace l3d_detail {
 
 L3D_SIMD_TABLE(open);
-L3D_SIMD_TABLE(define);
+L3D_SIMD_TABLE(open_others);
 L3D_SIMD_TABLE(hidden);
 L3D_SIMD_TABLE(refresh);
 L3D_SIMD_TABLE(covered);
@@ -220,8 +213,8 @@ void coarse_depth::open(const pixel_box& box, const fill_band& band) {
     L3D_SIMD_CALL(open)({tiles_.data(), columns_}, box, band);
 }
 
-void coarse_depth::define(const fill_band& band, bool with_depths) {
-    L3D_SIMD_CALL(define)({tiles_.data(), columns_}, band, with_depths);
+void coarse_depth::open_others(const fill_band& band) {
+    L3D_SIMD_CALL(open_others)({tiles_.data(), columns_}, band);
 }
 
 bool coarse_depth::hidden(const pixel_box& box, float nearest, const fill_band& band) {

@@ -106,11 +106,14 @@ void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
                          top,
                          bottom};
     coarse_depth& coarse = work_->coarse;
-    if (!drawn_)
+    if (!drawn_) {
+        for (int row = top; row < bottom; ++row)
+            std::ranges::fill(target_.row(row), 0u);
         coarse.forget(top, bottom);
+    }
     work_->painters[worker].draw(work_->frame, band, work_->list, items, coarse);
-    if (!drawn_)
-        coarse.define(band, depth_ != nullptr);
+    if (!drawn_ && depth_)
+        coarse.open_others(band);
     if (depth_)
         coarse.refresh(band); // `hidden` may be asked by many, so it finds nothing itself
     work_->covered[static_cast<std::size_t>(index)] = coarse.covered(band);
