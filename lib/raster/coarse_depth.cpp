@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "raster/coarse_depth_p.h"
+#include "raster/simd_dispatch_p.h"
 
 #include <algorithm>
 
@@ -198,12 +199,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace l3d_detail {
 
-HWY_EXPORT(open);
-HWY_EXPORT(clear_words);
-HWY_EXPORT(open_others);
-HWY_EXPORT(hidden);
-HWY_EXPORT(refresh);
-HWY_EXPORT(covered);
+L3D_SIMD_TABLE(open);
+L3D_SIMD_TABLE(clear_words);
+L3D_SIMD_TABLE(open_others);
+L3D_SIMD_TABLE(hidden);
+L3D_SIMD_TABLE(refresh);
+L3D_SIMD_TABLE(covered);
 
 void coarse_depth::resize(l3d_size size) {
     const pixel_box tiles = tiles_of(whole(size));
@@ -214,7 +215,7 @@ void coarse_depth::resize(l3d_size size) {
 }
 
 void coarse_depth::clear_words(const fill_band& band) const {
-    HWY_DYNAMIC_DISPATCH(clear_words)({tiles_.data(), columns_}, band);
+    L3D_SIMD_CALL(clear_words)({tiles_.data(), columns_}, band);
 }
 
 void coarse_depth::forget(std::int32_t top, std::int32_t bottom) {
@@ -224,15 +225,15 @@ void coarse_depth::forget(std::int32_t top, std::int32_t bottom) {
 }
 
 void coarse_depth::open(const pixel_box& box, const fill_band& band) {
-    HWY_DYNAMIC_DISPATCH(open)({tiles_.data(), columns_}, box, band);
+    L3D_SIMD_CALL(open)({tiles_.data(), columns_}, box, band);
 }
 
 void coarse_depth::open_others(const fill_band& band) {
-    HWY_DYNAMIC_DISPATCH(open_others)({tiles_.data(), columns_}, band);
+    L3D_SIMD_CALL(open_others)({tiles_.data(), columns_}, band);
 }
 
 bool coarse_depth::hidden(const pixel_box& box, float nearest, const fill_band& band) {
-    return HWY_DYNAMIC_DISPATCH(hidden)({tiles_.data(), columns_}, box, nearest, band);
+    return L3D_SIMD_CALL(hidden)({tiles_.data(), columns_}, box, nearest, band);
 }
 
 bool coarse_depth::hidden(const pixel_box& box, float nearest) const {
@@ -247,11 +248,11 @@ bool coarse_depth::hidden(const pixel_box& box, float nearest) const {
 }
 
 void coarse_depth::refresh(const fill_band& band) {
-    HWY_DYNAMIC_DISPATCH(refresh)({tiles_.data(), columns_}, band);
+    L3D_SIMD_CALL(refresh)({tiles_.data(), columns_}, band);
 }
 
 std::int64_t coarse_depth::covered(const fill_band& band) const {
-    return HWY_DYNAMIC_DISPATCH(covered)({tiles_.data(), columns_}, band);
+    return L3D_SIMD_CALL(covered)({tiles_.data(), columns_}, band);
 }
 
 } // namespace l3d_detail

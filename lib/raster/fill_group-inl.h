@@ -22,9 +22,9 @@ constexpr float grey_of_cosine = 229.5f;
 /// Sums of the squared differences of unit normals along both diagonals. Inside the polygon their
 /// interpolation is shorter than 1: its square by at most spread / 4, in a parallelogram's middle
 /// by spread / 8. Up to `flat` half of that is made up for by one factor, and what is left, at
-/// most spread / 8 - spread / 32 = 0.003, is below a grey level of 229.5. Up to `smooth` squares
+/// most spread / 8 - spread / 32 = 0.002, is half a grey level of 229.5. Up to `smooth` squares
 /// stay within [0.75, 1] and the polynomial below holds.
-constexpr float flat_spread = 1.0f / 32, smooth_spread = 1.0f;
+constexpr float flat_spread = 1.0f / 48, smooth_spread = 1.0f;
 
 /// 1 / sqrt(q) over [0.75, 1.02] by a parabola through its Chebyshev points: within 3e-4, that is
 /// 0.07 grey levels.
@@ -65,7 +65,6 @@ public:
         place(job.band, queue, at);
         const int_mask fits = classify(job, queue, at, hn::And(live_, hn::FirstN(d, valid)));
         const int_vec height = hn::IfThenElseZero(fits, hn::Sub(to_row_, from_row_));
-        hn::Store(height, d, table.height);
         const std::int32_t highest = hn::GetLane(hn::MaxOfLanes(d, height));
         if (highest == 0)
             return false;
@@ -294,15 +293,16 @@ private:
             }
             const int_vec begin = hn::Min(from, last_begin);
             const int_vec first = hn::Sub(from, begin);
-            const int_vec last = hn::Max(hn::Sub(to, begin), first);
+            const int_mask any = hn::And(hn::Lt(set(k), height), hn::Lt(from, to));
+            const int_vec last = hn::IfThenElseZero(any, hn::Sub(to, begin));
+            const int_vec end = hn::Min(last, set(run));
             hn::Store(hn::Add(word_at, begin), d, row_k.word_at);
             hn::Store(hn::Add(depth_at, begin), d, row_k.depth_at);
             hn::Store(last, d, row_k.last);
-            const int_vec end = hn::Max(hn::Min(last, set(run)), first);
-            hn::Store(hn::Sub(hn::Shl(one, end), hn::Shl(one, first)), d, row_k.mask);
-            const int_mask inside = hn::Lt(set(k), height);
-            longest = hn::Max(longest, hn::IfThenElseZero(inside, last));
-            samples = hn::Add(samples, hn::IfThenElseZero(inside, hn::Sub(last, first)));
+            hn::Store(hn::IfThenElseZero(any, hn::Sub(hn::Shl(one, end), hn::Shl(one, first))), d,
+                      row_k.mask);
+            longest = hn::Max(longest, last);
+            samples = hn::Add(samples, hn::IfThenElseZero(any, hn::Sub(to, from)));
 
             const float_vec s = to_float(hn::Add(row_s, hn::Mul(begin, column_s)));
             const float_vec t = to_float(hn::Sub(row_t, hn::Mul(begin, column_t)));
@@ -316,6 +316,7 @@ private:
             row_t = hn::Add(row_t, down_t);
         }
         hn::Store(longest, d, table.longest);
+        hn::Store(hn::IfThenElseZero(hn::Gt(samples, zero), height), d, table.height);
         job.counts.samples += hn::GetLane(hn::SumOfLanes(d, samples));
     }
 

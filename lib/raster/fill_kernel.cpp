@@ -7,6 +7,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/simd_dispatch_p.h"
+
 #include "raster/fill_group-inl.h"
 #include "raster/fill_pixels-inl.h"
 
@@ -198,14 +200,14 @@ HWY_AFTER_NAMESPACE();
 namespace l3d_detail {
 
 int dbg_stage = 0;
-HWY_EXPORT(fill_quads);
-HWY_EXPORT(fill_triangles);
+L3D_SIMD_TABLE(fill_quads);
+L3D_SIMD_TABLE(fill_triangles);
 
 void fill_quads(const fill_band& band, const fill_shading& shading, const l3d_micro_grid& grid,
                 int row_begin, int row_end, int column_begin, int column_end, fill_counts& counts,
                 fill_rest& rest) {
     assert(band.width >= fill_least_width);
-    HWY_DYNAMIC_DISPATCH(fill_quads)
+    L3D_SIMD_CALL(fill_quads)
     (band, shading, grid, row_begin, row_end, column_begin, column_end, counts, rest);
 }
 
@@ -213,7 +215,7 @@ void fill_triangles(const fill_band& band, const fill_shading& shading,
                     const l3d_micro_triangles& triangles, std::size_t first, std::size_t last,
                     fill_counts& counts, fill_rest& rest) {
     assert(band.width >= fill_least_width);
-    HWY_DYNAMIC_DISPATCH(fill_triangles)(band, shading, triangles, first, last, counts, rest);
+    L3D_SIMD_CALL(fill_triangles)(band, shading, triangles, first, last, counts, rest);
 }
 
 } // namespace l3d_detail
