@@ -19,11 +19,15 @@ namespace {
 /// A number of the grey scale from a cosine: round(255 (0.1 + 0.9 c)) = trunc(229.5 c + 26).
 constexpr float grey_of_cosine = 229.5f;
 
-/// Sums of the squared differences of unit normals along both diagonals. Inside the polygon their
-/// interpolation is shorter than 1: its square by at most spread / 4, in a parallelogram's middle
-/// by spread / 8. Up to `flat` half of that is made up for by one factor, and what is left, at
-/// most spread / 8 - spread / 32 = 0.002, is half a grey level of 229.5. Up to `smooth` squares
-/// stay within [0.75, 1] and the polynomial below holds.
+/// How unlike the unit normals n of a polygon's corners are: the sum of all squared differences of
+/// two of a triangle, half of that for a quad, which is |a - c|^2 + |b - d|^2 + |a + c - b - d|^2
+/// / 2.
+///
+/// Inside, the interpolated normal is shorter than 1. In the middle its square is 1 - spread / 8
+/// (of a triangle 1 - spread / 9), between any two corners at least 1 - spread / 4. Up to `flat`
+/// one factor for all pixels, 1 + spread / 32, makes up for it within spread / 8 - spread / 32 =
+/// 0.002, half a grey level of 229.5. Up to `smooth` squares stay above 0.75 and the polynomial
+/// below holds.
 constexpr float flat_spread = 1.0f / 48, smooth_spread = 1.0f;
 
 /// 1 / sqrt(q) over [0.75, 1.02] by a parabola through its Chebyshev points: within 3e-4, that is
@@ -115,15 +119,17 @@ private:
         for (int i = 0; i < Corners; ++i)
             for (int k = 0; k < 3; ++k)
                 normal_[k][i] = load_float(queue.corner[i][3 + k] + at);
-        spread_ = hn::Zero(floats());
         constexpr int to1 = Corners == 3 ? 1 : 2, to2 = Corners - 1, from2 = Corners == 3 ? 0 : 1;
-        for (int k = 0; k < 3; ++k) {
-            spread_ = hn::Add(spread_, square_of(hn::Sub(normal_[k][to1], normal_[k][0])));
-            spread_ = hn::Add(spread_, square_of(hn::Sub(normal_[k][to2], normal_[k][from2])));
+        spread_ = hn::Zero(floats());
+        for (const auto& n : normal_) {
+            const float_vec along1 = hn::Sub(n[to1], n[0]), along2 = hn::Sub(n[to2], n[from2]);
+            float_vec third = square_of(hn::Sub(along1, along2)); // a triangle's third side
+            if constexpr (Corners == 4)
+                third = hn::Mul(set(0.5f),
+                                square_of(hn::Sub(hn::Add(n[0], n[2]), hn::Add(n[1], n[3]))));
+            spread_ =
+                hn::Add(hn::Add(spread_, third), hn::Add(square_of(along1), square_of(along2)));
         }
-        if constexpr (Corners ==
-                      3) // the third side is at most as long as both: (a + b)^2 <= 2 (a^2 + b^2)
-            spread_ = hn::Add(spread_, spread_);
         along1_x_ = hn::Sub(x_[to1], x_[0]);
         along1_y_ = hn::Sub(y_[to1], y_[0]);
         along2_x_ = hn::Sub(x_[to2], x_[from2]);

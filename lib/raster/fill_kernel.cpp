@@ -15,9 +15,6 @@
 #include <algorithm>
 #include <cassert>
 
-namespace l3d_detail {
-extern int dbg_stage;
-}
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
@@ -127,14 +124,10 @@ private:
     }
 
     HWY_NOINLINE void fill(std::size_t at, std::size_t count) {
-        if (dbg_stage == 1)
-            return;
         fill_group<Corners> group;
         if (!group.set_up(job_, queue_, at, count, table_))
             return;
-        if (dbg_stage == 2)
-            return;
-        if (table_.curved && dbg_stage != 3)
+        if (table_.curved)
             job_.counts.written += fill_pixels<true>(job_.band, table_);
         else
             job_.counts.written += fill_pixels<false>(job_.band, table_);
@@ -199,7 +192,6 @@ HWY_AFTER_NAMESPACE();
 
 namespace l3d_detail {
 
-int dbg_stage = 0;
 L3D_SIMD_TABLE(fill_quads);
 L3D_SIMD_TABLE(fill_triangles);
 

@@ -184,8 +184,10 @@ void compare(filled& picture, const reference::corners& v) {
                 least = std::min(least, c.inv_w);
                 most = std::max(most, c.inv_w);
             }
-            // Where a run begins left of a sliver it begins outside, many times the range away.
-            const double part = x < picture.size.width - fill_least_width ? 1e-5 : 1e-3;
+            // Runs that would not fit begin left of the polygon; left of a sliver that is many
+            // times the corners' range away.
+            const bool fits = x < picture.size.width - fill_least_width;
+            const double part = fits ? 1e-5 : 1e-3;
             ASSERT_LE(depth_error(v, picture.inv_w(x, y), x, y), part * double(most - least))
                 << described(v) << "at " << x << ", " << y;
             ASSERT_GE(picture.inv_w(x, y), least);
@@ -194,11 +196,20 @@ void compare(filled& picture, const reference::corners& v) {
             const std::uint32_t word = picture.word(x, y);
             ASSERT_EQ(word, (word & 0xff) * 0x010101);
             if (grey >= 0) {
-                ASSERT_NEAR(word & 0xff, grey, 1.5) << described(v) << "at " << x << ", " << y;
+                ASSERT_NEAR(word & 0xff, grey, fits ? 1.5 : 2.5)
+                    << described(v) << "at " << x << ", " << y;
             }
         }
     ASSERT_EQ(picture.counts.samples, samples) << described(v);
     ASSERT_EQ(picture.counts.written, samples) << described(v);
+}
+
+std::int64_t count_of(const reference::corners& v, l3d_size size) {
+    std::int64_t samples = 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            samples += reference::covers(v, x, y);
+    return samples;
 }
 
 TEST(FillKernel, DrawsRandomPolygonsLikeTheTwin) {
@@ -229,8 +240,144 @@ TEST(FillKernel, DrawsRandomPolygonsLikeTheTwin) {
         taken += picture.counts.samples > 0;
         samples += picture.counts.samples;
     }
-    EXPECT_GT(taken, 10000);
-    EXPECT_GT(samples, 500000);
+    EXPECT_GT(taken, 5000);
+    EXPECT_GT(samples, 150000);
+}
+
+/// Grids from smooth to folded, of any shape, some corners on pixel centres; and loose triangles.
+struct random_scene {
+    explicit random_scene(unsigned number) : random(seed + number, {97, 71}) {
+        const int cell = random.number(100, 6000), jitter = random.number(0, cell);
+        const int snap = random.number(0, 1) == 0 ? 1 : 128;
+        const float spread = random.real(0, 0.5f);
+        grid.resize(random.number(2, 40), random.number(2, 12));
+        for (int row = 0; row < grid.rows; ++row)
+            for (int column = 0; column < grid.columns; ++column) {
+                l3d_micro_vertex v = vertex(spread);
+                v.x = (column * cell - 1000 + random.number(-jitter, jitter)) / snap * snap;
+                v.y = (row * cell - 700 + column * cell / 9 + random.number(-jitter, jitter)) /
+                      snap * snap;
+                surface_picture::set(grid, row, column, v);
+            }
+        for (int n = random.number(0, 90); n > 0; --n) {
+            std::array<l3d_micro_vertex, 3> v{vertex(spread), vertex(spread), vertex(spread)};
+            const reference::corners places = random.next();
+            for (std::size_t i = 0; i < 3; ++i) {
+                v[i].x = places[i].x;
+                v[i].y = places[i].y;
+            }
+            triangles.add(v[0], v[1], v[2]);
+        }
+    }
+
+    l3d_micro_vertex vertex(float spread) {
+        l3d_micro_vertex v;
+        v.inv_w = random.real(0.1f, 1.0f);
+        v.normal[0] = 0.5f + spread * random.real(-1, 1);
+        v.normal[1] = 0.3f + spread * random.real(-1, 1);
+        v.normal[2] = 0.2f + spread * random.real(-1, 1);
+        normalize(v);
+        return v;
+    }
+
+    filled drawn(int band_rows) const {
+        filled picture(97, 71);
+        picture.draw(grid, band_rows);
+        picture.draw(triangles, band_rows);
+        return picture;
+    }
+
+    random_polygons random;
+    l3d_micro_grid grid;
+    l3d_micro_triangles triangles;
+};
+
+TEST(FillKernel, CoversGridsLikeTheTwin) {
+    std::int64_t taken = 0;
+    for (unsigned n = 0; n < 100; ++n) {
+        const random_scene scene(n);
+        const filled picture = scene.drawn(1 << 20);
+        ASSERT_TRUE(picture.guards_intact()) << "scene " << n;
+        std::int64_t samples = 0;
+        std::vector<std::uint32_t> rest = picture.rest.quads;
+        std::sort(rest.begin(), rest.end());
+        const l3d_micro_grid& g = scene.grid;
+        for (int row = 0; row + 1 < g.rows; ++row)
+            for (int column = 0; column + 1 < g.columns; ++column) {
+                const auto index = static_cast<std::uint32_t>(g.index(row, column));
+                if (std::binary_search(rest.begin(), rest.end(), index))
+                    continue;
+                const reference::corners v{g.vertex(row, column), g.vertex(row, column + 1),
+                                           g.vertex(row + 1, column + 1),
+                                           g.vertex(row + 1, column)};
+                samples += count_of(v, picture.size);
+                ++taken;
+            }
+        rest = picture.rest.triangles;
+        std::sort(rest.begin(), rest.end());
+        for (std::size_t i = 0; i < scene.triangles.count; ++i)
+            if (!std::binary_search(rest.begin(), rest.end(), static_cast<std::uint32_t>(i)))
+                samples += count_of({scene.triangles.vertex(i, 0), scene.triangles.vertex(i, 1),
+                                     scene.triangles.vertex(i, 2)},
+                                    picture.size);
+        ASSERT_EQ(picture.counts.samples, samples) << "scene " << n;
+    }
+    EXPECT_GT(taken, 5000);
+}
+
+TEST(FillKernel, DrawsTheSameBitsInAnyBands) {
+    for (unsigned n = 0; n < 200; ++n) {
+        const random_scene scene(1000 + n);
+        const filled whole = scene.drawn(1 << 20);
+        for (const int rows : {1, 7, 64}) {
+            const filled banded = scene.drawn(rows);
+            ASSERT_TRUE(banded.same_bits(whole)) << "scene " << n << " in bands of " << rows;
+            ASSERT_EQ(banded.counts.samples, whole.counts.samples);
+            ASSERT_EQ(banded.counts.written, whole.counts.written);
+        }
+    }
+}
+
+TEST(FillKernel, DrawsTheSameBitsWithAnyInstructions) {
+    const std::vector<std::string> targets = l3d_simd_targets();
+    EXPECT_GE(targets.size(), 1u);
+    for (unsigned n = 0; n < 200; ++n) {
+        const random_scene scene(2000 + n);
+        const filled best = scene.drawn(33);
+        for (const std::string& target : targets) {
+            ASSERT_TRUE(l3d_set_simd_target(target));
+            const filled other = scene.drawn(33);
+            ASSERT_TRUE(l3d_set_simd_target(""));
+            ASSERT_TRUE(other.same_bits(best)) << "scene " << n << " with " << target;
+            ASSERT_TRUE(other.guards_intact()) << "scene " << n << " with " << target;
+            ASSERT_EQ(other.counts.samples, best.counts.samples);
+            ASSERT_EQ(other.counts.written, best.counts.written);
+            ASSERT_EQ(other.rest.quads, best.rest.quads);
+            ASSERT_EQ(other.rest.triangles, best.rest.triangles);
+        }
+    }
+}
+
+TEST(FillKernel, FillsPartsOfAGrid) {
+    const random_scene scene(3001);
+    const l3d_micro_grid& g = scene.grid;
+    const filled whole = [&] {
+        filled picture(97, 71);
+        picture.draw(g);
+        return picture;
+    }();
+    filled parts(97, 71);
+    parts.in_bands(71, [&](const fill_band& band) {
+        for (int row = 0; row + 1 < g.rows; row += 3)
+            for (int column = 0; column + 1 < g.columns; column += 5)
+                fill_quads(band, parts.shading, g, row, std::min(row + 3, g.rows - 1), column,
+                           std::min(column + 5, g.columns - 1), parts.counts, parts.rest);
+        fill_quads(band, parts.shading, g, 1, 1, 0, 1, parts.counts, parts.rest);
+        fill_quads(band, parts.shading, g, 0, 1, 1, 1, parts.counts, parts.rest);
+    });
+    EXPECT_EQ(parts.counts.samples, whole.counts.samples);
+    EXPECT_EQ(parts.depths, whole.depths);
+    EXPECT_EQ(parts.rest.quads.size(), whole.rest.quads.size());
 }
 
 } // namespace
