@@ -5,9 +5,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "raster/simd_dispatch_p.h"
-
 #include "raster/coarse_depth_p.h"
+#include "raster/simd_dispatch_p.h"
 
 #include <algorithm>
 
@@ -16,14 +15,16 @@
 namespace l3d_detail {
 
 /// Tiles in rows of `columns`.
-struct tile_rows {
-    depth_tile* tiles;
+template <class Tile> struct rows_of {
+    Tile* tiles;
     std::size_t columns;
 
-    depth_tile* row(std::int32_t index) const {
+    Tile* row(std::int32_t index) const {
         return tiles + static_cast<std::size_t>(index) * columns;
     }
 };
+using tile_rows = rows_of<depth_tile>;
+using const_tile_rows = rows_of<const depth_tile>;
 
 /// The tiles that pixels lie in.
 inline pixel_box tiles_of(const pixel_box& pixels) {
@@ -36,14 +37,15 @@ inline pixel_box tiles_of(const fill_band& band) {
     return tiles_of(pixel_box{0, band.top, band.width, band.bottom});
 }
 
-/// The depths of some tiles in a row; at the right and lower end of the picture they are smaller.
-struct tile_depths {
-    std::ptrdiff_t at; ///< of the first, in the band
+/// The pixels of some tiles in a row; at the right and lower end of the picture they are smaller.
+struct tile_pixels {
+    std::ptrdiff_t words_at, depths_at; ///< of the first, in the band
     std::int32_t width, height;
 
-    tile_depths(std::int32_t begin, std::int32_t end, std::int32_t row, const fill_band& band) {
+    tile_pixels(std::int32_t begin, std::int32_t end, std::int32_t row, const fill_band& band) {
         const std::int32_t left = begin * depth_tile::width, top = row * depth_tile::height;
-        at = (top - band.top) * band.depth_pitch + left;
+        words_at = (top - band.top) * band.word_pitch + left;
+        depths_at = (top - band.top) * band.depth_pitch + left;
         width = std::min(end * depth_tile::width, band.width) - left;
         height = std::min(depth_tile::height, band.bottom - top);
     }
@@ -66,8 +68,8 @@ std::int32_t lanes() {
 }
 
 /// Sets depths to 0.
-void clear(const tile_depths& p, const fill_band& band) {
-    float* to = band.depths + p.at;
+void clear(const tile_pixels& p, const fill_band& band) {
+    float* to = band.depths + p.depths_at;
     if (p.width == depth_tile::width) // most often; the compiler then calls no memset
         for (std::int32_t row = 0; row < p.height; ++row, to += band.depth_pitch)
             for (std::int32_t column = 0; column < depth_tile::width; column += lanes())
@@ -93,7 +95,7 @@ void open(const tile_rows& all, const pixel_box& box, const fill_band& band) {
 /// Calls visit(begin, end, row) for every run of tiles side by side that have been drawn to, or of
 /// those that have not.
 template <class Visit>
-void visit_runs(const tile_rows& all, const fill_band& band, bool drawn, const Visit& visit) {
+void visit_runs(const const_tile_rows& all, const fill_band& band, bool drawn, const Visit& visit) {
     const pixel_box tiles = tiles_of(band);
     for (std::int32_t row = tiles.top; row < tiles.bottom; ++row) {
         const depth_tile* const here = all.row(row);
@@ -110,18 +112,26 @@ void visit_runs(const tile_rows& all, const fill_band& band, bool drawn, const V
     }
 }
 
-void open_others(const tile_rows& all, const fill_band& band) {
+void clear_words(const const_tile_rows& all, const fill_band& band) {
+    visit_runs(all, band, true, [&](std::int32_t begin, std::int32_t end, std::int32_t row) {
+        const tile_pixels p(begin, end, row, band);
+        for (std::int32_t y = 0; y < p.height; ++y)
+            std::fill_n(band.words + p.words_at + y * band.word_pitch, p.width, 0u);
+    });
+}
+
+void open_others(const const_tile_rows& all, const fill_band& band) {
     visit_runs(all, band, false, [&](std::int32_t begin, std::int32_t end, std::int32_t row) {
         clear({begin, end, row, band}, band);
     });
 }
 
-std::int64_t covered(const tile_rows& all, const fill_band& band) {
+std::int64_t covered(const const_tile_rows& all, const fill_band& band) {
     std::size_t count = 0;
     visit_runs(all, band, true, [&](std::int32_t begin, std::int32_t end, std::int32_t row) {
-        const tile_depths p(begin, end, row, band);
+        const tile_pixels p(begin, end, row, band);
         for (std::int32_t y = 0; y < p.height; ++y) {
-            const float* const depths = band.depths + p.at + y * band.depth_pitch;
+            const float* const depths = band.depths + p.depths_at + y * band.depth_pitch;
             std::int32_t x = 0;
             for (; x + lanes() <= p.width; x += lanes())
                 count +=
@@ -136,8 +146,8 @@ std::int64_t covered(const tile_rows& all, const fill_band& band) {
 /// Finds a tile's farthest depth, unless a depth is below `least`: then there is no need to know.
 void find(depth_tile& tile, std::int32_t column, std::int32_t row, const fill_band& band,
           float least) {
-    const tile_depths p(column, column + 1, row, band);
-    const float* depths = band.depths + p.at;
+    const tile_pixels p(column, column + 1, row, band);
+    const float* depths = band.depths + p.depths_at;
     float farthest = depths[0];
     if (p.width == depth_tile::width) {
         auto all = hn::Set(floats, farthest);
@@ -190,6 +200,7 @@ HWY_AFTER_NAMESPACE();
 namespace l3d_detail {
 
 L3D_SIMD_TABLE(open);
+L3D_SIMD_TABLE(clear_words);
 L3D_SIMD_TABLE(open_others);
 L3D_SIMD_TABLE(hidden);
 L3D_SIMD_TABLE(refresh);
@@ -201,6 +212,10 @@ void coarse_depth::resize(l3d_size size) {
     const std::size_t count = columns_ * static_cast<std::size_t>(tiles.bottom);
     if (tiles_.size() < count)
         tiles_.resize(count);
+}
+
+void coarse_depth::clear_words(const fill_band& band) const {
+    L3D_SIMD_CALL(clear_words)({tiles_.data(), columns_}, band);
 }
 
 void coarse_depth::forget(std::int32_t top, std::int32_t bottom) {
@@ -237,9 +252,7 @@ void coarse_depth::refresh(const fill_band& band) {
 }
 
 std::int64_t coarse_depth::covered(const fill_band& band) const {
-    // Nothing is changed; the walks over tiles have but one kind of rows.
-    const tile_rows all{const_cast<depth_tile*>(tiles_.data()), columns_};
-    return L3D_SIMD_CALL(covered)(all, band);
+    return L3D_SIMD_CALL(covered)({tiles_.data(), columns_}, band);
 }
 
 } // namespace l3d_detail

@@ -33,6 +33,9 @@ class coarse_depth {
 public:
     void resize(l3d_size size);
 
+    /// Sets the words of tiles that something was drawn to, to 0.
+    void clear_words(const fill_band& band) const;
+
     /// Nothing is in rows [top, bottom), whatever their depths say.
     void forget(std::int32_t top, std::int32_t bottom);
 
