@@ -95,7 +95,8 @@ void l3d_pipeline_afd::fill_surfaces(l3d_stage_times& times) {
         depth_.resize(view_.size);
     surface_rasterizer_->begin(
         screen_->pixels(), keep_depth ? &depth_ : nullptr,
-        l3d_camera_shading(camera_, screen_->pixels().size(), settings_.shade, settings_.light));
+        l3d_camera_shading(camera_, screen_->pixels().size(), settings_.shade, settings_.light),
+        untouched_);
     times.transform = placing.milliseconds();
     while (!batch.empty()) {
         const stopwatch dicing;
