@@ -1,35 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The surface rasterizer in bands: like its slow twin, whatever the bands, threads and order.
+#include "allocations.h"
 #include "surface_fixture.h"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <new>
-
-namespace {
-
-std::atomic<long> allocations{0};
-
-} // namespace
-
-// Not inlined, or the compiler sees free() called on what new returned.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size > 0 ? size : 1))
-        return memory;
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 namespace {
 
