@@ -13,6 +13,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/simd_dispatch_p.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
@@ -338,11 +340,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace l3d_detail {
 
-HWY_EXPORT(make_edge_strips);
+L3D_SIMD_TABLE(make_edge_strips);
 
 void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
                       const l3d_dice_view& view, std::array<edge_strips, edges_at_once>& results) {
-    HWY_DYNAMIC_DISPATCH(make_edge_strips)(edges, view, results);
+    L3D_SIMD_CALL(make_edge_strips)(edges, view, results);
 }
 
 } // namespace l3d_detail

@@ -7,6 +7,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/simd_dispatch_p.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
@@ -41,10 +43,10 @@ namespace l3d_detail {
 
 namespace {
 
-HWY_EXPORT(place_net);
+L3D_SIMD_TABLE(place_net);
 
 void place(const l3d_matrix<double>& to_image, const double* from, double* to) {
-    HWY_DYNAMIC_DISPATCH(place_net)(to_image, from, to);
+    L3D_SIMD_CALL(place_net)(to_image, from, to);
 }
 
 } // namespace

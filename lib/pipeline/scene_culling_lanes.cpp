@@ -11,6 +11,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/simd_dispatch_p.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
@@ -103,11 +105,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace l3d_detail {
 
-HWY_EXPORT(cull_lanes);
+L3D_SIMD_TABLE(cull_lanes);
 
 void cull_boxes(const l3d_box_lanes& boxes, std::size_t first, const l3d_matrix<double>& to_image,
                 const l3d_dice_view& view, culled_boxes& result) {
-    HWY_DYNAMIC_DISPATCH(cull_lanes)(boxes, first, to_image, view, result);
+    L3D_SIMD_CALL(cull_lanes)(boxes, first, to_image, view, result);
 }
 
 } // namespace l3d_detail

@@ -5,6 +5,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/simd_dispatch_p.h"
+
 #include "raster/band_lanes_p.h"
 #include "raster/scan_edge_p.h"
 
@@ -106,16 +108,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace l3d_detail {
 
-HWY_EXPORT(bounds_of_cells);
-HWY_EXPORT(bounds_of_triangles);
+L3D_SIMD_TABLE(bounds_of_cells);
+L3D_SIMD_TABLE(bounds_of_triangles);
 
 polygon_bounds bounds_of(const l3d_micro_grid& grid, const grid_cells& cells, band_rows* rows) {
-    return HWY_DYNAMIC_DISPATCH(bounds_of_cells)(grid, cells, rows);
+    return L3D_SIMD_CALL(bounds_of_cells)(grid, cells, rows);
 }
 
 polygon_bounds bounds_of(const l3d_micro_triangles& triangles, std::size_t first,
                          std::size_t last) {
-    return HWY_DYNAMIC_DISPATCH(bounds_of_triangles)(triangles, first, last);
+    return L3D_SIMD_CALL(bounds_of_triangles)(triangles, first, last);
 }
 
 } // namespace l3d_detail

@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "raster/coarse_depth_p.h"
+#include "raster/simd_dispatch_p.h"
 
 #include <algorithm>
 
@@ -14,14 +15,16 @@
 namespace l3d_detail {
 
 /// Tiles in rows of `columns`.
-struct tile_rows {
-    depth_tile* tiles;
+template <class Tile> struct rows_of {
+    Tile* tiles;
     std::size_t columns;
 
-    depth_tile* row(std::int32_t index) const {
+    Tile* row(std::int32_t index) const {
         return tiles + static_cast<std::size_t>(index) * columns;
     }
 };
+using tile_rows = rows_of<depth_tile>;
+using const_tile_rows = rows_of<const depth_tile>;
 
 /// The tiles that pixels lie in.
 inline pixel_box tiles_of(const pixel_box& pixels) {
@@ -59,22 +62,21 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr hn::CappedTag<float, depth_tile::width> floats;
-constexpr hn::CappedTag<std::uint32_t, depth_tile::width> words;
 
 std::int32_t lanes() {
     return static_cast<std::int32_t>(hn::Lanes(floats));
 }
 
-/// Sets rows of numbers to 0.
-template <class D, class T>
-void clear(D d, T* to, std::ptrdiff_t pitch, std::int32_t width, std::int32_t height) {
-    for (std::int32_t row = 0; row < height; ++row, to += pitch) {
-        std::int32_t column = 0;
-        for (; column + lanes() <= width; column += lanes())
-            hn::StoreU(hn::Zero(d), d, to + column);
-        for (; column < width; ++column)
-            to[column] = 0;
-    }
+/// Sets depths to 0.
+void clear(const tile_pixels& p, const fill_band& band) {
+    float* to = band.depths + p.depths_at;
+    if (p.width == depth_tile::width) // most often; the compiler then calls no memset
+        for (std::int32_t row = 0; row < p.height; ++row, to += band.depth_pitch)
+            for (std::int32_t column = 0; column < depth_tile::width; column += lanes())
+                hn::StoreU(hn::Zero(floats), floats, to + column);
+    else
+        for (std::int32_t row = 0; row < p.height; ++row, to += band.depth_pitch)
+            std::fill_n(to, p.width, 0.0f);
 }
 
 void open(const tile_rows& all, const pixel_box& box, const fill_band& band) {
@@ -86,16 +88,14 @@ void open(const tile_rows& all, const pixel_box& box, const fill_band& band) {
             if (tile.drawn)
                 continue;
             tile.drawn = true;
-            const tile_pixels p(column, column + 1, row, band);
-            clear(floats, band.depths + p.depths_at, band.depth_pitch, p.width, p.height);
-            clear(words, band.words + p.words_at, band.word_pitch, p.width, p.height);
+            clear({column, column + 1, row, band}, band);
         }
 }
 
 /// Calls visit(begin, end, row) for every run of tiles side by side that have been drawn to, or of
 /// those that have not.
 template <class Visit>
-void visit_runs(const tile_rows& all, const fill_band& band, bool drawn, const Visit& visit) {
+void visit_runs(const const_tile_rows& all, const fill_band& band, bool drawn, const Visit& visit) {
     const pixel_box tiles = tiles_of(band);
     for (std::int32_t row = tiles.top; row < tiles.bottom; ++row) {
         const depth_tile* const here = all.row(row);
@@ -112,16 +112,21 @@ void visit_runs(const tile_rows& all, const fill_band& band, bool drawn, const V
     }
 }
 
-void define(const tile_rows& all, const fill_band& band, bool with_depths) {
-    visit_runs(all, band, false, [&](std::int32_t begin, std::int32_t end, std::int32_t row) {
+void clear_words(const const_tile_rows& all, const fill_band& band) {
+    visit_runs(all, band, true, [&](std::int32_t begin, std::int32_t end, std::int32_t row) {
         const tile_pixels p(begin, end, row, band);
-        clear(words, band.words + p.words_at, band.word_pitch, p.width, p.height);
-        if (with_depths)
-            clear(floats, band.depths + p.depths_at, band.depth_pitch, p.width, p.height);
+        for (std::int32_t y = 0; y < p.height; ++y)
+            std::fill_n(band.words + p.words_at + y * band.word_pitch, p.width, 0u);
     });
 }
 
-std::int64_t covered(const tile_rows& all, const fill_band& band) {
+void open_others(const const_tile_rows& all, const fill_band& band) {
+    visit_runs(all, band, false, [&](std::int32_t begin, std::int32_t end, std::int32_t row) {
+        clear({begin, end, row, band}, band);
+    });
+}
+
+std::int64_t covered(const const_tile_rows& all, const fill_band& band) {
     std::size_t count = 0;
     visit_runs(all, band, true, [&](std::int32_t begin, std::int32_t end, std::int32_t row) {
         const tile_pixels p(begin, end, row, band);
@@ -194,11 +199,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace l3d_detail {
 
-HWY_EXPORT(open);
-HWY_EXPORT(define);
-HWY_EXPORT(hidden);
-HWY_EXPORT(refresh);
-HWY_EXPORT(covered);
+L3D_SIMD_TABLE(open);
+L3D_SIMD_TABLE(clear_words);
+L3D_SIMD_TABLE(open_others);
+L3D_SIMD_TABLE(hidden);
+L3D_SIMD_TABLE(refresh);
+L3D_SIMD_TABLE(covered);
 
 void coarse_depth::resize(l3d_size size) {
     const pixel_box tiles = tiles_of(whole(size));
@@ -208,6 +214,10 @@ void coarse_depth::resize(l3d_size size) {
         tiles_.resize(count);
 }
 
+void coarse_depth::clear_words(const fill_band& band) const {
+    L3D_SIMD_CALL(clear_words)({tiles_.data(), columns_}, band);
+}
+
 void coarse_depth::forget(std::int32_t top, std::int32_t bottom) {
     const pixel_box rows = tiles_of(pixel_box{0, top, 0, bottom});
     const tile_rows all{tiles_.data(), columns_};
@@ -215,15 +225,15 @@ void coarse_depth::forget(std::int32_t top, std::int32_t bottom) {
 }
 
 void coarse_depth::open(const pixel_box& box, const fill_band& band) {
-    HWY_DYNAMIC_DISPATCH(open)({tiles_.data(), columns_}, box, band);
+    L3D_SIMD_CALL(open)({tiles_.data(), columns_}, box, band);
 }
 
-void coarse_depth::define(const fill_band& band, bool with_depths) {
-    HWY_DYNAMIC_DISPATCH(define)({tiles_.data(), columns_}, band, with_depths);
+void coarse_depth::open_others(const fill_band& band) {
+    L3D_SIMD_CALL(open_others)({tiles_.data(), columns_}, band);
 }
 
 bool coarse_depth::hidden(const pixel_box& box, float nearest, const fill_band& band) {
-    return HWY_DYNAMIC_DISPATCH(hidden)({tiles_.data(), columns_}, box, nearest, band);
+    return L3D_SIMD_CALL(hidden)({tiles_.data(), columns_}, box, nearest, band);
 }
 
 bool coarse_depth::hidden(const pixel_box& box, float nearest) const {
@@ -238,13 +248,11 @@ bool coarse_depth::hidden(const pixel_box& box, float nearest) const {
 }
 
 void coarse_depth::refresh(const fill_band& band) {
-    HWY_DYNAMIC_DISPATCH(refresh)({tiles_.data(), columns_}, band);
+    L3D_SIMD_CALL(refresh)({tiles_.data(), columns_}, band);
 }
 
 std::int64_t coarse_depth::covered(const fill_band& band) const {
-    // Nothing is changed; the walks over tiles have but one kind of rows.
-    const tile_rows all{const_cast<depth_tile*>(tiles_.data()), columns_};
-    return HWY_DYNAMIC_DISPATCH(covered)(all, band);
+    return L3D_SIMD_CALL(covered)({tiles_.data(), columns_}, band);
 }
 
 } // namespace l3d_detail

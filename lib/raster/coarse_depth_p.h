@@ -18,12 +18,12 @@ struct depth_tile {
     static constexpr std::int32_t width = 16, height = 8;
 
     float farthest; ///< no pixel has a smaller inv_w
-    bool drawn;     ///< something may be in it; if not, its pixels need not be defined
+    bool drawn;     ///< something may be in it; if not, its depths need not be defined
     bool stale;     ///< something may have come since `farthest` was found
 };
 
-/// The tiles of a picture: they tell what is behind what is there, and which pixels are empty
-/// without anybody's having set them to 0.
+/// The tiles of a picture: they tell what is behind what is there, and which depths nobody has set
+/// to 0 yet. That is done when something comes to them and they are wanted in the nearest cache.
 ///
 /// Depth only ever comes nearer in a frame, so what was found for a tile stays a bound; it is found
 /// anew when that could change an answer and something may have come in the meantime.
@@ -33,14 +33,17 @@ class coarse_depth {
 public:
     void resize(l3d_size size);
 
-    /// Nothing is in rows [top, bottom), whatever their pixels say.
+    /// Sets the words of tiles that something was drawn to, to 0.
+    void clear_words(const fill_band& band) const;
+
+    /// Nothing is in rows [top, bottom), whatever their depths say.
     void forget(std::int32_t top, std::int32_t bottom);
 
-    /// Something will be drawn in the box: from now on the pixels of its tiles are defined.
+    /// Something will be drawn in the box: sets the depths of its tiles to 0 unless that was done.
     void open(const pixel_box& box, const fill_band& band);
 
-    /// Sets all pixels of the band to 0 that are not defined, depths only `with_depths`.
-    void define(const fill_band& band, bool with_depths);
+    /// All depths of the band will be looked at: sets those of other tiles to 0, too.
+    void open_others(const fill_band& band);
 
     /// Whether nothing in the box that is no nearer than `nearest` would be seen.
     /// Cost:    for a tile that was drawn to, one to eight cache lines of depths.

@@ -8,16 +8,37 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <span>
 #include <vector>
+
+namespace l3d_detail {
+
+/// Memory that begins where a cache line does.
+template <class T> struct line_allocator {
+    using value_type = T;
+    static constexpr std::align_val_t line{64};
+
+    line_allocator() = default;
+    template <class U> line_allocator(const line_allocator<U>&) {}
+
+    T* allocate(std::size_t count) {
+        return static_cast<T*>(::operator new(count * sizeof(T), line));
+    }
+    void deallocate(T* memory, std::size_t) { ::operator delete(memory, line); }
+
+    friend bool operator==(line_allocator, line_allocator) { return true; }
+};
+
+} // namespace l3d_detail
 
 /// One float per pixel: 1 / (distance along the view axis); 0 where nothing is.
 ///
 /// Reciprocal, because it is linear in the picture for a plane, and because 0 = infinitely far is
 /// then the value of an empty pixel.
 ///
-/// Shape:   rows are `pitch` floats apart, an odd multiple of 64: were it one of 1024, that is 4
-/// KB,
+/// Shape:   rows begin a cache line; they are `pitch` floats apart, an odd multiple of 64: were it
+/// one of 1024, that is 4 KB,
 ///          a row's loads would wait for stores to the row above, which processors tell apart by
 ///          the last 12 bits of their addresses, and a column's pixels would share a set of the
 ///          cache.
@@ -50,7 +71,7 @@ public:
 private:
     l3d_size size_;
     std::ptrdiff_t pitch_ = 0;
-    std::vector<float> values_;
+    std::vector<float, l3d_detail::line_allocator<float>> values_;
 };
 
 /// Pixels in which something is.

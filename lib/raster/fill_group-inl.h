@@ -19,12 +19,16 @@ namespace {
 /// A number of the grey scale from a cosine: round(255 (0.1 + 0.9 c)) = trunc(229.5 c + 26).
 constexpr float grey_of_cosine = 229.5f;
 
-/// Sums of the squared differences of unit normals along both diagonals. Inside the polygon their
-/// interpolation is shorter than 1: its square by at most spread / 4, in a parallelogram's middle
-/// by spread / 8. Up to `flat` half of that is made up for by one factor, and what is left, at
-/// most spread / 8 - spread / 32 = 0.003, is below a grey level of 229.5. Up to `smooth` squares
-/// stay within [0.75, 1] and the polynomial below holds.
-constexpr float flat_spread = 1.0f / 32, smooth_spread = 1.0f;
+/// How unlike the unit normals n of a polygon's corners are: the sum of all squared differences of
+/// two of a triangle, half of that for a quad, which is |a - c|^2 + |b - d|^2 + |a + c - b - d|^2
+/// / 2.
+///
+/// Inside, the interpolated normal is shorter than 1. In the middle its square is 1 - spread / 8
+/// (of a triangle 1 - spread / 9), between any two corners at least 1 - spread / 4. Up to `flat`
+/// one factor for all pixels, 1 + spread / 32, makes up for it within spread / 8 - spread / 32 =
+/// 0.002, half a grey level of 229.5. Up to `smooth` squares stay above 0.75 and the polynomial
+/// below holds.
+constexpr float flat_spread = 1.0f / 48, smooth_spread = 1.0f;
 
 /// 1 / sqrt(q) over [0.75, 1.02] by a parabola through its Chebyshev points: within 3e-4, that is
 /// 0.07 grey levels.
@@ -65,7 +69,6 @@ public:
         place(job.band, queue, at);
         const int_mask fits = classify(job, queue, at, hn::And(live_, hn::FirstN(d, valid)));
         const int_vec height = hn::IfThenElseZero(fits, hn::Sub(to_row_, from_row_));
-        hn::Store(height, d, table.height);
         const std::int32_t highest = hn::GetLane(hn::MaxOfLanes(d, height));
         if (highest == 0)
             return false;
@@ -116,15 +119,17 @@ private:
         for (int i = 0; i < Corners; ++i)
             for (int k = 0; k < 3; ++k)
                 normal_[k][i] = load_float(queue.corner[i][3 + k] + at);
-        spread_ = hn::Zero(floats());
         constexpr int to1 = Corners == 3 ? 1 : 2, to2 = Corners - 1, from2 = Corners == 3 ? 0 : 1;
-        for (int k = 0; k < 3; ++k) {
-            spread_ = hn::Add(spread_, square_of(hn::Sub(normal_[k][to1], normal_[k][0])));
-            spread_ = hn::Add(spread_, square_of(hn::Sub(normal_[k][to2], normal_[k][from2])));
+        spread_ = hn::Zero(floats());
+        for (const auto& n : normal_) {
+            const float_vec along1 = hn::Sub(n[to1], n[0]), along2 = hn::Sub(n[to2], n[from2]);
+            float_vec third = square_of(hn::Sub(along1, along2)); // a triangle's third side
+            if constexpr (Corners == 4)
+                third = hn::Mul(set(0.5f),
+                                square_of(hn::Sub(hn::Add(n[0], n[2]), hn::Add(n[1], n[3]))));
+            spread_ =
+                hn::Add(hn::Add(spread_, third), hn::Add(square_of(along1), square_of(along2)));
         }
-        if constexpr (Corners ==
-                      3) // the third side is at most as long as both: (a + b)^2 <= 2 (a^2 + b^2)
-            spread_ = hn::Add(spread_, spread_);
         along1_x_ = hn::Sub(x_[to1], x_[0]);
         along1_y_ = hn::Sub(y_[to1], y_[0]);
         along2_x_ = hn::Sub(x_[to2], x_[from2]);
@@ -294,15 +299,16 @@ private:
             }
             const int_vec begin = hn::Min(from, last_begin);
             const int_vec first = hn::Sub(from, begin);
-            const int_vec last = hn::Max(hn::Sub(to, begin), first);
+            const int_mask any = hn::And(hn::Lt(set(k), height), hn::Lt(from, to));
+            const int_vec last = hn::IfThenElseZero(any, hn::Sub(to, begin));
+            const int_vec end = hn::Min(last, set(run));
             hn::Store(hn::Add(word_at, begin), d, row_k.word_at);
             hn::Store(hn::Add(depth_at, begin), d, row_k.depth_at);
             hn::Store(last, d, row_k.last);
-            const int_vec end = hn::Max(hn::Min(last, set(run)), first);
-            hn::Store(hn::Sub(hn::Shl(one, end), hn::Shl(one, first)), d, row_k.mask);
-            const int_mask inside = hn::Lt(set(k), height);
-            longest = hn::Max(longest, hn::IfThenElseZero(inside, last));
-            samples = hn::Add(samples, hn::IfThenElseZero(inside, hn::Sub(last, first)));
+            hn::Store(hn::IfThenElseZero(any, hn::Sub(hn::Shl(one, end), hn::Shl(one, first))), d,
+                      row_k.mask);
+            longest = hn::Max(longest, last);
+            samples = hn::Add(samples, hn::IfThenElseZero(any, hn::Sub(to, from)));
 
             const float_vec s = to_float(hn::Add(row_s, hn::Mul(begin, column_s)));
             const float_vec t = to_float(hn::Sub(row_t, hn::Mul(begin, column_t)));
@@ -316,6 +322,7 @@ private:
             row_t = hn::Add(row_t, down_t);
         }
         hn::Store(longest, d, table.longest);
+        hn::Store(hn::IfThenElseZero(hn::Gt(samples, zero), height), d, table.height);
         job.counts.samples += hn::GetLane(hn::SumOfLanes(d, samples));
     }
 

@@ -7,15 +7,14 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/simd_dispatch_p.h"
+
 #include "raster/fill_group-inl.h"
 #include "raster/fill_pixels-inl.h"
 
 #include <algorithm>
 #include <cassert>
 
-namespace l3d_detail {
-extern int dbg_stage;
-}
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
@@ -125,14 +124,10 @@ private:
     }
 
     HWY_NOINLINE void fill(std::size_t at, std::size_t count) {
-        if (dbg_stage == 1)
-            return;
         fill_group<Corners> group;
         if (!group.set_up(job_, queue_, at, count, table_))
             return;
-        if (dbg_stage == 2)
-            return;
-        if (table_.curved && dbg_stage != 3)
+        if (table_.curved)
             job_.counts.written += fill_pixels<true>(job_.band, table_);
         else
             job_.counts.written += fill_pixels<false>(job_.band, table_);
@@ -197,15 +192,14 @@ HWY_AFTER_NAMESPACE();
 
 namespace l3d_detail {
 
-int dbg_stage = 0;
-HWY_EXPORT(fill_quads);
-HWY_EXPORT(fill_triangles);
+L3D_SIMD_TABLE(fill_quads);
+L3D_SIMD_TABLE(fill_triangles);
 
 void fill_quads(const fill_band& band, const fill_shading& shading, const l3d_micro_grid& grid,
                 int row_begin, int row_end, int column_begin, int column_end, fill_counts& counts,
                 fill_rest& rest) {
     assert(band.width >= fill_least_width);
-    HWY_DYNAMIC_DISPATCH(fill_quads)
+    L3D_SIMD_CALL(fill_quads)
     (band, shading, grid, row_begin, row_end, column_begin, column_end, counts, rest);
 }
 
@@ -213,7 +207,7 @@ void fill_triangles(const fill_band& band, const fill_shading& shading,
                     const l3d_micro_triangles& triangles, std::size_t first, std::size_t last,
                     fill_counts& counts, fill_rest& rest) {
     assert(band.width >= fill_least_width);
-    HWY_DYNAMIC_DISPATCH(fill_triangles)(band, shading, triangles, first, last, counts, rest);
+    L3D_SIMD_CALL(fill_triangles)(band, shading, triangles, first, last, counts, rest);
 }
 
 } // namespace l3d_detail

@@ -48,8 +48,11 @@ l3d_surface_rasterizer_sw::l3d_surface_rasterizer_sw(l3d_workers& workers,
 l3d_surface_rasterizer_sw::~l3d_surface_rasterizer_sw() = default;
 
 void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer* depth,
-                                         const l3d_shading& shading) {
+                                         const l3d_shading& shading, bool untouched) {
     assert(!depth || target.size() == depth->size());
+    untouched_ = untouched && finished_ && target.words == target_.words &&
+                 target.size() == target_.size() && target.stride == target_.stride;
+    finished_ = false;
     target_ = target;
     depth_ = depth;
     rows_ = settings_.rows ? settings_.rows : rows_of_band(target.size());
@@ -106,11 +109,17 @@ void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
                          top,
                          bottom};
     coarse_depth& coarse = work_->coarse;
-    if (!drawn_)
+    if (!drawn_) {
+        if (untouched_)
+            coarse.clear_words(band);
+        else
+            for (int row = top; row < bottom; ++row)
+                std::ranges::fill(target_.row(row), 0u);
         coarse.forget(top, bottom);
+    }
     work_->painters[worker].draw(work_->frame, band, work_->list, items, coarse);
-    if (!drawn_)
-        coarse.define(band, depth_ != nullptr);
+    if (!drawn_ && depth_)
+        coarse.open_others(band);
     if (depth_)
         coarse.refresh(band); // `hidden` may be asked by many, so it finds nothing itself
     work_->covered[static_cast<std::size_t>(index)] = coarse.covered(band);
@@ -124,5 +133,6 @@ bool l3d_surface_rasterizer_sw::do_hidden(const l3d_subpixel_box& box, float nea
 void l3d_surface_rasterizer_sw::do_finish() {
     if (!drawn_)
         do_draw({});
+    finished_ = true;
     counts_.covered = std::reduce(work_->covered.begin(), work_->covered.end(), std::int64_t{0});
 }

@@ -306,6 +306,47 @@ TEST(SurfaceBands, NeedNoDepthBuffer) {
     }
 }
 
+TEST(SurfaceBands, UntouchedPicturesAreEmptiedWhereSomethingWas) {
+    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::error}) {
+        surface_picture fresh(odd.width, odd.height, 2), kept(odd.width, odd.height, 2);
+        std::vector<std::uint32_t> other_words(fresh.words);
+        l3d_pixels other = kept.pixels();
+        other.words = other_words.data();
+        random_polygons random(seed, odd);
+        bool untouched = false;
+        for (unsigned n = 0; n < 60; ++n) {
+            const parts scene = random_scene(seed + n, odd, random.number(0, 6));
+            const bool to_other = n % 7 == 5, has_depth = n % 3 == 0, draws = n % 11 != 4;
+            const l3d_pixels target = to_other ? other : kept.pixels();
+            kept.rasterizer.begin(target, has_depth ? &kept.depth : nullptr, {mode, light},
+                                  untouched);
+            fresh.begin(mode, light);
+            if (draws) {
+                kept.rasterizer.draw(pointers(scene));
+                fresh.rasterizer.draw(pointers(scene));
+            }
+            fresh.rasterizer.finish();
+            if (n % 13 != 9) // else the frame is given up, and the next one must not rely on it
+                kept.rasterizer.finish();
+            untouched = true;
+            if (n % 13 == 9)
+                continue;
+            EXPECT_EQ(to_other ? other_words : kept.words, fresh.words) << n;
+            EXPECT_EQ(kept.rasterizer.counts().covered, fresh.rasterizer.counts().covered) << n;
+            if (has_depth) {
+                EXPECT_EQ(l3d_covered(kept.depth), fresh.rasterizer.counts().covered) << n;
+            }
+            if (n % 5 == 2) { // a text is drawn on top
+                std::ranges::fill(kept.words, surface_picture::noise);
+                for (int y = 0; y < odd.height; ++y)
+                    std::fill_n(kept.words.data() + y * target.stride + odd.width,
+                                surface_picture::gap, surface_picture::guard);
+                untouched = false;
+            }
+        }
+    }
+}
+
 TEST(SurfaceBands, WithoutPartsThePictureIsEmpty) {
     for (const bool draws : {false, true})
         for (const bool has_depth : {false, true}) {
