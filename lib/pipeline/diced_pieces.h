@@ -41,6 +41,7 @@ public:
 
     /// What has been handed out since the last clear.
     std::span<const l3d_diced_piece> used() const { return {pieces_.data(), used_}; }
+    std::span<l3d_diced_piece> used() { return {pieces_.data(), used_}; }
 
     void clear() { used_ = 0; }
 

@@ -23,7 +23,7 @@ struct edge_strips;
 /// patch: both neighbours compute the same bits, also if one runs along it backwards. Each
 /// neighbour fills the slit between its own boundary row and this polyline.
 /// Shape: points in order of rising t, from 0 to 1, one array per component.
-/// Cost:  at most 32 points a strip; strips halve where that is too coarse. 250 ns an edge of 24
+/// Cost:  at most 32 points a strip; strips halve where that is too coarse. 150 ns an edge of 24
 ///        points, if it needs no clipping and is one of four (AVX-512).
 class l3d_edge_polyline {
 public:

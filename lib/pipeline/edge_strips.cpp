@@ -13,6 +13,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/simd_dispatch_p.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
@@ -66,58 +68,70 @@ void cut_in_four(const cubic& edges, strip_nets& out) {
                     out[k][i].at[4 * s + e] = strips[s][i].at[4 * k + e];
 }
 
-double least(double a, double b) {
-    return b < a ? b : a;
+template <class V> V length(V x, V y) {
+    return hn::Sqrt(hn::Add(hn::Mul(x, x), hn::Mul(y, y)));
 }
-double greatest(double a, double b) {
-    return a < b ? b : a;
+template <class V> V greatest_of(V a, V b, V c, V d) {
+    return hn::Max(hn::Max(a, b), hn::Max(c, d));
+}
+template <class V> V least_of(V a, V b, V c, V d) {
+    return hn::Min(hn::Min(a, b), hn::Min(c, d));
 }
 
 /// Steps and chord errors of all strips; see l3d_second_bound_of and l3d_depth_bound_of.
 /// per_budget: 1 / (4 budget): half the budget, as each direction of a quad gets; then an edge and
 /// the boundary row of a patch mostly have the same steps, and the slit between them is empty.
 void plan_strips(const strip_nets& nets, const l3d_image_box& window, const row& per_budget,
-                 row& HWY_RESTRICT steps, row& HWY_RESTRICT chord_error) {
-    const auto& [x, y, w] = nets;
-    for (std::size_t l = 0; l < lanes; ++l) {
-        const double r0 = 1 / w[0].at[l], r1 = 1 / w[1].at[l], r2 = 1 / w[2].at[l],
-                     r3 = 1 / w[3].at[l];
-        const double x0 = x[0].at[l] * r0, x1 = x[1].at[l] * r1, x2 = x[2].at[l] * r2,
-                     x3 = x[3].at[l] * r3;
-        const double y0 = y[0].at[l] * r0, y1 = y[1].at[l] * r1, y2 = y[2].at[l] * r2,
-                     y3 = y[3].at[l] * r3;
-        const double left = greatest(window.left, least(least(x0, x1), least(x2, x3)));
-        const double right = least(window.right, greatest(greatest(x0, x1), greatest(x2, x3)));
-        const double top = greatest(window.top, least(least(y0, y1), least(y2, y3)));
-        const double bottom = least(window.bottom, greatest(greatest(y0, y1), greatest(y2, y3)));
-        const double width = right - left, height = bottom - top;
-        const bool visible = (width >= 0) & (height >= 0);
-        const double centre_x = (left + right) / 2, centre_y = (top + bottom) / 2;
-        const double radius = std::sqrt(width * width + height * height) / 2;
-
-        const auto second = [l](const cubic& p, std::size_t i) {
-            return p[i].at[l] - 2 * p[i + 1].at[l] + p[i + 2].at[l];
+                 row& steps, row& chord_error) {
+    const hn::CappedTag<double, lanes> d;
+    using vec = hn::Vec<decltype(d)>;
+    const vec zero = hn::Zero(d), one = hn::Set(d, 1), two = hn::Set(d, 2), six = hn::Set(d, 6),
+              half = hn::Set(d, 0.5);
+    for (std::size_t l = 0; l < lanes; l += hn::Lanes(d)) {
+        const auto at = [&](int k, std::size_t i) {
+            return hn::Load(d, &nets[static_cast<std::size_t>(k)][i].at[l]);
         };
-        double bound = 0, depth_bound = 0;
-        for (std::size_t i = 0; i < 2; ++i) {
-            const double dw = second(w, i);
-            const double dx = second(x, i) - centre_x * dw, dy = second(y, i) - centre_y * dw;
-            const double change = std::abs(dw);
-            bound = greatest(bound, std::sqrt(dx * dx + dy * dy) + radius * change);
-            depth_bound = greatest(depth_bound, change);
+        vec over_w[4], x[4], y[4];
+        for (std::size_t i = 0; i < 4; ++i) {
+            over_w[i] = hn::Div(one, at(2, i));
+            x[i] = hn::Mul(at(0, i), over_w[i]);
+            y[i] = hn::Mul(at(1, i), over_w[i]);
         }
-        const double inverse_w = greatest(greatest(r0, r1), greatest(r2, r3));
-        bound *= 6 * inverse_w;
+        const vec left = hn::Max(hn::Set(d, window.left), least_of(x[0], x[1], x[2], x[3]));
+        const vec right = hn::Min(hn::Set(d, window.right), greatest_of(x[0], x[1], x[2], x[3]));
+        const vec top = hn::Max(hn::Set(d, window.top), least_of(y[0], y[1], y[2], y[3]));
+        const vec bottom = hn::Min(hn::Set(d, window.bottom), greatest_of(y[0], y[1], y[2], y[3]));
+        const vec width = hn::Sub(right, left), height = hn::Sub(bottom, top);
+        const auto visible = hn::And(hn::Ge(width, zero), hn::Ge(height, zero));
+        const vec centre_x = hn::Mul(hn::Add(left, right), half);
+        const vec centre_y = hn::Mul(hn::Add(top, bottom), half);
+        const vec radius = hn::Mul(length(width, height), half);
+
+        vec bound = zero, depth_bound = zero;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto second = [&](int k) {
+                return hn::Add(hn::Sub(at(k, i), hn::Mul(two, at(k, i + 1))), at(k, i + 2));
+            };
+            const vec dw = second(2);
+            const vec dx = hn::Sub(second(0), hn::Mul(centre_x, dw));
+            const vec dy = hn::Sub(second(1), hn::Mul(centre_y, dw));
+            const vec change = hn::Abs(dw);
+            bound = hn::Max(bound, hn::Add(length(dx, dy), hn::Mul(radius, change)));
+            depth_bound = hn::Max(depth_bound, change);
+        }
+        const vec six_over_w =
+            hn::Mul(six, greatest_of(over_w[0], over_w[1], over_w[2], over_w[3]));
+        bound = hn::Mul(bound, six_over_w);
         // w may be off by an eighth, l3d_dice_view::depth_budget.
-        const double squared = greatest(bound * per_budget.at[l], 6 * depth_bound * inverse_w);
-        // More than 32 steps are too many, however many; what is no number is too many, too.
-        constexpr double too_many = 4.0 * most_edge_steps * most_edge_steps;
-        const double wanted = std::sqrt(squared < too_many ? squared : too_many);
-        const double floor = static_cast<double>(static_cast<std::int32_t>(wanted));
-        double n = greatest(1, floor < wanted ? floor + 1 : floor);
-        n = visible ? n : 1;
-        steps.at[l] = n;
-        chord_error.at[l] = visible ? bound / (8 * n * n) : 0;
+        const vec squared = hn::Max(hn::Mul(bound, hn::Load(d, &per_budget.at[l])),
+                                    hn::Mul(depth_bound, six_over_w));
+        // More than 32 steps are too many, however many.
+        const vec wanted = hn::Ceil(
+            hn::Sqrt(hn::Min(squared, hn::Set(d, 4.0 * most_edge_steps * most_edge_steps))));
+        const vec n = hn::IfThenElse(visible, hn::Max(one, wanted), one);
+        const vec error = hn::Div(bound, hn::Mul(hn::Set(d, 8), hn::Mul(n, n)));
+        hn::Store(n, d, &steps.at[l]);
+        hn::Store(hn::IfThenElseZero(visible, error), d, &chord_error.at[l]);
     }
 }
 
@@ -183,7 +197,7 @@ private:
     template <class D>
     static hn::Vec<D> value(D d, const cubic& c, std::size_t lane, hn::Vec<D> t) {
         auto sum = hn::Set(d, c[3].at[lane]);
-        for (const std::size_t power : {2, 1, 0})
+        for (std::size_t power = 3; power-- > 0;)
             sum = hn::Add(hn::Mul(sum, t), hn::Set(d, c[power].at[lane]));
         return sum;
     }
@@ -326,11 +340,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace l3d_detail {
 
-HWY_EXPORT(make_edge_strips);
+L3D_SIMD_TABLE(make_edge_strips);
 
 void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
                       const l3d_dice_view& view, std::array<edge_strips, edges_at_once>& results) {
-    HWY_DYNAMIC_DISPATCH(make_edge_strips)(edges, view, results);
+    L3D_SIMD_CALL(make_edge_strips)(edges, view, results);
 }
 
 } // namespace l3d_detail

@@ -15,15 +15,13 @@ double power_below(double value) {
 } // namespace
 
 l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size,
-                                         const l3d_patch_model& model)
+                                         const l3d_patch_scene& scene)
     : size_(size), near_(camera.near), far_(camera.far) {
     const double focal = camera.focal_length(size);
-    double largest = 0;  // of the model's coordinates
     double farthest = 0; // bound of the distance of any control point from the eye
     for (int i = 0; i < 3; ++i) {
-        largest = std::max({largest, std::abs(model.least()[i]), std::abs(model.most()[i])});
-        farthest += std::max(std::abs(model.least()[i] - camera.eye[i]),
-                             std::abs(model.most()[i] - camera.eye[i]));
+        farthest += std::max(std::abs(scene.least()[i] - camera.eye[i]),
+                             std::abs(scene.most()[i] - camera.eye[i]));
     }
     depth_scale_ = power_below(std::min(0x1p8, 0x1p28 / focal) / std::max(farthest, 1e-30));
     matrix_ = camera.image_matrix(size);
@@ -31,14 +29,15 @@ l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size
         for (int column = 0; column < 4; ++column)
             matrix_(row, column) *= depth_scale_;
 
-    // The matrix (axes, products) is good to some 16 ulps of |direction| (|p| + |eye|), four
-    // products and three sums add at most 8 more; a patch cut in 50 halvings is rounded at its own
-    // size first, not at that of its pieces, at 3 midpoints each.
+    // The matrix (axes, products) is good to some 16 ulps of |direction| (|p| + |eye|), with a
+    // placement multiplied in to 8 more, four products and three sums add at most 8; a patch cut
+    // in 50 halvings is rounded at its own size first, not at that of its pieces, at 3 midpoints
+    // each.
     double eye = 0;
     for (int i = 0; i < 3; ++i)
         eye += std::abs(camera.eye[i]);
-    constexpr double roundings = (24 + 3 * 50) * 0x1p-53;
-    error_w_ = roundings * (3 * largest + eye) * depth_scale_;
+    constexpr double roundings = (16 + 8 + 8 + 3 * 50) * 0x1p-53;
+    error_w_ = roundings * (scene.reach() + eye) * depth_scale_;
     error_xy_ = error_w_ * focal;
 }
 
@@ -52,14 +51,4 @@ l3d_dice_view l3d_image_transform::view(double tolerance) const {
     view.error_xy = error_xy_;
     view.error_w = error_w_;
     return view;
-}
-
-l3d_image_patch l3d_image_transform::operator()(const l3d_patch_model::patch& patch) const {
-    l3d_image_patch result;
-    for (std::size_t i = 0; i < 16; ++i) {
-        const auto& p = patch.points[i];
-        const l3d_vector<double, 4> h = matrix_ * l3d_vector<double, 4>(p[0], p[1], p[2], 1.0);
-        result.points[i] = {h[0], h[1], h[3]};
-    }
-    return result;
 }

@@ -7,7 +7,7 @@
 #include "geom/step_bound.h"
 #include "pipeline/camera.h"
 #include "pipeline/dice_view.h"
-#include "pipeline/patch_model.h"
+#include "pipeline/patch_scene.h"
 
 /// The camera's matrix, scaled so that what it makes fits the registers of every number type.
 ///
@@ -17,10 +17,10 @@
 class l3d_image_transform {
 public:
     l3d_image_transform() = default;
-    l3d_image_transform(const l3d_camera& camera, l3d_size size, const l3d_patch_model& model);
+    l3d_image_transform(const l3d_camera& camera, l3d_size size, const l3d_patch_scene& scene);
 
-    /// The control net (x, y, w) of a patch of the model.
-    l3d_image_patch operator()(const l3d_patch_model::patch& patch) const;
+    /// World (x, y, z, 1) to (x, y, -, w).
+    const l3d_matrix<double>& matrix() const { return matrix_; }
 
     /// The picture as dicing needs to know it, in the units of the transformed points.
     /// Units: tolerance in pixels.

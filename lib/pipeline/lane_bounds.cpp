@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include "pipeline/lane_blocks-inl.h"
+#include "raster/simd_dispatch_p.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
@@ -275,11 +276,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace l3d_detail {
 
-HWY_EXPORT(bounds);
+L3D_SIMD_TABLE(bounds);
 
 void bounds_in_lanes(const l3d_image_patch& patch, const l3d_dice_view& view, lane_bounds& out) {
     static_assert(sizeof patch == 48 * sizeof(double), "points without gaps");
-    HWY_DYNAMIC_DISPATCH(bounds)(&patch.points[0][0], view, out);
+    L3D_SIMD_CALL(bounds)(&patch.points[0][0], view, out);
 }
 
 } // namespace l3d_detail

@@ -10,6 +10,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/simd_dispatch_p.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
@@ -316,11 +318,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace l3d_detail {
 
-HWY_EXPORT(walk_float_32);
-HWY_EXPORT(walk_float_64);
-HWY_EXPORT(walk_fixed_32);
-HWY_EXPORT(walk_fixed_64);
-HWY_EXPORT(normals);
+L3D_SIMD_TABLE(walk_float_32);
+L3D_SIMD_TABLE(walk_float_64);
+L3D_SIMD_TABLE(walk_fixed_32);
+L3D_SIMD_TABLE(walk_fixed_64);
+L3D_SIMD_TABLE(normals);
 
 void lane_parameters::fill(int strips, const std::array<int, 4>& steps) {
     const double length = 1.0 / strips; // a power of two
@@ -337,19 +339,19 @@ void lane_parameters::fill(int strips, const std::array<int, 4>& steps) {
 void walk_in_lanes(const lane_walk& walk, lane_register kind, l3d_micro_grid& grid) {
     switch (kind) {
     case lane_register::float_32:
-        return HWY_DYNAMIC_DISPATCH(walk_float_32)(walk, grid);
+        return L3D_SIMD_CALL(walk_float_32)(walk, grid);
     case lane_register::float_64:
-        return HWY_DYNAMIC_DISPATCH(walk_float_64)(walk, grid);
+        return L3D_SIMD_CALL(walk_float_64)(walk, grid);
     case lane_register::fixed_32:
-        return HWY_DYNAMIC_DISPATCH(walk_fixed_32)(walk, grid);
+        return L3D_SIMD_CALL(walk_fixed_32)(walk, grid);
     case lane_register::fixed_64:
-        return HWY_DYNAMIC_DISPATCH(walk_fixed_64)(walk, grid);
+        return L3D_SIMD_CALL(walk_fixed_64)(walk, grid);
     }
 }
 
 void normals_in_lanes(const l3d_normal_net& net, const lane_parameters& u, const lane_parameters& v,
                       l3d_micro_grid& grid) {
-    HWY_DYNAMIC_DISPATCH(normals)(net.in_floats(), u, v, grid);
+    L3D_SIMD_CALL(normals)(net.in_floats(), u, v, grid);
 }
 
 } // namespace l3d_detail

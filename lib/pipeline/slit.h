@@ -33,7 +33,7 @@ void l3d_fill_slit(std::span<const l3d_boundary_point> row, const l3d_edge_polyl
 /// is empty. The row's normals stay, and are those of the triangles.
 /// Shape:   side as in l3d_edge_polylines; piece.u or piece.v and the grid's blocks are written.
 /// Expects: the edge has strips; the grid's row stands for points of the whole edge.
-/// Cost:    5 ns a triangle. No allocation once there is memory for the most triangles.
+/// Cost:    12 ns a triangle. No allocation once there is memory for the most triangles.
 void l3d_close_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge);
 
 #endif

@@ -6,16 +6,6 @@
 
 namespace {
 
-/// Whether a box (pixels from the picture's corner) holds no pixel centre k + 1/2, even when
-/// snapping moves its points by half a sub-pixel.
-bool holds_no_centre(const l3d_image_box& box) {
-    constexpr double slack = 1.0 / l3d_subpixel_one;
-    const auto none = [](double low, double high) {
-        return std::floor(high + slack - 0.5) < std::ceil(low - slack - 0.5);
-    };
-    return none(box.left, box.right) || none(box.top, box.bottom);
-}
-
 /// The count of patches that are left out for the same reason as this one; null if it may be seen.
 std::int64_t* reason(const l3d_image_patch& net, const l3d_dice_view& view,
                      l3d_dice_counts& counts) {
@@ -28,15 +18,22 @@ std::int64_t* reason(const l3d_image_patch& net, const l3d_dice_view& view,
         return &counts.offscreen;
     if (depth.least <= view.near)
         return nullptr;
-    const l3d_image_box window = view.window();
-    const l3d_image_box box = l3d_image_box_of(net.points);
-    return holds_no_centre({box.left - window.left, box.top - window.top, box.right - window.left,
-                            box.bottom - window.top})
-               ? &counts.subpixel
-               : nullptr;
+    return l3d_holds_no_centre(l3d_image_box_of(net.points), view) ? &counts.subpixel : nullptr;
 }
 
 } // namespace
+
+bool l3d_holds_no_centre(const l3d_image_box& box, const l3d_dice_view& view) {
+    if (box.width() > 1 && box.height() > 1)
+        return false;
+    constexpr double slack = 1.0 / l3d_subpixel_one;
+    // Centres lie at k + 1/2 from the picture's corner.
+    const auto none = [](double low, double high, double corner) {
+        return std::floor(high - corner + slack - 0.5) < std::ceil(low - corner - slack - 0.5);
+    };
+    const l3d_image_box window = view.window();
+    return none(box.left, box.right, window.left) || none(box.top, box.bottom, window.top);
+}
 
 bool l3d_left_out(const l3d_image_patch& net, const l3d_dice_view& view, l3d_dice_counts& counts) {
     std::int64_t* count = reason(net, view, counts);

@@ -137,7 +137,7 @@ TYPED_TEST(patch_dicer, corners_have_one_place_however_a_piece_is_drawn) {
             if (pieces.size() != 1 || pieces[0].part.grid.rows == 0)
                 return;
             const l3d_micro_grid& grid = pieces[0].part.grid;
-            const l3d_image_patch net = to_image(s.model.patches()[patch]);
+            const l3d_image_patch net = l3d_placed_net(to_image.matrix(), s.model.patches()[patch]);
             for (const bool high_v : {false, true})
                 for (const bool high_u : {false, true}) {
                     const l3d_micro_vertex corner =

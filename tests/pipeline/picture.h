@@ -29,21 +29,16 @@ public:
     }
 
     void clear() {
-        std::fill(words_.begin(), words_.end(), 0u);
-        depth_.clear();
-        rasterizer_.begin({words_.data(), size_.width, size_.height, size_.width}, depth_,
+        rasterizer_.begin({words_.data(), size_.width, size_.height, size_.width}, &depth_,
                           shading_);
+        rasterizer_.draw({});
     }
 
     void draw(std::span<const l3d_diced_piece> pieces, double) {
-        for (const l3d_diced_piece& piece : pieces) {
-            if (piece.part.grid.rows > 1)
-                rasterizer_.draw_grid(piece.part.grid);
-            const l3d_micro_triangles& triangles = piece.part.triangles;
-            for (std::size_t i = 0; i < triangles.count; ++i)
-                rasterizer_.draw_triangle(triangles.vertex(i, 0), triangles.vertex(i, 1),
-                                          triangles.vertex(i, 2));
-        }
+        parts_.clear();
+        for (const l3d_diced_piece& piece : pieces)
+            parts_.push_back(&piece.part);
+        rasterizer_.draw(parts_);
     }
 
     l3d_size size() const { return size_; }
@@ -81,7 +76,9 @@ private:
     l3d_shading shading_;
     std::vector<std::uint32_t> words_;
     l3d_depth_buffer depth_;
-    l3d_surface_rasterizer_sw rasterizer_;
+    std::vector<const l3d_surface_part*> parts_;
+    l3d_workers workers_{1};
+    l3d_surface_rasterizer_sw rasterizer_{workers_};
 };
 
 } // namespace pipeline_tests

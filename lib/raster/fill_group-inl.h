@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: MIT
+// fill_group: polygons of a queue become a table of rows.
+#if defined(L3D_RASTER_FILL_GROUP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef L3D_RASTER_FILL_GROUP_INL_H
+#undef L3D_RASTER_FILL_GROUP_INL_H
+#else
+#define L3D_RASTER_FILL_GROUP_INL_H
+#endif
+
+#include "raster/fill_setup-inl.h"
+
+#include <vector>
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// A number of the grey scale from a cosine: round(255 (0.1 + 0.9 c)) = trunc(229.5 c + 26).
+constexpr float grey_of_cosine = 229.5f;
+
+/// Sums of the squared differences of unit normals along both diagonals. Inside the polygon their
+/// interpolation is shorter than 1: its square by at most spread / 4, in a parallelogram's middle
+/// by spread / 8. Up to `flat` half of that is made up for by one factor, and what is left, at
+/// most spread / 8 - spread / 32 = 0.002, is half a grey level of 229.5. Up to `smooth` squares
+/// stay within [0.75, 1] and the polynomial below holds.
+constexpr float flat_spread = 1.0f / 48, smooth_spread = 1.0f;
+
+/// 1 / sqrt(q) over [0.75, 1.02] by a parabola through its Chebyshev points: within 3e-4, that is
+/// 0.07 grey levels.
+constexpr float unit_polynomial[3] = {2.0041274f, -1.5196685f, 0.5155188f};
+
+HWY_INLINE int_vec load(const std::int32_t* p) {
+    return hn::LoadU(ints(), p);
+}
+
+HWY_INLINE float_vec load_float(const std::int32_t* p) {
+    return hn::BitCast(floats(), load(p));
+}
+
+HWY_INLINE float_vec set(float value) {
+    return hn::Set(floats(), value);
+}
+
+HWY_INLINE int_vec set(std::int32_t value) {
+    return hn::Set(ints(), value);
+}
+
+/// What stays the same for a call, and what it gives back.
+struct fill_job {
+    const fill_band& band;
+    const fill_shading& shading;
+    fill_counts& counts;
+    std::vector<std::uint32_t>& rest;
+};
+
+/// One polygon a lane, from its corners to its rows.
+template <int Corners> class fill_group {
+public:
+    /// Returns whether there is anything to fill.
+    /// Expects: room for a vector of polygons in the queue from `at` on, the first `valid` in use.
+    HWY_INLINE bool set_up(const fill_job& job, const fill_queue& queue, std::size_t at,
+                           std::size_t valid, fill_table& table) {
+        const ints d;
+        place(job.band, queue, at);
+        const int_mask fits = classify(job, queue, at, hn::And(live_, hn::FirstN(d, valid)));
+        const int_vec height = hn::IfThenElseZero(fits, hn::Sub(to_row_, from_row_));
+        const std::int32_t highest = hn::GetLane(hn::MaxOfLanes(d, height));
+        if (highest == 0)
+            return false;
+        attributes(job.shading, queue, at, fits, table);
+        rows(job, height, highest, table);
+        return true;
+    }
+
+private:
+    /// The part of each polygon's box that is in the band, and corners relative to the box.
+    HWY_INLINE void place(const fill_band& band, const fill_queue& queue, std::size_t at) {
+        for (int i = 0; i < Corners; ++i) {
+            x_[i] = load(queue.corner[i][0] + at);
+            y_[i] = load(queue.corner[i][1] + at);
+        }
+        int_vec least_x = x_[0], least_y = y_[0], most_x = x_[0], most_y = y_[0];
+        for (int i = 1; i < Corners; ++i) {
+            least_x = hn::Min(least_x, x_[i]);
+            least_y = hn::Min(least_y, y_[i]);
+            most_x = hn::Max(most_x, x_[i]);
+            most_y = hn::Max(most_y, y_[i]);
+        }
+        const int_vec zero = hn::Zero(ints());
+        column_ = first_centre_of(least_x);
+        row_ = first_centre_of(least_y);
+        from_column_ = hn::Max(zero, hn::Sub(zero, column_));
+        to_column_ = hn::Sub(hn::Min(first_centre_of(most_x), set(band.width)), column_);
+        from_row_ = hn::Max(zero, hn::Sub(set(band.top), row_));
+        to_row_ = hn::Sub(hn::Min(first_centre_of(most_y), set(band.bottom)), row_);
+        live_ = hn::And(hn::Lt(from_column_, to_column_), hn::Lt(from_row_, to_row_));
+        const int_vec extent = hn::Max(hn::Sub(most_x, least_x), hn::Sub(most_y, least_y));
+        large_ = hn::Gt(extent, set(most_pixels * pixel - 1));
+        for (int i = 0; i < Corners; ++i) {
+            absolute_x_[i] = x_[i];
+            absolute_y_[i] = y_[i];
+            x_[i] = hn::Sub(x_[i], centre_of(column_));
+            y_[i] = hn::Sub(y_[i], centre_of(row_));
+        }
+    }
+
+    static HWY_INLINE int_vec centre_of(int_vec index) {
+        return hn::Add(hn::ShiftLeft<l3d_subpixel_bits>(index), set(pixel / 2));
+    }
+
+    /// Which polygons are filled here. Those of the rest are written down.
+    HWY_INLINE int_mask classify(const fill_job& job, const fill_queue& queue, std::size_t at,
+                                 int_mask candidates) {
+        for (int i = 0; i < Corners; ++i)
+            for (int k = 0; k < 3; ++k)
+                normal_[k][i] = load_float(queue.corner[i][3 + k] + at);
+        spread_ = hn::Zero(floats());
+        constexpr int to1 = Corners == 3 ? 1 : 2, to2 = Corners - 1, from2 = Corners == 3 ? 0 : 1;
+        for (int k = 0; k < 3; ++k) {
+            spread_ = hn::Add(spread_, square_of(hn::Sub(normal_[k][to1], normal_[k][0])));
+            spread_ = hn::Add(spread_, square_of(hn::Sub(normal_[k][to2], normal_[k][from2])));
+        }
+        if constexpr (Corners ==
+                      3) // the third side is at most as long as both: (a + b)^2 <= 2 (a^2 + b^2)
+            spread_ = hn::Add(spread_, spread_);
+        along1_x_ = hn::Sub(x_[to1], x_[0]);
+        along1_y_ = hn::Sub(y_[to1], y_[0]);
+        along2_x_ = hn::Sub(x_[to2], x_[from2]);
+        along2_y_ = hn::Sub(y_[to2], y_[from2]);
+        area2_ = cross_of(along1_x_, along1_y_, along2_x_, along2_y_);
+
+        const int_vec zero = hn::Zero(ints());
+        const int_mask smooth = mask_of(hn::Le(spread_, set(smooth_spread)));
+        int_mask nothing, good;
+        if constexpr (Corners == 3) {
+            nothing = hn::Eq(area2_, zero);
+            good = hn::AndNot(large_, smooth);
+        } else {
+            int_vec least = zero, most = zero;
+            for (int i = 0; i < 4; ++i) {
+                const int before = (i + 3) % 4, next = (i + 1) % 4;
+                turn_[i] = cross_of(hn::Sub(x_[i], x_[before]), hn::Sub(y_[i], y_[before]),
+                                    hn::Sub(x_[next], x_[i]), hn::Sub(y_[next], y_[i]));
+                least = i == 0 ? turn_[i] : hn::Min(least, turn_[i]);
+                most = i == 0 ? turn_[i] : hn::Max(most, turn_[i]);
+            }
+            const int_mask right = hn::Not(hn::Lt(least, zero)), left = hn::Not(hn::Gt(most, zero));
+            nothing = hn::AndNot(large_, hn::And(right, left));
+            // 2 skew <= |area2|, without leaving 32 bits
+            const int_vec skew =
+                hn::Add(hn::Abs(hn::Sub(turn_[0], turn_[2])), hn::Abs(hn::Sub(turn_[1], turn_[3])));
+            const int_mask skewed = hn::Gt(skew, hn::ShiftRight<1>(hn::Abs(area2_)));
+            good = hn::And(hn::AndNot(skewed, hn::Or(right, left)),
+                           hn::AndNot(hn::Eq(area2_, zero), hn::AndNot(large_, smooth)));
+        }
+        candidates = hn::AndNot(nothing, candidates);
+        const int_mask others = hn::AndNot(good, candidates);
+        if (!hn::AllFalse(ints(), others))
+            put_by(job, queue, at, others);
+        return hn::And(good, candidates);
+    }
+
+    static HWY_INLINE int_mask mask_of(hn::Mask<floats> mask) {
+        return hn::RebindMask(ints(), mask);
+    }
+
+    static void put_by(const fill_job& job, const fill_queue& queue, std::size_t at,
+                       int_mask others) {
+        HWY_ALIGN std::int32_t bits[lanes];
+        hn::Store(hn::IfThenElseZero(others, set(1)), ints(), bits);
+        for (std::size_t i = 0; i < lanes; ++i)
+            if (bits[i] != 0)
+                job.rest.push_back(static_cast<std::uint32_t>(queue.id[at + i]));
+    }
+
+    HWY_INLINE void attributes(const fill_shading& shading, const fill_queue& queue, std::size_t at,
+                               int_mask fits, fill_table& table) {
+        const floats d;
+        frame_.inverse = hn::Div(set(1.0f), to_float(area2_));
+        if constexpr (Corners == 4) {
+            const float_vec half = hn::Mul(frame_.inverse, set(0.5f));
+            const float_vec quarter = hn::Mul(half, set(0.5f));
+            frame_.mean_s = hn::Add(set(0.25f), hn::Mul(to_float(turn_[0]), half));
+            frame_.mean_t = hn::Mul(to_float(hn::Sub(turn_[3], turn_[1])), quarter);
+        }
+        const float_vec column_s = to_float(hn::ShiftLeft<l3d_subpixel_bits>(along2_y_));
+        const float_vec column_t = hn::Neg(to_float(hn::ShiftLeft<l3d_subpixel_bits>(along1_y_)));
+
+        float_vec inv_w[Corners], lit[Corners], away[Corners];
+        float_vec least_away = hn::Zero(d), most_away = hn::Zero(d);
+        for (int i = 0; i < Corners; ++i) {
+            inv_w[i] = load_float(queue.corner[i][2] + at);
+            lit[i] = hn::Add(hn::Add(hn::Mul(normal_[0][i], set(shading.light[0])),
+                                     hn::Mul(normal_[1][i], set(shading.light[1]))),
+                             hn::Mul(normal_[2][i], set(shading.light[2])));
+            away[i] = away_of(shading, i);
+            least_away = i == 0 ? away[i] : hn::Min(least_away, away[i]);
+            most_away = i == 0 ? away[i] : hn::Max(most_away, away[i]);
+        }
+        float_vec farthest = inv_w[0], nearest = inv_w[0];
+        for (int i = 1; i < Corners; ++i) {
+            farthest = hn::Min(farthest, inv_w[i]);
+            nearest = hn::Max(nearest, inv_w[i]);
+        }
+        hn::Store(farthest, d, table.farthest);
+        hn::Store(nearest, d, table.nearest);
+        inv_w_ = frame_.plane(inv_w);
+        hn::Store(inv_w_.along(column_s, column_t), d, table.inv_w_x);
+
+        // All corners away: turned round as a whole. Some: pixel by pixel.
+        const auto some_away = hn::Gt(most_away, hn::Zero(d));
+        const auto all_away = hn::Gt(least_away, hn::Zero(d));
+        const auto mixed = hn::AndNot(all_away, some_away);
+        const auto flat = hn::Le(spread_, set(flat_spread));
+        const float_vec raised = hn::Add(set(1.0f), hn::Mul(spread_, set(1.0f / 32)));
+        float_vec scale = hn::Mul(set(grey_of_cosine), hn::IfThenElse(flat, raised, set(1.0f)));
+        scale = hn::IfThenElse(all_away, hn::Neg(scale), scale);
+        for (float_vec& l : lit)
+            l = hn::Mul(l, scale);
+        lit_ = frame_.plane(lit);
+        hn::Store(lit_.along(column_s, column_t), d, table.lit_x);
+
+        const int_mask curved = mask_of(hn::Or(mixed, hn::Not(flat)));
+        table.curved = !hn::AllFalse(ints(), hn::And(fits, curved));
+        if (!table.curved)
+            return;
+        const float_vec zero = hn::Zero(d), one = set(1.0f);
+        hn::Store(hn::IfThenElse(flat, one, set(unit_polynomial[0])), d, table.unit0);
+        hn::Store(hn::IfThenElse(flat, zero, set(unit_polynomial[1])), d, table.unit1);
+        hn::Store(hn::IfThenElse(flat, zero, set(unit_polynomial[2])), d, table.unit2);
+        facing_ = frame_.plane(away);
+        facing_.base = hn::IfThenElse(mixed, hn::Neg(facing_.base), one);
+        facing_.first = hn::IfThenElse(mixed, hn::Neg(facing_.first), zero);
+        facing_.second = hn::IfThenElse(mixed, hn::Neg(facing_.second), zero);
+        hn::Store(facing_.along(column_s, column_t), d, table.facing_x);
+        float_vec square_xx = zero;
+        for (int k = 0; k < 3; ++k) {
+            normals_[k] = frame_.plane(normal_[k]);
+            normal_x_[k] = normals_[k].along(column_s, column_t);
+            square_xx = hn::Add(square_xx, square_of(normal_x_[k]));
+        }
+        hn::Store(square_xx, d, table.square_xx);
+    }
+
+    /// away_from_eye of a corner, operation by operation.
+    HWY_INLINE float_vec away_of(const fill_shading& shading, int i) const {
+        const float_vec x = hn::Mul(to_float(absolute_x_[i]), set(1.0f / pixel));
+        const float_vec y = hn::Mul(to_float(absolute_y_[i]), set(1.0f / pixel));
+        float_vec away = hn::Zero(floats());
+        for (std::size_t k = 0; k < 3; ++k) {
+            const float_vec ray =
+                hn::Add(hn::Add(set(shading.ray[k]), hn::Mul(x, set(shading.ray_right[k]))),
+                        hn::Mul(y, set(shading.ray_down[k])));
+            away = hn::Add(away, hn::Mul(normal_[k][i], ray));
+        }
+        return away;
+    }
+
+    HWY_INLINE void rows(const fill_job& job, int_vec height, std::int32_t highest,
+                         fill_table& table) {
+        const ints d;
+        const floats df;
+        const int_vec zero = hn::Zero(d), one = set(1);
+        const int_mask clockwise = hn::Gt(area2_, zero);
+        lane_edge edges[Corners];
+        for (int i = 0; i < Corners; ++i)
+            edges[i].set(x_[i], y_[i], x_[(i + 1) % Corners], y_[(i + 1) % Corners], clockwise,
+                         from_row_);
+
+        const auto word_pitch = static_cast<std::int32_t>(job.band.word_pitch);
+        const auto depth_pitch = static_cast<std::int32_t>(job.band.depth_pitch);
+        const int_vec row = hn::Sub(hn::Add(row_, from_row_), set(job.band.top));
+        int_vec word_at = hn::Add(column_, hn::Mul(row, set(word_pitch)));
+        int_vec depth_at = hn::Add(column_, hn::Mul(row, set(depth_pitch)));
+        const int_vec last_begin = hn::Sub(set(job.band.width - run), column_);
+
+        const int_vec down = hn::Sub(hn::ShiftLeft<l3d_subpixel_bits>(from_row_), y_[0]);
+        int_vec row_s = hn::Sub(hn::Sub(zero, hn::Mul(x_[0], along2_y_)), hn::Mul(down, along2_x_));
+        int_vec row_t = hn::Add(hn::Mul(down, along1_x_), hn::Mul(x_[0], along1_y_));
+        const int_vec down_s = hn::ShiftLeft<l3d_subpixel_bits>(along2_x_);
+        const int_vec down_t = hn::ShiftLeft<l3d_subpixel_bits>(along1_x_);
+        const int_vec column_s = hn::ShiftLeft<l3d_subpixel_bits>(along2_y_);
+        const int_vec column_t = hn::ShiftLeft<l3d_subpixel_bits>(along1_y_);
+
+        int_vec samples = zero, longest = zero;
+        for (std::int32_t k = 0; k < highest; ++k) {
+            fill_row& row_k = table.rows[k];
+            int_vec from = from_column_, to = to_column_;
+            for (lane_edge& edge : edges) {
+                edge.limit(from, to);
+                edge.step();
+            }
+            const int_vec begin = hn::Min(from, last_begin);
+            const int_vec first = hn::Sub(from, begin);
+            const int_mask any = hn::And(hn::Lt(set(k), height), hn::Lt(from, to));
+            const int_vec last = hn::IfThenElseZero(any, hn::Sub(to, begin));
+            const int_vec end = hn::Min(last, set(run));
+            hn::Store(hn::Add(word_at, begin), d, row_k.word_at);
+            hn::Store(hn::Add(depth_at, begin), d, row_k.depth_at);
+            hn::Store(last, d, row_k.last);
+            hn::Store(hn::IfThenElseZero(any, hn::Sub(hn::Shl(one, end), hn::Shl(one, first))), d,
+                      row_k.mask);
+            longest = hn::Max(longest, last);
+            samples = hn::Add(samples, hn::IfThenElseZero(any, hn::Sub(to, from)));
+
+            const float_vec s = to_float(hn::Add(row_s, hn::Mul(begin, column_s)));
+            const float_vec t = to_float(hn::Sub(row_t, hn::Mul(begin, column_t)));
+            hn::Store(inv_w_.at(s, t), df, row_k.inv_w);
+            hn::Store(lit_.at(s, t), df, row_k.lit);
+            if (table.curved)
+                curve(s, t, row_k);
+            word_at = hn::Add(word_at, set(word_pitch));
+            depth_at = hn::Add(depth_at, set(depth_pitch));
+            row_s = hn::Sub(row_s, down_s);
+            row_t = hn::Add(row_t, down_t);
+        }
+        hn::Store(longest, d, table.longest);
+        hn::Store(hn::IfThenElseZero(hn::Gt(samples, zero), height), d, table.height);
+        job.counts.samples += hn::GetLane(hn::SumOfLanes(d, samples));
+    }
+
+    /// The square of the normal's length along a row, and which way it points.
+    HWY_INLINE void curve(float_vec s, float_vec t, fill_row& to) const {
+        const floats d;
+        float_vec square = hn::Zero(d), square_x = hn::Zero(d);
+        for (int k = 0; k < 3; ++k) {
+            const float_vec n = normals_[k].at(s, t);
+            square = hn::Add(square, square_of(n));
+            square_x = hn::Add(square_x, hn::Mul(n, normal_x_[k]));
+        }
+        hn::Store(square, d, to.square);
+        hn::Store(hn::Add(square_x, square_x), d, to.square_x);
+        hn::Store(facing_.at(s, t), d, to.facing);
+    }
+
+    int_vec x_[Corners], y_[Corners]; ///< from the centre of pixel (column_, row_)
+    int_vec absolute_x_[Corners], absolute_y_[Corners];
+    int_vec column_, row_;
+    int_vec from_column_, to_column_, from_row_, to_row_; ///< in the band; from (column_, row_)
+    int_mask live_, large_;
+    float_vec normal_[3][Corners], spread_;
+    int_vec turn_[Corners]; ///< of a quad
+    int_vec along1_x_, along1_y_, along2_x_, along2_y_, area2_;
+    lane_frame<Corners> frame_;
+    lane_plane inv_w_, lit_, facing_, normals_[3];
+    float_vec normal_x_[3];
+};
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// fill_pixels: the rows of a table into picture and depth. The product's inner loop.
+#if defined(L3D_RASTER_FILL_PIXELS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef L3D_RASTER_FILL_PIXELS_INL_H
+#undef L3D_RASTER_FILL_PIXELS_INL_H
+#else
+#define L3D_RASTER_FILL_PIXELS_INL_H
+#endif
+
+#include "raster/fill_table-inl.h"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// 0, 1, 2 ... 15: the columns of a run.
+alignas(64) constexpr float run_columns[run] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                8, 9, 10, 11, 12, 13, 14, 15};
+
+/// The words of three equal bytes 26 + floor(max(0, lit)), at most 255. Expects: lit < 256.
+///
+/// Where 2^23 is added to a number below 2^23, the last bits of the sum are the nearest integer.
+template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> grey_words(D d, hn::Vec<D> lit) {
+    const hn::RebindToUnsigned<D> dw;
+    const auto zero = hn::Set(d, 8388608.0f); // 2^23
+    const auto sum = hn::Max(hn::Add(lit, hn::Set(d, 8388607.5f)), zero);
+#if HWY_TARGET == HWY_SCALAR // has no bytes to shuffle
+    const auto level = hn::And(hn::BitCast(dw, sum), hn::Set(dw, 0xffu));
+    const auto grey = hn::Min(hn::Add(level, hn::Set(dw, 26u)), hn::Set(dw, 255u));
+    return hn::Mul(grey, hn::Set(dw, 0x010101u));
+#else
+    const hn::Repartition<std::uint8_t, D> bytes;
+    alignas(16) static constexpr std::uint8_t lowest[16] = {0, 0, 0, 0x80, 4,  4,  4,  0x80,
+                                                            8, 8, 8, 0x80, 12, 12, 12, 0x80};
+    const auto spread =
+        hn::TableLookupBytesOr0(hn::BitCast(bytes, sum), hn::LoadDup128(bytes, lowest));
+    const auto ambient = hn::BitCast(bytes, hn::Set(dw, 0x001a1a1au));
+    return hn::BitCast(dw, hn::SaturatedAdd(spread, ambient));
+#endif
+}
+
+/// One polygon of a table, `Pixels` of a row at a time.
+template <class D, std::int32_t Pixels, bool Curved> class fill_polygon {
+public:
+    HWY_INLINE fill_polygon(const fill_band& band, const fill_table& table, std::size_t i)
+        : band_(band), table_(table), i_(i) {
+        const D d;
+        farthest_ = hn::Set(d, table.farthest[i]);
+        nearest_ = hn::Set(d, table.nearest[i]);
+        for (std::size_t v = 0; v < vectors; ++v) {
+            const vec x = hn::Load(d, run_columns + v * width);
+            inv_w_x_[v] = hn::Mul(hn::Set(d, table.inv_w_x[i]), x);
+            lit_x_[v] = hn::Mul(hn::Set(d, table.lit_x[i]), x);
+            if constexpr (Curved) {
+                x_[v] = x;
+                square_xx_[v] = hn::Mul(hn::Set(d, table.square_xx[i]), hn::Mul(x, x));
+                facing_x_[v] = hn::Mul(hn::Set(d, table.facing_x[i]), x);
+            }
+        }
+        if constexpr (Curved) {
+            unit0_ = hn::Set(d, table.unit0[i]);
+            unit1_ = hn::Set(d, table.unit1[i]);
+            unit2_ = hn::Set(d, table.unit2[i]);
+        }
+    }
+
+    /// The first run of each row. Returns how many pixels were written; so do the others.
+    HWY_INLINE std::int64_t fill() const {
+        std::int64_t written = 0;
+        const fill_row* const end = table_.rows + table_.height[i_];
+        for (const fill_row* row = table_.rows; row != end; ++row)
+            written += first_run(*row);
+        return written;
+    }
+
+    /// All runs of each row.
+    HWY_INLINE std::int64_t fill_wide() const {
+        std::int64_t written = 0;
+        const fill_row* const end = table_.rows + table_.height[i_];
+        for (const fill_row* row = table_.rows; row != end; ++row) {
+            written += first_run(*row);
+            for (std::int32_t done = Pixels; done < row->last[i_]; done += Pixels)
+                written += later_run(*row, done);
+        }
+        return written;
+    }
+
+private:
+    using vec = hn::Vec<D>;
+    static constexpr std::size_t width = hn::MaxLanes(D()), vectors = Pixels / width;
+
+    /// Numbers at a run's first pixel, in all lanes.
+    struct run_start {
+        vec inv_w, lit, square, square_x, facing;
+    };
+
+    HWY_INLINE std::int64_t first_run(const fill_row& row) const {
+        const D d;
+        run_start start{hn::Set(d, row.inv_w[i_]), hn::Set(d, row.lit[i_]), {}, {}, {}};
+        if constexpr (Curved) {
+            start.square = hn::Set(d, row.square[i_]);
+            start.square_x = hn::Set(d, row.square_x[i_]);
+            start.facing = hn::Set(d, row.facing[i_]);
+        }
+        return one_run(start, row.mask[i_], band_.words + row.word_at[i_],
+                       band_.depths + row.depth_at[i_]);
+    }
+
+    /// The last run ends where the row does, so that it fits the picture if the row does.
+    HWY_INLINE std::int64_t later_run(const fill_row& row, std::int32_t done) const {
+        const D d;
+        const std::int32_t start = std::min(done, row.last[i_] - Pixels);
+        const auto x = static_cast<float>(start);
+        run_start there{hn::Set(d, row.inv_w[i_] + x * table_.inv_w_x[i_]),
+                        hn::Set(d, row.lit[i_] + x * table_.lit_x[i_]),
+                        {},
+                        {},
+                        {}};
+        if constexpr (Curved) {
+            const float xx = x * table_.square_xx[i_];
+            there.square = hn::Set(d, row.square[i_] + x * (row.square_x[i_] + xx));
+            there.square_x = hn::Set(d, row.square_x[i_] + 2.0f * xx);
+            there.facing = hn::Set(d, row.facing[i_] + x * table_.facing_x[i_]);
+        }
+        const std::int32_t mask = ((1 << Pixels) - 1) & ~((1 << (done - start)) - 1);
+        return one_run(there, mask, band_.words + row.word_at[i_] + start,
+                       band_.depths + row.depth_at[i_] + start);
+    }
+
+    HWY_INLINE std::int64_t one_run(const run_start& start, std::int32_t mask,
+                                    std::uint32_t* to_words, float* to_depths) const {
+        std::int64_t written = 0;
+        for (std::size_t v = 0; v < vectors; ++v)
+            written += one_vector(start, v, static_cast<std::uint32_t>(mask) >> v * width,
+                                  to_words + v * width, to_depths + v * width);
+        return written;
+    }
+
+    HWY_INLINE std::int64_t one_vector(const run_start& start, std::size_t v, std::uint32_t bits,
+                                       std::uint32_t* to_words, float* to_depths) const {
+        const D d;
+        const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits),
+                                       static_cast<std::uint8_t>(bits >> 8)};
+        const auto covered = hn::LoadMaskBits(d, bytes);
+        const vec inv_w = hn::IfThenElseZero(
+            covered, hn::Min(hn::Max(hn::Add(start.inv_w, inv_w_x_[v]), farthest_), nearest_));
+        const auto seen = hn::Gt(inv_w, hn::LoadU(d, to_depths));
+        hn::BlendedStore(inv_w, seen, d, to_depths);
+        vec lit = hn::Add(start.lit, lit_x_[v]);
+        if constexpr (Curved) {
+            const vec square =
+                hn::Add(start.square, hn::Add(hn::Mul(start.square_x, x_[v]), square_xx_[v]));
+            const vec unit =
+                hn::Add(unit0_, hn::Mul(square, hn::Add(unit1_, hn::Mul(unit2_, square))));
+            const vec facing = hn::Add(start.facing, facing_x_[v]);
+            lit = hn::Xor(hn::Mul(lit, unit), hn::And(facing, hn::SignBit(d)));
+        }
+        const hn::RebindToUnsigned<D> dw;
+        hn::BlendedStore(grey_words(d, lit), hn::RebindMask(dw, seen), dw, to_words);
+        return static_cast<std::int64_t>(hn::CountTrue(d, seen));
+    }
+
+    const fill_band& band_;
+    const fill_table& table_;
+    std::size_t i_;
+    vec inv_w_x_[vectors], lit_x_[vectors], farthest_, nearest_;
+    vec x_[vectors], square_xx_[vectors], facing_x_[vectors];
+    vec unit0_, unit1_, unit2_;
+};
+
+/// Fills the polygons of a table, in their order. Returns how many pixels were written.
+///
+/// Most rows are short, and short vectors do: more of them fit the processor's ports.
+template <bool Curved>
+HWY_INLINE std::int64_t fill_pixels(const fill_band& band, const fill_table& table) {
+    constexpr std::int32_t half = run / 2;
+    using half_floats = hn::CappedTag<float, half>;
+    std::int64_t written = 0;
+    for (std::size_t i = 0; i < lanes; ++i) {
+        if (table.height[i] == 0)
+            continue;
+        if (table.longest[i] <= half)
+            written += fill_polygon<half_floats, half, Curved>(band, table, i).fill();
+        else if (table.longest[i] <= run)
+            written += fill_polygon<floats, run, Curved>(band, table, i).fill();
+        else
+            written += fill_polygon<floats, run, Curved>(band, table, i).fill_wide();
+    }
+    return written;
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#endif

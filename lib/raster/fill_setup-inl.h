@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// fill_setup: from corners to rows, one polygon a lane.
+#if defined(L3D_RASTER_FILL_SETUP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef L3D_RASTER_FILL_SETUP_INL_H
+#undef L3D_RASTER_FILL_SETUP_INL_H
+#else
+#define L3D_RASTER_FILL_SETUP_INL_H
+#endif
+
+#include "raster/fill_table-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// A pixel in sub-pixel units.
+constexpr std::int32_t pixel = l3d_subpixel_one;
+
+/// first_centre of scan_edge_p.h.
+HWY_INLINE int_vec first_centre_of(int_vec position) {
+    const ints d;
+    return hn::ShiftRight<l3d_subpixel_bits>(hn::Add(position, hn::Set(d, pixel / 2 - 1)));
+}
+
+HWY_INLINE int_vec cross_of(int_vec ax, int_vec ay, int_vec bx, int_vec by) {
+    return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
+}
+
+HWY_INLINE float_vec to_float(int_vec v) {
+    return hn::ConvertTo(floats(), v);
+}
+
+HWY_INLINE int_vec blend(int_mask yes, int_vec if_yes, int_vec if_no) {
+    return hn::IfThenElse(yes, if_yes, if_no);
+}
+
+/// floor(n / d) and the remainder. Expects: d > 0, |n| < 2^30, |n / d| < 2^21.
+///
+/// The quotient of floats is off by at most 3 roundings, 3 * 2^-24 * 2^21 < 1/2, and rounding it
+/// minus 1/2 by another 1/2: one too much or too little, which the remainder tells.
+HWY_INLINE void divide(int_vec n, int_vec d, float_vec inverse, int_vec& quotient,
+                       int_vec& remainder) {
+    const floats df;
+    const float_vec estimate = hn::Mul(to_float(n), inverse);
+    const int_vec q = hn::NearestInt(hn::Sub(estimate, hn::Set(df, 0.5f)));
+    const int_vec r = hn::Sub(n, hn::Mul(q, d));
+    const int_mask less = hn::Lt(r, hn::Zero(ints()));
+    const int_mask more = hn::Gt(r, hn::Sub(d, hn::Set(ints(), 1)));
+    const int_vec one = hn::Set(ints(), 1);
+    quotient = hn::Sub(hn::Add(q, hn::IfThenElseZero(more, one)), hn::IfThenElseZero(less, one));
+    remainder = hn::Add(hn::Sub(r, hn::IfThenElseZero(more, d)), hn::IfThenElseZero(less, d));
+}
+
+/// One edge of each polygon, stepped from row to row like Bresenham's line: the first column whose
+/// centre is on the edge's line or right of it is `column`, exactly.
+///
+/// An edge limits the rows outside its own, too: a convex polygon lies on one side of all of the
+/// line. Where the line is nearly level, columns reach 2^14 a row, 2^20 in all.
+struct lane_edge {
+    int_vec column, column_step;
+    int_vec room, room_step, whole; ///< the remainder, counted down from whole - 1
+    int_mask left, right;
+
+    /// Units: corners from the centre of pixel (0, 0). Expects: |corners| <= 2^14 + 2^8.
+    HWY_INLINE void set(int_vec ax, int_vec ay, int_vec bx, int_vec by, int_mask clockwise,
+                        int_vec row) {
+        const ints d;
+        const int_mask down = hn::Lt(ay, by);
+        const int_mask level = hn::Eq(ay, by);
+        right = hn::AndNot(level, hn::Not(hn::Xor(down, clockwise)));
+        left = hn::AndNot(level, hn::Xor(down, clockwise));
+        const int_vec ux = blend(down, ax, bx), uy = hn::Min(ay, by);
+        const int_vec dx = hn::Sub(blend(down, bx, ax), ux);
+        const int_vec dy = hn::Max(hn::Sub(hn::Max(ay, by), uy), hn::Set(d, 1));
+        const float_vec inverse = hn::Div(hn::Set(floats(), 1.0f), to_float(dy));
+
+        // ceil(n / whole) = floor((n + whole - 1) / whole)
+        whole = hn::ShiftLeft<l3d_subpixel_bits>(dy);
+        const int_vec down_to_row = hn::Sub(hn::ShiftLeft<l3d_subpixel_bits>(row), uy);
+        const int_vec n = hn::Add(hn::Mul(ux, dy), hn::Mul(dx, down_to_row));
+        const int_vec most = hn::Sub(whole, hn::Set(d, 1));
+        int_vec rest;
+        divide(hn::Add(n, most), whole, hn::Mul(inverse, hn::Set(floats(), 1.0f / pixel)), column,
+               rest);
+        room = hn::Sub(most, rest);
+        divide(dx, dy, inverse, column_step, rest);
+        room_step = hn::ShiftLeft<l3d_subpixel_bits>(rest);
+    }
+
+    HWY_INLINE void limit(int_vec& from, int_vec& to) const {
+        from = blend(left, hn::Max(from, column), from);
+        to = blend(right, hn::Min(to, column), to);
+    }
+
+    HWY_INLINE void step() {
+        room = hn::Sub(room, room_step);
+        column = hn::Add(column, column_step);
+        const int_mask over = hn::Lt(room, hn::Zero(ints()));
+        room = blend(over, hn::Add(room, whole), room);
+        column = blend(over, hn::Add(column, hn::Set(ints(), 1)), column);
+    }
+};
+
+/// A number over the polygon: base + first s + second t, where s and t are whole numbers that
+/// measure, from corner a, along the polygon's two differences.
+struct lane_plane {
+    float_vec base, first, second;
+
+    HWY_INLINE float_vec at(float_vec s, float_vec t) const {
+        return hn::Add(base, hn::Add(hn::Mul(s, first), hn::Mul(t, second)));
+    }
+    HWY_INLINE float_vec along(float_vec s, float_vec t) const {
+        return hn::Add(hn::Mul(s, first), hn::Mul(t, second));
+    }
+};
+
+/// The polygon's two differences: a to c and b to d of a quad, a to b and a to c of a triangle.
+template <int Corners> struct lane_frame {
+    float_vec mean_s, mean_t; ///< of a quad: where its mean is, as parts of the differences
+    float_vec inverse;        ///< 1 / area2
+
+    HWY_INLINE lane_plane plane(const float_vec* v) const {
+        const floats d;
+        if constexpr (Corners == 3) {
+            return {v[0], hn::Mul(hn::Sub(v[1], v[0]), inverse),
+                    hn::Mul(hn::Sub(v[2], v[0]), inverse)};
+        } else {
+            const float_vec d1 = hn::Sub(v[2], v[0]), d2 = hn::Sub(v[3], v[1]);
+            const float_vec mean =
+                hn::Mul(hn::Add(hn::Add(v[0], v[2]), hn::Add(v[1], v[3])), hn::Set(d, 0.25f));
+            const float_vec base = hn::Sub(mean, hn::Add(hn::Mul(mean_s, d1), hn::Mul(mean_t, d2)));
+            return {base, hn::Mul(d1, inverse), hn::Mul(d2, inverse)};
+        }
+    }
+};
+
+HWY_INLINE float_vec square_of(float_vec v) {
+    return hn::Mul(v, v);
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#endif

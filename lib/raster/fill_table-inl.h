@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// fill_table: sixteen polygons, set up and cut into rows, as the pixel loops take them.
+#if defined(L3D_RASTER_FILL_TABLE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef L3D_RASTER_FILL_TABLE_INL_H
+#undef L3D_RASTER_FILL_TABLE_INL_H
+#else
+#define L3D_RASTER_FILL_TABLE_INL_H
+#endif
+
+#include "raster/fill_kernel_p.h"
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Pixels of a row filled together. Fixed, because a pixel's bits depend on where its run begins.
+constexpr std::int32_t run = 16;
+static_assert(run <= fill_least_width);
+
+/// Larger polygons are not for the lanes, so they have at most so many rows and columns + 1.
+constexpr std::int32_t most_pixels = 64;
+
+using ints = hn::CappedTag<std::int32_t, 16>;
+using words = hn::RebindToUnsigned<ints>;
+using floats = hn::RebindToFloat<ints>;
+using int_vec = hn::Vec<ints>;
+using float_vec = hn::Vec<floats>;
+using int_mask = hn::Mask<ints>;
+
+/// Polygons set up together, one in each lane of a vector.
+constexpr std::size_t lanes = hn::MaxLanes(ints());
+
+/// Corners of polygons, component by component, waiting for a group to be full.
+///
+/// Shape: [corner][component]; components are x, y, 1/w and the normal, floats as their bits.
+struct fill_queue {
+    static constexpr std::size_t components = 6, most = 4 * lanes, room = most + lanes;
+    alignas(64) std::int32_t corner[4][components][room];
+    alignas(64) std::int32_t id[room];
+    std::size_t count = 0;
+};
+
+/// The first run of a row of each polygon. Numbers are those of the run's first pixel; `_x` is what
+/// a column adds.
+struct fill_row {
+    alignas(64) std::int32_t word_at[lanes], depth_at[lanes];
+    alignas(64) std::int32_t mask[lanes]; ///< covered pixels
+    alignas(64) std::int32_t last[lanes]; ///< where the row ends, from the run's first pixel on
+    alignas(64) float inv_w[lanes], lit[lanes];
+    alignas(64) float square[lanes], square_x[lanes], facing[lanes];
+};
+
+/// What the pixel loops need.
+///
+/// A run begins at its row's first covered pixel, or further left where it would not fit the
+/// picture.
+struct fill_table {
+    fill_row rows[most_pixels + 1];
+    alignas(64) std::int32_t height[lanes];  ///< rows; 0 if there is nothing to fill
+    alignas(64) std::int32_t longest[lanes]; ///< `last` of the longest row
+    alignas(64) float inv_w_x[lanes], lit_x[lanes], farthest[lanes], nearest[lanes];
+    alignas(64) float square_xx[lanes], facing_x[lanes];
+    alignas(64) float unit0[lanes], unit1[lanes], unit2[lanes];
+    bool curved; ///< whether square ... unit2 are there and needed
+};
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#endif
