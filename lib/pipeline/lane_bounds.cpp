@@ -11,9 +11,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "raster/simd_dispatch_p.h"
-
 #include "pipeline/lane_blocks-inl.h"
+#include "raster/simd_dispatch_p.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {

@@ -4,6 +4,7 @@
 #include "nasty.h"
 #include "pipeline/lane_dicer.h"
 #include "pipeline/normal_columns.h"
+#include "pipeline/visibility.h"
 #include "raster/simd_target.h"
 #include "scene.h"
 
@@ -25,7 +26,8 @@ template <class T> class lane_dicer : public ::testing::Test {};
 struct type_names {
     template <class T> static std::string GetName(int) { return name_of<T>(); }
 };
-TYPED_TEST_SUITE(lane_dicer, number_types, type_names);
+using register_types = ::testing::Types<float, double, fixed>;
+TYPED_TEST_SUITE(lane_dicer, register_types, type_names);
 
 constexpr reference::camera oblique{{2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 0.05}, 41, 0.2};
 constexpr l3d_size odd{317, 241};
@@ -44,15 +46,21 @@ scene random_scene(std::uint64_t seed, reference::patch_kind kind, int patches) 
     return {random_patches(seed, kind, patches, oblique, {odd.width, odd.height}), oblique, odd};
 }
 
+l3d_image_transform transform_of(const scene& s) {
+    l3d_patch_scene world;
+    world.add(s.model);
+    return {s.camera, s.size, world};
+}
+
 /// Dices those patches of a scene that are ordinary.
 template <class T> class ordinary_patches {
 public:
     /// Calls sink(i, net, piece) for each of them.
     template <class Sink> void dice(const scene& s, double tolerance, Sink sink) {
-        const l3d_image_transform to_image(s.camera, s.size, s.model);
+        const l3d_image_transform to_image = transform_of(s);
         const l3d_dice_view view = to_image.view(tolerance);
         for (std::size_t i = 0; i < s.patches.size(); ++i) {
-            const l3d_image_patch net = to_image(s.model.patches()[i]);
+            const l3d_image_patch net = l3d_placed_net(to_image.matrix(), s.model.patches()[i]);
             if (l3d_left_out(net, view, counts))
                 continue;
             edges_.build(net, view);
@@ -120,7 +128,7 @@ TYPED_TEST(lane_dicer, places_vertices_where_exact_evaluation_does) {
     for (const named_kind& of : kinds)
         for (std::uint64_t seed = 1; seed <= (sanitized ? 2 : 30); ++seed) {
             const scene s = random_scene(seed, of.kind, 20);
-            const l3d_dice_view view = l3d_image_transform(s.camera, s.size, s.model).view(0.25);
+            const l3d_dice_view view = transform_of(s).view(0.25);
             ordinary_patches<TypeParam> all;
             all.dice(s, 0.25,
                      [&](std::size_t i, const l3d_image_patch& net, const l3d_diced_piece& piece) {
