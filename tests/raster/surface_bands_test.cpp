@@ -265,6 +265,17 @@ TEST(SurfaceBands, HiddenIsWhatIsNoNearerThanAllOfItsTiles) {
     EXPECT_FALSE(picture.rasterizer.hidden(box(20, 20, 30, 30), 0.25f)) << "another frame";
 }
 
+TEST(SurfaceBands, NearestComesFirst) {
+    parts pile; // farthest first, one per cent apart, of whole tiles
+    for (int i = 0; i < 20; ++i)
+        pile.push_back(rectangle(16, 8, 160, 104, 0.5f * (1 + 0.01f * float(i))));
+    surface_picture picture(odd.width, odd.height, 2);
+    draw_frame(picture, pile, l3d_shade::error);
+    EXPECT_EQ(picture.rasterizer.counts().samples, 144 * 96) << "of one only";
+    EXPECT_EQ(picture.rasterizer.counts().written, picture.rasterizer.counts().samples);
+    EXPECT_EQ(picture.rasterizer.counts().quads, 20);
+}
+
 TEST(SurfaceBands, NeedNoDepthBuffer) {
     for (const l3d_shade mode : all_modes) {
         const parts scene = random_scene(seed, odd, 40);
