@@ -15,6 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
+namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -309,6 +310,7 @@ HWY_ATTR void normals(const l3d_normal_net::float_net& net, const lane_parameter
     }
 }
 
+} // namespace
 } // namespace HWY_NAMESPACE
 } // namespace l3d_detail
 HWY_AFTER_NAMESPACE();

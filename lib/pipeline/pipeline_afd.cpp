@@ -34,6 +34,7 @@ l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
 
 void l3d_pipeline_afd::resize_event(l3d_size) {
     imp_->set_target(screen_->pixels());
+    untouched_ = false;
     redraw();
 }
 
@@ -94,7 +95,8 @@ void l3d_pipeline_afd::fill_surfaces(l3d_stage_times& times) {
         depth_.resize(view_.size);
     surface_rasterizer_->begin(
         screen_->pixels(), keep_depth ? &depth_ : nullptr,
-        l3d_camera_shading(camera_, screen_->pixels().size(), settings_.shade, settings_.light));
+        l3d_camera_shading(camera_, screen_->pixels().size(), settings_.shade, settings_.light),
+        untouched_);
     times.transform = placing.milliseconds();
     while (!batch.empty()) {
         const stopwatch dicing;
@@ -112,10 +114,12 @@ void l3d_pipeline_afd::fill_surfaces(l3d_stage_times& times) {
     const stopwatch finishing;
     surface_rasterizer_->finish();
     times.raster += finishing.milliseconds();
+    untouched_ = true;
 }
 
 void l3d_pipeline_afd::draw_wireframe() {
     const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
+    untouched_ = false;
     rasterizer_.clear_buffer();
     l3d_detail::wire_lines lines(rasterizer_, wire_color);
     for (auto batch = culling_.next(nothing_is_hidden); !batch.empty();
@@ -125,6 +129,7 @@ void l3d_pipeline_afd::draw_wireframe() {
 
 /// The 24 edges of every control net. An edge that reaches behind the near plane is left out.
 void l3d_pipeline_afd::draw_nets() {
+    untouched_ = false;
     std::vector<l3d_line_2d> lines;
     const auto add = [&](const l3d_image_point& from, const l3d_image_point& to) {
         const l3d_clip_vertex a = l3d_canonical_vertex(from, view_);

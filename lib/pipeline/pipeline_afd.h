@@ -43,6 +43,8 @@ public:
                      l3d_patch_scene scene, const l3d_camera& camera,
                      const l3d_afd_settings& settings);
 
+    /// Expects: its pixels are written to in draw_overlay only, since what is empty in two frames
+    ///          on end is not cleared twice.
     l3d_screen& screen() { return *screen_; }
 
     /// Of the last frame. Expects: settings ask for it; a filled surface.
@@ -61,7 +63,10 @@ protected:
     l3d_afd_settings& settings() { return settings_; }
     const l3d_afd_settings& settings() const { return settings_; }
     void reset_camera() { camera_ = first_camera_; }
-    l3d_rasterizer_2d& rasterizer() { return rasterizer_; }
+    l3d_rasterizer_2d& rasterizer() {
+        untouched_ = false;
+        return rasterizer_;
+    }
 
     /// Of the frame before, in draw_overlay of the one that is drawn now.
     const l3d_frame_report& last_report() const { return report_; }
@@ -69,7 +74,10 @@ protected:
     /// The certified bound of what has been drawn in this frame. Units: pixels.
     double bound() const { return dicer_.counts().bound_px; }
 
-    l3d_pixels pixels() { return screen_->pixels(); }
+    l3d_pixels pixels() {
+        untouched_ = false;
+        return screen_->pixels();
+    }
 
     /// Asks for the next frame to be drawn.
     void redraw() { stale_ = true; }
@@ -95,6 +103,7 @@ private:
     l3d_camera camera_, first_camera_;
     l3d_afd_settings settings_;
     bool stale_ = true;
+    bool untouched_ = false; ///< nobody wrote to the pixels since surfaces were filled
 
     l3d_image_transform transform_;
     l3d_dice_view view_;

@@ -10,11 +10,27 @@ namespace l3d_detail {
 
 namespace {
 
-/// Calls visit(cells) for every block of the grid that has quads.
+/// Two and two blocks side by side as one.
+l3d_block_starts paired(const l3d_block_starts& starts) {
+    l3d_block_starts pairs;
+    pairs.blocks = (starts.blocks + 1) / 2;
+    for (int i = 0; i <= pairs.blocks; ++i)
+        pairs.first[static_cast<std::size_t>(i)] =
+            starts.first[static_cast<std::size_t>(std::min(2 * i, starts.blocks))];
+    return pairs;
+}
+
+/// Calls visit(cells) for every item's share of a grid: a block, or up to 2 x 2 of them while that
+/// is fewer than 128 quads. As many cost as much as the tests of an item save.
 template <class Visit> void visit_blocks(const l3d_surface_part& part, const Visit& visit) {
+    constexpr int few = 128;
     const grid_cells all = all_cells(part.grid);
-    const auto& rows = part.block_rows;
-    const auto& columns = part.block_columns;
+    const int quads = all.row_end * all.column_end;
+    l3d_block_starts rows = part.block_rows, columns = part.block_columns;
+    if (quads < few * rows.blocks * columns.blocks)
+        columns = paired(columns);
+    if (quads < few * rows.blocks * columns.blocks)
+        rows = paired(rows);
     for (std::size_t r = 0; r < static_cast<std::size_t>(rows.blocks); ++r)
         for (std::size_t c = 0; c < static_cast<std::size_t>(columns.blocks); ++c) {
             const grid_cells cells{rows.first[r], std::min(rows.first[r + 1], all.row_end),

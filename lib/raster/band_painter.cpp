@@ -35,8 +35,8 @@ void band_painter::draw_item(const band_frame& frame, const fill_band& band, con
                              const band_item& item) {
     if (item.triangle_begin < item.triangle_end) {
         if (frame.by_lanes)
-            fill_triangles(band, fill_shading(frame.shading), item.part->triangles,
-                           item.triangle_begin, item.triangle_end, by_lanes_, rest_);
+            fill_triangles(band, frame.lane_shading, item.part->triangles, item.triangle_begin,
+                           item.triangle_end, by_lanes_, rest_);
         else
             scalar_.fill(*item.part, item.triangle_begin, item.triangle_end);
     }
@@ -62,8 +62,8 @@ void band_painter::draw_item(const band_frame& frame, const fill_band& band, con
 void band_painter::draw_cells(const band_frame& frame, const fill_band& band, const band_item& item,
                               const grid_cells& cells) {
     if (frame.by_lanes)
-        fill_quads(band, fill_shading(frame.shading), item.part->grid, cells.row_begin,
-                   cells.row_end, cells.column_begin, cells.column_end, by_lanes_, rest_);
+        fill_quads(band, frame.lane_shading, item.part->grid, cells.row_begin, cells.row_end,
+                   cells.column_begin, cells.column_end, by_lanes_, rest_);
     else
         scalar_.fill(*item.part, cells);
 }

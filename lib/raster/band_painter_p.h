@@ -16,8 +16,9 @@ namespace l3d_detail {
 /// What all bands of a frame have in common.
 struct band_frame {
     l3d_shading shading;
-    bool by_lanes = false;         ///< mode and width are such that the fill kernel can serve
-    bool leaves_out_hidden = true; ///< what is behind the coarse depth is not looked at
+    fill_shading lane_shading{shading}; ///< the same for the fill kernel
+    bool by_lanes = false;              ///< mode and width are such that the fill kernel can serve
+    bool leaves_out_hidden = true;      ///< what is behind the coarse depth is not looked at
 };
 
 /// A worker's own work space, and what it has counted.

@@ -12,26 +12,33 @@
 
 namespace l3d_detail {
 
-/// A rectangle of pixels, and what is known of the depths in it.
+/// A tile of a picture. A cache line of depths wide; about as large as a micro-quad at a tolerance
+/// of 1/4 pixel.
 struct depth_tile {
-    /// A cache line of depths wide; about as large as a micro-quad at a tolerance of 1/4 pixel.
     static constexpr std::int32_t width = 16, height = 8;
+};
 
-    float farthest; ///< no pixel has a smaller inv_w
-    bool drawn;     ///< something may be in it; if not, its depths need not be defined
-    bool stale;     ///< something may have come since `farthest` was found
+/// What is known of a picture's tiles. Shape: rows of `columns` numbers, and of `words` with a bit
+/// for each tile.
+struct tile_table {
+    std::size_t columns = 0, words = 0;
+    std::vector<float> farthest;      ///< no pixel has a smaller inv_w
+    std::vector<std::uint64_t> drawn; ///< something may be there; else depths are not even defined
+    std::vector<std::uint64_t> newer; ///< something may have come since `farthest` was found
 };
 
 /// The tiles of a picture: they tell what is behind what is there, and which depths nobody has set
 /// to 0 yet. That is done when something comes to them and they are wanted in the nearest cache.
 ///
-/// Depth only ever comes nearer in a frame, so what was found for a tile stays a bound; it is found
-/// anew when that could change an answer and something may have come in the meantime.
-/// Expects: boxes inside the window, and inside the band where there is one; bands of whole rows of
-///          tiles. Threads that change different bands do not meet.
+/// Depth only ever comes nearer in a frame, so what was found for a tile stays a bound.
+/// Expects: boxes not empty, inside the window, and inside the band where there is one; bands of
+///          whole rows of tiles. Threads that change different bands do not meet.
 class coarse_depth {
 public:
     void resize(l3d_size size);
+
+    /// Sets the words of tiles that something was drawn to, to 0.
+    void clear_words(const fill_band& band) const;
 
     /// Nothing is in rows [top, bottom), whatever their depths say.
     void forget(std::int32_t top, std::int32_t bottom);
@@ -43,21 +50,20 @@ public:
     void open_others(const fill_band& band);
 
     /// Whether nothing in the box that is no nearer than `nearest` would be seen.
-    /// Cost:    for a tile that was drawn to, one to eight cache lines of depths.
+    /// Cost:    for a tile that may hide it, one to eight cache lines of depths.
     bool hidden(const pixel_box& box, float nearest, const fill_band& band);
 
     /// The same from what is known already.
     bool hidden(const pixel_box& box, float nearest) const;
 
-    /// Finds out about all tiles of the band.
+    /// Finds out about all tiles of the band that something came to.
     void refresh(const fill_band& band);
 
     /// Pixels of the band in which something is.
     std::int64_t covered(const fill_band& band) const;
 
 private:
-    std::size_t columns_ = 0; ///< of tiles
-    std::vector<depth_tile> tiles_;
+    tile_table table_;
 };
 
 } // namespace l3d_detail

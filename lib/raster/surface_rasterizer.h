@@ -61,10 +61,13 @@ public:
     /// set to 0 is up to who draws, at finish at the latest.
     ///
     /// Without a depth buffer nobody wants depth afterwards, and one call of draw makes the whole
-    /// frame; that is the fastest.
-    /// Expects: target and depth of equal size; both outlive the frame.
-    void begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading) {
-        do_begin(target, depth, shading);
+    /// frame; that is the fastest. What is empty already in a picture that is `untouched` since the
+    /// last finish need not be set to 0 again.
+    /// Expects: target and depth of equal size; both outlive the frame. `untouched` only if nobody
+    ///          else wrote to the target's words since then, should it be the same target.
+    void begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
+               bool untouched = false) {
+        do_begin(target, depth, shading, untouched);
     }
 
     /// Fills the quads and triangles of the parts. Convex quads are covered as such, folded ones
@@ -90,7 +93,7 @@ public:
     const l3d_surface_counts& counts() const { return do_counts(); }
 
 private:
-    virtual void do_begin(l3d_pixels, l3d_depth_buffer*, const l3d_shading&) = 0;
+    virtual void do_begin(l3d_pixels, l3d_depth_buffer*, const l3d_shading&, bool untouched) = 0;
     virtual void do_draw(std::span<const l3d_surface_part* const>) = 0;
     virtual bool do_hidden(const l3d_subpixel_box&, float) const { return false; }
     virtual void do_finish() = 0;

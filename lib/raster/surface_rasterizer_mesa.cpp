@@ -101,7 +101,7 @@ l3d_surface_rasterizer_mesa::l3d_surface_rasterizer_mesa(std::unique_ptr<mesa_co
 }
 
 void l3d_surface_rasterizer_mesa::do_begin(l3d_pixels target, l3d_depth_buffer* depth,
-                                           const l3d_shading& shading) {
+                                           const l3d_shading& shading, bool) {
     assert(!depth || target.size() == depth->size());
     target_ = target;
     depth_ = depth ? depth : &own_depth_;

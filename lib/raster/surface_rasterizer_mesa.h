@@ -25,7 +25,8 @@ public:
     explicit l3d_surface_rasterizer_mesa(std::unique_ptr<l3d_detail::mesa_context> context);
 
 private:
-    void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading) override;
+    void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
+                  bool untouched) override;
     void do_draw(std::span<const l3d_surface_part* const> parts) override;
     void do_finish() override;
     const l3d_surface_counts& do_counts() const override;

@@ -8,7 +8,7 @@
 using namespace l3d_detail;
 
 void l3d_surface_rasterizer_scalar::do_begin(l3d_pixels target, l3d_depth_buffer* depth,
-                                             const l3d_shading& shading) {
+                                             const l3d_shading& shading, bool) {
     assert(!depth || target.size() == depth->size());
     if (!depth) {
         depth = &own_depth_;

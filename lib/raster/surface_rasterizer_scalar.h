@@ -14,7 +14,8 @@
 /// Cost:    allocates in begin only, when the picture is larger than any before.
 class l3d_surface_rasterizer_scalar final : public l3d_surface_rasterizer {
 private:
-    void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading) override;
+    void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
+                  bool untouched) override;
     void do_draw(std::span<const l3d_surface_part* const> parts) override;
     void do_finish() override;
     const l3d_surface_counts& do_counts() const override { return counts_; }

@@ -48,14 +48,18 @@ l3d_surface_rasterizer_sw::l3d_surface_rasterizer_sw(l3d_workers& workers,
 l3d_surface_rasterizer_sw::~l3d_surface_rasterizer_sw() = default;
 
 void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer* depth,
-                                         const l3d_shading& shading) {
+                                         const l3d_shading& shading, bool untouched) {
     assert(!depth || target.size() == depth->size());
+    untouched_ = untouched && finished_ && target.words == target_.words &&
+                 target.size() == target_.size() && target.stride == target_.stride;
+    finished_ = false;
     target_ = target;
     depth_ = depth;
     rows_ = settings_.rows ? settings_.rows : rows_of_band(target.size());
     drawn_ = false;
     counts_ = {};
-    work_->frame = {shading, shading.mode == l3d_shade::lambert && target.width >= fill_least_width,
+    work_->frame = {shading, fill_shading(shading),
+                    shading.mode == l3d_shade::lambert && target.width >= fill_least_width,
                     settings_.leave_out_hidden};
     work_->coarse.resize(target.size());
     const int bands = (target.height + rows_ - 1) / rows_;
@@ -107,8 +111,11 @@ void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
                          bottom};
     coarse_depth& coarse = work_->coarse;
     if (!drawn_) {
-        for (int row = top; row < bottom; ++row)
-            std::ranges::fill(target_.row(row), 0u);
+        if (untouched_)
+            coarse.clear_words(band);
+        else
+            for (int row = top; row < bottom; ++row)
+                std::ranges::fill(target_.row(row), 0u);
         coarse.forget(top, bottom);
     }
     work_->painters[worker].draw(work_->frame, band, work_->list, items, coarse);
@@ -127,5 +134,6 @@ bool l3d_surface_rasterizer_sw::do_hidden(const l3d_subpixel_box& box, float nea
 void l3d_surface_rasterizer_sw::do_finish() {
     if (!drawn_)
         do_draw({});
+    finished_ = true;
     counts_.covered = std::reduce(work_->covered.begin(), work_->covered.end(), std::int64_t{0});
 }

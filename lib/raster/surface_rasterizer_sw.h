@@ -29,7 +29,8 @@ public:
     ~l3d_surface_rasterizer_sw() override;
 
 private:
-    void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading) override;
+    void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
+                  bool untouched) override;
     void do_draw(std::span<const l3d_surface_part* const> parts) override;
     bool do_hidden(const l3d_subpixel_box& box, float nearest_inv_w) const override;
     void do_finish() override;
@@ -44,8 +45,10 @@ private:
     std::unique_ptr<work_space> work_;
     l3d_pixels target_;
     l3d_depth_buffer* depth_ = nullptr;
-    int rows_ = 0;       ///< of a band
-    bool drawn_ = false; ///< something of this frame; picture and depth are cleared then
+    int rows_ = 0;           ///< of a band
+    bool drawn_ = false;     ///< something of this frame; picture and depth are cleared then
+    bool finished_ = false;  ///< tiles that are not drawn are empty in the picture
+    bool untouched_ = false; ///< and still are when this frame begins
     l3d_surface_counts counts_;
 };
 

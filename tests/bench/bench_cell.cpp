@@ -7,6 +7,8 @@
 
 #include <atomic>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <thread>
 
 namespace {
@@ -58,7 +60,8 @@ void plan(const l3d_patch_model& model, bench_cell& cell) {
     plan_ours(model, cell);
     const mesh_wish wish{model, cell.view->camera, cell.size, cell.error, l3d_afd_settings().light};
     for (const auto& make : {adaptive_mesh, thinned_mesh})
-        cell.meshes.push_back(make(wish));
+        if (const peer_mesh& mesh = cell.meshes.emplace_back(make(wish)); mesh.error > cell.error)
+            throw std::runtime_error("the " + mesh.kind + " mesh errs too much");
 }
 
 } // namespace

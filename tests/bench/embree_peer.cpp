@@ -41,7 +41,11 @@ ray_directions directions_of(const l3d_camera& camera, l3d_size size) {
 }
 
 /// What loops over a packet compile to is the machine's choice, as it is in Embree.
+#ifdef __x86_64__
 #define PEER_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define PEER_CLONES
+#endif
 
 PEER_CLONES void aim(const ray_directions& d, int left, int top, RTCRayHit16& packet) {
     float* const dir[3] = {packet.ray.dir_x, packet.ray.dir_y, packet.ray.dir_z};
@@ -97,7 +101,7 @@ std::unique_ptr<embree_peer> embree_peer::open(std::string& why) {
 void embree_peer::prepare(const peer_mesh& mesh, const l3d_camera& camera, l3d_size size) {
     scene& s = *scene_;
     s.directions = directions_of(camera, size);
-    picture_ = l3d_image(size, static_cast<std::size_t>(size.width));
+    picture_ = l3d_image(size, size.width);
 
     rtcReleaseScene(s.handle);
     s.handle = rtcNewScene(s.device);

@@ -6,7 +6,7 @@
 #include "bench/patch_mesh.h"
 
 /// Takes vertices out of a patch's mesh and turns edges, as long as every triangle's error stays
-/// at or below `tolerance`. The boundary stays, but for sides that are collapsed into a point.
+/// at or below `tolerance`. The boundary stays, and so neighbours still meet.
 void thin_out(patch_mesh& mesh, const seen_patch& patch, double tolerance);
 
 #endif

@@ -128,6 +128,13 @@ double patch_mesh::error(const triangle& t, const seen_patch& patch) const {
     return largest;
 }
 
+double patch_mesh::error(const seen_patch& patch) const {
+    double largest = 0;
+    for (const triangle& t : triangles)
+        largest = std::max(largest, error(t, patch));
+    return largest;
+}
+
 void patch_mesh::keep_visible(const seen_patch& patch) {
     std::erase_if(triangles, [&](const triangle& t) {
         const auto &a = corners[t[0]], &b = corners[t[1]], &c = corners[t[2]];

@@ -31,8 +31,9 @@ struct patch_mesh {
             }
     }
 
-    /// The largest error of a triangle's samples.
+    /// The largest error of a triangle's samples, and of all triangles'.
     double error(const triangle& t, const seen_patch& patch) const;
+    double error(const seen_patch& patch) const;
     /// Takes away what is not seen or has two corners in one place.
     void keep_visible(const seen_patch& patch);
 };

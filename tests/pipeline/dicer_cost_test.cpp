@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// No allocation once warm, and an end to every nasty patch.
+// An end to every nasty patch.
 #include "nasty.h"
 #include "scene.h"
 
@@ -7,31 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <new>
-
-namespace {
-
-std::atomic<long> allocations{0};
-
-} // namespace
-
-// Not inlined, or the compiler sees free() called on what new returned.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size > 0 ? size : 1))
-        return memory;
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 namespace pipeline_tests {
 namespace {
@@ -69,22 +46,6 @@ private:
                    v.inv_w > 0 && std::isfinite(v.inv_w);
     }
 };
-
-TYPED_TEST(dicer_cost, a_frame_like_the_last_one_allocates_nothing) {
-    for (const char* name : {"full", "closeup", "near_cut", "inside"}) {
-        scene_dicer<TypeParam> dicer;
-        range_sink sink;
-        const auto check = [&](std::size_t, diced pieces, double bound) {
-            sink.draw(pieces, bound);
-        };
-        const scene s = teapot(reference::project_view(name), {640, 481});
-        dicer.dice(s, 0.1, check);
-        const long before = allocations;
-        dicer.dice(s, 0.1, check);
-        EXPECT_EQ(allocations - before, 0) << name;
-        EXPECT_TRUE(sink.in_range);
-    }
-}
 
 TYPED_TEST(dicer_cost, nasty_patches_come_to_an_end) {
     constexpr std::uint64_t seeds = sanitized ? 1 : 3;

@@ -150,7 +150,7 @@ TEST(lane_bounds, refuse_what_is_not_ordinary) {
     EXPECT_FALSE(ordinary(9, {4, -2 * l3d_guard_band, 2}));
     EXPECT_FALSE(ordinary(15, {7, 8, INFINITY}));
     for (int k = 0; k < 3; ++k)
-        for (std::size_t at : {0, 6, 15}) {
+        for (const std::size_t at : {std::size_t{0}, std::size_t{6}, std::size_t{15}}) {
             l3d_image_point p{7, 8, 2};
             p[k] = NAN;
             EXPECT_FALSE(ordinary(at, p)) << k << " " << at;

@@ -1,35 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The surface rasterizer in bands: like its slow twin, whatever the bands, threads and order.
+#include "allocations.h"
 #include "surface_fixture.h"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <new>
-
-namespace {
-
-std::atomic<long> allocations{0};
-
-} // namespace
-
-// Not inlined, or the compiler sees free() called on what new returned.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size > 0 ? size : 1))
-        return memory;
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 namespace {
 
@@ -287,6 +265,17 @@ TEST(SurfaceBands, HiddenIsWhatIsNoNearerThanAllOfItsTiles) {
     EXPECT_FALSE(picture.rasterizer.hidden(box(20, 20, 30, 30), 0.25f)) << "another frame";
 }
 
+TEST(SurfaceBands, NearestComesFirst) {
+    parts pile; // farthest first, one per cent apart, of whole tiles
+    for (int i = 0; i < 20; ++i)
+        pile.push_back(rectangle(16, 8, 160, 104, 0.5f * (1 + 0.01f * float(i))));
+    surface_picture picture(odd.width, odd.height, 2);
+    draw_frame(picture, pile, l3d_shade::error);
+    EXPECT_EQ(picture.rasterizer.counts().samples, 144 * 96) << "of one only";
+    EXPECT_EQ(picture.rasterizer.counts().written, picture.rasterizer.counts().samples);
+    EXPECT_EQ(picture.rasterizer.counts().quads, 20);
+}
+
 TEST(SurfaceBands, NeedNoDepthBuffer) {
     for (const l3d_shade mode : all_modes) {
         const parts scene = random_scene(seed, odd, 40);
@@ -303,6 +292,47 @@ TEST(SurfaceBands, NeedNoDepthBuffer) {
             EXPECT_EQ(without.rasterizer.counts().written, with.rasterizer.counts().written);
         }
         EXPECT_EQ(without.inv_w(0, 0), 1e30f);
+    }
+}
+
+TEST(SurfaceBands, UntouchedPicturesAreEmptiedWhereSomethingWas) {
+    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::error}) {
+        surface_picture fresh(odd.width, odd.height, 2), kept(odd.width, odd.height, 2);
+        std::vector<std::uint32_t> other_words(fresh.words);
+        l3d_pixels other = kept.pixels();
+        other.words = other_words.data();
+        random_polygons random(seed, odd);
+        bool untouched = false;
+        for (unsigned n = 0; n < 60; ++n) {
+            const parts scene = random_scene(seed + n, odd, random.number(0, 6));
+            const bool to_other = n % 7 == 5, has_depth = n % 3 == 0, draws = n % 11 != 4;
+            const l3d_pixels target = to_other ? other : kept.pixels();
+            kept.rasterizer.begin(target, has_depth ? &kept.depth : nullptr, {mode, light},
+                                  untouched);
+            fresh.begin(mode, light);
+            if (draws) {
+                kept.rasterizer.draw(pointers(scene));
+                fresh.rasterizer.draw(pointers(scene));
+            }
+            fresh.rasterizer.finish();
+            if (n % 13 != 9) // else the frame is given up, and the next one must not rely on it
+                kept.rasterizer.finish();
+            untouched = true;
+            if (n % 13 == 9)
+                continue;
+            EXPECT_EQ(to_other ? other_words : kept.words, fresh.words) << n;
+            EXPECT_EQ(kept.rasterizer.counts().covered, fresh.rasterizer.counts().covered) << n;
+            if (has_depth) {
+                EXPECT_EQ(l3d_covered(kept.depth), fresh.rasterizer.counts().covered) << n;
+            }
+            if (n % 5 == 2) { // a text is drawn on top
+                std::ranges::fill(kept.words, surface_picture::noise);
+                for (int y = 0; y < odd.height; ++y)
+                    std::fill_n(kept.words.data() + y * target.stride + odd.width,
+                                surface_picture::gap, surface_picture::guard);
+                untouched = false;
+            }
+        }
     }
 }
 
