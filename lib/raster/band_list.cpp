@@ -67,11 +67,8 @@ void band_list::lay_out(std::span<const l3d_surface_part* const> parts) {
     for (const l3d_surface_part* part : parts) {
         places_.push_back(next);
         visit_blocks(*part, [&](const grid_cells& cells) {
-            const auto rows = static_cast<std::uint32_t>(cells.row_end - cells.row_begin);
-            const auto columns = static_cast<std::size_t>(cells.column_end - cells.column_begin);
             ++next.items;
-            next.rows += rows;
-            most_polygons_ = std::max(most_polygons_, rows * columns);
+            next.rows += static_cast<std::uint32_t>(cells.row_end - cells.row_begin);
         });
         const auto triangles = static_cast<std::uint32_t>(part->triangles.count);
         next.items += (triangles + triangles_in_item - 1) / triangles_in_item;

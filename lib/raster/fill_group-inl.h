@@ -7,9 +7,8 @@
 #define L3D_RASTER_FILL_GROUP_INL_H
 #endif
 
+#include "raster/fill_pieces_p.h"
 #include "raster/fill_setup-inl.h"
-
-#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
@@ -23,12 +22,14 @@ constexpr float grey_of_cosine = 229.5f;
 /// two of a triangle, half of that for a quad, which is |a - c|^2 + |b - d|^2 + |a + c - b - d|^2
 /// / 2.
 ///
-/// Inside, the interpolated normal is shorter than 1. In the middle its square is 1 - spread / 8
-/// (of a triangle 1 - spread / 9), between any two corners at least 1 - spread / 4. Up to `flat`
-/// one factor for all pixels, 1 + spread / 32, makes up for it within spread / 8 - spread / 32 =
-/// 0.002, half a grey level of 229.5. Up to `smooth` squares stay above 0.75 and the polynomial
-/// below holds.
+/// Inside, the interpolated normal is shorter than 1. In the middle its square is 1 - spread / 8,
+/// between any two corners at least 1 - spread / 4. Up to `flat` one factor for all pixels,
+/// 1 + spread / 32, makes up for it within spread / 8 - spread / 32 = 0.002, half a grey level of
+/// 229.5. Up to `smooth` squares stay above 0.75 and the polynomial below holds.
 constexpr float flat_spread = 1.0f / 48, smooth_spread = 1.0f;
+
+/// A triangle's corners may be twice as unlike as those of the quad that it is a piece of.
+constexpr float piece_spread = 0.49f * smooth_spread;
 
 /// 1 / sqrt(q) over [0.75, 1.02] by a parabola through its Chebyshev points: within 3e-4, that is
 /// 0.07 grey levels.
@@ -50,42 +51,34 @@ HWY_INLINE int_vec set(std::int32_t value) {
     return hn::Set(ints(), value);
 }
 
-/// What stays the same for a call, and what it gives back.
-struct fill_job {
-    const fill_band& band;
-    const fill_shading& shading;
-    fill_counts& counts;
-    std::vector<std::uint32_t>& rest;
-};
-
 /// One polygon a lane, from its corners to its rows.
-template <int Corners> class fill_group {
+class fill_group {
 public:
     /// Returns whether there is anything to fill.
     /// Expects: room for a vector of polygons in the queue from `at` on, the first `valid` in use.
-    HWY_INLINE bool set_up(const fill_job& job, const fill_queue& queue, std::size_t at,
-                           std::size_t valid, fill_table& table) {
+    HWY_INLINE bool set_up(const fill_target& to, std::size_t at, std::size_t valid,
+                           fill_table& table) {
         const ints d;
-        place(job.band, queue, at);
-        const int_mask fits = classify(job, queue, at, hn::And(live_, hn::FirstN(d, valid)));
+        place(to.band, to.queue, at);
+        const int_mask fits = classify(to, at, hn::And(live_, hn::FirstN(d, valid)));
         const int_vec height = hn::IfThenElseZero(fits, hn::Sub(to_row_, from_row_));
         const std::int32_t highest = hn::GetLane(hn::MaxOfLanes(d, height));
         if (highest == 0)
             return false;
-        attributes(job.shading, queue, at, fits, table);
-        rows(job, height, highest, table);
+        attributes(to.shading, to.queue, at, fits, table);
+        rows(to, height, highest, table);
         return true;
     }
 
 private:
     /// The part of each polygon's box that is in the band, and corners relative to the box.
     HWY_INLINE void place(const fill_band& band, const fill_queue& queue, std::size_t at) {
-        for (int i = 0; i < Corners; ++i) {
+        for (int i = 0; i < 4; ++i) {
             x_[i] = load(queue.corner[i][0] + at);
             y_[i] = load(queue.corner[i][1] + at);
         }
         int_vec least_x = x_[0], least_y = y_[0], most_x = x_[0], most_y = y_[0];
-        for (int i = 1; i < Corners; ++i) {
+        for (int i = 1; i < 4; ++i) {
             least_x = hn::Min(least_x, x_[i]);
             least_y = hn::Min(least_y, y_[i]);
             most_x = hn::Max(most_x, x_[i]);
@@ -101,7 +94,7 @@ private:
         live_ = hn::And(hn::Lt(from_column_, to_column_), hn::Lt(from_row_, to_row_));
         const int_vec extent = hn::Max(hn::Sub(most_x, least_x), hn::Sub(most_y, least_y));
         large_ = hn::Gt(extent, set(most_pixels * pixel - 1));
-        for (int i = 0; i < Corners; ++i) {
+        for (int i = 0; i < 4; ++i) {
             absolute_x_[i] = x_[i];
             absolute_y_[i] = y_[i];
             x_[i] = hn::Sub(x_[i], centre_of(column_));
@@ -113,89 +106,83 @@ private:
         return hn::Add(hn::ShiftLeft<l3d_subpixel_bits>(index), set(pixel / 2));
     }
 
-    /// Which polygons are filled here. Those of the rest are written down.
-    HWY_INLINE int_mask classify(const fill_job& job, const fill_queue& queue, std::size_t at,
-                                 int_mask candidates) {
-        for (int i = 0; i < Corners; ++i)
-            for (int k = 0; k < 3; ++k)
-                normal_[k][i] = load_float(queue.corner[i][3 + k] + at);
-        constexpr int to1 = Corners == 3 ? 1 : 2, to2 = Corners - 1, from2 = Corners == 3 ? 0 : 1;
+    /// Which polygons are filled here. The others are written down, whole or in pieces.
+    HWY_INLINE int_mask classify(const fill_target& to, std::size_t at, int_mask candidates) {
         spread_ = hn::Zero(floats());
-        for (const auto& n : normal_) {
-            const float_vec along1 = hn::Sub(n[to1], n[0]), along2 = hn::Sub(n[to2], n[from2]);
-            float_vec third = square_of(hn::Sub(along1, along2)); // a triangle's third side
-            if constexpr (Corners == 4)
-                third = hn::Mul(set(0.5f),
-                                square_of(hn::Sub(hn::Add(n[0], n[2]), hn::Add(n[1], n[3]))));
+        for (std::size_t k = 0; k < 3; ++k) {
+            auto& n = normal_[k];
+            for (int i = 0; i < 4; ++i)
+                n[i] = load_float(to.queue.corner[i][3 + k] + at);
+            const float_vec across = square_of(hn::Sub(hn::Add(n[0], n[2]), hn::Add(n[1], n[3])));
             spread_ =
-                hn::Add(hn::Add(spread_, third), hn::Add(square_of(along1), square_of(along2)));
+                hn::Add(hn::Add(spread_, hn::Mul(set(0.5f), across)),
+                        hn::Add(square_of(hn::Sub(n[2], n[0])), square_of(hn::Sub(n[3], n[1]))));
         }
-        along1_x_ = hn::Sub(x_[to1], x_[0]);
-        along1_y_ = hn::Sub(y_[to1], y_[0]);
-        along2_x_ = hn::Sub(x_[to2], x_[from2]);
-        along2_y_ = hn::Sub(y_[to2], y_[from2]);
+        along1_x_ = hn::Sub(x_[2], x_[0]);
+        along1_y_ = hn::Sub(y_[2], y_[0]);
+        along2_x_ = hn::Sub(x_[3], x_[1]);
+        along2_y_ = hn::Sub(y_[3], y_[1]);
         area2_ = cross_of(along1_x_, along1_y_, along2_x_, along2_y_);
+        turn_a_ = turn(3, 0, 1);
+        turn_b_ = turn(0, 1, 2);
+        const int_vec turn_c = hn::Sub(area2_, turn_a_);
+        turn_d_ = hn::Sub(area2_, turn_b_);
 
         const int_vec zero = hn::Zero(ints());
-        const int_mask smooth = mask_of(hn::Le(spread_, set(smooth_spread)));
-        int_mask nothing, good;
-        if constexpr (Corners == 3) {
-            nothing = hn::Eq(area2_, zero);
-            good = hn::AndNot(large_, smooth);
-        } else {
-            int_vec least = zero, most = zero;
-            for (int i = 0; i < 4; ++i) {
-                const int before = (i + 3) % 4, next = (i + 1) % 4;
-                turn_[i] = cross_of(hn::Sub(x_[i], x_[before]), hn::Sub(y_[i], y_[before]),
-                                    hn::Sub(x_[next], x_[i]), hn::Sub(y_[next], y_[i]));
-                least = i == 0 ? turn_[i] : hn::Min(least, turn_[i]);
-                most = i == 0 ? turn_[i] : hn::Max(most, turn_[i]);
-            }
-            const int_mask right = hn::Not(hn::Lt(least, zero)), left = hn::Not(hn::Gt(most, zero));
-            nothing = hn::AndNot(large_, hn::And(right, left));
-            // 2 skew <= |area2|, without leaving 32 bits
-            const int_vec skew =
-                hn::Add(hn::Abs(hn::Sub(turn_[0], turn_[2])), hn::Abs(hn::Sub(turn_[1], turn_[3])));
-            const int_mask skewed = hn::Gt(skew, hn::ShiftRight<1>(hn::Abs(area2_)));
-            good = hn::And(hn::AndNot(skewed, hn::Or(right, left)),
-                           hn::AndNot(hn::Eq(area2_, zero), hn::AndNot(large_, smooth)));
-        }
-        candidates = hn::AndNot(nothing, candidates);
-        const int_mask others = hn::AndNot(good, candidates);
-        if (!hn::AllFalse(ints(), others))
-            put_by(job, queue, at, others);
-        return hn::And(good, candidates);
+        const int_vec least = hn::Min(hn::Min(turn_a_, turn_b_), hn::Min(turn_c, turn_d_));
+        const int_vec most = hn::Max(hn::Max(turn_a_, turn_b_), hn::Max(turn_c, turn_d_));
+        const int_mask left = hn::Lt(least, zero), right = hn::Gt(most, zero);
+        const int_mask level = hn::Not(hn::Or(left, right)); // all on one line: covers nothing
+        const int_mask folded = hn::Or(hn::And(left, right), hn::Eq(area2_, zero));
+        // 2 skew > |area2|, without leaving 32 bits; what is skew about a triangle is its d
+        const int_vec skew =
+            hn::Add(hn::Abs(hn::Sub(turn_a_, turn_c)), hn::Abs(hn::Sub(turn_b_, turn_d_)));
+        const int_mask is_quad = hn::Not(hn::Lt(load(to.queue.name + at), zero));
+        const int_mask skewed = hn::And(is_quad, hn::Gt(skew, hn::ShiftRight<1>(hn::Abs(area2_))));
+        const int_mask rough = mask_of(hn::Gt(spread_, set(smooth_spread)));
+        const int_mask others = hn::Or(hn::Or(large_, rough), hn::Or(folded, skewed));
+        candidates = hn::AndNot(hn::AndNot(large_, level), candidates);
+        const int_mask left_over = hn::And(others, candidates);
+        if (!hn::AllFalse(ints(), left_over))
+            put_by(to, at, left_over);
+        return hn::AndNot(others, candidates);
+    }
+
+    HWY_INLINE int_vec turn(int before, int i, int next) const {
+        return cross_of(hn::Sub(x_[i], x_[before]), hn::Sub(y_[i], y_[before]),
+                        hn::Sub(x_[next], x_[i]), hn::Sub(y_[next], y_[i]));
     }
 
     static HWY_INLINE int_mask mask_of(hn::Mask<floats> mask) {
         return hn::RebindMask(ints(), mask);
     }
 
-    static void put_by(const fill_job& job, const fill_queue& queue, std::size_t at,
-                       int_mask others) {
-        HWY_ALIGN std::int32_t bits[lanes];
-        hn::Store(hn::IfThenElseZero(others, set(1)), ints(), bits);
+    void put_by(const fill_target& to, std::size_t at, int_mask left_over) const {
+        HWY_ALIGN std::int32_t is_left_over[lanes], is_large[lanes];
+        HWY_ALIGN float spread[lanes];
+        hn::Store(hn::IfThenElseZero(left_over, set(1)), ints(), is_left_over);
+        hn::Store(hn::IfThenElseZero(large_, set(1)), ints(), is_large);
+        hn::Store(spread_, floats(), spread);
         for (std::size_t i = 0; i < lanes; ++i)
-            if (bits[i] != 0)
-                job.rest.push_back(static_cast<std::uint32_t>(queue.id[at + i]));
+            if (is_left_over[i] != 0)
+                fill_put_by(to, at + i, is_large[i] == 0 && spread[i] <= piece_spread);
     }
 
     HWY_INLINE void attributes(const fill_shading& shading, const fill_queue& queue, std::size_t at,
                                int_mask fits, fill_table& table) {
         const floats d;
         frame_.inverse = hn::Div(set(1.0f), to_float(area2_));
-        if constexpr (Corners == 4) {
-            const float_vec half = hn::Mul(frame_.inverse, set(0.5f));
-            const float_vec quarter = hn::Mul(half, set(0.5f));
-            frame_.mean_s = hn::Add(set(0.25f), hn::Mul(to_float(turn_[0]), half));
-            frame_.mean_t = hn::Mul(to_float(hn::Sub(turn_[3], turn_[1])), quarter);
-        }
+        // m - a = (ab + ac + ad) / 4, ad = ab + bd, and ab x bd = turn_a, ac x ab = -turn_b,
+        // ac x ad = turn_d
+        const float_vec half = hn::Mul(frame_.inverse, set(0.5f));
+        frame_.mean_s = hn::Add(set(0.25f), hn::Mul(to_float(turn_a_), half));
+        frame_.mean_t = hn::Mul(to_float(hn::Sub(turn_d_, turn_b_)), hn::Mul(half, set(0.5f)));
         const float_vec column_s = to_float(hn::ShiftLeft<l3d_subpixel_bits>(along2_y_));
         const float_vec column_t = hn::Neg(to_float(hn::ShiftLeft<l3d_subpixel_bits>(along1_y_)));
 
-        float_vec inv_w[Corners], lit[Corners], away[Corners];
+        float_vec inv_w[4], lit[4], away[4];
         float_vec least_away = hn::Zero(d), most_away = hn::Zero(d);
-        for (int i = 0; i < Corners; ++i) {
+        for (int i = 0; i < 4; ++i) {
             inv_w[i] = load_float(queue.corner[i][2] + at);
             lit[i] = hn::Add(hn::Add(hn::Mul(normal_[0][i], set(shading.light[0])),
                                      hn::Mul(normal_[1][i], set(shading.light[1]))),
@@ -205,7 +192,7 @@ private:
             most_away = i == 0 ? away[i] : hn::Max(most_away, away[i]);
         }
         float_vec farthest = inv_w[0], nearest = inv_w[0];
-        for (int i = 1; i < Corners; ++i) {
+        for (int i = 1; i < 4; ++i) {
             farthest = hn::Min(farthest, inv_w[i]);
             nearest = hn::Max(nearest, inv_w[i]);
         }
@@ -218,7 +205,10 @@ private:
         const auto some_away = hn::Gt(most_away, hn::Zero(d));
         const auto all_away = hn::Gt(least_away, hn::Zero(d));
         const auto mixed = hn::AndNot(all_away, some_away);
-        const auto flat = hn::Le(spread_, set(flat_spread));
+        // A piece's centre has a shorter normal than its corners.
+        const auto flat =
+            hn::AndNot(hn::RebindMask(d, hn::Eq(load(queue.name + at), set(fill_queue::piece))),
+                       hn::Le(spread_, set(flat_spread)));
         const float_vec raised = hn::Add(set(1.0f), hn::Mul(spread_, set(1.0f / 32)));
         float_vec scale = hn::Mul(set(grey_of_cosine), hn::IfThenElse(flat, raised, set(1.0f)));
         scale = hn::IfThenElse(all_away, hn::Neg(scale), scale);
@@ -263,23 +253,22 @@ private:
         return away;
     }
 
-    HWY_INLINE void rows(const fill_job& job, int_vec height, std::int32_t highest,
+    HWY_INLINE void rows(const fill_target& to, int_vec height, std::int32_t highest,
                          fill_table& table) {
         const ints d;
         const floats df;
         const int_vec zero = hn::Zero(d), one = set(1);
         const int_mask clockwise = hn::Gt(area2_, zero);
-        lane_edge edges[Corners];
-        for (int i = 0; i < Corners; ++i)
-            edges[i].set(x_[i], y_[i], x_[(i + 1) % Corners], y_[(i + 1) % Corners], clockwise,
-                         from_row_);
+        lane_edge edges[4];
+        for (int i = 0; i < 4; ++i)
+            edges[i].set(x_[i], y_[i], x_[(i + 1) % 4], y_[(i + 1) % 4], clockwise, from_row_);
 
-        const auto word_pitch = static_cast<std::int32_t>(job.band.word_pitch);
-        const auto depth_pitch = static_cast<std::int32_t>(job.band.depth_pitch);
-        const int_vec row = hn::Sub(hn::Add(row_, from_row_), set(job.band.top));
+        const auto word_pitch = static_cast<std::int32_t>(to.band.word_pitch);
+        const auto depth_pitch = static_cast<std::int32_t>(to.band.depth_pitch);
+        const int_vec row = hn::Sub(hn::Add(row_, from_row_), set(to.band.top));
         int_vec word_at = hn::Add(column_, hn::Mul(row, set(word_pitch)));
         int_vec depth_at = hn::Add(column_, hn::Mul(row, set(depth_pitch)));
-        const int_vec last_begin = hn::Sub(set(job.band.width - run), column_);
+        const int_vec last_begin = hn::Sub(set(to.band.width - run), column_);
 
         const int_vec down = hn::Sub(hn::ShiftLeft<l3d_subpixel_bits>(from_row_), y_[0]);
         int_vec row_s = hn::Sub(hn::Sub(zero, hn::Mul(x_[0], along2_y_)), hn::Mul(down, along2_x_));
@@ -292,23 +281,23 @@ private:
         int_vec samples = zero, longest = zero;
         for (std::int32_t k = 0; k < highest; ++k) {
             fill_row& row_k = table.rows[k];
-            int_vec from = from_column_, to = to_column_;
+            int_vec from = from_column_, end = to_column_;
             for (lane_edge& edge : edges) {
-                edge.limit(from, to);
+                edge.limit(from, end);
                 edge.step();
             }
             const int_vec begin = hn::Min(from, last_begin);
             const int_vec first = hn::Sub(from, begin);
-            const int_mask any = hn::And(hn::Lt(set(k), height), hn::Lt(from, to));
-            const int_vec last = hn::IfThenElseZero(any, hn::Sub(to, begin));
-            const int_vec end = hn::Min(last, set(run));
+            const int_mask any = hn::And(hn::Lt(set(k), height), hn::Lt(from, end));
+            const int_vec last = hn::IfThenElseZero(any, hn::Sub(end, begin));
+            const int_vec run_end = hn::Min(last, set(run));
             hn::Store(hn::Add(word_at, begin), d, row_k.word_at);
             hn::Store(hn::Add(depth_at, begin), d, row_k.depth_at);
             hn::Store(last, d, row_k.last);
-            hn::Store(hn::IfThenElseZero(any, hn::Sub(hn::Shl(one, end), hn::Shl(one, first))), d,
-                      row_k.mask);
+            hn::Store(hn::IfThenElseZero(any, hn::Sub(hn::Shl(one, run_end), hn::Shl(one, first))),
+                      d, row_k.mask);
             longest = hn::Max(longest, last);
-            samples = hn::Add(samples, hn::IfThenElseZero(any, hn::Sub(to, from)));
+            samples = hn::Add(samples, hn::IfThenElseZero(any, hn::Sub(end, from)));
 
             const float_vec s = to_float(hn::Add(row_s, hn::Mul(begin, column_s)));
             const float_vec t = to_float(hn::Sub(row_t, hn::Mul(begin, column_t)));
@@ -323,7 +312,7 @@ private:
         }
         hn::Store(longest, d, table.longest);
         hn::Store(hn::IfThenElseZero(hn::Gt(samples, zero), height), d, table.height);
-        job.counts.samples += hn::GetLane(hn::SumOfLanes(d, samples));
+        to.counts.samples += hn::GetLane(hn::SumOfLanes(d, samples));
     }
 
     /// The square of the normal's length along a row, and which way it points.
@@ -340,15 +329,15 @@ private:
         hn::Store(facing_.at(s, t), d, to.facing);
     }
 
-    int_vec x_[Corners], y_[Corners]; ///< from the centre of pixel (column_, row_)
-    int_vec absolute_x_[Corners], absolute_y_[Corners];
+    int_vec x_[4], y_[4]; ///< from the centre of pixel (column_, row_)
+    int_vec absolute_x_[4], absolute_y_[4];
     int_vec column_, row_;
     int_vec from_column_, to_column_, from_row_, to_row_; ///< in the band; from (column_, row_)
     int_mask live_, large_;
-    float_vec normal_[3][Corners], spread_;
-    int_vec turn_[Corners]; ///< of a quad
+    float_vec normal_[3][4], spread_;
+    int_vec turn_a_, turn_b_, turn_d_; ///< cross products of the sides that meet in a corner
     int_vec along1_x_, along1_y_, along2_x_, along2_y_, area2_;
-    lane_frame<Corners> frame_;
+    lane_frame frame_;
     lane_plane inv_w_, lit_, facing_, normals_[3];
     float_vec normal_x_[3];
 };

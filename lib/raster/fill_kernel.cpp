@@ -13,6 +13,8 @@
 #include "raster/fill_pixels-inl.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cassert>
 
 HWY_BEFORE_NAMESPACE();
@@ -41,73 +43,99 @@ HWY_INLINE hn::Vec<D> load_within(D d, const T* array, std::size_t at, std::size
     return hn::Load(d, part);
 }
 
-/// Takes polygons, keeps those that may cover a pixel, and fills them when there are enough.
-template <int Corners> class fill_stream {
-public:
-    HWY_INLINE explicit fill_stream(const fill_job& job) : job_(job) {}
+HWY_INLINE void put(int_vec v, std::int32_t* to) {
+    hn::StoreU(v, ints(), to);
+}
 
-    /// Takes polygons [at, at + count) of arrays of corners, the first one called `id`.
-    HWY_INLINE void take(const corner_arrays (&from)[Corners], const std::size_t (&at)[Corners],
-                         std::size_t count, std::int32_t id) {
+/// Keeps those polygons that may cover a pixel, and fills them when there are enough.
+class fill_stream {
+public:
+    HWY_INLINE explicit fill_stream(const fill_target& target)
+        : target_(target), queue_(target.queue) {}
+
+    /// Takes polygons [at, at + count) of arrays of corners. The first one's name is `name`, the
+    /// others' follow by `step`.
+    HWY_INLINE void take(const corner_arrays (&from)[4], const std::size_t (&at)[4],
+                         std::size_t count, const void* source, std::int32_t name,
+                         std::int32_t step) {
+        const ints d;
+        const int_vec steps = hn::Mul(hn::Iota(d, 0), hn::Set(d, step));
         for (std::size_t i = 0; i < count; i += lanes)
-            take_vector(from, at, i, std::min(lanes, count - i), id);
+            take_vector(from, at, i, std::min(lanes, count - i), source,
+                        hn::Add(steps, hn::Set(d, name + static_cast<std::int32_t>(i) * step)));
     }
 
     HWY_INLINE void finish() {
-        std::size_t at = 0;
-        for (; at < queue_.count; at += lanes)
-            fill(at, std::min(lanes, queue_.count - at));
-        queue_.count = 0;
+        fill_rest_of_queue();
+        for (const auto& piece : queue_.pieces) {
+            add(piece);
+            if (queue_.count == lanes)
+                fill_rest_of_queue();
+        }
+        queue_.pieces.clear();
+        fill_rest_of_queue();
     }
 
 private:
-    HWY_INLINE void take_vector(const corner_arrays (&from)[Corners],
-                                const std::size_t (&at)[Corners], std::size_t i, std::size_t count,
-                                std::int32_t id) {
+    HWY_INLINE void take_vector(const corner_arrays (&from)[4], const std::size_t (&at)[4],
+                                std::size_t i, std::size_t count, const void* source,
+                                int_vec names) {
         const ints d;
         const floats df;
-        int_vec x[Corners], y[Corners];
-        for (std::size_t k = 0; k < Corners; ++k) {
+        int_vec x[4], y[4];
+        for (std::size_t k = 0; k < 4; ++k) {
             x[k] = load_within(d, from[k].x, at[k] + i, from[k].size);
             y[k] = load_within(d, from[k].y, at[k] + i, from[k].size);
         }
+        const fill_band& band = target_.band;
         const int_mask live =
-            hn::And(hn::FirstN(d, count), hn::And(meets(x, 0, job_.band.width),
-                                                  meets(y, job_.band.top, job_.band.bottom)));
+            hn::And(hn::FirstN(d, count),
+                    hn::And(meets(x, 0, band.width), meets(y, band.top, band.bottom)));
         const std::size_t found = hn::CountTrue(d, live);
         if (found == 0)
             return;
         const std::size_t to = queue_.count;
-        for (std::size_t k = 0; k < Corners; ++k) {
-            put(x[k], live, queue_.corner[k][0] + to);
-            put(y[k], live, queue_.corner[k][1] + to);
-            const auto number = [&](const float* array) HWY_ATTR {
-                return hn::BitCast(d, load_within(df, array, at[k] + i, from[k].size));
-            };
-            put(number(from[k].inv_w), live, queue_.corner[k][2] + to);
+        const bool all = found == count;
+        const auto kept = [&](int_vec v) HWY_ATTR { return all ? v : hn::Compress(v, live); };
+        const auto number = [&](std::size_t k, const float* array) HWY_ATTR {
+            return hn::BitCast(d, load_within(df, array, at[k] + i, from[k].size));
+        };
+        for (std::size_t k = 0; k < 4; ++k) {
+            put(kept(x[k]), queue_.corner[k][0] + to);
+            put(kept(y[k]), queue_.corner[k][1] + to);
+            put(kept(number(k, from[k].inv_w)), queue_.corner[k][2] + to);
             for (std::size_t c = 0; c < 3; ++c)
-                put(number(from[k].normal[c]), live, queue_.corner[k][3 + c] + to);
+                put(kept(number(k, from[k].normal[c])), queue_.corner[k][3 + c] + to);
         }
-        put(hn::Iota(d, id + static_cast<std::int32_t>(i)), live, queue_.id + to);
+        put(kept(names), queue_.name + to);
+        std::fill_n(queue_.source.begin() + static_cast<std::ptrdiff_t>(to), lanes, source);
         queue_.count += found;
         if (queue_.count > fill_queue::most - lanes)
             fill_whole();
     }
 
-    static HWY_INLINE void put(int_vec v, int_mask live, std::int32_t* to) {
-        hn::StoreU(hn::Compress(v, live), ints(), to);
-    }
-
     /// Whether a pixel centre in [begin, end) lies between the corners.
-    static HWY_INLINE int_mask meets(const int_vec (&v)[Corners], std::int32_t begin,
-                                     std::int32_t end) {
-        int_vec least = v[0], most = v[0];
-        for (std::size_t k = 1; k < Corners; ++k) {
-            least = hn::Min(least, v[k]);
-            most = hn::Max(most, v[k]);
-        }
+    static HWY_INLINE int_mask meets(const int_vec (&v)[4], std::int32_t begin, std::int32_t end) {
+        const int_vec least = hn::Min(hn::Min(v[0], v[1]), hn::Min(v[2], v[3]));
+        const int_vec most = hn::Max(hn::Max(v[0], v[1]), hn::Max(v[2], v[3]));
         return hn::Lt(hn::Max(first_centre_of(least), set(begin)),
                       hn::Min(first_centre_of(most), set(end)));
+    }
+
+    /// Adds a piece. Expects: room.
+    void add(const std::array<l3d_micro_vertex, 3>& triangle) {
+        const std::size_t to = queue_.count++;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const l3d_micro_vertex& v = triangle[std::min<std::size_t>(k, 2)];
+            auto& corner = queue_.corner[k];
+            corner[0][to] = v.x;
+            corner[1][to] = v.y;
+            corner[2][to] = std::bit_cast<std::int32_t>(v.inv_w);
+            for (std::size_t c = 0; c < 3; ++c)
+                corner[3 + c][to] = std::bit_cast<std::int32_t>(v.normal[c]);
+        }
+        queue_.name[to] = fill_queue::piece;
+        queue_.source[to] = nullptr;
     }
 
     /// Fills whole vectors and moves the others to the front.
@@ -116,25 +144,33 @@ private:
         for (; at + lanes <= queue_.count; at += lanes)
             fill(at, lanes);
         const ints d;
-        for (std::size_t k = 0; k < Corners; ++k)
-            for (auto& component : queue_.corner[k])
+        for (auto& corner : queue_.corner)
+            for (auto& component : corner)
                 hn::Store(hn::LoadU(d, component + at), d, component);
-        hn::Store(hn::LoadU(d, queue_.id + at), d, queue_.id);
+        hn::Store(hn::LoadU(d, queue_.name + at), d, queue_.name);
+        std::copy_n(queue_.source.begin() + static_cast<std::ptrdiff_t>(at), lanes,
+                    queue_.source.begin());
         queue_.count -= at;
     }
 
-    HWY_NOINLINE void fill(std::size_t at, std::size_t count) {
-        fill_group<Corners> group;
-        if (!group.set_up(job_, queue_, at, count, table_))
-            return;
-        if (table_.curved)
-            job_.counts.written += fill_pixels<true>(job_.band, table_);
-        else
-            job_.counts.written += fill_pixels<false>(job_.band, table_);
+    void fill_rest_of_queue() {
+        for (std::size_t at = 0; at < queue_.count; at += lanes)
+            fill(at, std::min(lanes, queue_.count - at));
+        queue_.count = 0;
     }
 
-    fill_job job_;
-    fill_queue queue_;
+    HWY_NOINLINE void fill(std::size_t at, std::size_t count) {
+        fill_group group;
+        if (!group.set_up(target_, at, count, table_))
+            return;
+        if (table_.curved)
+            target_.counts.written += fill_pixels<true>(target_.band, table_);
+        else
+            target_.counts.written += fill_pixels<false>(target_.band, table_);
+    }
+
+    const fill_target& target_;
+    fill_queue& queue_;
     fill_table table_;
 };
 
@@ -154,33 +190,31 @@ corner_arrays arrays_of(const l3d_micro_triangles::corner& corner) {
             corner.x.size()};
 }
 
-void fill_quads(const fill_band& band, const fill_shading& shading, const l3d_micro_grid& grid,
-                int row_begin, int row_end, int column_begin, int column_end, fill_counts& counts,
-                fill_rest& rest) {
-    if (column_begin >= column_end)
-        return;
+void fill_quads(const fill_target& to, const l3d_micro_grid& grid, int row_begin, int row_end,
+                int column_begin, int column_end) {
     const corner_arrays a = arrays_of(grid);
     const corner_arrays from[4] = {a, a, a, a};
-    fill_stream<4> stream({band, shading, counts, rest.quads});
+    fill_stream stream(to);
     for (int row = row_begin; row < row_end; ++row) {
         const std::size_t p00 = grid.index(row, column_begin);
         const std::size_t p01 = grid.index(row + 1, column_begin);
         stream.take(from, {p00, p00 + 1, p01 + 1, p01},
-                    static_cast<std::size_t>(column_end - column_begin),
-                    static_cast<std::int32_t>(p00));
+                    static_cast<std::size_t>(column_end - column_begin), &grid,
+                    static_cast<std::int32_t>(p00), 1);
     }
-    stream.finish();
 }
 
-void fill_triangles(const fill_band& band, const fill_shading& shading,
-                    const l3d_micro_triangles& triangles, std::size_t first, std::size_t last,
-                    fill_counts& counts, fill_rest& rest) {
+void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles, std::size_t first,
+                    std::size_t last) {
     const auto& corners = triangles.corners;
-    const corner_arrays from[3] = {arrays_of(corners[0]), arrays_of(corners[1]),
-                                   arrays_of(corners[2])};
-    fill_stream<3> stream({band, shading, counts, rest.triangles});
-    stream.take(from, {first, first, first}, last - first, static_cast<std::int32_t>(first));
-    stream.finish();
+    const corner_arrays c = arrays_of(corners[2]);
+    const corner_arrays from[4] = {arrays_of(corners[0]), arrays_of(corners[1]), c, c};
+    fill_stream(to).take(from, {first, first, first, first}, last - first, &triangles,
+                         -1 - static_cast<std::int32_t>(first), -1);
+}
+
+void fill_finish(const fill_target& to) {
+    fill_stream(to).finish();
 }
 
 } // namespace
@@ -194,20 +228,24 @@ namespace l3d_detail {
 
 L3D_SIMD_TABLE(fill_quads);
 L3D_SIMD_TABLE(fill_triangles);
+L3D_SIMD_TABLE(fill_finish);
 
-void fill_quads(const fill_band& band, const fill_shading& shading, const l3d_micro_grid& grid,
-                int row_begin, int row_end, int column_begin, int column_end, fill_counts& counts,
-                fill_rest& rest) {
-    assert(band.width >= fill_least_width);
-    L3D_SIMD_CALL(fill_quads)
-    (band, shading, grid, row_begin, row_end, column_begin, column_end, counts, rest);
+void fill_quads(const fill_target& to, const l3d_micro_grid& grid, int row_begin, int row_end,
+                int column_begin, int column_end) {
+    assert(to.band.width >= fill_least_width);
+    if (row_begin < row_end && column_begin < column_end)
+        L3D_SIMD_CALL(fill_quads)
+    (to, grid, row_begin, row_end, column_begin, column_end);
 }
 
-void fill_triangles(const fill_band& band, const fill_shading& shading,
-                    const l3d_micro_triangles& triangles, std::size_t first, std::size_t last,
-                    fill_counts& counts, fill_rest& rest) {
-    assert(band.width >= fill_least_width);
-    L3D_SIMD_CALL(fill_triangles)(band, shading, triangles, first, last, counts, rest);
+void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles, std::size_t first,
+                    std::size_t last) {
+    assert(to.band.width >= fill_least_width);
+    L3D_SIMD_CALL(fill_triangles)(to, triangles, first, last);
+}
+
+void fill_finish(const fill_target& to) {
+    L3D_SIMD_CALL(fill_finish)(to);
 }
 
 } // namespace l3d_detail

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace l3d_detail {
@@ -42,11 +43,20 @@ struct fill_counts {
     std::int64_t written = 0; ///< of those, nearer than what was there
 };
 
-/// Polygons that the lanes do not take: folded, skew, or larger than 64 pixels. The caller fills
-/// them by the scalar filler.
+/// Polygons that the lanes do not take: larger than 64 pixels, or of too different normals. The
+/// caller fills them by the scalar filler after fill_finish.
 struct fill_rest {
-    std::vector<std::uint32_t> quads;     ///< l3d_micro_grid::index of each one's first corner
-    std::vector<std::uint32_t> triangles; ///< each one's number in its l3d_micro_triangles
+    struct quad {
+        const l3d_micro_grid* grid;
+        std::size_t index; ///< l3d_micro_grid::index of the first corner
+    };
+    struct triangle {
+        const l3d_micro_triangles* triangles;
+        std::size_t index;
+    };
+
+    std::vector<quad> quads;
+    std::vector<triangle> triangles;
 
     void clear() {
         quads.clear();
@@ -54,22 +64,54 @@ struct fill_rest {
     }
 };
 
+/// Polygons that wait until a vector of them can be set up together.
+///
+/// Shape: polygon i is in element i of each array; [corner][component], components being x, y, 1/w
+///        and the normal, floats as their bits. A triangle's last corner is there twice.
+/// Lives: of one worker, kept for its memory. Empty between bands.
+struct fill_queue {
+    static constexpr std::size_t widest_vector = 16, components = 6;
+    static constexpr std::size_t most = 4 * widest_vector, room = most + widest_vector;
+
+    alignas(64) std::int32_t corner[4][components][room];
+    /// Of a quad its index, of a triangle minus its index - 1; `piece` of what comes from a quad.
+    alignas(64) std::int32_t name[room];
+    static constexpr std::int32_t piece = std::numeric_limits<std::int32_t>::min();
+
+    alignas(64) std::array<const void*, room> source; ///< the grid or triangles it comes from
+    std::size_t count = 0;
+
+    /// Folded and skew quads in pieces: filled when all others are, so that what comes first where
+    /// two are equally near does not depend on how many waited together.
+    std::vector<std::array<l3d_micro_vertex, 3>> pieces;
+};
+
+/// Where polygons go, and what is written down of it: counts and rest are added to.
+struct fill_target {
+    const fill_band& band;
+    const fill_shading& shading;
+    fill_queue& queue;
+    fill_counts& counts;
+    fill_rest& rest;
+};
+
 /// Fills the quads of a grid whose first corner is in rows [row_begin, row_end) and columns
-/// [column_begin, column_end).
+/// [column_begin, column_end), now or later: at the latest in fill_finish.
 ///
 /// The same picture as surface_fill with the lambert shader: coverage and `samples` exactly, depth
 /// within 1e-5 of the corners' range, grey within one level. The same bits whatever the processor
 /// and however a picture is divided into bands.
 /// Expects: 0 <= row_begin, row_end < grid.rows, and so for columns; normals of unit length, or
-///          zero; inv_w > 0. Counts and rest are added to.
-void fill_quads(const fill_band& band, const fill_shading& shading, const l3d_micro_grid& grid,
-                int row_begin, int row_end, int column_begin, int column_end, fill_counts& counts,
-                fill_rest& rest);
+///          zero; inv_w > 0. Band and shading are the same until fill_finish, and grids stay.
+void fill_quads(const fill_target& to, const l3d_micro_grid& grid, int row_begin, int row_end,
+                int column_begin, int column_end);
 
 /// Fills triangles [first, last); otherwise like fill_quads.
-void fill_triangles(const fill_band& band, const fill_shading& shading,
-                    const l3d_micro_triangles& triangles, std::size_t first, std::size_t last,
-                    fill_counts& counts, fill_rest& rest);
+void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles, std::size_t first,
+                    std::size_t last);
+
+/// Fills what still waits, and only now is the band done but for the rest.
+void fill_finish(const fill_target& to);
 
 } // namespace l3d_detail
 

@@ -115,23 +115,18 @@ struct lane_plane {
     }
 };
 
-/// The polygon's two differences: a to c and b to d of a quad, a to b and a to c of a triangle.
-template <int Corners> struct lane_frame {
-    float_vec mean_s, mean_t; ///< of a quad: where its mean is, as parts of the differences
+/// A polygon's two differences, from corner a to c and from b to d. They span 2 of its area; a
+/// triangle, whose d is c, too.
+struct lane_frame {
+    float_vec mean_s, mean_t; ///< the mean of the corners, as parts of the differences
     float_vec inverse;        ///< 1 / area2
 
-    HWY_INLINE lane_plane plane(const float_vec* v) const {
-        const floats d;
-        if constexpr (Corners == 3) {
-            return {v[0], hn::Mul(hn::Sub(v[1], v[0]), inverse),
-                    hn::Mul(hn::Sub(v[2], v[0]), inverse)};
-        } else {
-            const float_vec d1 = hn::Sub(v[2], v[0]), d2 = hn::Sub(v[3], v[1]);
-            const float_vec mean =
-                hn::Mul(hn::Add(hn::Add(v[0], v[2]), hn::Add(v[1], v[3])), hn::Set(d, 0.25f));
-            const float_vec base = hn::Sub(mean, hn::Add(hn::Mul(mean_s, d1), hn::Mul(mean_t, d2)));
-            return {base, hn::Mul(d1, inverse), hn::Mul(d2, inverse)};
-        }
+    HWY_INLINE lane_plane plane(const float_vec (&v)[4]) const {
+        const float_vec d1 = hn::Sub(v[2], v[0]), d2 = hn::Sub(v[3], v[1]);
+        const float_vec mean =
+            hn::Mul(hn::Add(hn::Add(v[0], v[2]), hn::Add(v[1], v[3])), hn::Set(floats(), 0.25f));
+        const float_vec base = hn::Sub(mean, hn::Add(hn::Mul(mean_s, d1), hn::Mul(mean_t, d2)));
+        return {base, hn::Mul(d1, inverse), hn::Mul(d2, inverse)};
     }
 };
 

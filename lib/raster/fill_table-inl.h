@@ -37,16 +37,7 @@ using int_mask = hn::Mask<ints>;
 
 /// Polygons set up together, one in each lane of a vector.
 constexpr std::size_t lanes = hn::MaxLanes(ints());
-
-/// Corners of polygons, component by component, waiting for a group to be full.
-///
-/// Shape: [corner][component]; components are x, y, 1/w and the normal, floats as their bits.
-struct fill_queue {
-    static constexpr std::size_t components = 6, most = 4 * lanes, room = most + lanes;
-    alignas(64) std::int32_t corner[4][components][room];
-    alignas(64) std::int32_t id[room];
-    std::size_t count = 0;
-};
+static_assert(lanes <= fill_queue::widest_vector);
 
 /// The first run of a row of each polygon. Numbers are those of the run's first pixel; `_x` is what
 /// a column adds.
