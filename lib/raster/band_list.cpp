@@ -21,9 +21,9 @@ l3d_block_starts paired(const l3d_block_starts& starts) {
 }
 
 /// Calls visit(cells) for every item's share of a grid: a block, or up to 2 x 2 of them while that
-/// is fewer than 128 quads. As many cost as much as the tests of an item save.
+/// is fewer than 64 quads. As many cost as much as the tests of an item save.
 template <class Visit> void visit_blocks(const l3d_surface_part& part, const Visit& visit) {
-    constexpr int few = 128;
+    constexpr int few = 64;
     const grid_cells all = all_cells(part.grid);
     const int quads = all.row_end * all.column_end;
     l3d_block_starts rows = part.block_rows, columns = part.block_columns;
@@ -67,11 +67,8 @@ void band_list::lay_out(std::span<const l3d_surface_part* const> parts) {
     for (const l3d_surface_part* part : parts) {
         places_.push_back(next);
         visit_blocks(*part, [&](const grid_cells& cells) {
-            const auto rows = static_cast<std::uint32_t>(cells.row_end - cells.row_begin);
-            const auto columns = static_cast<std::size_t>(cells.column_end - cells.column_begin);
             ++next.items;
-            next.rows += rows;
-            most_polygons_ = std::max(most_polygons_, rows * columns);
+            next.rows += static_cast<std::uint32_t>(cells.row_end - cells.row_begin);
         });
         const auto triangles = static_cast<std::uint32_t>(part->triangles.count);
         next.items += (triangles + triangles_in_item - 1) / triangles_in_item;

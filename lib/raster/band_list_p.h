@@ -52,9 +52,8 @@ public:
     /// The pixel rows of each of an item's rows of quads.
     const band_rows* rows(const band_item& item) const { return rows_.data() + item.rows_at; }
 
-    /// Quads and triangles of all parts, and of the item that has most.
+    /// Quads and triangles of all parts.
     std::int64_t polygons() const { return polygons_; }
-    std::size_t most_polygons() const { return most_polygons_; }
 
 private:
     struct place {
@@ -70,7 +69,6 @@ private:
     std::vector<band_item> items_;
     std::vector<band_rows> rows_;
     std::int64_t polygons_ = 0;
-    std::size_t most_polygons_ = triangles_in_item;
 
     struct sort_key {
         std::uint32_t distance, item;

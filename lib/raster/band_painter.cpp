@@ -7,10 +7,10 @@
 
 namespace l3d_detail {
 
-void band_painter::reserve(int rows, std::size_t polygons) {
-    scalar_.reserve(rows);
-    rest_.quads.reserve(polygons);
-    rest_.triangles.reserve(polygons);
+void band_painter::reserve_as(const band_painter& other) {
+    rest_.quads.reserve(other.rest_.quads.capacity());
+    rest_.triangles.reserve(other.rest_.triangles.capacity());
+    queue_.pieces.reserve(other.queue_.pieces.capacity());
 }
 
 void band_painter::draw(const band_frame& frame, const fill_band& band, const band_list& list,
@@ -23,23 +23,29 @@ void band_painter::draw(const band_frame& frame, const fill_band& band, const ba
         if (frame.leaves_out_hidden && coarse.hidden(box, item.nearest, band))
             continue;
         coarse.open(box, band);
-        draw_item(frame, band, list, item);
+        draw_triangles(frame, band, item);
+        draw_cells(frame, band, list, item);
     }
+    if (frame.by_lanes)
+        draw_rest(frame, band);
     by_scalar_.samples += scalar_.counts().samples;
     by_scalar_.written += scalar_.counts().written;
 }
 
-/// What the lanes leave is filled when all else of the item is, so that the order does not depend
-/// on where the band cuts the item.
-void band_painter::draw_item(const band_frame& frame, const fill_band& band, const band_list& list,
-                             const band_item& item) {
-    if (item.triangle_begin < item.triangle_end) {
-        if (frame.by_lanes)
-            fill_triangles(band, frame.lane_shading, item.part->triangles, item.triangle_begin,
-                           item.triangle_end, by_lanes_, rest_);
-        else
-            scalar_.fill(*item.part, item.triangle_begin, item.triangle_end);
-    }
+void band_painter::draw_triangles(const band_frame& frame, const fill_band& band,
+                                  const band_item& item) {
+    if (item.triangle_begin >= item.triangle_end)
+        return;
+    if (frame.by_lanes)
+        fill_triangles(by_lanes(frame, band), item.part->triangles, item.triangle_begin,
+                       item.triangle_end);
+    else
+        scalar_.fill(*item.part, item.triangle_begin, item.triangle_end);
+}
+
+/// Leaves out rows of quads that are above or below the band.
+void band_painter::draw_cells(const band_frame& frame, const fill_band& band, const band_list& list,
+                              const band_item& item) {
     const band_rows* const rows = list.rows(item) - item.cells.row_begin;
     grid_cells run = item.cells;
     for (int row = run.row_begin; row < item.cells.row_end; row = run.row_end + 1) {
@@ -51,21 +57,23 @@ void band_painter::draw_item(const band_frame& frame, const fill_band& band, con
         while (run.row_end < item.cells.row_end && !outside(run.row_end))
             ++run.row_end;
         if (run.row_begin < run.row_end)
-            draw_cells(frame, band, item, run);
-    }
-    if (!rest_.quads.empty() || !rest_.triangles.empty()) {
-        scalar_.fill(*item.part, rest_);
-        rest_.clear();
+            draw_run(frame, band, item, run);
     }
 }
 
-void band_painter::draw_cells(const band_frame& frame, const fill_band& band, const band_item& item,
-                              const grid_cells& cells) {
+void band_painter::draw_run(const band_frame& frame, const fill_band& band, const band_item& item,
+                            const grid_cells& cells) {
     if (frame.by_lanes)
-        fill_quads(band, frame.lane_shading, item.part->grid, cells.row_begin, cells.row_end,
-                   cells.column_begin, cells.column_end, by_lanes_, rest_);
+        fill_quads(by_lanes(frame, band), item.part->grid, cells.row_begin, cells.row_end,
+                   cells.column_begin, cells.column_end);
     else
         scalar_.fill(*item.part, cells);
+}
+
+void band_painter::draw_rest(const band_frame& frame, const fill_band& band) {
+    fill_finish(by_lanes(frame, band));
+    scalar_.fill(rest_);
+    rest_.clear();
 }
 
 fill_counts band_painter::take_counts() {

@@ -26,9 +26,11 @@ struct band_frame {
 /// Shape: begins a cache line, so that workers do not take each other's.
 class alignas(64) band_painter {
 public:
-    /// So that drawing bands of so many rows and items of so many polygons allocates nothing, also
-    /// if they come to a worker who had nothing to do so far.
-    void reserve(int rows, std::size_t polygons);
+    /// So that drawing bands of so many rows allocates nothing.
+    void reserve(int rows) { scalar_.reserve(rows); }
+
+    /// Makes as much room as another worker had to: which band comes to whom is chance.
+    void reserve_as(const band_painter& other);
 
     /// Draws the items into the band, in this order, and notes them in the coarse depth.
     void draw(const band_frame& frame, const fill_band& band, const band_list& list,
@@ -38,12 +40,18 @@ public:
     fill_counts take_counts();
 
 private:
-    void draw_item(const band_frame& frame, const fill_band& band, const band_list& list,
-                   const band_item& item);
-    void draw_cells(const band_frame& frame, const fill_band& band, const band_item& item,
-                    const grid_cells& cells);
+    void draw_triangles(const band_frame& frame, const fill_band& band, const band_item& item);
+    void draw_cells(const band_frame& frame, const fill_band& band, const band_list& list,
+                    const band_item& item);
+    void draw_run(const band_frame& frame, const fill_band& band, const band_item& item,
+                  const grid_cells& cells);
+    void draw_rest(const band_frame& frame, const fill_band& band);
+    fill_target by_lanes(const band_frame& frame, const fill_band& band) {
+        return {band, frame.lane_shading, queue_, by_lanes_, rest_};
+    }
 
     band_scalar scalar_;
+    fill_queue queue_;
     fill_rest rest_;
     fill_counts by_lanes_, by_scalar_;
 };

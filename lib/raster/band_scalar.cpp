@@ -56,8 +56,7 @@ void band_scalar::begin(const fill_band& band, const l3d_shading& shading) {
 }
 
 /// Calls draw with a filler for the frame's shader: one switch per batch, none per pixel.
-template <class Draw>
-void band_scalar::with_shader(const l3d_surface_part& part, const Draw& draw) {
+template <class Draw> void band_scalar::with_shader(std::uint32_t error_color, const Draw& draw) {
     switch (shading_->mode) {
     case l3d_shade::lambert:
         return draw(surface_fill(target_, lambert_shader(*shading_)));
@@ -68,12 +67,12 @@ void band_scalar::with_shader(const l3d_surface_part& part, const Draw& draw) {
     case l3d_shade::normals:
         return draw(surface_fill(target_, normals_shader(*shading_)));
     case l3d_shade::error:
-        return draw(surface_fill(target_, constant_shader(part.error_color)));
+        return draw(surface_fill(target_, constant_shader(error_color)));
     }
 }
 
 void band_scalar::fill(const l3d_surface_part& part, const grid_cells& cells) {
-    with_shader(part, [&](auto fill) {
+    with_shader(part.error_color, [&](auto fill) {
         for (int row = cells.row_begin; row < cells.row_end; ++row)
             for (int column = cells.column_begin; column < cells.column_end; ++column)
                 fill_cell(fill, target_.band, part.grid, part.grid.index(row, column));
@@ -81,19 +80,18 @@ void band_scalar::fill(const l3d_surface_part& part, const grid_cells& cells) {
 }
 
 void band_scalar::fill(const l3d_surface_part& part, std::size_t first, std::size_t last) {
-    with_shader(part, [&](auto fill) {
+    with_shader(part.error_color, [&](auto fill) {
         for (std::size_t i = first; i < last; ++i)
             fill_triangle(fill, part.triangles, i);
     });
 }
 
-void band_scalar::fill(const l3d_surface_part& part, const fill_rest& rest) {
-    with_shader(part, [&](auto fill) {
-        for (const std::uint32_t i : rest.quads)
-            fill_cell(fill, target_.band, part.grid, i);
-        for (const std::uint32_t i : rest.triangles)
-            fill_triangle(fill, part.triangles, i);
-    });
+void band_scalar::fill(const fill_rest& rest) {
+    surface_fill fill(target_, lambert_shader(*shading_));
+    for (const fill_rest::quad& quad : rest.quads)
+        fill_cell(fill, target_.band, *quad.grid, quad.index);
+    for (const fill_rest::triangle& triangle : rest.triangles)
+        fill_triangle(fill, *triangle.triangles, triangle.index);
 }
 
 } // namespace l3d_detail

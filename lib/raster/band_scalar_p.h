@@ -8,6 +8,7 @@
 #include "raster/surface_target_p.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace l3d_detail {
 
@@ -30,12 +31,13 @@ public:
     /// Triangles [first, last).
     void fill(const l3d_surface_part& part, std::size_t first, std::size_t last);
 
-    void fill(const l3d_surface_part& part, const fill_rest& rest);
+    /// What the kernel left, in mode `lambert`.
+    void fill(const fill_rest& rest);
 
     const fill_counts& counts() const { return target_.counts; }
 
 private:
-    template <class Draw> void with_shader(const l3d_surface_part& part, const Draw& draw);
+    template <class Draw> void with_shader(std::uint32_t error_color, const Draw& draw);
 
     surface_target target_;
     const l3d_shading* shading_ = nullptr;

@@ -82,7 +82,7 @@ void l3d_surface_rasterizer_sw::do_draw(std::span<const l3d_surface_part* const>
         return of_a != of_b ? of_a > of_b : a < b;
     });
     for (band_painter& painter : work_->painters)
-        painter.reserve(rows_, list.most_polygons());
+        painter.reserve(rows_);
     workers_.for_each(static_cast<int>(order.size()), [&](int i, int worker) {
         draw_band(order[static_cast<std::size_t>(i)], static_cast<std::size_t>(worker));
     });
@@ -90,6 +90,8 @@ void l3d_surface_rasterizer_sw::do_draw(std::span<const l3d_surface_part* const>
     drawn_ = true;
     counts_.quads += list.polygons();
     for (band_painter& painter : work_->painters) {
+        for (const band_painter& other : work_->painters)
+            painter.reserve_as(other);
         const fill_counts counts = painter.take_counts();
         counts_.samples += counts.samples;
         counts_.written += counts.written;
@@ -127,8 +129,8 @@ void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
 }
 
 bool l3d_surface_rasterizer_sw::do_hidden(const l3d_subpixel_box& box, float nearest_inv_w) const {
-    return drawn_ &&
-           work_->coarse.hidden(pixels_in(box).intersected(whole(target_.size())), nearest_inv_w);
+    const pixel_box pixels = pixels_in(box).intersected(whole(target_.size()));
+    return drawn_ && (pixels.empty() || work_->coarse.hidden(pixels, nearest_inv_w));
 }
 
 void l3d_surface_rasterizer_sw::do_finish() {

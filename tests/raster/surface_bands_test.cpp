@@ -252,7 +252,9 @@ TEST(SurfaceBands, HiddenIsWhatIsNoNearerThanAllOfItsTiles) {
     EXPECT_FALSE(picture.rasterizer.hidden(box(20, 20, 30, 30), std::nextafter(0.5f, 1.0f)));
     EXPECT_FALSE(picture.rasterizer.hidden(box(15, 20, 30, 30), 0.25f)) << "looks out on the left";
     EXPECT_FALSE(picture.rasterizer.hidden(box(20, 7, 30, 30), 0.25f)) << "looks out above";
-    EXPECT_TRUE(picture.rasterizer.hidden(box(-30, 7, -20, 30), 9)) << "outside the window";
+    for (const auto& outside :
+         {box(-30, 7, -20, 30), box(230, 7, 250, 30), box(9, -30, 90, -20), box(9, 150, 90, 170)})
+        EXPECT_TRUE(picture.rasterizer.hidden(outside, 9)) << "outside the window";
     EXPECT_TRUE(picture.rasterizer.hidden({16 * 256 - 127, 5000, 6000, 6000}, 0.5f))
         << "the centre left of it is outside";
     EXPECT_FALSE(picture.rasterizer.hidden({16 * 256 - 128, 5000, 6000, 6000}, 0.5f));
