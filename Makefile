@@ -191,7 +191,7 @@ $(TESTERS): $(OUT)/tests/%_tests: $$(objects_tests/$$*) $$(call archives,$$(call
 
 $(BENCHES): %: %.o $(objects_bench) $(call archives,reference $(LAYERS))
 	$(call say,LINK,$@)
-	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -lbenchmark -ldl -o $@
+	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -lembree3 -o $@
 
 # ---- logs: each ends with the exit status of what it ran ----------------------------------------
 

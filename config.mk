@@ -27,4 +27,5 @@ PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:
 PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
 PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
 PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h
-PACKAGES_bench  := libosmesa6:libOSMesa.so
+PACKAGES_bench  := libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so \
+    libembree-dev:embree3/rtcore.h xvfb:Xvfb

@@ -7,24 +7,6 @@
 
 #include <array>
 #include <cassert>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-
-namespace l3d_detail {
-
-template <std::floating_point T> constexpr T divided(T value, int divisor) {
-    return value / static_cast<T>(divisor);
-}
-
-/// One narrow division: dividing by l3d_fixed(divisor) would take a wide one.
-template <class S, int F, l3d_overflow O>
-constexpr l3d_fixed<S, F, O> divided(l3d_fixed<S, F, O> value, int divisor) {
-    return l3d_fixed<S, F, O>::from_raw(
-        static_cast<S>(divided_to_nearest(std::int64_t{value.raw()}, std::int64_t{divisor})));
-}
-
-} // namespace l3d_detail
 
 /// A polynomial of one variable as its value and its forward differences at a step h.
 ///
@@ -42,22 +24,20 @@ template <class T, int Degree> struct l3d_forward_difference {
     ///
     /// With c1, c2, c3 the power coefficients divided by n, n^2, n^3:
     ///   f(h) - f(0) = c1 + c2 + c3;  second difference 2 c2 + 6 c3;  third 6 c3.
-    /// Expects: steps >= 1. Wide arithmetic throughout, one rounding to T per register.
-    template <class Wide>
-    static l3d_forward_difference build(const std::array<Wide, 4>& b, int steps) {
+    /// Expects: steps >= 1. In double throughout, one rounding to T per register.
+    static l3d_forward_difference build(const std::array<double, 4>& b, int steps) {
         assert(steps >= 1);
-        const auto over_n = [steps](Wide value) { return l3d_detail::divided(value, steps); };
-        const Wide first = b[1] - b[0], second = b[2] - b[1], third = b[3] - b[2];
-        const Wide bend = second - first;
-        const Wide twist = (third - second) - bend;
-        const Wide c1 = over_n(thrice(first));
-        const Wide c2 = over_n(over_n(thrice(bend)));
-        const Wide c3 = over_n(over_n(over_n(twist)));
-        const Wide d2 = over_n(over_n(thrice(bend + bend)));
-        const Wide d3 = over_n(over_n(over_n(thrice(twist + twist))));
-        using traits = l3d_real_traits<T>;
-        return {{traits::from_wide(b[0]), traits::from_wide(c1 + c2 + c3),
-                 traits::from_wide(d2 + d3), traits::from_wide(d3)}};
+        const double n = steps;
+        const double first = b[1] - b[0], second = b[2] - b[1], third = b[3] - b[2];
+        const double bend = second - first;
+        const double twist = (third - second) - bend;
+        const double c1 = 3 * first / n;
+        const double c2 = 3 * bend / n / n;
+        const double c3 = twist / n / n / n;
+        const double d2 = 6 * bend / n / n;
+        const double d3 = 6 * twist / n / n / n;
+        return {{l3d_from_double<T>(b[0]), l3d_from_double<T>(c1 + c2 + c3),
+                 l3d_from_double<T>(d2 + d3), l3d_from_double<T>(d3)}};
     }
 
     T value() const { return d[0]; }
@@ -90,7 +70,6 @@ template <class T, int Degree> struct l3d_forward_difference {
 private:
     static T halved(T value) { return l3d_midpoint(value, T(0)); }
     static T twice(T value) { return value + value; }
-    template <class Wide> static Wide thrice(Wide value) { return value + value + value; }
 };
 
 /// A bound on the error of a cubic after at most n forward difference steps, in the control
@@ -99,10 +78,8 @@ private:
 /// With |b| <= p, first, second and third differences of b at most b1, b2, b3, the registers
 /// are at most D3 = 6 b3 / n^3, D2 = 6 b2 / n^2 + D3, D1 = 3 b1 / n + 2 D2. A register's
 /// initial error e_k reaches the value C(n, k) fold. Floating point adds u |register| at each
-/// of the n, C(n, 2), C(n, 3) additions that follow; fixed point additions are exact and the
-/// initial errors are a few half ulps: dividing once, twice or three times by n >= 2 is off by at
-/// most 1, 1 + 1/2, 1 + 1/2 + 1/4 half ulps, so that d1 = c1 + c2 + c3 is off by 4.25, d2 by
-/// 1.5 + 1.75 = 3.25 and d3 by 1.75.
+/// of the n, C(n, 2), C(n, 3) additions that follow; fixed point additions are exact, and every
+/// initial error is half an ulp.
 /// Source: running error analysis (Wilkinson, Rounding Errors in Algebraic Processes, 1963).
 template <class T>
 double l3d_forward_difference_error(int n, double p, double b1, double b2, double b3) {
@@ -120,10 +97,8 @@ double l3d_forward_difference_error(int n, double p, double b1, double b2, doubl
     // three differences are off by at most 2, 8, 24; so c1, c2, c3 by 18/n, 60/n^2, 48/n^3, their
     // sum by 12/n + 24/n^2 + 8/n^3 more, d2 and d3 by 120/n^2 and 336/n^3, their sum by 24/n^2 +
     // 48/n^3 more. Times n, C(n, 2), C(n, 3) that is most for n = 1, where it is 170.
-    const double u_wide = l3d_real_traits<typename l3d_real_traits<T>::wide>::unit_roundoff;
-    const double cancelling = 170 * u_wide * p;
-    return u * (initial + adding) + cancelling +
-           half_ulp * (1 + 4.25 * steps + 3.25 * pairs + 1.75 * triples);
+    const double cancelling = 170 * l3d_real_traits<double>::unit_roundoff * p;
+    return u * (initial + adding) + cancelling + half_ulp * (1 + steps + pairs + triples);
 }
 
 #endif

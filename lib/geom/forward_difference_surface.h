@@ -12,27 +12,25 @@
 ///
 /// Shape:  in_v[i] walks the i-th difference in u along v.
 /// Errors: rounding errors of both directions multiply: with f fraction bits and one rounding a
-///         register (a wider Wide) up to 2^-(f + 1) S(n) S(m), S(n) = 1 + n + C(n, 2) + C(n, 3);
-///         up to 4 times that if Wide is T, whose divisions round too. Short walks only; the patch
-///         pipeline restarts each strip exactly instead and never runs this form across a patch.
+///         register up to 2^-(f + 1) S(n) S(m), S(n) = 1 + n + C(n, 2) + C(n, 3). Short walks only;
+///         the patch pipeline restarts each strip exactly instead and never runs this form across
+///         a patch.
 /// Source: Shantz, Chang, Rendering Trimmed NURBS with Adaptive Forward Differencing, 1988.
 template <class T> struct l3d_forward_difference_surface {
     std::array<l3d_forward_difference<T, 3>, 4> in_v;
 
     /// From 16 Bernstein coefficients, index 4 * row + column, for steps_u by steps_v steps.
-    template <class Wide>
-    static l3d_forward_difference_surface build(const std::array<Wide, 16>& b, int steps_u,
+    static l3d_forward_difference_surface build(const std::array<double, 16>& b, int steps_u,
                                                 int steps_v) {
-        using in_wide = l3d_forward_difference<Wide, 3>;
-        std::array<in_wide, 4> rows;
+        using in_double = l3d_forward_difference<double, 3>;
+        std::array<in_double, 4> rows;
         for (std::size_t r = 0; r < 4; ++r)
-            rows[r] = in_wide::build(
-                std::array<Wide, 4>{b[4 * r], b[4 * r + 1], b[4 * r + 2], b[4 * r + 3]}, steps_u);
+            rows[r] =
+                in_double::build({b[4 * r], b[4 * r + 1], b[4 * r + 2], b[4 * r + 3]}, steps_u);
         l3d_forward_difference_surface result;
         for (std::size_t i = 0; i < 4; ++i)
             result.in_v[i] = l3d_forward_difference<T, 3>::build(
-                std::array<Wide, 4>{rows[0].d[i], rows[1].d[i], rows[2].d[i], rows[3].d[i]},
-                steps_v);
+                {rows[0].d[i], rows[1].d[i], rows[2].d[i], rows[3].d[i]}, steps_v);
         return result;
     }
 

@@ -80,6 +80,14 @@ l3d_normal_net::l3d_normal_net(const l3d_bezier_patch<double, 3>& patch) {
     // A polynomial of degree 5 by 5 has at most 5 factors of each of u, 1 - u, v, 1 - v.
     for (int factors = 0; factors < 4 * degree && divide_by_vanishing_factor(); ++factors)
         scale_to_one();
+    fill_floats();
+}
+
+void l3d_normal_net::fill_floats() {
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t r = 0; r < order; ++r)
+            for (std::size_t c = 0; c < order; ++c)
+                in_floats_[k][r][c] = static_cast<float>(net_[order * r + c][static_cast<int>(k)]);
 }
 
 void l3d_normal_net::scale_to_one() {
@@ -117,6 +125,17 @@ bool l3d_normal_net::divide_by_vanishing_factor() {
             return true;
         }
     return false;
+}
+
+l3d_normal_net l3d_normal_net::turned(const l3d_matrix<double>& by) const {
+    l3d_normal_net result;
+    for (std::size_t i = 0; i < net_.size(); ++i)
+        for (int k = 0; k < 3; ++k)
+            result.net_[i][k] =
+                by(k, 0) * net_[i][0] + by(k, 1) * net_[i][1] + by(k, 2) * net_[i][2];
+    result.scale_to_one();
+    result.fill_floats();
+    return result;
 }
 
 l3d_normal_net::vector l3d_normal_net::evaluate(double u, double v) const {

@@ -4,6 +4,7 @@
 #define L3D_GEOM_NORMAL_NET_H
 
 #include "geom/bezier_patch.h"
+#include "geom/matrix.h"
 
 #include <array>
 #include <cstddef>
@@ -34,11 +35,22 @@ public:
     /// The normal at (u, v), any length. Source: de Casteljau.
     vector evaluate(double u, double v) const;
 
+    /// With each vector multiplied by the upper left three by three of a matrix: the normals of a
+    /// patch that was moved by an affine map, if the matrix is its cofactors'.
+    /// Expects: a matrix that can be inverted.
+    l3d_normal_net turned(const l3d_matrix<double>& by) const;
+
+    /// The coefficients as floats, one array per component: [component][row][column].
+    using float_net = float[3][6][6];
+    const float_net& in_floats() const { return in_floats_; }
+
 private:
     void scale_to_one();
+    void fill_floats();
     bool divide_by_vanishing_factor();
 
     std::array<vector, 36> net_{};
+    float_net in_floats_{};
 };
 
 #endif

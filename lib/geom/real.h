@@ -33,32 +33,27 @@ extern const char l3d_built_with_fixed_real;
 /// The number type the library was built with: "float", "double" or "fixed".
 const char* l3d_real_name();
 
-/// What an algorithm must know of a number type: conversions, a wider type, and how it rounds.
+/// What an algorithm must know of a number type: conversions, and how it rounds.
 ///
 /// Units: an operation on x errs by at most unit_roundoff * |result| + half_ulp, in range.
 template <class T> struct l3d_real_traits;
 
 template <std::floating_point T> struct l3d_real_traits<T> {
-    using wide = double;
     static constexpr double unit_roundoff = sizeof(T) == 4 ? 0x1p-24 : 0x1p-53;
     static constexpr double half_ulp = 0;
 
     static constexpr T from_double(double value) noexcept { return static_cast<T>(value); }
     static constexpr double to_double(T value) noexcept { return value; }
-    static constexpr T from_wide(wide value) noexcept { return static_cast<T>(value); }
 };
 
 template <class Storage, int FractionBits, l3d_overflow Overflow>
 struct l3d_real_traits<l3d_fixed<Storage, FractionBits, Overflow>> {
     using fixed = l3d_fixed<Storage, FractionBits, Overflow>;
-    using wide =
-        std::conditional_t<sizeof(Storage) == 8, fixed, l3d_fixed<std::int64_t, 32, Overflow>>;
     static constexpr double unit_roundoff = 0;
     static constexpr double half_ulp = 0.5 / static_cast<double>(std::uint64_t{1} << FractionBits);
 
     static constexpr fixed from_double(double value) noexcept { return fixed(value); }
     static constexpr double to_double(fixed value) noexcept { return static_cast<double>(value); }
-    static constexpr fixed from_wide(wide value) noexcept { return fixed(value); }
 };
 
 template <class T> constexpr double l3d_to_double(T value) noexcept {

@@ -9,14 +9,19 @@
 
 #include <limits>
 
-/// Error of the evaluation of control nets and their points by interpolation, for coordinates up
-/// to `largest`: relative rounding of at most 16 operations in a row; in fixed point half an ulp
-/// for each of 3 midpoints in at most 50 halvings, and 6 interpolations, and half an ulp of each
-/// parameter, along which a coordinate changes by at most 6 `largest`.
-/// (Halvings of floating point numbers are part of the image transform's error.)
-template <class Wide> double l3d_evaluation_error(double largest) {
-    using traits = l3d_real_traits<Wide>;
-    return 16 * traits::unit_roundoff * largest + (3 * 50 + 6 + 2 * 6 * largest) * traits::half_ulp;
+/// Error of the evaluation of points of control nets in double, for coordinates up to `largest`,
+/// in which 16 operations follow one another. (Halvings are part of the image transform's error.)
+inline double l3d_evaluation_error(double largest) {
+    return 16 * l3d_real_traits<double>::unit_roundoff * largest;
+}
+
+/// The same of a curve's points by Horner's scheme, from power coefficients that are differences of
+/// its control points. In units of u * largest, first to third differences are at most 2, 4, 8 and
+/// off by 2, 8, 24; the coefficients at most 6, 12, 8, off by 12, 36, 24. Horner's products and
+/// sums are at most 8, 20, 20, 26, 26, 1 and rounded each; t is rounded, too, along which the curve
+/// changes by at most 6: 179 in all.
+inline double l3d_power_form_error(double largest) {
+    return 179 * l3d_real_traits<double>::unit_roundoff * largest;
 }
 
 /// How exact a piece's vertices are, and where they lie.

@@ -19,7 +19,7 @@ struct reason {
     std::int64_t l3d_dice_counts::*count;
 };
 
-constexpr std::array<reason, 4> reasons{{
+constexpr std::array<reason, 5> reasons{{
     {"offscreen",
      "their control nets, and with them the patches, lie beyond one side of the window",
      &l3d_dice_counts::offscreen},
@@ -27,6 +27,8 @@ constexpr std::array<reason, 4> reasons{{
     {"beyond", "their control nets lie beyond the far plane", &l3d_dice_counts::beyond},
     {"subpixel", "the hulls of their control nets hold no pixel centre",
      &l3d_dice_counts::subpixel},
+    {"hidden", "their boxes lie behind nearer surfaces drawn before, in every pixel",
+     &l3d_dice_counts::hidden},
 }};
 
 /// JSON has no infinity; null stands for "no bound can be given".
@@ -52,8 +54,7 @@ std::string l3d_frame_report::json() const {
         {"threads", threads},
         {"tolerance_px", tolerance_px},
         {"time_ms",
-         {{"clear", time_ms.clear},
-          {"transform", time_ms.transform},
+         {{"transform", time_ms.transform},
           {"dice", time_ms.dice},
           {"raster", time_ms.raster},
           {"overlay", time_ms.overlay},
@@ -70,7 +71,7 @@ std::string l3d_frame_report::json() const {
         {"quads", surface.quads},
         {"pixels_tested", surface.samples},
         {"pixels_written", surface.written},
-        {"pixels_covered", pixels_covered},
+        {"pixels_covered", surface.covered},
         {"error_bound_px", number_or_null(dice.bound_px)},
         {"left_out", names},
         {"hash", [this] {
@@ -101,13 +102,4 @@ std::uint64_t l3d_hash(const l3d_pixels& pixels) {
             for (int byte = 0; byte < 4; ++byte)
                 hash = (hash ^ ((word >> (8 * byte)) & 0xff)) * prime;
     return hash;
-}
-
-std::int64_t l3d_covered(const l3d_depth_buffer& depth) {
-    std::int64_t covered = 0;
-    for (int y = 0; y < depth.size().height; ++y) {
-        const auto row = depth.row(y);
-        covered += std::count_if(row.begin(), row.end(), [](float inv_w) { return inv_w > 0; });
-    }
-    return covered;
 }

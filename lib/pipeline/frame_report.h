@@ -4,7 +4,6 @@
 #define L3D_PIPELINE_FRAME_REPORT_H
 
 #include "pipeline/dice_counts.h"
-#include "raster/depth_buffer.h"
 #include "raster/surface_rasterizer.h"
 #include "tool_2d/pixels.h"
 
@@ -13,10 +12,9 @@
 
 /// Times of a frame's stages, by the monotonic clock. Units: milliseconds.
 struct l3d_stage_times {
-    double clear = 0;     ///< colour and depth set to nothing
-    double transform = 0; ///< control nets to the image, sorted front to back
-    double dice = 0;      ///< bounds, steps, forward differences
-    double raster = 0;    ///< coverage, depth, shading
+    double transform = 0; ///< what may be seen, sorted front to back
+    double dice = 0;      ///< control nets to the image, bounds, steps, forward differences
+    double raster = 0;    ///< clearing, coverage, depth, shading
     double overlay = 0;   ///< control nets and text
     double total = 0;     ///< all of the above
     double show = 0;      ///< bringing the picture to the screen; not part of total
@@ -35,7 +33,6 @@ struct l3d_frame_report {
     std::int64_t patches = 0;
     l3d_dice_counts dice;
     l3d_surface_counts surface;
-    std::int64_t pixels_covered = 0;
     std::uint64_t hash = 0; ///< l3d_hash of the picture
 
     /// One line of JSON, without the line's end.
@@ -48,8 +45,5 @@ struct l3d_frame_report {
 /// FNV-1a of the pixel words, row by row from the top, 64 bits.
 /// Source: Fowler, Noll, Vo; constants from RFC 9923.
 std::uint64_t l3d_hash(const l3d_pixels& pixels);
-
-/// Pixels in which something is.
-std::int64_t l3d_covered(const l3d_depth_buffer& depth);
 
 #endif

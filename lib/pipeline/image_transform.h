@@ -3,35 +3,33 @@
 #ifndef L3D_PIPELINE_IMAGE_TRANSFORM_H
 #define L3D_PIPELINE_IMAGE_TRANSFORM_H
 
-#include "geom/bezier_patch.h"
 #include "geom/matrix.h"
+#include "geom/step_bound.h"
 #include "pipeline/camera.h"
 #include "pipeline/dice_view.h"
-#include "pipeline/patch_model.h"
+#include "pipeline/patch_scene.h"
 
-/// The camera's matrix in the wide type of the build, scaled so that nothing leaves its range.
+/// The camera's matrix, scaled so that what it makes fits the registers of every number type.
 ///
-/// Homogeneous points may be scaled freely and model coordinates absorbed into the matrix, so
-/// both are brought to a fixed-point format's middle by powers of two, which are exact:
-/// model coordinates to at most 2^10, w to at most 2^8, |x| and |y| to at most 2^28 (32.32 has
-/// 31 integer bits; differences of third order may grow eightfold). Floating types are not scaled.
-template <class Wide> class l3d_image_transform {
+/// Homogeneous points may be scaled freely: by a power of two, which is exact, w is brought to at
+/// most 2^8, |x| and |y| to at most 2^28 (32.32 has 31 integer bits; differences of third order
+/// may grow eightfold).
+class l3d_image_transform {
 public:
     l3d_image_transform() = default;
-    l3d_image_transform(const l3d_camera& camera, l3d_size size, const l3d_patch_model& model);
+    l3d_image_transform(const l3d_camera& camera, l3d_size size, const l3d_patch_scene& scene);
 
-    /// The control net (x, y, w) of a patch of the model.
-    l3d_bezier_patch<Wide, 3> operator()(const l3d_patch_model::patch& patch) const;
+    /// World (x, y, z, 1) to (x, y, -, w).
+    const l3d_matrix<double>& matrix() const { return matrix_; }
 
     /// The picture as dicing needs to know it, in the units of the transformed points.
     /// Units: tolerance in pixels.
     l3d_dice_view view(double tolerance) const;
 
 private:
-    l3d_matrix<Wide> matrix_;
+    l3d_matrix<double> matrix_;
     l3d_size size_;
     double near_ = 0, far_ = 0;
-    double model_scale_ = 1;
     double depth_scale_ = 1;
     double error_xy_ = 0;
     double error_w_ = 0;

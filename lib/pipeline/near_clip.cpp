@@ -4,6 +4,7 @@
 
 #include "pipeline/snap.h"
 
+#include <array>
 #include <cstddef>
 
 namespace {
@@ -66,7 +67,7 @@ polygon cut_by(const polygon& in, const plane& cut) {
     return out;
 }
 
-/// Gives a corner made by cutting its pixel position.
+/// Gives a point that can be drawn its pixel position.
 void project(l3d_clip_vertex& v, const l3d_dice_view& view) {
     const l3d_snapped s = l3d_snap(v.h[0], v.h[1], v.h[2]);
     v.dice.vertex.x = s.x + view.centre_x();
@@ -83,12 +84,18 @@ bool l3d_drawable(const l3d_image_point& h, const l3d_dice_view& view) {
            h[1] >= -reach && h[1] <= reach;
 }
 
+l3d_clip_vertex l3d_canonical_vertex(const l3d_image_point& h, const l3d_dice_view& view) {
+    l3d_clip_vertex result;
+    result.h = h;
+    if (l3d_drawable(h, view))
+        project(result, view);
+    return result;
+}
+
 void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c,
-                       const l3d_dice_view& view, std::vector<l3d_dice_vertex>& out) {
-    if (a.drawable && b.drawable && c.drawable) {
-        out.insert(out.end(), {a.dice, b.dice, c.dice});
-        return;
-    }
+                       const l3d_dice_view& view, l3d_diced_piece& out) {
+    if (a.drawable && b.drawable && c.drawable)
+        return out.add_triangle(a.dice, b.dice, c.dice);
     const double g = l3d_guard_band;
     const std::array<plane, 6> planes{{{{0, 0, 1}, view.near},
                                        {{0, 0, -1}, -view.far},
@@ -108,6 +115,5 @@ void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const
         if (!shape.corners[i].drawable)
             project(shape.corners[i], view);
     for (std::size_t i = 2; i < shape.count; ++i)
-        out.insert(out.end(),
-                   {shape.corners[0].dice, shape.corners[i - 1].dice, shape.corners[i].dice});
+        out.add_triangle(shape.corners[0].dice, shape.corners[i - 1].dice, shape.corners[i].dice);
 }

@@ -9,11 +9,13 @@
 #include <cstddef>
 #include <vector>
 
+/// A normal as unit vector; zero where what there is of it may be nothing but rounding.
+///
+/// Expects: a normal of a net (whose largest coefficient is 1), evaluated in double.
+std::array<float, 3> l3d_unit_normal(const l3d_normal_net::vector& normal);
+
 /// The normal polynomial of a patch at fixed u values, to be evaluated row by row.
 ///
-/// In float in every build: a grey level needs 8 bits, and this loses at most some 2^-19 (the
-/// power coefficients of a degree-5 polynomial are up to C(5, 2) 2^2 = 40 times the largest
-/// Bernstein coefficient, which is 1).
 /// Shape: one array per power and component, columns side by side.
 class l3d_normal_columns {
 public:
@@ -22,12 +24,12 @@ public:
     /// Sets column c to the normals at u.
     void set(std::size_t c, const l3d_normal_net& net, double u);
 
-    /// Writes the normals of all columns at v.
+    /// Writes the unit normals of all columns at v.
     void emit(double v, float* x, float* y, float* z) const;
 
 private:
     std::size_t columns_ = 0;
-    std::array<std::array<std::vector<float>, 6>, 3> powers_;
+    std::array<std::array<std::vector<double>, 6>, 3> powers_;
 };
 
 #endif

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_dicer: what is left out, cut, and drawn how finely.
+// l3d_patch_dicer: what is cut, and drawn how finely.
 #include "pipeline/patch_dicer.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <span>
 #include <tuple>
 
 namespace {
@@ -17,96 +17,41 @@ constexpr int most_pieces = 4096;
 /// As deep as halving a parameter stays exact in doubles, with room for the strips' quarters.
 constexpr int deepest = 48;
 
-/// Whether a box (pixels from the picture's corner) holds no pixel centre k + 1/2, even when
-/// snapping moves its points by half a sub-pixel.
-bool holds_no_centre(const l3d_image_box& box) {
-    constexpr double slack = 1.0 / l3d_subpixel_one;
-    const auto none = [](double low, double high) {
-        return std::floor(high + slack - 0.5) < std::ceil(low - slack - 0.5);
-    };
-    return none(box.left, box.right) || none(box.top, box.bottom);
-}
-
 } // namespace
 
-template <class T> void l3d_patch_dicer<T>::begin(const l3d_dice_view& view) {
-    view_ = view;
-    counts_ = {};
-}
-
 template <class T>
-void l3d_patch_dicer<T>::dice(const image_net& net, const l3d_normal_net& normals,
-                              l3d_dice_sink& sink) {
-    if (!view_.keep_all)
-        if (std::int64_t* reason = reason_to_leave_out(l3d_converted<double>(net))) {
-            ++*reason;
-            return;
-        }
-    ++counts_.drawn;
-    drawer_.begin(view_, normals, sink);
-    pieces_left_ = most_pieces;
-    edges_used_ = 0;
+void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& normals,
+                              const l3d_dice_view& view, l3d_edge_polylines& edges,
+                              l3d_diced_pieces& out, l3d_dice_counts& counts) {
+    ++counts.drawn;
+    for (const l3d_edge_polyline& edge : edges.outer())
+        counts.add_edge(edge.size(), edge.bound());
+    drawer_.begin(view, normals, edges);
     piece whole{net, 0, 1, 0, 1, {}, 0};
-    whole.sides[0].edge = new_edge(net.row(0));
-    whole.sides[1].edge = new_edge(net.row(3));
-    whole.sides[2].edge = new_edge(net.column(0));
-    whole.sides[3].edge = new_edge(net.column(3));
-    dice_piece(whole);
+    for (std::size_t side = 0; side < whole.sides.size(); ++side)
+        whole.sides[side].edge = side;
+    task of{view, edges, out, counts, most_pieces};
+    dice_piece(whole, of);
 }
 
-/// The count of patches that are left out for the same reason as this one; null if it may be seen.
-template <class T>
-std::int64_t* l3d_patch_dicer<T>::reason_to_leave_out(const l3d_image_patch& net) {
-    const l3d_depth_range depth = l3d_depth_range_of(net.points);
-    if (depth.most <= view_.near)
-        return &counts_.behind;
-    if (depth.least >= view_.far)
-        return &counts_.beyond;
-    if (outside(net))
-        return &counts_.offscreen;
-    if (depth.least <= view_.near)
-        return nullptr;
-    const l3d_image_box window = view_.window();
-    const l3d_image_box box = l3d_image_box_of(net.points);
-    return holds_no_centre({box.left - window.left, box.top - window.top, box.right - window.left,
-                            box.bottom - window.top})
-               ? &counts_.subpixel
-               : nullptr;
-}
-
-template <class T> bool l3d_patch_dicer<T>::outside(const l3d_image_patch& net) const {
-    return l3d_outside(net.points, view_.margin(), view_.near, view_.far);
-}
-
-template <class T>
-std::size_t l3d_patch_dicer<T>::new_edge(const l3d_bezier_curve<wide, 3>& curve) {
-    if (edges_used_ == edges_.size())
-        edges_.emplace_back();
-    l3d_edge_polyline& edge = edges_[edges_used_];
-    edge.build(curve, view_);
-    counts_.bound_px = std::max(counts_.bound_px, edge.bound());
-    counts_.samples += static_cast<std::int64_t>(edge.points().size());
-    return edges_used_++;
-}
-
-template <class T> void l3d_patch_dicer<T>::dice_piece(const piece& p) {
-    const l3d_piece_nets<T> nets(p.net, view_);
-    if ((!view_.keep_all || p.depth > 0) && outside(nets.net()))
-        return drawer_.close_hidden(p, counts_.bound_px, edges_);
-
-    double chord_error = 0, vertex_error = nets.vertex_error();
-    for (const l3d_piece_side& side : p.sides) {
-        chord_error = std::max(chord_error, edges_[side.edge].chord_error());
-        vertex_error = std::max(vertex_error, edges_[side.edge].vertex_error());
+template <class T> void l3d_patch_dicer<T>::dice_piece(const piece& p, task& of) {
+    const l3d_piece_nets<T> nets(p.net, of.view);
+    if ((!of.view.keep_all || p.depth > 0) &&
+        l3d_outside(p.net.points, of.view.margin(), of.view.near, of.view.far)) {
+        drawer_.close_hidden(p, of.out.next());
+        return;
     }
-    const double budget = view_.chord_budget(vertex_error);
+    double vertex_error = nets.vertex_error();
+    for (const l3d_piece_side& side : p.sides)
+        vertex_error = std::max(vertex_error, of.edges[side.edge].vertex_error());
+    const double budget = of.view.chord_budget(vertex_error);
     const auto kind = nets.whole() ? l3d_quad_kind::whole : l3d_quad_kind::triangles;
-    l3d_step_plan plan = l3d_plan_steps(nets.blocks(), view_, budget, kind);
+    l3d_step_plan plan = l3d_plan_steps(nets.blocks(), of.view, budget, kind);
 
     const int most = nets.whole() ? l3d_most_steps_whole : l3d_most_steps_clipped;
     const int wanted = std::max(plan.most_u(), plan.most_v());
-    if (wanted > most && p.depth < deepest && pieces_left_ > 0)
-        return cut(p, plan.most_u() >= plan.most_v());
+    if (wanted > most && p.depth < deepest && of.cuts_left > 0)
+        return cut(p, plan.most_u() >= plan.most_v(), of);
 
     if (wanted > l3d_most_steps_whole) {
         // Errors fall with the square of the steps, at the least.
@@ -116,17 +61,27 @@ template <class T> void l3d_patch_dicer<T>::dice_piece(const piece& p) {
             for (int& n : *steps)
                 n = std::min(n, l3d_most_steps_whole);
     }
-    const double bound = plan.visible ? plan.chord_error + vertex_error : 0;
-    // Slits lie between vertices of the piece and of its sides, each off by its own error.
-    counts_.bound_px = std::max({counts_.bound_px, bound, chord_error + vertex_error});
-    drawer_.draw(p, nets, plan, bound, counts_.bound_px, edges_);
-    ++counts_.pieces;
-    counts_.clipped += !nets.whole();
-    counts_.samples += drawer_.samples();
+    draw(p, nets, plan, vertex_error, of);
 }
 
-template <class T> void l3d_patch_dicer<T>::cut(const piece& p, bool along_u) {
-    --pieces_left_;
+template <class T>
+void l3d_patch_dicer<T>::draw(const piece& p, const l3d_piece_nets<T>& nets, l3d_step_plan& plan,
+                              double vertex_error, task& of) {
+    l3d_diced_piece& out = of.out.next();
+    drawer_.draw(p, nets, plan, out);
+    out.bound = plan.visible ? plan.chord_error + vertex_error : 0;
+    double side_error = 0;
+    for (const l3d_piece_side& side : p.sides)
+        side_error = std::max(side_error, of.edges[side.edge].chord_error());
+    // Slits lie between vertices of the piece and of its sides, each off by its own error.
+    of.counts.bound_px = std::max({of.counts.bound_px, out.bound, side_error + vertex_error});
+    ++of.counts.pieces;
+    of.counts.clipped += !nets.whole();
+    of.counts.samples += static_cast<std::int64_t>(out.u.size() * out.v.size());
+}
+
+template <class T> void l3d_patch_dicer<T>::cut(const piece& p, bool along_u, task& of) {
+    --of.cuts_left;
     piece low = p, high = p;
     low.depth = high.depth = p.depth + 1;
     if (along_u) {
@@ -141,10 +96,11 @@ template <class T> void l3d_patch_dicer<T>::cut(const piece& p, bool along_u) {
         const double middle = (p.sides[across].t0 + p.sides[across].t1) / 2;
         low.sides[across].t1 = high.sides[across].t0 = middle;
     }
-    const std::size_t edge = new_edge(along_u ? low.net.column(3) : low.net.row(3));
+    const std::size_t edge = of.edges.add(along_u ? low.net.column(3) : low.net.row(3), of.view);
+    of.counts.add_edge(of.edges[edge].size(), of.edges[edge].bound());
     low.sides[along_u ? 3 : 1] = high.sides[along_u ? 2 : 0] = l3d_piece_side{edge, 0, 1};
-    dice_piece(low);
-    dice_piece(high);
+    dice_piece(low, of);
+    dice_piece(high, of);
 }
 
 template class l3d_patch_dicer<float>;

@@ -3,18 +3,13 @@
 #ifndef L3D_PIPELINE_PATCH_DICER_H
 #define L3D_PIPELINE_PATCH_DICER_H
 
-#include "geom/bezier_patch.h"
 #include "geom/normal_net.h"
 #include "pipeline/dice_counts.h"
-#include "pipeline/dice_sink.h"
 #include "pipeline/dice_view.h"
-#include "pipeline/edge_polyline.h"
+#include "pipeline/diced_pieces.h"
+#include "pipeline/edge_polylines.h"
 #include "pipeline/piece_drawer.h"
 #include "pipeline/surface_piece.h"
-
-#include <cstddef>
-#include <cstdint>
-#include <vector>
 
 /// Dices patches given as homogeneous image nets.
 ///
@@ -28,31 +23,31 @@
 /// Cost: no allocation once the largest frame has been seen.
 template <class T> class l3d_patch_dicer {
 public:
-    using wide = typename l3d_real_traits<T>::wide;
-    using image_net = l3d_bezier_patch<wide, 3>;
-
-    /// Starts a frame. Expects: tolerance > 0, near > 0.
-    void begin(const l3d_dice_view& view);
-
-    void dice(const image_net& net, const l3d_normal_net& normals, l3d_dice_sink& sink);
-
-    const l3d_dice_counts& counts() const { return counts_; }
+    /// Adds the patch's pieces to `out`, and to `counts` what it did.
+    ///
+    /// Expects: `edges` was built of this net and view, and has nothing more than its outer edges;
+    ///          tolerance > 0, near > 0.
+    void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
+              l3d_edge_polylines& edges, l3d_diced_pieces& out, l3d_dice_counts& counts);
 
 private:
-    using piece = l3d_surface_piece<wide>;
+    using piece = l3d_surface_piece;
 
-    std::int64_t* reason_to_leave_out(const l3d_image_patch& net);
-    bool outside(const l3d_image_patch& net) const;
-    void dice_piece(const piece& p);
-    void cut(const piece& p, bool along_u);
-    std::size_t new_edge(const l3d_bezier_curve<wide, 3>& curve);
+    /// What stays the same for a patch.
+    struct task {
+        const l3d_dice_view& view;
+        l3d_edge_polylines& edges;
+        l3d_diced_pieces& out;
+        l3d_dice_counts& counts;
+        int cuts_left;
+    };
 
-    l3d_dice_view view_;
-    l3d_dice_counts counts_;
+    void dice_piece(const piece& p, task& of);
+    void draw(const piece& p, const l3d_piece_nets<T>& nets, l3d_step_plan& plan,
+              double vertex_error, task& of);
+    void cut(const piece& p, bool along_u, task& of);
+
     l3d_piece_drawer<T> drawer_;
-    int pieces_left_ = 0;
-    std::vector<l3d_edge_polyline> edges_; ///< those in use first; the others keep their memory
-    std::size_t edges_used_ = 0;
 };
 
 #endif

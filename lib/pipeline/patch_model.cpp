@@ -5,11 +5,26 @@
 #include <algorithm>
 #include <utility>
 
+namespace {
+
+using vector = l3d_patch_model::vector;
+
+l3d_slanted_box upright_box(const vector& least, const vector& most) {
+    l3d_slanted_box box;
+    box.centre = (least + most) * 0.5;
+    for (int k = 0; k < 3; ++k)
+        box.axes[static_cast<std::size_t>(k)][k] = (most[k] - least[k]) * 0.5;
+    return box;
+}
+
+} // namespace
+
 l3d_patch_model::l3d_patch_model(std::vector<patch> patches) : patches_(std::move(patches)) {
     normals_.reserve(patches_.size());
     for (const patch& p : patches_) {
         normals_.emplace_back(p);
         const auto [least, most] = p.bounds();
+        boxes_.add(upright_box(least, most));
         if (normals_.size() == 1) {
             least_ = least;
             most_ = most;

@@ -6,6 +6,7 @@
 #include "geom/bezier_patch.h"
 #include "geom/normal_net.h"
 #include "geom/patch_file.h"
+#include "pipeline/box_lanes.h"
 
 #include <optional>
 #include <span>
@@ -13,7 +14,8 @@
 #include <string_view>
 #include <vector>
 
-/// A set of bicubic patches in world space, each with its exact normal net.
+/// A set of bicubic patches, each with its exact normal net and its box. In world space, unless a
+/// l3d_patch_scene places them elsewhere.
 class l3d_patch_model {
 public:
     using patch = l3d_bezier_patch<double, 3>;
@@ -36,10 +38,14 @@ public:
     const vector& least() const { return least_; }
     const vector& most() const { return most_; }
 
+    /// The boxes of the patches' control points, in their order; upright.
+    const l3d_box_lanes& boxes() const { return boxes_; }
+
 private:
     std::vector<patch> patches_;
     std::vector<l3d_normal_net> normals_;
     vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
+    l3d_box_lanes boxes_;
 };
 
 #endif

@@ -42,8 +42,8 @@ template <class T> double walking_error(const std::array<double, 4>& size, int n
 } // namespace
 
 template <class T>
-l3d_piece_nets<T>::l3d_piece_nets(const image_net& piece, const l3d_dice_view& view)
-    : net_(l3d_converted<double>(piece)) {
+l3d_piece_nets<T>::l3d_piece_nets(const l3d_image_patch& piece, const l3d_dice_view& view)
+    : net_(piece) {
     const l3d_depth_range depth = l3d_depth_range_of(net_.points);
     l3d_image_box seen = view.margin();
     l3d_vertex_accuracy accuracy;
@@ -61,35 +61,34 @@ l3d_piece_nets<T>::l3d_piece_nets(const image_net& piece, const l3d_dice_view& v
         }
     }
     accuracy.seen_reach = seen.reach();
-    wide_blocks_[0] = piece;
+    blocks_[0] = net_;
     if (!small)
-        cut(piece);
-    for (std::size_t i = 0; i < count_; ++i)
-        blocks_[i] = l3d_converted<double>(wide_blocks_[i]);
+        cut();
     judge(accuracy, view);
 }
 
-template <class T> void l3d_piece_nets<T>::cut(const image_net& piece) {
-    const auto [low, high] = piece.split_v();
-    const std::array<std::pair<image_net, image_net>, 2> rows{low.split_v(), high.split_v()};
+template <class T> void l3d_piece_nets<T>::cut() {
+    const auto [low, high] = net_.split_v();
+    const std::array<std::pair<l3d_image_patch, l3d_image_patch>, 2> rows{low.split_v(),
+                                                                          high.split_v()};
     for (std::size_t b = 0; b < 4; ++b) {
-        const image_net& row = b % 2 == 0 ? rows[b / 2].first : rows[b / 2].second;
+        const l3d_image_patch& row = b % 2 == 0 ? rows[b / 2].first : rows[b / 2].second;
         const auto [left, right] = row.split_u();
-        std::tie(wide_blocks_[4 * b], wide_blocks_[4 * b + 1]) = left.split_u();
-        std::tie(wide_blocks_[4 * b + 2], wide_blocks_[4 * b + 3]) = right.split_u();
+        std::tie(blocks_[4 * b], blocks_[4 * b + 1]) = left.split_u();
+        std::tie(blocks_[4 * b + 2], blocks_[4 * b + 3]) = right.split_u();
     }
-    count_ = wide_blocks_.size();
+    count_ = blocks_.size();
 }
 
 template <class T>
 void l3d_piece_nets<T>::judge(l3d_vertex_accuracy accuracy, const l3d_dice_view& view) {
     const magnitudes size(net_);
-    accuracy.error_xy = view.error_xy + l3d_evaluation_error<wide>(size.xy[0]);
-    accuracy.error_w = view.error_w + l3d_evaluation_error<wide>(size.w[0]);
-    accuracy.snap_error = l3d_snap_error<wide>(accuracy.reach);
+    accuracy.error_xy = view.error_xy + l3d_evaluation_error(size.xy[0]);
+    accuracy.error_w = view.error_w + l3d_evaluation_error(size.w[0]);
+    accuracy.snap_error = l3d_snap_error<double>(accuracy.reach);
     // The centre of a folded quad is rounded to sub-pixels once more.
     if (whole_)
-        accuracy.snap_error += l3d_snap_error<wide>(0);
+        accuracy.snap_error += l3d_snap_error<double>(0);
     const double w_ratio = whole_ ? l3d_vertex_accuracy::in_front : l3d_vertex_accuracy::crossing;
     vertex_error_ = accuracy.drawn_error(w_ratio);
     if (!whole_)

@@ -17,20 +17,16 @@
 inline constexpr int l3d_most_steps_whole = 32;
 inline constexpr int l3d_most_steps_clipped = 8;
 
-/// The net of a piece and of its blocks, in the wide type for walking and in double for bounds;
-/// how the piece is to be drawn, and how exact its vertices are then.
+/// The net of a piece and of its blocks; how the piece is to be drawn, and how exact its vertices
+/// are then.
 ///
 /// Shape: block 4 * b + a is u-strip a, v-strip b; or there is one block.
 template <class T> class l3d_piece_nets {
 public:
-    using wide = typename l3d_real_traits<T>::wide;
-    using image_net = l3d_bezier_patch<wide, 3>;
-
-    l3d_piece_nets(const image_net& piece, const l3d_dice_view& view);
+    l3d_piece_nets(const l3d_image_patch& piece, const l3d_dice_view& view);
 
     const l3d_image_patch& net() const { return net_; }
     std::span<const l3d_image_patch> blocks() const { return std::span(blocks_).first(count_); }
-    std::span<const image_net> wide_blocks() const { return std::span(wide_blocks_).first(count_); }
 
     /// Needs no clipping: all in front of the near plane, before the far one, in the guard band.
     bool whole() const { return whole_; }
@@ -43,12 +39,11 @@ public:
     double vertex_error() const { return vertex_error_; }
 
 private:
-    void cut(const image_net& piece);
+    void cut();
     void judge(l3d_vertex_accuracy accuracy, const l3d_dice_view& view);
 
     l3d_image_patch net_;
     std::size_t count_ = 1;
-    std::array<image_net, 16> wide_blocks_;
     std::array<l3d_image_patch, 16> blocks_;
     bool whole_ = false;
     bool walked_ = false;

@@ -3,15 +3,13 @@
 #include "pipeline/pipeline_afd.h"
 
 #include "pipeline/camera_shading.h"
-#include "pipeline/dice_sinks_p.h"
-#include "pipeline/near_clip.h"
-#include "pipeline/snap.h"
+#include "pipeline/edge_polyline.h"
+#include "pipeline/placed_net.h"
 #include "pipeline/stopwatch_p.h"
+#include "pipeline/wire_lines_p.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -22,37 +20,32 @@ constexpr std::uint32_t wire_color = 0x0080d0ff, net_color = 0x00ff9030;
 } // namespace
 
 l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
-                                   const l3d_rasterizer_factory& rasterizers,
-                                   const l3d_patch_model& model, const l3d_camera& camera,
-                                   const l3d_afd_settings& settings)
-    : screen_(std::move(screen)), imp_(rasterizers.create_2d(screen_->pixels())),
-      rasterizer_(*imp_), surface_rasterizer_(rasterizers.create_surface()), model_(model),
-      camera_(camera), first_camera_(camera), settings_(settings) {
+                                   const l3d_rasterizer_factory& rasterizers, l3d_patch_scene scene,
+                                   const l3d_camera& camera, const l3d_afd_settings& settings)
+    : screen_(std::move(screen)), workers_(settings.threads),
+      imp_(rasterizers.create_2d(screen_->pixels())), rasterizer_(*imp_),
+      surface_rasterizer_(rasterizers.create_surface(workers_)), scene_(std::move(scene)),
+      camera_(camera), first_camera_(camera), settings_(settings), dicer_(workers_) {
     report_.frame = -1;
     report_.method = "afd";
     report_.real = l3d_real_name();
+    report_.threads = settings.threads;
 }
 
 void l3d_pipeline_afd::resize_event(l3d_size) {
     imp_->set_target(screen_->pixels());
+    untouched_ = false;
     redraw();
 }
 
 void l3d_pipeline_afd::draw_event() {
     const stopwatch whole;
     l3d_stage_times times;
-
-    const stopwatch clearing;
-    clear();
-    times.clear = clearing.milliseconds();
-
-    const stopwatch transforming;
-    place_patches();
-    times.transform = transforming.milliseconds();
-
-    const stopwatch drawing;
-    times.raster = draw_surfaces();
-    times.dice = drawing.milliseconds() - times.raster;
+    begin_frame();
+    if (settings_.wireframe)
+        draw_wireframe();
+    else
+        fill_surfaces(times);
 
     const stopwatch overlaying;
     if (settings_.net)
@@ -66,9 +59,10 @@ void l3d_pipeline_afd::draw_event() {
     ++report_.frame;
     report_.size = view_.size;
     report_.tolerance_px = settings_.tolerance;
-    report_.patches = static_cast<std::int64_t>(model_.patches().size());
+    report_.patches = scene_.patch_count();
     report_.dice = dicer_.counts();
-    report_.surface = surface_rasterizer_->counts();
+    report_.dice.add(culling_.counts());
+    report_.surface = settings_.wireframe ? l3d_surface_counts{} : surface_rasterizer_->counts();
     stale_ = false;
 }
 
@@ -77,77 +71,90 @@ void l3d_pipeline_afd::frame_event(const l3d_frame_times& times) {
     report_.time_ms.write = 1000 * times.write;
 }
 
-void l3d_pipeline_afd::clear() {
-    rasterizer_.clear_buffer();
-    rasterizer_.finish();
-    depth_.resize(screen_->pixels().size());
-    depth_.clear();
-}
-
-/// Nearest first: what is hidden is then mostly rejected by the depth test before it is shaded.
-void l3d_pipeline_afd::place_patches() {
-    const l3d_size size = screen_->pixels().size();
-    transform_ = l3d_image_transform<wide>(camera_, size, model_);
+void l3d_pipeline_afd::begin_frame() {
+    transform_ = l3d_image_transform(camera_, screen_->pixels().size(), scene_);
     view_ = transform_.view(settings_.tolerance);
     view_.keep_all = settings_.keep_all;
-    placed_.clear();
-    for (std::size_t i = 0; i < model_.patches().size(); ++i) {
-        placed_patch& p = placed_.emplace_back();
-        p.net = transform_(model_.patches()[i]);
-        p.nearest_w = l3d_to_double(p.net.bounds().first[2]);
-        p.index = i;
-    }
-    std::sort(placed_.begin(), placed_.end(), [](const placed_patch& a, const placed_patch& b) {
-        return a.nearest_w != b.nearest_w ? a.nearest_w < b.nearest_w : a.index < b.index;
+    culling_.begin(scene_, transform_.matrix(), view_);
+    dicer_.begin(view_);
+}
+
+std::span<const l3d_placed_patch> l3d_pipeline_afd::next_batch() {
+    return culling_.next([this](const l3d_subpixel_box& box, float inv_w) {
+        return surface_rasterizer_->hidden(box, inv_w);
     });
 }
 
-/// Returns the milliseconds that filling took.
-double l3d_pipeline_afd::draw_surfaces() {
-    dicer_.begin(view_);
+/// Batch after batch, so that what the nearer ones hide need not be diced. Most scenes are one
+/// batch; nobody then needs the depth of the whole picture, unless the settings ask for it.
+void l3d_pipeline_afd::fill_surfaces(l3d_stage_times& times) {
+    const stopwatch placing;
+    std::span<const l3d_placed_patch> batch = next_batch();
+    const bool keep_depth = settings_.depth || !culling_.is_done();
+    if (keep_depth)
+        depth_.resize(view_.size);
     surface_rasterizer_->begin(
-        screen_->pixels(), depth_,
-        l3d_camera_shading(camera_, screen_->pixels().size(), settings_.shade, settings_.light));
-    const auto draw_into = [this](l3d_dice_sink& sink) {
-        for (const placed_patch& p : placed_)
-            dicer_.dice(p.net, model_.normals(p.index), sink);
-    };
-    if (settings_.wireframe) {
-        l3d_detail::line_sink lines(rasterizer_, wire_color);
-        draw_into(lines);
-        return 0;
+        screen_->pixels(), keep_depth ? &depth_ : nullptr,
+        l3d_camera_shading(camera_, screen_->pixels().size(), settings_.shade, settings_.light),
+        untouched_);
+    times.transform = placing.milliseconds();
+    while (!batch.empty()) {
+        const stopwatch dicing;
+        const auto parts = dicer_.dice(scene_, culling_, batch);
+        times.dice += dicing.milliseconds();
+
+        const stopwatch filling;
+        surface_rasterizer_->draw(parts);
+        times.raster += filling.milliseconds();
+
+        const stopwatch going_on;
+        batch = next_batch();
+        times.transform += going_on.milliseconds();
     }
-    l3d_detail::filling_sink filling(*surface_rasterizer_, settings_.shade == l3d_shade::error,
-                                     settings_.tolerance);
-    draw_into(filling);
     const stopwatch finishing;
     surface_rasterizer_->finish();
-    return filling.milliseconds() + finishing.milliseconds();
+    times.raster += finishing.milliseconds();
+    untouched_ = true;
+}
+
+void l3d_pipeline_afd::draw_wireframe() {
+    const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
+    untouched_ = false;
+    rasterizer_.clear_buffer();
+    l3d_detail::wire_lines lines(rasterizer_, wire_color);
+    for (auto batch = culling_.next(nothing_is_hidden); !batch.empty();
+         batch = culling_.next(nothing_is_hidden))
+        lines.draw(dicer_.dice(scene_, culling_, batch));
 }
 
 /// The 24 edges of every control net. An edge that reaches behind the near plane is left out.
 void l3d_pipeline_afd::draw_nets() {
+    untouched_ = false;
     std::vector<l3d_line_2d> lines;
-    const auto add = [&](const l3d_vector<wide, 3>& from, const l3d_vector<wide, 3>& to) {
-        const l3d_clip_vertex a = l3d_canonical_vertex<wide>(from, view_);
-        const l3d_clip_vertex b = l3d_canonical_vertex<wide>(to, view_);
+    const auto add = [&](const l3d_image_point& from, const l3d_image_point& to) {
+        const l3d_clip_vertex a = l3d_canonical_vertex(from, view_);
+        const l3d_clip_vertex b = l3d_canonical_vertex(to, view_);
         if (a.drawable && b.drawable)
             lines.push_back(
                 {a.dice.vertex.x >> l3d_subpixel_bits, a.dice.vertex.y >> l3d_subpixel_bits,
                  b.dice.vertex.x >> l3d_subpixel_bits, b.dice.vertex.y >> l3d_subpixel_bits});
     };
-    for (const placed_patch& p : placed_)
-        for (int line = 0; line < 4; ++line)
-            for (int i = 0; i < 3; ++i) {
-                add(p.net.at(line, i), p.net.at(line, i + 1));
-                add(p.net.at(i, line), p.net.at(i + 1, line));
-            }
+    for (const l3d_patch_instance& instance : scene_.instances()) {
+        const l3d_matrix<double> to_image = transform_.matrix() * instance.placement();
+        for (const l3d_patch_model::patch& patch : instance.model().patches()) {
+            const l3d_image_patch net = l3d_placed_net(to_image, patch);
+            for (int line = 0; line < 4; ++line)
+                for (int i = 0; i < 3; ++i) {
+                    add(net.at(line, i), net.at(line, i + 1));
+                    add(net.at(i, line), net.at(i + 1, line));
+                }
+        }
+    }
     rasterizer_.draw_lines(lines, net_color);
 }
 
 l3d_frame_report l3d_pipeline_afd::report() const {
     l3d_frame_report result = report_;
     result.hash = l3d_hash(screen_->pixels());
-    result.pixels_covered = l3d_covered(depth_);
     return result;
 }

@@ -5,18 +5,20 @@
 
 #include "geom/real.h"
 #include "pipeline/camera.h"
+#include "pipeline/frame_dicer.h"
 #include "pipeline/frame_report.h"
 #include "pipeline/image_transform.h"
-#include "pipeline/patch_dicer.h"
-#include "pipeline/patch_model.h"
+#include "pipeline/patch_scene.h"
 #include "pipeline/pipeline.h"
+#include "pipeline/scene_culling.h"
 #include "raster/rasterizer_factory.h"
+#include "raster/workers.h"
 #include "tool_2d/screen.h"
 
 #include <memory>
-#include <vector>
+#include <span>
 
-/// How a model is to be drawn.
+/// How a scene is to be drawn.
 struct l3d_afd_settings {
     double tolerance = 0.25;                     ///< largest image error allowed, in pixels
     l3d_shade shade = l3d_shade::lambert;        ///< of the filled surface
@@ -24,25 +26,31 @@ struct l3d_afd_settings {
     bool wireframe = false; ///< the lines of the adaptive grid instead of the filled surface
     bool net = false;       ///< the control nets on top
     bool keep_all = false;  ///< leave nothing out (for comparison)
+    bool depth = false;     ///< keep the distance of each pixel, for depth()
+    int threads = 1;        ///< that draw; constant from the first frame on
 };
 
-/// Draws a model of bicubic patches with a certified error bound in every frame.
+/// Draws models of bicubic patches with a certified error bound in every frame.
 ///
 /// A program that only wants the picture uses it as it is; one with keys or things of its own to
 /// draw is a subclass that changes camera() and settings() and calls draw_event.
-/// Expects: a valid camera; tolerance > 0; light not zero.
-/// Lives:   owns screen and rasterizers, borrows the model.
+/// Expects: a valid camera; tolerance > 0; light not zero; threads >= 1.
+/// Lives:   owns screen, workers and rasterizers, borrows the models of the scene.
 /// Cost:    filled surfaces allocate nothing once the largest frame has been seen.
 class l3d_pipeline_afd : public l3d_pipeline {
 public:
     l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen, const l3d_rasterizer_factory& rasterizers,
-                     const l3d_patch_model& model, const l3d_camera& camera,
+                     l3d_patch_scene scene, const l3d_camera& camera,
                      const l3d_afd_settings& settings);
 
+    /// Expects: its pixels are written to in draw_overlay only, since what is empty in two frames
+    ///          on end is not cleared twice.
     l3d_screen& screen() { return *screen_; }
+
+    /// Of the last frame. Expects: settings ask for it; a filled surface.
     const l3d_depth_buffer& depth() const { return depth_; }
 
-    /// The last frame drawn; hash and pixels_covered are counted when asked for.
+    /// The last frame drawn; the hash is counted when asked for.
     l3d_frame_report report() const;
 
     void resize_event(l3d_size size) override;
@@ -55,7 +63,10 @@ protected:
     l3d_afd_settings& settings() { return settings_; }
     const l3d_afd_settings& settings() const { return settings_; }
     void reset_camera() { camera_ = first_camera_; }
-    l3d_rasterizer_2d& rasterizer() { return rasterizer_; }
+    l3d_rasterizer_2d& rasterizer() {
+        untouched_ = false;
+        return rasterizer_;
+    }
 
     /// Of the frame before, in draw_overlay of the one that is drawn now.
     const l3d_frame_report& last_report() const { return report_; }
@@ -63,7 +74,10 @@ protected:
     /// The certified bound of what has been drawn in this frame. Units: pixels.
     double bound() const { return dicer_.counts().bound_px; }
 
-    l3d_pixels pixels() { return screen_->pixels(); }
+    l3d_pixels pixels() {
+        untouched_ = false;
+        return screen_->pixels();
+    }
 
     /// Asks for the next frame to be drawn.
     void redraw() { stale_ = true; }
@@ -72,35 +86,29 @@ protected:
     virtual void draw_overlay() {}
 
 private:
-    using wide = l3d_real_traits<l3d_real>::wide;
-    using image_net = l3d_bezier_patch<wide, 3>;
-
-    struct placed_patch {
-        image_net net;
-        double nearest_w;
-        std::size_t index;
-    };
-
-    void clear();
-    void place_patches();
-    double draw_surfaces();
+    void begin_frame();
+    void fill_surfaces(l3d_stage_times& times);
+    void draw_wireframe();
     void draw_nets();
+    std::span<const l3d_placed_patch> next_batch();
 
     std::unique_ptr<l3d_screen> screen_;
+    l3d_workers workers_;
     std::unique_ptr<l3d_rasterizer_2d_imp> imp_;
     l3d_rasterizer_2d rasterizer_;
     std::unique_ptr<l3d_surface_rasterizer> surface_rasterizer_;
     l3d_depth_buffer depth_;
 
-    const l3d_patch_model& model_;
+    l3d_patch_scene scene_;
     l3d_camera camera_, first_camera_;
     l3d_afd_settings settings_;
     bool stale_ = true;
+    bool untouched_ = false; ///< nobody wrote to the pixels since surfaces were filled
 
-    l3d_image_transform<wide> transform_;
+    l3d_image_transform transform_;
     l3d_dice_view view_;
-    std::vector<placed_patch> placed_;
-    l3d_patch_dicer<l3d_real> dicer_;
+    l3d_scene_culling culling_;
+    l3d_frame_dicer<l3d_real> dicer_;
     l3d_frame_report report_;
 };
 

@@ -3,7 +3,6 @@
 #ifndef L3D_PIPELINE_STRIP_WALKER_H
 #define L3D_PIPELINE_STRIP_WALKER_H
 
-#include "geom/bezier_curve.h"
 #include "geom/forward_difference.h"
 #include "pipeline/dice_view.h"
 #include "pipeline/snap.h"
@@ -20,8 +19,6 @@
 ///        over contiguous numbers of one kind and a processor's lanes can each take a column.
 /// Cost:  9 additions a column and step, one reciprocal and two products a vertex.
 template <class T> class l3d_strip_walker {
-    using wide = typename l3d_real_traits<T>::wide;
-
 public:
     /// Cost: allocates only when wider than ever before.
     void resize(std::size_t columns) {
@@ -33,21 +30,21 @@ public:
     }
 
     /// Starts column c exactly, at the beginning of `curve`, to be walked in `steps` steps.
-    void start(std::size_t c, const l3d_bezier_curve<wide, 3>& curve, int steps) {
+    void start(std::size_t c, const l3d_image_curve& curve, int steps) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto i = static_cast<int>(k);
             const auto& p = curve.points;
-            const auto d = l3d_forward_difference<T, 3>::build(
-                std::array<wide, 4>{p[0][i], p[1][i], p[2][i], p[3][i]}, steps);
+            const auto d =
+                l3d_forward_difference<T, 3>::build({p[0][i], p[1][i], p[2][i], p[3][i]}, steps);
             for (std::size_t n = 0; n < 4; ++n)
                 registers_[k][n][c] = d.d[n];
         }
     }
 
     /// Puts column c on one point; used for a last row, which nothing follows.
-    void place(std::size_t c, const l3d_vector<wide, 3>& point) {
+    void place(std::size_t c, const l3d_image_point& point) {
         for (std::size_t k = 0; k < 3; ++k)
-            registers_[k][0][c] = l3d_real_traits<T>::from_wide(point[static_cast<int>(k)]);
+            registers_[k][0][c] = l3d_from_double<T>(point[static_cast<int>(k)]);
     }
 
     /// Writes the current points, projected and snapped to sub-pixels.

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
-// l3d_depth_buffer: as distances, for files.
+// l3d_depth_buffer: what is in it, and as distances for files.
 #include "raster/depth_buffer.h"
 
 #include <limits>
+
+std::int64_t l3d_covered(const l3d_depth_buffer& depth) {
+    std::int64_t covered = 0;
+    for (int y = 0; y < depth.size().height; ++y)
+        covered += std::ranges::count_if(depth.row(y), [](float inv_w) { return inv_w > 0; });
+    return covered;
+}
 
 std::vector<float> l3d_distances(const l3d_depth_buffer& depth) {
     std::vector<float> distances;

@@ -7,20 +7,48 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <new>
 #include <span>
 #include <vector>
+
+namespace l3d_detail {
+
+/// Memory that begins where a cache line does.
+template <class T> struct line_allocator {
+    using value_type = T;
+    static constexpr std::align_val_t line{64};
+
+    line_allocator() = default;
+    template <class U> line_allocator(const line_allocator<U>&) {}
+
+    T* allocate(std::size_t count) {
+        return static_cast<T*>(::operator new(count * sizeof(T), line));
+    }
+    void deallocate(T* memory, std::size_t) { ::operator delete(memory, line); }
+
+    friend bool operator==(line_allocator, line_allocator) { return true; }
+};
+
+} // namespace l3d_detail
 
 /// One float per pixel: 1 / (distance along the view axis); 0 where nothing is.
 ///
 /// Reciprocal, because it is linear in the picture for a plane, and because 0 = infinitely far is
 /// then the value of an empty pixel.
+///
+/// Shape:   rows begin a cache line; they are `pitch` floats apart, an odd multiple of 64: were it
+/// one of 1024, that is 4 KB,
+///          a row's loads would wait for stores to the row above, which processors tell apart by
+///          the last 12 bits of their addresses, and a column's pixels would share a set of the
+///          cache.
 class l3d_depth_buffer {
 public:
     /// Expects: width, height >= 0. Cost: allocates only when larger than before.
     void resize(l3d_size size) {
         size_ = size;
-        const auto count =
-            static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+        pitch_ = (size.width + 63) / 64 * 64 | 64;
+        const auto count = static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(size.height);
         if (values_.size() < count)
             values_.resize(count);
     }
@@ -29,19 +57,25 @@ public:
 
     l3d_size size() const { return size_; }
 
+    /// The first row; others are at multiples of the pitch.
+    float* data() { return values_.data(); }
+    std::ptrdiff_t pitch() const { return pitch_; }
+
     std::span<float> row(int y) {
-        return {values_.data() + static_cast<std::ptrdiff_t>(y) * size_.width,
-                static_cast<std::size_t>(size_.width)};
+        return {values_.data() + y * pitch_, static_cast<std::size_t>(size_.width)};
     }
     std::span<const float> row(int y) const {
-        return {values_.data() + static_cast<std::ptrdiff_t>(y) * size_.width,
-                static_cast<std::size_t>(size_.width)};
+        return {values_.data() + y * pitch_, static_cast<std::size_t>(size_.width)};
     }
 
 private:
     l3d_size size_;
-    std::vector<float> values_;
+    std::ptrdiff_t pitch_ = 0;
+    std::vector<float, l3d_detail::line_allocator<float>> values_;
 };
+
+/// Pixels in which something is.
+std::int64_t l3d_covered(const l3d_depth_buffer& depth);
 
 /// Distance along the view axis per pixel, +infinity where nothing is.
 /// Shape: row by row from the top, width values each.

@@ -7,6 +7,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/simd_dispatch_p.h"
+
 #include "raster/fill_group-inl.h"
 #include "raster/fill_pixels-inl.h"
 
@@ -237,26 +239,26 @@ HWY_AFTER_NAMESPACE();
 
 namespace l3d_detail {
 
-HWY_EXPORT(fill_quads);
-HWY_EXPORT(fill_triangles);
-HWY_EXPORT(fill_finish);
+L3D_SIMD_TABLE(fill_quads);
+L3D_SIMD_TABLE(fill_triangles);
+L3D_SIMD_TABLE(fill_finish);
 
 void fill_quads(const fill_target& to, const l3d_micro_grid& grid, int row_begin, int row_end,
                 int column_begin, int column_end) {
     assert(to.band.width >= fill_least_width);
     if (row_begin < row_end && column_begin < column_end)
-        HWY_DYNAMIC_DISPATCH(fill_quads)
+        L3D_SIMD_CALL(fill_quads)
     (to, grid, row_begin, row_end, column_begin, column_end);
 }
 
 void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles, std::size_t first,
                     std::size_t last) {
     assert(to.band.width >= fill_least_width);
-    HWY_DYNAMIC_DISPATCH(fill_triangles)(to, triangles, first, last);
+    L3D_SIMD_CALL(fill_triangles)(to, triangles, first, last);
 }
 
 void fill_finish(const fill_target& to) {
-    HWY_DYNAMIC_DISPATCH(fill_finish)(to);
+    L3D_SIMD_CALL(fill_finish)(to);
 }
 
 } // namespace l3d_detail

@@ -95,18 +95,6 @@ void mesa_target::download(const l3d_pixels& pixels) {
                   pixels.words);
 }
 
-void mesa_target::upload(const l3d_depth_buffer& depth) {
-    const mesa_gl& gl = context_->make_current();
-    scaled_.clear();
-    for (int y = 0; y < size_.height; ++y)
-        for (const float inv_w : depth.row(y))
-            scaled_.push_back(inv_w * depth_scale);
-    gl.BindTexture(GL_TEXTURE_2D, depth_);
-    gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size_.width, size_.height, GL_DEPTH_COMPONENT,
-                     GL_FLOAT, scaled_.data());
-}
-
 void mesa_target::download(l3d_depth_buffer& depth) {
     const mesa_gl& gl = context_->make_current();
     const auto width = static_cast<std::size_t>(size_.width);

@@ -52,7 +52,6 @@ public:
     void download(const l3d_pixels& pixels);
 
     /// Depth is kept as inv_w depth_scale. Expects: with_depth.
-    void upload(const l3d_depth_buffer& depth);
     void download(l3d_depth_buffer& depth);
 
     /// Powers of two lose nothing, and every inv_w from 2^-94 to 2^32 is then inside [0, 1], where

@@ -41,7 +41,7 @@ void light(const line_steps& line, std::uint32_t* words, std::ptrdiff_t along,
 
 void l3d_rasterizer_2d_sw_imp::do_set_target(l3d_pixels target) {
     target_ = target;
-    scan_.set_height(target.height);
+    scan_.set_rows({0, target.height});
 }
 
 void l3d_rasterizer_2d_sw_imp::do_clear_buffer() {

@@ -5,6 +5,7 @@
 
 #include "raster/rasterizer_2d.h"
 #include "raster/surface_rasterizer.h"
+#include "raster/workers.h"
 
 #include <memory>
 
@@ -24,11 +25,15 @@ public:
 
     /// Never null.
     /// Errors:  as create_2d.
-    std::unique_ptr<l3d_surface_rasterizer> create_surface() const { return do_create_surface(); }
+    /// Lives:   borrows the workers.
+    std::unique_ptr<l3d_surface_rasterizer> create_surface(l3d_workers& workers) const {
+        return do_create_surface(workers);
+    }
 
 private:
     virtual std::unique_ptr<l3d_rasterizer_2d_imp> do_create_2d(l3d_pixels target) const = 0;
-    virtual std::unique_ptr<l3d_surface_rasterizer> do_create_surface() const = 0;
+    virtual std::unique_ptr<l3d_surface_rasterizer>
+    do_create_surface(l3d_workers& workers) const = 0;
 };
 
 #endif

@@ -23,6 +23,7 @@ l3d_rasterizer_factory_mesa::do_create_2d(l3d_pixels target) const {
     return std::make_unique<l3d_rasterizer_2d_mesa_imp>(open_context(), target);
 }
 
-std::unique_ptr<l3d_surface_rasterizer> l3d_rasterizer_factory_mesa::do_create_surface() const {
+std::unique_ptr<l3d_surface_rasterizer>
+l3d_rasterizer_factory_mesa::do_create_surface(l3d_workers&) const {
     return std::make_unique<l3d_surface_rasterizer_mesa>(open_context());
 }

@@ -13,7 +13,7 @@ private:
     std::unique_ptr<l3d_rasterizer_2d_imp> do_create_2d(l3d_pixels target) const override;
 
     /// Errors:  l3d_error(no_backend) with the reasons, if there is no software GL.
-    std::unique_ptr<l3d_surface_rasterizer> do_create_surface() const override;
+    std::unique_ptr<l3d_surface_rasterizer> do_create_surface(l3d_workers& workers) const override;
 };
 
 #endif

@@ -13,8 +13,8 @@ private:
     std::unique_ptr<l3d_rasterizer_2d_imp> do_create_2d(l3d_pixels target) const override {
         return std::make_unique<l3d_rasterizer_2d_sw_imp>(target);
     }
-    std::unique_ptr<l3d_surface_rasterizer> do_create_surface() const override {
-        return std::make_unique<l3d_surface_rasterizer_sw>();
+    std::unique_ptr<l3d_surface_rasterizer> do_create_surface(l3d_workers& workers) const override {
+        return std::make_unique<l3d_surface_rasterizer_sw>(workers);
     }
 };
 

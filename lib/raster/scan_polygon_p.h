@@ -26,14 +26,13 @@ struct scan_rows {
 /// until the next convert.
 class scan_polygon {
 public:
-    /// Rows 0 <= row < height are kept from now on. Cost: allocates only when higher than before.
-    void set_height(std::int32_t height) {
-        height_ = height;
-        if (spans_.size() < static_cast<std::size_t>(height))
-            spans_.resize(static_cast<std::size_t>(height));
+    /// Only these rows are kept from now on. Cost: allocates only when there are more than before.
+    void set_rows(scan_rows kept) {
+        kept_ = kept;
+        const auto count = static_cast<std::size_t>(std::max(kept.bottom - kept.top, 0));
+        if (spans_.size() < count)
+            spans_.resize(count);
     }
-
-    std::int32_t height() const { return height_; }
 
     /// Finds the spans of a polygon.
     ///
@@ -43,7 +42,7 @@ public:
     ///          a closed outline crosses every row downwards as often as upwards.
     template <std::size_t Extent>
     scan_rows convert(std::span<const scan_point, Extent> corners, bool clockwise) {
-        scan_rows rows{height_, 0};
+        scan_rows rows{kept_.bottom, kept_.top};
         scan_point from = corners.back();
         for (const scan_point to : corners) {
             const bool down = from.y < to.y;
@@ -62,23 +61,24 @@ private:
     static constexpr std::size_t left = 0, right = 1;
     using ends = std::array<std::int32_t, 2>;
 
-    const ends& span_of(std::int32_t row) const { return spans_[static_cast<std::size_t>(row)]; }
+    std::size_t index(std::int32_t row) const { return static_cast<std::size_t>(row - kept_.top); }
+    const ends& span_of(std::int32_t row) const { return spans_[index(row)]; }
 
     void add_edge(scan_point upper, scan_point lower, std::size_t side, scan_rows& rows) {
-        const std::int32_t top = std::max(first_centre(upper.y), 0);
-        const std::int32_t bottom = std::min(first_centre(lower.y), height_);
+        const std::int32_t top = std::max(first_centre(upper.y), kept_.top);
+        const std::int32_t bottom = std::min(first_centre(lower.y), kept_.bottom);
         if (top >= bottom)
             return;
         rows.top = std::min(rows.top, top);
         rows.bottom = std::max(rows.bottom, bottom);
         scan_edge edge(upper, lower, top);
         for (std::int32_t row = top; row < bottom; ++row) {
-            spans_[static_cast<std::size_t>(row)][side] = edge.column();
+            spans_[index(row)][side] = edge.column();
             edge.step();
         }
     }
 
-    std::int32_t height_ = 0;
+    scan_rows kept_;
     std::vector<ends> spans_;
 };
 

@@ -8,7 +8,8 @@
 #include <vector>
 
 /// The instruction sets that this processor has and the library was built for, best first; names
-/// as Highway spells them: AVX3 (AVX-512), AVX2, SSE4, SSSE3, NEON ...
+/// as Highway spells them: AVX3 (that is AVX-512), AVX2, SSE4, SSSE3; BASE is what the compiler was
+/// told.
 std::vector<std::string> l3d_simd_targets();
 
 /// The one in use: the best, unless told otherwise.

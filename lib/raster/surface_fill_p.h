@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// surface_fill: quads and triangles into picture and depth buffer. The product's inner loop.
+// surface_fill: quads and triangles into picture and depth buffer, pixel by pixel.
 #ifndef L3D_RASTER_SURFACE_FILL_P_H
 #define L3D_RASTER_SURFACE_FILL_P_H
 
@@ -22,7 +22,7 @@ inline scan_point position(const l3d_micro_vertex& vertex) {
 
 /// Fills polygons with one shader, known at compile time.
 ///
-/// Lives: borrows the target for one draw call.
+/// Lives: borrows the target for one call.
 template <class Shader> class surface_fill {
 public:
     surface_fill(surface_target& target, const Shader& shader) : target_(target), shader_(shader) {}
@@ -109,12 +109,12 @@ private:
                   float nearest) {
         const std::int32_t start = target_.scan.first(row);
         const std::int32_t begin = std::max(start, 0);
-        const std::int32_t end = std::min(target_.scan.last(row), target_.pixels.width);
+        const std::int32_t end = std::min(target_.scan.last(row), target_.band.width);
         if (begin >= end)
             return;
         const numbers value = plane.at(start, row);
-        float* const depths = target_.depth->row(row).data();
-        std::uint32_t* const words = target_.pixels.row(row).data();
+        float* const depths = target_.depths(row);
+        std::uint32_t* const words = target_.words(row);
         std::int64_t written = 0;
         for (std::int32_t x = begin; x < end; ++x) {
             const auto k = static_cast<float>(x - start);

@@ -2,6 +2,7 @@
 // l3d_surface_rasterizer_mesa: the shaders, and triangles for them.
 #include "raster/surface_rasterizer_mesa.h"
 
+#include "raster/band_cells_p.h"
 #include "raster/projective_centre_p.h"
 
 #include <algorithm>
@@ -99,16 +100,16 @@ l3d_surface_rasterizer_mesa::l3d_surface_rasterizer_mesa(std::unique_ptr<mesa_co
     gl_target_.gl().GenQueries(1, &query_);
 }
 
-void l3d_surface_rasterizer_mesa::do_begin(l3d_pixels target, l3d_depth_buffer& depth,
-                                           const l3d_shading& shading) {
-    assert(target.size() == depth.size());
+void l3d_surface_rasterizer_mesa::do_begin(l3d_pixels target, l3d_depth_buffer* depth,
+                                           const l3d_shading& shading, bool) {
+    assert(!depth || target.size() == depth->size());
     target_ = target;
-    depth_ = &depth;
+    depth_ = depth ? depth : &own_depth_;
+    own_depth_.resize(target.size());
     shading_ = shading;
     counts_ = {};
     batch_.clear();
-    newer_ = false;
-    cpu_.begin(target, depth, shading);
+    cleared_ = false;
     const mesa_gl& gl = gl_target_.gl();
     if (held_size_ != target.size()) {
         held_size_ = target.size();
@@ -116,6 +117,8 @@ void l3d_surface_rasterizer_mesa::do_begin(l3d_pixels target, l3d_depth_buffer& 
         gl.Uniform2f(gl_target_.uniform("middle"), static_cast<float>(gl_target_.middle_x()),
                      static_cast<float>(gl_target_.middle_y()));
     }
+    if (!fits_)
+        return cpu_.begin(target, depth_, shading);
     gl.Uniform1i(gl_target_.uniform("shade"), static_cast<int>(shading.mode));
     for (const auto& [name, value] :
          {std::pair{"light", &shading.light}, std::pair{"ray", &shading.ray},
@@ -123,28 +126,25 @@ void l3d_surface_rasterizer_mesa::do_begin(l3d_pixels target, l3d_depth_buffer& 
         gl.Uniform3f(gl_target_.uniform(name), (*value)[0], (*value)[1], (*value)[2]);
 }
 
-void l3d_surface_rasterizer_mesa::do_set_error_color(std::uint32_t color) {
-    error_color_ = color;
-    cpu_.set_error_color(color);
+void l3d_surface_rasterizer_mesa::do_draw(std::span<const l3d_surface_part* const> parts) {
+    if (!fits_)
+        return cpu_.draw(parts);
+    for (const l3d_surface_part* part : parts)
+        add_part(*part);
 }
 
-void l3d_surface_rasterizer_mesa::do_draw_grid(const l3d_micro_grid& grid) {
-    if (!fits_)
-        return cpu_.draw_grid(grid);
-    for (int row = 0; row + 1 < grid.rows; ++row)
-        for (int column = 0; column + 1 < grid.columns; ++column)
+void l3d_surface_rasterizer_mesa::add_part(const l3d_surface_part& part) {
+    error_color_ = part.error_color;
+    const l3d_micro_grid& grid = part.grid;
+    const grid_cells cells = all_cells(grid);
+    for (int row = 0; row < cells.row_end; ++row)
+        for (int column = 0; column < cells.column_end; ++column)
             add_quad({grid.vertex(row, column), grid.vertex(row, column + 1),
                       grid.vertex(row + 1, column + 1), grid.vertex(row + 1, column)});
-    counts_.quads += std::int64_t{std::max(grid.rows - 1, 0)} * std::max(grid.columns - 1, 0);
-}
-
-void l3d_surface_rasterizer_mesa::do_draw_triangle(const l3d_micro_vertex& a,
-                                                   const l3d_micro_vertex& b,
-                                                   const l3d_micro_vertex& c) {
-    if (!fits_)
-        return cpu_.draw_triangle(a, b, c);
-    add(std::array{a, b, c});
-    ++counts_.quads;
+    for (std::size_t i = 0; i < part.triangles.count; ++i)
+        add(std::array{part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
+                       part.triangles.vertex(i, 2)});
+    counts_.quads += polygons(part);
 }
 
 void l3d_surface_rasterizer_mesa::add_quad(const std::array<l3d_micro_vertex, 4>& corners) {
@@ -180,14 +180,15 @@ void l3d_surface_rasterizer_mesa::add(std::span<const l3d_micro_vertex> convex) 
 }
 
 void l3d_surface_rasterizer_mesa::flush() {
+    const mesa_gl& gl = gl_target_.gl();
+    if (!cleared_) {
+        gl.ClearColor(0, 0, 0, 0);
+        gl.ClearDepth(0);
+        gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        cleared_ = true;
+    }
     if (batch_.empty())
         return;
-    const mesa_gl& gl = gl_target_.gl();
-    if (!newer_) {
-        gl_target_.upload(target_);
-        gl_target_.upload(*depth_);
-        newer_ = true;
-    }
     gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(vertex), batch_[0].position);
     gl.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(vertex), batch_[0].normal);
 
@@ -214,12 +215,12 @@ std::int64_t l3d_surface_rasterizer_mesa::draw_counted() {
 }
 
 void l3d_surface_rasterizer_mesa::do_finish() {
+    if (!fits_)
+        return cpu_.finish();
     flush();
-    if (!newer_)
-        return;
     gl_target_.download(target_);
     gl_target_.download(*depth_);
-    newer_ = false;
+    counts_.covered = l3d_covered(*depth_);
 }
 
 const l3d_surface_counts& l3d_surface_rasterizer_mesa::do_counts() const {

@@ -4,7 +4,7 @@
 #define L3D_RASTER_SURFACE_RASTERIZER_MESA_H
 
 #include "raster/mesa_target_p.h"
-#include "raster/surface_rasterizer_sw.h"
+#include "raster/surface_rasterizer_scalar.h"
 
 #include <array>
 #include <memory>
@@ -17,7 +17,7 @@
 /// little from the plane that the CPU lays through it; the outline does not. Positions are exact
 /// within 8192 pixels of the middle of the picture; what reaches further is clipped there, rounded.
 /// A picture larger than GL's largest is left to the CPU.
-/// Units:   as l3d_surface_rasterizer_sw, and inv_w from 2^-94 to 2^32.
+/// Units:   as l3d_surface_rasterizer_scalar, and inv_w from 2^-94 to 2^32.
 /// Cost:    drawing gathers; every batch is drawn twice, once only to count its samples.
 class l3d_surface_rasterizer_mesa final : public l3d_surface_rasterizer {
 public:
@@ -25,11 +25,9 @@ public:
     explicit l3d_surface_rasterizer_mesa(std::unique_ptr<l3d_detail::mesa_context> context);
 
 private:
-    void do_begin(l3d_pixels target, l3d_depth_buffer& depth, const l3d_shading& shading) override;
-    void do_set_error_color(std::uint32_t color) override;
-    void do_draw_grid(const l3d_micro_grid& grid) override;
-    void do_draw_triangle(const l3d_micro_vertex& a, const l3d_micro_vertex& b,
-                          const l3d_micro_vertex& c) override;
+    void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
+                  bool untouched) override;
+    void do_draw(std::span<const l3d_surface_part* const> parts) override;
     void do_finish() override;
     const l3d_surface_counts& do_counts() const override;
 
@@ -38,6 +36,7 @@ private:
         float normal[3];   ///< or, in mode `error`, red, green, blue
     };
 
+    void add_part(const l3d_surface_part& part);
     void add_quad(const std::array<l3d_micro_vertex, 4>& corners);
     void add(std::span<const l3d_micro_vertex> convex);
     void flush();
@@ -45,16 +44,17 @@ private:
 
     l3d_detail::mesa_target gl_target_;
     l3d_pixels target_;
+    l3d_depth_buffer own_depth_; ///< where nobody wants it but to count what is covered
     l3d_depth_buffer* depth_ = nullptr;
     l3d_shading shading_;
     l3d_surface_counts counts_;
     std::uint32_t error_color_ = 0x00ffffff;
     std::vector<vertex> batch_;
     l3d_size held_size_;
-    bool fits_ = false;  ///< GL can hold the picture
-    bool newer_ = false; ///< GL's picture is newer than the target
+    bool fits_ = false;    ///< GL can hold the picture
+    bool cleared_ = false; ///< GL's picture is that of this frame
     unsigned query_ = 0;
-    l3d_surface_rasterizer_sw cpu_;
+    l3d_surface_rasterizer_scalar cpu_;
 };
 
 #endif

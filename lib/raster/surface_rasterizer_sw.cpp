@@ -1,85 +1,141 @@
 // SPDX-License-Identifier: MIT
-// l3d_surface_rasterizer_sw: choosing the shader, and the walk over a grid's cells.
+// l3d_surface_rasterizer_sw: bands, and who fills them.
 #include "raster/surface_rasterizer_sw.h"
 
-#include "raster/surface_fill_p.h"
-#include "raster/surface_shader_p.h"
+#include "raster/band_painter_p.h"
 
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
+#include <numeric>
+#include <vector>
 
 namespace {
 
 using namespace l3d_detail;
 
-l3d_micro_vertex vertex_at(const l3d_micro_grid& grid, std::size_t i) {
-    return {grid.x[i],
-            grid.y[i],
-            grid.inv_w[i],
-            {grid.normal[0][i], grid.normal[1][i], grid.normal[2][i]}};
-}
-
-/// Whether no pixel centre of [0, size) lies between the least and the greatest of four numbers.
-bool misses(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d, std::int32_t size) {
-    const std::int32_t first = first_centre(std::min(std::min(a, b), std::min(c, d)));
-    const std::int32_t last = first_centre(std::max(std::max(a, b), std::max(c, d)));
-    return std::max(first, 0) >= std::min(last, size);
-}
-
-template <class Shader>
-void fill_grid(surface_fill<Shader> fill, const l3d_micro_grid& grid, l3d_size size) {
-    for (int row = 0; row + 1 < grid.rows; ++row) {
-        const std::size_t above = grid.index(row, 0), below = grid.index(row + 1, 0);
-        for (int column = 0; column + 1 < grid.columns; ++column) {
-            const std::size_t p00 = above + static_cast<std::size_t>(column), p10 = p00 + 1;
-            const std::size_t p01 = below + static_cast<std::size_t>(column), p11 = p01 + 1;
-            if (misses(grid.x[p00], grid.x[p10], grid.x[p11], grid.x[p01], size.width) ||
-                misses(grid.y[p00], grid.y[p10], grid.y[p11], grid.y[p01], size.height))
-                continue;
-            fill.quad({vertex_at(grid, p00), vertex_at(grid, p10), vertex_at(grid, p11),
-                       vertex_at(grid, p01)});
-        }
-    }
+/// So that colour and depth of a band take half a megabyte, a quarter of the second level cache of
+/// a core of 2020 and all of one of 2012, and there are 16 bands that workers can share.
+/// Not more of them for more workers: what is counted would depend on it.
+int rows_of_band(l3d_size size) {
+    constexpr int bytes = 512 << 10, bytes_of_pixel = 4 + 4, least_bands = 16;
+    constexpr int tile = depth_tile::height;
+    const int fitting = bytes / bytes_of_pixel / std::max(size.width, 1) / tile * tile;
+    const int sharing = (size.height + least_bands * tile - 1) / (least_bands * tile) * tile;
+    return std::max(std::min(fitting, sharing), tile);
 }
 
 } // namespace
 
-void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer& depth,
-                                         const l3d_shading& shading) {
-    assert(target.size() == depth.size());
-    target_.pixels = target;
-    target_.depth = &depth;
-    target_.scan.set_height(target.height);
-    target_.counts = {};
-    target_.shading = shading;
+struct l3d_surface_rasterizer_sw::work_space {
+    band_frame frame;
+    band_list list;
+    coarse_depth coarse;
+    std::vector<band_painter> painters;          ///< one for each worker
+    std::vector<l3d_depth_buffer> worker_depths; ///< of a band, if nobody wants it afterwards
+    std::vector<int> order;                      ///< of the bands, heaviest first
+    std::vector<std::int64_t> covered;           ///< in each band
+};
+
+l3d_surface_rasterizer_sw::l3d_surface_rasterizer_sw(l3d_workers& workers,
+                                                     l3d_band_settings settings)
+    : workers_(workers), settings_(settings), work_(std::make_unique<work_space>()) {
+    assert(settings.rows >= 0 && settings.rows % depth_tile::height == 0);
+    work_->painters.resize(static_cast<std::size_t>(workers.count()));
+    work_->worker_depths.resize(static_cast<std::size_t>(workers.count()));
 }
 
-/// Calls draw with a filler for the frame's shader: one switch per draw call, none per pixel.
-template <class Draw> void l3d_surface_rasterizer_sw::with_shader(const Draw& draw) {
-    switch (target_.shading.mode) {
-    case l3d_shade::lambert:
-        return draw(surface_fill(target_, lambert_shader(target_.shading)));
-    case l3d_shade::gouraud:
-        return draw(surface_fill(target_, gouraud_shader(target_.shading)));
-    case l3d_shade::flat:
-        return draw(surface_fill(target_, flat_shader(target_.shading)));
-    case l3d_shade::normals:
-        return draw(surface_fill(target_, normals_shader(target_.shading)));
-    case l3d_shade::error:
-        return draw(surface_fill(target_, constant_shader(error_color_)));
+l3d_surface_rasterizer_sw::~l3d_surface_rasterizer_sw() = default;
+
+void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer* depth,
+                                         const l3d_shading& shading, bool untouched) {
+    assert(!depth || target.size() == depth->size());
+    untouched_ = untouched && finished_ && target.words == target_.words &&
+                 target.size() == target_.size() && target.stride == target_.stride;
+    finished_ = false;
+    target_ = target;
+    depth_ = depth;
+    rows_ = settings_.rows ? settings_.rows : rows_of_band(target.size());
+    drawn_ = false;
+    counts_ = {};
+    work_->frame = {shading, fill_shading(shading),
+                    shading.mode == l3d_shade::lambert && target.width >= fill_least_width,
+                    settings_.leave_out_hidden};
+    work_->coarse.resize(target.size());
+    const int bands = (target.height + rows_ - 1) / rows_;
+    work_->covered.assign(static_cast<std::size_t>(bands), 0);
+    work_->order.resize(static_cast<std::size_t>(bands));
+    if (!depth)
+        for (l3d_depth_buffer& worker_depth : work_->worker_depths)
+            worker_depth.resize({target.width, rows_});
+}
+
+void l3d_surface_rasterizer_sw::do_draw(std::span<const l3d_surface_part* const> parts) {
+    assert(depth_ || !drawn_);
+    const band_list& list = work_->list;
+    work_->list.make(parts, target_.size(), rows_, workers_);
+
+    std::vector<int>& order = work_->order;
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, [&](int a, int b) {
+        const std::size_t of_a = list.items(a).size(), of_b = list.items(b).size();
+        return of_a != of_b ? of_a > of_b : a < b;
+    });
+    for (band_painter& painter : work_->painters)
+        painter.reserve(rows_);
+    workers_.for_each(static_cast<int>(order.size()), [&](int i, int worker) {
+        draw_band(order[static_cast<std::size_t>(i)], static_cast<std::size_t>(worker));
+    });
+
+    drawn_ = true;
+    counts_.quads += list.polygons();
+    for (band_painter& painter : work_->painters) {
+        for (const band_painter& other : work_->painters)
+            painter.reserve_as(other);
+        const fill_counts counts = painter.take_counts();
+        counts_.samples += counts.samples;
+        counts_.written += counts.written;
     }
 }
 
-void l3d_surface_rasterizer_sw::do_draw_grid(const l3d_micro_grid& grid) {
-    if (grid.rows < 2 || grid.columns < 2)
+void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
+    const std::span<const std::uint32_t> items = work_->list.items(index);
+    if (drawn_ && items.empty())
         return;
-    target_.counts.quads += std::int64_t{grid.rows - 1} * (grid.columns - 1);
-    with_shader([&](auto fill) { fill_grid(fill, grid, target_.pixels.size()); });
+    const int top = index * rows_, bottom = std::min(top + rows_, target_.height);
+    l3d_depth_buffer& depth = depth_ ? *depth_ : work_->worker_depths[worker];
+    const fill_band band{target_.row(top).data(),
+                         target_.stride,
+                         depth.row(depth_ ? top : 0).data(),
+                         depth.pitch(),
+                         target_.width,
+                         top,
+                         bottom};
+    coarse_depth& coarse = work_->coarse;
+    if (!drawn_) {
+        if (untouched_)
+            coarse.clear_words(band);
+        else
+            for (int row = top; row < bottom; ++row)
+                std::ranges::fill(target_.row(row), 0u);
+        coarse.forget(top, bottom);
+    }
+    work_->painters[worker].draw(work_->frame, band, work_->list, items, coarse);
+    if (!drawn_ && depth_)
+        coarse.open_others(band);
+    if (depth_)
+        coarse.refresh(band); // `hidden` may be asked by many, so it finds nothing itself
+    work_->covered[static_cast<std::size_t>(index)] = coarse.covered(band);
 }
 
-void l3d_surface_rasterizer_sw::do_draw_triangle(const l3d_micro_vertex& a,
-                                                 const l3d_micro_vertex& b,
-                                                 const l3d_micro_vertex& c) {
-    ++target_.counts.quads;
-    with_shader([&](auto fill) { fill.triangle({a, b, c}); });
+bool l3d_surface_rasterizer_sw::do_hidden(const l3d_subpixel_box& box, float nearest_inv_w) const {
+    const pixel_box pixels = pixels_in(box).intersected(whole(target_.size()));
+    return drawn_ && (pixels.empty() || work_->coarse.hidden(pixels, nearest_inv_w));
+}
+
+void l3d_surface_rasterizer_sw::do_finish() {
+    if (!drawn_)
+        do_draw({});
+    finished_ = true;
+    counts_.covered = std::reduce(work_->covered.begin(), work_->covered.end(), std::int64_t{0});
 }

@@ -1,32 +1,55 @@
 // SPDX-License-Identifier: MIT
-// l3d_surface_rasterizer_sw: the surface rasterizer on the CPU.
+// l3d_surface_rasterizer_sw: the surface rasterizer on the CPU, by all its lanes and cores.
 #ifndef L3D_RASTER_SURFACE_RASTERIZER_SW_H
 #define L3D_RASTER_SURFACE_RASTERIZER_SW_H
 
 #include "raster/surface_rasterizer.h"
-#include "raster/surface_target_p.h"
+#include "raster/workers.h"
 
-/// Fills surfaces with exact integer coverage and attributes that are linear in the picture.
+#include <cstddef>
+#include <memory>
+
+/// How the work is divided. The picture does not depend on it.
+struct l3d_band_settings {
+    int rows = 0; ///< of pixels in a band, a multiple of 8; 0: such that a band fits the cache
+    bool leave_out_hidden = true; ///< what is provably hidden is not filled
+};
+
+/// Fills surfaces in horizontal bands whose colour and depth stay in a core's own cache: in each
+/// first what is nearest, leaving out blocks that are behind what is there.
 ///
-/// A quad's attribute plane is the one through its two diagonals' differences and the mean of its
-/// corners, so no diagonal shows; quads far from a parallelogram are filled as two triangles.
-/// Units:   normals of 1e-18 to 1e18 in length; a zero normal gets the ambient grey, and the middle
-///          grey in mode `normals`.
-/// Expects: begin before anything is drawn. One object serves one thread.
-/// Cost:    allocates in begin only, when the picture is higher than any before.
+/// Units:   as l3d_surface_rasterizer_scalar, its slow twin.
+/// Lives:   borrows the workers.
+/// Cost:    a frame allocates only where there is more of something than in any frame before.
+///          Lambert shading in pictures at least 16 pixels wide is filled in SIMD lanes, all else
+///          pixel by pixel.
 class l3d_surface_rasterizer_sw final : public l3d_surface_rasterizer {
+public:
+    explicit l3d_surface_rasterizer_sw(l3d_workers& workers, l3d_band_settings settings = {});
+    ~l3d_surface_rasterizer_sw() override;
+
 private:
-    void do_begin(l3d_pixels target, l3d_depth_buffer& depth, const l3d_shading& shading) override;
-    void do_set_error_color(std::uint32_t color) override { error_color_ = color; }
-    void do_draw_grid(const l3d_micro_grid& grid) override;
-    void do_draw_triangle(const l3d_micro_vertex& a, const l3d_micro_vertex& b,
-                          const l3d_micro_vertex& c) override;
-    const l3d_surface_counts& do_counts() const override { return target_.counts; }
+    void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
+                  bool untouched) override;
+    void do_draw(std::span<const l3d_surface_part* const> parts) override;
+    bool do_hidden(const l3d_subpixel_box& box, float nearest_inv_w) const override;
+    void do_finish() override;
+    const l3d_surface_counts& do_counts() const override { return counts_; }
 
-    template <class Draw> void with_shader(const Draw& draw);
+    struct work_space;
 
-    l3d_detail::surface_target target_;
-    std::uint32_t error_color_ = 0x00ffffff;
+    void draw_band(int index, std::size_t worker);
+
+    l3d_workers& workers_;
+    l3d_band_settings settings_;
+    std::unique_ptr<work_space> work_;
+    l3d_pixels target_;
+    l3d_depth_buffer* depth_ = nullptr;
+    int rows_ = 0;           ///< of a band
+    bool drawn_ = false;     ///< something of this frame; picture and depth are cleared then
+    bool finished_ = false;  ///< tiles that are not drawn are empty in the picture
+    bool untouched_ = false; ///< and still are when this frame begins
+    l3d_surface_counts counts_;
 };
 
 #endif

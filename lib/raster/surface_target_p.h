@@ -1,20 +1,29 @@
 // SPDX-License-Identifier: MIT
-// What a frame is drawn into, and the work space that goes with it.
+// What surface_fill draws into, and the work space that goes with it.
 #ifndef L3D_RASTER_SURFACE_TARGET_P_H
 #define L3D_RASTER_SURFACE_TARGET_P_H
 
+#include "raster/fill_kernel_p.h"
 #include "raster/scan_polygon_p.h"
-#include "raster/surface_rasterizer.h"
+
+#include <cstddef>
+#include <cstdint>
 
 namespace l3d_detail {
 
-/// Lives: borrows pixels and depth from begin to the end of the frame; owns the spans.
+/// Lives: borrows the band's pixels and depth; owns the spans.
 struct surface_target {
-    l3d_pixels pixels;
-    l3d_depth_buffer* depth = nullptr;
-    l3d_shading shading;
+    fill_band band{};
     scan_polygon scan;
-    l3d_surface_counts counts;
+    fill_counts counts;
+
+    /// Column 0 of a row of the picture. Expects: band.top <= row < band.bottom.
+    std::uint32_t* words(std::int32_t row) const {
+        return band.words + (row - band.top) * band.word_pitch;
+    }
+    float* depths(std::int32_t row) const {
+        return band.depths + (row - band.top) * band.depth_pitch;
+    }
 };
 
 } // namespace l3d_detail

@@ -2,15 +2,22 @@
 // l3d_workers: a task arena of oneTBB, and a counter that hands out items in order.
 #include "raster/workers.h"
 
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
 
 struct l3d_workers::threads {
-    explicit threads(int count) : arena(count) {}
+    explicit threads(int count)
+        : allowed(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(std::max(count, tbb::info::default_concurrency()))),
+          arena(count) {}
+    tbb::global_control allowed; ///< else there are no more threads than processors
     tbb::task_arena arena;
 };
 

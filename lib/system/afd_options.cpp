@@ -7,6 +7,7 @@
 #include "system/text_file.h"
 
 #include <algorithm>
+#include <thread>
 #include <limits>
 
 namespace {
@@ -26,6 +27,9 @@ constexpr double farthest_place = 1e12;
 l3d_camera::vector vector_of(const std::array<double, 3>& v) {
     return {v[0], v[1], v[2]};
 }
+
+/// A picture of usual size has some ten bands of work; more threads would only wait.
+constexpr int most_threads_unasked = 8;
 
 std::string text_of(const std::array<double, 3>& v) {
     return l3d_number_text(v[0]) + ',' + l3d_number_text(v[1]) + ',' + l3d_number_text(v[2]);
@@ -64,8 +68,10 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--net", settings_.net, "the control nets on top");
     options.add("--turntable", turntable_, "degrees that the eye turns from frame to frame", -360.0,
                 360.0);
-    options.add("--threads", threads_, "threads to draw with; the picture is the same for any", 1,
-                1024);
+    settings_.threads =
+        std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, most_threads_unasked);
+    options.add("--threads", settings_.threads,
+                "threads to draw with; the picture is the same for any", 1, 1024);
     options.add("--depth-output", depth_output_,
                 "write the last frame's distances along the view axis (.pfm)", "FILE");
     options.add("--report", report_, "write one line of JSON per frame; - is the standard output",
@@ -96,6 +102,7 @@ l3d_afd_settings l3d_afd_options::settings() const {
     if (method_ != "afd")
         throw l3d_error(l3d_exit::usage, "--method: '" + method_ + "' is unknown; there is afd");
     l3d_afd_settings result = settings_;
+    result.depth = !depth_output_.empty();
     result.light = vector_of(light_);
     const double length = l3d_length(result.light);
     if (!(length > 0 && length < largest))

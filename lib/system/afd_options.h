@@ -42,7 +42,6 @@ private:
     std::array<double, 3> light_{0.4, 0.8, 0.45};
     l3d_afd_settings settings_;
     double turntable_ = 0;
-    int threads_ = 1;
     std::string depth_output_, report_;
     bool explain_ = false;
 };

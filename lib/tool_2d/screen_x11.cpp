@@ -256,7 +256,7 @@ std::optional<x11_visual> choose_visual(const x11_connection* connection, l3d_se
     if (!connection->lost())
         visual = choose_x11_visual(*connection, refusal.why);
     if (connection->lost()) {
-        refusal = {l3d_service::level::display_lost, "the X server went away"};
+        refusal = {l3d_service::level::display_lost, x11_server_went_away};
         return {};
     }
     if (!visual)

@@ -195,7 +195,7 @@ std::unique_ptr<x11_colormap> x11_colormap::make(const x11_connection& connectio
         break;
     }
     if (connection.lost()) {
-        refusal = {l3d_service::level::display_lost, "the X server went away"};
+        refusal = {l3d_service::level::display_lost, x11_server_went_away};
         return nullptr;
     }
     return map;

@@ -65,7 +65,11 @@ namespace {
 /// Where to go on if the server dies while this thread connects to it; else null.
 thread_local std::jmp_buf* way_out_of_opening = nullptr;
 
-// A picture of 1024 x 768 with room for another. Linux allows 208 KiB unless told otherwise.
+// 8 MiB: two pictures of 1024 x 768. The system gives what it allows, Linux 208 KiB unless told
+// otherwise. Pictures go in pieces of at most one request of the protocol (262 KB, without the
+// extension for larger ones), and before each it is asked whether there is room. So a large buffer
+// does not make pieces large; it lets many go before anybody waits: half of what was given, 2 MiB
+// where the system allows 4.
 constexpr int wanted_buffer = 1 << 23;
 // What a request holds beside its data: 24 bytes for a picture.
 constexpr std::size_t own_size = 32;
@@ -236,6 +240,13 @@ void x11_connection::keep(const failure& error) {
 int x11_connection::error_of(unsigned long serial) const {
     const auto found = std::ranges::find(failures_, serial, &failure::serial);
     return found == failures_.end() ? 0 : found->code;
+}
+
+bool has_x11_manager(const x11_connection& connection) {
+    // A window manager is who redirects the root's children; only one client can.
+    XWindowAttributes root{};
+    return XGetWindowAttributes(connection.display(), connection.root(), &root) != 0 &&
+           (root.all_event_masks & SubstructureRedirectMask) != 0;
 }
 
 std::string x11_error_text(const x11_connection& connection, int code) {

@@ -13,6 +13,9 @@
 
 namespace l3d_detail {
 
+/// Why there is no screen, if the display was lost while it was asked.
+inline constexpr auto x11_server_went_away = "the X server went away";
+
 /// Owns a Display.
 ///
 /// Xlib's two error handlers belong to the whole process, and its own ones end it. While
@@ -94,6 +97,11 @@ private:
     std::array<failure, 16> failures_{};
     std::size_t failure_count_ = 0; ///< in all; the array is a ring
 };
+
+/// Whether a window manager looks after the windows of this display.
+/// Errors:  false if the server goes away meanwhile.
+/// Cost:    one round trip; the errors of all requests before are known then.
+bool has_x11_manager(const x11_connection& connection);
 
 /// What the error code means, in words. No request is made.
 std::string x11_error_text(const x11_connection& connection, int code);

@@ -38,12 +38,7 @@ l3d_probe probe_visual(const x11_connection& connection) {
 }
 
 l3d_probe probe_manager(const x11_connection& connection) {
-    // A window manager is who redirects the root's children; only one client can.
-    XWindowAttributes root{};
-    const bool is_there =
-        XGetWindowAttributes(connection.display(), connection.root(), &root) != 0 &&
-        (root.all_event_masks & SubstructureRedirectMask) != 0;
-    if (is_there)
+    if (has_x11_manager(connection))
         return {"window manager", "there is one", verdict::good, {}};
     return {"window manager", "none; the window takes the keyboard itself and has no frame",
             verdict::limited, "start a window manager if you want frames"};
@@ -79,7 +74,7 @@ std::unique_ptr<x11_connection> diagnose_connection(l3d_probes& probes) {
     auto connection = x11_connection::open(why);
     if (connection && connection->lost()) {
         connection.reset();
-        why = "the X server went away";
+        why = x11_server_went_away;
     }
     if (std::ranges::find(probes, display_name, &l3d_probe::what) != probes.end())
         return connection;

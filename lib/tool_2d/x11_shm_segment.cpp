@@ -31,8 +31,6 @@ constexpr int proof_width = 64;
 // Room for such a row, at 32 bits each.
 constexpr std::size_t proof_size = std::size_t{4} * proof_width;
 
-constexpr auto gone = "the X server went away";
-
 /// Frees an image that Xlib made, pixels included.
 struct copy_freer {
     void operator()(XImage* image) const { XDestroyImage(image); }
@@ -51,7 +49,7 @@ bool is_hopeless(const x11_connection& connection, std::string& why) {
     else if (!connection.is_local())
         why = "the X server is reached over a network";
     else if (XShmQueryExtension(connection.display()) == 0)
-        why = connection.lost() ? gone : "the X server does not have MIT-SHM";
+        why = connection.lost() ? x11_server_went_away : "the X server does not have MIT-SHM";
     else
         return false;
     return true;
@@ -94,7 +92,7 @@ bool server_sees(x11_shm_segment& segment, XImage& row, const x11_connection& co
     row.obdata = reinterpret_cast<char*>(&segment.info());
     const auto copy = copy_by_server(connection, row);
     if (connection.lost())
-        why = gone;
+        why = x11_server_went_away;
     else if (trap.error() != 0 || !copy)
         why = "the X server refuses shared memory: " + x11_error_text(connection, trap.error());
     else if (!have_same_pixels(row, *copy))

@@ -61,9 +61,9 @@ std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> con
     window->set_names(request);
     window->set_hints(native);
     window->set_protocols();
-    window->find_manager(); // Waits for a reply, so that the errors of all before are known.
+    window->managed_ = has_x11_manager(window->connection());
     if (window->connection().lost()) {
-        refusal = {l3d_service::level::display_lost, "the X server went away"};
+        refusal = {l3d_service::level::display_lost, x11_server_went_away};
         return nullptr;
     }
     if (trap.error() != 0) {
@@ -155,13 +155,6 @@ void x11_window::set_hints(l3d_size native) {
 void x11_window::set_protocols() {
     const std::array protocols{atoms_.wm_delete_window, atoms_.net_wm_ping};
     set_property(atoms_.wm_protocols, XA_ATOM, 32, protocols.data(), protocols.size());
-}
-
-/// A window manager is who redirects the root's children; only one client can.
-void x11_window::find_manager() {
-    XWindowAttributes root{};
-    managed_ = XGetWindowAttributes(display(), connection_->root(), &root) != 0 &&
-               (root.all_event_masks & SubstructureRedirectMask) != 0;
 }
 
 void x11_window::watch_pointer(bool always) const {

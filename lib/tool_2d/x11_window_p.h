@@ -80,7 +80,6 @@ private:
     void set_names(const l3d_screen_request& request);
     void set_hints(l3d_size native);
     void set_protocols();
-    void find_manager();
 
     std::unique_ptr<x11_connection> connection_;
     std::unique_ptr<x11_colormap> colormap_;

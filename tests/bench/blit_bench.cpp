@@ -6,6 +6,7 @@
 // memory and waits for the server each time. Both run in turn on a server of their own, and the
 // medians are compared. A mark in each picture's first pixel proves that the last has arrived.
 #include "bench/bare_x11.h"
+#include "processor_time.h"
 #include "tool_2d/image.h"
 #include "tool_2d/screen_x11.h"
 #include "tool_2d/xvfb.h"
@@ -16,8 +17,6 @@
 #include <functional>
 #include <thread>
 #include <vector>
-
-#include <sys/resource.h>
 
 namespace {
 
@@ -34,15 +33,6 @@ double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::ranges::nth_element(values, middle);
     return *middle;
-}
-
-double processor_seconds() {
-    rusage used{};
-    getrusage(RUSAGE_SELF, &used);
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
 /// Each picture is another, and none is black.

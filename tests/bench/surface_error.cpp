@@ -41,35 +41,52 @@ void surface_error::add_triangle(const l3d_patch_model::patch& patch, const doub
               (v[0] + v[1] + v[2]) / 3);
 }
 
-l3d_image_point measuring_sink::placed(const l3d_micro_vertex& vertex) const {
+namespace {
+
+l3d_image_point placed(const l3d_micro_vertex& vertex, const l3d_dice_view& view) {
     const double w = 1.0 / static_cast<double>(vertex.inv_w);
-    return {(vertex.x - view_.centre_x()) * w / l3d_subpixel_one,
-            (vertex.y - view_.centre_y()) * w / l3d_subpixel_one, w};
+    return {(vertex.x - view.centre_x()) * w / l3d_subpixel_one,
+            (vertex.y - view.centre_y()) * w / l3d_subpixel_one, w};
 }
 
-void measuring_sink::do_grid(const l3d_dice_grid& grid) {
-    const l3d_micro_grid& g = grid.vertices;
+void add_grid(surface_error& error, const l3d_patch_model::patch& patch,
+              const l3d_diced_piece& piece, const l3d_dice_view& view) {
+    const l3d_micro_grid& g = piece.part.grid;
+    const auto at = [&](int r, int c) { return placed(g.vertex(r, c), view); };
     for (int r = 0; r + 1 < g.rows; ++r)
         for (int c = 0; c + 1 < g.columns; ++c) {
-            const l3d_image_point p00 = placed(g.vertex(r, c)), p10 = placed(g.vertex(r, c + 1));
-            const l3d_image_point p01 = placed(g.vertex(r + 1, c));
-            const l3d_image_point p11 = placed(g.vertex(r + 1, c + 1));
-            const auto row = static_cast<std::size_t>(r), column = static_cast<std::size_t>(c);
+            const l3d_image_point p00 = at(r, c), p10 = at(r, c + 1);
+            const l3d_image_point p01 = at(r + 1, c), p11 = at(r + 1, c + 1);
+            const double* u = &piece.u[static_cast<std::size_t>(c)];
+            const double* v = &piece.v[static_cast<std::size_t>(r)];
             for (const double s : {0.0, 0.5, 1.0})
                 for (const double t : {0.0, 0.5, 1.0})
-                    error_.add_point(*patch_,
-                                     (p00 * (1 - s) + p10 * s) * (1 - t) +
-                                         (p01 * (1 - s) + p11 * s) * t,
-                                     grid.u[column] + s * (grid.u[column + 1] - grid.u[column]),
-                                     grid.v[row] + t * (grid.v[row + 1] - grid.v[row]));
+                    error.add_point(
+                        patch, (p00 * (1 - s) + p10 * s) * (1 - t) + (p01 * (1 - s) + p11 * s) * t,
+                        u[0] + s * (u[1] - u[0]), v[0] + t * (v[1] - v[0]));
         }
 }
 
-void measuring_sink::do_triangles(std::span<const l3d_dice_vertex> corners, double) {
-    for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+void add_triangles(surface_error& error, const l3d_patch_model::patch& patch,
+                   const l3d_diced_piece& piece, const l3d_dice_view& view) {
+    for (std::size_t i = 0; i < piece.part.triangles.count; ++i)
         for (std::size_t k = 0; k < 3; ++k) {
-            const l3d_dice_vertex &a = corners[i + k], &b = corners[i + (k + 1) % 3];
-            error_.add_point(*patch_, (placed(a.vertex) + placed(b.vertex)) * 0.5, (a.u + b.u) / 2,
-                             (a.v + b.v) / 2);
+            const std::size_t next = (k + 1) % 3;
+            const auto &a = piece.triangle_uv[k][i], &b = piece.triangle_uv[next][i];
+            error.add_point(patch,
+                            (placed(piece.part.triangles.vertex(i, k), view) +
+                             placed(piece.part.triangles.vertex(i, next), view)) *
+                                0.5,
+                            (a.u + b.u) / 2, (a.v + b.v) / 2);
         }
+}
+
+} // namespace
+
+void add_pieces(surface_error& error, const l3d_patch_model::patch& patch,
+                std::span<const l3d_diced_piece> pieces, const l3d_dice_view& view) {
+    for (const l3d_diced_piece& piece : pieces) {
+        add_grid(error, patch, piece, view);
+        add_triangles(error, patch, piece, view);
+    }
 }

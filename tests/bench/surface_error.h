@@ -5,9 +5,11 @@
 
 #include "geom/step_bound.h"
 #include "pipeline/camera.h"
-#include "pipeline/dice_sink.h"
 #include "pipeline/dice_view.h"
+#include "pipeline/diced_piece.h"
 #include "pipeline/patch_model.h"
+
+#include <span>
 
 /// Image distances between drawn points inside the window and the exact points of the same
 /// parameters. Units: pixels.
@@ -36,20 +38,9 @@ private:
     long count_ = 0;
 };
 
-/// Measures what a dicer makes of one patch at a time: quads as bilinear pieces, and triangles.
-class measuring_sink final : public l3d_dice_sink {
-public:
-    measuring_sink(surface_error& error, const l3d_dice_view& view) : error_(error), view_(view) {}
-    void set_patch(const l3d_patch_model::patch& patch) { patch_ = &patch; }
-
-private:
-    void do_grid(const l3d_dice_grid& grid) override;
-    void do_triangles(std::span<const l3d_dice_vertex> corners, double bound) override;
-    l3d_image_point placed(const l3d_micro_vertex& vertex) const;
-
-    surface_error& error_;
-    const l3d_dice_view& view_;
-    const l3d_patch_model::patch* patch_ = nullptr;
-};
+/// Adds what a dicer made of a patch: quads as bilinear pieces, and triangles.
+/// Expects: pieces that have kept their parameters.
+void add_pieces(surface_error& error, const l3d_patch_model::patch& patch,
+                std::span<const l3d_diced_piece> pieces, const l3d_dice_view& view);
 
 #endif

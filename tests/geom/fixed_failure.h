@@ -105,13 +105,12 @@ inline points exact_points(const l3d_image_patch& patch, steps n) {
 /// Sixteen registers a coordinate across the whole patch: each column's differences are
 /// themselves walked.
 template <class T> points tensor_walk(const l3d_image_patch& patch, steps n) {
-    using wide = typename l3d_real_traits<T>::wide;
     points result(static_cast<std::size_t>((n.u + 1) * (n.v + 1)));
     for (int k = 0; k < 3; ++k) {
-        std::array<wide, 16> b;
+        std::array<double, 16> b;
         const l3d_image_patch across = patch.transposed();
         for (std::size_t i = 0; i < 16; ++i)
-            b[i] = l3d_from_double<wide>(across.points[i][k]);
+            b[i] = across.points[i][k];
         auto walk = l3d_forward_difference_surface<T>::build(b, n.v, n.u);
         std::size_t at = 0;
         for (int i = 0; i <= n.u; ++i, walk.step_v()) {
@@ -140,7 +139,6 @@ inline l3d_image_curve stretch(const l3d_image_curve& curve, double t0, double t
 
 /// Isocurves, each started from the exact curve, and started anew after every `strip` steps.
 template <class T, int strip> points isocurve_walk(const l3d_image_patch& patch, steps n) {
-    using wide = typename l3d_real_traits<T>::wide;
     points result;
     for (int i = 0; i <= n.u; ++i) {
         const l3d_image_curve column = patch.curve_at_u(static_cast<double>(i) / n.u);
@@ -150,9 +148,9 @@ template <class T, int strip> points isocurve_walk(const l3d_image_patch& patch,
                 stretch(column, static_cast<double>(start) / n.v, static_cast<double>(end) / n.v);
             std::array<l3d_forward_difference<T, 3>, 3> walk;
             for (std::size_t k = 0; k < 3; ++k) {
-                std::array<wide, 4> b;
+                std::array<double, 4> b;
                 for (std::size_t c = 0; c < 4; ++c)
-                    b[c] = l3d_from_double<wide>(part.points[c][static_cast<int>(k)]);
+                    b[c] = part.points[c][static_cast<int>(k)];
                 walk[k] = l3d_forward_difference<T, 3>::build(b, end - start);
             }
             for (int j = start; j < end || (j == n.v && end == n.v); ++j) {

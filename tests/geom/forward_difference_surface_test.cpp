@@ -23,11 +23,7 @@ using values = std::array<double, 16>;
 constexpr std::uint64_t seed = 20260119;
 
 template <class T> l3d_forward_difference_surface<T> built(const values& b, int n, int m) {
-    using wide = typename l3d_real_traits<T>::wide;
-    std::array<wide, 16> coefficients;
-    for (std::size_t i = 0; i < 16; ++i)
-        coefficients[i] = l3d_from_double<wide>(b[i]);
-    return l3d_forward_difference_surface<T>::build(coefficients, n, m);
+    return l3d_forward_difference_surface<T>::build(b, n, m);
 }
 
 double exact_value(const values& b, real u, real v) {
@@ -69,29 +65,23 @@ double largest_register(const values& b, int i, int j, int n, int m) {
     return largest * falling[i] * falling[j] / (std::pow(n, i) * std::pow(m, j));
 }
 
+/// In double the differences of control values cancel: 170 u p for a walk in one direction (see
+/// l3d_forward_difference_error), 28 p at most in all registers of the other.
+double cancelling(const values& b, int n, int m) {
+    return 170 * 29 * l3d_real_traits<double>::unit_roundoff * largest_register(b, 0, 0, n, m);
+}
+
 /// The error of walking n by m steps in fixed point.
 ///
-/// The rows' differences are off by 0, 4.25, 3.25, 1.75 half ulps of the wide type; the columns
-/// carry that as a polynomial, unamplified, and add one rounding to T per register, or, if T is
-/// its own wide type, those of four divisions again.
-template <class T> double fixed_bound(int n, int m) {
-    using traits = l3d_real_traits<T>;
-    using wide_traits = l3d_real_traits<typename traits::wide>;
-    const auto divisions = [](int steps) {
-        return 4.25 * choose(steps, 1) + 3.25 * choose(steps, 2) + 1.75 * choose(steps, 3);
-    };
-    const double rounding =
-        traits::half_ulp > wide_traits::half_ulp ? traits::half_ulp * spread(m) : 0;
-    return wide_traits::half_ulp * (divisions(n) + spread(n) * divisions(m)) + spread(n) * rounding;
+/// One rounding to T per register, of differences made in double.
+template <class T> double fixed_bound(const values& b, int n, int m) {
+    return l3d_real_traits<T>::half_ulp * spread(n) * spread(m) + cancelling(b, n, m);
 }
 
 /// The same in floating point: every register is off by u of its size at first, every addition
-/// by u of its result. In the wide type the differences of control values cancel: 170 u p for a
-/// walk in one direction (see l3d_forward_difference_error), 28 p at most in all registers of the
-/// other.
+/// by u of its result.
 template <class T> double floating_bound(const values& b, int n, int m) {
     using traits = l3d_real_traits<T>;
-    using wide_traits = l3d_real_traits<typename traits::wide>;
     double sum = 0;
     for (int i = 0; i < 4; ++i) {
         for (int j = 0; j < 4; ++j)
@@ -99,13 +89,12 @@ template <class T> double floating_bound(const values& b, int n, int m) {
                 choose(n, i) * (choose(m, j) + choose(m, j + 1)) * largest_register(b, i, j, n, m);
         sum += choose(n, i + 1) * largest_register(b, i, 0, n, m);
     }
-    return traits::unit_roundoff * sum +
-           170 * 29 * wide_traits::unit_roundoff * largest_register(b, 0, 0, n, m);
+    return traits::unit_roundoff * sum + cancelling(b, n, m);
 }
 
 template <class T> double bound(const values& b, int n, int m) {
     if constexpr (l3d_is_fixed<T>)
-        return fixed_bound<T>(n, m);
+        return fixed_bound<T>(b, n, m);
     else
         return floating_bound<T>(b, n, m);
 }

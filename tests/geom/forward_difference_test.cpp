@@ -50,11 +50,7 @@ template <class T> double bound(int n, const values& b) {
 }
 
 template <class T> l3d_forward_difference<T, 3> built(const values& b, int steps) {
-    using wide = typename l3d_real_traits<T>::wide;
-    return l3d_forward_difference<T, 3>::build(
-        std::array<wide, 4>{l3d_from_double<wide>(b[0]), l3d_from_double<wide>(b[1]),
-                            l3d_from_double<wide>(b[2]), l3d_from_double<wide>(b[3])},
-        steps);
+    return l3d_forward_difference<T, 3>::build(b, steps);
 }
 
 real exact_value(const values& b, real t) {
@@ -124,18 +120,16 @@ TYPED_TEST(forward_difference, one_step_is_the_whole_curve) {
     EXPECT_EQ(l3d_to_double(walk.value()), b[3]);
 }
 
-/// What a register may be off by, in fixed point in half ulps, in floating point in u times the
-/// registers' sizes and, for the differences of control values, in u of the wide type times p.
+/// What a register may be off by, in fixed point half an ulp, in floating point u times the
+/// registers' sizes; and, for the differences of control values, in u of double times p.
 template <class T> double fresh_error(int k, int n, const values& b) {
     using traits = l3d_real_traits<T>;
-    using wide_traits = l3d_real_traits<typename traits::wide>;
-    constexpr double roundings[] = {0, 4.25, 3.25, 1.75};
     const auto m = magnitudes(b);
     const double d3 = 6 * m[3] / std::pow(n, 3), d2 = 6 * m[2] / (1.0 * n * n) + d3;
     const double sizes[] = {m[0], 3 * m[1] / n + 2 * d2, d2, d3};
     const auto at = static_cast<std::size_t>(k);
-    return traits::half_ulp * roundings[k] + traits::unit_roundoff * sizes[at] +
-           wide_traits::unit_roundoff * 512 * m[0] / std::pow(n, k);
+    return traits::half_ulp + traits::unit_roundoff * sizes[at] +
+           l3d_real_traits<double>::unit_roundoff * 512 * m[0] / std::pow(n, k);
 }
 
 TYPED_TEST(forward_difference, halved_is_built_at_half_the_step) {

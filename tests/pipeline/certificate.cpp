@@ -134,19 +134,27 @@ void certificate::quad(const std::array<corner, 4>& c) {
     }
 }
 
-void certificate::do_grid(const l3d_dice_grid& grid) {
-    bound_ = grid.bound;
+void certificate::draw(std::span<const l3d_diced_piece> pieces, double frame_bound) {
+    for (const l3d_diced_piece& piece : pieces) {
+        draw_grid(piece);
+        draw_triangles(piece, frame_bound);
+    }
+}
+
+void certificate::draw_grid(const l3d_diced_piece& piece) {
+    const l3d_micro_grid& grid = piece.part.grid;
+    bound_ = piece.bound;
     grid_ = true;
-    largest_promise = std::max(largest_promise, grid.bound);
+    largest_promise = std::max(largest_promise, piece.bound);
     std::size_t count = 0;
-    for (int r = 0; r + 1 < grid.vertices.rows; ++r)
-        for (int c = 0; c + 1 < grid.vertices.columns; ++c) {
+    for (int r = 0; r + 1 < grid.rows; ++r)
+        for (int c = 0; c + 1 < grid.columns; ++c) {
             if (count++ % every_ != 0)
                 continue;
             const auto at = [&](int row, int column) {
-                return corner_of(grid.vertices.vertex(row, column),
-                                 grid.u[static_cast<std::size_t>(column)],
-                                 grid.v[static_cast<std::size_t>(row)]);
+                return corner_of(grid.vertex(row, column),
+                                 piece.u[static_cast<std::size_t>(column)],
+                                 piece.v[static_cast<std::size_t>(row)]);
             };
             const std::array<corner, 4> corners{at(r, c), at(r, c + 1), at(r + 1, c + 1),
                                                 at(r + 1, c)};
@@ -155,14 +163,17 @@ void certificate::do_grid(const l3d_dice_grid& grid) {
         }
 }
 
-void certificate::do_triangles(std::span<const l3d_dice_vertex> corners, double bound) {
-    bound_ = bound;
+void certificate::draw_triangles(const l3d_diced_piece& piece, double frame_bound) {
+    const l3d_micro_triangles& triangles = piece.part.triangles;
+    bound_ = frame_bound;
     grid_ = false;
-    largest_promise = std::max(largest_promise, bound);
-    for (std::size_t i = 0; i + 2 < corners.size(); i += 3 * every_) {
+    largest_promise = std::max(largest_promise, frame_bound);
+    for (std::size_t i = 0; i < triangles.count; i += every_) {
         std::array<corner, 3> three;
-        for (std::size_t k = 0; k < 3; ++k)
-            three[k] = corner_of(corners[i + k].vertex, corners[i + k].u, corners[i + k].v);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto& [u, v] = piece.triangle_uv[k].at(i);
+            three[k] = corner_of(triangles.vertex(i, k), u, v);
+        }
         if (may_be_seen(three))
             triangle(three);
     }

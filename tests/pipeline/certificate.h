@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A sink that measures how far each drawn thing is from the exact surface.
+// What measures how far each drawn thing is from the exact surface.
 #ifndef L3D_TESTS_PIPELINE_CERTIFICATE_H
 #define L3D_TESTS_PIPELINE_CERTIFICATE_H
 
-#include "pipeline/dice_sink.h"
+#include "pipeline/diced_piece.h"
 #include "reference/net.h"
 #include "tool_2d/pixels.h"
 
@@ -21,13 +21,16 @@ reference::hpoint value_of(const reference::net& net, double u, double v);
 /// A drawn polygon is the picture of a polygon in homogeneous space with corners (w x, w y, w) and
 /// parameters linear in that space. A convex quad is bilinear there, a folded one is four triangles
 /// around its mean. Only drawn points inside the window count: of others nothing is claimed.
-class certificate final : public l3d_dice_sink {
+class certificate {
 public:
     certificate(const reference::camera& view, l3d_size size)
         : frame_(view, {size.width, size.height}), size_(size) {}
 
     /// What is drawn from now on is this surface.
     void next(const reference::patch& surface) { net_ = make_net(surface, frame_); }
+
+    /// Measures pieces, which have kept their parameters. The bound is the triangles'.
+    void draw(std::span<const l3d_diced_piece> pieces, double frame_bound);
 
     /// Of each batch, measures only every n-th quad or triangle. Expects: n >= 1.
     void measure_every(std::size_t n) { every_ = n; }
@@ -47,8 +50,8 @@ private:
         double x, y, w, u, v;
     };
 
-    void do_grid(const l3d_dice_grid& grid) override;
-    void do_triangles(std::span<const l3d_dice_vertex> corners, double bound) override;
+    void draw_grid(const l3d_diced_piece& piece);
+    void draw_triangles(const l3d_diced_piece& piece, double frame_bound);
 
     corner corner_of(const l3d_micro_vertex& vertex, double u, double v) const;
     bool may_be_seen(std::span<const corner> corners) const;

@@ -82,9 +82,25 @@ TYPED_TEST(patch_dicer, leaving_out_does_not_change_the_picture) {
 }
 
 /// Adds up everything it is given, in order.
-class hash_sink final : public l3d_dice_sink {
+class hash_sink {
 public:
     std::uint64_t hash = 14695981039346656037u;
+
+    void draw(diced pieces, double bound) {
+        for (const l3d_diced_piece& piece : pieces) {
+            const l3d_micro_grid& grid = piece.part.grid;
+            for (int r = 0; r < grid.rows; ++r)
+                for (int c = 0; c < grid.columns; ++c)
+                    add(grid.vertex(r, c), piece.u[static_cast<std::size_t>(c)],
+                        piece.v[static_cast<std::size_t>(r)]);
+            for (std::size_t i = 0; i < piece.part.triangles.count; ++i)
+                for (std::size_t k = 0; k < 3; ++k)
+                    add(piece.part.triangles.vertex(i, k), piece.triangle_uv[k].at(i).u,
+                        piece.triangle_uv[k].at(i).v);
+            add(&piece.bound, sizeof piece.bound);
+        }
+        add(&bound, sizeof bound);
+    }
 
 private:
     void add(const void* data, std::size_t size) { // FNV-1a
@@ -96,73 +112,45 @@ private:
         add(&a, sizeof a);
         add(&b, sizeof b);
     }
-    void do_grid(const l3d_dice_grid& grid) override {
-        for (int r = 0; r < grid.vertices.rows; ++r)
-            for (int c = 0; c < grid.vertices.columns; ++c)
-                add(grid.vertices.vertex(r, c), grid.u[static_cast<std::size_t>(c)],
-                    grid.v[static_cast<std::size_t>(r)]);
-        add(&grid.bound, sizeof grid.bound);
-    }
-    void do_triangles(std::span<const l3d_dice_vertex> corners, double bound) override {
-        for (const l3d_dice_vertex& corner : corners)
-            add(corner.vertex, corner.u, corner.v);
-        add(&bound, sizeof bound);
-    }
 };
 
 TYPED_TEST(patch_dicer, gives_the_same_bits_again_whatever_it_diced_before) {
-    l3d_patch_dicer<TypeParam> used;
-    const auto nothing = [](std::size_t) {};
+    scene_dicer<TypeParam> used;
     for (const reference::view& view : reference::project_views()) {
         const scene s = teapot(view, odd);
         hash_sink fresh, again;
         dice<TypeParam>(s, 0.1, fresh);
-        dice(used, s, 0.1, again, nothing);
+        used.dice(s, 0.1,
+                  [&](std::size_t, diced pieces, double bound) { again.draw(pieces, bound); });
         EXPECT_EQ(fresh.hash, again.hash) << view.name;
     }
 }
 
-/// Remembers the corners of grids of whole patches.
-class corner_sink final : public l3d_dice_sink {
-public:
-    std::vector<l3d_micro_vertex> corners;
-
-private:
-    void do_grid(const l3d_dice_grid& grid) override {
-        corners.clear();
-        for (const int r : {0, grid.vertices.rows - 1})
-            for (const int c : {0, grid.vertices.columns - 1})
-                corners.push_back(grid.vertices.vertex(r, c));
-    }
-    void do_triangles(std::span<const l3d_dice_vertex>, double) override {}
-};
-
 /// Pieces that are walked, evaluated and clipped meet there.
 TYPED_TEST(patch_dicer, corners_have_one_place_however_a_piece_is_drawn) {
-    using wide = typename l3d_patch_dicer<TypeParam>::wide;
     int compared = 0;
     for (const reference::view& view : reference::project_views()) {
         const scene s = teapot(view, odd);
-        const l3d_image_transform<wide> to_image(s.camera, s.size, s.model);
+        const l3d_image_transform to_image(s.camera, s.size, s.model);
         const l3d_dice_view dice_view = to_image.view(0.25);
-        l3d_patch_dicer<TypeParam> dicer;
-        dicer.begin(dice_view);
-        for (std::size_t i = 0; i < s.patches.size(); ++i) {
-            const auto net = to_image(s.model.patches()[i]);
-            corner_sink sink;
-            const std::int64_t pieces = dicer.counts().pieces;
-            dicer.dice(net, s.model.normals(i), sink);
-            if (sink.corners.empty() || dicer.counts().pieces != pieces + 1)
-                continue;
-            for (std::size_t k = 0; k < 4; ++k) {
-                const auto exact =
-                    l3d_canonical_vertex<wide>(net.at(k > 1 ? 3 : 0, k % 2 ? 3 : 0), dice_view);
-                EXPECT_EQ(sink.corners[k].x, exact.dice.vertex.x);
-                EXPECT_EQ(sink.corners[k].y, exact.dice.vertex.y);
-                EXPECT_EQ(sink.corners[k].inv_w, exact.dice.vertex.inv_w);
-                ++compared;
-            }
-        }
+        const auto check = [&](std::size_t patch, diced pieces, double) {
+            if (pieces.size() != 1 || pieces[0].part.grid.rows == 0)
+                return;
+            const l3d_micro_grid& grid = pieces[0].part.grid;
+            const l3d_image_patch net = l3d_placed_net(to_image.matrix(), s.model.patches()[patch]);
+            for (const bool high_v : {false, true})
+                for (const bool high_u : {false, true}) {
+                    const l3d_micro_vertex corner =
+                        grid.vertex(high_v ? grid.rows - 1 : 0, high_u ? grid.columns - 1 : 0);
+                    const l3d_clip_vertex exact =
+                        l3d_canonical_vertex(net.at(high_v ? 3 : 0, high_u ? 3 : 0), dice_view);
+                    EXPECT_EQ(corner.x, exact.dice.vertex.x);
+                    EXPECT_EQ(corner.y, exact.dice.vertex.y);
+                    EXPECT_EQ(corner.inv_w, exact.dice.vertex.inv_w);
+                    ++compared;
+                }
+        };
+        scene_dicer<TypeParam>().dice(s, 0.25, check);
     }
     EXPECT_GT(compared, 400);
 }

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
-// A sink that draws, and the picture it draws.
+// A picture that pieces are drawn into.
 #ifndef L3D_TESTS_PIPELINE_PICTURE_H
 #define L3D_TESTS_PIPELINE_PICTURE_H
 
 #include "pipeline/camera_shading.h"
-#include "pipeline/dice_sink.h"
+#include "pipeline/diced_piece.h"
 #include "raster/surface_rasterizer_sw.h"
 #include "reference/views.h"
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace pipeline_tests {
 
 /// Draws what it is given. Cleared when made and by `clear`.
-class picture final : public l3d_dice_sink {
+class picture {
 public:
     explicit picture(l3d_size size, const l3d_camera& camera = {})
         : size_(size),
@@ -28,10 +29,16 @@ public:
     }
 
     void clear() {
-        std::fill(words_.begin(), words_.end(), 0u);
-        depth_.clear();
-        rasterizer_.begin({words_.data(), size_.width, size_.height, size_.width}, depth_,
+        rasterizer_.begin({words_.data(), size_.width, size_.height, size_.width}, &depth_,
                           shading_);
+        rasterizer_.draw({});
+    }
+
+    void draw(std::span<const l3d_diced_piece> pieces, double) {
+        parts_.clear();
+        for (const l3d_diced_piece& piece : pieces)
+            parts_.push_back(&piece.part);
+        rasterizer_.draw(parts_);
     }
 
     l3d_size size() const { return size_; }
@@ -65,19 +72,13 @@ public:
     }
 
 private:
-    void do_grid(const l3d_dice_grid& grid) override { rasterizer_.draw_grid(grid.vertices); }
-
-    void do_triangles(std::span<const l3d_dice_vertex> corners, double) override {
-        for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-            rasterizer_.draw_triangle(corners[i].vertex, corners[i + 1].vertex,
-                                      corners[i + 2].vertex);
-    }
-
     l3d_size size_;
     l3d_shading shading_;
     std::vector<std::uint32_t> words_;
     l3d_depth_buffer depth_;
-    l3d_surface_rasterizer_sw rasterizer_;
+    std::vector<const l3d_surface_part*> parts_;
+    l3d_workers workers_{1};
+    l3d_surface_rasterizer_sw rasterizer_{workers_};
 };
 
 } // namespace pipeline_tests

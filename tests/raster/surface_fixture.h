@@ -3,21 +3,52 @@
 #ifndef L3D_TESTS_RASTER_SURFACE_FIXTURE_H
 #define L3D_TESTS_RASTER_SURFACE_FIXTURE_H
 
+#include "raster/surface_rasterizer_scalar.h"
 #include "raster/surface_rasterizer_sw.h"
 #include "reference_fill.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <random>
 #include <vector>
 
-/// A picture whose stride is larger than its width, with a guard behind every row.
+/// Three corners as a triangle, four as a grid of one cell.
+inline l3d_surface_part part_of(const reference::corners& v, std::uint32_t error_color = 0);
+
+/// A grid as one block.
+inline l3d_surface_part part_of(const l3d_micro_grid& grid, std::uint32_t error_color = 0) {
+    l3d_surface_part part;
+    part.grid = grid;
+    part.block_rows.first[1] = grid.rows - 1;
+    part.block_columns.first[1] = grid.columns - 1;
+    part.error_color = error_color;
+    return part;
+}
+
+inline void draw_part(l3d_surface_rasterizer& rasterizer, const l3d_surface_part& part) {
+    const l3d_surface_part* const parts[] = {&part};
+    rasterizer.draw(parts);
+}
+
+/// A picture whose stride is larger than its width, with a guard behind every row, and noise where
+/// nothing has been drawn.
 struct surface_picture {
-    static constexpr std::uint32_t guard = 0xdeadbeef;
+    static constexpr std::uint32_t guard = 0xdeadbeef, noise = 0x00abcdef;
     static constexpr int gap = 3;
 
-    surface_picture(int width, int height) : size{width, height} {
-        words.assign(std::size_t(width + gap) * std::size_t(height), guard);
-        depth.resize(size);
+    /// By the slow twin, which is held against what is exact.
+    surface_picture(int width, int height)
+        : size{width, height}, workers(1), bands(workers), rasterizer(scalar) {
+        fill_memory();
+    }
+
+    /// By the product, which is held against the slow twin.
+    surface_picture(int width, int height, int threads, l3d_band_settings settings = {})
+        : size{width, height}, workers(threads), bands(workers, settings), rasterizer(bands) {
+        fill_memory();
     }
 
     /// Looks along -z.
@@ -25,13 +56,7 @@ struct surface_picture {
         begin(l3d_shading{mode, light, {0, 0, -1}, {}, {}});
     }
 
-    void begin(const l3d_shading& shading) {
-        for (int y = 0; y < size.height; ++y)
-            for (std::uint32_t& word : pixels().row(y))
-                word = 0;
-        depth.clear();
-        rasterizer.begin(pixels(), depth, shading);
-    }
+    void begin(const l3d_shading& shading) { rasterizer.begin(pixels(), &depth, shading); }
 
     l3d_pixels pixels() { return {words.data(), size.width, size.height, size.width + gap}; }
 
@@ -47,18 +72,15 @@ struct surface_picture {
         return true;
     }
 
-    /// Draws three corners as a triangle, four as a grid of one cell.
-    void draw(const reference::corners& v) {
-        if (v.size() == 3)
-            return rasterizer.draw_triangle(v[0], v[1], v[2]);
-        l3d_micro_grid grid;
-        grid.resize(2, 2);
-        set(grid, 0, 0, v[0]);
-        set(grid, 0, 1, v[1]);
-        set(grid, 1, 1, v[2]);
-        set(grid, 1, 0, v[3]);
-        rasterizer.draw_grid(grid);
+    /// Draws one part, or three corners as a triangle, four as a grid of one cell, and finishes.
+    void draw(const l3d_surface_part& part) {
+        draw_part(rasterizer, part);
+        rasterizer.finish();
     }
+    void draw(const reference::corners& v, std::uint32_t error_color = 0) {
+        draw(part_of(v, error_color));
+    }
+    void draw(const l3d_micro_grid& grid) { draw(part_of(grid)); }
 
     static void set(l3d_micro_grid& grid, int row, int column, const l3d_micro_vertex& v) {
         const std::size_t i = grid.index(row, column);
@@ -72,8 +94,50 @@ struct surface_picture {
     l3d_size size;
     std::vector<std::uint32_t> words;
     l3d_depth_buffer depth;
-    l3d_surface_rasterizer_sw rasterizer;
+    l3d_workers workers;
+    l3d_surface_rasterizer_sw bands;
+    l3d_surface_rasterizer_scalar scalar;
+    l3d_surface_rasterizer& rasterizer;
+
+private:
+    void fill_memory() {
+        words.assign(std::size_t(size.width + gap) * std::size_t(size.height), guard);
+        depth.resize(size);
+        for (int y = 0; y < size.height; ++y) {
+            std::ranges::fill(pixels().row(y), noise);
+            std::ranges::fill(depth.row(y), 1e30f);
+        }
+    }
 };
+
+l3d_surface_part part_of(const reference::corners& v, std::uint32_t error_color) {
+    l3d_surface_part part;
+    part.error_color = error_color;
+    if (v.size() == 3) {
+        part.triangles.add(v[0], v[1], v[2]);
+        return part;
+    }
+    l3d_micro_grid grid;
+    grid.resize(2, 2);
+    surface_picture::set(grid, 0, 0, v[0]);
+    surface_picture::set(grid, 0, 1, v[1]);
+    surface_picture::set(grid, 1, 1, v[2]);
+    surface_picture::set(grid, 1, 0, v[3]);
+    return part_of(grid, error_color);
+}
+
+/// What the rasterizers expect of a part's normals.
+inline reference::corners with_unit_normals(reference::corners v) {
+    for (l3d_micro_vertex& corner : v) {
+        float& x = corner.normal[0];
+        float &y = corner.normal[1], &z = corner.normal[2];
+        const float length = std::sqrt(x * x + y * y + z * z);
+        x /= length;
+        y /= length;
+        z /= length;
+    }
+    return v;
+}
 
 /// Random polygons of every awkward kind, near a picture of a given size.
 class random_polygons {

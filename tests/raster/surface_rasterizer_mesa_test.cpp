@@ -21,17 +21,13 @@ using namespace l3d_detail;
 constexpr unsigned seed = 20260522;
 constexpr std::array<float, 3> light{0.48f, 0.60f, 0.64f};
 
-/// Pixels and depth with noise in the gaps between rows.
+/// Pixels and depth with noise in them and in the gaps between rows.
 struct picture {
     picture(int width, int height)
         : size{width, height}, words(std::size_t(width + gap) * std::size_t(height), 0xdeadbeef) {
         depth.resize(size);
-        clear();
-    }
-    void clear() {
-        for (int y = 0; y < size.height; ++y)
-            std::ranges::fill(pixels().row(y), 0u);
-        depth.clear();
+        for (int y = 0; y < height; ++y)
+            std::ranges::fill(depth.row(y), 1e30f);
     }
     l3d_pixels pixels() { return {words.data(), size.width, size.height, size.width + gap}; }
     std::uint32_t& word(int x, int y) { return pixels().row(y)[static_cast<std::size_t>(x)]; }
@@ -88,20 +84,23 @@ protected:
     std::unique_ptr<mesa_context> context = open_mesa(GetParam());
     mesa_gl calls = context->make_current();
     l3d_surface_rasterizer_mesa gl{std::move(context)};
-    l3d_surface_rasterizer_sw cpu;
+    l3d_surface_rasterizer_scalar cpu;
     picture by_gl{71, 47}, by_cpu{71, 47};
 
     void begin(l3d_shade mode) {
-        gl.begin(by_gl.pixels(), by_gl.depth, {mode, light});
-        cpu.begin(by_cpu.pixels(), by_cpu.depth, {mode, light});
+        gl.begin(by_gl.pixels(), &by_gl.depth, {mode, light});
+        cpu.begin(by_cpu.pixels(), &by_cpu.depth, {mode, light});
     }
-    void triangle(const reference::corners& v) {
-        gl.draw_triangle(v[0], v[1], v[2]);
-        cpu.draw_triangle(v[0], v[1], v[2]);
+    void draw(const l3d_surface_part& part) {
+        draw_part(gl, part);
+        draw_part(cpu, part);
     }
-    void grid(const l3d_micro_grid& g) {
-        gl.draw_grid(g);
-        cpu.draw_grid(g);
+    void draw(const reference::corners& v, std::uint32_t error_color = 0) {
+        draw(part_of(v, error_color));
+    }
+    void finish() {
+        gl.finish();
+        cpu.finish();
     }
 };
 
@@ -110,17 +109,6 @@ INSTANTIATE_TEST_SUITE_P(By, mesa_surface, testing::ValuesIn(mesa_ways), test_na
 /// A corner in whole pixels and the rest.
 l3d_micro_vertex at(int x, int y, float inv_w, std::array<float, 3> normal = {0, 0, 1}) {
     return {x * l3d_subpixel_one, y * l3d_subpixel_one, inv_w, {normal[0], normal[1], normal[2]}};
-}
-
-/// A grid of one cell with the corners p00 p10 p11 p01.
-l3d_micro_grid cell(const reference::corners& v) {
-    l3d_micro_grid grid;
-    grid.resize(2, 2);
-    surface_picture::set(grid, 0, 0, v[0]);
-    surface_picture::set(grid, 0, 1, v[1]);
-    surface_picture::set(grid, 1, 1, v[2]);
-    surface_picture::set(grid, 1, 0, v[3]);
-    return grid;
 }
 
 bool in_reach(const reference::corners& v) {
@@ -137,17 +125,13 @@ TEST_P(mesa_surface, CoverageOfEveryPolygonIsExact) {
         if (!in_reach(v))
             continue;
         begin(l3d_shade::error);
-        if (v.size() == 3)
-            triangle(v);
-        else
-            grid(cell(v)); // mostly folded
-        gl.finish();
+        draw(v); // quads are mostly folded
+        finish();
         const difference d = compare(by_cpu, by_gl);
         ASSERT_EQ(d.coverage, 0) << "seed " << seed << ", polygon " << n;
         ASSERT_EQ(gl.counts().samples, cpu.counts().samples) << "seed " << seed << ", " << n;
+        ASSERT_EQ(gl.counts().covered, cpu.counts().covered) << "seed " << seed << ", " << n;
         drawn += gl.counts().samples > 0;
-        by_gl.clear();
-        by_cpu.clear();
     }
     EXPECT_GT(drawn, 500);
 }
@@ -176,14 +160,9 @@ l3d_micro_grid sheet(l3d_size size) {
 TEST_P(mesa_surface, AllShadesAgree) {
     for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat,
                                  l3d_shade::normals, l3d_shade::error}) {
-        by_gl.clear();
-        by_cpu.clear();
         begin(mode);
-        for (auto* rasterizer : {static_cast<l3d_surface_rasterizer*>(&gl),
-                                 static_cast<l3d_surface_rasterizer*>(&cpu)})
-            rasterizer->set_error_color(0x00c08040);
-        grid(sheet(by_gl.size));
-        gl.finish();
+        draw(part_of(sheet(by_gl.size), 0x00c08040));
+        finish();
         const difference d = compare(by_cpu, by_gl);
         const auto name = static_cast<int>(mode);
         EXPECT_EQ(d.coverage, 0) << name;
@@ -194,6 +173,7 @@ TEST_P(mesa_surface, AllShadesAgree) {
         EXPECT_GT(gl.counts().written, 1000) << name;
         EXPECT_EQ(gl.counts().quads, cpu.counts().quads);
         EXPECT_EQ(gl.counts().samples, cpu.counts().samples);
+        EXPECT_EQ(gl.counts().covered, cpu.counts().covered);
         EXPECT_NEAR(double(gl.counts().written), double(cpu.counts().written), 3) << name;
     }
 }
@@ -209,55 +189,52 @@ TEST_P(mesa_surface, LevelsAreWhatTheRuleSays) {
             component *= -1;
     for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat}) {
         begin(mode);
-        triangle(left);
-        gl.finish();
+        draw(left);
+        finish();
         EXPECT_EQ(by_gl.word(10, 12), front * 0x010101u);
-        by_gl.clear();
         begin(mode);
-        triangle(back); // its normals are turned to the eye
-        gl.finish();
+        draw(back); // its normals are turned to the eye
+        finish();
         EXPECT_EQ(by_gl.word(10, 12), front * 0x010101u);
-        by_gl.clear();
     }
     begin(l3d_shade::normals);
-    triangle(left);
-    gl.finish();
+    draw(left);
+    finish();
     EXPECT_EQ(by_gl.word(10, 12), 0x00ad42e6u); // round(255 (n + 1) / 2)
-    by_gl.clear();
     begin(l3d_shade::error);
-    gl.set_error_color(0x00fe8101);
-    triangle(left);
-    gl.set_error_color(0x000181fe);
-    triangle({at(50, 4, 1), at(50, 30, 1), at(60, 8, 1)});
-    gl.finish();
+    draw(left, 0x00fe8101);
+    draw({at(50, 4, 1), at(50, 30, 1), at(60, 8, 1)}, 0x000181fe);
+    finish();
     EXPECT_EQ(by_gl.word(10, 12), 0x00fe8101u);
     EXPECT_EQ(by_gl.word(52, 12), 0x000181feu);
 }
 
 TEST_P(mesa_surface, ZeroNormalsAreAmbient) {
     begin(l3d_shade::lambert);
-    triangle({at(5, 4, 1, {0, 0, 0}), at(9, 30, 1, {0, 0, 0}), at(40, 8, 1, {0, 0, 0})});
-    gl.finish();
+    draw({at(5, 4, 1, {0, 0, 0}), at(9, 30, 1, {0, 0, 0}), at(40, 8, 1, {0, 0, 0})});
+    finish();
     EXPECT_EQ(by_gl.word(10, 12), 26u * 0x010101u);
     begin(l3d_shade::normals);
-    triangle({at(5, 4, 2, {0, 0, 0}), at(9, 30, 2, {0, 0, 0}), at(40, 8, 2, {0, 0, 0})});
+    draw({at(5, 4, 2, {0, 0, 0}), at(9, 30, 2, {0, 0, 0}), at(40, 8, 2, {0, 0, 0})});
     gl.finish();
     EXPECT_EQ(by_gl.word(10, 12), 0x00808080u);
 }
 
 TEST_P(mesa_surface, NearerWinsAndTheFirstOfEquals) {
-    const auto draw = [this](float inv_w, std::uint32_t color) {
-        gl.set_error_color(color);
-        gl.draw_triangle(at(5, 4, inv_w), at(9, 30, inv_w), at(40, 8, inv_w));
+    const auto draw_at = [this](float inv_w, std::uint32_t color) {
+        draw({at(5, 4, inv_w), at(9, 30, inv_w), at(40, 8, inv_w)}, color);
     };
     begin(l3d_shade::error);
-    draw(0.5f, 0x00111111);
-    draw(0.5f, 0x00222222);
-    gl.finish();
+    draw_at(0.5f, 0x00111111);
+    draw_at(0.5f, 0x00222222);
+    finish();
     EXPECT_EQ(by_gl.word(10, 12), 0x00111111u);
-    draw(std::nextafter(0.5f, 1.0f), 0x00333333);
-    draw(0.25f, 0x00444444);
-    gl.finish();
+    begin(l3d_shade::error);
+    draw_at(0.5f, 0x00111111);
+    draw_at(0.5f, 0x00222222);
+    draw_at(std::nextafter(0.5f, 1.0f), 0x00333333);
+    draw_at(0.25f, 0x00444444);
+    finish();
     EXPECT_EQ(by_gl.word(10, 12), 0x00333333u);
     EXPECT_EQ(by_gl.inv_w(10, 12), std::nextafter(0.5f, 1.0f));
     EXPECT_EQ(gl.counts().written * 2, gl.counts().samples); // two of four
@@ -266,57 +243,61 @@ TEST_P(mesa_surface, NearerWinsAndTheFirstOfEquals) {
 TEST_P(mesa_surface, DepthIsExactAtAnyDistance) {
     for (const float inv_w :
          {std::ldexp(1.2345678f, -80), 0.1f, 1.0f, std::ldexp(1.7654321f, 30)}) {
-        by_gl.clear();
         begin(l3d_shade::error);
-        triangle({at(5, 4, inv_w), at(9, 30, inv_w), at(40, 8, inv_w)});
+        draw({at(5, 4, inv_w), at(9, 30, inv_w), at(40, 8, inv_w)});
         gl.finish();
         EXPECT_EQ(by_gl.inv_w(10, 12), inv_w);
     }
 }
 
-TEST_P(mesa_surface, DrawsUponWhatIsInMemory) {
+TEST_P(mesa_surface, WhatWasThereBeforeIsGone) {
+    begin(l3d_shade::error);
+    draw({at(5, 4, 0.5f), at(9, 30, 0.5f), at(40, 8, 0.5f)}, 0x00010203);
+    finish();
+    EXPECT_EQ(by_gl.word(10, 12), 0x00010203u);
+    EXPECT_EQ(by_gl.word(60, 40), 0u);
+    EXPECT_EQ(by_gl.inv_w(60, 40), 0.0f);
+
+    begin(l3d_shade::error);
+    draw({at(5, 4, 0.25f), at(9, 30, 0.25f), at(40, 8, 0.25f)}, 0x00040506); // forgotten
+    begin(l3d_shade::error);
+    finish();
     for (int y = 0; y < by_gl.size.height; ++y)
         for (int x = 0; x < by_gl.size.width; ++x) {
-            by_gl.word(x, y) = static_cast<std::uint32_t>(0x9e3779b9u * unsigned(x + 100 * y));
-            by_gl.inv_w(x, y) = x < 12 ? 0.75f : 0.125f * static_cast<float>(x % 3);
+            ASSERT_EQ(by_gl.word(x, y), 0u);
+            ASSERT_EQ(by_gl.inv_w(x, y), 0.0f);
         }
-    const picture before = by_gl;
-    begin(l3d_shade::error);
-    gl.set_error_color(0x00010203);
-    triangle({at(5, 4, 0.5f), at(9, 30, 0.5f), at(40, 8, 0.5f)});
-    gl.finish();
-    int changed = 0;
-    for (std::size_t i = 0; i < by_gl.words.size(); ++i)
-        changed += by_gl.words[i] != before.words[i];
-    EXPECT_EQ(changed, gl.counts().written);
-    EXPECT_LT(gl.counts().written, gl.counts().samples);
-    picture was = before;
-    EXPECT_EQ(by_gl.word(10, 12), was.word(10, 12)); // 0.75 is nearer
-    EXPECT_EQ(by_gl.word(15, 12), 0x00010203u);
-    EXPECT_EQ(by_gl.inv_w(60, 40), was.inv_w(60, 40));
+    EXPECT_EQ(gl.counts().covered, 0);
+}
 
-    by_gl.word(15, 12) = 0x00abcdef; // nothing is drawn, so nothing comes back
+TEST_P(mesa_surface, NeedsNoDepthBuffer) {
+    begin(l3d_shade::lambert);
+    draw(part_of(sheet(by_gl.size)));
+    finish();
+    picture without(by_gl.size.width, by_gl.size.height);
+    gl.begin(without.pixels(), nullptr, {l3d_shade::lambert, light});
+    draw_part(gl, part_of(sheet(by_gl.size)));
     gl.finish();
-    EXPECT_EQ(by_gl.word(15, 12), 0x00abcdefu);
-    gl.draw_triangle(at(5, 4, 0.9f), at(9, 30, 0.9f), at(40, 8, 0.9f));
-    gl.begin(by_gl.pixels(), by_gl.depth, {l3d_shade::error, light}); // forgets it
-    gl.finish();
-    EXPECT_EQ(by_gl.word(15, 12), 0x00abcdefu);
+    EXPECT_EQ(without.words, by_gl.words);
+    EXPECT_EQ(gl.counts().covered, cpu.counts().covered);
+    EXPECT_EQ(without.inv_w(30, 20), 1e30f);
+}
+
+TEST_P(mesa_surface, HidesNothing) {
+    begin(l3d_shade::error);
+    draw({at(0, 0, 4), at(71, 0, 4), at(71, 47, 4), at(0, 47, 4)}, 0x00010203);
+    EXPECT_FALSE(gl.hidden({0, 0, 71 * 256, 47 * 256}, 1));
 }
 
 TEST_P(mesa_surface, SharesAPictureWithLines) {
     l3d_rasterizer_2d_mesa_imp imp(open_mesa(GetParam()), by_gl.pixels());
-    l3d_rasterizer_2d draw(imp);
-    draw.clear_buffer();
-    draw.draw_line(3, 12, 60, 12, 0x00ff0000);
-    draw.finish();
+    l3d_rasterizer_2d lines(imp);
     begin(l3d_shade::error);
-    gl.set_error_color(0x0000ff00);
-    gl.draw_triangle(at(5, 4, 1), at(9, 30, 1), at(40, 8, 1));
-    gl.finish();
-    draw.draw_line(12, 2, 12, 40, 0x000000ff);
-    draw.finish();
-    EXPECT_EQ(by_gl.word(4, 12), 0x00ff0000u);
+    draw({at(5, 4, 1), at(9, 30, 1), at(40, 8, 1)}, 0x0000ff00);
+    finish();
+    lines.draw_line(12, 2, 12, 40, 0x000000ff);
+    lines.draw_line(50, 12, 60, 12, 0x00ff0000);
+    lines.finish();
     EXPECT_EQ(by_gl.word(10, 12), 0x0000ff00u);
     EXPECT_EQ(by_gl.word(12, 12), 0x000000ffu);
     EXPECT_EQ(by_gl.word(60, 12), 0x00ff0000u);
@@ -326,16 +307,15 @@ TEST_P(mesa_surface, PicturesThatGlCannotHoldAreFilledAllTheSame) {
     by_gl = picture(16500, 4);
     by_cpu = picture(16500, 4);
     begin(l3d_shade::lambert);
-    grid(sheet(by_gl.size));
-    triangle({at(16300, 0, 1), at(16310, 4, 1), at(16499, 2, 1)});
-    gl.finish();
+    draw(part_of(sheet(by_gl.size)));
+    draw({at(16300, 0, 1), at(16310, 4, 1), at(16499, 2, 1)});
+    finish();
     EXPECT_EQ(by_gl.words, by_cpu.words);
     EXPECT_EQ(gl.counts().written, cpu.counts().written);
     EXPECT_GT(gl.counts().written, 100);
     begin(l3d_shade::error);
-    gl.set_error_color(0x00123456);
-    gl.draw_triangle(at(16300, 0, 2), at(16310, 4, 2), at(16499, 2, 2));
-    gl.finish();
+    draw({at(16300, 0, 2), at(16310, 4, 2), at(16499, 2, 2)}, 0x00123456);
+    finish();
     EXPECT_EQ(by_gl.word(16400, 2), 0x00123456u);
 }
 
@@ -344,8 +324,8 @@ TEST(MesaSurfaces, OfEglAndOsmesaAreTheSame) {
     for (const mesa_way way : mesa_ways) {
         picture other(233, 149);
         l3d_surface_rasterizer_mesa gl(open_mesa(way));
-        gl.begin(other.pixels(), other.depth, {l3d_shade::lambert, light});
-        gl.draw_grid(sheet(other.size));
+        gl.begin(other.pixels(), &other.depth, {l3d_shade::lambert, light});
+        draw_part(gl, part_of(sheet(other.size)));
         gl.finish();
         EXPECT_GT(gl.counts().written, 10000);
         if (way == mesa_ways[0]) {

@@ -316,8 +316,7 @@ TEST(SurfaceDepth, NearerWinsAndOfEqualsTheFirst) {
         reference::corners cell = upright_cell();
         for (l3d_micro_vertex& v : cell)
             v.inv_w = inv_w;
-        picture.rasterizer.set_error_color(color);
-        picture.draw(cell);
+        picture.draw(cell, color);
     };
     picture.begin(l3d_shade::error);
     draw(0.5f, 1);
@@ -353,8 +352,8 @@ TEST(SurfaceDepth, APartOfThePictureIsTheSameAsThatPartOfTheWhole) {
         random_polygons random(seed + n, whole.size), again(seed + n, whole.size);
         whole.begin(l3d_shade::lambert, {0.6f, 0, 0.8f});
         part.begin(l3d_shade::lambert, {0.6f, 0, 0.8f});
-        whole.rasterizer.draw_grid(random_mesh(random, 0, 0));
-        part.rasterizer.draw_grid(random_mesh(again, left, top));
+        whole.draw(random_mesh(random, 0, 0));
+        part.draw(random_mesh(again, left, top));
         for (int y = 0; y < part.size.height; ++y)
             for (int x = 0; x < part.size.width; ++x) {
                 ASSERT_EQ(part.word(x, y), whole.word(x + left, y + top)) << "seed " << seed + n;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // X11 windows in shared memory: buffers that the server reads, servers that stop or refuse,
 // programs that are killed.
+#include "processor_time.h"
 #include "shared_screen.h"
 
 #include <atomic>
@@ -8,7 +9,6 @@
 #include <sstream>
 #include <thread>
 
-#include <sys/resource.h>
 #include <sys/time.h>
 
 #include <X11/extensions/XShm.h>
@@ -166,15 +166,6 @@ TEST(screen_x11_shm_loss, a_window_that_is_gone_is_no_failure_of_sharing) {
     screen->show();
     EXPECT_NE(next(*screen, l3d_event_type::close), nullptr);
     EXPECT_EQ(screen->take_remark(), "");
-}
-
-double processor_seconds() {
-    rusage used{};
-    getrusage(RUSAGE_SELF, &used);
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
 TEST(screen_x11_shm_loss, a_stopped_server_is_waited_for_in_sleep) {

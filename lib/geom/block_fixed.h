@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Block-scaled fixed point: 32-bit integers of a common size share one exponent.
+#ifndef L3D_GEOM_BLOCK_FIXED_H
+#define L3D_GEOM_BLOCK_FIXED_H
+
+#include <algorithm>
+#include <cmath>
+
+/// Fraction bits with which 32-bit integers hold the forward differences of cubics whose control
+/// values are at most `largest` in magnitude: as many as leave the values below 2^29.
+///
+/// A difference that is used is a sum of values with binomial weights: the first of two values, so
+/// below 2^30; the second and third below 2^31 and, as the third is only used after three steps
+/// and is then 6 / 27 of a third difference of control values, 6 / 27 8 2^29 < 2^30. Additions wrap
+/// around, so what leaves the range elsewhere does no harm.
+/// Expects: largest >= 0, finite.
+inline int l3d_block_fraction_bits(double largest) {
+    constexpr int value_bits = 29;
+    int exponent = 0; // largest < 2^exponent
+    std::frexp(largest, &exponent);
+    // 2^200 and its reciprocal are far from the ends of a double's range, also when squared.
+    return std::clamp(value_bits - exponent, -200, 200);
+}
+
+/// Round-off after at most n steps, each of the four registers being rounded once to f bits:
+/// 2^-(f + 1) S(n), S(n) = 1 + n + C(n, 2) + C(n, 3); additions are exact.
+inline double l3d_block_walk_error(int fraction_bits, int n) {
+    const double steps = n;
+    const double pairs = steps * (steps - 1) / 2, triples = pairs * (steps - 2) / 3;
+    return std::ldexp(1 + steps + pairs + triples, -(fraction_bits + 1));
+}
+
+#endif

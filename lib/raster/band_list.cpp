@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// band_list: boxes of all items, a radix sort, and the bands they touch.
+#include "raster/band_list_p.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace l3d_detail {
+
+namespace {
+
+/// Two and two blocks side by side as one.
+l3d_block_starts paired(const l3d_block_starts& starts) {
+    l3d_block_starts pairs;
+    pairs.blocks = (starts.blocks + 1) / 2;
+    for (int i = 0; i <= pairs.blocks; ++i)
+        pairs.first[static_cast<std::size_t>(i)] =
+            starts.first[static_cast<std::size_t>(std::min(2 * i, starts.blocks))];
+    return pairs;
+}
+
+/// Calls visit(cells) for every item's share of a grid: a block, or up to 2 x 2 of them while that
+/// is fewer than 64 quads. As many cost as much as the tests of an item save.
+template <class Visit> void visit_blocks(const l3d_surface_part& part, const Visit& visit) {
+    constexpr int few = 64;
+    const grid_cells all = all_cells(part.grid);
+    const int quads = all.row_end * all.column_end;
+    l3d_block_starts rows = part.block_rows, columns = part.block_columns;
+    if (quads < few * rows.blocks * columns.blocks)
+        columns = paired(columns);
+    if (quads < few * rows.blocks * columns.blocks)
+        rows = paired(rows);
+    for (std::size_t r = 0; r < static_cast<std::size_t>(rows.blocks); ++r)
+        for (std::size_t c = 0; c < static_cast<std::size_t>(columns.blocks); ++c) {
+            const grid_cells cells{rows.first[r], std::min(rows.first[r + 1], all.row_end),
+                                   columns.first[c],
+                                   std::min(columns.first[c + 1], all.column_end)};
+            if (cells.row_begin < cells.row_end && cells.column_begin < cells.column_end)
+                visit(cells);
+        }
+}
+
+void place_item(band_item& item, const polygon_bounds& bounds, l3d_size window) {
+    item.box = pixels_in(bounds.box).intersected(whole(window));
+    item.nearest = bounds.nearest;
+}
+
+} // namespace
+
+void band_list::make(std::span<const l3d_surface_part* const> parts, l3d_size window, int rows,
+                     l3d_workers& workers) {
+    lay_out(parts);
+    workers.for_each(static_cast<int>(parts.size()), [&](int i, int) {
+        const auto at = static_cast<std::size_t>(i);
+        list_part(*parts[at], places_[at], window);
+    });
+    sort();
+    share_out((window.height + rows - 1) / rows, rows);
+}
+
+/// Gives every part its place among the items, so that they can be made in any order.
+void band_list::lay_out(std::span<const l3d_surface_part* const> parts) {
+    places_.clear();
+    polygons_ = 0;
+    place next{0, 0};
+    for (const l3d_surface_part* part : parts) {
+        places_.push_back(next);
+        visit_blocks(*part, [&](const grid_cells& cells) {
+            ++next.items;
+            next.rows += static_cast<std::uint32_t>(cells.row_end - cells.row_begin);
+        });
+        const auto triangles = static_cast<std::uint32_t>(part->triangles.count);
+        next.items += (triangles + triangles_in_item - 1) / triangles_in_item;
+        polygons_ += l3d_detail::polygons(*part);
+    }
+    items_.resize(next.items);
+    rows_.resize(next.rows);
+}
+
+void band_list::list_part(const l3d_surface_part& part, place at, l3d_size window) {
+    visit_blocks(part, [&](const grid_cells& cells) {
+        band_item& item = items_[at.items++];
+        item = {.part = &part, .cells = cells, .rows_at = at.rows};
+        place_item(item, bounds_of(part.grid, cells, rows_.data() + at.rows), window);
+        at.rows += static_cast<std::uint32_t>(cells.row_end - cells.row_begin);
+    });
+    const auto triangles = static_cast<std::uint32_t>(part.triangles.count);
+    for (std::uint32_t i = 0; i < triangles; i += triangles_in_item) {
+        band_item& item = items_[at.items++];
+        item = {.part = &part,
+                .triangle_begin = i,
+                .triangle_end = std::min(i + triangles_in_item, triangles)};
+        place_item(item, bounds_of(part.triangles, item.triangle_begin, item.triangle_end), window);
+    }
+}
+
+/// Orders the items that are in the window, nearest first.
+///
+/// Positive floats are ordered like their bits. Two passes by 8 bits sort by the exponent's 8 and
+/// 8 of the mantissa; each pass keeps the order of equals, so of those the first comes first.
+void band_list::sort() {
+    order_.clear();
+    for (std::uint32_t i = 0; i < items_.size(); ++i)
+        if (!items_[i].box.empty())
+            order_.push_back({~std::bit_cast<std::uint32_t>(items_[i].nearest), i});
+    other_order_.resize(order_.size());
+    constexpr int digit = 8;
+    for (const int shift : {15, 15 + digit}) {
+        const auto digit_of = [shift](const sort_key& key) {
+            return key.distance >> shift & ((1u << digit) - 1);
+        };
+        std::array<std::uint32_t, 1 << digit> begins{};
+        for (const sort_key& key : order_)
+            ++begins[digit_of(key)];
+        std::uint32_t sum = 0;
+        for (std::uint32_t& begin : begins) {
+            const std::uint32_t count = begin;
+            begin = sum;
+            sum += count;
+        }
+        for (const sort_key& key : order_)
+            other_order_[begins[digit_of(key)]++] = key;
+        order_.swap(other_order_);
+    }
+}
+
+void band_list::share_out(int bands, int rows) {
+    const auto first_band = [rows](const band_item& item) {
+        return static_cast<std::size_t>(item.box.top / rows);
+    };
+    const auto last_band = [rows](const band_item& item) {
+        return static_cast<std::size_t>((item.box.bottom - 1) / rows);
+    };
+    // Counted one place too far, so that after the sums a band's begin is where its end will be.
+    band_begins_.assign(static_cast<std::size_t>(bands) + 2, 0);
+    for (const sort_key& key : order_)
+        for (std::size_t b = first_band(items_[key.item]); b <= last_band(items_[key.item]); ++b)
+            ++band_begins_[b + 2];
+    for (std::size_t b = 2; b < band_begins_.size(); ++b)
+        band_begins_[b] += band_begins_[b - 1];
+    in_bands_.resize(band_begins_.back());
+    for (const sort_key& key : order_)
+        for (std::size_t b = first_band(items_[key.item]); b <= last_band(items_[key.item]); ++b)
+            in_bands_[band_begins_[b + 1]++] = key.item;
+}
+
+} // namespace l3d_detail

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// l3d_surface_rasterizer_scalar: a picture as one band.
+#include "raster/surface_rasterizer_scalar.h"
+
+#include <algorithm>
+#include <cassert>
+
+using namespace l3d_detail;
+
+void l3d_surface_rasterizer_scalar::do_begin(l3d_pixels target, l3d_depth_buffer* depth,
+                                             const l3d_shading& shading, bool) {
+    assert(!depth || target.size() == depth->size());
+    if (!depth) {
+        depth = &own_depth_;
+        depth->resize(target.size());
+    }
+    depth->clear();
+    for (int y = 0; y < target.height; ++y)
+        std::ranges::fill(target.row(y), 0u);
+    shading_ = shading;
+    depth_ = depth;
+    counts_ = {};
+    filler_.begin({target.words, target.stride, depth->data(), depth->pitch(), target.width, 0,
+                   target.height},
+                  shading_);
+}
+
+void l3d_surface_rasterizer_scalar::do_draw(std::span<const l3d_surface_part* const> parts) {
+    for (const l3d_surface_part* part : parts) {
+        filler_.fill(*part, all_cells(part->grid));
+        filler_.fill(*part, 0, part->triangles.count);
+        counts_.quads += polygons(*part);
+    }
+}
+
+void l3d_surface_rasterizer_scalar::do_finish() {
+    counts_.samples = filler_.counts().samples;
+    counts_.written = filler_.counts().written;
+    counts_.covered = l3d_covered(*depth_);
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// planned_cells: our tolerance by bisection, the peers' meshes by planning.
+#include "bench/bench_cell.h"
+
+#include "bench/surface_error.h"
+#include "pipeline/frame_dicer.h"
+
+#include <atomic>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace {
+
+struct measured {
+    double error, bound;
+};
+
+/// What the pipeline would draw, measured.
+measured measure_ours(const l3d_patch_model& model, const bench_cell& cell, double tolerance) {
+    const l3d_patch_scene scene(model);
+    const l3d_image_transform transform(cell.view->camera, cell.size, scene);
+    const l3d_dice_view view = transform.view(tolerance);
+    surface_error error(cell.view->camera, cell.size);
+    l3d_scene_culling culling;
+    culling.begin(scene, transform.matrix(), view);
+    l3d_workers one(1);
+    l3d_frame_dicer<l3d_real> dicer(one, l3d_dice_way::lanes, true);
+    dicer.begin(view);
+    const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
+    for (auto batch = culling.next(nothing_is_hidden); !batch.empty();
+         batch = culling.next(nothing_is_hidden)) {
+        dicer.dice(scene, culling, batch);
+        for (std::size_t i = 0; i < batch.size(); ++i)
+            add_pieces(error, model.patches()[batch[i].patch], dicer.pieces(i), view);
+    }
+    return {error.largest(), dicer.counts().bound_px};
+}
+
+void plan_ours(const l3d_patch_model& model, bench_cell& cell) {
+    // The bound holds at a tolerance of `error`, and is never twice what is measured.
+    double low = cell.error, high = 2 * cell.error;
+    constexpr int rounds = 8;
+    for (int round = 0; round <= rounds; ++round) {
+        const double tolerance = round == 0 ? low : std::sqrt(low * high);
+        const measured m = measure_ours(model, cell, tolerance);
+        if (m.error > cell.error) {
+            high = tolerance;
+            continue;
+        }
+        low = tolerance;
+        cell.our_tolerance = tolerance;
+        cell.our_bound = m.bound;
+        cell.our_error = m.error;
+    }
+}
+
+void plan(const l3d_patch_model& model, bench_cell& cell) {
+    plan_ours(model, cell);
+    const mesh_wish wish{model, cell.view->camera, cell.size, cell.error, l3d_afd_settings().light};
+    for (const auto& make : {adaptive_mesh, thinned_mesh})
+        if (const peer_mesh& mesh = cell.meshes.emplace_back(make(wish)); mesh.error > cell.error)
+            throw std::runtime_error("the " + mesh.kind + " mesh errs too much");
+}
+
+} // namespace
+
+std::vector<bench_cell> planned_cells(const l3d_patch_model& model, std::span<const l3d_size> sizes,
+                                      std::span<const double> errors) {
+    std::vector<bench_cell> cells;
+    for (const l3d_size size : sizes)
+        for (const double error : errors)
+            for (const bench_view& view : bench_views) {
+                bench_cell& cell = cells.emplace_back();
+                cell.view = &view;
+                cell.size = size;
+                cell.error = error;
+            }
+    // The dearest come last in the order above, and are begun first.
+    std::atomic<std::size_t> left = cells.size();
+    const auto work = [&] {
+        for (std::size_t i = left--; i > 0 && i <= cells.size(); i = left--)
+            plan(model, cells[i - 1]);
+    };
+    std::vector<std::thread> threads;
+    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
+        threads.emplace_back(work);
+    work();
+    for (std::thread& thread : threads)
+        thread.join();
+    return cells;
+}

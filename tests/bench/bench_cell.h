@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// A cell of the comparison: a view, a size and an error; what each side draws there.
+#ifndef L3D_TESTS_BENCH_BENCH_CELL_H
+#define L3D_TESTS_BENCH_BENCH_CELL_H
+
+#include "bench/bench_frame.h"
+#include "bench/peer_mesh.h"
+
+#include <span>
+#include <vector>
+
+/// Nobody's measured error is more than `error` here, nor less than need be.
+struct bench_cell {
+    const bench_view* view = nullptr;
+    l3d_size size;
+    double error = 0; ///< pixels
+
+    double our_tolerance = 0; ///< the largest found with which ours is within `error`
+    double our_bound = 0;     ///< what ours certifies then
+    double our_error = 0;     ///< what it measures
+
+    std::vector<peer_mesh> meshes; ///< candidates of the peers
+};
+
+/// All views at each size and error. Cost: all processors, some seconds a cell.
+std::vector<bench_cell> planned_cells(const l3d_patch_model& model, std::span<const l3d_size> sizes,
+                                      std::span<const double> errors);
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// bench_frame: a memory screen, and an eye that trembles.
+#include "bench/bench_frame.h"
+
+#include "raster/rasterizer_factory_sw.h"
+#include "tool_2d/screen_memory.h"
+
+#include <chrono>
+
+namespace {
+
+std::unique_ptr<l3d_screen> memory_screen(l3d_size size) {
+    l3d_screen_request request;
+    request.size = size;
+    l3d_service refusal;
+    return l3d_screen_factory_memory().create(request, refusal);
+}
+
+l3d_afd_settings settings(double tolerance, int threads) {
+    l3d_afd_settings result;
+    result.tolerance = tolerance;
+    result.threads = threads;
+    return result;
+}
+
+} // namespace
+
+bench_frame::bench_frame(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size,
+                         double tolerance, int threads)
+    : camera_(camera), pipeline_(memory_screen(size), l3d_rasterizer_factory_sw(), scene, camera,
+                                 settings(tolerance, threads)) {}
+
+double bench_frame::draw() {
+    // A tenth of a millionth of the distance: no picture shows it, no frame equals another.
+    constexpr double tremor = 1e-7;
+    pipeline_.camera() = camera_;
+    pipeline_.camera().eye =
+        camera_.eye + (camera_.eye - camera_.target) * (tremor * (1 + frame_++ % 64));
+    const auto start = std::chrono::steady_clock::now();
+    pipeline_.draw_event();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+std::uint64_t bench_frame::hash() {
+    pipeline_.camera() = camera_;
+    pipeline_.draw_event();
+    return pipeline_.report().hash;
+}

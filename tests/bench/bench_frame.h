@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Frames of our own for benchmarks: the views, and a pipeline that draws into memory.
+#ifndef L3D_TESTS_BENCH_BENCH_FRAME_H
+#define L3D_TESTS_BENCH_BENCH_FRAME_H
+
+#include "pipeline/pipeline_afd.h"
+
+#include <array>
+#include <cstdint>
+
+struct bench_view {
+    const char* name;
+    l3d_camera camera;
+};
+
+inline const std::array<bench_view, 3> bench_views{{
+    {"full", {{3.2, 3.6, 7.4}, {0.2, 1.3, 0.0}, {0.0, 1.0, 0.0}, 38, 0.1, 1e13}},
+    {"closeup", {{1.2, 2.6, 4.4}, {-0.3, 1.5, 0.0}, {0.0, 1.0, 0.0}, 45, 0.1, 1e13}},
+    {"top", {{1.5, 7.5, 3.0}, {0.2, 1.2, 0.0}, {0.0, 1.0, 0.0}, 35, 0.1, 1e13}},
+}};
+
+/// One scene, drawn again and again into memory; from model and camera to finished pixels.
+class bench_frame {
+public:
+    /// Lives: borrows the models of the scene.
+    bench_frame(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size,
+                double tolerance, int threads);
+
+    /// Draws a frame from an eye that is never twice at the same place: nothing can be reused.
+    /// Returns its milliseconds, by the wall's clock.
+    double draw();
+
+    /// Draws the view itself, and returns the picture's hash.
+    std::uint64_t hash();
+
+    l3d_pixels pixels() { return pipeline_.screen().pixels(); }
+    l3d_frame_report report() const { return pipeline_.report(); }
+
+private:
+    class moving_pipeline final : public l3d_pipeline_afd {
+    public:
+        using l3d_pipeline_afd::camera;
+        using l3d_pipeline_afd::l3d_pipeline_afd;
+    };
+
+    l3d_camera camera_;
+    moving_pipeline pipeline_;
+    int frame_ = 0;
+};
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Embree tracing one ray a pixel into a static triangle mesh.
+#ifndef L3D_TESTS_BENCH_EMBREE_PEER_H
+#define L3D_TESTS_BENCH_EMBREE_PEER_H
+
+#include "bench/peer_mesh.h"
+#include "pipeline/camera.h"
+#include "raster/workers.h"
+#include "tool_2d/image.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+/// A scene built once at high quality, seen by streams of coherent packets of 16 rays, 4 x 4 pixels
+/// each, with the grey of each vertex interpolated.
+class embree_peer {
+public:
+    /// Errors: null, with one line in `why`, if there is no device.
+    static std::unique_ptr<embree_peer> open(std::string& why);
+    ~embree_peer();
+
+    std::string name() const;
+
+    /// Expects: width and height are multiples of 4.
+    void prepare(const peer_mesh& mesh, const l3d_camera& camera, l3d_size size);
+
+    /// Every pixel of the picture, from rays through pixel centres.
+    void draw(l3d_workers& workers);
+
+    l3d_pixels picture() { return picture_.pixels(); }
+
+private:
+    struct scene;
+    explicit embree_peer(std::unique_ptr<scene> made);
+    void draw_row(int top);
+
+    std::unique_ptr<scene> scene_;
+    std::vector<float> grey_, along_u_, along_v_; ///< of each triangle: at its corner, and changes
+    l3d_image picture_{{4, 4}, 4};
+};
+
+#endif

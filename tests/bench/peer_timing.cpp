@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+// compare: trying, then timing in turn.
+#include "bench/peer_timing.h"
+
+#include "bench/child_process.h"
+#include "bench/embree_peer.h"
+#include "bench/mesa_peer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+namespace {
+
+/// Frames that are drawn but not counted, frames of a trial, frames of a timing.
+constexpr int warm_up = 2, trial_frames = 5, frames = 31;
+
+/// A picture within a pixel of the truth differs along outlines alone. Share of covered pixels.
+constexpr double most_different = 0.01;
+
+frame_times summary(std::vector<double> ms) {
+    std::ranges::sort(ms);
+    return {ms[ms.size() / 2], ms.front()};
+}
+
+template <class Action> double milliseconds(Action action) {
+    const auto start = std::chrono::steady_clock::now();
+    action();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+template <class Action> double median_of(int count, Action action) {
+    std::vector<double> times;
+    for (int i = 0; i < warm_up + count; ++i)
+        if (const double ms = milliseconds(action); i >= warm_up)
+            times.push_back(ms);
+    return summary(times).median;
+}
+
+std::unique_ptr<mesa_peer> open_mesa() {
+    std::string why;
+    auto peer = mesa_peer::open(why);
+    if (!peer)
+        throw std::runtime_error(why);
+    return peer;
+}
+
+std::unique_ptr<embree_peer> open_embree() {
+    std::string why;
+    auto peer = embree_peer::open(why);
+    if (!peer)
+        throw std::runtime_error(why);
+    return peer;
+}
+
+child_setting setting_of(const peer_choice& choice) {
+    return {{{"LP_NUM_THREADS", std::to_string(choice.mesa_threads)}}, choice.one_processor};
+}
+
+/// llvmpipe's ways to use so many processors.
+std::vector<peer_choice> mesa_ways(int threads) {
+    std::vector<peer_choice> ways;
+    for (const int workers : {threads - 1, threads}) {
+        peer_choice& way = ways.emplace_back();
+        way.mesa_threads = workers;
+        way.one_processor = threads == 1 && workers > 0;
+    }
+    return ways;
+}
+
+/// Tries every mesh of every cell, in one child; trial() returns the milliseconds of each.
+template <class Trial>
+void choose(std::span<const bench_cell> cells, peer_choice way, std::vector<peer_choice>& best,
+            Trial trial) {
+    const std::vector<double> ms = in_child(setting_of(way), [&] { return trial(); });
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        for (std::size_t mesh = 0; mesh < cells[i].meshes.size(); ++mesh) {
+            way.mesh = mesh;
+            way.ms = ms.at(next++);
+            if (best[i].ms == 0 || way.ms < best[i].ms)
+                best[i] = way;
+        }
+}
+
+std::vector<peer_choice> best_of_mesa(std::span<const bench_cell> cells, int threads) {
+    std::vector<peer_choice> best(cells.size());
+    for (const peer_choice& way : mesa_ways(threads))
+        choose(cells, way, best, [&] {
+            const auto peer = open_mesa();
+            std::vector<double> ms;
+            for (const bench_cell& cell : cells)
+                for (const peer_mesh& mesh : cell.meshes) {
+                    peer->prepare(mesh, cell.view->camera, cell.size, mesa_peer::culling::none);
+                    ms.push_back(median_of(trial_frames, [&] { peer->draw(); }));
+                }
+            return ms;
+        });
+    return best;
+}
+
+std::vector<peer_choice> best_of_embree(std::span<const bench_cell> cells, int threads) {
+    std::vector<peer_choice> best(cells.size());
+    choose(cells, peer_choice(), best, [&] {
+        const auto peer = open_embree();
+        l3d_workers workers(threads);
+        std::vector<double> ms;
+        for (const bench_cell& cell : cells)
+            for (const peer_mesh& mesh : cell.meshes) {
+                peer->prepare(mesh, cell.view->camera, cell.size);
+                ms.push_back(median_of(trial_frames, [&] { peer->draw(workers); }));
+            }
+        return ms;
+    });
+    return best;
+}
+
+/// Pixels that are covered in one of two pictures; nothing that is covered is black.
+template <class Ours, class Theirs>
+long differences(l3d_size size, const Ours& ours, const Theirs& theirs) {
+    long count = 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            count += (ours(x, y) != 0) != (theirs(x, y) != 0);
+    return count;
+}
+
+auto words_of(const l3d_pixels& pixels) {
+    return [pixels](int x, int y) { return pixels.row(y)[static_cast<std::size_t>(x)]; };
+}
+
+auto bytes_of(const std::vector<std::uint8_t>& bytes, int width) {
+    return [&bytes, width](int x, int y) {
+        return bytes[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                     static_cast<std::size_t>(x)];
+    };
+}
+
+/// The three in turn; in a child.
+class cell_timer {
+public:
+    cell_timer(const l3d_patch_model& model, int threads)
+        : scene_(model), threads_(threads), workers_(threads) {}
+
+    void time(const bench_cell& cell, cell_times& times) {
+        const peer_mesh& mesh = cell.meshes[times.mesa_way.mesh];
+        const auto& camera = cell.view->camera;
+        const auto culling = harmless_culling(mesh, cell, times.culled);
+        mesa_->prepare(mesh, camera, cell.size, culling);
+        embree_->prepare(cell.meshes[times.embree_way.mesh], camera, cell.size);
+
+        bench_frame ours(scene_, camera, cell.size, cell.our_tolerance, threads_);
+        std::vector<double> our_ms, mesa_ms, embree_ms;
+        for (int i = 0; i < warm_up + frames; ++i) {
+            const double a = ours.draw();
+            const double b = milliseconds([&] { mesa_->draw(); });
+            const double c = milliseconds([&] { embree_->draw(workers_); });
+            if (i < warm_up)
+                continue;
+            our_ms.push_back(a);
+            mesa_ms.push_back(b);
+            embree_ms.push_back(c);
+        }
+        times.ours = summary(our_ms);
+        times.mesa = summary(mesa_ms);
+        times.embree = summary(embree_ms);
+
+        ours.hash();
+        const auto our_words = words_of(ours.pixels());
+        times.covered = differences(cell.size, our_words, [](int, int) { return 0; });
+        times.mesa_differs =
+            differences(cell.size, our_words, bytes_of(mesa_->picture(), cell.size.width));
+        times.embree_differs = differences(cell.size, our_words, words_of(embree_->picture()));
+        for (const long different : {times.mesa_differs, times.embree_differs})
+            if (static_cast<double>(different) >
+                most_different * static_cast<double>(times.covered))
+                throw std::runtime_error("the pictures differ");
+    }
+
+private:
+    /// A side that llvmpipe can leave out without losing a pixel; `lost` is what it loses by the
+    /// side that loses least.
+    mesa_peer::culling harmless_culling(const peer_mesh& mesh, const bench_cell& cell, long& lost) {
+        const auto picture = [&](mesa_peer::culling sides) {
+            mesa_->prepare(mesh, cell.view->camera, cell.size, sides);
+            mesa_->draw();
+            return mesa_->picture();
+        };
+        const std::vector<std::uint8_t> whole = picture(mesa_peer::culling::none);
+        auto best = mesa_peer::culling::none;
+        lost = static_cast<long>(whole.size());
+        for (const auto side : {mesa_peer::culling::back, mesa_peer::culling::front}) {
+            const std::vector<std::uint8_t> culled = picture(side);
+            long different = 0;
+            for (std::size_t i = 0; i < whole.size(); ++i)
+                different += whole[i] != culled[i];
+            lost = std::min(lost, different);
+            if (different == 0)
+                best = side;
+        }
+        return best;
+    }
+
+    l3d_patch_scene scene_;
+    int threads_;
+    l3d_workers workers_;
+    std::unique_ptr<mesa_peer> mesa_ = open_mesa();
+    std::unique_ptr<embree_peer> embree_ = open_embree();
+};
+
+/// A cell's numbers, as they come through a pipe.
+constexpr std::size_t numbers_of_a_cell = 10;
+
+void write(const cell_times& t, std::vector<double>& numbers) {
+    for (const frame_times& times : {t.ours, t.mesa, t.embree})
+        numbers.insert(numbers.end(), {times.median, times.least});
+    for (const long count : {t.mesa_differs, t.embree_differs, t.covered, t.culled})
+        numbers.push_back(static_cast<double>(count));
+}
+
+void read(std::span<const double, numbers_of_a_cell> numbers, cell_times& t) {
+    std::size_t next = 0;
+    for (frame_times* const times : {&t.ours, &t.mesa, &t.embree}) {
+        times->median = numbers[next++];
+        times->least = numbers[next++];
+    }
+    for (long* const count : {&t.mesa_differs, &t.embree_differs, &t.covered, &t.culled})
+        *count = static_cast<long>(numbers[next++]);
+}
+
+} // namespace
+
+std::vector<cell_times> compare(const l3d_patch_model& model, std::span<const bench_cell> cells,
+                                int threads) {
+    const auto mesa = best_of_mesa(cells, threads), embree = best_of_embree(cells, threads);
+    std::vector<cell_times> all(cells.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i].mesa_way = mesa[i];
+        all[i].embree_way = embree[i];
+    }
+    for (const peer_choice& way : mesa_ways(threads)) {
+        std::vector<std::size_t> chosen;
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            if (mesa[i].mesa_threads == way.mesa_threads)
+                chosen.push_back(i);
+        const std::vector<double> numbers = in_child(setting_of(way), [&] {
+            cell_timer timer(model, threads);
+            std::vector<double> result;
+            for (const std::size_t i : chosen) {
+                timer.time(cells[i], all[i]);
+                write(all[i], result);
+            }
+            return result;
+        });
+        for (std::size_t k = 0; k < chosen.size(); ++k)
+            read(std::span(numbers).subspan(numbers_of_a_cell * k).first<numbers_of_a_cell>(),
+                 all[chosen[k]]);
+    }
+    return all;
+}
+
+double clearing_ms(l3d_size size) {
+    const auto count = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    std::vector<std::uint32_t> color(count, 1), depth(count, 1);
+    const double ms = median_of(frames, [&] {
+        std::ranges::fill(color, 0u);
+        std::ranges::fill(depth, 0u);
+    });
+    if (color[count / 2] + depth[count / 2] != 0)
+        throw std::runtime_error("nothing was cleared");
+    return ms;
+}
+
+std::string peer_names() {
+    const std::vector<double> letters = in_child({}, [] {
+        const std::string name = open_mesa()->renderer() + " and " + open_embree()->name();
+        return std::vector<double>(name.begin(), name.end());
+    });
+    std::string name;
+    for (const double letter : letters)
+        name.push_back(static_cast<char>(letter));
+    return name;
+}

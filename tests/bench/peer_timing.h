@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// How long each side takes for a cell, in turn in one process.
+#ifndef L3D_TESTS_BENCH_PEER_TIMING_H
+#define L3D_TESTS_BENCH_PEER_TIMING_H
+
+#include "bench/bench_cell.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+/// A peer's fastest way to draw a cell.
+struct peer_choice {
+    std::size_t mesh = 0; ///< in bench_cell::meshes
+    int mesa_threads = 0; ///< llvmpipe's workers
+    bool one_processor = false;
+    double ms = 0;
+};
+
+/// Of many frames. Units: milliseconds.
+struct frame_times {
+    double median = 0;
+    double least = 0; ///< where others use the machine too, this one is the truer
+};
+
+/// What was measured in a cell.
+struct cell_times {
+    peer_choice mesa_way, embree_way;
+    frame_times ours, mesa, embree;
+    long mesa_differs = 0, embree_differs = 0; ///< pixels that only one of us covers
+    long covered = 0;                          ///< pixels that ours covers
+    long culled = 0; ///< pixels that llvmpipe would lose if it culled the side that loses least
+};
+
+/// Compares on `threads` threads a side, cell by cell.
+///
+/// First each peer tries its meshes and, for llvmpipe, numbers of workers; with its best it is then
+/// timed in turn with ours, frame by frame. llvmpipe reads its number of workers once in a
+/// process, so all this happens in children.
+/// Errors:  std::runtime_error if a peer is not there, or a picture is wrong.
+std::vector<cell_times> compare(const l3d_patch_model& model, std::span<const bench_cell> cells,
+                                int threads);
+
+/// Median time to clear the colour and the depth of a picture, on one thread. Milliseconds.
+double clearing_ms(l3d_size size);
+
+/// The names of the peers.
+std::string peer_names();
+
+#endif

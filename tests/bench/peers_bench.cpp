@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// l3d against Mesa's llvmpipe and against Embree at equal measured error, one thread against one
+// and two against two.
+//
+// All draw the same view into memory, in turn, and medians are compared. A cell of the table is a
+// view, a size and an error in pixels: ours gets the largest tolerance with which what it draws is
+// within that error of the exact surface, the peers get the triangle mesh that is fastest for
+// them of those that are within it: adaptive, or adaptive and thinned out, both made for this very
+// view, without what is outside of the window, in static buffers, with the shading baked into the
+// vertices. Ours starts each frame from the patches and shades each pixel.
+#include "bench/bench_cell.h"
+#include "bench/peer_timing.h"
+#include "geom/teapot.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+struct options {
+    bool quick = false;
+    std::string csv;
+
+    /// What is not known is for the other benchmarks, which are run with the same arguments.
+    options(int argc, char** argv) {
+        for (int i = 1; i < argc; ++i) {
+            const std::string_view argument = argv[i];
+            constexpr std::string_view csv_option = "--csv=";
+            if (argument == "--quick")
+                quick = true;
+            else if (argument.starts_with(csv_option))
+                csv = argument.substr(csv_option.size());
+        }
+    }
+};
+
+/// Theirs to ours.
+double ratio(const frame_times& theirs, const frame_times& ours) {
+    return theirs.median / ours.median;
+}
+
+void print_head(int threads) {
+    std::printf("\n%d thread%s\n%-23s | %-29s | %-48s | %-33s |\n", threads,
+                threads == 1 ? "" : "s", "", "l3d", "llvmpipe", "Embree");
+    std::printf("%-7s %9s %5s | %5s %5s %5s %11s | %-8s %6s %5s %7s %8s %8s | %-8s %6s %8s %8s | "
+                "%s\n",
+                "view", "size", "px", "tol", "bound", "error", "ms", "mesh", "tris", "error",
+                "workers", "ms", "ratio", "mesh", "tris", "ms", "ratio", "pixels differ");
+}
+
+void print_row(const bench_cell& cell, const cell_times& times) {
+    const peer_mesh& mesa = cell.meshes[times.mesa_way.mesh];
+    const peer_mesh& embree = cell.meshes[times.embree_way.mesh];
+    std::printf("%-7s %4dx%-4d %5.2f | %5.3f %5.3f %5.3f %11.3f | ", cell.view->name,
+                cell.size.width, cell.size.height, cell.error, cell.our_tolerance, cell.our_bound,
+                cell.our_error, times.ours.median);
+    std::printf("%-8s %6zu %5.3f %7d %8.3f %8.2f | ", mesa.kind.c_str(), mesa.triangles(),
+                mesa.error, times.mesa_way.mesa_threads, times.mesa.median,
+                ratio(times.mesa, times.ours));
+    std::printf("%-8s %6zu %8.3f %8.2f | %ld %ld of %ld\n", embree.kind.c_str(), embree.triangles(),
+                times.embree.median, ratio(times.embree, times.ours), times.mesa_differs,
+                times.embree_differs, times.covered);
+}
+
+void print_ratios(const char* peer, std::span<const cell_times> times,
+                  frame_times cell_times::*theirs) {
+    std::vector<double> medians, least;
+    for (const cell_times& t : times) {
+        medians.push_back(ratio(t.*theirs, t.ours));
+        least.push_back((t.*theirs).least / t.ours.least);
+    }
+    std::ranges::sort(medians);
+    std::ranges::sort(least);
+    std::printf("%-8s ratio: least %.2f, median %.2f; of the fastest frames: least %.2f, median "
+                "%.2f\n",
+                peer, medians.front(), medians[medians.size() / 2], least.front(),
+                least[least.size() / 2]);
+}
+
+/// The table of one number of threads.
+void print(std::span<const bench_cell> cells, std::span<const cell_times> times, int threads) {
+    print_head(threads);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        print_row(cells[i], times[i]);
+    print_ratios("llvmpipe", times, &cell_times::mesa);
+    print_ratios("Embree", times, &cell_times::embree);
+    const long lost = std::ranges::min(times, {}, &cell_times::culled).culled;
+    if (lost > 0)
+        std::printf("llvmpipe culls nothing: it would lose at least %ld pixels\n", lost);
+}
+
+void write_csv(std::FILE* file, std::span<const bench_cell> cells,
+               std::span<const cell_times> times, int threads) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const bench_cell& c = cells[i];
+        const cell_times& t = times[i];
+        const peer_mesh &mesa = c.meshes[t.mesa_way.mesh], &embree = c.meshes[t.embree_way.mesh];
+        std::fprintf(file, "%d,%s,%d,%d,%g,%g,%g,%g,%g,%g,", threads, c.view->name, c.size.width,
+                     c.size.height, c.error, c.our_tolerance, c.our_bound, c.our_error,
+                     t.ours.median, t.ours.least);
+        std::fprintf(file, "%s,%zu,%g,%d,%g,%g,", mesa.kind.c_str(), mesa.triangles(), mesa.error,
+                     t.mesa_way.mesa_threads, t.mesa.median, t.mesa.least);
+        std::fprintf(file, "%s,%zu,%g,%g\n", embree.kind.c_str(), embree.triangles(),
+                     t.embree.median, t.embree.least);
+    }
+}
+
+std::FILE* open_csv(const std::string& path) {
+    std::FILE* const file = std::fopen(path.c_str(), "w");
+    if (!file)
+        throw std::runtime_error("cannot write " + path);
+    std::fputs("threads,view,width,height,error_px,l3d_tolerance,l3d_bound,l3d_error,l3d_ms,"
+               "l3d_least_ms,llvmpipe_mesh,llvmpipe_triangles,llvmpipe_error,llvmpipe_workers,"
+               "llvmpipe_ms,llvmpipe_least_ms,embree_mesh,embree_triangles,embree_ms,"
+               "embree_least_ms\n",
+               file);
+    return file;
+}
+
+void run(const options& wanted) {
+    std::string why;
+    const auto model = l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);
+    if (!model)
+        throw std::runtime_error(why);
+    std::vector<l3d_size> sizes{{640, 480}, {1024, 768}, {1920, 1080}};
+    if (wanted.quick)
+        sizes = {{1024, 768}};
+    std::FILE* const csv = wanted.csv.empty() ? nullptr : open_csv(wanted.csv);
+
+    double load = 0;
+    getloadavg(&load, 1);
+    std::printf("l3d %s against %s; medians of frames in turn; load before: %.1f\n",
+                l3d_real_name(), peer_names().c_str(), load);
+    constexpr std::array errors{0.5, 0.25, 0.1};
+    const auto cells = planned_cells(*model, sizes, errors);
+    for (const int threads : {1, 2}) {
+        const auto times = compare(*model, cells, threads);
+        print(cells, times, threads);
+        if (csv)
+            write_csv(csv, cells, times, threads);
+    }
+    std::printf("\n");
+    for (const l3d_size size : sizes)
+        std::printf("clearing colour and depth of %dx%d: %.3f ms\n", size.width, size.height,
+                    clearing_ms(size));
+    if (csv && std::fclose(csv) != 0)
+        throw std::runtime_error("cannot write " + wanted.csv);
+}
+
+} // namespace
+
+/// Usage: peers_bench [--quick] [--csv=path].
+int main(int argc, char** argv) try {
+    run(options(argc, argv));
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "peers_bench: %s\n", error.what());
+    return 1;
+}

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// What threads and vector instructions do for a frame: time, work done, and the same picture.
+//
+// Wall time says how long a frame takes, processor time how much work was done in it: their ratio
+// is the number of processors that were really at work. The last table lets another process keep
+// every processor busy meanwhile, which a program that waits by spinning does not survive.
+#include "bench/bench_frame.h"
+#include "geom/teapot.h"
+#include "processor_time.h"
+#include "raster/simd_target.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+constexpr int frames = 201;
+constexpr l3d_size size{1024, 768};
+constexpr double tolerance = 0.25;
+
+struct measured {
+    double median_ms = 0, slow_ms = 0; ///< slow: 95 of 100 frames are faster
+    double work_ms = 0;                ///< processor time a frame, of all threads
+    std::uint64_t hash = 0;
+};
+
+measured measure(const l3d_patch_model& model, const l3d_camera& camera, int threads) {
+    bench_frame frame(model, camera, size, tolerance, threads);
+    for (int i = 0; i < 5; ++i)
+        frame.draw();
+    std::vector<double> times;
+    const double before = processor_seconds();
+    for (int i = 0; i < frames; ++i)
+        times.push_back(frame.draw());
+    const double work = processor_seconds() - before;
+    std::sort(times.begin(), times.end());
+    return {times[frames / 2], times[frames * 95 / 100], 1000 * work / frames, frame.hash()};
+}
+
+/// Processes that do nothing but keep processors busy.
+class busy_neighbours {
+public:
+    explicit busy_neighbours(unsigned count) {
+        for (unsigned i = 0; i < count; ++i)
+            if (const pid_t child = fork(); child == 0)
+                for (volatile unsigned turns = 0;; turns = turns + 1) {
+                }
+            else
+                children_.push_back(child);
+    }
+    busy_neighbours(const busy_neighbours&) = delete;
+    busy_neighbours& operator=(const busy_neighbours&) = delete;
+    ~busy_neighbours() {
+        for (const pid_t child : children_) {
+            kill(child, SIGKILL);
+            waitpid(child, nullptr, 0);
+        }
+    }
+
+private:
+    std::vector<pid_t> children_;
+};
+
+} // namespace
+
+int main() {
+    std::string why;
+    const auto model = l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);
+    if (!model) {
+        std::fprintf(stderr, "threads_bench: %s\n", why.c_str());
+        return 1;
+    }
+    bool same = true;
+    std::printf("1024x768, tolerance %.2f, l3d_real %s; medians of %d frames\n\n", tolerance,
+                l3d_real_name(), frames);
+    std::printf("%-8s %7s | %8s %8s %9s | %s\n", "view", "threads", "ms", "speed-up", "work ms",
+                "hash");
+    for (const bench_view& view : bench_views) {
+        const measured alone = measure(*model, view.camera, 1);
+        for (const int threads : {1, 2, 3, 8}) {
+            const measured m = threads == 1 ? alone : measure(*model, view.camera, threads);
+            std::printf("%-8s %7d | %8.3f %8.2f %9.3f | %016llx\n", view.name, threads, m.median_ms,
+                        alone.median_ms / m.median_ms, m.work_ms,
+                        static_cast<unsigned long long>(m.hash));
+            same = same && m.hash == alone.hash;
+        }
+    }
+
+    std::printf("\n%-8s %-9s | %8s %8s | %s\n", "view", "vectors", "ms", "ratio", "hash");
+    for (const bench_view& view : bench_views) {
+        double best = 0;
+        std::uint64_t hash = 0;
+        for (const std::string& target : l3d_simd_targets()) {
+            l3d_set_simd_target(target);
+            const measured m = measure(*model, view.camera, 1);
+            if (best == 0) {
+                best = m.median_ms;
+                hash = m.hash;
+            }
+            std::printf("%-8s %-9s | %8.3f %8.2f | %016llx\n", view.name, target.c_str(),
+                        m.median_ms, m.median_ms / best, static_cast<unsigned long long>(m.hash));
+            same = same && m.hash == hash;
+        }
+        l3d_set_simd_target("");
+    }
+
+    std::printf("\ncloseup beside other processes that never rest\n%8s %7s | %8s %8s\n", "beside",
+                "threads", "ms", "95 % ms");
+    for (const unsigned beside : {0u, 1u, std::thread::hardware_concurrency()}) {
+        const busy_neighbours neighbours(beside);
+        for (const int threads : {1, 2}) {
+            const measured m = measure(*model, bench_views[1].camera, threads);
+            std::printf("%8u %7d | %8.3f %8.3f\n", beside, threads, m.median_ms, m.slow_ms);
+        }
+    }
+    if (!same)
+        std::fprintf(stderr, "threads_bench: the pictures differ\n");
+    return same ? 0 : 1;
+}

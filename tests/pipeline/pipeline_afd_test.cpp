@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// Whole frames: the same bits however they are made, like the slow twins', and nothing allocated.
+#include "pipeline/pipeline_afd.h"
+
+#include "allocations.h"
+#include "geom/teapot.h"
+#include "pipeline/camera_shading.h"
+#include "raster/rasterizer_factory_sw.h"
+#include "raster/simd_target.h"
+#include "raster/surface_rasterizer_scalar.h"
+#include "reference/views.h"
+#include "scene.h"
+#include "tool_2d/screen_memory.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pipeline_tests {
+namespace {
+
+constexpr l3d_size picture_size{640, 481};
+
+/// A pipeline that tests may steer, into memory.
+class tester final : public l3d_pipeline_afd {
+public:
+    tester(const scene& s, const l3d_afd_settings& settings)
+        : l3d_pipeline_afd(memory_screen(s.size), l3d_rasterizer_factory_sw(), s.model, s.camera,
+                           settings) {}
+
+    using l3d_pipeline_afd::camera;
+    using l3d_pipeline_afd::settings;
+
+    bool has_text = false;
+
+    std::vector<std::uint32_t> draw() {
+        draw_event();
+        return words();
+    }
+
+    std::vector<std::uint32_t> words() {
+        std::vector<std::uint32_t> result;
+        for (int y = 0; y < screen().pixels().height; ++y) {
+            const auto row = screen().pixels().row(y);
+            result.insert(result.end(), row.begin(), row.end());
+        }
+        return result;
+    }
+
+private:
+    static std::unique_ptr<l3d_screen> memory_screen(l3d_size size) {
+        l3d_screen_request request;
+        request.size = size;
+        l3d_service refusal;
+        return l3d_screen_factory_memory().create(request, refusal);
+    }
+
+    void draw_overlay() override {
+        if (has_text)
+            rasterizer().draw_line(3, 3, 600, 400, 0x00123456);
+    }
+};
+
+l3d_afd_settings settings_of(double tolerance, int threads) {
+    l3d_afd_settings result;
+    result.tolerance = tolerance;
+    result.threads = threads;
+    return result;
+}
+
+TEST(pipeline_afd, draws_the_same_bits_with_any_number_of_threads) {
+    for (const reference::view& view : reference::project_views()) {
+        const scene s = teapot(view, picture_size);
+        const auto alone = tester(s, settings_of(0.25, 1)).draw();
+        for (const int threads : {2, 3, 8}) {
+            tester shared(s, settings_of(0.25, threads));
+            for (int frame = 0; frame < 3; ++frame)
+                EXPECT_TRUE(shared.draw() == alone) << view.name << ", " << threads << " threads";
+        }
+    }
+}
+
+TEST(pipeline_afd, draws_the_same_bits_with_any_vector_instructions) {
+    EXPECT_GE(l3d_simd_targets().size(), 1u);
+    for (const reference::view& view : reference::project_views())
+        for (const double tolerance : {1.0, 0.1}) {
+            const scene s = teapot(view, picture_size);
+            const auto best = tester(s, settings_of(tolerance, 1)).draw();
+            for (const std::string& target : l3d_simd_targets()) {
+                ASSERT_TRUE(l3d_set_simd_target(target));
+                EXPECT_TRUE(tester(s, settings_of(tolerance, 1)).draw() == best)
+                    << view.name << ", " << target;
+            }
+            l3d_set_simd_target("");
+        }
+}
+
+/// Frames follow each other as in a program: the eye goes round, things come and go.
+TEST(pipeline_afd, clears_what_the_frame_before_left) {
+    const scene s = teapot(reference::project_view("full"), picture_size);
+    tester program(s, settings_of(0.5, 2));
+    for (int frame = 0; frame < 40; ++frame) {
+        program.camera().orbit(frame % 5 == 4 ? 1.5 : 0.1, frame % 7 == 6 ? 0.3 : 0);
+        program.has_text = frame % 6 == 2;
+        program.settings().wireframe = frame % 11 == 5;
+        program.settings().net = frame % 13 == 7;
+        tester fresh(s, program.settings());
+        fresh.camera() = program.camera();
+        fresh.has_text = program.has_text;
+        ASSERT_TRUE(program.draw() == fresh.draw()) << "frame " << frame;
+    }
+}
+
+/// Every piece by the general dicer, every pixel by the scalar rasterizer.
+TEST(pipeline_afd, draws_what_the_slow_twins_draw) {
+    for (const reference::view& view : reference::project_views()) {
+        const scene s = teapot(view, picture_size);
+        const auto fast = tester(s, settings_of(0.25, 1)).draw();
+
+        std::vector<std::uint32_t> slow(fast.size());
+        l3d_depth_buffer depth;
+        depth.resize(s.size);
+        const auto& light = reference::project_light;
+        l3d_surface_rasterizer_scalar rasterizer;
+        rasterizer.begin(
+            {slow.data(), s.size.width, s.size.height, s.size.width}, &depth,
+            l3d_camera_shading(s.camera, s.size, l3d_shade::lambert, {light.x, light.y, light.z}));
+        scene_dicer<pipeline_tests::slow<l3d_real>>().dice(
+            s, 0.25, [&](std::size_t, diced pieces, double) {
+                std::vector<const l3d_surface_part*> parts;
+                for (const l3d_diced_piece& piece : pieces)
+                    parts.push_back(&piece.part);
+                rasterizer.draw(parts);
+            });
+        rasterizer.finish();
+
+        // Steps differ where floats bound what doubles bound; both are within the tolerance.
+        std::size_t outline = 0, covered = 0, far_off = 0;
+        for (std::size_t i = 0; i < fast.size(); ++i) {
+            outline += (fast[i] == 0) != (slow[i] == 0);
+            if (fast[i] == 0 || slow[i] == 0)
+                continue;
+            ++covered;
+            far_off +=
+                std::abs(static_cast<int>(fast[i] & 255) - static_cast<int>(slow[i] & 255)) > 3;
+        }
+        std::printf("%.*s: of %zu pixels %zu are covered in one only, %zu differ by more than 3\n",
+                    static_cast<int>(view.name.size()), view.name.data(), covered, outline,
+                    far_off);
+        EXPECT_LE(outline, 20 + covered / 2000) << view.name;
+        EXPECT_LE(far_off, 20 + covered / 500) << view.name;
+    }
+}
+
+struct type_names {
+    template <class T> static std::string GetName(int) { return name_of<T>(); }
+};
+template <class T> class steady_dicer : public ::testing::Test {};
+TYPED_TEST_SUITE(steady_dicer, number_types, type_names);
+
+TYPED_TEST(steady_dicer, allocates_nothing_for_a_frame_like_the_last_one) {
+    for (const char* name : {"full", "closeup", "near_cut", "inside"}) {
+        scene_dicer<TypeParam> dicer;
+        const auto forget = [](std::size_t, diced, double) {};
+        const scene s = teapot(reference::project_view(name), picture_size);
+        dicer.dice(s, 0.1, forget);
+        const long before = allocations;
+        dicer.dice(s, 0.1, forget);
+        EXPECT_EQ(allocations - before, 0) << name;
+    }
+}
+
+TEST(pipeline_afd, allocates_nothing_for_a_frame_like_the_last_one) {
+    for (const reference::view& view : reference::project_views())
+        for (const int threads : {1, 2}) {
+            const scene s = teapot(view, picture_size);
+            tester program(s, settings_of(0.25, threads));
+            for (int frame = 0; frame < 3; ++frame)
+                program.draw_event();
+            const long before = allocations;
+            program.draw_event();
+            // Tasks are oneTBB's, from memory of its own.
+            EXPECT_EQ(allocations - before, 0) << view.name << ", " << threads << " threads";
+        }
+}
+
+} // namespace
+} // namespace pipeline_tests
