@@ -179,8 +179,8 @@ private:
         return hn::RebindMask(ints(), mask);
     }
 
-    static void put_by(const fill_target& to, std::size_t at, int_mask left_over,
-                       int_mask in_pieces) {
+    static HWY_NOINLINE void put_by(const fill_target& to, std::size_t at, int_mask left_over,
+                                    int_mask in_pieces) {
         HWY_ALIGN std::int32_t is_left_over[lanes], is_in_pieces[lanes];
         hn::Store(hn::IfThenElseZero(left_over, set(1)), ints(), is_left_over);
         hn::Store(hn::IfThenElseZero(in_pieces, set(1)), ints(), is_in_pieces);
@@ -262,21 +262,40 @@ private:
         hn::Store(facing_.along(column_s, column_t), d, table.facing_x);
     }
 
-    /// What the square of the interpolated normal's length is along a row, as offset + scale times
-    /// that: the factor itself where it is a line in the square.
+    /// The square of the interpolated normal's length as a parabola over the polygon; then offset
+    /// + scale times that, which is the factor itself where it is a line in the square.
     HWY_INLINE void bend(hn::Mask<floats> flat, hn::Mask<floats> twisted, float_vec column_s,
                          float_vec column_t, fill_table& table) {
         const floats d;
         const float_vec zero = hn::Zero(d), one = set(1.0f);
-        bend_offset_ = hn::IfThenElse(twisted, zero, hn::IfThenElse(flat, one, set(unit_line[0])));
-        bend_scale_ = hn::IfThenElse(twisted, one, hn::IfThenElse(flat, zero, set(unit_line[1])));
-        float_vec square_xx = zero;
-        for (int k = 0; k < 3; ++k) {
-            normals_[k] = frame_.plane(normal_[k]);
-            normal_x_[k] = normals_[k].along(column_s, column_t);
-            square_xx = hn::Add(square_xx, square_of(normal_x_[k]));
+        const float_vec offset =
+            hn::IfThenElse(twisted, zero, hn::IfThenElse(flat, one, set(unit_line[0])));
+        const float_vec scale =
+            hn::IfThenElse(twisted, one, hn::IfThenElse(flat, zero, set(unit_line[1])));
+        float_vec bb = zero, bs = zero, bt = zero, ss = zero, st = zero, tt = zero;
+        for (const auto& corners : normal_) {
+            const lane_plane n = frame_.plane(corners);
+            bb = hn::Add(bb, square_of(n.base));
+            bs = hn::Add(bs, hn::Mul(n.base, n.first));
+            bt = hn::Add(bt, hn::Mul(n.base, n.second));
+            ss = hn::Add(ss, square_of(n.first));
+            st = hn::Add(st, hn::Mul(n.first, n.second));
+            tt = hn::Add(tt, square_of(n.second));
         }
-        hn::Store(hn::Mul(bend_scale_, square_xx), d, table.bend_xx);
+        const float_vec twice = hn::Add(scale, scale);
+        bend_ = {hn::Add(offset, hn::Mul(scale, bb)),
+                 hn::Mul(twice, bs),
+                 hn::Mul(twice, bt),
+                 hn::Mul(scale, ss),
+                 hn::Mul(twice, st),
+                 hn::Mul(scale, tt)};
+        const float_vec half_s =
+            hn::Add(hn::Mul(bend_.ss, column_s), hn::Mul(hn::Mul(set(0.5f), bend_.st), column_t));
+        const float_vec half_t =
+            hn::Add(hn::Mul(hn::Mul(set(0.5f), bend_.st), column_s), hn::Mul(bend_.tt, column_t));
+        bend_x_ = {hn::Add(hn::Mul(bend_.s, column_s), hn::Mul(bend_.t, column_t)),
+                   hn::Add(half_s, half_s), hn::Add(half_t, half_t)};
+        hn::Store(hn::Add(hn::Mul(half_s, column_s), hn::Mul(half_t, column_t)), d, table.bend_xx);
     }
 
     /// away_from_eye of a corner, operation by operation.
@@ -343,8 +362,10 @@ private:
             const float_vec t = to_float(hn::Sub(row_t, hn::Mul(begin, column_t)));
             hn::Store(inv_w_.at(s, t), df, row_k.inv_w);
             hn::Store(lit_.at(s, t), df, row_k.lit);
-            if (table.shape != fill_shape::flat)
-                bend_row(s, t, row_k);
+            if (table.shape != fill_shape::flat) {
+                hn::Store(bend_.at(s, t), df, row_k.bend);
+                hn::Store(bend_x_.at(s, t), df, row_k.bend_x);
+            }
             if (table.shape == fill_shape::twisted)
                 hn::Store(facing_.at(s, t), df, row_k.facing);
             word_at = hn::Add(word_at, set(word_pitch));
@@ -357,18 +378,6 @@ private:
         to.counts.samples += hn::GetLane(hn::SumOfLanes(d, samples));
     }
 
-    HWY_INLINE void bend_row(float_vec s, float_vec t, fill_row& to) const {
-        const floats d;
-        float_vec square = hn::Zero(d), half_x = hn::Zero(d);
-        for (int k = 0; k < 3; ++k) {
-            const float_vec n = normals_[k].at(s, t);
-            square = hn::Add(square, square_of(n));
-            half_x = hn::Add(half_x, hn::Mul(n, normal_x_[k]));
-        }
-        hn::Store(hn::Add(bend_offset_, hn::Mul(bend_scale_, square)), d, to.bend);
-        hn::Store(hn::Mul(bend_scale_, hn::Add(half_x, half_x)), d, to.bend_x);
-    }
-
     int_vec x_[4], y_[4]; ///< from the centre of pixel (column_, row_)
     int_vec absolute_x_[4], absolute_y_[4];
     int_vec column_, row_;
@@ -378,8 +387,8 @@ private:
     int_vec turn_a_, turn_b_, turn_d_; ///< cross products of the sides that meet in a corner
     int_vec along1_x_, along1_y_, along2_x_, along2_y_, area2_;
     lane_frame frame_;
-    lane_plane inv_w_, lit_, facing_, normals_[3];
-    float_vec normal_x_[3], bend_offset_, bend_scale_;
+    lane_plane inv_w_, lit_, facing_, bend_x_;
+    lane_parabola bend_;
 };
 
 } // namespace

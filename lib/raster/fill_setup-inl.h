@@ -114,6 +114,17 @@ struct lane_plane {
     }
 };
 
+/// base + s s1 + t t1 + s^2 ss + s t st + t^2 tt.
+struct lane_parabola {
+    float_vec base, s, t, ss, st, tt;
+
+    HWY_INLINE float_vec at(float_vec s1, float_vec t1) const {
+        const float_vec along_s = hn::Add(s, hn::Add(hn::Mul(s1, ss), hn::Mul(t1, st)));
+        const float_vec along_t = hn::Add(t, hn::Mul(t1, tt));
+        return hn::Add(hn::Add(base, hn::Mul(s1, along_s)), hn::Mul(t1, along_t));
+    }
+};
+
 /// A polygon's two differences, from corner a to c and from b to d. They span 2 of its area; a
 /// triangle, whose d is c, too.
 struct lane_frame {
