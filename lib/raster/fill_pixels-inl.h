@@ -45,6 +45,9 @@ template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> grey_words(D d, h
 /// One polygon of a table, `Pixels` of a row at a time.
 template <class D, std::int32_t Pixels, fill_shape Shape> class fill_polygon {
 public:
+    /// Pixels written, by lanes.
+    using count_vec = hn::Vec<hn::RebindToUnsigned<D>>;
+
     HWY_INLINE fill_polygon(const fill_band& band, const fill_table& table, std::size_t i)
         : band_(band), table_(table), i_(i) {
         const D d;
@@ -68,25 +71,21 @@ public:
         }
     }
 
-    /// The first run of each row. Returns how many pixels were written; so do the others.
-    HWY_INLINE std::int64_t fill() const {
-        std::int64_t written = 0;
+    /// The first run of each row.
+    HWY_INLINE void fill(count_vec& written) const {
         const fill_row* const end = table_.rows + table_.height[i_];
         for (const fill_row* row = table_.rows; row != end; ++row)
-            written += first_run(*row);
-        return written;
+            first_run(*row, written);
     }
 
     /// All runs of each row.
-    HWY_INLINE std::int64_t fill_wide() const {
-        std::int64_t written = 0;
+    HWY_INLINE void fill_wide(count_vec& written) const {
         const fill_row* const end = table_.rows + table_.height[i_];
         for (const fill_row* row = table_.rows; row != end; ++row) {
-            written += first_run(*row);
+            first_run(*row, written);
             for (std::int32_t done = Pixels; done < row->last[i_]; done += Pixels)
-                written += later_run(*row, done);
+                later_run(*row, done, written);
         }
-        return written;
     }
 
 private:
@@ -100,7 +99,7 @@ private:
         vec inv_w, lit, bend, bend_x, facing;
     };
 
-    HWY_INLINE std::int64_t first_run(const fill_row& row) const {
+    HWY_INLINE void first_run(const fill_row& row, count_vec& written) const {
         const D d;
         run_start start{hn::Set(d, row.inv_w[i_]), hn::Set(d, row.lit[i_]), {}, {}, {}};
         if constexpr (is_bent) {
@@ -109,12 +108,12 @@ private:
         }
         if constexpr (is_twisted)
             start.facing = hn::Set(d, row.facing[i_]);
-        return one_run(start, row.mask[i_], band_.words + row.word_at[i_],
-                       band_.depths + row.depth_at[i_]);
+        one_run(start, row.mask[i_], band_.words + row.word_at[i_], band_.depths + row.depth_at[i_],
+                written);
     }
 
     /// The last run ends where the row does, so that it fits the picture if the row does.
-    HWY_INLINE std::int64_t later_run(const fill_row& row, std::int32_t done) const {
+    HWY_INLINE void later_run(const fill_row& row, std::int32_t done, count_vec& written) const {
         const D d;
         const std::int32_t start = std::min(done, row.last[i_] - Pixels);
         const auto x = static_cast<float>(start);
@@ -131,21 +130,20 @@ private:
         if constexpr (is_twisted)
             there.facing = hn::Set(d, row.facing[i_] + x * table_.facing_x[i_]);
         const std::int32_t mask = ((1 << Pixels) - 1) & ~((1 << (done - start)) - 1);
-        return one_run(there, mask, band_.words + row.word_at[i_] + start,
-                       band_.depths + row.depth_at[i_] + start);
+        one_run(there, mask, band_.words + row.word_at[i_] + start,
+                band_.depths + row.depth_at[i_] + start, written);
     }
 
-    HWY_INLINE std::int64_t one_run(const run_start& start, std::int32_t mask,
-                                    std::uint32_t* to_words, float* to_depths) const {
-        std::int64_t written = 0;
+    HWY_INLINE void one_run(const run_start& start, std::int32_t mask, std::uint32_t* to_words,
+                            float* to_depths, count_vec& written) const {
         for (std::size_t v = 0; v < vectors; ++v)
-            written += one_vector(start, v, static_cast<std::uint32_t>(mask) >> v * width,
-                                  to_words + v * width, to_depths + v * width);
-        return written;
+            one_vector(start, v, static_cast<std::uint32_t>(mask) >> v * width,
+                       to_words + v * width, to_depths + v * width, written);
     }
 
-    HWY_INLINE std::int64_t one_vector(const run_start& start, std::size_t v, std::uint32_t bits,
-                                       std::uint32_t* to_words, float* to_depths) const {
+    HWY_INLINE void one_vector(const run_start& start, std::size_t v, std::uint32_t bits,
+                               std::uint32_t* to_words, float* to_depths,
+                               count_vec& written) const {
         const D d;
         const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits),
                                        static_cast<std::uint8_t>(bits >> 8)};
@@ -165,7 +163,8 @@ private:
             lit = hn::Xor(lit, hn::And(hn::Add(start.facing, facing_x_[v]), hn::SignBit(d)));
         const hn::RebindToUnsigned<D> dw;
         hn::BlendedStore(grey_words(d, lit), hn::RebindMask(dw, seen), dw, to_words);
-        return static_cast<std::int64_t>(hn::CountTrue(d, seen));
+        const auto seen_words = hn::RebindMask(dw, seen);
+        written = hn::IfThenElse(seen_words, hn::Add(written, hn::Set(dw, 1u)), written);
     }
 
     const fill_band& band_;
@@ -183,18 +182,21 @@ template <fill_shape Shape>
 HWY_INLINE std::int64_t fill_pixels(const fill_band& band, const fill_table& table) {
     constexpr std::int32_t half = run / 2;
     using half_floats = hn::CappedTag<float, half>;
-    std::int64_t written = 0;
+    const hn::RebindToUnsigned<half_floats> half_words;
+    auto written = hn::Zero(words());
+    auto half_written = hn::Zero(half_words);
     for (std::size_t i = 0; i < lanes; ++i) {
         if (table.height[i] == 0)
             continue;
         if (table.longest[i] <= half)
-            written += fill_polygon<half_floats, half, Shape>(band, table, i).fill();
+            fill_polygon<half_floats, half, Shape>(band, table, i).fill(half_written);
         else if (table.longest[i] <= run)
-            written += fill_polygon<floats, run, Shape>(band, table, i).fill();
+            fill_polygon<floats, run, Shape>(band, table, i).fill(written);
         else
-            written += fill_polygon<floats, run, Shape>(band, table, i).fill_wide();
+            fill_polygon<floats, run, Shape>(band, table, i).fill_wide(written);
     }
-    return written;
+    return std::int64_t{hn::GetLane(hn::SumOfLanes(words(), written))} +
+           hn::GetLane(hn::SumOfLanes(half_words, half_written));
 }
 
 } // namespace
