@@ -33,14 +33,13 @@ struct corner_arrays {
     std::size_t size;
 };
 
-/// A vector from an array's element `at` on; zeros behind its end.
-template <class D, class T>
+/// A vector from an array's element `at` on; unless it is all `inside`, zeros behind the end.
+template <bool Inside, class D, class T>
 HWY_INLINE hn::Vec<D> load_within(D d, const T* array, std::size_t at, std::size_t size) {
-    constexpr std::size_t width = hn::MaxLanes(D());
-    if (HWY_LIKELY(at + width <= size))
+    if constexpr (Inside)
         return hn::LoadU(d, array + at);
-    HWY_ALIGN T part[width] = {};
-    std::copy(array + at, array + size, part);
+    HWY_ALIGN T part[hn::MaxLanes(D())] = {};
+    std::copy(array + std::min(at, size), array + std::min(at + hn::MaxLanes(D()), size), part);
     return hn::Load(d, part);
 }
 
@@ -66,10 +65,10 @@ public:
                          std::int32_t step) {
         using few = hn::CappedTag<std::int32_t, (lanes + 1) / 2>;
         if (count <= hn::MaxLanes(few()))
-            return take_vector(few(), from, at, 0, count, source, name, step);
+            return take_some(few(), from, at, 0, count, source, name, step);
         for (std::size_t i = 0; i < count; i += lanes)
-            take_vector(ints(), from, at, i, std::min(lanes, count - i), source,
-                        name + static_cast<std::int32_t>(i) * step, step);
+            take_some(ints(), from, at, i, std::min(lanes, count - i), source,
+                      name + static_cast<std::int32_t>(i) * step, step);
     }
 
     HWY_INLINE void finish() {
@@ -85,6 +84,19 @@ public:
 
 private:
     template <class D>
+    HWY_INLINE void take_some(D d, const corner_arrays (&from)[4], const std::size_t (&at)[4],
+                              std::size_t i, std::size_t count, const void* source,
+                              std::int32_t name, std::int32_t step) {
+        bool inside = true;
+        for (std::size_t k = 0; k < 4; ++k)
+            inside = inside && at[k] + i + hn::MaxLanes(d) <= from[k].size;
+        if (HWY_LIKELY(inside))
+            take_vector<true>(d, from, at, i, count, source, name, step);
+        else
+            take_vector<false>(d, from, at, i, count, source, name, step);
+    }
+
+    template <bool Inside, class D>
     HWY_INLINE void take_vector(D d, const corner_arrays (&from)[4], const std::size_t (&at)[4],
                                 std::size_t i, std::size_t count, const void* source,
                                 std::int32_t name, std::int32_t step) {
@@ -92,8 +104,8 @@ private:
         const hn::RebindToFloat<D> df;
         vec x[4], y[4];
         for (std::size_t k = 0; k < 4; ++k) {
-            x[k] = load_within(d, from[k].x, at[k] + i, from[k].size);
-            y[k] = load_within(d, from[k].y, at[k] + i, from[k].size);
+            x[k] = load_within<Inside>(d, from[k].x, at[k] + i, from[k].size);
+            y[k] = load_within<Inside>(d, from[k].y, at[k] + i, from[k].size);
         }
         const fill_band& band = target_.band;
         const auto live =
@@ -110,7 +122,7 @@ private:
             hn::StoreU(v, d, place + to);
         };
         const auto number = [&](std::size_t k, const float* array) HWY_ATTR {
-            return hn::BitCast(d, load_within(df, array, at[k] + i, from[k].size));
+            return hn::BitCast(d, load_within<Inside>(df, array, at[k] + i, from[k].size));
         };
         for (std::size_t k = 0; k < 4; ++k) {
             put(x[k], queue_.corner[k][0]);
