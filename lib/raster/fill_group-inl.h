@@ -25,15 +25,19 @@ constexpr float grey_of_cosine = 229.5f;
 /// Inside, the interpolated normal is shorter than 1. In the middle its square is 1 - spread / 8,
 /// between any two corners at least 1 - spread / 4. Up to `flat` one factor for all pixels,
 /// 1 + spread / 32, makes up for it within spread / 8 - spread / 32 = 0.002, half a grey level of
-/// 229.5. Up to `smooth` squares stay above 0.75 and the polynomial below holds.
-constexpr float flat_spread = 1.0f / 48, smooth_spread = 1.0f;
+/// 229.5. Up to `bent` squares stay above 0.9, up to `smooth` above 0.75.
+constexpr float flat_spread = 1.0f / 48, bent_spread = 0.4f, smooth_spread = 1.0f;
+
+/// The product of a polygon's diagonals, in areas, from which on it counts as a sliver.
+constexpr float sliver_ratio = 64;
 
 /// A triangle's corners may be twice as unlike as those of the quad that it is a piece of.
 constexpr float piece_spread = 0.49f * smooth_spread;
 
-/// 1 / sqrt(q) over [0.75, 1.02] by a parabola through its Chebyshev points: within 3e-4, that is
-/// 0.07 grey levels.
-constexpr float unit_polynomial[3] = {2.0041274f, -1.5196685f, 0.5155188f};
+/// 1 / sqrt(q) over [0.9, 1.01] by a line and over [0.75, 1.02] by a parabola, both through their
+/// Chebyshev points: within 7e-4 and 3e-4, that is 0.15 and 0.07 grey levels.
+constexpr float unit_line[2] = {1.5361017f, -0.53630945f};
+constexpr float unit_parabola[3] = {2.0041274f, -1.5196685f, 0.5155188f};
 
 HWY_INLINE int_vec load(const std::int32_t* p) {
     return hn::LoadU(ints(), p);
@@ -140,12 +144,30 @@ private:
         const int_mask is_quad = hn::Not(hn::Lt(load(to.queue.name + at), zero));
         const int_mask skewed = hn::And(is_quad, hn::Gt(skew, hn::ShiftRight<1>(hn::Abs(area2_))));
         const int_mask rough = mask_of(hn::Gt(spread_, set(smooth_spread)));
-        const int_mask others = hn::Or(hn::Or(large_, rough), hn::Or(folded, skewed));
+        const int_mask unfit = hn::Or(large_, hn::Or(rough, slivers_at_the_edge(to, at)));
+        const int_mask others = hn::Or(unfit, hn::Or(folded, skewed));
         candidates = hn::AndNot(hn::AndNot(large_, level), candidates);
         const int_mask left_over = hn::And(others, candidates);
         if (!hn::AllFalse(ints(), left_over))
-            put_by(to, at, left_over);
+            put_by(to, at, left_over,
+                   hn::AndNot(unfit, mask_of(hn::Le(spread_, set(piece_spread)))));
         return hn::AndNot(others, candidates);
+    }
+
+    /// Polygons so thin that left of them, where a run begins that would not fit the picture,
+    /// numbers are some hundred times the corners'. Pieces of quads are left as they are.
+    HWY_INLINE int_mask slivers_at_the_edge(const fill_target& to, std::size_t at) const {
+        const int_mask at_edge = hn::Gt(hn::Add(column_, to_column_), set(to.band.width - run + 1));
+        if (hn::AllFalse(ints(), at_edge))
+            return at_edge;
+        const float_vec square1 =
+            hn::Add(square_of(to_float(along1_x_)), square_of(to_float(along1_y_)));
+        const float_vec square2 =
+            hn::Add(square_of(to_float(along2_x_)), square_of(to_float(along2_y_)));
+        const float_vec limit = hn::Mul(to_float(area2_), set(sliver_ratio));
+        const auto thin = hn::Gt(hn::Mul(square1, square2), square_of(limit));
+        const int_mask piece = hn::Eq(load(to.queue.name + at), set(fill_queue::piece));
+        return hn::AndNot(piece, hn::And(at_edge, hn::RebindMask(ints(), thin)));
     }
 
     HWY_INLINE int_vec turn(int before, int i, int next) const {
@@ -157,15 +179,14 @@ private:
         return hn::RebindMask(ints(), mask);
     }
 
-    void put_by(const fill_target& to, std::size_t at, int_mask left_over) const {
-        HWY_ALIGN std::int32_t is_left_over[lanes], is_large[lanes];
-        HWY_ALIGN float spread[lanes];
+    static void put_by(const fill_target& to, std::size_t at, int_mask left_over,
+                       int_mask in_pieces) {
+        HWY_ALIGN std::int32_t is_left_over[lanes], is_in_pieces[lanes];
         hn::Store(hn::IfThenElseZero(left_over, set(1)), ints(), is_left_over);
-        hn::Store(hn::IfThenElseZero(large_, set(1)), ints(), is_large);
-        hn::Store(spread_, floats(), spread);
+        hn::Store(hn::IfThenElseZero(in_pieces, set(1)), ints(), is_in_pieces);
         for (std::size_t i = 0; i < lanes; ++i)
             if (is_left_over[i] != 0)
-                fill_put_by(to, at + i, is_large[i] == 0 && spread[i] <= piece_spread);
+                fill_put_by(to, at + i, is_in_pieces[i] != 0);
     }
 
     HWY_INLINE void attributes(const fill_shading& shading, const fill_queue& queue, std::size_t at,
@@ -206,9 +227,9 @@ private:
         const auto all_away = hn::Gt(least_away, hn::Zero(d));
         const auto mixed = hn::AndNot(all_away, some_away);
         // A piece's centre has a shorter normal than its corners.
-        const auto flat =
-            hn::AndNot(hn::RebindMask(d, hn::Eq(load(queue.name + at), set(fill_queue::piece))),
-                       hn::Le(spread_, set(flat_spread)));
+        const auto piece = hn::RebindMask(d, hn::Eq(load(queue.name + at), set(fill_queue::piece)));
+        const auto flat = hn::AndNot(hn::Or(mixed, piece), hn::Le(spread_, set(flat_spread)));
+        const auto twisted = hn::Or(mixed, hn::Gt(spread_, set(bent_spread)));
         const float_vec raised = hn::Add(set(1.0f), hn::Mul(spread_, set(1.0f / 32)));
         float_vec scale = hn::Mul(set(grey_of_cosine), hn::IfThenElse(flat, raised, set(1.0f)));
         scale = hn::IfThenElse(all_away, hn::Neg(scale), scale);
@@ -217,26 +238,45 @@ private:
         lit_ = frame_.plane(lit);
         hn::Store(lit_.along(column_s, column_t), d, table.lit_x);
 
-        const int_mask curved = mask_of(hn::Or(mixed, hn::Not(flat)));
-        table.curved = !hn::AllFalse(ints(), hn::And(fits, curved));
-        if (!table.curved)
+        const auto any = [&](hn::Mask<floats> mask) HWY_ATTR {
+            return !hn::AllFalse(ints(), hn::And(fits, mask_of(mask)));
+        };
+        table.shape = any(twisted)         ? fill_shape::twisted
+                      : any(hn::Not(flat)) ? fill_shape::bent
+                                           : fill_shape::flat;
+        if (table.shape != fill_shape::flat)
+            bend(flat, twisted, column_s, column_t, table);
+        if (table.shape != fill_shape::twisted)
             return;
         const float_vec zero = hn::Zero(d), one = set(1.0f);
-        hn::Store(hn::IfThenElse(flat, one, set(unit_polynomial[0])), d, table.unit0);
-        hn::Store(hn::IfThenElse(flat, zero, set(unit_polynomial[1])), d, table.unit1);
-        hn::Store(hn::IfThenElse(flat, zero, set(unit_polynomial[2])), d, table.unit2);
+        const auto unit_at = [&](float value, float_vec otherwise) HWY_ATTR {
+            return hn::IfThenElse(twisted, set(value), otherwise);
+        };
+        hn::Store(unit_at(unit_parabola[0], zero), d, table.unit0);
+        hn::Store(unit_at(unit_parabola[1], one), d, table.unit1);
+        hn::Store(unit_at(unit_parabola[2], zero), d, table.unit2);
         facing_ = frame_.plane(away);
         facing_.base = hn::IfThenElse(mixed, hn::Neg(facing_.base), one);
         facing_.first = hn::IfThenElse(mixed, hn::Neg(facing_.first), zero);
         facing_.second = hn::IfThenElse(mixed, hn::Neg(facing_.second), zero);
         hn::Store(facing_.along(column_s, column_t), d, table.facing_x);
+    }
+
+    /// What the square of the interpolated normal's length is along a row, as offset + scale times
+    /// that: the factor itself where it is a line in the square.
+    HWY_INLINE void bend(hn::Mask<floats> flat, hn::Mask<floats> twisted, float_vec column_s,
+                         float_vec column_t, fill_table& table) {
+        const floats d;
+        const float_vec zero = hn::Zero(d), one = set(1.0f);
+        bend_offset_ = hn::IfThenElse(twisted, zero, hn::IfThenElse(flat, one, set(unit_line[0])));
+        bend_scale_ = hn::IfThenElse(twisted, one, hn::IfThenElse(flat, zero, set(unit_line[1])));
         float_vec square_xx = zero;
         for (int k = 0; k < 3; ++k) {
             normals_[k] = frame_.plane(normal_[k]);
             normal_x_[k] = normals_[k].along(column_s, column_t);
             square_xx = hn::Add(square_xx, square_of(normal_x_[k]));
         }
-        hn::Store(square_xx, d, table.square_xx);
+        hn::Store(hn::Mul(bend_scale_, square_xx), d, table.bend_xx);
     }
 
     /// away_from_eye of a corner, operation by operation.
@@ -303,8 +343,10 @@ private:
             const float_vec t = to_float(hn::Sub(row_t, hn::Mul(begin, column_t)));
             hn::Store(inv_w_.at(s, t), df, row_k.inv_w);
             hn::Store(lit_.at(s, t), df, row_k.lit);
-            if (table.curved)
-                curve(s, t, row_k);
+            if (table.shape != fill_shape::flat)
+                bend_row(s, t, row_k);
+            if (table.shape == fill_shape::twisted)
+                hn::Store(facing_.at(s, t), df, row_k.facing);
             word_at = hn::Add(word_at, set(word_pitch));
             depth_at = hn::Add(depth_at, set(depth_pitch));
             row_s = hn::Sub(row_s, down_s);
@@ -315,18 +357,16 @@ private:
         to.counts.samples += hn::GetLane(hn::SumOfLanes(d, samples));
     }
 
-    /// The square of the normal's length along a row, and which way it points.
-    HWY_INLINE void curve(float_vec s, float_vec t, fill_row& to) const {
+    HWY_INLINE void bend_row(float_vec s, float_vec t, fill_row& to) const {
         const floats d;
-        float_vec square = hn::Zero(d), square_x = hn::Zero(d);
+        float_vec square = hn::Zero(d), half_x = hn::Zero(d);
         for (int k = 0; k < 3; ++k) {
             const float_vec n = normals_[k].at(s, t);
             square = hn::Add(square, square_of(n));
-            square_x = hn::Add(square_x, hn::Mul(n, normal_x_[k]));
+            half_x = hn::Add(half_x, hn::Mul(n, normal_x_[k]));
         }
-        hn::Store(square, d, to.square);
-        hn::Store(hn::Add(square_x, square_x), d, to.square_x);
-        hn::Store(facing_.at(s, t), d, to.facing);
+        hn::Store(hn::Add(bend_offset_, hn::Mul(bend_scale_, square)), d, to.bend);
+        hn::Store(hn::Mul(bend_scale_, hn::Add(half_x, half_x)), d, to.bend_x);
     }
 
     int_vec x_[4], y_[4]; ///< from the centre of pixel (column_, row_)
@@ -339,7 +379,7 @@ private:
     int_vec along1_x_, along1_y_, along2_x_, along2_y_, area2_;
     lane_frame frame_;
     lane_plane inv_w_, lit_, facing_, normals_[3];
-    float_vec normal_x_[3];
+    float_vec normal_x_[3], bend_offset_, bend_scale_;
 };
 
 } // namespace

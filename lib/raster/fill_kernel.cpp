@@ -167,10 +167,19 @@ private:
         fill_group group;
         if (!group.set_up(target_, at, count, table_))
             return;
-        if (table_.curved)
-            target_.counts.written += fill_pixels<true>(target_.band, table_);
-        else
-            target_.counts.written += fill_pixels<false>(target_.band, table_);
+        target_.counts.written += fill_table_of(table_.shape);
+    }
+
+    HWY_INLINE std::int64_t fill_table_of(fill_shape shape) const {
+        switch (shape) {
+        case fill_shape::flat:
+            return fill_pixels<fill_shape::flat>(target_.band, table_);
+        case fill_shape::bent:
+            return fill_pixels<fill_shape::bent>(target_.band, table_);
+        case fill_shape::twisted:
+            break;
+        }
+        return fill_pixels<fill_shape::twisted>(target_.band, table_);
     }
 
     const fill_target& target_;

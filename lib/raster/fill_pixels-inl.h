@@ -43,7 +43,7 @@ template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> grey_words(D d, h
 }
 
 /// One polygon of a table, `Pixels` of a row at a time.
-template <class D, std::int32_t Pixels, bool Curved> class fill_polygon {
+template <class D, std::int32_t Pixels, fill_shape Shape> class fill_polygon {
 public:
     HWY_INLINE fill_polygon(const fill_band& band, const fill_table& table, std::size_t i)
         : band_(band), table_(table), i_(i) {
@@ -54,13 +54,14 @@ public:
             const vec x = hn::Load(d, run_columns + v * width);
             inv_w_x_[v] = hn::Mul(hn::Set(d, table.inv_w_x[i]), x);
             lit_x_[v] = hn::Mul(hn::Set(d, table.lit_x[i]), x);
-            if constexpr (Curved) {
+            if constexpr (is_bent) {
                 x_[v] = x;
-                square_xx_[v] = hn::Mul(hn::Set(d, table.square_xx[i]), hn::Mul(x, x));
-                facing_x_[v] = hn::Mul(hn::Set(d, table.facing_x[i]), x);
+                bend_xx_[v] = hn::Mul(hn::Set(d, table.bend_xx[i]), hn::Mul(x, x));
             }
+            if constexpr (is_twisted)
+                facing_x_[v] = hn::Mul(hn::Set(d, table.facing_x[i]), x);
         }
-        if constexpr (Curved) {
+        if constexpr (is_twisted) {
             unit0_ = hn::Set(d, table.unit0[i]);
             unit1_ = hn::Set(d, table.unit1[i]);
             unit2_ = hn::Set(d, table.unit2[i]);
@@ -90,21 +91,24 @@ public:
 
 private:
     using vec = hn::Vec<D>;
+    static constexpr bool is_bent = Shape != fill_shape::flat;
+    static constexpr bool is_twisted = Shape == fill_shape::twisted;
     static constexpr std::size_t width = hn::MaxLanes(D()), vectors = Pixels / width;
 
     /// Numbers at a run's first pixel, in all lanes.
     struct run_start {
-        vec inv_w, lit, square, square_x, facing;
+        vec inv_w, lit, bend, bend_x, facing;
     };
 
     HWY_INLINE std::int64_t first_run(const fill_row& row) const {
         const D d;
         run_start start{hn::Set(d, row.inv_w[i_]), hn::Set(d, row.lit[i_]), {}, {}, {}};
-        if constexpr (Curved) {
-            start.square = hn::Set(d, row.square[i_]);
-            start.square_x = hn::Set(d, row.square_x[i_]);
-            start.facing = hn::Set(d, row.facing[i_]);
+        if constexpr (is_bent) {
+            start.bend = hn::Set(d, row.bend[i_]);
+            start.bend_x = hn::Set(d, row.bend_x[i_]);
         }
+        if constexpr (is_twisted)
+            start.facing = hn::Set(d, row.facing[i_]);
         return one_run(start, row.mask[i_], band_.words + row.word_at[i_],
                        band_.depths + row.depth_at[i_]);
     }
@@ -119,12 +123,13 @@ private:
                         {},
                         {},
                         {}};
-        if constexpr (Curved) {
-            const float xx = x * table_.square_xx[i_];
-            there.square = hn::Set(d, row.square[i_] + x * (row.square_x[i_] + xx));
-            there.square_x = hn::Set(d, row.square_x[i_] + 2.0f * xx);
-            there.facing = hn::Set(d, row.facing[i_] + x * table_.facing_x[i_]);
+        if constexpr (is_bent) {
+            const float xx = x * table_.bend_xx[i_];
+            there.bend = hn::Set(d, row.bend[i_] + x * (row.bend_x[i_] + xx));
+            there.bend_x = hn::Set(d, row.bend_x[i_] + 2.0f * xx);
         }
+        if constexpr (is_twisted)
+            there.facing = hn::Set(d, row.facing[i_] + x * table_.facing_x[i_]);
         const std::int32_t mask = ((1 << Pixels) - 1) & ~((1 << (done - start)) - 1);
         return one_run(there, mask, band_.words + row.word_at[i_] + start,
                        band_.depths + row.depth_at[i_] + start);
@@ -150,14 +155,14 @@ private:
         const auto seen = hn::Gt(inv_w, hn::LoadU(d, to_depths));
         hn::BlendedStore(inv_w, seen, d, to_depths);
         vec lit = hn::Add(start.lit, lit_x_[v]);
-        if constexpr (Curved) {
-            const vec square =
-                hn::Add(start.square, hn::Add(hn::Mul(start.square_x, x_[v]), square_xx_[v]));
-            const vec unit =
-                hn::Add(unit0_, hn::Mul(square, hn::Add(unit1_, hn::Mul(unit2_, square))));
-            const vec facing = hn::Add(start.facing, facing_x_[v]);
-            lit = hn::Xor(hn::Mul(lit, unit), hn::And(facing, hn::SignBit(d)));
+        if constexpr (is_bent) {
+            vec unit = hn::Add(start.bend, hn::Add(hn::Mul(start.bend_x, x_[v]), bend_xx_[v]));
+            if constexpr (is_twisted)
+                unit = hn::Add(unit0_, hn::Mul(unit, hn::Add(unit1_, hn::Mul(unit2_, unit))));
+            lit = hn::Mul(lit, unit);
         }
+        if constexpr (is_twisted)
+            lit = hn::Xor(lit, hn::And(hn::Add(start.facing, facing_x_[v]), hn::SignBit(d)));
         const hn::RebindToUnsigned<D> dw;
         hn::BlendedStore(grey_words(d, lit), hn::RebindMask(dw, seen), dw, to_words);
         return static_cast<std::int64_t>(hn::CountTrue(d, seen));
@@ -167,14 +172,14 @@ private:
     const fill_table& table_;
     std::size_t i_;
     vec inv_w_x_[vectors], lit_x_[vectors], farthest_, nearest_;
-    vec x_[vectors], square_xx_[vectors], facing_x_[vectors];
+    vec x_[vectors], bend_xx_[vectors], facing_x_[vectors];
     vec unit0_, unit1_, unit2_;
 };
 
 /// Fills the polygons of a table, in their order. Returns how many pixels were written.
 ///
 /// Most rows are short, and short vectors do: more of them fit the processor's ports.
-template <bool Curved>
+template <fill_shape Shape>
 HWY_INLINE std::int64_t fill_pixels(const fill_band& band, const fill_table& table) {
     constexpr std::int32_t half = run / 2;
     using half_floats = hn::CappedTag<float, half>;
@@ -183,11 +188,11 @@ HWY_INLINE std::int64_t fill_pixels(const fill_band& band, const fill_table& tab
         if (table.height[i] == 0)
             continue;
         if (table.longest[i] <= half)
-            written += fill_polygon<half_floats, half, Curved>(band, table, i).fill();
+            written += fill_polygon<half_floats, half, Shape>(band, table, i).fill();
         else if (table.longest[i] <= run)
-            written += fill_polygon<floats, run, Curved>(band, table, i).fill();
+            written += fill_polygon<floats, run, Shape>(band, table, i).fill();
         else
-            written += fill_polygon<floats, run, Curved>(band, table, i).fill_wide();
+            written += fill_polygon<floats, run, Shape>(band, table, i).fill_wide();
     }
     return written;
 }

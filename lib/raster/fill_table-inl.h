@@ -39,6 +39,14 @@ using int_mask = hn::Mask<ints>;
 constexpr std::size_t lanes = hn::MaxLanes(ints());
 static_assert(lanes <= fill_queue::widest_vector);
 
+/// How a polygon's cosines come from `lit`, from the cheapest to the dearest. With a dearer way the
+/// polygons of a cheaper one get the same bits.
+enum class fill_shape {
+    flat,   ///< as they are
+    bent,   ///< times bend, a parabola along a row
+    twisted ///< times (unit2 bend + unit1) bend + unit0, and turned round where facing < 0
+};
+
 /// The first run of a row of each polygon. Numbers are those of the run's first pixel; `_x` is what
 /// a column adds.
 struct fill_row {
@@ -46,7 +54,7 @@ struct fill_row {
     alignas(64) std::int32_t mask[lanes]; ///< covered pixels
     alignas(64) std::int32_t last[lanes]; ///< where the row ends, from the run's first pixel on
     alignas(64) float inv_w[lanes], lit[lanes];
-    alignas(64) float square[lanes], square_x[lanes], facing[lanes];
+    alignas(64) float bend[lanes], bend_x[lanes], facing[lanes];
 };
 
 /// What the pixel loops need.
@@ -58,9 +66,9 @@ struct fill_table {
     alignas(64) std::int32_t height[lanes];  ///< rows; 0 if there is nothing to fill
     alignas(64) std::int32_t longest[lanes]; ///< `last` of the longest row
     alignas(64) float inv_w_x[lanes], lit_x[lanes], farthest[lanes], nearest[lanes];
-    alignas(64) float square_xx[lanes], facing_x[lanes];
+    alignas(64) float bend_xx[lanes], facing_x[lanes];
     alignas(64) float unit0[lanes], unit1[lanes], unit2[lanes];
-    bool curved; ///< whether square ... unit2 are there and needed
+    fill_shape shape; ///< which of bend, bend_x, bend_xx, facing, facing_x, unit are there
 };
 
 } // namespace
