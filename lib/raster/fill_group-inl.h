@@ -327,8 +327,8 @@ private:
                 edge.step();
             }
             const int_vec begin = hn::Min(from, last_begin);
-            const int_vec first = hn::Sub(from, begin);
             const int_mask any = hn::And(hn::Lt(set(k), height), hn::Lt(from, end));
+            const int_vec first = hn::IfThenElseZero(any, hn::Sub(from, begin)); // a shift below
             const int_vec last = hn::IfThenElseZero(any, hn::Sub(end, begin));
             const int_vec run_end = hn::Min(last, set(run));
             hn::Store(hn::Add(word_at, begin), d, row_k.word_at);
