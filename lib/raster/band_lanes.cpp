@@ -5,16 +5,16 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "raster/simd_dispatch_p.h"
-
 #include "raster/band_lanes_p.h"
 #include "raster/scan_edge_p.h"
+#include "raster/simd_dispatch_p.h"
 
 #include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
+namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -28,7 +28,7 @@ struct lane_bounds {
     float_lanes nearest;
 };
 
-lane_bounds nothing() {
+HWY_INLINE lane_bounds nothing() {
     constexpr std::int32_t most = 0x7fffffff;
     return {hn::Set(integers, most), hn::Set(integers, most), hn::Set(integers, -most),
             hn::Set(integers, -most), hn::Zero(floats)};
@@ -37,8 +37,8 @@ lane_bounds nothing() {
 /// Takes `count` elements from `begin` into account. Lanes of others are masked; the vector starts
 /// earlier where it would end outside of the `size` elements that there are.
 /// Expects: size >= 16.
-void take(lane_bounds& b, const std::int32_t* x, const std::int32_t* y, const float* inv_w,
-          std::size_t begin, std::size_t count, std::size_t size) {
+HWY_INLINE void take(lane_bounds& b, const std::int32_t* x, const std::int32_t* y,
+                     const float* inv_w, std::size_t begin, std::size_t count, std::size_t size) {
     const std::size_t lanes = hn::Lanes(integers);
     const integer_lanes first = hn::Set(integers, static_cast<std::int32_t>(begin));
     const integer_lanes end = hn::Set(integers, static_cast<std::int32_t>(begin + count));
@@ -58,14 +58,14 @@ void take(lane_bounds& b, const std::int32_t* x, const std::int32_t* y, const fl
     }
 }
 
-std::int32_t least(integer_lanes v) {
+HWY_INLINE std::int32_t least(integer_lanes v) {
     return hn::GetLane(hn::MinOfLanes(integers, v));
 }
-std::int32_t greatest(integer_lanes v) {
+HWY_INLINE std::int32_t greatest(integer_lanes v) {
     return hn::GetLane(hn::MaxOfLanes(integers, v));
 }
 
-polygon_bounds reduced(const lane_bounds& b) {
+HWY_INLINE polygon_bounds reduced(const lane_bounds& b) {
     return {{least(b.left), least(b.top), greatest(b.right), greatest(b.bottom)},
             hn::GetLane(hn::MaxOfLanes(floats, b.nearest))};
 }
@@ -101,6 +101,7 @@ polygon_bounds bounds_of_triangles(const l3d_micro_triangles& triangles, std::si
     return reduced(all);
 }
 
+} // namespace
 } // namespace HWY_NAMESPACE
 } // namespace l3d_detail
 HWY_AFTER_NAMESPACE();

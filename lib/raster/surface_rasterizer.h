@@ -32,8 +32,10 @@ struct l3d_shading {
 
 /// What one frame cost.
 struct l3d_surface_counts {
-    std::int64_t quads = 0;   ///< micro-quads and triangles handed in
-    std::int64_t samples = 0; ///< pixel centres tested against the depth buffer
+    std::int64_t quads = 0; ///< micro-quads and triangles handed in
+    /// Pixel centres tested against the depth buffer. How many are not, because a whole block is
+    /// seen to be hidden, depends on how the work was divided, but not among how many threads.
+    std::int64_t samples = 0;
     std::int64_t written = 0; ///< of those, nearer than what was there
     std::int64_t covered = 0; ///< pixels in which something is
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The surface rasterizer in bands: like its slow twin, whatever the bands, threads and order.
 #include "allocations.h"
+#include "raster/simd_target.h"
 #include "surface_fixture.h"
 
 #include <gtest/gtest.h>
@@ -160,6 +161,26 @@ TEST(SurfaceBands, PictureDoesNotDependOnThemNorOnThreads) {
                 EXPECT_EQ(other.rasterizer.counts().covered, of_one.covered) << rows;
             }
         }
+}
+
+TEST(SurfaceBands, PictureDoesNotDependOnTheInstructions) {
+    for (unsigned n = 0; n < 4; ++n) {
+        const parts scene = random_scene(seed + n, odd, 60);
+        surface_picture best(odd.width, odd.height, 2);
+        draw_frame(best, scene, l3d_shade::lambert);
+        const l3d_surface_counts of_best = best.rasterizer.counts();
+        for (const std::string& name : l3d_simd_targets()) {
+            ASSERT_TRUE(l3d_set_simd_target(name));
+            surface_picture other(odd.width, odd.height, 2);
+            draw_frame(other, scene, l3d_shade::lambert);
+            SCOPED_TRACE(name);
+            expect_same(best, other);
+            EXPECT_EQ(other.rasterizer.counts().written, of_best.written);
+            EXPECT_EQ(other.rasterizer.counts().covered, of_best.covered);
+            EXPECT_TRUE(other.guards_intact());
+        }
+        l3d_set_simd_target("");
+    }
 }
 
 TEST(SurfaceBands, LeavingOutWhatIsHiddenLosesNothing) {
