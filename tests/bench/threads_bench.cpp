@@ -51,7 +51,7 @@ public:
     explicit busy_neighbours(unsigned count) {
         for (unsigned i = 0; i < count; ++i)
             if (const pid_t child = fork(); child == 0)
-                for (volatile unsigned turns = 0;; turns = turns + 1) {
+                for (volatile int never_over = 1; never_over != 0;) {
                 }
             else
                 children_.push_back(child);
