@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 
 namespace l3d_detail {
 
@@ -18,6 +19,10 @@ l3d_block_starts paired(const l3d_block_starts& starts) {
         pairs.first[static_cast<std::size_t>(i)] =
             starts.first[static_cast<std::size_t>(std::min(2 * i, starts.blocks))];
     return pairs;
+}
+
+[[maybe_unused]] bool covers(const l3d_block_starts& starts, int quads) {
+    return quads == 0 || starts.first[static_cast<std::size_t>(starts.blocks)] == quads;
 }
 
 /// Calls visit(cells) for every item's share of a grid: a block, or up to 2 x 2 of them while that
@@ -65,6 +70,8 @@ void band_list::lay_out(std::span<const l3d_surface_part* const> parts) {
     polygons_ = 0;
     place next{0, 0};
     for (const l3d_surface_part* part : parts) {
+        assert(covers(part->block_rows, all_cells(part->grid).row_end) &&
+               covers(part->block_columns, all_cells(part->grid).column_end));
         places_.push_back(next);
         visit_blocks(*part, [&](const grid_cells& cells) {
             ++next.items;

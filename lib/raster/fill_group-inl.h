@@ -18,9 +18,10 @@ namespace {
 /// A number of the grey scale from a cosine: round(255 (0.1 + 0.9 c)) = trunc(229.5 c + 26).
 constexpr float grey_of_cosine = 229.5f;
 
-/// How unlike the unit normals n of a polygon's corners are: the sum of all squared differences of
-/// two of a triangle, half of that for a quad, which is |a - c|^2 + |b - d|^2 + |a + c - b - d|^2
-/// / 2.
+/// How unlike the unit normals n of a polygon's corners are: half the sum of all squared
+/// differences of two of a quad, which is |a - c|^2 + |b - d|^2 + |a + c - b - d|^2 / 2; of a
+/// triangle the same with d = c, in whose middle the square is 1 - (|a - b|^2 + |b - c|^2 + |a -
+/// c|^2) / 9, at least 1 - spread / 6.
 ///
 /// Inside, the interpolated normal is shorter than 1. In the middle its square is 1 - spread / 8,
 /// between any two corners at least 1 - spread / 4. Up to `flat` one factor for all pixels,

@@ -134,8 +134,8 @@ private:
         put(hn::Add(hn::Mul(hn::Iota(d, 0), hn::Set(d, step)), hn::Set(d, name)), queue_.name);
         std::fill_n(queue_.source.begin() + static_cast<std::ptrdiff_t>(to), lanes, source);
         queue_.count += found;
-        if (queue_.count > fill_queue::most - lanes)
-            fill_whole();
+        if (queue_.count >= fill_queue::enough)
+            fill_enough();
     }
 
     /// Adds a piece. Expects: room.
@@ -154,19 +154,21 @@ private:
         queue_.source[to] = nullptr;
     }
 
-    /// Fills whole vectors and moves the others to the front.
-    HWY_NOINLINE void fill_whole() {
-        std::size_t at = 0;
-        for (; at + lanes <= queue_.count; at += lanes)
+    /// Fills as many as are enough, and moves the others, fewer than the widest vector, to the
+    /// front.
+    HWY_NOINLINE void fill_enough() {
+        static_assert(fill_queue::enough % lanes == 0);
+        for (std::size_t at = 0; at < fill_queue::enough; at += lanes)
             fill(at, lanes);
-        const ints d;
+        const auto to_front = [](auto* array) {
+            std::copy_n(array + fill_queue::enough, fill_queue::widest_vector, array);
+        };
         for (auto& corner : queue_.corner)
             for (auto& component : corner)
-                hn::Store(hn::LoadU(d, component + at), d, component);
-        hn::Store(hn::LoadU(d, queue_.name + at), d, queue_.name);
-        std::copy_n(queue_.source.begin() + static_cast<std::ptrdiff_t>(at), lanes,
-                    queue_.source.begin());
-        queue_.count -= at;
+                to_front(component);
+        to_front(queue_.name);
+        to_front(queue_.source.data());
+        queue_.count -= fill_queue::enough;
     }
 
     void fill_rest_of_queue() {

@@ -18,7 +18,8 @@ namespace l3d_detail {
 /// Rows [top, bottom) of a picture while they are filled.
 ///
 /// Shape:   words and depths point at column 0 of row `top`. Pitches in elements, >= width.
-/// Expects: width >= fill_least_width. Nothing outside [0, width) x [top, bottom) is touched.
+/// Expects: width >= fill_least_width; depths not negative, also where nobody has set them yet.
+///          Nothing outside [0, width) x [top, bottom) is touched.
 struct fill_band {
     std::uint32_t* words;
     std::ptrdiff_t word_pitch;
@@ -71,7 +72,10 @@ struct fill_rest {
 /// Lives: of one worker, kept for its memory. Empty between bands.
 struct fill_queue {
     static constexpr std::size_t widest_vector = 16, components = 6;
-    static constexpr std::size_t most = 4 * widest_vector, room = most + widest_vector;
+    /// So many are filled together: whole vectors of every width, so that what waits, and with it
+    /// what is drawn when somebody asks what is hidden, does not depend on the width.
+    static constexpr std::size_t enough = 3 * widest_vector;
+    static constexpr std::size_t room = enough + 2 * widest_vector;
 
     alignas(64) std::int32_t corner[4][components][room];
     /// Of a quad its index, of a triangle minus its index - 1; `piece` of what comes from a quad.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cstdint>
 #include <cstdlib>
 
@@ -57,6 +58,7 @@ void cut(const quad_corners& v, std::vector<std::array<l3d_micro_vertex, 3>>& pi
 void fill_put_by(const fill_target& to, std::size_t i, bool in_pieces) {
     const fill_queue& queue = to.queue;
     const std::int32_t name = queue.name[i];
+    assert(name != fill_queue::piece); // pieces are no more unlike than lanes take
     if (name < 0)
         to.rest.triangles.push_back({static_cast<const l3d_micro_triangles*>(queue.source[i]),
                                      static_cast<std::size_t>(-1 - name)});

@@ -20,7 +20,8 @@ struct l3d_block_starts {
 /// A grid of micro-quads and loose triangles, drawn together.
 ///
 /// Shape:   the grid may be empty (rows < 2); triangles may be none.
-/// Expects: the grid's normals have unit length or are zero.
+/// Expects: blocks in order, the last of block_rows (block_columns) ending with the grid's last row
+///          (column) of quads; the grid's normals have unit length or are zero.
 struct l3d_surface_part {
     l3d_micro_grid grid;
     l3d_block_starts block_rows, block_columns;

@@ -105,7 +105,8 @@ void l3d_surface_rasterizer_mesa::do_begin(l3d_pixels target, l3d_depth_buffer* 
     assert(!depth || target.size() == depth->size());
     target_ = target;
     depth_ = depth ? depth : &own_depth_;
-    own_depth_.resize(target.size());
+    if (!depth)
+        own_depth_.resize(target.size());
     shading_ = shading;
     counts_ = {};
     batch_.clear();

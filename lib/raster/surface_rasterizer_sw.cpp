@@ -18,7 +18,7 @@ using namespace l3d_detail;
 /// a core of 2020 and all of one of 2012, and there are 16 bands that workers can share.
 /// Not more of them for more workers: what is counted would depend on it.
 int rows_of_band(l3d_size size) {
-    constexpr int bytes = 512 << 10, bytes_of_pixel = 4 + 4, least_bands = 16;
+    constexpr int bytes = 512 << 10, bytes_of_pixel = 4 + 4, least_bands = 12;
     constexpr int tile = depth_tile::height;
     const int fitting = bytes / bytes_of_pixel / std::max(size.width, 1) / tile * tile;
     const int sharing = (size.height + least_bands * tile - 1) / (least_bands * tile) * tile;
@@ -130,7 +130,7 @@ void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
 
 bool l3d_surface_rasterizer_sw::do_hidden(const l3d_subpixel_box& box, float nearest_inv_w) const {
     const pixel_box pixels = pixels_in(box).intersected(whole(target_.size()));
-    return drawn_ && (pixels.empty() || work_->coarse.hidden(pixels, nearest_inv_w));
+    return drawn_ && !finished_ && (pixels.empty() || work_->coarse.hidden(pixels, nearest_inv_w));
 }
 
 void l3d_surface_rasterizer_sw::do_finish() {
