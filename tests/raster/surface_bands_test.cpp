@@ -175,6 +175,7 @@ TEST(SurfaceBands, PictureDoesNotDependOnTheInstructions) {
             draw_frame(other, scene, l3d_shade::lambert);
             SCOPED_TRACE(name);
             expect_same(best, other);
+            EXPECT_EQ(other.rasterizer.counts().samples, of_best.samples);
             EXPECT_EQ(other.rasterizer.counts().written, of_best.written);
             EXPECT_EQ(other.rasterizer.counts().covered, of_best.covered);
             EXPECT_TRUE(other.guards_intact());
