@@ -109,6 +109,15 @@ l3d_detail::edge_strips l3d_edge_polyline::room_for_strips() {
     return {t_.data(), x_.data(), y_.data(), inv_w_.data(), {}, 0, 0};
 }
 
+void l3d_edge_polyline::reserve_as(const l3d_edge_polyline& other) {
+    t_.reserve(other.t_.capacity());
+    x_.reserve(other.x_.capacity());
+    y_.reserve(other.y_.capacity());
+    inv_w_.reserve(other.inv_w_.capacity());
+    h_.reserve(other.h_.capacity());
+    drawable_.reserve(other.drawable_.capacity());
+}
+
 void l3d_edge_polyline::take(const l3d_detail::edge_strips& strips, const l3d_image_curve& edge,
                              const l3d_dice_view& view) {
     strips_ = strips.strips;
