@@ -54,6 +54,10 @@ struct l3d_dice_view {
 /// the picture's centre (at most 2^13 pixels from its corner) still fits.
 inline constexpr double l3d_guard_band = 16384;
 
+/// Steps per strip above which a piece or an edge is cut: the bound of halves is tighter, and 32
+/// steps keep round-off of a strip small in every number type.
+inline constexpr int l3d_most_steps_whole = 32;
+
 /// Nets smaller than this in both directions are not divided into strips for the bound: a quarter
 /// of 24 pixels is a few quads, and the strips would cost more than they save. Units: pixels.
 inline constexpr double l3d_small_net = 24;

@@ -11,8 +11,6 @@
 
 namespace {
 
-using l3d_detail::most_edge_steps;
-
 /// 2^24 strips are more than any picture has pixels along an edge.
 constexpr int deepest = 24;
 
@@ -111,6 +109,15 @@ l3d_detail::edge_strips l3d_edge_polyline::room_for_strips() {
     return {t_.data(), x_.data(), y_.data(), inv_w_.data(), {}, 0, 0};
 }
 
+void l3d_edge_polyline::reserve_as(const l3d_edge_polyline& other) {
+    t_.reserve(other.t_.capacity());
+    x_.reserve(other.x_.capacity());
+    y_.reserve(other.y_.capacity());
+    inv_w_.reserve(other.inv_w_.capacity());
+    h_.reserve(other.h_.capacity());
+    drawable_.reserve(other.drawable_.capacity());
+}
+
 void l3d_edge_polyline::take(const l3d_detail::edge_strips& strips, const l3d_image_curve& edge,
                              const l3d_dice_view& view) {
     strips_ = strips.strips;
@@ -166,14 +173,14 @@ void l3d_edge_polyline::add_strip(const l3d_image_curve& strip, double t0, doubl
     const double wanted = std::max({1.0, std::ceil(std::sqrt(second / (4 * budget))),
                                     std::ceil(std::sqrt(depth_second / (8 * depth_budget)))});
 
-    if ((level < usual_level && !small) || (wanted > most_edge_steps && level < deepest)) {
+    if ((level < usual_level && !small) || (wanted > l3d_most_steps_whole && level < deepest)) {
         const auto [low, high] = strip.split();
         const double middle = (t0 + t1) / 2;
         add_strip(low, t0, middle, level + 1, view);
         add_strip(high, middle, t1, level + 1, view);
         return;
     }
-    const int n = static_cast<int>(std::min<double>(wanted, most_edge_steps));
+    const int n = static_cast<int>(std::min<double>(wanted, l3d_most_steps_whole));
     for (int i = 1; i < n; ++i) {
         const double t = static_cast<double>(i) / n;
         add_point(strip.evaluate(t), t0 + t * (t1 - t0), view);

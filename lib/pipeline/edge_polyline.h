@@ -34,6 +34,9 @@ public:
     /// One edge; the same points, but slower than a quarter of four.
     void build(const l3d_image_curve& edge, const l3d_dice_view& view);
 
+    /// From now on, no edge allocates that would not in `other`.
+    void reserve_as(const l3d_edge_polyline& other);
+
     std::size_t size() const { return size_; }
     const double* t() const { return t_.data(); }
     const std::int32_t* x() const { return x_.data(); }

@@ -34,6 +34,14 @@ public:
         return used_++;
     }
 
+    /// From now on, edges that are no more and no larger than any `other` has had allocate nothing.
+    void reserve_as(const l3d_edge_polylines& other) {
+        if (edges_.size() < other.edges_.size())
+            edges_.resize(other.edges_.size());
+        for (std::size_t i = 0; i < other.edges_.size(); ++i)
+            edges_[i].reserve_as(other.edges_[i]);
+    }
+
     std::span<const l3d_edge_polyline, sides> outer() const {
         return std::span(edges_).first<sides>();
     }

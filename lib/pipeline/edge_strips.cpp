@@ -2,6 +2,7 @@
 // Edges in lanes: bounds and steps of all strips side by side, then the points of each.
 #include "pipeline/edge_strips_p.h"
 
+#include "geom/bezier_curve.h"
 #include "pipeline/drawn_error.h"
 #include "pipeline/near_clip.h"
 
@@ -126,8 +127,8 @@ void plan_strips(const strip_nets& nets, const l3d_image_box& window, const row&
         const vec squared = hn::Max(hn::Mul(bound, hn::Load(d, &per_budget.at[l])),
                                     hn::Mul(depth_bound, six_over_w));
         // More than 32 steps are too many, however many.
-        const vec wanted = hn::Ceil(
-            hn::Sqrt(hn::Min(squared, hn::Set(d, 4.0 * most_edge_steps * most_edge_steps))));
+        const vec wanted = hn::Ceil(hn::Sqrt(
+            hn::Min(squared, hn::Set(d, 4.0 * l3d_most_steps_whole * l3d_most_steps_whole))));
         const vec n = hn::IfThenElse(visible, hn::Max(one, wanted), one);
         const vec error = hn::Div(bound, hn::Mul(hn::Set(d, 8), hn::Mul(n, n)));
         hn::Store(n, d, &steps.at[l]);
@@ -138,13 +139,12 @@ void plan_strips(const strip_nets& nets, const l3d_image_box& window, const row&
 /// p(t) = c0 + t (c1 + t (c2 + t c3)).
 void to_powers(const cubic& p, cubic& HWY_RESTRICT c) {
     for (std::size_t l = 0; l < lanes; ++l) {
-        const double first = p[1].at[l] - p[0].at[l], second = p[2].at[l] - p[1].at[l],
-                     third = p[3].at[l] - p[2].at[l];
-        const double bend = second - first;
-        c[0].at[l] = p[0].at[l];
-        c[1].at[l] = 3 * first;
-        c[2].at[l] = 3 * bend;
-        c[3].at[l] = (third - second) - bend;
+        double a0 = p[0].at[l], a1 = p[1].at[l], a2 = p[2].at[l], a3 = p[3].at[l];
+        l3d_to_powers(a0, a1, a2, a3);
+        c[0].at[l] = a0;
+        c[1].at[l] = a1;
+        c[2].at[l] = a2;
+        c[3].at[l] = a3;
     }
 }
 
@@ -313,7 +313,7 @@ void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
             most = std::max(most, n[s]);
             out.chord_error = std::max(out.chord_error, chord_error.at[lane]);
         }
-        if (most > most_edge_steps)
+        if (most > l3d_most_steps_whole)
             continue;
         out.vertex_error = seen[e].vertex_error;
         out.strips.blocks = static_cast<int>(strips);

@@ -12,9 +12,6 @@
 
 namespace l3d_detail {
 
-/// Steps of a strip of an edge at most, as of a patch.
-inline constexpr int most_edge_steps = 32;
-
 /// Edges worked on together.
 inline constexpr std::size_t edges_at_once = 4;
 
@@ -32,7 +29,7 @@ inline bool runs_backwards(const l3d_image_curve& edge) {
 struct edge_strips {
     /// Vectors are stored whole, of up to eight doubles.
     static constexpr std::size_t room =
-        std::size_t{l3d_block_starts::most_blocks} * most_edge_steps + 1 + 8;
+        std::size_t{l3d_block_starts::most_blocks} * l3d_most_steps_whole + 1 + 8;
 
     double* t; ///< these have room for `room` numbers
     std::int32_t *x, *y;
@@ -46,7 +43,7 @@ struct edge_strips {
 /// 32 steps a strip; `strips` of others are 0. Which, and what points, is a function of each edge
 /// alone, and the same bits in reverse order for the edge reversed.
 /// Cost:   150 ns an edge of 24 points with AVX-512.
-/// Errors: points are evaluated in power form, see edge_point_error.
+/// Errors: points are evaluated in power form, see l3d_power_form_error.
 void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
                       const l3d_dice_view& view, std::array<edge_strips, edges_at_once>& results);
 

@@ -55,7 +55,17 @@ l3d_frame_dicer<T>::dice(const l3d_patch_scene& scene, const l3d_scene_culling& 
             parts_.push_back(&piece.part);
     for (const worker_space& space : each_worker_)
         counts_.add(space.counts);
+    share_memory_sizes();
     return parts_;
+}
+
+/// Which worker meets a patch is chance, so each is prepared for all that any has met.
+template <class T> void l3d_frame_dicer<T>::share_memory_sizes() {
+    worker_space& first = each_worker_.front();
+    for (const worker_space& space : each_worker_)
+        first.reserve_as(space);
+    for (worker_space& space : each_worker_)
+        space.reserve_as(first);
 }
 
 template <class T>

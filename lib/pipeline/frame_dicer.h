@@ -28,7 +28,9 @@ enum class l3d_dice_way {
 /// What is made of a patch depends on the patch and the view alone, and parts come in the order of
 /// their patches: so nothing depends on the workers.
 /// Lives: borrows the workers. Parts live until the next batch.
-/// Cost:  no allocation once the largest frame has been seen.
+/// Cost:  no allocation in a frame of patches and batches that was drawn before. Else, a worker
+///        allocates for a patch that is larger than any of the frame's other workers had, a slot
+///        (the i-th place of a batch) for one that is larger than any it held.
 template <class T> class l3d_frame_dicer {
 public:
     explicit l3d_frame_dicer(l3d_workers& workers, l3d_dice_way way = l3d_dice_way::lanes,
@@ -57,8 +59,14 @@ private:
         l3d_patch_dicer<T> general;
         l3d_edge_polylines edges;
         l3d_dice_counts counts;
+
+        void reserve_as(const worker_space& other) {
+            general.reserve_as(other.general);
+            edges.reserve_as(other.edges);
+        }
     };
 
+    void share_memory_sizes();
     void dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals,
                     l3d_diced_pieces& out, worker_space& space) const;
 

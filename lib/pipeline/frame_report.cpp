@@ -50,6 +50,7 @@ std::string l3d_frame_report::json() const {
         {"frame", frame},
         {"method", method},
         {"real", real},
+        {"simd", simd},
         {"size", std::to_string(size.width) + 'x' + std::to_string(size.height)},
         {"threads", threads},
         {"tolerance_px", tolerance_px},

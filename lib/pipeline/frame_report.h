@@ -26,6 +26,7 @@ struct l3d_frame_report {
     int frame = 0;
     std::string method;
     std::string real;
+    std::string simd; ///< vector instructions, as l3d_simd_target names them
     l3d_size size;
     int threads = 1;
     double tolerance_px = 0;

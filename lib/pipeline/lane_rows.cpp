@@ -2,6 +2,8 @@
 // Forward differences of columns in SIMD lanes.
 #include "pipeline/lane_rows_p.h"
 
+#include "geom/bezier_curve.h"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -74,14 +76,6 @@ struct power_form {
     double at[3][4][4];
 };
 
-HWY_ATTR HWY_INLINE void to_powers(double& a, double& b, double& c, double& d) {
-    const double first = b - a, second = c - b, third = d - c;
-    const double bend = second - first;
-    b = 3 * first;
-    c = 3 * bend;
-    d = (third - second) - bend;
-}
-
 HWY_ATTR power_form powers_of(const centred_net& net) {
     power_form result;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -90,9 +84,9 @@ HWY_ATTR power_form powers_of(const centred_net& net) {
             for (std::size_t c = 0; c < 4; ++c)
                 p[r][c] = net.points[k][4 * r + c];
         for (std::size_t c = 0; c < 4; ++c)
-            to_powers(p[0][c], p[1][c], p[2][c], p[3][c]);
+            l3d_to_powers(p[0][c], p[1][c], p[2][c], p[3][c]);
         for (std::size_t r = 0; r < 4; ++r)
-            to_powers(p[r][0], p[r][1], p[r][2], p[r][3]);
+            l3d_to_powers(p[r][0], p[r][1], p[r][2], p[r][3]);
     }
     return result;
 }

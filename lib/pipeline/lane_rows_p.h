@@ -15,9 +15,9 @@ namespace l3d_detail {
 /// Columns and rows that are taken at a time; what is beyond the last one is there, and finite.
 inline constexpr std::size_t lane_columns = 16;
 
-/// Parameters along one direction of a grid of at most 4 strips of 32 steps.
+/// Parameters along one direction of a grid of at most 4 strips.
 struct lane_parameters {
-    static constexpr std::size_t most = 4 * 32 + 1;
+    static constexpr std::size_t most = 4 * l3d_most_steps_whole + 1;
     static constexpr std::size_t room = (most + lane_columns - 1) / lane_columns * lane_columns;
     alignas(64) double at[room];
     std::size_t count = 0;

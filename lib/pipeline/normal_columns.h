@@ -19,7 +19,11 @@ std::array<float, 3> l3d_unit_normal(const l3d_normal_net::vector& normal);
 /// Shape: one array per power and component, columns side by side.
 class l3d_normal_columns {
 public:
+    /// Cost: allocates only when wider than ever before.
     void resize(std::size_t columns);
+
+    /// Columns that take no allocation.
+    std::size_t room() const { return powers_[0][0].size(); }
 
     /// Sets column c to the normals at u.
     void set(std::size_t c, const l3d_normal_net& net, double u);

@@ -20,7 +20,7 @@
 /// so pieces of any steps and any depth of cutting meet without a gap, and every vertex is an
 /// exact surface point of known parameters, which is what makes the bound certain.
 ///
-/// Cost: no allocation once the largest frame has been seen.
+/// Cost: no allocation of its own once the largest piece has been seen.
 template <class T> class l3d_patch_dicer {
 public:
     /// Adds the patch's pieces to `out`, and to `counts` what it did.
@@ -29,6 +29,9 @@ public:
     ///          tolerance > 0, near > 0.
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_edge_polylines& edges, l3d_diced_pieces& out, l3d_dice_counts& counts);
+
+    /// From now on, pieces that are no larger than any `other` has had allocate nothing.
+    void reserve_as(const l3d_patch_dicer& other) { drawer_.reserve_as(other.drawer_); }
 
 private:
     using piece = l3d_surface_piece;

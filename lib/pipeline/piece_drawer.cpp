@@ -251,6 +251,15 @@ template <class T> void l3d_piece_drawer<T>::close_hidden(const piece& p, l3d_di
     }
 }
 
+template <class T> void l3d_piece_drawer<T>::reserve_as(const l3d_piece_drawer& other) {
+    walker_.resize(other.walker_.room());
+    normal_columns_.resize(other.normal_columns_.room());
+    clip_grid_.reserve(other.clip_grid_.capacity());
+    for (std::size_t k = 0; k < normal_row_.size(); ++k)
+        normal_row_[k].reserve(other.normal_row_[k].capacity());
+    boundary_.reserve(other.boundary_.capacity());
+}
+
 template class l3d_piece_drawer<float>;
 template class l3d_piece_drawer<double>;
 template class l3d_piece_drawer<l3d_fixed<std::int64_t, 32>>;

@@ -37,6 +37,9 @@ public:
     /// reach inside: they are filled up to its corners.
     void close_hidden(const piece& p, l3d_diced_piece& out);
 
+    /// From now on, pieces that are no larger than any `other` has had allocate nothing.
+    void reserve_as(const l3d_piece_drawer& other);
+
 private:
     void fill_parameters(const piece& p, const l3d_step_plan& plan, l3d_diced_piece& out);
     void walk_rows(const l3d_piece_nets<T>& nets, const l3d_step_plan& plan, l3d_diced_piece& out);

@@ -11,10 +11,8 @@
 #include <cstddef>
 #include <span>
 
-/// Steps per strip above which a piece is cut: the bound of halves is tighter, and 32 steps keep
-/// round-off of a strip small in every number type. Pieces that need clipping are drawn slowly,
-/// so they are kept finer.
-inline constexpr int l3d_most_steps_whole = 32;
+/// l3d_most_steps_whole for pieces that need clipping: these are drawn slowly, so they are kept
+/// finer.
 inline constexpr int l3d_most_steps_clipped = 8;
 
 /// The net of a piece and of its blocks; how the piece is to be drawn, and how exact its vertices

@@ -7,6 +7,7 @@
 #include "pipeline/placed_net.h"
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/wire_lines_p.h"
+#include "raster/simd_target.h"
 
 #include <utility>
 #include <vector>
@@ -57,6 +58,7 @@ void l3d_pipeline_afd::draw_event() {
     times.total = whole.milliseconds();
     report_.time_ms = times;
     ++report_.frame;
+    report_.simd = l3d_simd_target();
     report_.size = view_.size;
     report_.tolerance_px = settings_.tolerance;
     report_.patches = scene_.patch_count();
@@ -117,10 +119,15 @@ void l3d_pipeline_afd::fill_surfaces(l3d_stage_times& times) {
     untouched_ = true;
 }
 
+/// Lines hide nothing and have no depth: a depth that is asked for is empty.
 void l3d_pipeline_afd::draw_wireframe() {
     const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
     untouched_ = false;
     rasterizer_.clear_buffer();
+    if (settings_.depth) {
+        depth_.resize(view_.size);
+        depth_.clear();
+    }
     l3d_detail::wire_lines lines(rasterizer_, wire_color);
     for (auto batch = culling_.next(nothing_is_hidden); !batch.empty();
          batch = culling_.next(nothing_is_hidden))

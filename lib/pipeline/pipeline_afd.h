@@ -47,7 +47,7 @@ public:
     ///          on end is not cleared twice.
     l3d_screen& screen() { return *screen_; }
 
-    /// Of the last frame. Expects: settings ask for it; a filled surface.
+    /// Of the last frame, empty for a wireframe. Expects: settings asked for it.
     const l3d_depth_buffer& depth() const { return depth_; }
 
     /// The last frame drawn; the hash is counted when asked for.

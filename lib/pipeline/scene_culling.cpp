@@ -82,15 +82,19 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
     extent where{static_cast<float>(std::max(view_.near, boxes.least[i])),
                  std::numeric_limits<float>::infinity(),
                  {}};
-    // What a walk adds to the error of w: 2^-19 is more than the 1.2e-6 of 32.32 numbers.
+    // What a walk adds to the error of w: 2^-19 is more than the 6.4e-7 of 32.32 numbers.
     const double error_w = view_.error_w + 0x1p-19;
     if (boxes.least[i] <= view_.near + 2 * error_w ||
         boxes.most[i] > most_depth_ratio * boxes.least[i] || view_.keep_all)
         return where;
-    // A vertex is off by at most a quarter of the tolerance (or is evaluated), and by snapping.
-    const double vertex_error = view_.tolerance / 4 + 1.0 / l3d_subpixel_one;
+    // The box holds the exact surface, whatever the transform's error; a vertex is off that by the
+    // error of its own net, at most a quarter of the tolerance (or is evaluated), and snapping.
+    const l3d_image_box exact = box_of(boxes, i);
+    const double transformed =
+        l3d_vertex_error(view_.error_xy, view_.error_w, exact.reach(), boxes.least[i]);
+    const double vertex_error = transformed + view_.tolerance / 4 + 1.0 / l3d_subpixel_one;
     where.inv_w = inv_w_above(boxes.least[i], error_w, view_.depth_scale);
-    where.box = subpixels(box_of(boxes, i).grown(vertex_error).intersected(view_.margin()), view_);
+    where.box = subpixels(exact.grown(vertex_error).intersected(view_.margin()), view_);
     return where;
 }
 

@@ -29,6 +29,9 @@ public:
                     difference.resize(columns);
     }
 
+    /// Columns that take no allocation.
+    std::size_t room() const { return registers_[0][0].size(); }
+
     /// Starts column c exactly, at the beginning of `curve`, to be walked in `steps` steps.
     void start(std::size_t c, const l3d_image_curve& curve, int steps) {
         for (std::size_t k = 0; k < 3; ++k) {

