@@ -3,6 +3,7 @@
 #include "pipeline/pipeline_afd.h"
 
 #include "allocations.h"
+#include "geom/matrix.h"
 #include "geom/teapot.h"
 #include "pipeline/camera_shading.h"
 #include "raster/rasterizer_factory_sw.h"
@@ -18,7 +19,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <numbers>
+#include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pipeline_tests {
@@ -29,9 +33,14 @@ constexpr l3d_size picture_size{640, 481};
 /// A pipeline that tests may steer, into memory.
 class tester final : public l3d_pipeline_afd {
 public:
+    tester(scene&&, const l3d_afd_settings&) = delete; // its model is borrowed
     tester(const scene& s, const l3d_afd_settings& settings)
-        : l3d_pipeline_afd(memory_screen(s.size), l3d_rasterizer_factory_sw(), s.model, s.camera,
-                           settings) {}
+        : tester(s.model, s.camera, s.size, settings) {}
+
+    tester(l3d_patch_scene what, const l3d_camera& camera, l3d_size size,
+           const l3d_afd_settings& settings)
+        : l3d_pipeline_afd(memory_screen(size), l3d_rasterizer_factory_sw(), std::move(what),
+                           camera, settings) {}
 
     using l3d_pipeline_afd::camera;
     using l3d_pipeline_afd::settings;
@@ -73,6 +82,33 @@ l3d_afd_settings settings_of(double tolerance, int threads) {
     return result;
 }
 
+/// Many teapots around the target, some half behind others and some outside: several batches.
+struct crowd {
+    static constexpr int count = 600;
+
+    crowd() : teapot(pipeline_tests::teapot(reference::project_view("full"), picture_size)) {
+        std::mt19937_64 random(90125);
+        std::uniform_real_distribution<double> unit(-1, 1);
+        for (int i = 0; i < count; ++i) {
+            l3d_matrix<double> placement = l3d_translation<double>(
+                22 * unit(random) + 0.3, 12 * unit(random), 22 * unit(random) - 5);
+            for (int row = 0; row < 3; ++row)
+                for (int column = 0; column < 3; ++column)
+                    placement(row, column) += 0.4 * unit(random);
+            world.add(teapot.model, placement);
+        }
+        camera = teapot.camera;
+        camera.eye = {13.1, 15.3, 47.9};
+        camera.far = 1e4;
+    }
+    crowd(const crowd&) = delete;
+    crowd& operator=(const crowd&) = delete;
+
+    scene teapot;
+    l3d_patch_scene world;
+    l3d_camera camera;
+};
+
 TEST(pipeline_afd, draws_the_same_bits_with_any_number_of_threads) {
     for (const reference::view& view : reference::project_views()) {
         const scene s = teapot(view, picture_size);
@@ -100,19 +136,99 @@ TEST(pipeline_afd, draws_the_same_bits_with_any_vector_instructions) {
         }
 }
 
+TEST(pipeline_afd, draws_the_same_bits_with_vector_instructions_and_threads_in_every_mode) {
+    const crowd many;
+    const scene one = teapot(reference::project_view("closeup"), picture_size);
+    for (const l3d_shade shade :
+         {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat, l3d_shade::normals}) {
+        const auto draw = [&](bool crowded, int threads) {
+            l3d_afd_settings settings = settings_of(0.5, threads);
+            settings.shade = shade;
+            tester program = crowded ? tester(many.world, many.camera, picture_size, settings)
+                                     : tester(one, settings);
+            auto words = program.draw();
+            EXPECT_TRUE(!crowded || program.report().dice.hidden > 0);
+            return words;
+        };
+        const auto best_one = draw(false, 1), best_many = draw(true, 1);
+        for (const std::string& target : l3d_simd_targets()) {
+            ASSERT_TRUE(l3d_set_simd_target(target));
+            EXPECT_TRUE(draw(false, 2) == best_one) << static_cast<int>(shade) << ", " << target;
+            EXPECT_TRUE(draw(true, 2) == best_many) << static_cast<int>(shade) << ", " << target;
+        }
+        l3d_set_simd_target("");
+    }
+}
+
+TEST(pipeline_afd, reports_the_vector_instructions_in_use) {
+    const scene s = teapot(reference::project_view("full"), {61, 47});
+    for (const std::string& target : l3d_simd_targets()) {
+        ASSERT_TRUE(l3d_set_simd_target(target));
+        tester program(s, settings_of(0.5, 1));
+        program.draw_event();
+        const std::string json = program.report().json();
+        EXPECT_NE(json.find(R"("simd":")" + target + '"'), std::string::npos) << json;
+    }
+    l3d_set_simd_target("");
+}
+
+TEST(pipeline_afd, keeps_an_empty_depth_of_a_wireframe) {
+    l3d_afd_settings settings = settings_of(0.5, 1);
+    settings.depth = settings.wireframe = true;
+    const scene s = teapot(reference::project_view("full"), picture_size);
+    tester program(s, settings);
+    program.draw_event();
+    EXPECT_EQ(program.depth().size(), picture_size);
+    program.settings().wireframe = false;
+    program.draw_event();
+    EXPECT_GT(l3d_covered(program.depth()), 1000);
+    program.settings().wireframe = true;
+    program.draw_event();
+    EXPECT_EQ(l3d_covered(program.depth()), 0);
+}
+
 /// Frames follow each other as in a program: the eye goes round, things come and go.
+void change(tester& program, int frame) {
+    program.camera().orbit(frame % 5 == 4 ? 1.5 : 0.1, frame % 7 == 6 ? 0.3 : 0);
+    program.has_text = frame % 6 == 2;
+    l3d_afd_settings& settings = program.settings();
+    settings.wireframe = frame % 11 == 5;
+    settings.net = frame % 13 == 7;
+    settings.depth = frame % 4 >= 2;
+    constexpr l3d_shade shades[] = {l3d_shade::lambert, l3d_shade::lambert, l3d_shade::flat,
+                                    l3d_shade::gouraud, l3d_shade::normals};
+    settings.shade = shades[frame / 3 % 5];
+}
+
+/// The distances that were asked for.
+std::vector<float> depths(const tester& program, const l3d_afd_settings& settings) {
+    return settings.depth ? l3d_distances(program.depth()) : std::vector<float>();
+}
+
 TEST(pipeline_afd, clears_what_the_frame_before_left) {
     const scene s = teapot(reference::project_view("full"), picture_size);
     tester program(s, settings_of(0.5, 2));
-    for (int frame = 0; frame < 40; ++frame) {
-        program.camera().orbit(frame % 5 == 4 ? 1.5 : 0.1, frame % 7 == 6 ? 0.3 : 0);
-        program.has_text = frame % 6 == 2;
-        program.settings().wireframe = frame % 11 == 5;
-        program.settings().net = frame % 13 == 7;
+    for (int frame = 0; frame < 70; ++frame) {
+        change(program, frame);
         tester fresh(s, program.settings());
         fresh.camera() = program.camera();
         fresh.has_text = program.has_text;
         ASSERT_TRUE(program.draw() == fresh.draw()) << "frame " << frame;
+        ASSERT_TRUE(depths(program, program.settings()) == depths(fresh, program.settings()))
+            << "frame " << frame;
+    }
+}
+
+TEST(pipeline_afd, clears_what_the_frame_before_left_of_a_crowd) {
+    const crowd many;
+    tester program(many.world, many.camera, picture_size, settings_of(0.5, 2));
+    for (int frame = 0; frame < 30; ++frame) {
+        change(program, frame);
+        tester fresh(many.world, program.camera(), picture_size, program.settings());
+        fresh.has_text = program.has_text;
+        ASSERT_TRUE(program.draw() == fresh.draw()) << "frame " << frame;
+        ASSERT_TRUE(depths(program, program.settings()) == depths(fresh, program.settings()))
+            << "frame " << frame;
     }
 }
 
@@ -186,6 +302,42 @@ TEST(pipeline_afd, allocates_nothing_for_a_frame_like_the_last_one) {
             program.draw_event();
             // Tasks are oneTBB's, from memory of its own.
             EXPECT_EQ(allocations - before, 0) << view.name << ", " << threads << " threads";
+        }
+}
+
+TEST(pipeline_afd, allocates_nothing_for_a_crowd_like_the_last_one) {
+    const crowd many;
+    for (const int threads : {1, 2}) {
+        tester program(many.world, many.camera, picture_size, settings_of(0.25, threads));
+        for (int frame = 0; frame < 2; ++frame)
+            program.draw_event();
+        for (int frame = 0; frame < 5; ++frame) {
+            const long before = allocations;
+            program.draw_event();
+            EXPECT_EQ(allocations - before, 0) << threads << " threads";
+        }
+        // The first three batches take 64 + 128 + 256 patches.
+        EXPECT_GT(program.report().dice.drawn + program.report().dice.hidden, 1000);
+    }
+}
+
+TEST(pipeline_afd, allocates_nothing_on_its_second_turn_round_the_model) {
+    constexpr int stops = 24;
+    for (const int threads : {1, 2})
+        for (const char* name : {"full", "near_cut"}) {
+            const scene s = teapot(reference::project_view(name), picture_size);
+            tester program(s, settings_of(0.25, threads));
+            const l3d_camera start = program.camera();
+            long before = 0;
+            for (int turn = 0; turn < 2; ++turn) {
+                before = allocations;
+                for (int stop = 0; stop < stops; ++stop) {
+                    program.camera() = start; // or rounding makes the turns differ
+                    program.camera().orbit(stop * 2 * std::numbers::pi / stops, 0);
+                    program.draw_event();
+                }
+            }
+            EXPECT_EQ(allocations - before, 0) << name << ", " << threads << " threads";
         }
 }
 
