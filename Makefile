@@ -11,7 +11,8 @@ uses_apps     := $(LAYERS)
 
 # tests/reference, the exact renderer, is a layer beside them that only these may use.
 uses_reference       := geom
-tests_with_reference := pipeline reference bench
+tests_with_reference := pipeline reference bench stability
+uses_stability       := geom tool_2d raster pipeline
 
 # What a layer links from outside.
 links_tool_2d := -lpng -lXext -lX11
@@ -74,6 +75,8 @@ ARCHIVES  := $(call archives,$(LAYERS))
 APPS      := $(apps:%=$(OUT)/bin/%)
 TESTERS   := $(tested:%=$(OUT)/tests/%_tests)
 objects_bench := $(call objects,$(filter-out %_bench.cpp,$(wildcard tests/bench/*.cpp)))
+objects_stability := $(call objects,$(wildcard tests/stability/*.cpp))
+STABILITY := $(OUT)/tests/stability/stability
 BENCHES   := $(patsubst %.cpp,$(OUT)/%,$(wildcard tests/bench/*_bench.cpp))
 SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
 STRESS    := $(wildcard tests/x11/stress/*_test.py)
@@ -189,6 +192,11 @@ $(TESTERS): $(OUT)/tests/%_tests: $$(objects_tests/$$*) $$(call archives,$$(call
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(call may_use,$*)) \
 	    -lgtest -lgtest_main -o $@
 
+$(STABILITY): $(objects_stability) $(call archives,reference $(uses_stability)) \
+        $(OUT)/list/stability
+	$(call say,LINK,$@)
+	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(uses_stability)) -o $@
+
 $(BENCHES): %: %.o $(objects_bench) $(call archives,reference $(LAYERS))
 	$(call say,LINK,$@)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -lembree3 -o $@
@@ -217,7 +225,7 @@ $(OUT)/%.h.ok: %.h $(OUT)/flags | packages-build
 	    $(CXX) $(FLAGS) -MD -MP -MF $@.d -MT $@ -fsyntax-only -x c++ - && touch $@
 
 include_law = awk -f tests/lint/layers.awk -v out=$(OUT)/ \
-    -v law="$(foreach l,$(LAYERS) reference apps,$(l): $(uses_$(l));)" \
+    -v law="$(foreach l,$(LAYERS) reference stability apps,$(l): $(uses_$(l));)" \
     -v tests_with_reference="$(tests_with_reference)" $(OBJECTS:.o=.d) $(LONE:=.d)
 # Archives are lazy, so a whole one is linked: a call that climbs is an undefined symbol.
 link_law = echo 'int main() {}' | $(LINK) -x c++ - -x none -o $(OUT)/link_law \

@@ -2,8 +2,12 @@
 // l3d_camera: axes, image matrix and orbiting.
 #include "pipeline/camera.h"
 
+#include "geom/patch_file.h"
+
 #include <cmath>
+#include <cstdio>
 #include <numbers>
+#include <utility>
 
 namespace {
 
@@ -16,6 +20,16 @@ vector turned(const vector& v, const vector& axis, double angle) {
     return {r[0], r[1], r[2]};
 }
 
+std::string text_of(double value) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%g", value);
+    return digits;
+}
+
+std::string text_of(const vector& v) {
+    return text_of(v[0]) + ',' + text_of(v[1]) + ',' + text_of(v[2]);
+}
+
 } // namespace
 
 l3d_camera::frame l3d_camera::axes() const {
@@ -24,14 +38,27 @@ l3d_camera::frame l3d_camera::axes() const {
     return {right, l3d_cross(right, forward), forward};
 }
 
-bool l3d_camera::is_valid() const {
+std::string l3d_camera::complaint() const {
+    const auto finite = [](const vector& v) {
+        return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+    };
+    for (const auto& [name, place] : {std::pair{"eye", eye}, {"target", target}}) {
+        for (int i = 0; i < 3; ++i)
+            if (!(std::abs(place[i]) <= l3d_bpt_largest_coordinate))
+                return std::string("camera: ") + name + ' ' + text_of(place) +
+                       " is not within 1e12 of the origin";
+    }
     const frame f = axes();
-    bool finite = std::isfinite(fov) && std::isfinite(near) && std::isfinite(far);
-    for (int i = 0; i < 3; ++i)
-        finite = finite && std::isfinite(f.right[i]) && std::isfinite(f.up[i]) &&
-                 std::isfinite(f.forward[i]) && std::isfinite(eye[i]);
-    return finite && l3d_dot(f.right, f.right) > 0.5 && l3d_dot(f.forward, f.forward) > 0.5 &&
-           fov > 0 && fov < 180 && near > 0 && near < far;
+    if (!finite(f.forward) || !(l3d_dot(f.forward, f.forward) > 0.5))
+        return "camera: target " + text_of(target) + " is the eye's place";
+    if (!finite(f.right) || !finite(f.up) || !(l3d_dot(f.right, f.right) > 0.5))
+        return "camera: up " + text_of(up) + " is zero, not finite or along the line of sight";
+    if (!(fov > 0 && fov < 180))
+        return "camera: fov " + text_of(fov) + " is not between 0 and 180 degrees";
+    if (!(near > 0 && near < far && std::isfinite(far)))
+        return "camera: near " + text_of(near) + " and far " + text_of(far) +
+               " are not 0 < near < far, finite";
+    return "";
 }
 
 double l3d_camera::focal_length(l3d_size size) const {

@@ -7,6 +7,8 @@
 #include "geom/vector.h"
 #include "tool_2d/pixels.h"
 
+#include <string>
+
 /// A perspective camera in a right-handed world with y up, looking along target - eye.
 ///
 /// Units:   world units; fov in degrees, vertical, over the whole picture height.
@@ -26,8 +28,12 @@ struct l3d_camera {
     };
     frame axes() const;
 
-    /// Whether the picture is defined: finite numbers, a direction to look along, an up beside it.
-    bool is_valid() const;
+    /// Why no picture is defined, naming the value at fault; "" if one is. What it asks for: finite
+    /// numbers, eye and target within 1e12, a direction to look along, an up beside it, and
+    /// 0 < fov < 180, 0 < near < far.
+    std::string complaint() const;
+
+    bool is_valid() const { return complaint().empty(); }
 
     /// Pixels per world unit at distance 1.
     double focal_length(l3d_size size) const;

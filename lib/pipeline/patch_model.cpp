@@ -3,6 +3,9 @@
 #include "pipeline/patch_model.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
 #include <utility>
 
 namespace {
@@ -34,6 +37,24 @@ l3d_patch_model::l3d_patch_model(std::vector<patch> patches) : patches_(std::mov
             most_[i] = std::max(most_[i], most[i]);
         }
     }
+}
+
+std::optional<l3d_patch_model> l3d_patch_model::checked(std::vector<patch> patches,
+                                                        std::string_view name, std::string& why) {
+    for (std::size_t p = 0; p < patches.size(); ++p)
+        for (std::size_t i = 0; i < 16; ++i)
+            for (int k = 0; k < 3; ++k) {
+                const double value = patches[p].points[i][k];
+                if (std::abs(value) <= l3d_bpt_largest_coordinate)
+                    continue;
+                char text[96];
+                std::snprintf(text, sizeof text, "row %zu, column %zu: %c is %g, ", i / 4 + 1,
+                              i % 4 + 1, "xyz"[k], value);
+                why = std::string(name) + ": patch " + std::to_string(p + 1) + ", " + text +
+                      (std::isfinite(value) ? "beyond 1e12" : "not finite");
+                return std::nullopt;
+            }
+    return l3d_patch_model(std::move(patches));
 }
 
 std::optional<l3d_patch_model> l3d_patch_model::from_bpt(std::string_view text,

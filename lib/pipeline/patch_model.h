@@ -26,6 +26,12 @@ public:
     /// Expects: finite coordinates of magnitude at most 1e12.
     explicit l3d_patch_model(std::vector<patch> patches);
 
+    /// The model of patches that may be anything.
+    /// Errors: nothing, with "name: patch and point: what" in `why`, if a coordinate is NaN,
+    ///         infinite or beyond 1e12.
+    static std::optional<l3d_patch_model> checked(std::vector<patch> patches, std::string_view name,
+                                                  std::string& why);
+
     /// Reads a .bpt text; patches of lower degree are raised to bicubic ones.
     /// Errors: nothing, with "name:line: what" in `why`.
     static std::optional<l3d_patch_model> from_bpt(std::string_view text, std::string_view name,

@@ -8,7 +8,9 @@
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/wire_lines_p.h"
 #include "raster/simd_target.h"
+#include "tool_2d/error.h"
 
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -18,7 +20,32 @@ using l3d_detail::stopwatch;
 
 constexpr std::uint32_t wire_color = 0x0080d0ff, net_color = 0x00ff9030;
 
+const l3d_camera& checked(const l3d_camera& camera, l3d_size size,
+                          const l3d_afd_settings& settings) {
+    const std::string why = l3d_afd_complaint(camera, size, settings);
+    if (!why.empty())
+        throw l3d_error(l3d_exit::failure, why);
+    return camera;
+}
+
 } // namespace
+
+std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
+                              const l3d_afd_settings& settings) {
+    constexpr double largest = std::numeric_limits<double>::max();
+    if (size.width < 1 || size.height < 1 || size.width > l3d_afd_largest_side ||
+        size.height > l3d_afd_largest_side)
+        return "picture: " + std::to_string(size.width) + 'x' + std::to_string(size.height) +
+               " is not within 1x1 and 16384x16384";
+    if (!(settings.tolerance > 0 && settings.tolerance <= largest))
+        return "tolerance: " + std::to_string(settings.tolerance) + " px is not positive and finite";
+    const double length = l3d_length(settings.light);
+    if (!(length > 0 && length <= largest))
+        return "light: no direction";
+    if (settings.threads < 1)
+        return "threads: " + std::to_string(settings.threads) + " is not positive";
+    return camera.complaint();
+}
 
 l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
                                    const l3d_rasterizer_factory& rasterizers, l3d_patch_scene scene,
@@ -26,7 +53,8 @@ l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
     : screen_(std::move(screen)), workers_(settings.threads),
       imp_(rasterizers.create_2d(screen_->pixels())), rasterizer_(*imp_),
       surface_rasterizer_(rasterizers.create_surface(workers_)), scene_(std::move(scene)),
-      camera_(camera), first_camera_(camera), settings_(settings), dicer_(workers_) {
+      camera_(checked(camera, screen_->pixels().size(), settings)), first_camera_(camera),
+      settings_(settings), dicer_(workers_) {
     report_.frame = -1;
     report_.method = "afd";
     report_.real = l3d_real_name();

@@ -17,6 +17,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 
 /// How a scene is to be drawn.
 struct l3d_afd_settings {
@@ -30,15 +31,23 @@ struct l3d_afd_settings {
     int threads = 1;        ///< that draw; constant from the first frame on
 };
 
+/// Largest width and height of a picture: corners are then within half of l3d_guard_band.
+inline constexpr int l3d_afd_largest_side = 16384;
+
+/// Why nothing can be drawn like this, naming the value at fault; "" if it can.
+std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
+                              const l3d_afd_settings& settings);
+
 /// Draws models of bicubic patches with a certified error bound in every frame.
 ///
 /// A program that only wants the picture uses it as it is; one with keys or things of its own to
 /// draw is a subclass that changes camera() and settings() and calls draw_event.
-/// Expects: a valid camera; tolerance > 0; light not zero; threads >= 1.
+/// Expects: camera and settings of which l3d_afd_complaint has nothing to say, in every frame.
 /// Lives:   owns screen, workers and rasterizers, borrows the models of the scene.
 /// Cost:    filled surfaces allocate nothing once the largest frame has been seen.
 class l3d_pipeline_afd : public l3d_pipeline {
 public:
+    /// Errors: throws l3d_error with what l3d_afd_complaint says.
     l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen, const l3d_rasterizer_factory& rasterizers,
                      l3d_patch_scene scene, const l3d_camera& camera,
                      const l3d_afd_settings& settings);

@@ -3,11 +3,10 @@
 #ifndef L3D_TESTS_PIPELINE_CERTIFICATE_H
 #define L3D_TESTS_PIPELINE_CERTIFICATE_H
 
-#include "pipeline/diced_piece.h"
+#include "drawn_points.h"
 #include "reference/net.h"
 #include "tool_2d/pixels.h"
 
-#include <array>
 #include <cstdint>
 #include <span>
 
@@ -16,11 +15,7 @@ namespace pipeline_tests {
 /// The homogeneous point of a net at (u, v), in double, for speed.
 reference::hpoint value_of(const reference::net& net, double u, double v);
 
-/// Samples what the rasterizer would draw, and the exact surface at the same parameters.
-///
-/// A drawn polygon is the picture of a polygon in homogeneous space with corners (w x, w y, w) and
-/// parameters linear in that space. A convex quad is bilinear there, a folded one is four triangles
-/// around its mean. Only drawn points inside the window count: of others nothing is claimed.
+/// Compares drawn_points with the exact surface at the same parameters.
 class certificate {
 public:
     certificate(const reference::camera& view, l3d_size size)
@@ -46,18 +41,7 @@ public:
     double mean() const { return samples > 0 ? sum / static_cast<double>(samples) : 0; }
 
 private:
-    struct corner {
-        double x, y, w, u, v;
-    };
-
-    void draw_grid(const l3d_diced_piece& piece);
-    void draw_triangles(const l3d_diced_piece& piece, double frame_bound);
-
-    corner corner_of(const l3d_micro_vertex& vertex, double u, double v) const;
-    bool may_be_seen(std::span<const corner> corners) const;
-    void quad(const std::array<corner, 4>& c);
-    void triangle(const std::array<corner, 3>& c);
-    void sample(std::span<const corner> corners, std::span<const double> weights);
+    void sample(const drawn_point& at);
 
     reference::camera_frame frame_;
     reference::net net_;

@@ -201,7 +201,7 @@ double exact_region::distance_to_exact_surface(double x, double y) const {
     return best;
 }
 
-double exact_region::outline_distance(double x, double y) const {
+double exact_region::distance_to_outline(double x, double y) const {
     nearest_first open;
     for (const piece& part : pieces_)
         if (may_hold_outline(part.surface, near_))
@@ -243,7 +243,7 @@ exact_region::interval exact_region::distance_to_uncovered(double x, double y, d
     if (!covers(x, y))
         return {0, 0};
     interval result;
-    result.lower = outline_distance(x, y);
+    result.lower = distance_to_outline(x, y);
     // From small to large: a square sees gaps down to 1/16 of its radius.
     for (double radius = std::clamp(2 * result.lower, std::min(limit, 1.0 / 64), limit);
          result.upper == infinity; radius = std::min(limit, 2 * radius)) {

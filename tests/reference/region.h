@@ -26,8 +26,11 @@ public:
     /// there is none. Units: pixels; too large by 1e-4 at most.
     double distance_to_exact_surface(double x, double y) const;
 
-    /// lower is proved: the nearest point of any outline (patch boundary, silhouette, near plane),
-    /// seams inside the region included, less 2e-3. upper is witnessed by an uncovered point; it is
+    /// A proved lower bound of the distance to the nearest point of any outline (patch boundary,
+    /// silhouette, near plane), seams inside the region included; short of it by at most 2e-3.
+    double distance_to_outline(double x, double y) const;
+
+    /// lower is that of distance_to_outline. upper is witnessed by an uncovered point; it is
     /// about 1 % above the distance itself unless the uncovered part is a sliver.
     struct interval {
         double lower = 0, upper = std::numeric_limits<double>::infinity();
@@ -42,7 +45,6 @@ private:
         bool bounded; ///< false: reaches w <= 0, has no box
     };
     void add(const net& surface, const rect& window, int depth);
-    double outline_distance(double x, double y) const;
     double nearest_gap(double x, double y, double radius) const;
 
     double near_;

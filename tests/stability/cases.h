@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// What the stability suite draws: named cases, and random ones.
+#ifndef L3D_TESTS_STABILITY_CASES_H
+#define L3D_TESTS_STABILITY_CASES_H
+
+#include "reference/exact.h"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace stability {
+
+/// Units: tolerance in pixels; far along the view axis.
+struct test_case {
+    std::string group, name;
+    std::vector<reference::patch> patches;
+    reference::camera eye;
+    reference::picture_size size;
+    double tolerance = 0.25;
+    double far = 1e13;
+};
+
+/// Whether nothing can be drawn: a number that is none, a place beyond 1e12, a picture without a
+/// direction, an angle or a depth, or of impossible size.
+bool is_malformed(const test_case& c);
+
+/// Curves and surfaces whose parameters, shapes or weights are out of proportion.
+std::vector<test_case> stiff_cases();
+
+/// Surfaces that are folded, collapsed, or thrown far away.
+std::vector<test_case> shape_cases();
+
+/// Places, sizes and views at the ends of what numbers can say.
+std::vector<test_case> extreme_cases();
+
+/// What no picture can be made of.
+std::vector<test_case> malformed_cases();
+
+/// All of them.
+std::vector<test_case> named_cases();
+
+/// Kinds of random cases: what each begins with, "" after the last.
+const char* random_kind(std::size_t kind);
+
+/// One patch, with a view, a picture and a tolerance of its own. Seeds run through the kinds in
+/// turn; the same seed gives the same case everywhere.
+test_case random_case(std::uint64_t seed);
+
+/// Gently curved patches of a few to some hundred pixels, as most are.
+test_case ordinary_case(std::uint64_t seed);
+
+} // namespace stability
+
+#endif
