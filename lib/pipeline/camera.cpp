@@ -4,6 +4,7 @@
 
 #include "geom/patch_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -34,7 +35,10 @@ std::string text_of(const vector& v) {
 
 l3d_camera::frame l3d_camera::axes() const {
     const vector forward = l3d_normalized(target - eye);
-    const vector right = l3d_normalized(l3d_cross(forward, up));
+    // Squares of what is very long or short would leave a double's range.
+    const double longest = std::max({std::abs(up[0]), std::abs(up[1]), std::abs(up[2])});
+    const vector upright{up[0] / longest, up[1] / longest, up[2] / longest};
+    const vector right = l3d_normalized(l3d_cross(forward, upright));
     return {right, l3d_cross(right, forward), forward};
 }
 
@@ -49,15 +53,15 @@ std::string l3d_camera::complaint() const {
                        " is not within 1e12 of the origin";
     }
     const frame f = axes();
-    if (!finite(f.forward) || !(l3d_dot(f.forward, f.forward) > 0.5))
-        return "camera: target " + text_of(target) + " is the eye's place";
+    if (!(l3d_length(target - eye) >= l3d_least_distance))
+        return "camera: target " + text_of(target) + " is within 1e-30 of the eye";
     if (!finite(f.right) || !finite(f.up) || !(l3d_dot(f.right, f.right) > 0.5))
         return "camera: up " + text_of(up) + " is zero, not finite or along the line of sight";
     if (!(fov > 0 && fov < 180))
         return "camera: fov " + text_of(fov) + " is not between 0 and 180 degrees";
-    if (!(near > 0 && near < far && std::isfinite(far)))
+    if (!(near >= l3d_least_distance && near < far && std::isfinite(far)))
         return "camera: near " + text_of(near) + " and far " + text_of(far) +
-               " are not 0 < near < far, finite";
+               " are not 1e-30 <= near < far, finite";
     return "";
 }
 

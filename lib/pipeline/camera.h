@@ -9,6 +9,10 @@
 
 #include <string>
 
+/// Least near distance, and of the target from the eye. Depth is kept as 1 / distance in a float,
+/// which goes up to 3e38.
+inline constexpr double l3d_least_distance = 1e-30;
+
 /// A perspective camera in a right-handed world with y up, looking along target - eye.
 ///
 /// Units:   world units; fov in degrees, vertical, over the whole picture height.
@@ -29,8 +33,8 @@ struct l3d_camera {
     frame axes() const;
 
     /// Why no picture is defined, naming the value at fault; "" if one is. What it asks for: finite
-    /// numbers, eye and target within 1e12, a direction to look along, an up beside it, and
-    /// 0 < fov < 180, 0 < near < far.
+    /// numbers, eye and target within 1e12 and not in one place, an up beside the direction between
+    /// them, 0 < fov < 180, l3d_least_distance <= near < far.
     std::string complaint() const;
 
     bool is_valid() const { return complaint().empty(); }

@@ -23,9 +23,11 @@ struct l3d_dice_view {
     bool keep_all = false; ///< leave nothing out that could be left out
 
     /// What the chord error may be where rounding of vertices already takes `vertex_error`. Where
-    /// that is most of the tolerance, a quarter is left, and the bound says that it is exceeded.
+    /// that is most of the tolerance, a quarter is left, and the bound says that it is exceeded;
+    /// but never less than a 16th of a sub-pixel, which moves hardly any vertex.
     double chord_budget(double vertex_error) const {
-        return std::max(tolerance - vertex_error, tolerance / 4);
+        constexpr double finest = 1.0 / (16 * l3d_subpixel_one);
+        return std::max({tolerance - vertex_error, tolerance / 4, finest});
     }
 
     /// The least exact w where something is drawn of a net whose least w is `least`: steps are

@@ -54,6 +54,7 @@ std::string l3d_frame_report::json() const {
         {"size", std::to_string(size.width) + 'x' + std::to_string(size.height)},
         {"threads", threads},
         {"tolerance_px", tolerance_px},
+        {"near", near},
         {"time_ms",
          {{"transform", time_ms.transform},
           {"dice", time_ms.dice},

@@ -30,6 +30,7 @@ struct l3d_frame_report {
     l3d_size size;
     int threads = 1;
     double tolerance_px = 0;
+    double near = 0; ///< nearest distance drawn: the camera's, unless rounding asks for more
     l3d_stage_times time_ms;
     std::int64_t patches = 0;
     l3d_dice_counts dice;

@@ -44,7 +44,8 @@ l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size
 l3d_dice_view l3d_image_transform::view(double tolerance) const {
     l3d_dice_view view;
     view.size = size_;
-    view.near = near_ * depth_scale_;
+    // Nearer than that, w is hardly known any more, and what is divided by it neither.
+    view.near = std::max(near_ * depth_scale_, 32 * error_w_);
     view.far = far_ * depth_scale_;
     view.tolerance = tolerance;
     view.depth_scale = depth_scale_;

@@ -22,7 +22,8 @@ public:
     /// World (x, y, z, 1) to (x, y, -, w).
     const l3d_matrix<double>& matrix() const { return matrix_; }
 
-    /// The picture as dicing needs to know it, in the units of the transformed points.
+    /// The picture as dicing needs to know it, in the units of the transformed points. Its near
+    /// plane is the camera's, or farther where rounding leaves too little of w.
     /// Units: tolerance in pixels.
     l3d_dice_view view(double tolerance) const;
 

@@ -3,19 +3,24 @@
 #include "pipeline/patch_dicer.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
+#include <cmath>
 #include <limits>
 #include <tuple>
 
 namespace {
 
-/// Cuts per patch at most; then pieces are drawn with the steps that are allowed, and the frame
-/// reports the larger bound. 4096 pieces of (4 * 32)^2 quads are 67 million quads.
-constexpr int most_pieces = 4096;
-
 /// As deep as halving a parameter stays exact in doubles, with room for the strips' quarters.
 constexpr int deepest = 48;
+
+/// Vertices of a grid.
+std::int64_t samples_of(const l3d_step_plan& plan) {
+    std::int64_t columns = 1, rows = 1;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(plan.strips); ++i) {
+        columns += plan.nu[i];
+        rows += plan.nv[i];
+    }
+    return columns * rows;
+}
 
 } // namespace
 
@@ -30,61 +35,100 @@ void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& 
     piece whole{net, 0, 1, 0, 1, {}, 0};
     for (std::size_t side = 0; side < whole.sides.size(); ++side)
         whole.sides[side].edge = side;
-    task of{view, edges, out, counts, most_pieces};
-    dice_piece(whole, of);
-}
-
-template <class T> void l3d_patch_dicer<T>::dice_piece(const piece& p, task& of) {
-    const l3d_piece_nets<T> nets(p.net, of.view);
-    if ((!of.view.keep_all || p.depth > 0) &&
-        l3d_outside(p.net.points, of.view.margin(), of.view.near, of.view.far)) {
-        drawer_.close_hidden(p, of.out.next());
-        return;
+    task of{view, edges, out, counts, l3d_most_samples};
+    waiting_.clear();
+    take(whole, of);
+    for (std::size_t pieces = 1; !waiting_.empty() && pieces < l3d_most_pieces; ++pieces) {
+        std::pop_heap(waiting_.begin(), waiting_.end());
+        const waiting worst = waiting_.back();
+        waiting_.pop_back();
+        for (const piece& half : halves(worst, of))
+            take(half, of);
     }
-    double vertex_error = nets.vertex_error();
-    for (const l3d_piece_side& side : p.sides)
-        vertex_error = std::max(vertex_error, of.edges[side.edge].vertex_error());
-    const double budget = of.view.chord_budget(vertex_error);
-    const auto kind = nets.whole() ? l3d_quad_kind::whole : l3d_quad_kind::triangles;
-    l3d_step_plan plan = l3d_plan_steps(nets.blocks(), of.view, budget, kind);
-
-    const int most = nets.whole() ? l3d_most_steps_whole : l3d_most_steps_clipped;
-    const int wanted = std::max(plan.most_u(), plan.most_v());
-    if (wanted > most && p.depth < deepest && of.cuts_left > 0)
-        return cut(p, plan.most_u() >= plan.most_v(), of);
-
-    if (wanted > l3d_most_steps_whole) {
-        // Errors fall with the square of the steps, at the least.
-        const double ratio = static_cast<double>(wanted) / l3d_most_steps_whole;
-        plan.chord_error *= nets.whole() ? ratio * ratio : std::numeric_limits<double>::infinity();
-        for (auto* steps : {&plan.nu, &plan.nv})
-            for (int& n : *steps)
-                n = std::min(n, l3d_most_steps_whole);
-    }
-    draw(p, nets, plan, vertex_error, of);
+    // What is left shares what is left.
+    for (std::size_t left = waiting_.size(); left > 0; --left)
+        draw_coarsely(waiting_[left - 1].p,
+                      of.samples_left / static_cast<std::int64_t>(left), of);
 }
 
 template <class T>
-void l3d_patch_dicer<T>::draw(const piece& p, const l3d_piece_nets<T>& nets, l3d_step_plan& plan,
-                              double vertex_error, task& of) {
+auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of) const -> planned {
+    planned result{l3d_piece_nets<T>(p.net, of.view), {}};
+    result.vertex_error = result.nets.vertex_error();
+    for (const l3d_piece_side& side : p.sides)
+        result.vertex_error = std::max(result.vertex_error, of.edges[side.edge].vertex_error());
+    const bool whole = result.nets.whole();
+    result.plan = l3d_plan_steps(result.nets.blocks(), of.view,
+                                 of.view.chord_budget(result.vertex_error),
+                                 whole ? l3d_quad_kind::whole : l3d_quad_kind::triangles);
+    result.excess = static_cast<double>(std::max(result.plan.most_u(), result.plan.most_v())) /
+                    (whole ? l3d_most_steps_whole : l3d_most_steps_clipped);
+    return result;
+}
+
+/// Draws a piece, or lets it wait for being cut.
+template <class T> void l3d_patch_dicer<T>::take(const piece& p, task& of) {
+    if ((!of.view.keep_all || p.depth > 0) &&
+        l3d_outside(p.net.points, of.view.margin(), of.view.near, of.view.far))
+        return drawer_.close_hidden(p, of.out.next());
+    const planned how = plan_of(p, of);
+    if (how.excess <= 1 && samples_of(how.plan) <= of.samples_left)
+        return draw(p, how, of);
+    if (p.depth >= deepest || how.excess <= 1)
+        return draw_coarsely(p, of.samples_left, of);
+    waiting_.push_back({p, how.excess, how.plan.most_u() >= how.plan.most_v()});
+    std::push_heap(waiting_.begin(), waiting_.end());
+}
+
+/// With fewer steps than the tolerance asks for.
+template <class T>
+void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, task& of) {
+    planned how = plan_of(p, of);
+    const bool whole = how.nets.whole();
+    double ratio = 1;
+    int most = l3d_most_steps_whole;
+    const l3d_step_plan wanted = how.plan;
+    do {
+        ratio = 1;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(wanted.strips); ++i) {
+            how.plan.nu[i] = std::min(wanted.nu[i], most);
+            how.plan.nv[i] = std::min(wanted.nv[i], most);
+            ratio = std::max({ratio, static_cast<double>(wanted.nu[i]) / how.plan.nu[i],
+                              static_cast<double>(wanted.nv[i]) / how.plan.nv[i]});
+        }
+        most /= 2;
+    } while (most > 0 && samples_of(how.plan) > samples);
+    // Errors fall with the square of the steps, at the least. What crosses the near plane may be
+    // anywhere if its depth is off.
+    if (ratio > 1)
+        how.plan.chord_error *= whole ? ratio * ratio : std::numeric_limits<double>::infinity();
+    draw(p, how, of);
+}
+
+template <class T>
+void l3d_patch_dicer<T>::draw(const piece& p, const planned& how, task& of) {
     l3d_diced_piece& out = of.out.next();
-    drawer_.draw(p, nets, plan, out);
-    out.bound = plan.visible ? plan.chord_error + vertex_error : 0;
+    drawer_.draw(p, how.nets, how.plan, out);
+    out.bound = how.plan.visible ? how.plan.chord_error + how.vertex_error : 0;
     double side_error = 0;
     for (const l3d_piece_side& side : p.sides)
         side_error = std::max(side_error, of.edges[side.edge].chord_error());
     // Slits lie between vertices of the piece and of its sides, each off by its own error.
-    of.counts.bound_px = std::max({of.counts.bound_px, out.bound, side_error + vertex_error});
+    of.counts.bound_px = std::max({of.counts.bound_px, out.bound, side_error + how.vertex_error});
     ++of.counts.pieces;
-    of.counts.clipped += !nets.whole();
-    of.counts.samples += static_cast<std::int64_t>(out.u.size() * out.v.size());
+    of.counts.clipped += !how.nets.whole();
+    const auto samples = static_cast<std::int64_t>(out.u.size() * out.v.size());
+    of.counts.samples += samples;
+    of.samples_left = std::max(std::int64_t{0}, of.samples_left - samples);
 }
 
-template <class T> void l3d_patch_dicer<T>::cut(const piece& p, bool along_u, task& of) {
-    --of.cuts_left;
-    piece low = p, high = p;
+template <class T>
+auto l3d_patch_dicer<T>::halves(const waiting& w, task& of) const -> std::array<piece, 2> {
+    const piece& p = w.p;
+    std::array<piece, 2> result{p, p};
+    auto& [low, high] = result;
     low.depth = high.depth = p.depth + 1;
-    if (along_u) {
+    if (w.along_u) {
         std::tie(low.net, high.net) = p.net.split_u();
         low.u1 = high.u0 = (p.u0 + p.u1) / 2;
     } else {
@@ -92,15 +136,16 @@ template <class T> void l3d_patch_dicer<T>::cut(const piece& p, bool along_u, ta
         low.v1 = high.v0 = (p.v0 + p.v1) / 2;
     }
     // The sides across the cut are halved; the cut itself is a new edge, whole for both.
-    for (const std::size_t across : {along_u ? std::size_t{0} : 2, along_u ? std::size_t{1} : 3}) {
+    for (const std::size_t across :
+         {w.along_u ? std::size_t{0} : 2, w.along_u ? std::size_t{1} : 3}) {
         const double middle = (p.sides[across].t0 + p.sides[across].t1) / 2;
         low.sides[across].t1 = high.sides[across].t0 = middle;
     }
-    const std::size_t edge = of.edges.add(along_u ? low.net.column(3) : low.net.row(3), of.view);
+    const std::size_t edge =
+        of.edges.add(w.along_u ? low.net.column(3) : low.net.row(3), of.view);
     of.counts.add_edge(of.edges[edge].size(), of.edges[edge].bound());
-    low.sides[along_u ? 3 : 1] = high.sides[along_u ? 2 : 0] = l3d_piece_side{edge, 0, 1};
-    dice_piece(low, of);
-    dice_piece(high, of);
+    low.sides[w.along_u ? 3 : 1] = high.sides[w.along_u ? 2 : 0] = l3d_piece_side{edge, 0, 1};
+    return result;
 }
 
 template class l3d_patch_dicer<float>;

@@ -89,6 +89,7 @@ void l3d_pipeline_afd::draw_event() {
     report_.simd = l3d_simd_target();
     report_.size = view_.size;
     report_.tolerance_px = settings_.tolerance;
+    report_.near = view_.near / view_.depth_scale;
     report_.patches = scene_.patch_count();
     report_.dice = dicer_.counts();
     report_.dice.add(culling_.counts());

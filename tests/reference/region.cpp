@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <queue>
+#include <stdexcept>
 
 namespace reference {
 namespace {
@@ -13,6 +14,21 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double surface_accuracy = 1e-4;
 constexpr double outline_accuracy = 2e-3;
+
+/// Pieces that the search for a nearest point may look at: about a second.
+constexpr int most_candidates = 200'000;
+
+/// Counts them. Errors: std::runtime_error after the last.
+class patience {
+public:
+    void use() {
+        if (++used_ > most_candidates)
+            throw std::runtime_error("exact region: the nearest point needs too many pieces");
+    }
+
+private:
+    int used_ = 0;
+};
 
 /// Pieces are cut to this size once, so that a query looks at a few hundred of them.
 constexpr double piece_px = 32;
@@ -185,7 +201,9 @@ double exact_region::distance_to_exact_surface(double x, double y) const {
     for (const piece& part : pieces_)
         if (!part.bounded || box_distance(part.box, x, y) < best)
             open.push({lower_bound(part.surface, x, y), part.surface});
+    patience pieces;
     while (!open.empty() && open.top().lower < best - surface_accuracy) {
+        pieces.use();
         const candidate next = open.top();
         open.pop();
         const auto [low, high] = halves(next.surface);
@@ -206,7 +224,9 @@ double exact_region::distance_to_outline(double x, double y) const {
     for (const piece& part : pieces_)
         if (may_hold_outline(part.surface, near_))
             open.push({lower_bound(part.surface, x, y), part.surface});
+    patience pieces;
     while (!open.empty()) {
+        pieces.use();
         const candidate next = open.top();
         if (largest_extent(next.surface) < outline_accuracy / 2 || is_point(next.surface))
             return std::max(0.0, next.lower - outline_accuracy);

@@ -15,6 +15,8 @@ namespace reference {
 /// The part of the picture plane that the patches cover (union of the images of all surface points
 /// with w >= near), also outside the window.
 ///
+/// Errors: distances throw std::runtime_error if they need more than 200000 pieces, as they may
+///         where the near plane cuts what reaches a million times as far.
 /// Shape: holds the patches cut into pieces of about 32 pixels.
 class exact_region {
 public:

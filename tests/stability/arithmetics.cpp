@@ -71,6 +71,7 @@ public:
         seconds += processor_seconds();
         result.milliseconds = 1000 * seconds;
         result.counts = counts();
+        result.near = near_;
         result.distances = l3d_distances(depth_);
         return result;
     }
@@ -81,6 +82,7 @@ private:
         scene_.add(c.model);
         const l3d_image_transform to_image(c.camera, c.size, scene_);
         const l3d_dice_view view = to_image.view(c.tolerance);
+        near_ = view.near / view.depth_scale;
         culling_.begin(scene_, to_image.matrix(), view);
         dicer_.begin(view);
     }
@@ -101,6 +103,7 @@ private:
     l3d_patch_scene scene_;
     l3d_scene_culling culling_;
     l3d_frame_dicer<T> dicer_;
+    double near_ = 0;
     l3d_depth_buffer depth_;
     l3d_surface_rasterizer_sw rasterizer_{workers_};
 };
@@ -147,6 +150,7 @@ frame draw_by_pipeline(const library_case& c) {
     pipeline.draw_event();
     frame result;
     result.counts = pipeline.report().dice;
+    result.near = pipeline.report().near;
     for (int y = 0; y < c.size.height; ++y) {
         const auto row = pipeline.screen().pixels().row(y);
         result.words.insert(result.words.end(), row.begin(), row.end());

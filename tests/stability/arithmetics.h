@@ -38,6 +38,7 @@ using piece_sink =
 /// A drawn frame. Units: distances along the view axis, infinite where nothing is.
 struct frame {
     l3d_dice_counts counts;
+    double near = 0;         ///< as l3d_frame_report says
     double milliseconds = 0; ///< of processor time, dicing and filling
     std::vector<std::uint32_t> words;
     std::vector<float> distances;

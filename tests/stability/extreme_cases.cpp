@@ -295,7 +295,9 @@ bool is_malformed(const test_case& c) {
     const long double across = std::hypot(y * up.z - z * up.y, z * up.x - x * up.z,
                                           x * up.y - y * up.x);
     const bool has_direction = across > 0 && across < std::numeric_limits<long double>::infinity();
-    const bool has_depth = c.eye.near > 0 && c.eye.near < c.far && c.far < infinity;
+    if (std::hypot(x, y, z) < 1e-30L)
+        return true;
+    const bool has_depth = c.eye.near >= 1e-30 && c.eye.near < c.far && c.far < infinity;
     const auto is_side = [](int pixels) { return pixels >= 1 && pixels <= 16384; };
     return !has_direction || !has_depth || !(c.eye.fov_degrees > 0 && c.eye.fov_degrees < 180) ||
            !(c.tolerance > 0 && c.tolerance < infinity) || !is_side(c.size.width) ||

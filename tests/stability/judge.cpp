@@ -22,7 +22,7 @@ constexpr double outline_slack = 3e-3;
 constexpr std::int64_t most_judged_pixels = 300'000;
 
 /// Pixels of a picture whose distances are looked up: each may cost milliseconds.
-constexpr int most_looked_up = 400;
+constexpr int most_looked_up = 60;
 
 std::string text(const char* format, auto... values) {
     char result[400];
@@ -76,7 +76,7 @@ public:
             compare(c);
     }
 
-    double measured = 0, ratio = 0;
+    double measured = 0, ratio = 0, ratio_measured = 0, ratio_bound = 0;
     std::int64_t points = 0, exactly = 0;
     std::string complaint;
 
@@ -117,8 +117,11 @@ private:
         const bool kept = distance <= c.bound;
         if (std::isfinite(distance))
             measured = std::max(measured, distance);
-        if (std::isfinite(c.bound))
-            ratio = std::max(ratio, distance / c.bound);
+        if (std::isfinite(c.bound) && distance / c.bound > ratio) {
+            ratio = distance / c.bound;
+            ratio_measured = distance;
+            ratio_bound = c.bound;
+        }
         if (!kept && complaint.empty())
             complaint = text("at u %.17g v %.17g drawn at %.6f, %.6f: %.6g px off, bound %.6g px",
                              c.at.u, c.at.v, c.at.x, c.at.y, distance, c.bound);
@@ -152,6 +155,8 @@ void judge::finish(verdict& v, const l3d_dice_counts& counts, const measuring& p
     v.bound = counts.bound_px;
     v.measured = points.measured;
     v.ratio = points.ratio;
+    v.ratio_measured = points.ratio_measured;
+    v.ratio_bound = points.ratio_bound;
     v.points = points.points;
     v.exactly = points.exactly;
     v.samples = counts.samples;
@@ -190,16 +195,16 @@ verdict judge::of_frame(arithmetic& in) {
     return result;
 }
 
-/// A chord's w is off by near / 2 at most where something crosses the near plane: what lies beyond
+/// The same for every arithmetic, as `near` is. A chord's w is off by near / 2 at most where something crosses the near plane: what lies beyond
 /// 3/2 of it must be drawn, what lies before half of it must not.
-void judge::make_exact_picture() {
+void judge::make_exact_picture(double near) {
     picture_tried_ = true;
     const auto pixels = std::int64_t{case_.size.width} * case_.size.height;
     if (pixels > most_judged_pixels || case_.far < 1e13)
         return;
     reference::camera shy = case_.eye, bold = case_.eye;
-    shy.near *= 1.5;
-    bold.near *= 0.5;
+    shy.near = 1.5 * near;
+    bold.near = 0.5 * near;
     try {
         auto least = std::make_unique<reference::exact_image>(case_.patches, shy, case_.size);
         auto outlines =
@@ -218,7 +223,7 @@ void judge::judge_picture(verdict& v, const frame& drawn) {
     if (v.what == outcome::unbounded)
         return;
     if (!picture_tried_)
-        make_exact_picture();
+        make_exact_picture(drawn.near);
     if (!least_covered_)
         return;
     v.picture_judged = true;

@@ -34,7 +34,8 @@ struct verdict {
     std::string reason;    ///< of a refusal or a violation
     double bound = 0;      ///< of the frame. Units: pixels
     double measured = 0;   ///< largest distance of a drawn point from the exact one. Units: pixels
-    double ratio = 0;      ///< largest of measured / bound, each grid with its own bound
+    double ratio = 0; ///< largest of measured / bound, each grid with its own bound
+    double ratio_measured = 0, ratio_bound = 0; ///< where that is
     std::int64_t points = 0; ///< drawn points looked at
     std::int64_t exactly = 0; ///< of those, compared in 100 digits
     std::int64_t samples = 0; ///< vertices that the library evaluated
@@ -76,7 +77,7 @@ private:
     verdict refused() const;
     void finish(verdict& v, const l3d_dice_counts& counts, const measuring& points) const;
     void judge_picture(verdict& v, const frame& drawn);
-    void make_exact_picture();
+    void make_exact_picture(double near);
 
     const test_case& case_;
     effort how_;

@@ -1,61 +1,78 @@
-#include "judge.h"
-#include <chrono>
+// SPDX-License-Identifier: MIT
+// stability: patches that are meant to break the library, and whether its bounds hold.
+#include "table.h"
+
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <map>
+#include <string>
+#include <string_view>
+#include <thread>
+
+namespace {
+
 using namespace stability;
+
+/// A part of everything for each `make test`: seconds, the sanitizers' as well.
+const extent sample{9, 600, 12, 100, 1, ""};
+const extent everything{1, 1'000'000, 2000, 2000, 1, ""};
+
+[[noreturn]] void refuse(const std::string& what) {
+    std::fprintf(stderr,
+                 "stability: %s\n"
+                 "usage: stability [--sample] [--random N] [--threads N] [--table FILE] [--only TEXT]\n",
+                 what.c_str());
+    std::exit(2);
+}
+
+/// Errors: exits with the option and the value at fault.
+std::uint64_t count_of(const std::string& option, const std::string& text) {
+    char* end = nullptr;
+    const unsigned long long value = std::strtoull(text.c_str(), &end, 10);
+    if (text.empty() || text[0] < '0' || text[0] > '9' || *end != 0)
+        refuse(option + ": '" + text + "' is not a number");
+    return value;
+}
+
+} // namespace
+
 int main(int argc, char** argv) {
-    std::uint64_t from = 1, count = 1000; bool frames = false; 
-    if (argc > 1) from = std::strtoull(argv[1], nullptr, 10);
-    if (argc > 2) count = std::strtoull(argv[2], nullptr, 10);
-    if (argc > 3) frames = true;
-    const auto ways = all_arithmetics();
-    if (argc > 1 && !std::strcmp(argv[1], "named")) {
-        int n = 0; const int first = argc > 3 ? std::atoi(argv[3]) : 0;
-        for (const test_case& c : named_cases()) {
-            ++n;
-            if (n < first || (argc > 2 && (c.group + ": " + c.name).find(argv[2]) == std::string::npos)) continue;
-            std::fprintf(stderr, "%d %s: %s\n", n, c.group.c_str(), c.name.c_str());
-            judge j(c, {3000, 8});
-            for (const auto& way : ways) {
-                auto t0 = std::chrono::steady_clock::now();
-                const verdict v = j.of_frame(*way);
-                const double d = std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
-                std::printf("%d %s: %s [%s] %s bound %g tol %g measured %g ratio %.3f pieces %ld samples %ld missing %ld extra %ld pic %d ms %.1f (%.2f s) %s\n", n, c.group.c_str(), c.name.c_str(), way->name(), name_of(v.what), v.bound, c.tolerance, v.measured, v.ratio, (long)v.pieces, (long)v.samples, (long)v.missing, (long)v.extra, v.picture_judged, v.milliseconds, d, v.reason.c_str());
-                std::fflush(stdout);
-                if (j.accepted() && !std::strcmp(way->name(), pipeline_arithmetic())) {
-                    const frame f = draw_by_pipeline(*j.accepted());
-                    if (f.words != j.words()) std::printf("%d PIPELINE DIFFERS\n", n);
-                }
-            }
+    extent how_much = everything;
+    how_much.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    std::string table;
+    for (int i = 1; i < argc; ++i) {
+        const std::string option = argv[i];
+        if (option == "--sample") {
+            how_much = sample;
+            continue;
         }
-        return 0;
+        if (i + 1 == argc)
+            refuse(option + ": unknown, or without its value");
+        const std::string value = argv[++i];
+        if (option == "--random")
+            how_much.random = count_of(option, value);
+        else if (option == "--threads")
+            how_much.threads =
+                static_cast<int>(std::clamp<std::uint64_t>(count_of(option, value), 1, 256));
+        else if (option == "--only")
+            how_much = {1, 0, 0, 0, how_much.threads, value};
+        else if (option == "--table")
+            table = value;
+        else
+            refuse(option + ": unknown");
     }
-    std::map<std::string, std::map<std::string, int>> outcomes;
-    std::map<std::string, double> worst, slow;
-    double total[5]{};
-    for (std::uint64_t s = from; s < from + count; ++s) {
-        const test_case c = random_case(s);
-        auto t0 = std::chrono::steady_clock::now();
-        judge j(c, {200, 3});
-        auto lap = [&] { auto t1 = std::chrono::steady_clock::now(); double d = std::chrono::duration<double>(t1 - t0).count(); t0 = t1; return d; };
-        total[4] += lap();
-        int n = 0;
-        for (const auto& way : ways) {
-            const verdict v = frames ? j.of_frame(*way) : j.of_points(*way);
-            const double d = lap();
-            total[n++] += d;
-            ++outcomes[c.group + " " + way->name()][name_of(v.what)];
-            auto& w = worst[c.group + " " + way->name()];
-            w = std::max(w, v.ratio);
-            auto& sl = slow[c.group + " " + way->name()];
-            sl = std::max(sl, d);
-            if (v.what == outcome::violated || d > 2)
-                std::printf("%s %s %s tol %g size %dx%d fov %g: %s %s bound %g measured %g  %.2f s pieces %ld samples %ld\n", c.group.c_str(), c.name.c_str(), way->name(), c.tolerance, c.size.width, c.size.height, c.eye.fov_degrees, name_of(v.what), v.reason.c_str(), v.bound, v.measured, d, (long)v.pieces, (long)v.samples);
-            std::fflush(stdout);
+    const suite_result result = run_suite(how_much);
+    if (!how_much.only.empty())
+        write_cases(stdout, result);
+    write_lines(stdout, result);
+    if (!table.empty()) {
+        std::FILE* const to = std::fopen(table.c_str(), "w");
+        if (!to) {
+            std::perror(table.c_str());
+            return 1;
         }
+        write_table(to, result);
+        std::fclose(to);
     }
-    for (auto& [k, m] : outcomes) { std::printf("%-24s worst %.3f slowest %.3f:", k.c_str(), worst[k], slow[k]); for (auto& [o, n] : m) std::printf(" %s %d", o.c_str(), n); std::puts(""); }
-    std::printf("seconds: judge %.2f", total[4]); for (int i = 0; i < 4; ++i) std::printf(" %s %.2f", ways[i]->name(), total[i]); std::puts("");
+    return result.violation_count == 0 ? 0 : 1;
 }
