@@ -21,6 +21,12 @@ vector turned(const vector& v, const vector& axis, double angle) {
     return {r[0], r[1], r[2]};
 }
 
+/// Squares of what is very long or short would leave a double's range.
+vector unit_of_any_length(const vector& v) {
+    const double longest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+    return l3d_normalized(vector{v[0] / longest, v[1] / longest, v[2] / longest});
+}
+
 std::string text_of(double value) {
     char digits[32];
     std::snprintf(digits, sizeof digits, "%g", value);
@@ -35,27 +41,24 @@ std::string text_of(const vector& v) {
 
 l3d_camera::frame l3d_camera::axes() const {
     const vector forward = l3d_normalized(target - eye);
-    // Squares of what is very long or short would leave a double's range.
-    const double longest = std::max({std::abs(up[0]), std::abs(up[1]), std::abs(up[2])});
-    const vector upright{up[0] / longest, up[1] / longest, up[2] / longest};
-    const vector right = l3d_normalized(l3d_cross(forward, upright));
+    const vector right = l3d_normalized(l3d_cross(forward, unit_of_any_length(up)));
     return {right, l3d_cross(right, forward), forward};
 }
 
+double l3d_camera::up_sine() const {
+    return l3d_length(l3d_cross(l3d_normalized(target - eye), unit_of_any_length(up)));
+}
+
 std::string l3d_camera::complaint() const {
-    const auto finite = [](const vector& v) {
-        return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
-    };
     for (const auto& [name, place] : {std::pair{"eye", eye}, {"target", target}}) {
         for (int i = 0; i < 3; ++i)
             if (!(std::abs(place[i]) <= l3d_bpt_largest_coordinate))
                 return std::string("camera: ") + name + ' ' + text_of(place) +
                        " is not within 1e12 of the origin";
     }
-    const frame f = axes();
     if (!(l3d_length(target - eye) >= l3d_least_distance))
         return "camera: target " + text_of(target) + " is within 1e-30 of the eye";
-    if (!finite(f.right) || !finite(f.up) || !(l3d_dot(f.right, f.right) > 0.5))
+    if (!(up_sine() >= l3d_least_up_sine))
         return "camera: up " + text_of(up) + " is zero, not finite or along the line of sight";
     if (!(fov > 0 && fov < 180))
         return "camera: fov " + text_of(fov) + " is not between 0 and 180 degrees";

@@ -13,6 +13,10 @@
 /// which goes up to 3e38.
 inline constexpr double l3d_least_distance = 1e-30;
 
+/// Least sine of the angle between `up` and the line of sight: below, rounding alone would turn the
+/// picture by a part in 10^9 and more.
+inline constexpr double l3d_least_up_sine = 1e-6;
+
 /// A perspective camera in a right-handed world with y up, looking along target - eye.
 ///
 /// Units:   world units; fov in degrees, vertical, over the whole picture height.
@@ -32,9 +36,12 @@ struct l3d_camera {
     };
     frame axes() const;
 
+    /// Sine of the angle between `up` and the line of sight.
+    double up_sine() const;
+
     /// Why no picture is defined, naming the value at fault; "" if one is. What it asks for: finite
-    /// numbers, eye and target within 1e12 and not in one place, an up beside the direction between
-    /// them, 0 < fov < 180, l3d_least_distance <= near < far.
+    /// numbers, eye and target within 1e12 and not in one place, up_sine() at least
+    /// l3d_least_up_sine, 0 < fov < 180, l3d_least_distance <= near < far.
     std::string complaint() const;
 
     bool is_valid() const { return complaint().empty(); }

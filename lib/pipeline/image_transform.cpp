@@ -38,7 +38,10 @@ l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size
         eye += std::abs(camera.eye[i]);
     constexpr double roundings = (16 + 8 + 8 + 3 * 50) * 0x1p-53;
     error_w_ = roundings * (scene.reach() + eye) * depth_scale_;
-    error_xy_ = error_w_ * focal;
+    // The axes to the right and down are turned by the rounding of the line of sight and of the
+    // product with `up`, 4 ulps, over the sine between them.
+    constexpr double turning = 4 * 0x1p-53;
+    error_xy_ = focal * (error_w_ + turning / camera.up_sine() * farthest * depth_scale_);
 }
 
 l3d_dice_view l3d_image_transform::view(double tolerance) const {

@@ -16,8 +16,8 @@
 #include <cstdint>
 #include <vector>
 
-/// Pieces of a patch at most: 4095 cuts, of which what lies outside the picture takes a part.
-inline constexpr std::size_t l3d_most_pieces = 4096;
+/// Pieces of a patch at most: 2047 cuts, of which what lies outside the picture takes a part.
+inline constexpr std::size_t l3d_most_pieces = 2048;
 
 /// Vertices of a patch at most, those of its edges not counted, and about as many quads. A patch
 /// that fills 16384 x 16384 pixels and bends by all of their width needs 2300^2 = 5 million at the

@@ -294,7 +294,10 @@ bool is_malformed(const test_case& c) {
                       z = static_cast<long double>(target.z) - eye.z;
     const long double across = std::hypot(y * up.z - z * up.y, z * up.x - x * up.z,
                                           x * up.y - y * up.x);
-    const bool has_direction = across > 0 && across < std::numeric_limits<long double>::infinity();
+    const long double lengths = std::hypot(x, y, z) *
+                                std::hypot<long double, long double, long double>(up.x, up.y, up.z);
+    const bool has_direction = across >= 1e-6L * lengths && lengths > 0 &&
+                               lengths < std::numeric_limits<long double>::infinity();
     if (std::hypot(x, y, z) < 1e-30L)
         return true;
     const bool has_depth = c.eye.near >= 1e-30 && c.eye.near < c.far && c.far < infinity;
