@@ -91,7 +91,7 @@ CHECKS    := format-check headers layers errors-doc fail
 LINT_LOGS := $(CHECKS:%=$(OUT)/log/%.log)
 STRESS_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log)
 TEST_LOGS := $(tested:%=$(OUT)/log/%.log) $(SCRIPTS:tests/%=$(OUT)/log/%.log) \
-             $(OUT)/log/layers.log $(OUT)/log/fail.log $(if $(filter stress,$(WITH)),$(STRESS_LOGS))
+             $(OUT)/log/stability.log $(OUT)/log/layers.log $(OUT)/log/fail.log $(if $(filter stress,$(WITH)),$(STRESS_LOGS))
 
 # ---- targets ------------------------------------------------------------------------------------
 
@@ -100,7 +100,7 @@ MAKEFLAGS += -rR --no-print-directory
 .SECONDEXPANSION:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: FORCE all run test stress matrix lint $(CHECKS) tidy format bench packages hooks clean help
+.PHONY: FORCE all run test stress stability matrix lint $(CHECKS) tidy format bench packages hooks clean help
 
 Q    := $(if $(V),,@)
 say   = $(if $(V),,@printf '  %-5s %s\n' $(1) $(2:$(OUT)/%=%))
@@ -125,6 +125,11 @@ stress: packages-test ## what takes minutes: a server that dies at every request
 test-%: packages-test ## the tests of one layer: make test-geom
 	@$(call judge,$(OUT)/log/$*.log)
 
+stability: packages-stability ## 600 cases made to break it, and a million random ones, in four arithmetics
+	@$(again) $(STABILITY)
+	@mkdir -p docs/report
+	$(STABILITY) --table docs/report/stability.md $(ARGS)
+
 matrix: packages-test packages-matrix ## every test: each scalar, plain and sanitized, both compilers
 	@MAKE="$(again)" tests/lint/matrix.sh $(BUILD)/matrix
 
@@ -145,7 +150,8 @@ bench: packages-bench ## build and run the benchmarks
 	@set -e; for bench in $(BENCHES); do $$bench $(ARGS); done
 
 packages: packages-build packages-test packages-lint ## install the Debian packages that are missing
-packages-test packages-lint packages-tidy packages-bench packages-matrix: packages-build
+packages-test packages-lint packages-tidy packages-bench packages-matrix packages-stability: \
+    packages-build
 packages-%:
 	@CXX="$(CXX)" tests/lint/packages.sh $(PACKAGES_$*)
 
@@ -208,6 +214,11 @@ logged = $(Q)mkdir -p $(@D); { $(1); } > $@ 2>&1; echo "exit status $$?" >> $@
 $(tested:%=$(OUT)/log/%.log): $(OUT)/log/%.log: $(OUT)/tests/%_tests FORCE
 	$(call say,TEST,$*)
 	$(call logged,timeout --foreground $(TEST_TIMEOUT) $< --gtest_color=no)
+
+# A part of what `make stability` runs, a few seconds.
+$(OUT)/log/stability.log: $(STABILITY) FORCE
+	$(call say,TEST,stability)
+	$(call logged,timeout --foreground $(TEST_TIMEOUT) $< --sample)
 
 $(OUT)/log/x11/%.log: tests/x11/% $(APPS) FORCE
 	$(call say,TEST,$<)

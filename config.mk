@@ -23,9 +23,11 @@ PACKAGES_build  := g++:$(CXX) libglm-dev:glm/glm.hpp libpng-dev:png.h libx11-dev
     libhwy-dev:hwy/highway.h
 PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool \
     x11-xkb-utils:setxkbmap x11-utils:xprop \
-    libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so
+    libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so \
+    libboost-dev:boost/multiprecision/cpp_bin_float.hpp
 PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
 PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
 PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h
+PACKAGES_stability := libboost-dev:boost/multiprecision/cpp_bin_float.hpp
 PACKAGES_bench  := libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so \
     libembree-dev:embree3/rtcore.h xvfb:Xvfb

@@ -12,6 +12,9 @@ namespace {
 /// As deep as halving a parameter stays exact in doubles, with room for the strips' quarters.
 constexpr int deepest = 48;
 
+/// Vertices for all that is left when a patch is in l3d_most_pieces pieces: of a second, an eighth.
+constexpr std::int64_t most_left_samples = l3d_most_samples / 8;
+
 /// Vertices of a grid.
 std::int64_t samples_of(const l3d_step_plan& plan) {
     std::int64_t columns = 1, rows = 1;
@@ -45,10 +48,9 @@ void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& 
         for (const piece& half : halves(worst, of))
             take(half, of);
     }
-    // What is left shares what is left.
+    of.samples_left = std::min(of.samples_left, most_left_samples);
     for (std::size_t left = waiting_.size(); left > 0; --left)
-        draw_coarsely(waiting_[left - 1].p,
-                      of.samples_left / static_cast<std::int64_t>(left), of);
+        draw_coarsely(waiting_[left - 1].p, of.samples_left / static_cast<std::int64_t>(left), of);
 }
 
 template <class T>
@@ -58,9 +60,9 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of) const -> planne
     for (const l3d_piece_side& side : p.sides)
         result.vertex_error = std::max(result.vertex_error, of.edges[side.edge].vertex_error());
     const bool whole = result.nets.whole();
-    result.plan = l3d_plan_steps(result.nets.blocks(), of.view,
-                                 of.view.chord_budget(result.vertex_error),
-                                 whole ? l3d_quad_kind::whole : l3d_quad_kind::triangles);
+    result.plan =
+        l3d_plan_steps(result.nets.blocks(), of.view, of.view.chord_budget(result.vertex_error),
+                       whole ? l3d_quad_kind::whole : l3d_quad_kind::triangles);
     result.excess = static_cast<double>(std::max(result.plan.most_u(), result.plan.most_v())) /
                     (whole ? l3d_most_steps_whole : l3d_most_steps_clipped);
     return result;
@@ -105,8 +107,7 @@ void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, tas
     draw(p, how, of);
 }
 
-template <class T>
-void l3d_patch_dicer<T>::draw(const piece& p, const planned& how, task& of) {
+template <class T> void l3d_patch_dicer<T>::draw(const piece& p, const planned& how, task& of) {
     l3d_diced_piece& out = of.out.next();
     drawer_.draw(p, how.nets, how.plan, out);
     out.bound = how.plan.visible ? how.plan.chord_error + how.vertex_error : 0;
@@ -141,8 +142,7 @@ auto l3d_patch_dicer<T>::halves(const waiting& w, task& of) const -> std::array<
         const double middle = (p.sides[across].t0 + p.sides[across].t1) / 2;
         low.sides[across].t1 = high.sides[across].t0 = middle;
     }
-    const std::size_t edge =
-        of.edges.add(w.along_u ? low.net.column(3) : low.net.row(3), of.view);
+    const std::size_t edge = of.edges.add(w.along_u ? low.net.column(3) : low.net.row(3), of.view);
     of.counts.add_edge(of.edges[edge].size(), of.edges[edge].bound());
     low.sides[w.along_u ? 3 : 1] = high.sides[w.along_u ? 2 : 0] = l3d_piece_side{edge, 0, 1};
     return result;

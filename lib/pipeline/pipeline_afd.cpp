@@ -38,7 +38,8 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
         return "picture: " + std::to_string(size.width) + 'x' + std::to_string(size.height) +
                " is not within 1x1 and 16384x16384";
     if (!(settings.tolerance > 0 && settings.tolerance <= largest))
-        return "tolerance: " + std::to_string(settings.tolerance) + " px is not positive and finite";
+        return "tolerance: " + std::to_string(settings.tolerance) +
+               " px is not positive and finite";
     const double length = l3d_length(settings.light);
     if (!(length > 0 && length <= largest))
         return "light: no direction";

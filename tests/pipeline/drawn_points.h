@@ -122,8 +122,7 @@ private:
         visit(at);
     }
 
-    template <class Visit>
-    void triangle(const std::array<drawn_point, 3>& c, Visit& visit) const {
+    template <class Visit> void triangle(const std::array<drawn_point, 3>& c, Visit& visit) const {
         if (turn(c[0], c[1], c[2]) == 0)
             return; // covers nothing
         for (const auto& weights : of_triangle)

@@ -111,10 +111,13 @@ private:
 } // namespace
 
 std::optional<library_case> library_case::of(const test_case& c, std::string& why) {
-    const auto vector_of = [](const reference::vec3& v) { return l3d_camera::vector{v.x, v.y, v.z}; };
+    const auto vector_of = [](const reference::vec3& v) {
+        return l3d_camera::vector{v.x, v.y, v.z};
+    };
     library_case result;
-    result.camera = {vector_of(c.eye.eye), vector_of(c.eye.target), vector_of(c.eye.up),
-                     c.eye.fov_degrees,    c.eye.near,              c.far};
+    result.camera = {vector_of(c.eye.eye), vector_of(c.eye.target),
+                     vector_of(c.eye.up),  c.eye.fov_degrees,
+                     c.eye.near,           c.far};
     result.size = {c.size.width, c.size.height};
     result.tolerance = c.tolerance;
     why = l3d_afd_complaint(result.camera, result.size, settings_of(result.tolerance));

@@ -37,8 +37,7 @@ template <class Number> std::array<Number, 4> weights(double parameter) {
 }
 
 /// Homogeneous point of a net at (u, v).
-template <class Number, class Net>
-std::array<Number, 3> value(const Net& net, double u, double v) {
+template <class Number, class Net> std::array<Number, 3> value(const Net& net, double u, double v) {
     const auto a = weights<Number>(u), b = weights<Number>(v);
     std::array<Number, 3> sum{Number(0), Number(0), Number(0)};
     for (std::size_t row = 0; row < 4; ++row)
@@ -61,8 +60,7 @@ exact_camera::exact_camera(const reference::camera& view, reference::picture_siz
     forward = unit(forward);
     const point right = unit(cross(forward, point_of(view.up)));
     axes_ = {right, cross(forward, right), forward};
-    const digits half_angle =
-        digits(view.fov_degrees) * boost::math::constants::pi<digits>() / 360;
+    const digits half_angle = digits(view.fov_degrees) * boost::math::constants::pi<digits>() / 360;
     focal_ = centre_y_ / tan(half_angle);
 }
 

@@ -45,7 +45,8 @@ reference::vec3 scaled(const reference::vec3& v, double by) {
 /// The same picture of worlds of all sizes; those beyond 1e12 are refused.
 void add_scales(std::vector<test_case>& to) {
     const reference::patch sheets[] = {oblique.patch(bent), oblique.patch(ground)};
-    for (int exponent = -300; exponent <= 300; exponent += exponent < -30 || exponent >= 30 ? 90 : 3)
+    for (int exponent = -300; exponent <= 300;
+         exponent += exponent < -30 || exponent >= 30 ? 90 : 3)
         for (const reference::patch& of : sheets) {
             const double by = std::pow(10, exponent);
             reference::patch p = of;
@@ -132,8 +133,8 @@ void add_near_plane(std::vector<test_case>& to) {
     }());
     for (const int exponent : {-3, -6, -9, -12, -20, -30, -40, -100, -300}) {
         const auto with_near = [&](const char* name, const reference::patch& p) {
-            add(to, oblique, "near plane", "near 1e" + std::to_string(exponent) + name, p).eye.near =
-                std::pow(10, exponent);
+            add(to, oblique, "near plane", "near 1e" + std::to_string(exponent) + name, p)
+                .eye.near = std::pow(10, exponent);
         };
         with_near("", oblique.patch(bent));
         with_near(", ground", oblique.patch(ground));
@@ -165,10 +166,9 @@ void add_views(std::vector<test_case>& to) {
         // What another field of view was made for: a corner of it, or a speck.
         add(to, in, "field of view", std::string(text) + ", unfit", oblique.patch(bent));
     }
-    constexpr reference::picture_size sizes[] = {{1, 1},      {1, 2},     {2, 1},     {3, 3},
-                                                 {1, 1000},   {1000, 1},  {16384, 1}, {1, 16384},
-                                                 {16384, 16}, {16, 16384}, {16383, 7}, {16384, 500},
-                                                 {4001, 3001}};
+    constexpr reference::picture_size sizes[] = {
+        {1, 1},     {1, 2},      {2, 1},      {3, 3},     {1, 1000},    {1000, 1},   {16384, 1},
+        {1, 16384}, {16384, 16}, {16, 16384}, {16383, 7}, {16384, 500}, {4001, 3001}};
     for (const reference::picture_size& size : sizes) {
         const std::string text = std::to_string(size.width) + "x" + std::to_string(size.height);
         studio in = oblique;
@@ -192,7 +192,8 @@ void add_views(std::vector<test_case>& to) {
     for (const int exponent : {-3, -9, -12, -15}) {
         in = oblique;
         const double by = std::pow(10, exponent);
-        in.eye.target = {in.eye.eye.x - 0.46 * by, in.eye.eye.y + 0.4 * by, in.eye.eye.z - 0.9 * by};
+        in.eye.target = {in.eye.eye.x - 0.46 * by, in.eye.eye.y + 0.4 * by,
+                         in.eye.eye.z - 0.9 * by};
         add(to, in, "up", "target 1e" + std::to_string(exponent) + " from the eye", in.patch(bent));
     }
 }
@@ -214,8 +215,8 @@ void add_denormals(std::vector<test_case>& to) {
     cut.eye.near = denormal;
     test_case& up = add(to, oblique, "denormal", "up", oblique.patch(bent));
     up.eye.up = {0, denormal, 0};
-    test_case& aside = add(to, oblique, "denormal", "up but for one coordinate",
-                           oblique.patch(bent));
+    test_case& aside =
+        add(to, oblique, "denormal", "up but for one coordinate", oblique.patch(bent));
     aside.eye.up = {denormal, 1, -denormal};
     test_case& narrow = add(to, oblique, "denormal", "field of view", oblique.patch(bent));
     narrow.eye.fov_degrees = denormal;
@@ -292,10 +293,10 @@ bool is_malformed(const test_case& c) {
     const long double x = static_cast<long double>(target.x) - eye.x,
                       y = static_cast<long double>(target.y) - eye.y,
                       z = static_cast<long double>(target.z) - eye.z;
-    const long double across = std::hypot(y * up.z - z * up.y, z * up.x - x * up.z,
-                                          x * up.y - y * up.x);
-    const long double lengths = std::hypot(x, y, z) *
-                                std::hypot<long double, long double, long double>(up.x, up.y, up.z);
+    const long double across =
+        std::hypot(y * up.z - z * up.y, z * up.x - x * up.z, x * up.y - y * up.x);
+    const long double lengths =
+        std::hypot(x, y, z) * std::hypot<long double, long double, long double>(up.x, up.y, up.z);
     const bool has_direction = across >= 1e-6L * lengths && lengths > 0 &&
                                lengths < std::numeric_limits<long double>::infinity();
     if (std::hypot(x, y, z) < 1e-30L)

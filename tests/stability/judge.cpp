@@ -161,7 +161,7 @@ void judge::finish(verdict& v, const l3d_dice_counts& counts, const measuring& p
     v.exactly = points.exactly;
     v.samples = counts.samples;
     v.pieces = counts.pieces;
-    v.what = v.bound <= case_.tolerance                             ? outcome::within
+    v.what = v.bound <= case_.tolerance                      ? outcome::within
              : v.bound <= std::numeric_limits<double>::max() ? outcome::weaker
                                                              : outcome::unbounded;
     if (is_malformed(case_))
@@ -195,8 +195,9 @@ verdict judge::of_frame(arithmetic& in) {
     return result;
 }
 
-/// The same for every arithmetic, as `near` is. A chord's w is off by near / 2 at most where something crosses the near plane: what lies beyond
-/// 3/2 of it must be drawn, what lies before half of it must not.
+/// The same for every arithmetic, as `near` is. A chord's w is off by near / 2 at most where
+/// something crosses the near plane: what lies beyond 3/2 of it must be drawn, what lies before
+/// half of it must not.
 void judge::make_exact_picture(double near) {
     picture_tried_ = true;
     const auto pixels = std::int64_t{case_.size.width} * case_.size.height;
@@ -207,8 +208,7 @@ void judge::make_exact_picture(double near) {
     bold.near = 0.5 * near;
     try {
         auto least = std::make_unique<reference::exact_image>(case_.patches, shy, case_.size);
-        auto outlines =
-            std::make_unique<reference::exact_region>(case_.patches, shy, case_.size);
+        auto outlines = std::make_unique<reference::exact_region>(case_.patches, shy, case_.size);
         auto most = std::make_unique<reference::exact_region>(case_.patches, bold, case_.size);
         least_covered_ = std::move(least);
         outlines_ = std::move(outlines);
@@ -231,10 +231,9 @@ void judge::judge_picture(verdict& v, const frame& drawn) {
     const double most = v.bound + outline_slack;
     for (int y = 0; y < case_.size.height; ++y)
         for (int x = 0; x < case_.size.width; ++x) {
-            const float distance =
-                drawn.distances[static_cast<std::size_t>(y) *
-                                    static_cast<std::size_t>(case_.size.width) +
-                                static_cast<std::size_t>(x)];
+            const float distance = drawn.distances[static_cast<std::size_t>(y) *
+                                                       static_cast<std::size_t>(case_.size.width) +
+                                                   static_cast<std::size_t>(x)];
             const bool is = std::isfinite(distance), should = least_covered_->covered(x, y);
             if (is == should)
                 continue;
@@ -242,9 +241,8 @@ void judge::judge_picture(verdict& v, const frame& drawn) {
             if (++looked_up > most_looked_up)
                 continue;
             try {
-                const double off =
-                    is ? most_covered_->distance_to_exact_surface(x + 0.5, y + 0.5)
-                       : outlines_->distance_to_outline(x + 0.5, y + 0.5);
+                const double off = is ? most_covered_->distance_to_exact_surface(x + 0.5, y + 0.5)
+                                      : outlines_->distance_to_outline(x + 0.5, y + 0.5);
                 if (off > most)
                     v.violate(text("pixel %d, %d is %s: %.4f px from any outline, bound %.4f px", x,
                                    y, is ? "drawn" : "a hole", off, v.bound));

@@ -31,14 +31,14 @@ const char* name_of(outcome what);
 
 struct verdict {
     outcome what = outcome::within;
-    std::string reason;    ///< of a refusal or a violation
-    double bound = 0;      ///< of the frame. Units: pixels
-    double measured = 0;   ///< largest distance of a drawn point from the exact one. Units: pixels
-    double ratio = 0; ///< largest of measured / bound, each grid with its own bound
+    std::string reason;  ///< of a refusal or a violation
+    double bound = 0;    ///< of the frame. Units: pixels
+    double measured = 0; ///< largest distance of a drawn point from the exact one. Units: pixels
+    double ratio = 0;    ///< largest of measured / bound, each grid with its own bound
     double ratio_measured = 0, ratio_bound = 0; ///< where that is
-    std::int64_t points = 0; ///< drawn points looked at
-    std::int64_t exactly = 0; ///< of those, compared in 100 digits
-    std::int64_t samples = 0; ///< vertices that the library evaluated
+    std::int64_t points = 0;                    ///< drawn points looked at
+    std::int64_t exactly = 0;                   ///< of those, compared in 100 digits
+    std::int64_t samples = 0;                   ///< vertices that the library evaluated
     std::int64_t pieces = 0;
     std::int64_t missing = 0, extra = 0; ///< pixels that differ from the exact picture
     bool picture_judged = false;
@@ -49,8 +49,9 @@ struct verdict {
 
 /// How thoroughly points are looked at.
 struct effort {
-    std::size_t most_polygons = 20000; ///< of a patch; if there are more, each n-th, and one a piece
-    std::size_t exact_points = 8;  ///< a patch, the ones that seem worst, in 100 digits
+    std::size_t most_polygons =
+        20000;                    ///< of a patch; if there are more, each n-th, and one a piece
+    std::size_t exact_points = 8; ///< a patch, the ones that seem worst, in 100 digits
 };
 
 /// One case, which several arithmetics are judged by.

@@ -80,10 +80,9 @@ reference::patch thrown(numbers& random, const studio& in) {
     reference::patch result = gentle(random, in, random.between(0.1, 0.8));
     const reference::camera_frame frame(in.eye, in.size);
     for (std::size_t n = 1 + random.below(3); n > 0; --n)
-        result.points[random.below(16)] =
-            frame.unproject(random.between(-reach, reach) * in.size.width,
-                            random.between(-reach, reach) * in.size.height,
-                            in.eye.near * random.between(1.5, 40));
+        result.points[random.below(16)] = frame.unproject(
+            random.between(-reach, reach) * in.size.width,
+            random.between(-reach, reach) * in.size.height, in.eye.near * random.between(1.5, 40));
     return result;
 }
 
@@ -96,9 +95,10 @@ reference::patch needle(numbers& random, const studio& in) {
     const double far_end = in.eye.near * random.between(2, 20);
     return in.patch([&](double u, double v) {
         const double across = (v - 0.5) * width;
-        return seen_point{x0 + (x1 - x0) * u - across * (y1 - y0) + random.between(-0.1, 0.1) * width,
-                          y0 + (y1 - y0) * u + across * (x1 - x0) + random.between(-0.1, 0.1) * width,
-                          near_end + (far_end - near_end) * u};
+        return seen_point{
+            x0 + (x1 - x0) * u - across * (y1 - y0) + random.between(-0.1, 0.1) * width,
+            y0 + (y1 - y0) * u + across * (x1 - x0) + random.between(-0.1, 0.1) * width,
+            near_end + (far_end - near_end) * u};
     });
 }
 
@@ -119,9 +119,9 @@ reference::patch far_off(numbers& random, studio& in) {
     return gentle(random, in, random.between(0.1, 0.8));
 }
 
-constexpr std::array<const char*, 12> kinds{
-    "gentle", "thin",     "folded", "coincident", "stiff", "weights", "around eye",
-    "crossing", "thrown", "needle", "far off",    "tiny"};
+constexpr std::array<const char*, 12> kinds{"gentle", "thin",    "folded",     "coincident",
+                                            "stiff",  "weights", "around eye", "crossing",
+                                            "thrown", "needle",  "far off",    "tiny"};
 
 reference::patch patch_of_kind(std::size_t kind, numbers& random, studio& in) {
     using reference::patch_kind;

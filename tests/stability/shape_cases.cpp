@@ -30,31 +30,37 @@ test_case& add(std::vector<test_case>& to, const char* group, std::string name,
 
 void add_collapsed(std::vector<test_case>& to) {
     const auto moved_if = [&](const char* name, auto moves, seen_point where) {
-        add(to, "collapsed", name, oblique.patch([&](double u, double v) {
-            return moves(u, v) ? where : bent(u, v);
-        }));
+        add(to, "collapsed", name,
+            oblique.patch([&](double u, double v) { return moves(u, v) ? where : bent(u, v); }));
     };
     const seen_point middle = bent(0.5, 0.5), corner = bent(0, 0);
-    moved_if("edge v = 0", [](double, double v) { return v == 0; }, bent(0.5, 0));
-    moved_if("edge v = 1", [](double, double v) { return v == 1; }, bent(0.5, 1));
-    moved_if("edge u = 0", [](double u, double) { return u == 0; }, bent(0, 0.5));
-    moved_if("edge u = 1", [](double u, double) { return u == 1; }, bent(1, 0.5));
-    moved_if("two edges that meet", [](double u, double v) { return u == 0 || v == 0; }, corner);
-    moved_if("two edges that do not, to one point",
-             [](double u, double) { return u == 0 || u == 1; }, middle);
-    moved_if("all but a corner", [](double u, double v) { return u < 1 || v < 1; }, corner);
-    moved_if("all but an edge", [](double u, double) { return u < 1; }, corner);
-    moved_if("to a point", [](double, double) { return true; }, middle);
+    moved_if(
+        "edge v = 0", [](double, double v) { return v == 0; }, bent(0.5, 0));
+    moved_if(
+        "edge v = 1", [](double, double v) { return v == 1; }, bent(0.5, 1));
+    moved_if(
+        "edge u = 0", [](double u, double) { return u == 0; }, bent(0, 0.5));
+    moved_if(
+        "edge u = 1", [](double u, double) { return u == 1; }, bent(1, 0.5));
+    moved_if(
+        "two edges that meet", [](double u, double v) { return u == 0 || v == 0; }, corner);
+    moved_if(
+        "two edges that do not, to one point", [](double u, double) { return u == 0 || u == 1; },
+        middle);
+    moved_if(
+        "all but a corner", [](double u, double v) { return u < 1 || v < 1; }, corner);
+    moved_if(
+        "all but an edge", [](double u, double) { return u < 1; }, corner);
+    moved_if(
+        "to a point", [](double, double) { return true; }, middle);
     moved_if("to a pixel's centre", [](double, double) { return true; },
              {80.5 / oblique.size.width, 60.5 / oblique.size.height, 2});
     moved_if("to the eye", [](double, double) { return true; }, {0.5, 0.5, 0});
     add(to, "collapsed", "to a line", oblique.patch([](double u, double) { return bent(u, 0.4); }));
-    add(to, "collapsed", "to a curve there and back", oblique.patch([](double u, double v) {
-        return bent(u * (1 - u) + 0.01 * v, 0.4);
-    }));
-    add(to, "collapsed", "two edges onto each other", oblique.patch([](double u, double v) {
-        return bent(u, v == 1 ? 0 : v);
-    }));
+    add(to, "collapsed", "to a curve there and back",
+        oblique.patch([](double u, double v) { return bent(u * (1 - u) + 0.01 * v, 0.4); }));
+    add(to, "collapsed", "two edges onto each other",
+        oblique.patch([](double u, double v) { return bent(u, v == 1 ? 0 : v); }));
 }
 
 void add_folded(std::vector<test_case>& to) {
@@ -62,8 +68,9 @@ void add_folded(std::vector<test_case>& to) {
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
             numbers random(100 * seed);
             const double reach = std::pow(10, exponent);
-            add(to, "folded", "points off by 1e" + std::to_string(exponent) + " pictures, seed " +
-                                  std::to_string(seed),
+            add(to, "folded",
+                "points off by 1e" + std::to_string(exponent) + " pictures, seed " +
+                    std::to_string(seed),
                 oblique.patch([&](double u, double v) {
                     seen_point p = bent(u, v);
                     p.x += random.between(-reach, reach);
@@ -72,15 +79,13 @@ void add_folded(std::vector<test_case>& to) {
                     return p;
                 }));
         }
-    add(to, "folded", "a bow tie", oblique.patch([](double u, double v) {
-        return bent(v < 0.5 ? u : 1 - u, v);
-    }));
+    add(to, "folded", "a bow tie",
+        oblique.patch([](double u, double v) { return bent(v < 0.5 ? u : 1 - u, v); }));
     add(to, "folded", "a closed tube that cuts itself", oblique.patch([](double u, double v) {
         return bent(u == 1 ? 0 : 2 * u - 1, v + (u > 0.5 ? 0.3 : -0.3) * (u < 1));
     }));
-    add(to, "folded", "onto itself exactly", oblique.patch([](double u, double v) {
-        return bent(u < 0.5 ? u : 1 - u, v);
-    }));
+    add(to, "folded", "onto itself exactly",
+        oblique.patch([](double u, double v) { return bent(u < 0.5 ? u : 1 - u, v); }));
     add(to, "folded", "seen edge on", oblique.patch([](double u, double v) {
         return seen_point{0.2 + 0.6 * u, 0.4 + 0.1 * u, 2 + u + v};
     }));
@@ -96,8 +101,8 @@ void add_thrown(std::vector<test_case>& to) {
             reference::patch p = oblique.patch(bent);
             const double away = std::pow(10, exponent);
             p.points[index] = {0.7 * away, -0.4 * away, 0.9 * away};
-            add(to, "thrown", "point " + std::to_string(index + 1) + " to 1e" +
-                                  std::to_string(exponent), p);
+            add(to, "thrown",
+                "point " + std::to_string(index + 1) + " to 1e" + std::to_string(exponent), p);
         }
     numbers random(7);
     for (const int exponent : {2, 4, 8, 12}) {

@@ -18,10 +18,11 @@ const extent sample{9, 600, 12, 100, 1, ""};
 const extent everything{1, 1'000'000, 2000, 2000, 1, ""};
 
 [[noreturn]] void refuse(const std::string& what) {
-    std::fprintf(stderr,
-                 "stability: %s\n"
-                 "usage: stability [--sample] [--random N] [--threads N] [--table FILE] [--only TEXT]\n",
-                 what.c_str());
+    std::fprintf(
+        stderr,
+        "stability: %s\n"
+        "usage: stability [--sample] [--random N] [--threads N] [--table FILE] [--only TEXT]\n",
+        what.c_str());
     std::exit(2);
 }
 

@@ -91,7 +91,8 @@ void add_cusps(collection& to) {
             to.add(in, "cusp", std::string(text) + way, in.patch([&](double u, double v) {
                 const double along = along_u ? u : v, across = along_u ? v : u;
                 return seen_point{0.15 + 0.6 * at(x, along) + 0.1 * across,
-                                  0.1 + 0.3 * at(y, along) + 0.5 * across, 2 + 0.4 * across + along};
+                                  0.1 + 0.3 * at(y, along) + 0.5 * across,
+                                  2 + 0.4 * across + along};
             }));
         };
         add(", along u", true);
@@ -134,11 +135,11 @@ void add_needles(collection& to) {
                }));
         // As wide as a pixel's eighth, and far beyond both sides.
         const double longer = std::pow(10, exponent - 2);
-        to.add(oblique, "needle", power("pictures long", exponent - 2),
-               oblique.patch([&](double u, double v) {
-                   return seen_point{0.5 + longer * (u - 0.5), 0.3 + 0.4 * u + 0.001 * v,
-                                     2 + 0.3 * u};
-               }));
+        to.add(
+            oblique, "needle", power("pictures long", exponent - 2),
+            oblique.patch([&](double u, double v) {
+                return seen_point{0.5 + longer * (u - 0.5), 0.3 + 0.4 * u + 0.001 * v, 2 + 0.3 * u};
+            }));
     }
 }
 
@@ -161,10 +162,8 @@ void add_weights(collection& to, const studio& in, const char* group) {
         const std::pair<const char*, weight> patterns[] = {
             {"rising along u", [&](double u, double) { return ten_to(e * (2 * u - 1)); }},
             {"rising along both", [&](double u, double v) { return ten_to(e * (u + v - 1)); }},
-            {"heavy corner",
-             [&](double u, double v) { return ten_to(u == 0 && v == 1 ? e : -e); }},
-            {"light corner",
-             [&](double u, double v) { return ten_to(u == 1 && v == 0 ? -e : e); }},
+            {"heavy corner", [&](double u, double v) { return ten_to(u == 0 && v == 1 ? e : -e); }},
+            {"light corner", [&](double u, double v) { return ten_to(u == 1 && v == 0 ? -e : e); }},
             {"heavy middle",
              [&](double u, double v) { return ten_to(is_inner(u) && is_inner(v) ? e : -e); }},
             {"like a chessboard",

@@ -51,8 +51,7 @@ struct studio {
         const reference::camera_frame frame(eye, size);
         reference::patch result;
         for (std::size_t k = 0; k < 16; ++k) {
-            const seen_point p =
-                at(static_cast<double>(k % 4) / 3, static_cast<double>(k / 4) / 3);
+            const seen_point p = at(static_cast<double>(k % 4) / 3, static_cast<double>(k / 4) / 3);
             result.points[k] = frame.unproject(p.x * size.width, p.y * size.height, p.w);
         }
         return result;

@@ -149,8 +149,7 @@ void run_ordinary(suite_result& result, const extent& how_much, collector& colle
         of.resize(how_much.ordinary, std::numeric_limits<double>::infinity());
     on_threads(how_much.threads, how_much.ordinary, "ordinary patches", collected,
                [&](std::uint64_t i, const arithmetics& ways) {
-                   const auto verdicts =
-                       judged(ordinary_case(i + 1), ordinary_effort, false, ways);
+                   const auto verdicts = judged(ordinary_case(i + 1), ordinary_effort, false, ways);
                    for (std::size_t a = 0; a < arithmetic_count; ++a)
                        looseness[a][i] = verdicts[a].bound / verdicts[a].measured;
                });
@@ -158,8 +157,8 @@ void run_ordinary(suite_result& result, const extent& how_much, collector& colle
     if (how_much.ordinary == 0)
         return;
     for (std::size_t a = 0; a < arithmetic_count; ++a) {
-        const auto middle = looseness[a].begin() + static_cast<std::ptrdiff_t>(
-                                                       looseness[a].size() / 2);
+        const auto middle =
+            looseness[a].begin() + static_cast<std::ptrdiff_t>(looseness[a].size() / 2);
         std::nth_element(looseness[a].begin(), middle, looseness[a].end());
         result.median_looseness[a] = *middle;
         if (!(*middle <= most_median_looseness))

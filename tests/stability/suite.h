@@ -58,8 +58,8 @@ struct suite_result {
     std::array<std::string, arithmetic_count> arithmetics;
     std::vector<named_result> named;
     std::array<tally, arithmetic_count> named_tally, random_tally;
-    std::vector<worst_case> worst;         ///< five, the worst first
-    std::vector<std::string> violations;   ///< one line each, the first hundred
+    std::vector<worst_case> worst;       ///< five, the worst first
+    std::vector<std::string> violations; ///< one line each, the first hundred
     std::int64_t violation_count = 0;
     std::array<double, arithmetic_count> median_looseness{}; ///< of bound / measured
     std::uint64_t ordinary = 0;

@@ -80,15 +80,17 @@ void write_costs(std::FILE* to, const suite_result& r) {
 }
 
 void write_tightness(std::FILE* to, const suite_result& r) {
-    std::fprintf(to, "\n## How tight\n\nThe five largest ratios of all cases (of grids with their own bound, of triangles with "
+    std::fprintf(to, "\n## How tight\n\nThe five largest ratios of all cases (of grids with their "
+                     "own bound, of triangles with "
                      "the frame's):\n\n| measured / bound | measured px | bound px | arithmetic | "
                      "case |\n|---|---|---|---|---|\n");
     for (const worst_case& w : r.worst)
         std::fprintf(to, "| %.4f | %s | %s | %s | %s: %s |\n", w.ratio, number(w.measured).c_str(),
                      number(w.bound).c_str(), w.arithmetic.c_str(), w.group.c_str(),
                      w.name.c_str());
-    std::fprintf(to, "\nOf %llu ordinary patches, one a frame, the frame's bound is, in the "
-                     "median, so many times the largest\nmeasured error:",
+    std::fprintf(to,
+                 "\nOf %llu ordinary patches, one a frame, the frame's bound is, in the "
+                 "median, so many times the largest\nmeasured error:",
                  static_cast<unsigned long long>(r.ordinary));
     for (std::size_t a = 0; a < arithmetic_count; ++a)
         std::fprintf(to, " %s %.2f%s", r.arithmetics[a].c_str(), r.median_looseness[a],
@@ -136,31 +138,34 @@ void write_named(std::FILE* to, const suite_result& r) {
 } // namespace
 
 void write_table(std::FILE* to, const suite_result& r) {
+    std::fprintf(
+        to,
+        "# Stability\n\nMade by `make stability` on %s, %s, vector instructions %s, "
+        "l3d_real = %s, in %.0f s.\n\n"
+        "Each case is a patch, a view and a tolerance. It is drawn in four arithmetics: "
+        "*float*, *double* and\n*block 32* (32-bit integers with an exponent for each "
+        "patch and coordinate, 64-bit ones where those are\ntoo coarse) in vector lanes, "
+        "*32.32* fixed point by the slow twin. Drawn points are compared with the\nexact "
+        "surface: all that are looked at in 64 bits, the worst of each patch in 100 "
+        "decimal digits. Pictures\nare compared with the exact picture: no pixel may be "
+        "missing or too many farther than the bound from an\noutline. The frame of "
+        "`l3d_pipeline_afd` itself has to be the same bits.\n\n"
+        "*within*: drawn, its bound at most the tolerance. *weaker*: drawn, and the frame "
+        "reports a larger bound.\n*no bound*: drawn, and the frame reports that it knows "
+        "no bound. *refused*: nothing is drawn, for a stated\nreason. *violated*: anything "
+        "else. Weights are distances: a patch seen in perspective is a rational patch.\n\n",
+        today().c_str(), processor().c_str(), l3d_simd_target().c_str(), l3d_real_name(),
+        r.seconds);
     std::fprintf(to,
-                 "# Stability\n\nMade by `make stability` on %s, %s, vector instructions %s, "
-                 "l3d_real = %s, in %.0f s.\n\n"
-                 "Each case is a patch, a view and a tolerance. It is drawn in four arithmetics: "
-                 "*float*, *double* and\n*block 32* (32-bit integers with an exponent for each "
-                 "patch and coordinate, 64-bit ones where those are\ntoo coarse) in vector lanes, "
-                 "*32.32* fixed point by the slow twin. Drawn points are compared with the\nexact "
-                 "surface: all that are looked at in 64 bits, the worst of each patch in 100 "
-                 "decimal digits. Pictures\nare compared with the exact picture: no pixel may be "
-                 "missing or too many farther than the bound from an\noutline. The frame of "
-                 "`l3d_pipeline_afd` itself has to be the same bits.\n\n"
-                 "*within*: drawn, its bound at most the tolerance. *weaker*: drawn, and the frame "
-                 "reports a larger bound.\n*no bound*: drawn, and the frame reports that it knows "
-                 "no bound. *refused*: nothing is drawn, for a stated\nreason. *violated*: anything "
-                 "else. Weights are distances: a patch seen in perspective is a rational patch.\n\n",
-                 today().c_str(), processor().c_str(), l3d_simd_target().c_str(), l3d_real_name(),
-                 r.seconds);
-    std::fprintf(to, "**%lld violations** in %lld named and %lld random cases in each "
-                     "arithmetic.\n\n## Named cases\n\n",
+                 "**%lld violations** in %lld named and %lld random cases in each "
+                 "arithmetic.\n\n## Named cases\n\n",
                  static_cast<long long>(r.violation_count),
                  static_cast<long long>(r.named_tally[0].cases()),
                  static_cast<long long>(r.random_tally[0].cases()));
     write_tallies(to, r, r.named_tally);
-    std::fprintf(to, "\n## Random cases\n\nAny shape in any view, tolerances from 0.02 to 2 pixels, "
-                     "pictures from 1 x 1 to 8192 pixels wide, worlds of\n1e-9 to 1e9 units.\n\n");
+    std::fprintf(to,
+                 "\n## Random cases\n\nAny shape in any view, tolerances from 0.02 to 2 pixels, "
+                 "pictures from 1 x 1 to 8192 pixels wide, worlds of\n1e-9 to 1e9 units.\n\n");
     write_tallies(to, r, r.random_tally);
     for (const std::string& line : r.violations)
         std::fprintf(to, "\n- VIOLATED %s\n", line.c_str());
