@@ -186,13 +186,14 @@ TEST(book_world, a_cut_polygon_covers_what_is_left) {
     const l3d_size size{101, 67};
     picture image(size);
     l3d_painter painter;
-    painter.begin(camera_at(3, 2, -1, size), size);
+    auto camera = camera_at(3, 2, -1, size);
+    camera.near_z = 0.5; // there the floor is 200 pixels below the centre
+    painter.begin(camera, size);
     l3d_polygon_mesh floor;
     floor.vertices = {{-9e4, 0, -80}, {-9e4, 0, 9e6}, {9e4, 0, 9e6}, {9e4, 0, -80}};
     floor.add_face({{0, 1, 2, 3}});
     painter.add(l3d_object(floor));
     ASSERT_EQ(painter.polygons(), 1u);
-    for (auto c : painter.corners(0)) printf("%g %g\n", c.x, c.y);
     painter.draw(image.rasterizer, l3d_draw_order::as_added);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
