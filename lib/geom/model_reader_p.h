@@ -40,10 +40,13 @@ public:
         mesh_.face_materials.push_back(material);
     }
 
-    /// If some faces have a material, the others get one without a name.
+    /// If some faces have a material, the others get one without a name; if none has, there are no
+    /// materials.
     void finish() {
-        if (mesh_.face_materials.empty())
+        if (mesh_.face_materials.empty()) {
+            mesh_.materials.clear();
             return;
+        }
         mesh_.face_materials.resize(mesh_.faces(), nothing);
         for (std::uint32_t& material : mesh_.face_materials)
             if (material == nothing)
