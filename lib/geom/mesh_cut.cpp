@@ -153,11 +153,10 @@ l3d_polygon_mesh l3d_cut_mesh(const l3d_polygon_mesh& mesh, const l3d_plane<doub
     return cutter(mesh, plane).run(end);
 }
 
-void l3d_mirror(l3d_polygon_mesh& mesh) {
-    for (auto& v : mesh.vertices)
-        v[2] = -v[2];
-    for (auto& n : mesh.vertex_normals)
-        n[2] = -n[2];
+void l3d_turn_left_handed(l3d_polygon_mesh& mesh) {
+    for (auto* vectors : {&mesh.vertices, &mesh.vertex_normals})
+        for (auto& v : *vectors)
+            std::swap(v[1], v[2]);
     index begin = 0;
     for (const index end : mesh.face_ends) {
         std::reverse(mesh.corners.begin() + begin, mesh.corners.begin() + end);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes cut in two by a plane, and mirrored.
+// Meshes cut in two by a plane, and brought into left-handed axes.
 #ifndef L3D_GEOM_MESH_CUT_H
 #define L3D_GEOM_MESH_CUT_H
 
@@ -25,9 +25,9 @@ enum class l3d_cut_end {
 l3d_polygon_mesh l3d_cut_mesh(const l3d_polygon_mesh& mesh, const l3d_plane<double>& plane,
                               l3d_cut_end end = l3d_cut_end::open);
 
-/// From right-handed axes with z towards the viewer to left-handed ones with z away from him, or
-/// back: z is negated, and the corners of each face are reversed, so that its outside stays so.
-void l3d_mirror(l3d_polygon_mesh& mesh);
+/// From right-handed axes with z up, as modellers have them, to left-handed ones with y up: y and z
+/// change places, and the corners of each face are reversed, so that its outside stays so.
+void l3d_turn_left_handed(l3d_polygon_mesh& mesh);
 
 /// The sum of the areas of all faces. Expects: mesh.is_valid(). Units: world units squared.
 double l3d_area(const l3d_polygon_mesh& mesh);

@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_POLYGON_3D_H
 #define L3D_GEOM_POLYGON_3D_H
 
+#include "geom/clip_to_plane.h"
 #include "geom/plane.h"
 
 #include <cstddef>
@@ -39,43 +40,9 @@ template <class T> struct l3d_polygon_3d {
     double area() const;
 };
 
-/// How far from a plane a vertex may be and still count as on it: the thickness of the plane.
+/// How far from a plane a vertex may be and still count as on it.
 /// Units: world units; the book's value.
 inline constexpr double l3d_plane_thickness = 0.001;
-
-/// Keeps what of a convex polygon is in front of a plane.
-///
-/// A corner within `thickness` of the plane is on it: it is kept, and no edge is cut there. So a
-/// plane through corners cuts between them, and leaves no slivers.
-/// Shape:   `side` gives the signed distance of a vertex, front positive; `cut` is asked for the
-///          index of the vertex where the edge between two crosses, the one in front first: both
-///          polygons of an edge ask the same, so what it computes from these two alone has no
-///          crack. `kept` gets the corners, in order, and loses what it held.
-/// Errors:  false, and `kept` is empty, if nothing is in front.
-/// Cost:    a call of `side` for each corner, at most two of `cut`.
-template <class T, class Side, class Cut>
-bool l3d_clip_to_plane(std::span<const std::uint32_t> corners, T thickness, Side side, Cut cut,
-                       std::vector<std::uint32_t>& kept) {
-    kept.clear();
-    bool in_front = false;
-    std::uint32_t before = corners.back();
-    T before_side = side(before);
-    for (const std::uint32_t corner : corners) {
-        const T corner_side = side(corner);
-        if (corner_side > thickness && before_side < -thickness)
-            kept.push_back(cut(corner, before));
-        if (corner_side < -thickness && before_side > thickness)
-            kept.push_back(cut(before, corner));
-        if (!(corner_side < -thickness))
-            kept.push_back(corner);
-        in_front = in_front || corner_side > thickness;
-        before = corner;
-        before_side = corner_side;
-    }
-    if (!in_front)
-        kept.clear();
-    return in_front;
-}
 
 /// A vertex on the way from one in front to one behind, where the distance from a plane is 0.
 template <class T>
@@ -84,8 +51,8 @@ l3d_point<T> l3d_between(const l3d_point<T>& front, const l3d_point<T>& behind, 
     return front + (behind - front) * (front_side / (front_side - behind_side));
 }
 
-/// Clips a polygon to a plane; new vertices go to the end of the list.
-/// Errors:  as above.
+/// Clips a convex polygon to a plane; new vertices go to the end of the list.
+/// Errors:  false, and `kept` is empty, if nothing is in front.
 template <class T>
 bool l3d_clip_to_plane(std::span<const std::uint32_t> corners, const l3d_plane<T>& plane,
                        std::vector<l3d_point<T>>& vertices, std::vector<std::uint32_t>& kept) {
@@ -100,7 +67,7 @@ bool l3d_clip_to_plane(std::span<const std::uint32_t> corners, const l3d_plane<T
 
 /// Keeps what is at z >= near_z, exactly: new vertices have this z to the last bit, so that no
 /// division by z comes out larger than at near_z.
-/// Errors:  as above.
+/// Errors:  false, and `kept` is empty, if nothing is.
 template <class T>
 bool l3d_clip_near_z(std::span<const std::uint32_t> corners, T near_z,
                      std::vector<l3d_point<T>>& vertices, std::vector<std::uint32_t>& kept) {

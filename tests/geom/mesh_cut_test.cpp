@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// l3d_cut_mesh: the row "Splitting objects" of the book's table; and l3d_mirror.
+// l3d_cut_mesh: the row "Splitting objects" of the book's table; and import.
 #include "geom/mesh_cut.h"
 
+#include "geom/model_file.h"
 #include "geom/polygon_3d.h"
 #include "geom/polygon_shapes.h"
 
@@ -139,14 +140,31 @@ TEST(book_mesh_cut, random_cuts_of_closed_meshes) {
     EXPECT_TRUE(is_closed(half));
 }
 
-TEST(book_mesh_cut, mirroring_changes_hands) {
-    auto mesh = pyramid();
-    const double before = volume(mesh);
-    l3d_mirror(mesh);
-    EXPECT_EQ(mesh.vertices[3], (l3d_vector<double, 3>(0, 0, -10)));
-    EXPECT_NEAR(volume(mesh), before, 1e-12); // the outside is still outside
-    l3d_mirror(mesh);
-    EXPECT_EQ(mesh, pyramid());
+/// Row "Videoscape import": a cube of z up and counterclockwise faces, as Blender writes it.
+TEST(book_mesh_cut, videoscape_import) {
+    const std::string text = "3DG1\n8\n1 2 3\n5 2 3\n5 6 3\n1 6 3\n1 2 7\n5 2 7\n5 6 7\n1 6 7\n"
+                             "4 3 2 1 0 0x0000ff\n4 4 5 6 7 0x00ff00\n4 0 1 5 4 0xff0000\n"
+                             "4 1 2 6 5 0x123456\n4 2 3 7 6 0xff\n4 3 0 4 7 0xff\n";
+    std::string why;
+    auto model = l3d_read_videoscape(text, "cube.obj", why);
+    ASSERT_TRUE(model.has_value()) << why;
+    l3d_polygon_mesh& mesh = model->mesh;
+    EXPECT_NEAR(volume(mesh), 64, 1e-9); // right-handed: (p1 - p0) x (p2 - p0) is outward
+    l3d_turn_left_handed(mesh);
+    EXPECT_EQ(mesh.vertices[4], (l3d_vector<double, 3>(1, 7, 2))); // what was up is up
+    EXPECT_EQ(mesh.face_colors[0], 0xff0000u);                     // blue is on top in the file
+    EXPECT_EQ(mesh.face_colors[3], 0x563412u);
+    std::vector<point> points;
+    for (const auto& v : mesh.vertices)
+        points.push_back(point(v));
+    const point centre(3, 5, 4);
+    for (std::size_t i = 0; i < mesh.faces(); ++i) {
+        const l3d_polygon_3d<double> face{points, mesh.face(i)};
+        EXPECT_NEAR(face.plane()->side_of_point(centre), -2, 1e-12);
+    }
+    // Cut in the middle of the first face: 7 + 8 * 6 bytes before it.
+    EXPECT_FALSE(l3d_read_videoscape(text.substr(0, 59), "cube.obj", why).has_value());
+    EXPECT_EQ(why.substr(0, 12), "cube.obj:11:");
 }
 
 } // namespace
