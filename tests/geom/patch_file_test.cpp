@@ -216,7 +216,7 @@ TEST(patch_file, random_damage_is_survived_and_explained) {
             std::string unused;
             ASSERT_EQ(l3d_read_bpt(l3d_write_bpt(*result), "again", unused), result) << text;
             for (const l3d_patch_points& patch : *result)
-                static_cast<void>(l3d_elevated_to_bicubic(patch));
+                static_cast<void>(l3d_as_bicubic(patch));
         } else {
             ASSERT_TRUE(why.starts_with("bad:")) << why;
             ASSERT_LT(why.size(), 250u) << why;
@@ -281,7 +281,7 @@ TEST(elevation, keeps_the_surface) {
     for (int degree_u = 1; degree_u <= 3; ++degree_u)
         for (int degree_v = 1; degree_v <= 3; ++degree_v) {
             const l3d_patch_points patch = random_patch(degree_u, degree_v, random);
-            const auto net = l3d_elevated_to_bicubic(patch);
+            const auto net = l3d_as_bicubic(patch);
             ASSERT_TRUE(net);
             const l3d_patch_points bicubic{3, 3, {net->begin(), net->end()}};
             for (const double u : {0.0, 0.3, 0.8, 1.0})
@@ -305,8 +305,8 @@ TEST(elevation, keeps_a_common_boundary_common) {
             const std::size_t last = points_along(degree) - 1;
             for (std::size_t k = 0; k <= last; ++k)
                 b.points[4 * k + 3] = a.points[last - k];
-            const auto net_a = l3d_elevated_to_bicubic(a);
-            const auto net_b = l3d_elevated_to_bicubic(b);
+            const auto net_a = l3d_as_bicubic(a);
+            const auto net_b = l3d_as_bicubic(b);
             ASSERT_TRUE(net_a && net_b);
             for (std::size_t k = 0; k < 4; ++k)
                 ASSERT_EQ((*net_b)[4 * k + 3], (*net_a)[3 - k]) << degree << " " << k;
@@ -315,13 +315,13 @@ TEST(elevation, keeps_a_common_boundary_common) {
 
 TEST(elevation, refuses_what_it_cannot_do) {
     std::mt19937 random(29);
-    EXPECT_FALSE(l3d_elevated_to_bicubic(random_patch(4, 1, random)));
-    EXPECT_FALSE(l3d_elevated_to_bicubic(random_patch(2, 15, random)));
-    EXPECT_FALSE(l3d_elevated_to_bicubic(l3d_patch_points{}));
-    EXPECT_FALSE(l3d_elevated_to_bicubic(random_patch(0, 2, random)));
+    EXPECT_FALSE(l3d_as_bicubic(random_patch(4, 1, random)));
+    EXPECT_FALSE(l3d_as_bicubic(random_patch(2, 15, random)));
+    EXPECT_FALSE(l3d_as_bicubic(l3d_patch_points{}));
+    EXPECT_FALSE(l3d_as_bicubic(random_patch(0, 2, random)));
     l3d_patch_points patch = random_patch(2, 3, random);
     patch.points.pop_back();
-    EXPECT_FALSE(l3d_elevated_to_bicubic(patch));
+    EXPECT_FALSE(l3d_as_bicubic(patch));
 }
 
 using row = std::vector<point>;
