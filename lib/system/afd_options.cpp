@@ -15,11 +15,6 @@ namespace {
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double least_positive = std::numeric_limits<double>::min();
 
-/// Methods that afd is compared with, and that are still to come.
-constexpr std::array<const char*, 8> planned_methods{"fd",           "isocurves",     "subdivision",
-                                                     "tessellation", "micropolygons", "scanline",
-                                                     "voxels",       "mesa"};
-
 /// Model coordinates are at most 1e12, too; beyond, a double's steps are more than a
 /// ten-thousandth.
 constexpr double farthest_place = 1e12;
@@ -49,7 +44,8 @@ void check_place(const char* option, const std::array<double, 3>& place) {
 l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--model", model_file_, "patches to draw, a .bpt file; without it, the teapot",
                 "FILE");
-    options.add("--method", method_, "how surfaces are drawn: afd", "NAME");
+    options.add("--method", method_, "how surfaces are drawn: " + l3d_method_choice::all_names(),
+                "NAME");
     // Vertices lie on a grid of 1/256 pixel, which is already off by sqrt(2)/512 = 0.0028.
     options.add("--tolerance", settings_.tolerance, "largest geometric error allowed, in pixels",
                 0.005, 1000.0);
@@ -101,11 +97,15 @@ l3d_camera l3d_afd_options::camera() const {
 }
 
 l3d_afd_settings l3d_afd_options::settings() const {
-    if (std::find(planned_methods.begin(), planned_methods.end(), method_) != planned_methods.end())
-        throw l3d_error(l3d_exit::usage, "--method: '" + method_ + "' is not built yet");
-    if (method_ != "afd")
-        throw l3d_error(l3d_exit::usage, "--method: '" + method_ + "' is unknown; there is afd");
     l3d_afd_settings result = settings_;
+    std::string why;
+    const auto method = l3d_method_choice::from_name(method_, why);
+    if (!method)
+        throw l3d_error(l3d_exit::usage, "--method: " + why);
+    result.method = *method;
+    if (result.wireframe && method->method != l3d_method::afd)
+        throw l3d_error(l3d_exit::usage,
+                        "--wireframe: shows the steps of afd, not of --method " + method->name());
     result.depth = !depth_output_.empty();
     result.light = vector_of(light_);
     const double length = l3d_length(result.light);

@@ -23,7 +23,7 @@ public:
     /// Errors: l3d_error(usage) that names the option if the values do not make a camera.
     l3d_camera camera() const;
 
-    /// Errors: l3d_error(usage) for a light of no direction, or a method that is not built.
+    /// Errors: l3d_error(usage) for a light of no direction, or an unknown method.
     l3d_afd_settings settings() const;
 
     /// The model asked for, or the teapot. Errors: l3d_error(bad_input) with file and line.
