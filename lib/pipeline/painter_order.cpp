@@ -6,6 +6,7 @@
 #include "pipeline/painter_components_p.h"
 #include "pipeline/painter_knot_p.h"
 #include "pipeline/painter_overlap_p.h"
+#include "raster/scan_edge_p.h"
 
 #include <algorithm>
 #include <bit>
@@ -27,19 +28,14 @@ struct pixel_range {
     }
 };
 
-/// The first pixel whose centre is not before a position.
-std::int32_t first_pixel(std::int32_t position) {
-    return (position + l3d_subpixel_one / 2 - 1) >> l3d_subpixel_bits;
-}
-
 pixel_range range_of(const std::array<l3d_micro_vertex, 3>& v, l3d_size size) {
     const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
     const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
     const auto [farthest, nearest] = std::minmax({v[0].inv_w, v[1].inv_w, v[2].inv_w});
-    return {std::max(first_pixel(left), 0),
-            std::max(first_pixel(top), 0),
-            std::min(first_pixel(right), size.width),
-            std::min(first_pixel(bottom), size.height),
+    return {std::max(first_centre(left), 0),
+            std::max(first_centre(top), 0),
+            std::min(first_centre(right), size.width),
+            std::min(first_centre(bottom), size.height),
             farthest,
             nearest};
 }

@@ -4,6 +4,7 @@
 
 #include "pipeline/near_clip.h"
 #include "pipeline/snap.h"
+#include "raster/scan_edge_p.h"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +14,7 @@ namespace {
 
 using vector = l3d_polygon_view::vector;
 using point = l3d_vector<double, 4>;
+using l3d_detail::first_centre;
 
 point placed(const l3d_matrix<double>& m, const vector& v) {
     point result = m.column(3);
@@ -29,20 +31,15 @@ void turn(const l3d_matrix<double>& placement, const l3d_polygon_model::directio
                                     placement(i, 2) * v[2]);
 }
 
-/// Index of the first pixel whose centre is not before a position.
-std::int32_t first_pixel(std::int32_t position) {
-    return (position + l3d_subpixel_one / 2 - 1) >> l3d_subpixel_bits;
-}
-
 enum class reach { outside, subpixel, seen };
 
 /// Whether the box of a triangle holds a pixel centre of the window.
 reach reach_of(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c,
                l3d_size size) {
-    const std::int32_t left = first_pixel(std::min({a.x, b.x, c.x}));
-    const std::int32_t right = first_pixel(std::max({a.x, b.x, c.x}));
-    const std::int32_t top = first_pixel(std::min({a.y, b.y, c.y}));
-    const std::int32_t bottom = first_pixel(std::max({a.y, b.y, c.y}));
+    const std::int32_t left = first_centre(std::min({a.x, b.x, c.x}));
+    const std::int32_t right = first_centre(std::max({a.x, b.x, c.x}));
+    const std::int32_t top = first_centre(std::min({a.y, b.y, c.y}));
+    const std::int32_t bottom = first_centre(std::max({a.y, b.y, c.y}));
     if (right <= 0 || bottom <= 0 || left >= size.width || top >= size.height)
         return reach::outside;
     return left >= right || top >= bottom ? reach::subpixel : reach::seen;
@@ -110,6 +107,7 @@ void l3d_polygon_frame::place_vertices(const frame_input& in, std::size_t begin,
 void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
     chunk& to = chunks_[index];
     to.part.triangles.clear();
+    to.sides.clear();
     to.counts = {};
     const auto all = in.model.triangles();
     const std::size_t begin = index * chunk_triangles;
@@ -140,6 +138,7 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
         if (whole) {
             ++to.counts.drawn;
             to.part.triangles.add(v[0], v[1], v[2]);
+            to.sides.push_back(static_cast<std::uint8_t>(triangle.sides));
             continue;
         }
         float normals[3][3];
@@ -178,8 +177,22 @@ void l3d_polygon_frame::add_clipped(const frame_input& in, const l3d_model_trian
         if (reach_of(v[0], v[1], v[2], in.view.size()) != reach::seen)
             continue;
         to.part.triangles.add(v[0], v[1], v[2]);
+        // The pieces are a fan: the first side of the first and the last of the last are outside.
+        const bool first = i == 0, last = i + 1 == pieces.count;
+        to.sides.push_back(static_cast<std::uint8_t>(first | 2 | last << 2));
         seen = true;
     }
     ++(seen ? to.counts.drawn : to.counts.outside);
     to.counts.clipped += seen;
+}
+
+void l3d_polygon_frame::list(std::vector<l3d_painter_triangle>& out) const {
+    out.clear();
+    for (std::size_t c = 0; c < parts_.size(); ++c) {
+        const l3d_micro_triangles& triangles = parts_[c]->triangles;
+        for (std::size_t i = 0; i < triangles.count; ++i)
+            out.push_back({{triangles.vertex(i, 0), triangles.vertex(i, 1), triangles.vertex(i, 2)},
+                           0,
+                           chunks_[c].sides[i]});
+    }
 }

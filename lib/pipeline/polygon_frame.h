@@ -7,6 +7,8 @@
 #include "pipeline/diced_piece.h"
 #include "pipeline/polygon_model.h"
 #include "pipeline/polygon_view.h"
+#include "raster/painter.h"
+#include "raster/rasterizer_2d.h"
 #include "raster/surface_part.h"
 #include "raster/workers.h"
 
@@ -50,6 +52,10 @@ public:
     /// Lives:   until the next make.
     std::span<const l3d_surface_part* const> parts() const { return parts_; }
 
+    /// The same triangles one by one, with the sides that are sides of faces. Of a clipped triangle
+    /// the outline of what is left.
+    void list(std::vector<l3d_painter_triangle>& out) const;
+
     const l3d_polygon_counts& counts() const { return counts_; }
 
 private:
@@ -58,7 +64,8 @@ private:
 
     struct chunk {
         l3d_surface_part part;
-        l3d_diced_piece clipped; ///< pieces of one triangle
+        std::vector<std::uint8_t> sides; ///< of each triangle of the part
+        l3d_diced_piece clipped;         ///< pieces of one triangle
         l3d_polygon_counts counts;
     };
 

@@ -2,6 +2,7 @@
 // l3d_polygon_view: one matrix a frame.
 #include "pipeline/polygon_view.h"
 
+#include "geom/transform.h"
 #include "pipeline/camera_shading.h"
 
 #include <cstddef>
@@ -21,15 +22,11 @@ vector turned_back(const l3d_matrix<double>& placement, const vector& v) {
 
 } // namespace
 
-l3d_matrix<double> l3d_euler_rotation(const l3d_vector<double, 3>& angles,
+l3d_matrix<double> l3d_euler_rotation(const l3d_vector<double, 3>& degrees,
                                       const l3d_vector<double, 3>& centre) {
-    const auto turn = [&](int axis) {
-        vector direction{0.0, 0.0, 0.0};
-        direction[axis] = 1;
-        return l3d_rotation<double>(direction, angles[axis]);
-    };
-    return l3d_translation<double>(centre[0], centre[1], centre[2]) * turn(2) * turn(1) * turn(0) *
-           l3d_translation<double>(-centre[0], -centre[1], -centre[2]);
+    return l3d_about({centre[0], centre[1], centre[2]}, l3d_rotation_z<double>(degrees[2]) *
+                                                            l3d_rotation_y<double>(degrees[1]) *
+                                                            l3d_rotation_x<double>(degrees[0]));
 }
 
 l3d_polygon_view::l3d_polygon_view(const l3d_camera& camera, l3d_size size,

@@ -3,6 +3,7 @@
 #include "raster/painter.h"
 
 #include "raster/attribute_plane_p.h"
+#include "raster/line_pixels_p.h"
 #include "raster/picture_plane.h"
 #include "raster/scan_polygon_p.h"
 #include "raster/surface_shader_p.h"
@@ -36,6 +37,10 @@ struct columns {
 struct placed_cut {
     l3d_picture_plane own, other;
     bool in_front;
+
+    bool keeps(int column, int row) const {
+        return (own.at_pixel(column, row) >= other.at_pixel(column, row)) == in_front;
+    }
 
     /// What is kept of a row. Both sides of a cut find the same end of it: it depends on the two
     /// planes and on where the whole triangle's row begins.
@@ -105,20 +110,43 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
 struct l3d_painter::work_space {
     painting to;
 
+    void begin(l3d_pixels target) {
+        for (int y = 0; y < target.height; ++y)
+            std::ranges::fill(target.row(y), 0u);
+        to.target = target;
+        to.scan.set_rows({0, target.height});
+        to.written = 0;
+    }
+
+    void place_cuts(const l3d_painter_piece& piece, std::span<const l3d_painter_triangle> triangles,
+                    std::span<const l3d_painter_cut> cuts) {
+        to.cuts.clear();
+        for (std::uint32_t c = piece.cut; c != l3d_painter_cut::last; c = cuts[c].next)
+            to.cuts.push_back({l3d_picture_plane(triangles[piece.triangle].v),
+                               l3d_picture_plane(triangles[cuts[c].splitter].v), cuts[c].in_front});
+    }
+
     template <class Shader>
     void paint(Shader shader, std::span<const l3d_painter_triangle> triangles,
                std::span<const l3d_painter_piece> pieces, std::span<const l3d_painter_cut> cuts) {
         for (const l3d_painter_piece& piece : pieces) {
-            const auto& v = triangles[piece.triangle].v;
-            to.cuts.clear();
-            for (std::uint32_t c = piece.cut; c != l3d_painter_cut::last; c = cuts[c].next)
-                to.cuts.push_back({l3d_picture_plane(v),
-                                   l3d_picture_plane(triangles[cuts[c].splitter].v),
-                                   cuts[c].in_front});
+            place_cuts(piece, triangles, cuts);
             if constexpr (std::is_same_v<Shader, own_color_shader>)
                 shader.color = triangles[piece.triangle].color;
-            paint_triangle(to, shader, v);
+            paint_triangle(to, shader, triangles[piece.triangle].v);
         }
+    }
+
+    void draw_sides(const l3d_painter_triangle& of, std::uint32_t color) {
+        for (std::size_t k = 0; k < of.v.size(); ++k)
+            if (of.sides >> k & 1)
+                visit_line(side_of(of.v[k], of.v[(k + 1) % 3]), to.target.size(),
+                           [&](int x, int y, double) {
+                               if (std::ranges::all_of(to.cuts, [&](const placed_cut& cut) {
+                                       return cut.keeps(x, y);
+                                   }))
+                                   to.target.row(y)[static_cast<std::size_t>(x)] = color;
+                           });
     }
 };
 
@@ -130,12 +158,7 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
                         std::span<const l3d_painter_triangle> triangles,
                         std::span<const l3d_painter_piece> pieces,
                         std::span<const l3d_painter_cut> cuts) {
-    for (int y = 0; y < target.height; ++y)
-        std::ranges::fill(target.row(y), 0u);
-    painting& to = work_->to;
-    to.target = target;
-    to.scan.set_rows({0, target.height});
-    to.written = 0;
+    work_->begin(target);
     switch (shading.mode) {
     case l3d_shade::lambert:
         work_->paint(lambert_shader(shading), triangles, pieces, cuts);
@@ -155,5 +178,20 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
     }
     counts_ = {};
     counts_.quads = static_cast<std::int64_t>(pieces.size());
-    counts_.samples = counts_.written = to.written;
+    counts_.samples = counts_.written = work_->to.written;
+}
+
+void l3d_painter::paint_lines(l3d_pixels target, std::span<const l3d_painter_triangle> triangles,
+                              std::span<const l3d_painter_piece> pieces,
+                              std::span<const l3d_painter_cut> cuts, std::uint32_t line_color) {
+    work_->begin(target);
+    own_color_shader black;
+    for (const l3d_painter_piece& piece : pieces) {
+        work_->place_cuts(piece, triangles, cuts);
+        paint_triangle(work_->to, black, triangles[piece.triangle].v);
+        work_->draw_sides(triangles[piece.triangle], line_color);
+    }
+    counts_ = {};
+    counts_.quads = static_cast<std::int64_t>(pieces.size());
+    counts_.samples = counts_.written = work_->to.written;
 }

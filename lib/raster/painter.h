@@ -16,6 +16,7 @@
 struct l3d_painter_triangle {
     std::array<l3d_micro_vertex, 3> v;
     std::uint32_t color = 0; ///< in mode `error`, a pixel word; else of no meaning
+    std::uint32_t sides = 7; ///< bit k: the side from corner k to the next is drawn as a line
 };
 
 /// Keeps of a triangle the pixels in which it is in front of another one's plane (or behind it).
@@ -53,6 +54,12 @@ public:
     void paint(l3d_pixels target, const l3d_shading& shading,
                std::span<const l3d_painter_triangle> triangles,
                std::span<const l3d_painter_piece> pieces, std::span<const l3d_painter_cut> cuts);
+
+    /// Clears the picture and draws the sides of the pieces as lines, without what is hidden: each
+    /// piece is painted in black, the ground's colour, before its own sides.
+    void paint_lines(l3d_pixels target, std::span<const l3d_painter_triangle> triangles,
+                     std::span<const l3d_painter_piece> pieces,
+                     std::span<const l3d_painter_cut> cuts, std::uint32_t line_color);
 
     /// Of the last call; samples are all pixels painted.
     const l3d_surface_counts& counts() const { return counts_; }
