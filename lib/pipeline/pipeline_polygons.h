@@ -84,8 +84,8 @@ protected:
 
 private:
     /// Draw the whole picture, and add to times and counts of the report.
-    virtual void draw_solid(const scene& scene, l3d_polygon_report& report) = 0;
-    virtual void draw_hidden_lines(const scene& scene, l3d_polygon_report& report) = 0;
+    virtual void draw_solid(const scene& what, l3d_polygon_report& report) = 0;
+    virtual void draw_hidden_lines(const scene& what, l3d_polygon_report& report) = 0;
     virtual const char* name() const = 0;
 
     void draw_model(l3d_polygon_report& report);

@@ -18,27 +18,27 @@ l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, const l3d_polygon_
     : l3d_pipeline_polygons(std::move(canvas), model, camera, settings), method_(method),
       rasterizer_(surfaces.create_surface(workers())) {}
 
-void l3d_pipeline_zbuffer::fill(const scene& scene, l3d_depth_buffer* depth,
+void l3d_pipeline_zbuffer::fill(const scene& what, l3d_depth_buffer* depth,
                                 l3d_polygon_report& report) {
-    rasterizer_->begin(scene.target, depth, scene.shading);
-    rasterizer_->draw(scene.frame.parts());
+    rasterizer_->begin(what.target, depth, what.shading);
+    rasterizer_->draw(what.frame.parts());
     rasterizer_->finish();
     report.surface = rasterizer_->counts();
 }
 
-void l3d_pipeline_zbuffer::draw_solid(const scene& scene, l3d_polygon_report& report) {
+void l3d_pipeline_zbuffer::draw_solid(const scene& what, l3d_polygon_report& report) {
     const stopwatch filling;
-    fill(scene, nullptr, report);
+    fill(what, nullptr, report);
     report.time_ms.raster = filling.milliseconds();
 }
 
-void l3d_pipeline_zbuffer::draw_hidden_lines(const scene& scene, l3d_polygon_report& report) {
+void l3d_pipeline_zbuffer::draw_hidden_lines(const scene& what, l3d_polygon_report& report) {
     const stopwatch filling;
-    depth_.resize(scene.target.size());
-    fill(scene, &depth_, report);
-    for (int y = 0; y < scene.target.height; ++y)
-        std::ranges::fill(scene.target.row(y), 0u);
-    scene.frame.list(triangles_);
-    l3d_draw_seen_sides(scene.target, depth_, triangles_, wire_color);
+    depth_.resize(what.target.size());
+    fill(what, &depth_, report);
+    for (int y = 0; y < what.target.height; ++y)
+        std::ranges::fill(what.target.row(y), 0u);
+    what.frame.list(triangles_);
+    l3d_draw_seen_sides(what.target, depth_, triangles_, wire_color);
     report.time_ms.raster = filling.milliseconds();
 }

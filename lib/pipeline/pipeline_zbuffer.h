@@ -11,7 +11,7 @@
 #include <vector>
 
 /// Any order; each pixel knows how near it is. Through the CPU's surface rasterizer or Mesa's.
-class l3d_pipeline_zbuffer final : public l3d_pipeline_polygons {
+class l3d_pipeline_zbuffer : public l3d_pipeline_polygons {
 public:
     /// `method` names it in reports; `surfaces` makes what fills, and may be of another kind than
     /// the canvas'.
@@ -21,11 +21,11 @@ public:
                          const l3d_rasterizer_factory& surfaces, const char* method = "zbuffer");
 
 private:
-    void draw_solid(const scene& scene, l3d_polygon_report& report) override;
-    void draw_hidden_lines(const scene& scene, l3d_polygon_report& report) override;
+    void draw_solid(const scene& what, l3d_polygon_report& report) override;
+    void draw_hidden_lines(const scene& what, l3d_polygon_report& report) override;
     const char* name() const override { return method_; }
 
-    void fill(const scene& scene, l3d_depth_buffer* depth, l3d_polygon_report& report);
+    void fill(const scene& what, l3d_depth_buffer* depth, l3d_polygon_report& report);
 
     const char* method_;
     std::unique_ptr<l3d_surface_rasterizer> rasterizer_;

@@ -10,18 +10,18 @@
 #include <vector>
 
 /// The painter's algorithm: no depth buffer, only an order, mended where no order is right.
-class l3d_pipeline_zsort final : public l3d_pipeline_polygons {
+class l3d_pipeline_zsort : public l3d_pipeline_polygons {
 public:
     /// Errors:  as l3d_rasterizer_factory::create_2d.
     l3d_pipeline_zsort(l3d_canvas canvas, const l3d_polygon_model& model, const l3d_camera& camera,
                        const l3d_polygon_settings& settings);
 
 private:
-    void draw_solid(const scene& scene, l3d_polygon_report& report) override;
-    void draw_hidden_lines(const scene& scene, l3d_polygon_report& report) override;
+    void draw_solid(const scene& what, l3d_polygon_report& report) override;
+    void draw_hidden_lines(const scene& what, l3d_polygon_report& report) override;
     const char* name() const override { return "zsort"; }
 
-    void make_order(const scene& scene, l3d_polygon_report& report);
+    void make_order(const scene& what, l3d_polygon_report& report);
 
     std::vector<l3d_painter_triangle> triangles_;
     l3d_painter_order order_;

@@ -135,6 +135,8 @@ l3d_polygon_model::l3d_polygon_model(l3d_polygon_mesh mesh, bool to_origin)
         least_ = glm::min(least_, v);
         most_ = glm::max(most_, v);
     }
+    for (const vector& v : mesh_.vertices)
+        radius_ = std::max(radius_, l3d_length(v - centre()));
     make_triangles();
     make_normals();
 }

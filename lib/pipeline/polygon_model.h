@@ -50,9 +50,9 @@ public:
     const vector& least() const { return least_; }
     const vector& most() const { return most_; }
 
-    /// The middle of the box, and how far a vertex may be from it.
+    /// The middle of the box, and how far the farthest vertex is from it.
     vector centre() const { return (least_ + most_) * 0.5; }
-    double radius() const { return 0.5 * l3d_length(most_ - least_); }
+    double radius() const { return radius_; }
 
     /// Bytes of memory in use, the mesh's own included.
     std::size_t bytes() const;
@@ -65,6 +65,7 @@ private:
     std::vector<l3d_model_triangle> triangles_;
     std::vector<direction> face_normals_, vertex_normals_;
     vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
+    double radius_ = 0;
 };
 
 #endif

@@ -22,7 +22,7 @@ std::string l3d_polygon_report::json() const {
     name_if(polygons.back, "back");
     name_if(polygons.outside, "offscreen");
     name_if(polygons.subpixel, "subpixel");
-    const nlohmann::ordered_json line{
+    nlohmann::ordered_json line{
         {"frame", frame},
         {"method", method},
         {"real", l3d_real_name()},
@@ -53,8 +53,9 @@ std::string l3d_polygon_report::json() const {
           {"cuts", order.cuts}}},
         {"pixels_tested", surface.samples},
         {"pixels_written", surface.written},
-        {"pixels_covered", surface.covered},
         {"left_out", names},
         {"hash", hash_text.data()}};
+    if (surface.covered > 0) // the painter does not know
+        line["pixels_covered"] = surface.covered;
     return line.dump();
 }
