@@ -6,6 +6,7 @@
 #include "pipeline/fd_dicer.h"
 #include "pipeline/isocurve_plotter.h"
 #include "pipeline/method_afd.h"
+#include "pipeline/method_mesa.h"
 #include "pipeline/method_mesh.h"
 #include "pipeline/method_points.h"
 #include "pipeline/method_voxels.h"
@@ -31,7 +32,7 @@ struct method_row {
 
 /// 1024 x 1024 quads are 2^20 for each patch; of 1024 cells along each axis a teapot fills 4
 /// million in 600 MB of bricks.
-constexpr std::array<method_row, 8> rows{{
+constexpr std::array<method_row, 9> rows{{
     {"afd", l3d_method::afd},
     {"fd", l3d_method::fd},
     {"isocurves", l3d_method::isocurves},
@@ -40,6 +41,7 @@ constexpr std::array<method_row, 8> rows{{
     {"micropolygons", l3d_method::micropolygons},
     {"scanline", l3d_method::scanline},
     {"voxels", l3d_method::voxels, 256, 8, 1024},
+    {"mesa", l3d_method::mesa},
 }};
 
 const method_row& row_of(l3d_method method) {
@@ -143,6 +145,8 @@ std::unique_ptr<l3d_surface_method> l3d_create_method(const l3d_method_choice& c
         return std::make_unique<l3d_method_points<l3d_scanline_plotter>>(rasterizers);
     case l3d_method::voxels:
         return std::make_unique<l3d_method_voxels>(choice.resolution, workers);
+    case l3d_method::mesa:
+        return l3d_create_method_mesa();
     case l3d_method::subdivision:
         return create_mesh(rasterizers, workers, l3d_subdivision_dicer());
     case l3d_method::tessellation:
