@@ -16,7 +16,7 @@
 #define L3D_MESA_GL_CALLS(call) \
     call(GetString) call(GetError) \
     call(Enable) call(Disable) call(Viewport) call(PixelStorei) call(ReadPixels) \
-    call(ColorMask) call(DepthMask) call(DepthFunc) call(Clear) call(ClearColor) call(ClearDepth) \
+    call(BlendFuncSeparate) call(ColorMask) call(DepthMask) call(DepthFunc) call(Clear) call(ClearColor) call(ClearDepth) \
     call(GenTextures) call(BindTexture) call(TexImage2D) call(TexSubImage2D) \
     call(GenFramebuffers) call(BindFramebuffer) call(FramebufferTexture2D) \
     call(CheckFramebufferStatus) \
