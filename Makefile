@@ -70,6 +70,9 @@ apps := $(patsubst apps/%/main.cpp,%,$(wildcard apps/*/main.cpp))
 $(foreach a,$(apps),$(eval objects_apps/$(a) := $(call objects,$(wildcard apps/$(a)/*.cpp))))
 
 tested    := $(foreach l,$(LAYERS) reference,$(if $(objects_tests/$(l)),$(l)))
+plugins   := $(wildcard apps/*/plugins/*.cpp tests/*/plugins/*.cpp)
+PLUGINS   := $(patsubst %.cpp,$(OUT)/plugins/%.so,$(notdir $(plugins)))
+
 ARCHIVES  := $(call archives,$(LAYERS))
 APPS      := $(apps:%=$(OUT)/bin/%)
 TESTERS   := $(tested:%=$(OUT)/tests/%_tests)
@@ -79,7 +82,7 @@ SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
 STRESS    := $(wildcard tests/x11/stress/*_test.py)
 HEADERS   := $(sort $(wildcard lib/*/*.h))
 SOURCES   := $(sort $(wildcard lib/*/*.cpp apps/*/*.cpp tests/*/*.cpp))
-FORMATTED := $(SOURCES) $(HEADERS) $(sort $(wildcard apps/*/*.h tests/*.h tests/*/*.h))
+FORMATTED := $(SOURCES) $(HEADERS) $(plugins) $(sort $(wildcard apps/*/*.h tests/*.h tests/*/*.h))
 OBJECTS   := $(call objects,$(filter-out tests/fail/% tests/bench/%,$(SOURCES)))
 LONE      := $(HEADERS:%=$(OUT)/%.ok)
 
@@ -105,7 +108,7 @@ say   = $(if $(V),,@printf '  %-5s %s\n' $(1) $(2:$(OUT)/%=%))
 again = $(MAKE) $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc 2>/dev/null || echo 2))
 judge = rm -f $(1); $(again) -k $(1) || true; awk -f tests/lint/summary.awk $(1)
 
-all: $(APPS) $(ARCHIVES) ## build the library and the programs (the default)
+all: $(APPS) $(PLUGINS) $(ARCHIVES) ## build the library and the programs (the default)
 
 run: ## build, then show the teapot: in a window, or as a PNG where there is no display
 	@$(again) $(OUT)/bin/teapot_afd
@@ -183,6 +186,12 @@ $(APPS): $(OUT)/bin/%: $$(objects_apps/$$*) $(ARCHIVES) $(OUT)/list/apps/%
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D); $(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -o $@
 
+# A plug-in is loaded, not linked: it may be built otherwise than the library, here by itself.
+$(foreach p,$(plugins),$(eval $(OUT)/plugins/$(notdir $(p:.cpp=.so)): $(p)))
+$(PLUGINS): $(OUT)/flags | packages-build
+	$(call say,PLUG,$@)
+	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) -fPIC -shared -MD -MP $(filter %.cpp,$^) -o $@
+
 $(TESTERS): $(OUT)/tests/%_tests: $$(objects_tests/$$*) $$(call archives,$$(call may_use,$$*)) \
         $(OUT)/list/tests/%
 	$(call say,LINK,$@)
@@ -201,7 +210,9 @@ $(tested:%=$(OUT)/log/%.log): $(OUT)/log/%.log: $(OUT)/tests/%_tests FORCE
 	$(call say,TEST,$*)
 	$(call logged,timeout --foreground $(TEST_TIMEOUT) $< --gtest_color=no)
 
-$(OUT)/log/x11/%.log: tests/x11/% $(APPS) FORCE
+$(OUT)/log/system.log: $(PLUGINS)
+
+$(OUT)/log/x11/%.log: tests/x11/% $(APPS) $(PLUGINS) FORCE
 	$(call say,TEST,$<)
 	$(call logged,PYTHONDONTWRITEBYTECODE=1 L3D_BIN=$(abspath $(OUT)/bin) \
 	    timeout --foreground $(TEST_TIMEOUT) $<)
@@ -240,4 +251,4 @@ $(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o
 	$(call say,TIDY,$<)
 	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ -Wno-unknown-warning-option $(FLAGS) $(if $(filter tests/%,$<),-Itests) && touch $@
 
--include $(wildcard $(OBJECTS:.o=.d) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))
+-include $(wildcard $(OBJECTS:.o=.d) $(PLUGINS:.so=.d) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))
