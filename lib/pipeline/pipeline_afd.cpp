@@ -53,11 +53,11 @@ l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
                                    const l3d_camera& camera, const l3d_afd_settings& settings)
     : screen_(std::move(screen)), workers_(settings.threads),
       imp_(rasterizers.create_2d(screen_->pixels())), rasterizer_(*imp_),
-      surface_rasterizer_(rasterizers.create_surface(workers_)), scene_(std::move(scene)),
+      method_(l3d_create_method(settings.method, rasterizers, workers_)), scene_(std::move(scene)),
       camera_(checked(camera, screen_->pixels().size(), settings)), first_camera_(camera),
-      settings_(settings), dicer_(workers_) {
+      settings_(settings), wire_dicer_(workers_) {
     report_.frame = -1;
-    report_.method = "afd";
+    report_.method = settings.method.name();
     report_.real = l3d_real_name();
     report_.threads = settings.threads;
 }
@@ -92,9 +92,6 @@ void l3d_pipeline_afd::draw_event() {
     report_.tolerance_px = settings_.tolerance;
     report_.near = view_.near / view_.depth_scale;
     report_.patches = scene_.patch_count();
-    report_.dice = dicer_.counts();
-    report_.dice.add(culling_.counts());
-    report_.surface = settings_.wireframe ? l3d_surface_counts{} : surface_rasterizer_->counts();
     stale_ = false;
 }
 
@@ -107,46 +104,20 @@ void l3d_pipeline_afd::begin_frame() {
     transform_ = l3d_image_transform(camera_, screen_->pixels().size(), scene_);
     view_ = transform_.view(settings_.tolerance);
     view_.keep_all = settings_.keep_all;
-    culling_.begin(scene_, transform_.matrix(), view_);
-    dicer_.begin(view_);
 }
 
-std::span<const l3d_placed_patch> l3d_pipeline_afd::next_batch() {
-    return culling_.next([this](const l3d_subpixel_box& box, float inv_w) {
-        return surface_rasterizer_->hidden(box, inv_w);
-    });
-}
-
-/// Batch after batch, so that what the nearer ones hide need not be diced. Most scenes are one
-/// batch; nobody then needs the depth of the whole picture, unless the settings ask for it.
 void l3d_pipeline_afd::fill_surfaces(l3d_stage_times& times) {
-    const stopwatch placing;
-    std::span<const l3d_placed_patch> batch = next_batch();
-    const bool keep_depth = settings_.depth || !culling_.is_done();
-    if (keep_depth)
+    const l3d_pixels target = screen_->pixels();
+    if (settings_.depth)
         depth_.resize(view_.size);
-    surface_rasterizer_->begin(
-        screen_->pixels(), keep_depth ? &depth_ : nullptr,
-        l3d_camera_shading(camera_, screen_->pixels().size(), settings_.shade, settings_.light),
-        untouched_);
-    times.transform = placing.milliseconds();
-    while (!batch.empty()) {
-        const stopwatch dicing;
-        const auto parts = dicer_.dice(scene_, culling_, batch);
-        times.dice += dicing.milliseconds();
-
-        const stopwatch filling;
-        surface_rasterizer_->draw(parts);
-        times.raster += filling.milliseconds();
-
-        const stopwatch going_on;
-        batch = next_batch();
-        times.transform += going_on.milliseconds();
-    }
-    const stopwatch finishing;
-    surface_rasterizer_->finish();
-    times.raster += finishing.milliseconds();
+    const l3d_shading shading =
+        l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
+    method_->draw(
+        {scene_, transform_.matrix(), view_, shading, target, depth_, settings_.depth, untouched_},
+        times);
     untouched_ = true;
+    report_.dice = method_->counts();
+    report_.surface = method_->surface_counts();
 }
 
 /// Lines hide nothing and have no depth: a depth that is asked for is empty.
@@ -158,10 +129,15 @@ void l3d_pipeline_afd::draw_wireframe() {
         depth_.resize(view_.size);
         depth_.clear();
     }
+    wire_culling_.begin(scene_, transform_.matrix(), view_);
+    wire_dicer_.begin(view_);
     l3d_detail::wire_lines lines(rasterizer_, wire_color);
-    for (auto batch = culling_.next(nothing_is_hidden); !batch.empty();
-         batch = culling_.next(nothing_is_hidden))
-        lines.draw(dicer_.dice(scene_, culling_, batch));
+    for (auto batch = wire_culling_.next(nothing_is_hidden); !batch.empty();
+         batch = wire_culling_.next(nothing_is_hidden))
+        lines.draw(wire_dicer_.dice(scene_, wire_culling_, batch));
+    report_.dice = wire_dicer_.counts();
+    report_.dice.add(wire_culling_.counts());
+    report_.surface = {};
 }
 
 /// The 24 edges of every control net. An edge that reaches behind the near plane is left out.

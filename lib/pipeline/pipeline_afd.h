@@ -8,15 +8,16 @@
 #include "pipeline/frame_dicer.h"
 #include "pipeline/frame_report.h"
 #include "pipeline/image_transform.h"
+#include "pipeline/method_choice.h"
 #include "pipeline/patch_scene.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/scene_culling.h"
+#include "pipeline/surface_method.h"
 #include "raster/rasterizer_factory.h"
 #include "raster/workers.h"
 #include "tool_2d/screen.h"
 
 #include <memory>
-#include <span>
 #include <string>
 
 /// How a scene is to be drawn.
@@ -24,11 +25,12 @@ struct l3d_afd_settings {
     double tolerance = 0.25;                     ///< largest image error allowed, in pixels
     l3d_shade shade = l3d_shade::lambert;        ///< of the filled surface
     l3d_vector<double, 3> light{0.4, 0.8, 0.45}; ///< towards the light, world space, any length
-    bool wireframe = false; ///< the lines of the adaptive grid instead of the filled surface
-    bool net = false;       ///< the control nets on top
-    bool keep_all = false;  ///< leave nothing out (for comparison)
-    bool depth = false;     ///< keep the distance of each pixel, for depth()
-    int threads = 1;        ///< that draw; constant from the first frame on
+    bool wireframe = false;   ///< the lines of the adaptive grid instead of the filled surface
+    bool net = false;         ///< the control nets on top
+    bool keep_all = false;    ///< leave nothing out (for comparison)
+    bool depth = false;       ///< keep the distance of each pixel, for depth()
+    int threads = 1;          ///< that draw; constant from the first frame on
+    l3d_method_choice method; ///< that fills surfaces; constant from the first frame on
 };
 
 /// Largest width and height of a picture: corners are then within half of l3d_guard_band.
@@ -38,7 +40,8 @@ inline constexpr int l3d_afd_largest_side = 16384;
 std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
                               const l3d_afd_settings& settings);
 
-/// Draws models of bicubic patches with a certified error bound in every frame.
+/// Draws models of bicubic patches with a certified error bound in every frame: by adaptive forward
+/// differencing, unless the settings name one of the methods that it is compared with.
 ///
 /// A program that only wants the picture uses it as it is; one with keys or things of its own to
 /// draw is a subclass that changes camera() and settings() and calls draw_event.
@@ -81,7 +84,7 @@ protected:
     const l3d_frame_report& last_report() const { return report_; }
 
     /// The certified bound of what has been drawn in this frame. Units: pixels.
-    double bound() const { return dicer_.counts().bound_px; }
+    double bound() const { return report_.dice.bound_px; }
 
     l3d_pixels pixels() {
         untouched_ = false;
@@ -99,13 +102,12 @@ private:
     void fill_surfaces(l3d_stage_times& times);
     void draw_wireframe();
     void draw_nets();
-    std::span<const l3d_placed_patch> next_batch();
 
     std::unique_ptr<l3d_screen> screen_;
     l3d_workers workers_;
     std::unique_ptr<l3d_rasterizer_2d_imp> imp_;
     l3d_rasterizer_2d rasterizer_;
-    std::unique_ptr<l3d_surface_rasterizer> surface_rasterizer_;
+    std::unique_ptr<l3d_surface_method> method_;
     l3d_depth_buffer depth_;
 
     l3d_patch_scene scene_;
@@ -116,8 +118,8 @@ private:
 
     l3d_image_transform transform_;
     l3d_dice_view view_;
-    l3d_scene_culling culling_;
-    l3d_frame_dicer<l3d_real> dicer_;
+    l3d_scene_culling wire_culling_;
+    l3d_frame_dicer<l3d_real> wire_dicer_;
     l3d_frame_report report_;
 };
 

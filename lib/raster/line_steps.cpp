@@ -16,25 +16,17 @@ void mark_seen(line_steps& line, std::int64_t major_size, std::int64_t minor_siz
         line.last = line.length;
         return;
     }
-    wide_integer first = std::max<std::int64_t>(0, -line.major);
-    wide_integer last = std::min<std::int64_t>(line.length, major_size - 1 - line.major);
+    const whole_range among{std::max<std::int64_t>(0, -line.major),
+                            std::min<std::int64_t>(line.length, major_size - 1 - line.major)};
+    // 0 <= pixel's minor < minor_size, with the floor written out
     const wide_integer length = line.length;
-    // 0 <= pixel's minor < minor_size says low <= 2 i rise <= high:
-    const wide_integer low = -2 * length * line.minor - length + 1;
-    const wide_integer high = 2 * length * (minor_size - line.minor) - length;
-    if (line.rise > 0) {
-        first = std::max(first, ceil_quotient(low, 2 * wide_integer{line.rise}));
-        last = std::min(last, floor_quotient(high, 2 * wide_integer{line.rise}));
-    } else if (line.rise < 0) {
-        first = std::max(first, ceil_quotient(-high, -2 * wide_integer{line.rise}));
-        last = std::min(last, floor_quotient(-low, -2 * wide_integer{line.rise}));
-    } else if (line.minor < 0 || line.minor >= minor_size) {
+    const whole_range seen =
+        where_within(among, 2 * wide_integer{line.rise}, -2 * length * line.minor - length + 1,
+                     2 * length * (minor_size - line.minor) - length);
+    if (seen.first > seen.last)
         return;
-    }
-    if (first > last)
-        return;
-    line.first = static_cast<std::int64_t>(first);
-    line.last = static_cast<std::int64_t>(last);
+    line.first = static_cast<std::int64_t>(seen.first);
+    line.last = static_cast<std::int64_t>(seen.last);
 }
 
 } // namespace

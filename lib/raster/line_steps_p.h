@@ -3,21 +3,12 @@
 #ifndef L3D_RASTER_LINE_STEPS_P_H
 #define L3D_RASTER_LINE_STEPS_P_H
 
+#include "raster/exact_steps_p.h"
 #include "raster/rasterizer_2d.h"
 
 #include <cstdint>
 
 namespace l3d_detail {
-
-/// 2 i d below reaches 2 * 2^32 * 2^32.
-__extension__ typedef __int128 wide_integer;
-
-constexpr wide_integer floor_quotient(wide_integer n, wide_integer d) {
-    return n / d - (n % d < 0 ? 1 : 0);
-}
-constexpr wide_integer ceil_quotient(wide_integer n, wide_integer d) {
-    return n / d + (n % d > 0 ? 1 : 0);
-}
 
 /// A line as seen along its longer ("major") axis, from its smaller to its larger major end.
 ///
@@ -28,6 +19,11 @@ struct line_steps {
     std::int64_t major, minor;
     std::int64_t length, rise;         ///< 0 <= |rise| <= length < 2^32
     std::int64_t first = 0, last = -1; ///< steps first <= i <= last are in the target
+
+    /// The floors above, from step `first` on.
+    exact_steps minors() const {
+        return {2 * wide_integer{first} * rise + length - 1, 2 * wide_integer{rise}, 2 * length};
+    }
 };
 
 /// The steps of a line, those in a target of the given size marked. Expects: two different ends.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_rasterizer_2d: points, lines and flat polygons; and the bridge to what draws them.
+// l3d_rasterizer_2d: points, lines and polygons; and the bridge to what draws them.
 #ifndef L3D_RASTER_RASTERIZER_2D_H
 #define L3D_RASTER_RASTERIZER_2D_H
 
@@ -13,10 +13,23 @@ struct l3d_point_2d {
     double x = 0, y = 0;
 };
 
+/// A corner with a colour of its own, a pixel word.
+struct l3d_colored_point_2d {
+    double x = 0, y = 0;
+    std::uint32_t color = 0;
+};
+
 /// A line between two pixels.
 struct l3d_line_2d {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
+
+/// The closed outline of an area: its corners in order, the last one joined to the first.
+using l3d_outline_2d = std::span<const l3d_point_2d>;
+
+/// What is inside of outlines that cross themselves or each other: where they wind around a point,
+/// clockwise less anticlockwise, not zero times; or an odd number of times.
+enum class l3d_winding { nonzero, even_odd };
 
 /// What a kind of output must do to draw; programs hold the l3d_rasterizer_2d in front of it.
 class l3d_rasterizer_2d_imp {
@@ -39,14 +52,22 @@ private:
     virtual void do_clear_buffer() = 0;
     virtual void do_draw_point(int x, int y, std::uint32_t color) = 0;
     virtual void do_draw_lines(std::span<const l3d_line_2d> lines, std::uint32_t color) = 0;
-    virtual void do_draw_polygon_flatshaded(std::span<const l3d_point_2d> corners,
-                                            std::uint32_t color) = 0;
+    virtual void do_draw_line_antialiased(l3d_point_2d from, l3d_point_2d to,
+                                          std::uint32_t color) = 0;
+    virtual void do_draw_polygon_flatshaded(l3d_outline_2d corners, std::uint32_t color) = 0;
+    virtual void do_draw_polygon_gouraudshaded(std::span<const l3d_colored_point_2d> corners) = 0;
+    virtual void do_draw_outlines(std::span<const l3d_outline_2d> outlines, l3d_winding inside,
+                                  std::uint32_t color) = 0;
 };
 
-/// Draws points, lines and flat polygons; says nothing about where the pixels are.
+/// Draws points, lines and polygons; says nothing about where the pixels are.
 ///
+/// Positions of corners and of the ends of smooth lines are rounded to 1/256 pixel; all after that
+/// is exact. What has a coordinate that is not a number is not drawn; coordinates beyond +-2^30
+/// pixels, infinite ones too, are moved to that. Nothing is drawn outside of the target, and inside
+/// of it the same pixels in the same colours however much is outside.
 /// Units:   whole coordinates name pixels, (0, 0) the top left one, y down; a colour is a pixel
-///          word, 0x00RRGGBB. All is clipped to the target; no coordinate is a fault.
+///          word, 0x00RRGGBB.
 /// Lives:   borrows the implementation, which must outlive it.
 class l3d_rasterizer_2d {
 public:
@@ -70,16 +91,47 @@ public:
         imp_.do_draw_lines(lines, color);
     }
 
+    /// Draws a smooth line: a square pen of one pixel is drawn along it, and each pixel gets as
+    /// much of the colour as the pen covers of it, measured along the two axes apart (Wu's way).
+    ///
+    /// With a the coordinate along the longer axis, from a0 to a1, and b(a) the line's other one,
+    /// pixel (a, b) is covered by w v: w is the part of [a - 1/2, a + 1/2] that lies in
+    /// [a0 - 1/2, a1 + 1/2], v is max(0, 1 - |b - b(a)|). That is rounded to a multiple of 1/255.
+    /// The same pixels in both directions. A pixel word's highest byte stays what it was.
+    /// Source:  Wu: An Efficient Antialiasing Technique (SIGGRAPH 1991); the ends are ours.
+    void draw_line_antialiased(l3d_point_2d from, l3d_point_2d to, std::uint32_t color) {
+        imp_.do_draw_line_antialiased(from, to, color);
+    }
+
     /// Fills a polygon: the pixels (x, y) inside it, or on a left or top edge of it.
     ///
-    /// Corners are rounded to 1/256 pixel; the rule is then exact, so polygons that share an edge
-    /// cover each pixel once. A point of a picture whose pixels are sampled at their centres (as
-    /// surfaces are) is half a pixel less here in x and y.
-    /// Expects: convex, either winding. Fewer than three corners or no area draws nothing, and so
-    ///          does a corner that is not a number or further than 2^20 pixels from the first
-    ///          pixel.
-    void draw_polygon_flatshaded(std::span<const l3d_point_2d> corners, std::uint32_t color) {
+    /// Polygons that share an edge cover each pixel once. A point of a picture whose pixels are
+    /// sampled at their centres (as surfaces are) is half a pixel less here in x and y.
+    /// Expects: convex, either winding. Fewer than three corners or no area draws nothing.
+    void draw_polygon_flatshaded(l3d_outline_2d corners, std::uint32_t color) {
         imp_.do_draw_polygon_flatshaded(corners, color);
+    }
+
+    /// Fills the same pixels as draw_polygon_flatshaded, in colours between those of the corners.
+    ///
+    /// Red, green and blue are linear on each of the triangles of corners 0, i and i + 1; what is
+    /// stored is within 1/2 + 2^-12 of that. A highest byte of 0 is stored.
+    /// Expects: convex, either winding.
+    void draw_polygon_gouraudshaded(std::span<const l3d_colored_point_2d> corners) {
+        imp_.do_draw_polygon_gouraudshaded(corners);
+    }
+
+    /// Fills what one outline of any form encloses; see draw_outlines.
+    void draw_polygon_complex(l3d_outline_2d outline, l3d_winding inside, std::uint32_t color) {
+        imp_.do_draw_outlines({&outline, 1}, inside, color);
+    }
+
+    /// Fills the area inside of outlines: concave, crossing, with holes. A pixel on an edge belongs
+    /// to what is right of or below it, as with convex polygons, whose pixels are the same here.
+    /// One coordinate that is not a number, and nothing is drawn.
+    void draw_outlines(std::span<const l3d_outline_2d> outlines, l3d_winding inside,
+                       std::uint32_t color) {
+        imp_.do_draw_outlines(outlines, inside, color);
     }
 
     /// What was drawn so far is in the target's pixels afterwards. Call it before anybody else

@@ -2,8 +2,8 @@
 // l3d_rasterizer_2d_mesa_imp: triangles for GL, and when the picture changes hands.
 #include "raster/rasterizer_2d_mesa.h"
 
-#include "raster/flat_polygon_p.h"
 #include "raster/line_steps_p.h"
+#include "raster/smooth_line_p.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -84,9 +84,23 @@ void l3d_rasterizer_2d_mesa_imp::flush() {
     batch_.clear();
 }
 
+/// The word's highest byte, which is GL's alpha, stays what it was.
+void l3d_rasterizer_2d_mesa_imp::set_blending(blending wanted) {
+    if (wanted == blending_)
+        return;
+    flush();
+    blending_ = wanted;
+    const mesa_gl& gl = gl_target_.gl();
+    if (wanted == blending::off)
+        return gl.Disable(GL_BLEND);
+    gl.Enable(GL_BLEND);
+    gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+}
+
 void l3d_rasterizer_2d_mesa_imp::do_draw_point(int x, int y, std::uint32_t color) {
     if (!fits_)
         return cpu_.draw_point(x, y, color);
+    set_blending(blending::off);
     if (x >= 0 && x < target_.width && y >= 0 && y < target_.height)
         add_rectangle(x, y, x + 1, y + 1, color);
 }
@@ -95,6 +109,7 @@ void l3d_rasterizer_2d_mesa_imp::do_draw_lines(std::span<const l3d_line_2d> line
                                                std::uint32_t color) {
     if (!fits_)
         return cpu_.draw_lines(lines, color);
+    set_blending(blending::off);
     for (const l3d_line_2d& line : lines)
         draw_line(line, color);
 }
@@ -104,17 +119,15 @@ void l3d_rasterizer_2d_mesa_imp::draw_line(const l3d_line_2d& line, std::uint32_
     if (line.x0 == line.x1 && line.y0 == line.y1)
         return do_draw_point(line.x0, line.y0, color);
     const line_steps steps = steps_of(line, target_.size());
-    const auto minor_at = [&steps](std::int64_t i) {
-        return static_cast<int>(steps.minor +
-                                floor_quotient(2 * wide_integer{i} * steps.rise + steps.length - 1,
-                                               2 * wide_integer{steps.length}));
-    };
+    if (steps.first > steps.last)
+        return;
+    exact_steps minors = steps.minors();
     for (std::int64_t i = steps.first; i <= steps.last;) {
-        const int minor = minor_at(i);
+        const std::int64_t run = minors.floor();
+        const int minor = static_cast<int>(steps.minor + run);
         const int begin = static_cast<int>(steps.major + i);
-        do
+        for (; i <= steps.last && minors.floor() == run; minors.step())
             ++i;
-        while (i <= steps.last && minor_at(i) == minor);
         const int end = static_cast<int>(steps.major + i);
         if (steps.x_major)
             add_rectangle(begin, minor, end, minor + 1, color);
@@ -123,32 +136,74 @@ void l3d_rasterizer_2d_mesa_imp::draw_line(const l3d_line_2d& line, std::uint32_
     }
 }
 
-bool l3d_rasterizer_2d_mesa_imp::reaches(const scan_point& corner) const {
+void l3d_rasterizer_2d_mesa_imp::do_draw_line_antialiased(l3d_point_2d from, l3d_point_2d to,
+                                                          std::uint32_t color) {
+    if (!fits_)
+        return cpu_.draw_line_antialiased(from, to, color);
+    if (!is_number(from) || !is_number(to))
+        return;
+    set_blending(blending::by_coverage);
+    smooth_line(from, to, target_.size()).for_each_pixel([&](int x, int y, int coverage) {
+        const auto alpha = static_cast<std::uint32_t>(coverage) << 24;
+        add_rectangle(x, y, x + 1, y + 1, (color & 0x00ffffff) | alpha);
+    });
+}
+
+bool l3d_rasterizer_2d_mesa_imp::reaches(const far_point& corner) const {
     constexpr int most = (mesa_target::reach - 1) * l3d_subpixel_one;
     return std::abs(corner.x - gl_target_.middle_x() * l3d_subpixel_one) <= most &&
            std::abs(corner.y - gl_target_.middle_y() * l3d_subpixel_one) <= most;
 }
 
-void l3d_rasterizer_2d_mesa_imp::do_draw_polygon_flatshaded(std::span<const l3d_point_2d> corners,
+void l3d_rasterizer_2d_mesa_imp::do_draw_polygon_flatshaded(l3d_outline_2d corners,
                                                             std::uint32_t color) {
-    if (to_scan(corners, corners_) == 0)
+    if (!corners_.set(corners))
         return;
-    const auto in_reach = [this](const scan_point& corner) { return reaches(corner); };
-    if (!fits_ || !std::ranges::all_of(corners_, in_reach)) {
+    const auto in_reach = [this](const far_point& corner) { return reaches(corner); };
+    if (!fits_ || !std::ranges::all_of(corners_.far(), in_reach)) {
         do_finish();
         return cpu_.draw_polygon_flatshaded(corners, color);
     }
-    const auto add_corner = [&](const scan_point& corner) {
-        add(static_cast<float>(corner.x) / l3d_subpixel_one,
-            static_cast<float>(corner.y) / l3d_subpixel_one, color);
-    };
-    for (std::size_t i = 2; i < corners_.size(); ++i) {
-        add_corner(corners_[0]);
-        add_corner(corners_[i - 1]);
-        add_corner(corners_[i]);
+    set_blending(blending::off);
+    for (std::size_t i = 2; i < corners_.far().size(); ++i) {
+        add(corners_.far()[0], color);
+        add(corners_.far()[i - 1], color);
+        add(corners_.far()[i], color);
     }
     if (batch_.size() >= full_batch)
         flush();
+}
+
+void l3d_rasterizer_2d_mesa_imp::do_draw_polygon_gouraudshaded(
+    std::span<const l3d_colored_point_2d> corners) {
+    const auto position = [](const l3d_colored_point_2d& c) { return l3d_point_2d{c.x, c.y}; };
+    const auto in_reach = [&](const l3d_colored_point_2d& c) {
+        return is_number(position(c)) && reaches(lattice_point(position(c)));
+    };
+    if (!fits_ || !std::ranges::all_of(corners, in_reach)) {
+        do_finish();
+        return cpu_.draw_polygon_gouraudshaded(corners);
+    }
+    set_blending(blending::off);
+    const auto add_corner = [&](const l3d_colored_point_2d& c) {
+        add(lattice_point(position(c)), c.color & 0x00ffffff);
+    };
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        add_corner(corners[0]);
+        add_corner(corners[i - 1]);
+        add_corner(corners[i]);
+    }
+    if (batch_.size() >= full_batch)
+        flush();
+}
+
+void l3d_rasterizer_2d_mesa_imp::do_draw_outlines(std::span<const l3d_outline_2d> outlines,
+                                                  l3d_winding inside, std::uint32_t color) {
+    if (!fits_)
+        return cpu_.draw_outlines(outlines, inside, color);
+    set_blending(blending::off);
+    for (const pixel_span& span : winding_.convert(outlines, inside, target_.size()))
+        add_rectangle(span.first, span.row, span.last, span.row + 1, color);
 }
 
 void l3d_rasterizer_2d_mesa_imp::add_rectangle(int left, int top, int right, int bottom,
@@ -163,6 +218,11 @@ void l3d_rasterizer_2d_mesa_imp::add_rectangle(int left, int top, int right, int
     add(x0, y1, color);
     if (batch_.size() >= full_batch)
         flush();
+}
+
+void l3d_rasterizer_2d_mesa_imp::add(const far_point& corner, std::uint32_t color) {
+    add(static_cast<float>(corner.x) / l3d_subpixel_one,
+        static_cast<float>(corner.y) / l3d_subpixel_one, color);
 }
 
 void l3d_rasterizer_2d_mesa_imp::add(float x, float y, std::uint32_t color) {

@@ -2,10 +2,11 @@
 // l3d_rasterizer_2d_sw_imp: from steps and spans to words.
 #include "raster/rasterizer_2d_sw.h"
 
-#include "raster/flat_polygon_p.h"
 #include "raster/line_steps_p.h"
+#include "raster/smooth_line_p.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace {
@@ -15,26 +16,38 @@ using namespace l3d_detail;
 /// Lights the pixels of the steps seen; strides are in words.
 void light(const line_steps& line, std::uint32_t* words, std::ptrdiff_t along,
            std::ptrdiff_t across, std::uint32_t color) {
-    const std::int64_t full = 2 * line.length;
-    const wide_integer start = 2 * wide_integer{line.first} * line.rise + line.length - 1;
-    const wide_integer moved = line.first == 0 ? 0 : floor_quotient(start, full);
-    auto rest = static_cast<std::int64_t>(start - moved * full);
-    std::ptrdiff_t at = (line.major + line.first) * along +
-                        (line.minor + static_cast<std::int64_t>(moved)) * across;
-    for (std::int64_t i = line.first;; ++i) {
-        words[at] = color;
-        if (i == line.last)
-            break;
-        at += along;
-        rest += 2 * line.rise;
-        if (rest >= full) {
-            rest -= full;
-            at += across;
-        } else if (rest < 0) {
-            rest += full;
-            at -= across;
-        }
+    std::uint32_t* at = words + (line.major + line.first) * along;
+    exact_steps minors = line.minors();
+    for (std::int64_t i = line.first; i <= line.last; ++i, minors.step(), at += along)
+        at[(line.minor + minors.floor()) * across] = color;
+}
+
+/// A word whose three lower bytes are moved towards the colour's by coverage / 255, to nearest.
+std::uint32_t blended(std::uint32_t word, std::uint32_t color, int coverage) {
+    std::uint32_t result = word & 0xff000000;
+    for (const int shift : {0, 8, 16}) {
+        const int from = static_cast<int>(word >> shift & 255);
+        const int to = static_cast<int>(color >> shift & 255);
+        const int sum = from * (255 - coverage) + to * coverage;
+        result |= static_cast<std::uint32_t>((sum + 127) / 255) << shift;
     }
+    return result;
+}
+
+/// The colour of one pixel: red, green, blue to nearest.
+std::uint32_t color_at(const shaded_span& span, std::int32_t column) {
+    const auto i = static_cast<float>(column - span.anchor);
+    std::uint32_t word = 0;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const float value = span.start[channel] + span.step[channel] * i + 0.5f;
+        word = word << 8 | static_cast<std::uint32_t>(value);
+    }
+    return word;
+}
+
+shaded_corner corner_of(const l3d_colored_point_2d& p) {
+    const auto channel = [&p](int shift) { return static_cast<double>(p.color >> shift & 255); };
+    return {lattice_point({p.x, p.y}), {channel(16), channel(8), channel(0)}};
 }
 
 } // namespace
@@ -70,18 +83,56 @@ void l3d_rasterizer_2d_sw_imp::draw_line(const l3d_line_2d& line, std::uint32_t 
           steps.x_major ? target_.stride : 1, color);
 }
 
-void l3d_rasterizer_2d_sw_imp::do_draw_polygon_flatshaded(std::span<const l3d_point_2d> corners,
-                                                          std::uint32_t color) {
-    const int turn = to_scan(corners, corners_);
-    if (turn == 0)
+void l3d_rasterizer_2d_sw_imp::do_draw_line_antialiased(l3d_point_2d from, l3d_point_2d to,
+                                                        std::uint32_t color) {
+    if (!is_number(from) || !is_number(to))
         return;
-    const scan_rows rows = scan_.convert(std::span<const scan_point>(corners_), turn > 0);
-    for (int y = rows.top; y < rows.bottom; ++y) {
-        const int first = std::max(scan_.first(y), 0);
-        const int last = std::min(scan_.last(y), target_.width);
-        if (first < last)
-            std::ranges::fill(target_.row(y).subspan(static_cast<std::size_t>(first),
-                                                     static_cast<std::size_t>(last - first)),
-                              color);
+    smooth_line(from, to, target_.size()).for_each_pixel([&](int x, int y, int coverage) {
+        std::uint32_t& word = target_.row(y)[static_cast<std::size_t>(x)];
+        word = blended(word, color, coverage);
+    });
+}
+
+void l3d_rasterizer_2d_sw_imp::do_draw_polygon_flatshaded(l3d_outline_2d corners,
+                                                          std::uint32_t color) {
+    if (!corners_.set(corners))
+        return;
+    if (corners_.all_near())
+        fill_convex(corners_.near(), color);
+    else
+        fill_convex(corners_.far(), color);
+}
+
+template <class Point>
+void l3d_rasterizer_2d_sw_imp::fill_convex(std::span<const Point> corners, std::uint32_t color) {
+    const scan_rows rows = scan_.convert(corners, corners_.clockwise());
+    for (int y = rows.top; y < rows.bottom; ++y)
+        fill(y, std::max(scan_.first(y), 0), std::min(scan_.last(y), target_.width), color);
+}
+
+void l3d_rasterizer_2d_sw_imp::fill(std::int32_t row, std::int32_t first, std::int32_t last,
+                                    std::uint32_t color) {
+    if (first < last)
+        std::ranges::fill(target_.row(row).subspan(static_cast<std::size_t>(first),
+                                                   static_cast<std::size_t>(last - first)),
+                          color);
+}
+
+void l3d_rasterizer_2d_sw_imp::do_draw_polygon_gouraudshaded(
+    std::span<const l3d_colored_point_2d> corners) {
+    if (!std::ranges::all_of(corners, [](const auto& p) { return is_number({p.x, p.y}); }))
+        return;
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        const std::array<shaded_corner, 3> triangle{
+            corner_of(corners[0]), corner_of(corners[i - 1]), corner_of(corners[i])};
+        for (const shaded_span& span : triangle_.convert(triangle, target_.size()))
+            for (std::int32_t x = span.first; x < span.last; ++x)
+                target_.row(span.row)[static_cast<std::size_t>(x)] = color_at(span, x);
     }
+}
+
+void l3d_rasterizer_2d_sw_imp::do_draw_outlines(std::span<const l3d_outline_2d> outlines,
+                                                l3d_winding inside, std::uint32_t color) {
+    for (const pixel_span& span : winding_.convert(outlines, inside, target_.size()))
+        fill(span.row, span.first, span.last, color);
 }

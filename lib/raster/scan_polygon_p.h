@@ -36,15 +36,15 @@ public:
 
     /// Finds the spans of a polygon.
     ///
-    /// Shape:   at least three corners, in order; `clockwise` as seen on the screen (the area
-    ///          with y down is positive).
+    /// Shape:   at least three corners, in order, scan_points or far_points; `clockwise` as seen
+    ///          on the screen (the area with y down is positive).
     /// Expects: convex. Of another polygon some pixels are wrong, but no row is left undefined:
     ///          a closed outline crosses every row downwards as often as upwards.
-    template <std::size_t Extent>
-    scan_rows convert(std::span<const scan_point, Extent> corners, bool clockwise) {
+    template <class Point, std::size_t Extent>
+    scan_rows convert(std::span<const Point, Extent> corners, bool clockwise) {
         scan_rows rows{kept_.bottom, kept_.top};
-        scan_point from = corners.back();
-        for (const scan_point to : corners) {
+        Point from = corners.back();
+        for (const Point to : corners) {
             const bool down = from.y < to.y;
             const std::size_t side = down == clockwise ? right : left;
             add_edge(down ? from : to, down ? to : from, side, rows);
@@ -64,14 +64,15 @@ private:
     std::size_t index(std::int32_t row) const { return static_cast<std::size_t>(row - kept_.top); }
     const ends& span_of(std::int32_t row) const { return spans_[index(row)]; }
 
-    void add_edge(scan_point upper, scan_point lower, std::size_t side, scan_rows& rows) {
+    template <class Point>
+    void add_edge(Point upper, Point lower, std::size_t side, scan_rows& rows) {
         const std::int32_t top = std::max(first_centre(upper.y), kept_.top);
         const std::int32_t bottom = std::min(first_centre(lower.y), kept_.bottom);
         if (top >= bottom)
             return;
         rows.top = std::min(rows.top, top);
         rows.bottom = std::max(rows.bottom, bottom);
-        scan_edge edge(upper, lower, top);
+        auto edge = make_edge(upper, lower, top);
         for (std::int32_t row = top; row < bottom; ++row) {
             spans_[index(row)][side] = edge.column();
             edge.step();

@@ -2,11 +2,13 @@
 // l3d_afd_options: declarations and what the values must be.
 #include "system/afd_options.h"
 
+#include "geom/model_file.h"
 #include "geom/teapot.h"
 #include "system/number_text.h"
 #include "system/text_file.h"
 
 #include <algorithm>
+#include <iostream>
 #include <limits>
 #include <thread>
 
@@ -14,11 +16,6 @@ namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double least_positive = std::numeric_limits<double>::min();
-
-/// Methods that afd is compared with, and that are still to come.
-constexpr std::array<const char*, 8> planned_methods{"fd",           "isocurves",     "subdivision",
-                                                     "tessellation", "micropolygons", "scanline",
-                                                     "voxels",       "mesa"};
 
 /// Model coordinates are at most 1e12, too; beyond, a double's steps are more than a
 /// ten-thousandth.
@@ -47,9 +44,10 @@ void check_place(const char* option, const std::array<double, 3>& place) {
 } // namespace
 
 l3d_afd_options::l3d_afd_options(l3d_options& options) {
-    options.add("--model", model_file_, "patches to draw, a .bpt file; without it, the teapot",
-                "FILE");
-    options.add("--method", method_, "how surfaces are drawn: afd", "NAME");
+    options.add("--model", model_file_,
+                "patches to draw: .bpt, .bez, .bbp or .obj; without it, the teapot", "FILE");
+    options.add("--method", method_, "how surfaces are drawn: " + l3d_method_choice::all_names(),
+                "NAME");
     // Vertices lie on a grid of 1/256 pixel, which is already off by sqrt(2)/512 = 0.0028.
     options.add("--tolerance", settings_.tolerance, "largest geometric error allowed, in pixels",
                 0.005, 1000.0);
@@ -57,7 +55,7 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--target", target_, "what it looks at");
     options.add("--up", up_, "what is upright in the picture");
     options.add("--fov", fov_, "vertical field of view in degrees", 0.001, 179.9);
-    options.add("--near", near_, "nearest distance that is drawn", least_positive, largest);
+    options.add("--near", near_, "nearest distance that is drawn", l3d_least_distance, largest);
     options.add("--far", far_, "farthest distance that is drawn", least_positive, largest);
     options.add_choice<l3d_shade>("--shade", settings_.shade, "how the surface is coloured",
                                   {{"lambert", l3d_shade::lambert},
@@ -101,11 +99,15 @@ l3d_camera l3d_afd_options::camera() const {
 }
 
 l3d_afd_settings l3d_afd_options::settings() const {
-    if (std::find(planned_methods.begin(), planned_methods.end(), method_) != planned_methods.end())
-        throw l3d_error(l3d_exit::usage, "--method: '" + method_ + "' is not built yet");
-    if (method_ != "afd")
-        throw l3d_error(l3d_exit::usage, "--method: '" + method_ + "' is unknown; there is afd");
     l3d_afd_settings result = settings_;
+    std::string why;
+    const auto method = l3d_method_choice::from_name(method_, why);
+    if (!method)
+        throw l3d_error(l3d_exit::usage, "--method: " + why);
+    result.method = *method;
+    if (result.wireframe && method->method != l3d_method::afd)
+        throw l3d_error(l3d_exit::usage,
+                        "--wireframe: shows the steps of afd, not of --method " + method->name());
     result.depth = !depth_output_.empty();
     result.light = vector_of(light_);
     const double length = l3d_length(result.light);
@@ -116,11 +118,25 @@ l3d_afd_settings l3d_afd_options::settings() const {
 
 l3d_patch_model l3d_afd_options::model() const {
     std::string why;
-    const std::string text = model_file_.empty() ? "" : l3d_read_text_file(model_file_);
-    auto model = model_file_.empty()
-                     ? l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot.bpt", why)
-                     : l3d_patch_model::from_bpt(text, model_file_, why);
+    if (model_file_.empty()) {
+        auto teapot = l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);
+        if (!teapot)
+            throw l3d_error(l3d_exit::bad_input, why);
+        return *std::move(teapot);
+    }
+    const auto file = l3d_read_model(l3d_read_text_file(model_file_), model_file_, why);
+    if (!file)
+        throw l3d_error(l3d_exit::bad_input, why);
+    const std::string polygons = std::to_string(file->mesh.faces()) + " polygons";
+    if (file->patches.empty())
+        throw l3d_error(l3d_exit::bad_input, model_file_ + ": holds " + polygons +
+                                                 " and no patches; modelview shows polygons");
+    auto model = l3d_patch_model::from_patches(file->patches, model_file_, why);
     if (!model)
         throw l3d_error(l3d_exit::bad_input, why);
+    for (const std::string& note : file->notes)
+        std::cerr << note << '\n';
+    if (file->mesh.faces() > 0)
+        std::cerr << model_file_ << ": " << polygons << " are skipped; modelview shows them\n";
     return *std::move(model);
 }

@@ -16,7 +16,7 @@
 #define L3D_MESA_GL_CALLS(call) \
     call(GetString) call(GetError) \
     call(Enable) call(Disable) call(Viewport) call(PixelStorei) call(ReadPixels) \
-    call(ColorMask) call(DepthMask) call(DepthFunc) call(Clear) call(ClearColor) call(ClearDepth) \
+    call(BlendFuncSeparate) call(ColorMask) call(DepthMask) call(DepthFunc) call(Clear) call(ClearColor) call(ClearDepth) \
     call(GenTextures) call(BindTexture) call(TexImage2D) call(TexSubImage2D) \
     call(GenFramebuffers) call(BindFramebuffer) call(FramebufferTexture2D) \
     call(CheckFramebufferStatus) \
@@ -24,7 +24,9 @@
     call(CreateProgram) call(AttachShader) call(BindAttribLocation) call(LinkProgram) \
     call(GetProgramiv) call(UseProgram) call(GetUniformLocation) \
     call(Uniform1i) call(Uniform2f) call(Uniform3f) \
-    call(VertexAttribPointer) call(EnableVertexAttribArray) call(DrawArrays) \
+    call(UniformMatrix3fv) call(UniformMatrix4fv) \
+    call(GenBuffers) call(DeleteBuffers) call(BindBuffer) call(BufferData) \
+    call(VertexAttribPointer) call(EnableVertexAttribArray) call(DrawArrays) call(DrawElements) \
     call(GenQueries) call(BeginQuery) call(EndQuery) call(GetQueryObjectuiv)
 // clang-format on
 

@@ -4,10 +4,10 @@
 //
 // All draw the same view into memory, in turn, and medians are compared. A cell of the table is a
 // view, a size and an error in pixels: ours gets the largest tolerance with which what it draws is
-// within that error of the exact surface, the peers get the triangle mesh that is fastest for
-// them of those that are within it: adaptive, or adaptive and thinned out, both made for this very
-// view, without what is outside of the window, in static buffers, with the shading baked into the
-// vertices. Ours starts each frame from the patches and shades each pixel.
+// within that error of the exact surface, the peers get triangle meshes that are within it too, made
+// beforehand for this very view, without what is outside of the window, in static buffers, with the
+// shading baked into the vertices: adaptive ones, and the same thinned out for as long as the error
+// allows. Ours starts each frame from the patches and shades each pixel.
 #include "bench/bench_cell.h"
 #include "bench/peer_timing.h"
 #include "geom/teapot.h"
@@ -85,7 +85,7 @@ void print_ratios(const char* peer, std::span<const cell_times> times,
                 least[least.size() / 2]);
 }
 
-/// The table of one number of threads.
+/// The table of one kind of mesh and one number of threads.
 void print(std::span<const bench_cell> cells, std::span<const cell_times> times, int threads) {
     print_head(threads);
     for (std::size_t i = 0; i < cells.size(); ++i)
@@ -125,6 +125,13 @@ std::FILE* open_csv(const std::string& path) {
     return file;
 }
 
+/// The cells, with a mesh of one kind alone for the peers.
+std::vector<bench_cell> with_one_mesh(std::vector<bench_cell> cells, std::size_t kind) {
+    for (bench_cell& cell : cells)
+        cell.meshes = {cell.meshes[kind]};
+    return cells;
+}
+
 void run(const options& wanted) {
     std::string why;
     const auto model = l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);
@@ -140,12 +147,15 @@ void run(const options& wanted) {
     std::printf("l3d %s against %s; medians of frames in turn; load before: %.1f\n",
                 l3d_real_name(), peer_names().c_str(), load);
     constexpr std::array errors{0.5, 0.25, 0.1};
-    const auto cells = planned_cells(*model, sizes, errors);
-    for (const int threads : {1, 2}) {
-        const auto times = compare(*model, cells, threads);
-        print(cells, times, threads);
-        if (csv)
-            write_csv(csv, cells, times, threads);
+    const auto planned = planned_cells(*model, sizes, errors);
+    for (std::size_t kind = 0; kind < planned.front().meshes.size(); ++kind) {
+        const auto cells = with_one_mesh(planned, kind);
+        for (const int threads : {1, 2}) {
+            const auto times = compare(*model, cells, threads);
+            print(cells, times, threads);
+            if (csv)
+                write_csv(csv, cells, times, threads);
+        }
     }
     std::printf("\n");
     for (const l3d_size size : sizes)

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// l3d_point: a place in space, which is not a displacement.
+#ifndef L3D_GEOM_POINT_H
+#define L3D_GEOM_POINT_H
+
+#include "geom/vector.h"
+
+/// A place, held as its displacement from the origin.
+///
+/// The difference of two points is a vector, and a point moved by a vector is a point. What has no
+/// meaning (the sum of two points, a vector minus a point) does not compile. The fourth coordinate
+/// of the book, 1 for points and 0 for vectors, is the type itself.
+template <class T> struct l3d_point {
+    using vector = l3d_vector<T, 3>;
+
+    /// Uninitialised, as a number is; l3d_point<T>{} is the origin.
+    l3d_point() = default;
+    constexpr l3d_point(T x, T y, T z) noexcept : from_origin(x, y, z) {}
+    explicit constexpr l3d_point(const vector& place) noexcept : from_origin(place) {}
+
+    /// Rounded to T. A name of its own, since a fixed point number is never made in silence.
+    static l3d_point of(double x, double y, double z) noexcept {
+        return {l3d_from_double<T>(x), l3d_from_double<T>(y), l3d_from_double<T>(z)};
+    }
+
+    T& operator[](int axis) noexcept { return from_origin[axis]; }
+    const T& operator[](int axis) const noexcept { return from_origin[axis]; }
+
+    l3d_point& operator+=(const vector& v) noexcept {
+        from_origin += v;
+        return *this;
+    }
+    friend l3d_point operator+(const l3d_point& p, const vector& v) noexcept {
+        return l3d_point(p.from_origin + v);
+    }
+    friend l3d_point operator+(const vector& v, const l3d_point& p) noexcept { return p + v; }
+    friend l3d_point operator-(const l3d_point& p, const vector& v) noexcept {
+        return l3d_point(p.from_origin - v);
+    }
+    friend vector operator-(const l3d_point& p, const l3d_point& q) noexcept {
+        return p.from_origin - q.from_origin;
+    }
+    friend bool operator==(const l3d_point& p, const l3d_point& q) noexcept {
+        return p.from_origin == q.from_origin;
+    }
+
+    vector from_origin;
+};
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// l3d_polygon_mesh: what must hold of its arrays.
+#include "geom/polygon_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+template <class T> std::size_t bytes_of(const std::vector<T>& array) {
+    return array.size() * sizeof(T);
+}
+
+bool is_finite(const l3d_polygon_mesh::vector& v) {
+    return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+template <class T> bool absent_or(const std::vector<T>& array, std::size_t size) {
+    return array.empty() || array.size() == size;
+}
+
+} // namespace
+
+bool l3d_polygon_mesh::is_valid() const {
+    std::size_t begin = 0;
+    for (const std::size_t end : face_ends) {
+        if (end < begin + 3 || end > corners.size())
+            return false;
+        begin = end;
+    }
+    std::uint32_t first = 0;
+    for (const part& p : parts) {
+        if (p.first_face < first || p.first_face > faces())
+            return false;
+        first = p.first_face;
+    }
+    return begin == corners.size() &&
+           std::ranges::all_of(corners, [&](std::uint32_t i) { return i < vertices.size(); }) &&
+           std::ranges::all_of(vertices, is_finite) &&
+           std::ranges::all_of(vertex_normals, is_finite) &&
+           absent_or(vertex_normals, vertices.size()) && absent_or(face_colors, faces()) &&
+           absent_or(face_materials, faces()) &&
+           std::ranges::all_of(face_materials,
+                               [&](std::uint32_t i) { return i < materials.size(); });
+}
+
+std::size_t l3d_polygon_mesh::bytes() const {
+    return bytes_of(vertices) + bytes_of(corners) + bytes_of(face_ends) + bytes_of(vertex_normals) +
+           bytes_of(face_colors) + bytes_of(face_materials);
+}

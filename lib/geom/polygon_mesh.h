@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// l3d_polygon_mesh: what model files of polygons hold.
+#ifndef L3D_GEOM_POLYGON_MESH_H
+#define L3D_GEOM_POLYGON_MESH_H
+
+#include "geom/vector.h"
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Vertices, and faces that name them by index; nothing of pixels or of how it is drawn.
+///
+/// Flat arrays, as a million vectors of three indices would cost more for their headers and
+/// allocations than for what is in them.
+/// Shape:   counterclockwise faces are seen from outside. Arrays said to be optional are empty or
+///          have the stated size.
+/// Cost:    a face of n corners takes 4 n + 4 bytes, 4 more each with a colour and a material; a
+///          vertex 24. A closed mesh of triangles has half as many vertices as faces: 28 bytes per
+///          face.
+struct l3d_polygon_mesh {
+    using vector = l3d_vector<double, 3>;
+
+    /// A run of faces with a name: from first_face to the next part's.
+    struct part {
+        std::string name;
+        std::uint32_t first_face = 0;
+        friend bool operator==(const part&, const part&) = default;
+    };
+
+    std::vector<vector> vertices;
+    std::vector<std::uint32_t> corners;   ///< vertex indices, face after face
+    std::vector<std::uint32_t> face_ends; ///< per face, where its corners end in `corners`
+
+    std::vector<vector> vertex_normals;        ///< optional, one per vertex, any length
+    std::vector<std::uint32_t> face_colors;    ///< optional, one per face, 0x00RRGGBB
+    std::vector<std::uint32_t> face_materials; ///< optional, one per face, index into `materials`
+    std::vector<std::string> materials;        ///< names
+    std::vector<part> parts;                   ///< optional, in the order of their first faces
+
+    std::size_t faces() const { return face_ends.size(); }
+
+    /// The vertex indices of a face. Expects: face < faces().
+    std::span<const std::uint32_t> face(std::size_t face) const {
+        assert(face < faces());
+        const std::size_t begin = face == 0 ? 0 : face_ends[face - 1];
+        return {corners.data() + begin, face_ends[face] - begin};
+    }
+
+    void add_face(std::span<const std::uint32_t> of) {
+        corners.insert(corners.end(), of.begin(), of.end());
+        face_ends.push_back(static_cast<std::uint32_t>(corners.size()));
+    }
+
+    /// Whether every index names something, every face has three corners or more, every coordinate
+    /// is finite and every optional array has its size.
+    bool is_valid() const;
+
+    /// Bytes of memory in use by the arrays, names left out.
+    std::size_t bytes() const;
+
+    friend bool operator==(const l3d_polygon_mesh&, const l3d_polygon_mesh&) = default;
+};
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Torus and sphere as triangles.
+#include "geom/polygon_shapes.h"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+/// Units: radians, at step i of n round a circle.
+double angle(int i, int n) {
+    return 2 * std::numbers::pi * i / n;
+}
+
+} // namespace
+
+l3d_polygon_mesh l3d_torus_mesh(int around, int across, double major, double minor) {
+    assert(around >= 3 && across >= 3 && minor > 0 && minor < major);
+    l3d_polygon_mesh mesh;
+    const auto at = [=](int i, int j) {
+        return static_cast<std::uint32_t>(i % around * across + j % across);
+    };
+    for (int i = 0; i < around; ++i)
+        for (int j = 0; j < across; ++j) {
+            const double u = angle(i, around), v = angle(j, across);
+            const double from_axis = major + minor * std::cos(v);
+            mesh.vertices.push_back(
+                {from_axis * std::cos(u), from_axis * std::sin(u), minor * std::sin(v)});
+        }
+    for (int i = 0; i < around; ++i)
+        for (int j = 0; j < across; ++j) {
+            const std::uint32_t a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1),
+                                d = at(i, j + 1);
+            mesh.add_face({{a, b, c}});
+            mesh.add_face({{a, c, d}});
+        }
+    return mesh;
+}
+
+l3d_polygon_mesh l3d_sphere_mesh(int around, int rows, double radius) {
+    assert(around >= 3 && rows >= 2 && radius > 0);
+    l3d_polygon_mesh mesh;
+    mesh.vertices.push_back({0.0, 0.0, radius});
+    for (int row = 1; row < rows; ++row)
+        for (int i = 0; i < around; ++i) {
+            const double polar = std::numbers::pi * row / rows, u = angle(i, around);
+            mesh.vertices.push_back({radius * std::sin(polar) * std::cos(u),
+                                     radius * std::sin(polar) * std::sin(u),
+                                     radius * std::cos(polar)});
+        }
+    const auto south = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back({0.0, 0.0, -radius});
+    const auto at = [=](int row, int i) {
+        return static_cast<std::uint32_t>(1 + (row - 1) * around + i % around);
+    };
+    for (int i = 0; i < around; ++i) {
+        mesh.add_face({{0, at(1, i), at(1, i + 1)}});
+        for (int row = 1; row + 1 < rows; ++row) {
+            mesh.add_face({{at(row, i), at(row + 1, i), at(row + 1, i + 1)}});
+            mesh.add_face({{at(row, i), at(row + 1, i + 1), at(row, i + 1)}});
+        }
+        mesh.add_face({{at(rows - 1, i), south, at(rows - 1, i + 1)}});
+    }
+    return mesh;
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Meshes of simple shapes, of any number of faces.
+#ifndef L3D_GEOM_POLYGON_SHAPES_H
+#define L3D_GEOM_POLYGON_SHAPES_H
+
+#include "geom/polygon_mesh.h"
+
+/// A ring about the z axis: `around` times `across` cells of two triangles each.
+///
+/// Units:   `major` from the centre to the middle of the tube, `minor` the tube's radius.
+/// Expects: around, across >= 3; 0 < minor < major.
+l3d_polygon_mesh l3d_torus_mesh(int around, int across, double major = 2, double minor = 0.8);
+
+/// A sphere about the origin, poles on the z axis: 2 around (rows - 1) triangles.
+/// Expects: around >= 3, rows >= 2; radius > 0.
+l3d_polygon_mesh l3d_sphere_mesh(int around, int rows, double radius = 1);
+
+/// The height field z = height(x, y) over [-1, 1] squared: 2 cells^2 triangles.
+/// Expects: cells >= 1.
+template <class Height> l3d_polygon_mesh l3d_grid_mesh(int cells, Height height) {
+    l3d_polygon_mesh mesh;
+    const auto at = [cells](int column, int row) {
+        return static_cast<std::uint32_t>(row * (cells + 1) + column);
+    };
+    for (int row = 0; row <= cells; ++row)
+        for (int column = 0; column <= cells; ++column) {
+            const double x = 2.0 * column / cells - 1, y = 2.0 * row / cells - 1;
+            mesh.vertices.push_back({x, y, height(x, y)});
+        }
+    for (int row = 0; row < cells; ++row)
+        for (int column = 0; column < cells; ++column) {
+            const std::uint32_t a = at(column, row), b = at(column + 1, row),
+                                c = at(column + 1, row + 1), d = at(column, row + 1);
+            mesh.add_face({{a, b, c}});
+            mesh.add_face({{a, c, d}});
+        }
+    return mesh;
+}
+
+#endif

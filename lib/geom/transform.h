@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+// Transformations as matrices: turning in degrees, scaling, inverses, and what they do to points.
+#ifndef L3D_GEOM_TRANSFORM_H
+#define L3D_GEOM_TRANSFORM_H
+
+#include "geom/matrix.h"
+#include "geom/point.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+/// Cosine and sine of an angle.
+struct l3d_turn {
+    double cosine = 1, sine = 0;
+};
+
+/// Units:   degrees, any finite number; multiples of 90 are exact.
+inline l3d_turn l3d_turn_by(double degrees) noexcept {
+    // remquo leaves at most 45 degrees, where neither function suffers from pi being rounded.
+    int quarters = 0;
+    const double rest = std::remquo(degrees, 90, &quarters) * (std::numbers::pi / 180);
+    const double c = std::cos(rest);
+    const double s = std::sin(rest);
+    switch (quarters & 3) {
+    case 0:
+        return {c, s};
+    case 1:
+        return {-s, c};
+    case 2:
+        return {-c, -s};
+    default:
+        return {s, -c};
+    }
+}
+
+/// Multiplies the three coordinates.
+template <class T> l3d_matrix<T> l3d_scaling(double x, double y, double z) noexcept {
+    l3d_matrix<T> m = l3d_identity<T>();
+    m(0, 0) = l3d_from_double<T>(x);
+    m(1, 1) = l3d_from_double<T>(y);
+    m(2, 2) = l3d_from_double<T>(z);
+    return m;
+}
+
+namespace l3d_detail {
+
+/// Turns the plane of the axes `from` and `to`, the first towards the second.
+template <class T> l3d_matrix<T> turning(int from, int to, double degrees) noexcept {
+    const l3d_turn turn = l3d_turn_by(degrees);
+    l3d_matrix<T> m = l3d_identity<T>();
+    m(from, from) = m(to, to) = l3d_from_double<T>(turn.cosine);
+    m(to, from) = l3d_from_double<T>(turn.sine);
+    m(from, to) = l3d_from_double<T>(-turn.sine);
+    return m;
+}
+
+} // namespace l3d_detail
+
+/// Turn y towards z, z towards x, x towards y: with the fingers of the left hand, if the axes are
+/// a left hand's, around the thumb that points along the axis; with the right hand's likewise.
+/// Units:   degrees.
+template <class T> l3d_matrix<T> l3d_rotation_x(double degrees) noexcept {
+    return l3d_detail::turning<T>(1, 2, degrees);
+}
+template <class T> l3d_matrix<T> l3d_rotation_y(double degrees) noexcept {
+    return l3d_detail::turning<T>(2, 0, degrees);
+}
+template <class T> l3d_matrix<T> l3d_rotation_z(double degrees) noexcept {
+    return l3d_detail::turning<T>(0, 1, degrees);
+}
+
+/// The same turn or scaling about another centre than the origin: T(c) m T(-c).
+template <class T>
+l3d_matrix<T> l3d_about(const l3d_point<double>& centre, const l3d_matrix<T>& m) noexcept {
+    return l3d_translation<T>(centre[0], centre[1], centre[2]) * m *
+           l3d_translation<T>(-centre[0], -centre[1], -centre[2]);
+}
+
+/// The matrix whose columns are three axes and an origin: from these coordinates to those in which
+/// the four are given.
+template <class T>
+l3d_matrix<T> l3d_from_axes(const l3d_vector<T, 3>& x, const l3d_vector<T, 3>& y,
+                            const l3d_vector<T, 3>& z, const l3d_point<T>& origin) noexcept {
+    l3d_matrix<T> m = l3d_identity<T>();
+    for (int i = 0; i < 3; ++i) {
+        m(i, 0) = x[i];
+        m(i, 1) = y[i];
+        m(i, 2) = z[i];
+        m(i, 3) = origin[i];
+    }
+    return m;
+}
+
+template <class T> l3d_matrix<T> l3d_transposed(const l3d_matrix<T>& m) noexcept {
+    l3d_matrix<T> result;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            result(i, j) = m(j, i);
+    return result;
+}
+
+namespace l3d_detail {
+
+/// Gauss and Jordan's elimination with the rows brought to a largest entry of 1 first, and pivots
+/// sought down the column. What is left is the inverse, and the determinant on the way.
+class elimination {
+public:
+    template <class T> explicit elimination(const l3d_matrix<T>& m) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            double largest = 0;
+            for (std::size_t j = 0; j < 4; ++j) {
+                rows_[i][j] = l3d_to_double(m(static_cast<int>(i), static_cast<int>(j)));
+                largest = std::max(largest, std::abs(rows_[i][j]));
+            }
+            rows_[i][4 + i] = 1;
+            if (largest > 0) {
+                divide(rows_[i], largest);
+                determinant_ *= largest;
+            }
+        }
+        for (std::size_t column = 0; column < 4 && regular_; ++column)
+            clear(column);
+    }
+
+    bool regular() const { return regular_; }
+    double determinant() const { return regular_ ? determinant_ : 0; }
+    double inverse(int row, int column) const {
+        return rows_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column) + 4];
+    }
+
+private:
+    using wide_row = std::array<double, 8>;
+
+    static void divide(wide_row& r, double by) {
+        for (double& number : r)
+            number /= by;
+    }
+
+    void clear(std::size_t column) {
+        std::size_t pivot = column;
+        for (std::size_t i = column + 1; i < 4; ++i)
+            if (std::abs(rows_[i][column]) > std::abs(rows_[pivot][column]))
+                pivot = i;
+        // Entries are at most 1 at first and grow by at most 2 in each of three steps, each with
+        // some 2^-53 of rounding: below 2^-46 nothing but rounding is left.
+        if (!(std::abs(rows_[pivot][column]) > 0x1p-46)) {
+            regular_ = false;
+            return;
+        }
+        if (pivot != column) {
+            std::swap(rows_[pivot], rows_[column]);
+            determinant_ = -determinant_;
+        }
+        determinant_ *= rows_[column][column];
+        divide(rows_[column], double{rows_[column][column]});
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double factor = rows_[i][column];
+            for (std::size_t j = 0; i != column && j < 8; ++j)
+                rows_[i][j] -= factor * rows_[column][j];
+        }
+    }
+
+    std::array<wide_row, 4> rows_{};
+    double determinant_ = 1;
+    bool regular_ = true;
+};
+
+} // namespace l3d_detail
+
+/// How many times larger volumes become, negative if they are mirrored too; 0 for a matrix that
+/// l3d_inverted calls singular.
+template <class T> double l3d_determinant(const l3d_matrix<T>& m) noexcept {
+    return l3d_detail::elimination(m).determinant();
+}
+
+/// The matrix that undoes m.
+///
+/// Errors:  nothing if m is singular, or so near to it that rounding decides.
+/// Cost:    in double for every T, then rounded.
+template <class T> std::optional<l3d_matrix<T>> l3d_inverted(const l3d_matrix<T>& m) noexcept {
+    const l3d_detail::elimination done(m);
+    if (!done.regular())
+        return std::nullopt;
+    l3d_matrix<T> result;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            result(i, j) = l3d_from_double<T>(done.inverse(i, j));
+    return result;
+}
+
+/// From coordinates of the system `from` to those of the system `to`, each given by the matrix
+/// that leads from it to the world.
+/// Errors:  nothing if `to` is singular.
+template <class T>
+std::optional<l3d_matrix<T>> l3d_coordinate_change(const l3d_matrix<T>& from,
+                                                   const l3d_matrix<T>& to) noexcept {
+    const auto back = l3d_inverted(to);
+    if (!back)
+        return std::nullopt;
+    return *back * from;
+}
+
+/// m applied to a point, without division. Expects: the last row of m is 0 0 0 1.
+template <class T>
+l3d_point<T> l3d_transformed(const l3d_matrix<T>& m, const l3d_point<T>& p) noexcept {
+    const auto moved = m * l3d_vector<T, 4>(p[0], p[1], p[2], l3d_from_double<T>(1));
+    return {moved[0], moved[1], moved[2]};
+}
+
+/// m applied to a displacement, which no translation changes.
+template <class T>
+l3d_vector<T, 3> l3d_transformed(const l3d_matrix<T>& m, const l3d_vector<T, 3>& v) noexcept {
+    const auto moved = m * l3d_vector<T, 4>(v[0], v[1], v[2], l3d_from_double<T>(0));
+    return {moved[0], moved[1], moved[2]};
+}
+
+/// The point that homogeneous coordinates stand for. Errors: nothing if w is 0: a direction.
+template <class T> std::optional<l3d_point<T>> l3d_homogenized(const l3d_vector<T, 4>& p) noexcept {
+    if (p[3] == l3d_from_double<T>(0))
+        return std::nullopt;
+    return l3d_point<T>(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
+}
+
+/// The unit normal of a plane that m has transformed, by the inverse transpose of m: it stays
+/// perpendicular, however unequally m scales.
+/// Errors:  nothing if m is singular.
+template <class T>
+std::optional<l3d_vector<T, 3>> l3d_transformed_normal(const l3d_matrix<T>& m,
+                                                       const l3d_vector<T, 3>& normal) noexcept {
+    const auto inverse = l3d_inverted(m);
+    if (!inverse)
+        return std::nullopt;
+    return l3d_normalized(l3d_transformed(l3d_transposed(*inverse), normal));
+}
+
+#endif

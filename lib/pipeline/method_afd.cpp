@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// l3d_method_afd: the stages of a frame.
+#include "pipeline/method_afd.h"
+
+#include "pipeline/stopwatch_p.h"
+
+#include <cstdint>
+#include <span>
+
+using l3d_detail::stopwatch;
+
+template <class T>
+l3d_method_afd<T>::l3d_method_afd(const l3d_rasterizer_factory& rasterizers, l3d_workers& workers)
+    : surface_(rasterizers.create_surface(workers)), dicer_(workers) {}
+
+template <class T> std::span<const l3d_placed_patch> l3d_method_afd<T>::next_batch() {
+    return culling_.next(
+        [this](const l3d_subpixel_box& box, float inv_w) { return surface_->hidden(box, inv_w); });
+}
+
+/// Batch after batch, so that what the nearer ones hide need not be diced. Most scenes are one
+/// batch; nobody then needs the depth of the whole picture, unless it is asked for.
+template <class T>
+void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& times) {
+    const stopwatch placing;
+    culling_.begin(frame.scene, frame.to_image, frame.view);
+    dicer_.begin(frame.view);
+    std::span<const l3d_placed_patch> batch = next_batch();
+    const bool keep_depth = frame.wants_depth || !culling_.is_done();
+    if (keep_depth)
+        frame.depth.resize(frame.view.size);
+    surface_->begin(frame.target, keep_depth ? &frame.depth : nullptr, frame.shading,
+                    frame.untouched);
+    times.transform += placing.milliseconds();
+    while (!batch.empty()) {
+        const stopwatch dicing;
+        const auto parts = dicer_.dice(frame.scene, culling_, batch);
+        times.dice += dicing.milliseconds();
+
+        const stopwatch filling;
+        surface_->draw(parts);
+        times.raster += filling.milliseconds();
+
+        const stopwatch going_on;
+        batch = next_batch();
+        times.transform += going_on.milliseconds();
+    }
+    const stopwatch finishing;
+    surface_->finish();
+    times.raster += finishing.milliseconds();
+    counts_ = dicer_.counts();
+    counts_.add(culling_.counts());
+}
+
+template class l3d_method_afd<float>;
+template class l3d_method_afd<double>;
+template class l3d_method_afd<l3d_fixed<std::int64_t, 32>>;

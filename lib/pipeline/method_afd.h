@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// l3d_method_afd: adaptive forward differencing, the method that the library is about.
+#ifndef L3D_PIPELINE_METHOD_AFD_H
+#define L3D_PIPELINE_METHOD_AFD_H
+
+#include "pipeline/frame_dicer.h"
+#include "pipeline/scene_culling.h"
+#include "pipeline/surface_method.h"
+#include "raster/rasterizer_factory.h"
+#include "raster/workers.h"
+
+#include <memory>
+
+/// Culls, dices within the tolerance, and fills; batch after batch, nearest first.
+///
+/// Lives: borrows the workers.
+/// Cost:  no allocation once the largest frame has been seen.
+template <class T> class l3d_method_afd final : public l3d_surface_method {
+public:
+    l3d_method_afd(const l3d_rasterizer_factory& rasterizers, l3d_workers& workers);
+
+private:
+    void do_draw(const l3d_method_frame& frame, l3d_stage_times& times) override;
+    const l3d_dice_counts& do_counts() const override { return counts_; }
+    const l3d_surface_counts& do_surface_counts() const override { return surface_->counts(); }
+
+    std::span<const l3d_placed_patch> next_batch();
+
+    std::unique_ptr<l3d_surface_rasterizer> surface_;
+    l3d_scene_culling culling_;
+    l3d_frame_dicer<T> dicer_;
+    l3d_dice_counts counts_;
+};
+
+#endif

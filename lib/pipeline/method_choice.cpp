@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// l3d_method_choice: names, and what they stand for.
+#include "pipeline/method_choice.h"
+
+#include "geom/real.h"
+#include "pipeline/fd_dicer.h"
+#include "pipeline/isocurve_plotter.h"
+#include "pipeline/method_afd.h"
+#include "pipeline/method_mesa.h"
+#include "pipeline/method_mesh.h"
+#include "pipeline/method_points.h"
+#include "pipeline/method_voxels.h"
+#include "pipeline/micropolygon_dicer.h"
+#include "pipeline/scanline_plotter.h"
+#include "pipeline/subdivision_dicer.h"
+#include "pipeline/tessellation_dicer.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <type_traits>
+
+namespace {
+
+/// A row of the table. Those without a resolution have most = 0.
+struct method_row {
+    const char* name;
+    l3d_method method;
+    int usual = 0, least = 0, most = 0;
+};
+
+/// 1024 x 1024 quads are 2^20 for each patch; of 1024 cells along each axis a teapot fills 4
+/// million in 600 MB of bricks.
+constexpr std::array<method_row, 9> rows{{
+    {"afd", l3d_method::afd},
+    {"fd", l3d_method::fd},
+    {"isocurves", l3d_method::isocurves},
+    {"subdivision", l3d_method::subdivision},
+    {"tessellation", l3d_method::tessellation, 16, 1, 1024},
+    {"micropolygons", l3d_method::micropolygons},
+    {"scanline", l3d_method::scanline},
+    {"voxels", l3d_method::voxels, 256, 8, 1024},
+    {"mesa", l3d_method::mesa},
+}};
+
+const method_row& row_of(l3d_method method) {
+    return *std::find_if(rows.begin(), rows.end(),
+                         [&](const method_row& row) { return row.method == method; });
+}
+
+std::unique_ptr<l3d_surface_method> create_afd(l3d_arithmetic arithmetic,
+                                               const l3d_rasterizer_factory& rasterizers,
+                                               l3d_workers& workers) {
+    switch (arithmetic) {
+    case l3d_arithmetic::float_32:
+        return std::make_unique<l3d_method_afd<float>>(rasterizers, workers);
+    case l3d_arithmetic::float_64:
+        return std::make_unique<l3d_method_afd<double>>(rasterizers, workers);
+    default:
+        return std::make_unique<l3d_method_afd<l3d_fixed<std::int64_t, 32>>>(rasterizers, workers);
+    }
+}
+
+template <class Dicer>
+std::unique_ptr<l3d_surface_method> create_mesh(const l3d_rasterizer_factory& rasterizers,
+                                                l3d_workers& workers, const Dicer& dicer) {
+    return std::make_unique<l3d_method_mesh<Dicer>>(rasterizers, workers, dicer);
+}
+
+} // namespace
+
+l3d_arithmetic l3d_real_arithmetic() {
+    return std::is_same_v<l3d_real, float>    ? l3d_arithmetic::float_32
+           : std::is_same_v<l3d_real, double> ? l3d_arithmetic::float_64
+                                              : l3d_arithmetic::fixed_32_32;
+}
+
+const char* l3d_name_of(l3d_arithmetic arithmetic) {
+    switch (arithmetic) {
+    case l3d_arithmetic::float_32:
+        return "float";
+    case l3d_arithmetic::float_64:
+        return "double";
+    case l3d_arithmetic::fixed_16_16:
+        return "16.16";
+    case l3d_arithmetic::block_32:
+        return "32-bit block";
+    case l3d_arithmetic::fixed_32_32:
+        return "32.32";
+    }
+    return "";
+}
+
+std::string l3d_method_choice::name() const {
+    const method_row& row = row_of(method);
+    return row.most > 0 ? std::string(row.name) + ':' + std::to_string(resolution) : row.name;
+}
+
+std::optional<l3d_method_choice> l3d_method_choice::from_name(std::string_view name,
+                                                              std::string& why) {
+    const std::size_t colon = std::min(name.find(':'), name.size());
+    const std::string_view word = name.substr(0, colon);
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == word; });
+    const auto refuse = [&](const std::string& reason) {
+        why = '\'' + std::string(name) + "' " + reason;
+        return std::nullopt;
+    };
+    if (found == rows.end())
+        return refuse("is unknown; there are " + all_names());
+    l3d_method_choice result;
+    result.method = found->method;
+    result.resolution = found->usual;
+    if (colon == name.size())
+        return result;
+    if (found->most == 0)
+        return refuse("takes no number");
+    const std::string_view number = name.substr(colon + 1);
+    const char* const end = number.data() + number.size();
+    const auto read = std::from_chars(number.data(), end, result.resolution);
+    if (read.ec != std::errc() || read.ptr != end || result.resolution < found->least ||
+        result.resolution > found->most)
+        return refuse("needs a number from " + std::to_string(found->least) + " to " +
+                      std::to_string(found->most));
+    return result;
+}
+
+std::string l3d_method_choice::all_names() {
+    std::string names;
+    for (const method_row& row : rows)
+        names += std::string(names.empty() ? "" : ", ") + row.name + (row.most > 0 ? "[:N]" : "");
+    return names;
+}
+
+std::unique_ptr<l3d_surface_method> l3d_create_method(const l3d_method_choice& choice,
+                                                      const l3d_rasterizer_factory& rasterizers,
+                                                      l3d_workers& workers) {
+    switch (choice.method) {
+    case l3d_method::fd:
+        return create_mesh(rasterizers, workers, l3d_fd_dicer(choice.arithmetic));
+    case l3d_method::isocurves:
+        return std::make_unique<l3d_method_points<l3d_isocurve_plotter<l3d_real>>>(rasterizers);
+    case l3d_method::scanline:
+        return std::make_unique<l3d_method_points<l3d_scanline_plotter>>(rasterizers);
+    case l3d_method::voxels:
+        return std::make_unique<l3d_method_voxels>(choice.resolution, workers);
+    case l3d_method::mesa:
+        return l3d_create_method_mesa();
+    case l3d_method::subdivision:
+        return create_mesh(rasterizers, workers, l3d_subdivision_dicer());
+    case l3d_method::tessellation:
+        return create_mesh(rasterizers, workers, l3d_tessellation_dicer(choice.resolution));
+    case l3d_method::micropolygons:
+        return create_mesh(rasterizers, workers, l3d_micropolygon_dicer());
+    default:
+        return create_afd(choice.arithmetic, rasterizers, workers);
+    }
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// l3d_method_choice: which method draws, and the table of all.
+#ifndef L3D_PIPELINE_METHOD_CHOICE_H
+#define L3D_PIPELINE_METHOD_CHOICE_H
+
+#include "pipeline/surface_method.h"
+#include "raster/rasterizer_factory.h"
+#include "raster/workers.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// Ways to draw bicubic patches.
+enum class l3d_method {
+    afd,           ///< adaptive forward differencing with a certified bound; the product
+    fd,            ///< one fixed forward difference step a patch
+    isocurves,     ///< curves on the surface, stepped pixel by pixel
+    subdivision,   ///< halved until flat, by de Casteljau's scheme
+    tessellation,  ///< n x n quads a patch
+    micropolygons, ///< quads of half a pixel
+    scanline,      ///< by Newton's iteration along scan lines
+    voxels,        ///< a cubic frame buffer, looked into by rays
+    mesa,          ///< triangles through GL
+};
+
+/// Numbers that forward differences can be walked in.
+enum class l3d_arithmetic {
+    float_32,
+    float_64,
+    fixed_16_16, ///< 32 bits, 16 after the point
+    block_32,    ///< 32 bits, an exponent for each coordinate of a patch
+    fixed_32_32, ///< 64 bits, 32 after the point
+};
+
+/// The arithmetic of l3d_real.
+l3d_arithmetic l3d_real_arithmetic();
+
+const char* l3d_name_of(l3d_arithmetic arithmetic);
+
+/// A method and what it is told.
+struct l3d_method_choice {
+    l3d_method method = l3d_method::afd;
+    int resolution = 0; ///< of tessellation: quads along a patch; of voxels: cells along the model
+    l3d_arithmetic arithmetic = l3d_real_arithmetic(); ///< of afd (but 32-bit fixed) and fd
+
+    /// As the command line has it: "fd", "tessellation:16".
+    std::string name() const;
+
+    /// Whether `name` is read back; without a number methods take their usual one.
+    /// Errors: nothing, with the reason in `why`: unknown name, number missing sense or range.
+    static std::optional<l3d_method_choice> from_name(std::string_view name, std::string& why);
+
+    /// All names, with ":N" where a number may follow, separated by ", ".
+    static std::string all_names();
+};
+
+/// Never null.
+/// Errors:  l3d_error(no_backend) for `mesa` where there is no software GL.
+/// Lives:   borrows the workers.
+std::unique_ptr<l3d_surface_method> l3d_create_method(const l3d_method_choice& choice,
+                                                      const l3d_rasterizer_factory& rasterizers,
+                                                      l3d_workers& workers);
+
+#endif

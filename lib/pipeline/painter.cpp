@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// l3d_painter: the steps from an object's polygons to pixels.
+#include "pipeline/painter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace {
+
+/// Polygons are cut where they reach further than this from the picture's centre. Units: pixels.
+/// Pictures have at most 2^14 pixels a side, so nothing seen is cut; and positions this large,
+/// times 256 for the fractions of a pixel that rasterizers count in, are far from 2^31.
+constexpr double farthest_pixel = 0x1p15;
+
+} // namespace
+
+void l3d_painter::begin(const l3d_camera_left_handed<real>& camera, l3d_size size) {
+    camera_ = camera;
+    size_ = size;
+    viewing_ = camera.viewing_transform();
+    corners_.clear();
+    polygons_.clear();
+}
+
+std::size_t l3d_painter::add(const l3d_object& object) {
+    const l3d_matrix<real> to_camera = viewing_ * object.modeling_transform();
+    const auto vertices = object.vertices();
+    points_.clear();
+    for (const l3d_point<real>& v : vertices)
+        points_.push_back(l3d_transformed(to_camera, v));
+    const l3d_polygon_mesh& mesh = object.mesh();
+    for (std::size_t i = 0; i < mesh.faces(); ++i) {
+        if (clip(mesh.face(i)))
+            project(mesh.face_colors.empty() ? 0x00ffffff : mesh.face_colors[i]);
+        points_.resize(vertices.size()); // drops what clipping made
+    }
+    return vertices.size();
+}
+
+/// What is left is in `clipped_`; false if that is nothing.
+bool l3d_painter::clip(std::span<const std::uint32_t> face) {
+    if (!l3d_clip_near_z(face, l3d_from_double<real>(camera_.near_z), points_, clipped_))
+        return false;
+    const real right = l3d_from_double<real>(farthest_pixel / (camera_.fovx * size_.width));
+    const real up = l3d_from_double<real>(farthest_pixel / (camera_.fovy * size_.height));
+    return clip_sideways(0, right) && clip_sideways(0, -right) && clip_sideways(1, up) &&
+           clip_sideways(1, -up);
+}
+
+/// Cuts where a coordinate exceeds `limit` times z, or, if that is negative, is less.
+bool l3d_painter::clip_sideways(int axis, real limit) {
+    const real zero = l3d_from_double<real>(0);
+    const auto side = [&](std::uint32_t i) {
+        const real across = points_[i][2] * limit - points_[i][axis];
+        return limit > zero ? across : -across;
+    };
+    const auto is_inside = [&](std::uint32_t i) { return !(side(i) < zero); };
+    if (std::all_of(clipped_.begin(), clipped_.end(), is_inside))
+        return true;
+    const auto cut = [&](std::uint32_t inside, std::uint32_t outside) {
+        points_.push_back(
+            l3d_between(points_[inside], points_[outside], side(inside), side(outside)));
+        return static_cast<std::uint32_t>(points_.size() - 1);
+    };
+    before_.swap(clipped_);
+    return l3d_clip_to_plane<real>(before_, zero, side, cut, clipped_);
+}
+
+/// Adds the polygon in `clipped_`, unless it is beside the picture.
+void l3d_painter::project(std::uint32_t color) {
+    const std::size_t first = corners_.size();
+    double left = std::numeric_limits<double>::max(), right = -left, top = left, bottom = -left;
+    real depth = l3d_from_double<real>(0);
+    for (const std::uint32_t corner : clipped_) {
+        const auto pixel = camera_.project(points_[corner], size_);
+        corners_.push_back({pixel.x, pixel.y});
+        left = std::min(left, pixel.x);
+        right = std::max(right, pixel.x);
+        top = std::min(top, pixel.y);
+        bottom = std::max(bottom, pixel.y);
+        depth += points_[corner][2];
+    }
+    if (!(right >= 0 && left < size_.width && bottom >= 0 && top < size_.height))
+        corners_.resize(first);
+    else
+        polygons_.push_back({first, clipped_.size(), color,
+                             depth / l3d_from_double<real>(static_cast<double>(clipped_.size()))});
+}
+
+std::span<const l3d_point_2d> l3d_painter::corners(std::size_t which) const {
+    return {corners_.data() + polygons_[which].first_corner, polygons_[which].corners};
+}
+
+void l3d_painter::draw(l3d_rasterizer_2d& rasterizer, l3d_draw_order order) {
+    order_.resize(polygons_.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    if (order == l3d_draw_order::far_first)
+        std::stable_sort(order_.begin(), order_.end(), [this](std::size_t a, std::size_t b) {
+            return polygons_[a].depth > polygons_[b].depth;
+        });
+    for (const std::size_t i : order_)
+        rasterizer.draw_polygon_flatshaded(corners(i), polygons_[i].color);
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// l3d_surface_method: a way to draw a scene's surfaces; the seam between methods that are compared.
+#ifndef L3D_PIPELINE_SURFACE_METHOD_H
+#define L3D_PIPELINE_SURFACE_METHOD_H
+
+#include "pipeline/dice_counts.h"
+#include "pipeline/dice_view.h"
+#include "pipeline/frame_report.h"
+#include "pipeline/patch_scene.h"
+#include "raster/depth_buffer.h"
+#include "raster/surface_rasterizer.h"
+#include "tool_2d/pixels.h"
+
+#include <memory>
+
+/// What is to be drawn in a frame, and into what.
+///
+/// Lives: everything that it refers to must outlive the frame.
+struct l3d_method_frame {
+    const l3d_patch_scene& scene;
+    const l3d_matrix<double>& to_image; ///< world to (x, y, -, w) in the view's units
+    const l3d_dice_view& view;
+    const l3d_shading& shading;
+    l3d_pixels target;
+    l3d_depth_buffer& depth;
+    bool wants_depth; ///< else the method may leave the depth buffer as it is
+    bool untouched;   ///< nobody wrote to the target since the last frame's end
+};
+
+/// Draws the surfaces of whole frames, and says how exactly it did.
+///
+/// What a method draws depends on the frame alone, not on frames before or on threads.
+/// `counts().bound_px` is the certified image error of what was drawn; infinity stands for a
+/// method that can give none.
+class l3d_surface_method {
+public:
+    l3d_surface_method() = default;
+    l3d_surface_method(const l3d_surface_method&) = delete;
+    l3d_surface_method& operator=(const l3d_surface_method&) = delete;
+    virtual ~l3d_surface_method() = default;
+
+    /// Draws a frame; adds what its stages took to `times`.
+    /// Expects: a depth buffer of the target's size if `wants_depth`.
+    void draw(const l3d_method_frame& frame, l3d_stage_times& times) { do_draw(frame, times); }
+
+    /// Of the last frame.
+    const l3d_dice_counts& counts() const { return do_counts(); }
+    const l3d_surface_counts& surface_counts() const { return do_surface_counts(); }
+
+private:
+    virtual void do_draw(const l3d_method_frame& frame, l3d_stage_times& times) = 0;
+    virtual const l3d_dice_counts& do_counts() const = 0;
+    virtual const l3d_surface_counts& do_surface_counts() const = 0;
+};
+
+#endif
