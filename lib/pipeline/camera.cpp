@@ -57,14 +57,14 @@ std::string l3d_camera::complaint() const {
                        " is not within 1e12 of the origin";
     }
     if (!(l3d_length(target - eye) >= l3d_least_distance))
-        return "camera: target " + text_of(target) + " is within 1e-30 of the eye";
+        return "camera: target " + text_of(target) + " is within 1e-32 of the eye";
     if (!(up_sine() >= l3d_least_up_sine))
         return "camera: up " + text_of(up) + " is zero, not finite or along the line of sight";
     if (!(fov > 0 && fov < 180))
         return "camera: fov " + text_of(fov) + " is not between 0 and 180 degrees";
     if (!(near >= l3d_least_distance && near < far && std::isfinite(far)))
         return "camera: near " + text_of(near) + " and far " + text_of(far) +
-               " are not 1e-30 <= near < far, finite";
+               " are not 1e-32 <= near < far, finite";
     return "";
 }
 

@@ -11,7 +11,7 @@
 
 /// Least near distance, and of the target from the eye. Depth is kept as 1 / distance in a float,
 /// which goes up to 3e38.
-inline constexpr double l3d_least_distance = 1e-30;
+inline constexpr double l3d_least_distance = 1e-32;
 
 /// Least sine of the angle between `up` and the line of sight: below, rounding alone would turn the
 /// picture by a part in 10^9 and more.

@@ -299,9 +299,9 @@ bool is_malformed(const test_case& c) {
         std::hypot(x, y, z) * std::hypot<long double, long double, long double>(up.x, up.y, up.z);
     const bool has_direction = across >= 1e-6L * lengths && lengths > 0 &&
                                lengths < std::numeric_limits<long double>::infinity();
-    if (std::hypot(x, y, z) < 1e-30L)
+    if (std::hypot(x, y, z) < 1e-32L)
         return true;
-    const bool has_depth = c.eye.near >= 1e-30 && c.eye.near < c.far && c.far < infinity;
+    const bool has_depth = c.eye.near >= 1e-32 && c.eye.near < c.far && c.far < infinity;
     const auto is_side = [](int pixels) { return pixels >= 1 && pixels <= 16384; };
     return !has_direction || !has_depth || !(c.eye.fov_degrees > 0 && c.eye.fov_degrees < 180) ||
            !(c.tolerance > 0 && c.tolerance < infinity) || !is_side(c.size.width) ||
