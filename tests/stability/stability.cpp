@@ -14,7 +14,7 @@ namespace {
 using namespace stability;
 
 /// A part of everything for each `make test`: seconds, the sanitizers' as well.
-const extent sample{9, 600, 12, 100, 1, ""};
+const extent sample{14, 300, 6, 50, 1, ""};
 const extent everything{1, 1'000'000, 2000, 2000, 1, ""};
 
 [[noreturn]] void refuse(const std::string& what) {
