@@ -41,7 +41,9 @@ std::size_t l3d_painter::add(const l3d_object& object) {
 
 /// What is left is in `clipped_`; false if that is nothing.
 bool l3d_painter::clip(std::span<const std::uint32_t> face) {
-    if (!l3d_clip_near_z(face, l3d_from_double<real>(camera_.near_z), points_, clipped_))
+    const real far = l3d_from_double<real>(camera_.far_z);
+    if (std::all_of(face.begin(), face.end(), [&](auto i) { return points_[i][2] > far; }) ||
+        !l3d_clip_near_z(face, l3d_from_double<real>(camera_.near_z), points_, clipped_))
         return false;
     const real right = l3d_from_double<real>(farthest_pixel / (camera_.fovx * size_.width));
     const real up = l3d_from_double<real>(farthest_pixel / (camera_.fovy * size_.height));

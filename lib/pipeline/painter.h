@@ -20,14 +20,15 @@ enum class l3d_draw_order {
 /// Transforms, clips and projects polygons, and holds those that are left for one frame.
 ///
 /// Each vertex of an object is transformed once, however many polygons share it. Polygons are cut
-/// at near_z, and far outside the picture; new vertices follow the object's own in one list.
-/// Source:  the order of steps is that of l3d_world::draw_all in the book.
-/// Cost:    memory for the most polygons of any frame so far, and no limit to their number.
+/// at near_z, and far outside the picture; those wholly beyond far_z are left out; new vertices
+/// follow the object's own in one list. Source:  the order of steps is that of l3d_world::draw_all
+/// in the book. Cost:    memory for the most polygons of any frame so far, and no limit to their
+/// number.
 class l3d_painter {
 public:
     using real = l3d_real;
 
-    /// Forgets the last frame. Expects: 0 < near_z, finite.
+    /// Forgets the last frame. Expects: 0 < near_z <= far_z, fovx and fovy > 0.
     void begin(const l3d_camera_left_handed<real>& camera, l3d_size size);
 
     /// Adds what may be seen of an object. Returns how many vertices were transformed.

@@ -188,6 +188,7 @@ TEST(book_world, a_cut_polygon_covers_what_is_left) {
     l3d_painter painter;
     auto camera = camera_at(3, 2, -1, size);
     camera.near_z = 0.5; // there the floor is 200 pixels below the centre
+    camera.far_z = 1e7;
     painter.begin(camera, size);
     l3d_polygon_mesh floor;
     floor.vertices = {{-9e4, 0, -80}, {-9e4, 0, 9e6}, {9e4, 0, 9e6}, {9e4, 0, -80}};
@@ -227,6 +228,18 @@ TEST(book_world, visibility) {
         world.draw_all(image.rasterizer, size);
         EXPECT_EQ(image.at(41, 29), 100u);
     }
+}
+
+TEST(book_world, far_away_is_nothing) {
+    const l3d_size size{80, 60};
+    l3d_world world(size);
+    world.camera.place = l3d_point<real>::of(0, 0, 0);
+    world.objects.push_back(card(-2, -2, 4, 4, 499, 0xff0000));
+    world.objects.push_back(card(-2, -2, 4, 4, 501, 0x0000ff));
+    picture image(size);
+    EXPECT_EQ(world.draw_all(image.rasterizer, size), 1u);
+    world.camera.far_z = 502;
+    EXPECT_EQ(world.draw_all(image.rasterizer, size), 2u);
 }
 
 TEST(book_world, no_fixed_limits) {
