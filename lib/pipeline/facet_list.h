@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// l3d_painter: a frame's polygons, from objects in a world to pixels, farthest first.
-#ifndef L3D_PIPELINE_PAINTER_H
-#define L3D_PIPELINE_PAINTER_H
+// l3d_facet_list: a frame's polygons, from objects in a world to pixels, farthest first.
+#ifndef L3D_PIPELINE_FACET_LIST_H
+#define L3D_PIPELINE_FACET_LIST_H
 
+#include "geom/radix_sort.h"
 #include "raster/rasterizer_2d.h"
 #include "pipeline/camera_left_handed.h"
 #include "pipeline/object.h"
@@ -24,7 +25,7 @@ enum class l3d_draw_order {
 /// follow the object's own in one list. Source:  the order of steps is that of l3d_world::draw_all
 /// in the book. Cost:    memory for the most polygons of any frame so far, and no limit to their
 /// number.
-class l3d_painter {
+class l3d_facet_list {
 public:
     using real = l3d_real;
 
@@ -60,7 +61,7 @@ private:
     std::vector<std::uint32_t> clipped_, before_; ///< of one polygon
     std::vector<l3d_point_2d> corners_;           ///< of all polygons
     std::vector<polygon> polygons_;
-    std::vector<std::size_t> order_;
+    std::vector<l3d_sort_item> order_, sorting_;
 };
 
 #endif
