@@ -21,10 +21,11 @@ enum class l3d_draw_order {
 /// Transforms, clips and projects polygons, and holds those that are left for one frame.
 ///
 /// Each vertex of an object is transformed once, however many polygons share it. Polygons are cut
-/// at near_z, and far outside the picture; those wholly beyond far_z are left out; new vertices
-/// follow the object's own in one list. Source:  the order of steps is that of l3d_world::draw_all
-/// in the book. Cost:    memory for the most polygons of any frame so far, and no limit to their
-/// number.
+/// at near_z, and far outside the picture; what is wholly beyond far_z is left out. New vertices
+/// follow the object's own in one list.
+/// Cost:    time linear in vertices and polygons, sorting included; memory for the most polygons of
+///          any frame so far, and no limit to their number but 2^32.
+/// Source:  the order of steps is that of l3d_world::draw_all in the book.
 class l3d_facet_list {
 public:
     using real = l3d_real;
