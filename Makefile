@@ -100,7 +100,7 @@ MAKEFLAGS += -rR --no-print-directory
 .SECONDEXPANSION:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: FORCE all run test stress matrix lint $(CHECKS) tidy format bench packages hooks clean help
+.PHONY: FORCE all run test stress matrix lint $(CHECKS) tidy format golden pictures bench packages hooks clean help
 
 Q    := $(if $(V),,@)
 say   = $(if $(V),,@printf '  %-5s %s\n' $(1) $(2:$(OUT)/%=%))
@@ -139,6 +139,12 @@ tidy: packages-tidy ## clang-tidy, warnings are errors
 
 format: packages-lint ## clang-format every file in place
 	$(Q)$(CLANG_FORMAT) -i $(FORMATTED)
+
+golden: $(APPS) ## store the pictures' hashes that tests/x11/programs_test.py compares with
+	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/programs_test.py --write
+
+pictures: $(APPS) ## docs/pictures/programs.png: what every program shows, one row of the table each
+	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/contact_sheet.py docs/pictures/programs.png
 
 bench: packages-bench ## build and run the benchmarks
 	@$(again) $(BENCHES)
