@@ -140,10 +140,10 @@ tidy: packages-tidy ## clang-tidy, warnings are errors
 format: packages-lint ## clang-format every file in place
 	$(Q)$(CLANG_FORMAT) -i $(FORMATTED)
 
-golden: $(APPS) ## store the pictures' hashes that tests/x11/programs_test.py compares with
+golden: $(APPS) $(PLUGINS) ## store the pictures' hashes that tests/x11/programs_test.py compares with
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/programs_test.py --write
 
-pictures: $(APPS) ## docs/pictures/programs.png: what every program shows, one row of the table each
+pictures: $(APPS) $(PLUGINS) ## docs/pictures/programs.png: what every program shows, one row of the table each
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/contact_sheet.py docs/pictures/programs.png
 
 bench: packages-bench ## build and run the benchmarks

@@ -49,19 +49,17 @@ bool l3d_facet_list::clip(std::span<const std::uint32_t> face) {
     if (std::all_of(face.begin(), face.end(), [&](auto i) { return points_[i][2] > far; }) ||
         !l3d_clip_near_z(face, l3d_from_double<real>(camera_.near_z), points_, clipped_))
         return false;
-    const real right = l3d_from_double<real>(farthest_pixel / (camera_.fovx * size_.width));
-    const real up = l3d_from_double<real>(farthest_pixel / (camera_.fovy * size_.height));
+    const real right = l3d_from_double<real>(camera_.fovx * size_.width / farthest_pixel);
+    const real up = l3d_from_double<real>(camera_.fovy * size_.height / farthest_pixel);
     return clip_sideways(0, right) && clip_sideways(0, -right) && clip_sideways(1, up) &&
            clip_sideways(1, -up);
 }
 
-/// Cuts where a coordinate exceeds `limit` times z, or, if that is negative, is less.
-bool l3d_facet_list::clip_sideways(int axis, real limit) {
+/// Cuts where a coordinate, times `scale`, exceeds z. The scale is small, so that fixed point does
+/// not overflow here either; one that is negative is for the other side.
+bool l3d_facet_list::clip_sideways(int axis, real scale) {
     const real zero = l3d_from_double<real>(0);
-    const auto side = [&](std::uint32_t i) {
-        const real across = points_[i][2] * limit - points_[i][axis];
-        return limit > zero ? across : -across;
-    };
+    const auto side = [&](std::uint32_t i) { return points_[i][2] - points_[i][axis] * scale; };
     const auto is_inside = [&](std::uint32_t i) { return !(side(i) < zero); };
     if (std::all_of(clipped_.begin(), clipped_.end(), is_inside))
         return true;

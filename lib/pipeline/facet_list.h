@@ -52,7 +52,7 @@ private:
     };
 
     bool clip(std::span<const std::uint32_t> face);
-    bool clip_sideways(int axis, real limit);
+    bool clip_sideways(int axis, real scale);
     void project(std::uint32_t color);
 
     l3d_camera_left_handed<real> camera_{l3d_size{1, 1}};
