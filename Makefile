@@ -30,6 +30,8 @@ flags_asan    := -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
                  -fsanitize=address,undefined,float-cast-overflow
 flags_tsan    := -O1 -g -fsanitize=thread
 flags_cov     := -O0 -g --coverage
+flags_fuzz    := -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
+                 -fsanitize=fuzzer-no-link,address,undefined
 
 # Leaks in libraries that are not ours to mend.
 export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lint/leaks.supp:print_suppressions=0
@@ -37,8 +39,8 @@ export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lint/leaks.supp:print_suppre
 ifeq ($(filter $(REAL),float double fixed),)
 $(error REAL=$(REAL) is unknown; choose float, double or fixed)
 endif
-ifeq ($(filter $(MODE),release debug asan tsan cov),)
-$(error MODE=$(MODE) is unknown; choose release, debug, asan, tsan or cov)
+ifeq ($(filter $(MODE),release debug asan tsan cov fuzz),)
+$(error MODE=$(MODE) is unknown; choose release, debug, asan, tsan, cov or fuzz)
 endif
 
 compiler := $(notdir $(lastword $(CXX)))
@@ -78,12 +80,13 @@ APPS      := $(apps:%=$(OUT)/bin/%)
 TESTERS   := $(tested:%=$(OUT)/tests/%_tests)
 objects_bench := $(call objects,$(filter-out %_bench.cpp,$(wildcard tests/bench/*.cpp)))
 BENCHES   := $(patsubst %.cpp,$(OUT)/%,$(wildcard tests/bench/*_bench.cpp))
+FUZZERS   := $(patsubst tests/fuzz/corpus/%,$(OUT)/fuzz/%,$(wildcard tests/fuzz/corpus/*))
 SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
 STRESS    := $(wildcard tests/x11/stress/*_test.py)
 HEADERS   := $(sort $(wildcard lib/*/*.h))
 SOURCES   := $(sort $(wildcard lib/*/*.cpp apps/*/*.cpp tests/*/*.cpp))
 FORMATTED := $(SOURCES) $(HEADERS) $(plugins) $(sort $(wildcard apps/*/*.h tests/*.h tests/*/*.h))
-OBJECTS   := $(call objects,$(filter-out tests/fail/% tests/bench/%,$(SOURCES)))
+OBJECTS   := $(call objects,$(filter-out tests/fail/% tests/bench/% tests/fuzz/%,$(SOURCES)))
 LONE      := $(HEADERS:%=$(OUT)/%.ok)
 
 # A check writes a log; summary.awk judges any set of logs.
@@ -100,7 +103,8 @@ MAKEFLAGS += -rR --no-print-directory
 .SECONDEXPANSION:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: FORCE all run test stress matrix lint $(CHECKS) tidy format golden pictures bench packages hooks clean help
+.PHONY: FORCE all run test stress matrix lint $(CHECKS) tidy format golden pictures bench fuzz \
+        fuzz-each packages hooks clean help
 
 Q    := $(if $(V),,@)
 say   = $(if $(V),,@printf '  %-5s %s\n' $(1) $(2:$(OUT)/%=%))
@@ -150,8 +154,16 @@ bench: packages-bench ## build and run the benchmarks
 	@$(again) $(BENCHES)
 	@set -e; for bench in $(BENCHES); do $$bench $(ARGS); done
 
+fuzz: packages-fuzz ## fuzz every reader of model files: make fuzz FUZZ_SECONDS=600
+	@$(again) MODE=fuzz CXX="$(FUZZ_CXX)" fuzz-each
+
+fuzz-each: $(FUZZERS)
+	@set -e; for fuzzer in $(FUZZERS); do mkdir -p $$fuzzer.corpus; \
+	    $$fuzzer -max_total_time=$(FUZZ_SECONDS) $(FUZZ_LIMITS) -artifact_prefix=$$fuzzer.found- \
+	    $$fuzzer.corpus tests/fuzz/corpus/$${fuzzer##*/}; done
+
 packages: packages-build packages-test packages-lint ## install the Debian packages that are missing
-packages-test packages-lint packages-tidy packages-bench packages-matrix: packages-build
+packages-test packages-lint packages-tidy packages-bench packages-matrix packages-fuzz: packages-build
 packages-%:
 	@CXX="$(CXX)" tests/lint/packages.sh $(PACKAGES_$*)
 
@@ -164,7 +176,7 @@ clean: ## remove everything made
 help: ## this list
 	@awk -F':.*## ' '/^[a-z$$].*:.*## /{sub(/^\$$\(CHECKS\)/, "$(CHECKS)", $$1); \
 	    printf "  %-14s %s\n", $$1, $$2}' Makefile
-	@echo "  REAL=float|double|fixed MODE=release|debug|asan|tsan|cov CXX=g++|clang++ V=1"
+	@echo "  REAL=float|double|fixed MODE=release|debug|asan|tsan|cov|fuzz CXX=g++|clang++ V=1"
 
 # ---- rules --------------------------------------------------------------------------------------
 
@@ -210,6 +222,10 @@ $(TESTERS): $(OUT)/tests/%_tests: $$(objects_tests/$$*) $$(call archives,$$(call
 $(BENCHES): %: %.o $(objects_bench) $(call archives,reference $(LAYERS))
 	$(call say,LINK,$@)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -lembree3 -o $@
+
+$(OUT)/fuzz/%: tests/fuzz/model_fuzz.cpp $(wildcard tests/fuzz/*.h) $(OUT)/libl3d_geom.a
+	$(call say,LINK,$@)
+	$(Q)mkdir -p $(@D); $(LINK) -fsanitize=fuzzer -DL3D_FUZZED='"$*"' $(filter-out %.h,$^) -o $@
 
 # ---- logs: each ends with the exit status of what it ran ----------------------------------------
 
