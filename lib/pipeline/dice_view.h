@@ -35,6 +35,11 @@ struct l3d_dice_view {
         return std::max(tolerance - vertex_error, tolerance / 4);
     }
 
+    /// What walking may add to a vertex' error, else it is evaluated. Slits along edges, which get
+    /// half their budget for balanced chords, may be off by 1 / (16 l3d_balance) = 0.73 of it; with
+    /// an eighth for walking, that is within the tolerance while all else takes less than a half.
+    double walk_allowance() const { return tolerance / 8; }
+
     /// The least exact w where something is drawn of a net whose least w is `least`: steps are
     /// chosen so that where a chord is in front of the near plane, the exact w is over half of it.
     double drawn_w(double least) const { return std::max(least, near / 2); }

@@ -97,11 +97,11 @@ template <class T> bool l3d_lane_dicer<T>::judge(const l3d_dice_view& view) {
         const double snap = 2 * l3d_snap_error<float>(reach) - l3d_snap_error<float>(0);
         return walked_in(lane_register::fixed_32, 0, snap, view.tolerance / 16) ||
                walked_in(lane_register::fixed_64, 32, l3d_snap_error<double>(reach),
-                         view.tolerance / 4);
+                         view.walk_allowance());
     } else {
         register_ = sizeof(T) == 4 ? lane_register::float_32 : lane_register::float_64;
         return judged(walking_error<T>(most_xy, strips), walking_error<T>(most_w, strips),
-                      l3d_snap_error<T>(reach), view.tolerance / 4);
+                      l3d_snap_error<T>(reach), view.walk_allowance());
     }
 }
 

@@ -97,12 +97,12 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
         boxes.most[i] > most_depth_ratio * boxes.least[i] || view_.keep_all)
         return where;
     // The box holds the exact surface, whatever the transform's error; a vertex is off that by its
-    // balance, by the error of its own net, at most a quarter of the tolerance (or is evaluated),
-    // and by snapping.
+    // balance, by the error of its own net, at most l3d_dice_view::walk_allowance (or is
+    // evaluated), and by snapping.
     const l3d_image_box exact = box_of(boxes, i);
     const double transformed =
         l3d_vertex_error(view_.error_xy, view_.error_w, exact.reach(), boxes.least[i]);
-    const double vertex_error = transformed + view_.tolerance / 4 + 1.0 / l3d_subpixel_one;
+    const double vertex_error = transformed + view_.walk_allowance() + 1.0 / l3d_subpixel_one;
     const double balance = l3d_is_small(exact) ? 0 : balance_of_w(boxes.least[i], boxes.most[i]);
     where.inv_w = inv_w_above(boxes.least[i], error_w + balance, view_.depth_scale);
     where.box =
