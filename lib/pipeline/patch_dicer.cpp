@@ -60,9 +60,9 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of) const -> planne
     for (const l3d_piece_side& side : p.sides)
         result.vertex_error = std::max(result.vertex_error, of.edges[side.edge].vertex_error());
     const bool whole = result.nets.whole();
-    result.plan =
-        l3d_plan_steps(result.nets.blocks(), of.view, of.view.chord_budget(result.vertex_error),
-                       whole ? l3d_quad_kind::whole : l3d_quad_kind::triangles);
+    result.plan = l3d_plan_steps(result.nets.net(), result.nets.blocks(), of.view,
+                                 of.view.chord_budget(result.vertex_error),
+                                 whole ? l3d_quad_kind::whole : l3d_quad_kind::triangles);
     result.excess = static_cast<double>(std::max(result.plan.most_u(), result.plan.most_v())) /
                     (whole ? l3d_most_steps_whole : l3d_most_steps_clipped);
     return result;
@@ -100,10 +100,14 @@ void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, tas
         }
         most /= 2;
     } while (most > 0 && samples_of(how.plan) > samples);
-    // Errors fall with the square of the steps, at the least. What crosses the near plane may be
-    // anywhere if its depth is off.
-    if (ratio > 1)
+    // Errors of what is not balanced fall with the square of the steps, at the least. What crosses
+    // the near plane may be anywhere if its depth is off.
+    if (ratio > 1) {
+        if (how.plan.balanced)
+            how.plan.chord_error /= 8 * l3d_balance;
+        how.plan.balanced = false;
         how.plan.chord_error *= whole ? ratio * ratio : std::numeric_limits<double>::infinity();
+    }
     draw(p, how, of);
 }
 
