@@ -37,9 +37,8 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
         size.height > l3d_afd_largest_side)
         return "picture: " + std::to_string(size.width) + 'x' + std::to_string(size.height) +
                " is not within 1x1 and 16384x16384";
-    if (!(settings.tolerance > 0 && settings.tolerance <= largest))
-        return "tolerance: " + std::to_string(settings.tolerance) +
-               " px is not positive and finite";
+    if (!(settings.tolerance > 0 && settings.tolerance <= l3d_afd_largest_side))
+        return "tolerance: " + std::to_string(settings.tolerance) + " px is not within 0 and 16384";
     const double length = l3d_length(settings.light);
     if (!(length > 0 && length <= largest))
         return "light: no direction";

@@ -304,7 +304,7 @@ bool is_malformed(const test_case& c) {
     const bool has_depth = c.eye.near >= 1e-32 && c.eye.near < c.far && c.far < infinity;
     const auto is_side = [](int pixels) { return pixels >= 1 && pixels <= 16384; };
     return !has_direction || !has_depth || !(c.eye.fov_degrees > 0 && c.eye.fov_degrees < 180) ||
-           !(c.tolerance > 0 && c.tolerance < infinity) || !is_side(c.size.width) ||
+           !(c.tolerance > 0 && c.tolerance <= 16384) || !is_side(c.size.width) ||
            !is_side(c.size.height);
 }
 
