@@ -191,7 +191,8 @@ $(TESTERS): $(OUT)/tests/%_tests: $$(objects_tests/$$*) $$(call archives,$$(call
 
 $(BENCHES): %: %.o $(objects_bench) $(call archives,reference $(LAYERS))
 	$(call say,LINK,$@)
-	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -lembree3 -o $@
+	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) \
+	    -lembree3 -lbenchmark -o $@
 
 # ---- logs: each ends with the exit status of what it ran ----------------------------------------
 

@@ -28,8 +28,8 @@ private:
                           std::uint32_t color) override;
 
     void draw_line(const l3d_line_2d& line, std::uint32_t color);
+    bool draw_small(l3d_outline_2d corners, std::uint32_t color);
     template <class Point> void fill_convex(std::span<const Point> corners, std::uint32_t color);
-    void fill(std::int32_t row, std::int32_t first, std::int32_t last, std::uint32_t color);
 
     l3d_pixels target_;
     l3d_detail::polygon_corners corners_;
