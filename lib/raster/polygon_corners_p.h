@@ -7,8 +7,6 @@
 #include "raster/rasterizer_2d.h"
 #include "raster/scan_edge_p.h"
 
-#include <cmath>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,15 +16,6 @@ namespace l3d_detail {
 /// further than in l3d_rasterizer_2d. Positions beyond far_limit are moved to it, axis by axis.
 /// Expects: numbers.
 far_point lattice_point(l3d_point_2d position);
-
-/// The same for a position less than near_pixels from the first pixel.
-inline constexpr int near_pixels = (scan_limit >> l3d_subpixel_bits) - 1;
-inline scan_point near_lattice_point(l3d_point_2d position) {
-    const auto rounded = [](double v) {
-        return static_cast<std::int32_t>(std::lrint(v * l3d_subpixel_one)) + l3d_subpixel_one / 2;
-    };
-    return {rounded(position.x), rounded(position.y)};
-}
 
 /// Whether neither coordinate is a NaN.
 bool is_number(l3d_point_2d position);

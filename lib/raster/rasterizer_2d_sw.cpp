@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 
 namespace {
 
@@ -48,6 +47,8 @@ shaded_corner corner_of(const l3d_colored_point_2d& p) {
 
 void l3d_rasterizer_2d_sw_imp::do_set_target(l3d_pixels target) {
     target_ = target;
+    constexpr double most = scan_limit / l3d_subpixel_one;
+    ends_ = {std::min<double>(target.width, most), std::min<double>(target.height, most)};
     scan_.set_rows({0, target.height});
 }
 
@@ -91,40 +92,14 @@ void l3d_rasterizer_2d_sw_imp::do_draw_line_antialiased(l3d_point_2d from, l3d_p
 
 void l3d_rasterizer_2d_sw_imp::do_draw_polygon_flatshaded(l3d_outline_2d corners,
                                                           std::uint32_t color) {
-    if (draw_small(corners, color) || !corners_.set(corners))
+    if (corners.size() == 3 && fill_small_triangle(target_, corners.first<3>(), ends_, color))
+        return;
+    if (!corners_.set(corners))
         return;
     if (corners_.all_near())
         fill_convex(corners_.near(), color);
     else
         fill_convex(corners_.far(), color);
-}
-
-/// Draws a triangle if it is small and wholly in the picture; else false, and nothing is drawn.
-bool l3d_rasterizer_2d_sw_imp::draw_small(l3d_outline_2d corners, std::uint32_t color) {
-    if (corners.size() != 3)
-        return false;
-    const double right_end = std::min(target_.width, near_pixels);
-    const double lower_end = std::min(target_.height, near_pixels);
-    const auto in_picture = [=](const l3d_point_2d& p) { // NaN compares false
-        return p.x >= 0 && p.x <= right_end && p.y >= 0 && p.y <= lower_end;
-    };
-    if (!in_picture(corners[0]) || !in_picture(corners[1]) || !in_picture(corners[2]))
-        return false;
-    std::array<scan_point, 3> c{near_lattice_point(corners[0]), near_lattice_point(corners[1]),
-                                near_lattice_point(corners[2])};
-    const l3d_subpixel_box box{
-        std::min({c[0].x, c[1].x, c[2].x}), std::min({c[0].y, c[1].y, c[2].y}),
-        std::max({c[0].x, c[1].x, c[2].x}), std::max({c[0].y, c[1].y, c[2].y})};
-    constexpr std::int32_t most = small_side * l3d_subpixel_one;
-    if (box.right - box.left > most || box.bottom - box.top > most)
-        return false;
-    const std::int32_t area =
-        (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
-    if (area < 0)
-        std::swap(c[1], c[2]);
-    if (area != 0)
-        fill_triangle(target_, c, pixels_in(box), color);
-    return true;
 }
 
 template <class Point>

@@ -9,7 +9,9 @@
 #include "raster/span_kernels_p.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
@@ -84,41 +86,100 @@ void shade_spans_in_lanes(const l3d_pixels& target, std::span<const shaded_span>
     }
 }
 
-/// An edge function at a row of pixels, and what it gains from row to row.
-struct edge_lanes {
-    integer_lanes value, per_row;
-};
-
-/// Not below 0 where the sample is inside; on an edge that is neither left nor top it is -1.
-HWY_INLINE edge_lanes edge_at(scan_point from, scan_point to, std::int32_t column,
-                              std::int32_t row) {
-    const std::int32_t dx = to.x - from.x, dy = to.y - from.y;
-    const std::int32_t x = l3d_subpixel_one * column + l3d_subpixel_one / 2 - from.x;
-    const std::int32_t y = l3d_subpixel_one * row + l3d_subpixel_one / 2 - from.y;
-    const bool owns = dy < 0 || (dy == 0 && dx > 0);
-    const std::int32_t value = dx * y - dy * x - (owns ? 0 : 1);
-    return {hn::Sub(hn::Set(integers, value),
-                    hn::Mul(hn::Iota(integers, 0), hn::Set(integers, l3d_subpixel_one * dy))),
-            hn::Set(integers, l3d_subpixel_one * dx)};
+/// To whole units of 1/256 pixel. Expects: |position| <= 2^15.
+HWY_INLINE std::int32_t units(double position) {
+    return static_cast<std::int32_t>(std::lrint(position * l3d_subpixel_one));
 }
 
-void fill_triangle_in_lanes(const l3d_pixels& target, const std::array<scan_point, 3>& c,
-                            const pixel_box& box, std::uint32_t color) {
-    const auto lanes = static_cast<std::int32_t>(hn::Lanes(words));
+/// Where three coordinates lie, in pixels.
+struct bounds {
+    double low, high;
+
+    HWY_INLINE bounds(double a, double b, double c)
+        : low(std::min(std::min(a, b), c)), high(std::max(std::max(a, b), c)) {}
+
+    HWY_INLINE bool small_within(double end) const {
+        return low >= 0 && high <= end && high - low <= small_side;
+    }
+    /// The pixels whose samples are not before the low or the high end.
+    HWY_INLINE std::int32_t first() const { return first_sample(low); }
+    HWY_INLINE std::int32_t last() const { return first_sample(high); }
+
+private:
+    HWY_INLINE static std::int32_t first_sample(double position) {
+        return (units(position) + l3d_subpixel_one - 1) >> l3d_subpixel_bits;
+    }
+};
+
+/// An edge function in a row of samples, and what it gains from row to row: not below 0 where
+/// the sample is inside. On an edge that is neither left nor top it is -1.
+struct edge_lanes {
+    integer_lanes value, per_row;
+    std::int32_t per_column;
+
+    /// Corners as seen from the first sample.
+    HWY_INLINE edge_lanes(scan_point from, scan_point to) {
+        const std::int32_t dx = to.x - from.x, dy = to.y - from.y;
+        // negative on a left or top edge, where dy < 0, or dy = 0 and dx > 0; for |dx| < 2^14
+        const std::int32_t order = dy * (1 << 14) - dx;
+        const std::int32_t first = dy * from.x - dx * from.y - 1 - (order >> 31);
+        per_column = -l3d_subpixel_one * dy;
+        value = hn::Add(hn::Set(integers, first),
+                        hn::Mul(hn::Iota(integers, 0), hn::Set(integers, per_column)));
+        per_row = hn::Set(integers, l3d_subpixel_one * dx);
+    }
+
+    /// To the next vector of columns.
+    HWY_INLINE void step_right() {
+        const auto lanes = static_cast<std::int32_t>(hn::Lanes(words));
+        value = hn::Add(value, hn::Set(integers, lanes * per_column));
+    }
+};
+
+bool fill_small_triangle_in_lanes(const l3d_pixels& target,
+                                  std::span<const l3d_point_2d, 3> corners,
+                                  const std::array<double, 2>& ends, std::uint32_t color) {
+    const l3d_point_2d &a = corners[0], &b = corners[1], &c = corners[2];
+    if (std::isnan(a.x + b.x + c.x + a.y + b.y + c.y))
+        return false; // comparisons may lose a NaN, a sum does not
+    const bounds x(a.x, b.x, c.x), y(a.y, b.y, c.y);
+    if (!x.small_within(ends[0]) || !y.small_within(ends[1]))
+        return false;
+    const std::int32_t left = x.first(), right = x.last(), top = y.first(), bottom = y.last();
+    const auto seen = [=](const l3d_point_2d& at) {
+        return scan_point{units(at.x) - l3d_subpixel_one * left,
+                          units(at.y) - l3d_subpixel_one * top};
+    };
+    const scan_point p = seen(a);
+    scan_point q = seen(b), r = seen(c);
+    const std::int32_t area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    if (area <= 0) {
+        if (area == 0)
+            return true;
+        std::swap(q, r);
+    }
+    edge_lanes pq(p, q), qr(q, r), rp(r, p);
     const word_lanes colors = hn::Set(words, color);
-    for (std::int32_t x = box.left; x < box.right; x += lanes) {
-        edge_lanes a = edge_at(c[0], c[1], x, box.top), b = edge_at(c[1], c[2], x, box.top),
-                   d = edge_at(c[2], c[0], x, box.top);
-        std::uint32_t* at = target.words + box.top * target.stride + x;
-        for (std::int32_t row = box.top; row < box.bottom; ++row, at += target.stride) {
-            const auto inside =
-                hn::Gt(hn::Or(hn::Or(a.value, b.value), d.value), hn::Set(integers, -1));
+    const auto lanes = static_cast<std::int32_t>(hn::Lanes(words));
+    const std::ptrdiff_t stride = target.stride;
+    std::uint32_t* block = target.words + top * stride + left;
+    for (std::int32_t columns = right - left; columns > 0; columns -= lanes, block += lanes) {
+        integer_lanes u = pq.value, v = qr.value, w = rp.value;
+        std::uint32_t* at = block;
+        for (std::int32_t rows = bottom - top; rows > 0; --rows, at += stride) {
+            const auto inside = hn::Gt(hn::Or(hn::Or(u, v), w), hn::Set(integers, -1));
             hn::BlendedStore(colors, hn::RebindMask(words, inside), words, at);
-            a.value = hn::Add(a.value, a.per_row);
-            b.value = hn::Add(b.value, b.per_row);
-            d.value = hn::Add(d.value, d.per_row);
+            u = hn::Add(u, pq.per_row);
+            v = hn::Add(v, qr.per_row);
+            w = hn::Add(w, rp.per_row);
+        }
+        if (columns > lanes) {
+            pq.step_right();
+            qr.step_right();
+            rp.step_right();
         }
     }
+    return true;
 }
 
 } // namespace
@@ -132,7 +193,7 @@ namespace l3d_detail {
 L3D_SIMD_TABLE(fill_rows_in_lanes);
 L3D_SIMD_TABLE(fill_spans_in_lanes);
 L3D_SIMD_TABLE(shade_spans_in_lanes);
-L3D_SIMD_TABLE(fill_triangle_in_lanes);
+L3D_SIMD_TABLE(fill_small_triangle_in_lanes);
 
 void fill_rows(const l3d_pixels& target, std::int32_t top, std::span<const scan_ends> rows,
                std::uint32_t color) {
@@ -147,9 +208,9 @@ void shade_spans(const l3d_pixels& target, std::span<const shaded_span> spans) {
     L3D_SIMD_CALL(shade_spans_in_lanes)(target, spans);
 }
 
-void fill_triangle(const l3d_pixels& target, const std::array<scan_point, 3>& corners,
-                   const pixel_box& box, std::uint32_t color) {
-    L3D_SIMD_CALL(fill_triangle_in_lanes)(target, corners, box, color);
+bool fill_small_triangle(const l3d_pixels& target, std::span<const l3d_point_2d, 3> corners,
+                         const std::array<double, 2>& ends, std::uint32_t color) {
+    return L3D_SIMD_CALL(fill_small_triangle_in_lanes)(target, corners, ends, color);
 }
 
 } // namespace l3d_detail

@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_SPAN_KERNELS_P_H
 #define L3D_RASTER_SPAN_KERNELS_P_H
 
-#include "raster/pixel_box_p.h"
+#include "raster/rasterizer_2d.h"
 #include "raster/scan_polygon_p.h"
 #include "raster/shaded_triangle_p.h"
 #include "raster/winding_scan_p.h"
@@ -26,16 +26,17 @@ void fill_spans(const l3d_pixels& target, std::span<const pixel_span> spans, std
 /// Fills spans, each pixel in its colour, to nearest. Expects: they are in the picture.
 void shade_spans(const l3d_pixels& target, std::span<const shaded_span> spans);
 
-/// The longest side of a box that fill_triangle takes: 2^13 lattice units. Products of two
-/// differences and their sums then stay below 2^28.
-inline constexpr std::int32_t small_side = 32;
+/// The longest side of a triangle that fill_small_triangle takes: 2^13 lattice units. Products of
+/// two differences and their sums then stay below 2^28.
+inline constexpr int small_side = 32;
 
-/// Fills the pixels of a triangle by its three edge functions, at all pixels of its box. For small
-/// ones that costs less than finding spans.
-/// Shape:   clockwise on the screen.
-/// Expects: `box` holds all its pixels, is in the picture and has no side above small_side.
-void fill_triangle(const l3d_pixels& target, const std::array<scan_point, 3>& corners,
-                   const pixel_box& box, std::uint32_t color);
+/// Fills a triangle by its three edge functions, at all pixels of its box: for a small one that
+/// costs less than finding spans. False if it is not small, or not wholly in the picture, and
+/// nothing is drawn.
+/// Shape:   three corners of any winding; NaN may be among them.
+/// Expects: `ends` = {width, height} of the picture, or less, and at most 2^15.
+bool fill_small_triangle(const l3d_pixels& target, std::span<const l3d_point_2d, 3> corners,
+                         const std::array<double, 2>& ends, std::uint32_t color);
 
 } // namespace l3d_detail
 

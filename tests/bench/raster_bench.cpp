@@ -9,7 +9,7 @@
 #include "raster/rasterizer_2d_sw.h"
 #include "raster/simd_target.h"
 #include "raster/slow_2d.h"
-#include "tool_2d/image.h"
+#include "tool_2d/screen_memory.h"
 
 #include <benchmark/benchmark.h>
 
@@ -77,17 +77,17 @@ std::vector<l3d_line_2d> lines(double length) {
 struct canvas {
     canvas() { draw.clear_buffer(); }
 
-    std::uint32_t& at(int x, int y) { return image.pixels().row(y)[static_cast<std::size_t>(x)]; }
+    std::uint32_t& at(int x, int y) { return screen.pixels().row(y)[static_cast<std::size_t>(x)]; }
 
-    l3d_image image{size, size.width};
-    l3d_rasterizer_2d_sw_imp imp{image.pixels()};
+    l3d_screen_memory screen{size};
+    l3d_rasterizer_2d_sw_imp imp{screen.pixels()};
     l3d_rasterizer_2d draw{imp};
 };
 
 std::int64_t lit(canvas& c) {
     std::int64_t n = 0;
     for (int y = 0; y < size.height; ++y)
-        n += size.width - std::ranges::count(c.image.pixels().row(y), 0u);
+        n += size.width - std::ranges::count(c.screen.pixels().row(y), 0u);
     return n;
 }
 
@@ -106,7 +106,7 @@ void measure(benchmark::State& state, const Things& things, const Fast& fast, co
         slow(expected, things[i], color_of(i));
     }
     for (int y = 0; y < size.height; ++y)
-        if (!std::ranges::equal(c.image.pixels().row(y), expected.image.pixels().row(y)))
+        if (!std::ranges::equal(c.screen.pixels().row(y), expected.screen.pixels().row(y)))
             return state.SkipWithError("the picture differs from the slow twin's");
     if (lit(c) == 0)
         state.SkipWithError("nothing was drawn");
@@ -199,10 +199,11 @@ void bench_gouraud(benchmark::State& state, double area) {
 
 void bench_clear(benchmark::State& state, bool by_memset) {
     canvas c;
+    const l3d_pixels pixels = c.screen.pixels();
     const std::size_t bytes = std::size_t(size.width) * std::size_t(size.height) * 4;
     for (auto _ : state) {
         if (by_memset)
-            std::memset(c.image.pixels().words, 0, bytes);
+            std::memset(pixels.words, 0, bytes);
         else
             c.draw.clear_buffer();
         benchmark::ClobberMemory();
