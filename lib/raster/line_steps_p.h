@@ -7,6 +7,7 @@
 #include "raster/rasterizer_2d.h"
 
 #include <cstdint>
+#include <cstdlib>
 
 namespace l3d_detail {
 
@@ -63,8 +64,27 @@ private:
     std::int64_t value_, step_;
 };
 
-/// The steps of a line, those in a target of the given size marked. Expects: two different ends.
-line_steps steps_of(const l3d_line_2d& line, l3d_size size);
+/// Marks the steps that are in a picture of that size, by arithmetic and not by stepping.
+void mark_seen(line_steps& line, l3d_size size);
+
+/// The steps of a line, those in a picture of that size marked. Expects: two different ends.
+inline line_steps steps_of(const l3d_line_2d& line, l3d_size size) {
+    const std::int64_t dx = std::int64_t{line.x1} - line.x0, dy = std::int64_t{line.y1} - line.y0;
+    const bool x_major = std::abs(dx) >= std::abs(dy);
+    const bool backwards = (x_major ? dx : dy) < 0;
+    const std::int64_t x = backwards ? line.x1 : line.x0, y = backwards ? line.y1 : line.y0;
+    const std::int64_t sign = backwards ? -1 : 1;
+    line_steps steps = x_major ? line_steps{true, x, y, sign * dx, sign * dy}
+                               : line_steps{false, y, x, sign * dy, sign * dx};
+    const auto inside = [](int a, int b, int end) {
+        return a >= 0 && b >= 0 && a < end && b < end;
+    };
+    if (inside(line.x0, line.x1, size.width) && inside(line.y0, line.y1, size.height))
+        steps.last = steps.length;
+    else
+        mark_seen(steps, size);
+    return steps;
+}
 
 } // namespace l3d_detail
 
