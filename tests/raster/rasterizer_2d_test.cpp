@@ -78,23 +78,33 @@ TEST(Lines, TiesGoUpAndLeft) {
     EXPECT_EQ(drawn({5, 2, 4, 4}, 9, 7), (pixel_set{{5, 2}, {4, 3}, {4, 4}}));
 }
 
-TEST(Lines, AreTheNearestPixelsInEitherDirection) {
-    std::mt19937 random(seed);
+/// Near lines, half of them clipped, in both directions.
+void test_lines(int lines, unsigned first_seed) {
+    std::mt19937 random(first_seed);
     std::uniform_int_distribution<int> near(-30, 60), size(1, 33);
     std::size_t lit = 0;
-    for (int n = 0; n < 100000; ++n) {
+    for (int n = 0; n < lines; ++n) {
         const l3d_line_2d l{near(random), near(random), near(random), near(random)};
         const int width = size(random), height = size(random) + 2;
         const pixel_set expected = exact_line(l, width, height);
         ASSERT_EQ(drawn(l, width, height), expected)
-            << "seed " << seed << ", line " << n << ": " << l.x0 << " " << l.y0 << " " << l.x1
+            << "seed " << first_seed << ", line " << n << ": " << l.x0 << " " << l.y0 << " " << l.x1
             << " " << l.y1 << " in " << width << " x " << height;
         if (n % 4 == 0) {
             ASSERT_EQ(drawn({l.x1, l.y1, l.x0, l.y0}, width, height), expected);
         }
         lit += expected.size();
     }
-    EXPECT_GT(lit, 300000u);
+    EXPECT_GT(lit, static_cast<std::size_t>(lines) * 3);
+}
+
+TEST(Lines, AreTheNearestPixelsInEitherDirection) {
+    test_lines(50000, seed);
+}
+
+/// Takes a minute: make stress.
+TEST(Lines, DISABLED_AMillionAreTheNearestPixels) {
+    test_lines(1000000, seed + 9);
 }
 
 TEST(Lines, FromFarAwayAreExactWhereTheyAreSeen) {
