@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Reader and writer of .bpt patch files, and degree elevation.
+// Reader and writer of .bpt patch files; degrees raised and reduced to 3.
 #include "geom/patch_file.h"
 
+#include "geom/text_cursor_p.h"
+
 #include <algorithm>
-#include <cassert>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <system_error>
 
 namespace {
 
@@ -18,148 +17,43 @@ std::size_t points_along(int degree) {
     return static_cast<std::size_t>(degree) + 1;
 }
 
-/// A token fit for a message: quoted, of bounded length, nothing in it but printable ASCII.
-std::string quoted(std::string_view token) {
-    constexpr std::size_t longest = 24;
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string result = "'";
-    for (const char c : token.substr(0, longest)) {
-        const auto code = static_cast<unsigned char>(c);
-        if (code > ' ' && code < 127 && c != '\'' && c != '\\')
-            result += c;
-        else
-            result.append("\\x").append(1, digits[code / 16]).append(1, digits[code % 16]);
-    }
-    return result + (token.size() > longest ? "...'" : "'");
-}
-
-class bpt_parser {
-public:
-    bpt_parser(std::string_view text, std::string_view name) : rest_(text), name_(name) {}
-
-    std::optional<std::vector<l3d_patch_points>> patches() {
-        std::int64_t count = 0;
-        if (!integer(count, "the number of patches") || !plausible(count))
-            return std::nullopt;
-        std::vector<l3d_patch_points> result(static_cast<std::size_t>(count));
-        for (l3d_patch_points& patch : result) {
-            place_ = " in patch " + std::to_string(&patch - result.data() + 1) + " of " +
-                     std::to_string(count);
-            if (!read(patch))
-                return std::nullopt;
-        }
-        if (next()) {
-            fail(quoted(token_) + " follows the last of " + std::to_string(count) + " patches");
-            return std::nullopt;
-        }
-        return result;
-    }
-
-    const std::string& why() const { return why_; }
-
-private:
-    /// Fails, for use as a result. The message names the line of the current token.
-    bool fail(const std::string& what) {
-        why_ = name_ + ":" + std::to_string(line_) + ": " + what;
+/// Reads what a .bpt file holds, after the text has been asked whether it can hold so much.
+bool read_patches(l3d_detail::text_cursor& text, std::vector<l3d_patch_points>& patches) {
+    std::int64_t count = 0;
+    if (!text.integer(count, "the number of patches"))
         return false;
-    }
-
-    /// Takes the next token; false at the end of the text.
-    bool next() {
-        constexpr std::string_view blanks = " \t\r\n\v\f";
-        const std::size_t begin = std::min(rest_.find_first_not_of(blanks), rest_.size());
-        if (begin == rest_.size())
+    if (count <= 0)
+        return text.fail("the number of patches is " + std::to_string(count) + ", not positive");
+    // The least patch has 2 degrees and 4 points, 14 numbers of one digit and one blank.
+    constexpr std::size_t shortest = std::size_t{2} * (2 + 4 * 3);
+    if (!text.plausible(count, "patches", shortest))
+        return false;
+    patches.resize(static_cast<std::size_t>(count));
+    for (l3d_patch_points& patch : patches) {
+        text.set_place(" in patch", static_cast<std::size_t>(&patch - patches.data()) + 1,
+                       patches.size());
+        std::int64_t degree_u = 0;
+        std::int64_t degree_v = 0;
+        if (!text.integer_in(degree_u, "the degree in u", 1, l3d_bpt_largest_degree) ||
+            !text.integer_in(degree_v, "the degree in v", 1, l3d_bpt_largest_degree))
             return false;
-        line_ +=
-            std::count(rest_.begin(), rest_.begin() + static_cast<std::ptrdiff_t>(begin), '\n');
-        rest_.remove_prefix(begin);
-        token_ = rest_.substr(0, rest_.find_first_of(blanks));
-        rest_.remove_prefix(token_.size());
-        return true;
-    }
-
-    /// Takes the next token as a number; `what` names it in messages.
-    template <class Number> bool number(Number& value, const char* what, const char* kind) {
-        if (!next()) {
-            line_ += std::count(rest_.begin(), rest_.end(), '\n');
-            return fail("the text ends where " + std::string(what) + place_ + " should be");
-        }
-        // from_chars takes no plus sign, which printf("%+g") writes.
-        const bool plus = token_.size() > 1 && token_[0] == '+' && token_[1] != '-';
-        const char* const end = token_.data() + token_.size();
-        const auto [stop, error] = std::from_chars(token_.data() + (plus ? 1 : 0), end, value);
-        if (error == std::errc::result_out_of_range && stop == end)
-            return fail(quoted(token_) + ", " + what + place_ + ", is out of range");
-        if (error != std::errc() || stop != end)
-            return fail(quoted(token_) + ", " + what + place_ + ", is not " + kind);
-        return true;
-    }
-
-    bool integer(std::int64_t& value, const char* what) {
-        return number(value, what, "a whole number");
-    }
-
-    bool plausible(std::int64_t count) {
-        if (count <= 0)
-            return fail("the number of patches is " + std::to_string(count) + ", not positive");
-        // The least patch has 2 degrees and 4 points, 14 numbers of one digit and one blank.
-        constexpr std::size_t shortest = std::size_t{2} * (2 + 4 * 3);
-        if (static_cast<std::uint64_t>(count) > rest_.size() / shortest)
-            return fail("the text is too short for " + std::to_string(count) + " patches");
-        return true;
-    }
-
-    bool degree(int& value, const char* what) {
-        std::int64_t wide = 0;
-        if (!integer(wide, what))
-            return false;
-        if (wide < 1 || wide > l3d_bpt_largest_degree)
-            return fail(quoted(token_) + ", " + what + place_ + ", is not in 1 to " +
-                        std::to_string(l3d_bpt_largest_degree));
-        value = static_cast<int>(wide);
-        return true;
-    }
-
-    bool coordinate(double& value) {
-        if (!number(value, "a coordinate", "a number"))
-            return false;
-        if (!std::isfinite(value))
-            return fail(quoted(token_) + ", a coordinate" + place_ + ", is not finite");
-        if (std::abs(value) > l3d_bpt_largest_coordinate)
-            return fail(quoted(token_) + ", a coordinate" + place_ + ", is beyond 1e12");
-        return true;
-    }
-
-    bool read(l3d_patch_points& patch) {
-        if (!degree(patch.degree_u, "the degree in u") ||
-            !degree(patch.degree_v, "the degree in v"))
-            return false;
+        patch.degree_u = static_cast<int>(degree_u);
+        patch.degree_v = static_cast<int>(degree_v);
         patch.points.resize(points_along(patch.degree_u) * points_along(patch.degree_v));
         for (point& p : patch.points)
             for (double& value : p)
-                if (!coordinate(value))
+                if (!text.coordinate(value))
                     return false;
-        return true;
     }
-
-    std::string_view rest_;  ///< what has not been taken yet
-    std::string_view token_; ///< what has been taken last
-    std::string name_, place_, why_;
-    std::ptrdiff_t line_ = 1;
-};
-
-void append(std::string& text, double value, char after) {
-    char digits[32]; // -1.2345678901234567e-308 has 24
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
-    assert(error == std::errc());
-    text.append(digits, end).append(1, after);
+    return !text.next() || text.fail(l3d_detail::quoted(text.token()) + " follows the last of " +
+                                     std::to_string(count) + " patches");
 }
 
-/// Raises the degree of the curve in the first degree + 1 places of `line` to 3.
+/// Raises the degree of the curve in the first degree + 1 places of `line` to `target`.
 /// Source: Farin, Curves and Surfaces for CAGD: q_i = (i p_{i-1} + (n - i) p_i) / n, n = degree
 /// + 1.
-void elevate(std::array<point, 4>& line, int degree) {
-    for (int n = degree + 1; n <= 3; ++n) {
+void elevate(std::span<point> line, int degree, int target) {
+    for (int n = degree + 1; n <= target; ++n) {
         const auto last = static_cast<std::size_t>(n);
         line[last] = line[last - 1];
         for (std::size_t i = last - 1; i > 0; --i)
@@ -170,15 +64,41 @@ void elevate(std::array<point, 4>& line, int degree) {
     }
 }
 
+/// Brings the curve in the first degree + 1 places of `line` to degree 3 in the first four; false
+/// if that would change it.
+bool make_cubic(std::vector<point>& line, int degree, double rounding) {
+    if (degree <= 3) {
+        elevate(line, degree, 3);
+        return true;
+    }
+    // Only one cubic has the ends and the end derivatives of the curve, degree (p_1 - p_0).
+    const auto n = static_cast<std::size_t>(degree);
+    std::vector<point> cubic{line[0], {}, {}, line[n]};
+    for (std::size_t k = 0; k < 3; ++k) {
+        cubic[1][k] = line[0][k] + degree * (line[1][k] - line[0][k]) / 3;
+        cubic[2][k] = line[n][k] + degree * (line[n - 1][k] - line[n][k]) / 3;
+    }
+    std::vector<point> raised = cubic;
+    raised.resize(n + 1);
+    elevate(raised, 3, degree);
+    for (std::size_t i = 0; i <= n; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (std::abs(raised[i][k] - line[i][k]) > rounding)
+                return false;
+    std::ranges::copy(cubic, line.begin());
+    return true;
+}
+
 } // namespace
 
 std::optional<std::vector<l3d_patch_points>> l3d_read_bpt(std::string_view text,
                                                           std::string_view name, std::string& why) {
-    bpt_parser parser(text, name);
-    auto result = parser.patches();
-    if (!result)
-        why = parser.why();
-    return result;
+    l3d_detail::text_cursor cursor(text, name);
+    std::vector<l3d_patch_points> patches;
+    if (read_patches(cursor, patches))
+        return patches;
+    why = cursor.why();
+    return std::nullopt;
 }
 
 std::string l3d_write_bpt(std::span<const l3d_patch_points> patches) {
@@ -186,36 +106,46 @@ std::string l3d_write_bpt(std::span<const l3d_patch_points> patches) {
     for (const l3d_patch_points& patch : patches) {
         text += std::to_string(patch.degree_u) + ' ' + std::to_string(patch.degree_v) + '\n';
         for (const point& p : patch.points) {
-            append(text, p[0], ' ');
-            append(text, p[1], ' ');
-            append(text, p[2], '\n');
+            l3d_detail::append(text, p[0], ' ');
+            l3d_detail::append(text, p[1], ' ');
+            l3d_detail::append(text, p[2], '\n');
         }
     }
     return text;
 }
 
-std::optional<std::array<std::array<double, 3>, 16>>
-l3d_elevated_to_bicubic(const l3d_patch_points& patch) {
-    const auto cubic_or_less = [](int degree) { return degree >= 1 && degree <= 3; };
-    if (!cubic_or_less(patch.degree_u) || !cubic_or_less(patch.degree_v))
+std::optional<std::array<std::array<double, 3>, 16>> l3d_as_bicubic(const l3d_patch_points& patch) {
+    const auto well = [](int degree) { return degree >= 1 && degree <= l3d_bpt_largest_degree; };
+    if (!well(patch.degree_u) || !well(patch.degree_v))
         return std::nullopt;
     const std::size_t columns = points_along(patch.degree_u);
     const std::size_t rows = points_along(patch.degree_v);
     if (patch.points.size() != columns * rows)
         return std::nullopt;
 
-    std::array<std::array<point, 4>, 4> grid{}; // grid[column][row]
+    // Raising 12 times rounds 3 times 2^-53 each; the cubic's inner points, (1 + 2 * 5) times; the
+    // file's own points were rounded as often: 2 * 36 + 11 is less than 2^7.
+    double largest = 0;
+    for (const point& p : patch.points)
+        for (const double value : p)
+            largest = std::max(largest, std::abs(value));
+    const double rounding = 0x1p-46 * largest;
+
+    std::array<std::vector<point>, 4> grid; // grid[column][row]
     for (std::size_t row = 0; row < rows; ++row) {
-        std::array<point, 4> line{};
-        std::copy_n(patch.points.begin() + static_cast<std::ptrdiff_t>(row * columns), columns,
-                    line.begin());
-        elevate(line, patch.degree_u);
+        const auto first = patch.points.begin() + static_cast<std::ptrdiff_t>(row * columns);
+        std::vector<point> line(first, first + static_cast<std::ptrdiff_t>(columns));
+        line.resize(std::max<std::size_t>(columns, 4));
+        if (!make_cubic(line, patch.degree_u, rounding))
+            return std::nullopt;
         for (std::size_t column = 0; column < 4; ++column)
-            grid[column][row] = line[column];
+            grid[column].push_back(line[column]);
     }
     std::array<point, 16> result;
     for (std::size_t column = 0; column < 4; ++column) {
-        elevate(grid[column], patch.degree_v);
+        grid[column].resize(std::max<std::size_t>(rows, 4));
+        if (!make_cubic(grid[column], patch.degree_v, rounding))
+            return std::nullopt;
         for (std::size_t row = 0; row < 4; ++row)
             result[4 * row + column] = grid[column][row];
     }

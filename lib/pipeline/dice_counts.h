@@ -19,6 +19,7 @@ struct l3d_dice_counts {
     std::int64_t pieces = 0;    ///< grids made; more than `drawn` if patches had to be cut
     std::int64_t clipped = 0;   ///< of those, clipped at the near plane or the guard band
     std::int64_t samples = 0;   ///< vertices evaluated
+    std::int64_t failures = 0;  ///< pixels left out as an iteration came to no rest
     double bound_px = 0;        ///< certified image error of all that was drawn
 
     /// Both together: of other patches.
@@ -32,6 +33,7 @@ struct l3d_dice_counts {
         pieces += other.pieces;
         clipped += other.clipped;
         samples += other.samples;
+        failures += other.failures;
         bound_px = std::max(bound_px, other.bound_px);
     }
 

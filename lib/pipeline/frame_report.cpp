@@ -69,6 +69,7 @@ std::string l3d_frame_report::json() const {
           {"pieces", dice.pieces},
           {"clipped", dice.clipped}}},
         {"samples", dice.samples},
+        {"failures", dice.failures},
         {"quads", surface.quads},
         {"pixels_tested", surface.samples},
         {"pixels_written", surface.written},

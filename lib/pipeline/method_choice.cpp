@@ -4,9 +4,14 @@
 
 #include "geom/real.h"
 #include "pipeline/fd_dicer.h"
+#include "pipeline/isocurve_plotter.h"
 #include "pipeline/method_afd.h"
+#include "pipeline/method_mesa.h"
 #include "pipeline/method_mesh.h"
+#include "pipeline/method_points.h"
+#include "pipeline/method_voxels.h"
 #include "pipeline/micropolygon_dicer.h"
+#include "pipeline/scanline_plotter.h"
 #include "pipeline/subdivision_dicer.h"
 #include "pipeline/tessellation_dicer.h"
 
@@ -25,14 +30,18 @@ struct method_row {
     int usual = 0, least = 0, most = 0;
 };
 
-/// 1024 x 1024 quads are 2^20 for each patch; 512 cells along each axis fill 2^27 bits, and a word
-/// for each cell that is met.
-constexpr std::array<method_row, 5> rows{{
+/// 1024 x 1024 quads are 2^20 for each patch; of 1024 cells along each axis a teapot fills 4
+/// million in 600 MB of bricks.
+constexpr std::array<method_row, 9> rows{{
     {"afd", l3d_method::afd},
     {"fd", l3d_method::fd},
+    {"isocurves", l3d_method::isocurves},
     {"subdivision", l3d_method::subdivision},
     {"tessellation", l3d_method::tessellation, 16, 1, 1024},
     {"micropolygons", l3d_method::micropolygons},
+    {"scanline", l3d_method::scanline},
+    {"voxels", l3d_method::voxels, 256, 8, 1024},
+    {"mesa", l3d_method::mesa},
 }};
 
 const method_row& row_of(l3d_method method) {
@@ -130,6 +139,14 @@ std::unique_ptr<l3d_surface_method> l3d_create_method(const l3d_method_choice& c
     switch (choice.method) {
     case l3d_method::fd:
         return create_mesh(rasterizers, workers, l3d_fd_dicer(choice.arithmetic));
+    case l3d_method::isocurves:
+        return std::make_unique<l3d_method_points<l3d_isocurve_plotter<l3d_real>>>(rasterizers);
+    case l3d_method::scanline:
+        return std::make_unique<l3d_method_points<l3d_scanline_plotter>>(rasterizers);
+    case l3d_method::voxels:
+        return std::make_unique<l3d_method_voxels>(choice.resolution, workers);
+    case l3d_method::mesa:
+        return l3d_create_method_mesa();
     case l3d_method::subdivision:
         return create_mesh(rasterizers, workers, l3d_subdivision_dicer());
     case l3d_method::tessellation:

@@ -24,7 +24,9 @@
     call(CreateProgram) call(AttachShader) call(BindAttribLocation) call(LinkProgram) \
     call(GetProgramiv) call(UseProgram) call(GetUniformLocation) \
     call(Uniform1i) call(Uniform2f) call(Uniform3f) \
-    call(VertexAttribPointer) call(EnableVertexAttribArray) call(DrawArrays) \
+    call(UniformMatrix3fv) call(UniformMatrix4fv) \
+    call(GenBuffers) call(DeleteBuffers) call(BindBuffer) call(BufferData) \
+    call(VertexAttribPointer) call(EnableVertexAttribArray) call(DrawArrays) call(DrawElements) \
     call(GenQueries) call(BeginQuery) call(EndQuery) call(GetQueryObjectuiv)
 // clang-format on
 

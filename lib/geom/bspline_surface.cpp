@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// l3d_bspline_surface: Bezier points by blossoming.
+#include "geom/bspline_surface.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace {
+
+using point = std::array<double, 3>;
+using curve = std::vector<point>;
+
+/// Where a line of control points lies in memory: the first that is there, from one to the next,
+/// and how many before it are not there, since no segment depends on them.
+struct control_line {
+    const point* first;
+    std::size_t stride, absent;
+    const point& operator[](std::size_t i) const { return first[(i - absent) * stride]; }
+};
+
+/// Whether some of the span of knots from `span` on is wanted.
+bool is_wanted(const l3d_bspline_direction& d, std::size_t span) {
+    return std::max(d.knots[span], d.from) < std::min(d.knots[span + 1], d.to);
+}
+
+/// The control points that the wanted spans depend on: first, and one beyond the last.
+std::pair<std::size_t, std::size_t> needed_points(const l3d_bspline_direction& d) {
+    const auto n = static_cast<std::size_t>(d.degree);
+    std::size_t first = n;
+    while (!is_wanted(d, first))
+        ++first;
+    std::size_t last = d.points() - 1;
+    while (!is_wanted(d, last))
+        --last;
+    return {first - n, last + 1};
+}
+
+/// The weighted mean, exactly a, or b, where the weight of the other is nothing; never outside the
+/// two, so that coordinates stay below their limit.
+point between(const point& a, const point& b, double weight_a, double weight_b) {
+    if (weight_b == 0 || a == b)
+        return a;
+    if (weight_a == 0)
+        return b;
+    point result;
+    for (std::size_t k = 0; k < 3; ++k)
+        result[k] = std::clamp((weight_a * a[k] + weight_b * b[k]) / (weight_a + weight_b),
+                               std::min(a[k], b[k]), std::max(a[k], b[k]));
+    return result;
+}
+
+/// The Bezier point `index` over [a, b], which lies in the span of knots from `span` on.
+point blossom(const l3d_bspline_direction& d, const control_line& points, std::size_t span,
+              double a, double b, std::size_t index) {
+    const auto n = static_cast<std::size_t>(d.degree);
+    curve level(n + 1);
+    for (std::size_t i = 0; i <= n; ++i)
+        level[i] = points[span - n + i];
+    for (std::size_t step = 1; step <= n; ++step) {
+        const double t = step <= n - index ? a : b;
+        for (std::size_t i = n; i >= step; --i) {
+            const double low = d.knots[span - n + i];
+            const double high = d.knots[span + 1 + i - step];
+            level[i] = between(level[i - 1], level[i], high - t, t - low);
+        }
+    }
+    return level[n];
+}
+
+/// The Bezier points of all segments, one after another.
+void append_segments(const l3d_bspline_direction& d, const control_line& points, curve& result) {
+    const auto n = static_cast<std::size_t>(d.degree);
+    for (std::size_t span = n; span < d.points(); ++span) {
+        if (!is_wanted(d, span))
+            continue;
+        const double a = std::max(d.knots[span], d.from);
+        const double b = std::min(d.knots[span + 1], d.to);
+        // Both neighbours compute their common point alone, and would round differently.
+        const bool first = a == d.from;
+        result.push_back(first ? blossom(d, points, span, a, b, 0) : point(result.back()));
+        for (std::size_t index = 1; index <= n; ++index)
+            result.push_back(blossom(d, points, span, a, b, index));
+    }
+}
+
+} // namespace
+
+std::size_t l3d_bspline_direction::segments() const {
+    std::size_t result = 0;
+    for (auto span = static_cast<std::size_t>(degree); span < points(); ++span)
+        result += is_wanted(*this, span) ? 1 : 0;
+    return result;
+}
+
+std::vector<l3d_patch_points> l3d_bezier_patches(const l3d_bspline_direction& u,
+                                                 const l3d_bspline_direction& v,
+                                                 const std::vector<std::array<double, 3>>& points) {
+    assert(points.size() == u.points() * v.points());
+    const auto columns = static_cast<std::size_t>(u.degree) + 1; // of a patch
+    const auto rows = static_cast<std::size_t>(v.degree) + 1;
+    const std::size_t width = u.segments() * columns;
+    const std::size_t height = v.segments() * rows;
+
+    const auto [first_row, end_row] = needed_points(v);
+    curve wide; // Bezier points along u, control points along v
+    wide.reserve(width * (end_row - first_row));
+    for (std::size_t row = first_row; row < end_row; ++row)
+        append_segments(u, {&points[row * u.points()], 1, 0}, wide);
+    curve lines; // one after another, what were the columns
+    lines.reserve(width * height);
+    for (std::size_t column = 0; column < width; ++column)
+        append_segments(v, {&wide[column], width, first_row}, lines);
+
+    std::vector<l3d_patch_points> result(u.segments() * v.segments());
+    for (l3d_patch_points& patch : result) {
+        const auto index = static_cast<std::size_t>(&patch - result.data());
+        const std::size_t left = index % u.segments() * columns;
+        const std::size_t top = index / u.segments() * rows;
+        patch = {u.degree, v.degree, {}};
+        patch.points.reserve(columns * rows);
+        for (std::size_t row = 0; row < rows; ++row)
+            for (std::size_t column = 0; column < columns; ++column)
+                patch.points.push_back(lines[(left + column) * height + top + row]);
+    }
+    return result;
+}

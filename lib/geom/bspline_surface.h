@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// l3d_bspline_surface: a tensor-product B-spline, and the Bezier patches that it consists of.
+#ifndef L3D_GEOM_BSPLINE_SURFACE_H
+#define L3D_GEOM_BSPLINE_SURFACE_H
+
+#include "geom/patch_file.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+/// The knots of one direction, and the part of it that is wanted.
+///
+/// Shape: the number of control points along it is points(); knots do not decrease, and
+///        knots[degree] <= from < to <= knots[points()].
+struct l3d_bspline_direction {
+    int degree = 0;
+    std::vector<double> knots;
+    double from = 0, to = 0;
+
+    std::size_t points() const { return knots.size() - static_cast<std::size_t>(degree) - 1; }
+
+    /// Spans between different knots within [from, to]: the Bezier segments along this direction.
+    std::size_t segments() const;
+};
+
+/// The surface as Bezier patches, along u first, then v; the same points in space, up to rounding.
+///
+/// Control points that are Bezier points already, by the multiplicity of their knots, stay as they
+/// are bit for bit. Neighbouring patches have the same points, bit for bit, on their boundary.
+/// Shape:   points: u.points() * v.points(), u fastest. Segments of both directions: one or more.
+/// Expects: degrees from 1 to l3d_bpt_largest_degree, directions as said above.
+/// Cost:    the square of a degree per control point and patch.
+/// Source:  Ramshaw, Blossoming: A Connect-the-Dots Approach to Splines, 1987: the Bezier point i
+///          of the span [a, b] is the blossom of n - i arguments a and i arguments b, which is what
+///          inserting both knots to full multiplicity gives.
+std::vector<l3d_patch_points> l3d_bezier_patches(const l3d_bspline_direction& u,
+                                                 const l3d_bspline_direction& v,
+                                                 const std::vector<std::array<double, 3>>& points);
+
+#endif

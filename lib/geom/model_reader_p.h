@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// What readers of polygons share: materials by name, and the way a reader returns.
+#ifndef L3D_GEOM_MODEL_READER_P_H
+#define L3D_GEOM_MODEL_READER_P_H
+
+#include "geom/model_file.h"
+#include "geom/text_cursor_p.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+namespace l3d_detail {
+
+/// A mesh holds indices of 32 bits; a text that could name more is refused.
+inline constexpr std::int64_t most_vertices = std::numeric_limits<std::uint32_t>::max();
+
+/// Gives materials to faces, by name. Lives: borrows the mesh and the names' text.
+class face_materials {
+public:
+    explicit face_materials(l3d_polygon_mesh& mesh) : mesh_(mesh) {}
+
+    /// The index of a material, made when it is named for the first time.
+    std::uint32_t named(std::string_view name) {
+        const auto next = static_cast<std::uint32_t>(mesh_.materials.size());
+        const auto [place, is_new] = indices_.try_emplace(std::string(name), next);
+        if (is_new)
+            mesh_.materials.emplace_back(name);
+        return place->second;
+    }
+
+    /// Expects: there is a face.
+    void give_to_last_face(std::uint32_t material) {
+        mesh_.face_materials.resize(mesh_.faces() - 1, nothing);
+        mesh_.face_materials.push_back(material);
+    }
+
+    /// If some faces have a material, the others get one without a name; if none has, there are no
+    /// materials.
+    void finish() {
+        if (mesh_.face_materials.empty()) {
+            mesh_.materials.clear();
+            return;
+        }
+        mesh_.face_materials.resize(mesh_.faces(), nothing);
+        for (std::uint32_t& material : mesh_.face_materials)
+            if (material == nothing)
+                material = named("");
+    }
+
+private:
+    static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
+    l3d_polygon_mesh& mesh_;
+    std::unordered_map<std::string, std::uint32_t> indices_;
+};
+
+inline bool read_vertex(text_cursor& text, l3d_polygon_mesh& mesh) {
+    std::array<double, 3> v{};
+    for (double& value : v)
+        if (!text.coordinate(value))
+            return false;
+    mesh.vertices.emplace_back(v[0], v[1], v[2]);
+    return true;
+}
+
+/// The value of every reader: the model with its notes, or nothing and the cursor's reason.
+inline std::optional<l3d_model_file> outcome(bool well, l3d_model_file& model, text_cursor& text,
+                                             std::string& why) {
+    if (!well) {
+        why = text.why();
+        return std::nullopt;
+    }
+    model.notes = text.take_notes();
+    return std::move(model);
+}
+
+} // namespace l3d_detail
+
+#endif

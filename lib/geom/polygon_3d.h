@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// l3d_polygon_3d: a polygon in space over shared vertices; and how it is cut by a plane.
+#ifndef L3D_GEOM_POLYGON_3D_H
+#define L3D_GEOM_POLYGON_3D_H
+
+#include "geom/clip_to_plane.h"
+#include "geom/plane.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+/// A convex, planar polygon: a list of indices into a list of vertices that it shares with others.
+///
+/// Shape:   seen from the front, corners run clockwise in left-handed axes, counterclockwise in
+///          right-handed ones: the normal is (p1 - p0) x (p2 - p0) in both.
+/// Expects: three corners or more, each naming a vertex.
+/// Lives:   borrows both lists.
+template <class T> struct l3d_polygon_3d {
+    std::span<const l3d_point<T>> vertices;
+    std::span<const std::uint32_t> corners;
+
+    const l3d_point<T>& corner(std::size_t i) const { return vertices[corners[i]]; }
+
+    /// The mean of the corners.
+    l3d_point<T> centre() const;
+
+    /// The plane through the first three corners that are not on a line; its normal is the
+    /// polygon's, a unit vector outward.
+    /// Errors:  nothing if all corners are on a line.
+    std::optional<l3d_plane<T>> plane() const;
+
+    /// Whether the front is seen from `eye`: the sign of normal . (eye - corner), which perspective
+    /// does not change. Edge-on or without a plane it is not.
+    bool faces(const l3d_point<T>& eye) const;
+
+    /// The area within the edges. Units: world units squared.
+    double area() const;
+};
+
+/// How far from a plane a vertex may be and still count as on it.
+/// Units: world units; the book's value.
+inline constexpr double l3d_plane_thickness = 0.001;
+
+/// A vertex on the way from one in front to one behind, where the distance from a plane is 0.
+template <class T>
+l3d_point<T> l3d_between(const l3d_point<T>& front, const l3d_point<T>& behind, T front_side,
+                         T behind_side) noexcept {
+    return front + (behind - front) * (front_side / (front_side - behind_side));
+}
+
+/// Clips a convex polygon to a plane; new vertices go to the end of the list.
+/// Errors:  false, and `kept` is empty, if nothing is in front.
+template <class T>
+bool l3d_clip_to_plane(std::span<const std::uint32_t> corners, const l3d_plane<T>& plane,
+                       std::vector<l3d_point<T>>& vertices, std::vector<std::uint32_t>& kept) {
+    const auto side = [&](std::uint32_t i) { return plane.side_of_point(vertices[i]); };
+    const auto cut = [&](std::uint32_t front, std::uint32_t behind) {
+        vertices.push_back(
+            l3d_between(vertices[front], vertices[behind], side(front), side(behind)));
+        return static_cast<std::uint32_t>(vertices.size() - 1);
+    };
+    return l3d_clip_to_plane(corners, l3d_from_double<T>(l3d_plane_thickness), side, cut, kept);
+}
+
+/// Keeps what is at z >= near_z, exactly: new vertices have this z to the last bit, so that no
+/// division by z comes out larger than at near_z.
+/// Errors:  false, and `kept` is empty, if nothing is.
+template <class T>
+bool l3d_clip_near_z(std::span<const std::uint32_t> corners, T near_z,
+                     std::vector<l3d_point<T>>& vertices, std::vector<std::uint32_t>& kept) {
+    const auto side = [&](std::uint32_t i) { return vertices[i][2] - near_z; };
+    const auto cut = [&](std::uint32_t front, std::uint32_t behind) {
+        vertices.push_back(
+            l3d_between(vertices[front], vertices[behind], side(front), side(behind)));
+        vertices.back()[2] = near_z;
+        return static_cast<std::uint32_t>(vertices.size() - 1);
+    };
+    return l3d_clip_to_plane(corners, l3d_from_double<T>(0), side, cut, kept);
+}
+
+template <class T> l3d_point<T> l3d_polygon_3d<T>::centre() const {
+    // Differences from one corner are small where coordinates may be large.
+    const l3d_point<T>& base = corner(0);
+    l3d_vector<T, 3> sum = base - base;
+    for (std::size_t i = 1; i < corners.size(); ++i)
+        sum += corner(i) - base;
+    return base + sum / l3d_from_double<T>(static_cast<double>(corners.size()));
+}
+
+template <class T> std::optional<l3d_plane<T>> l3d_polygon_3d<T>::plane() const {
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i < n; ++i)
+        if (auto p = l3d_plane<T>::through(corner(i), corner((i + 1) % n), corner((i + 2) % n)))
+            return p;
+    return std::nullopt;
+}
+
+template <class T> bool l3d_polygon_3d<T>::faces(const l3d_point<T>& eye) const {
+    const auto front = plane();
+    return front && front->side_of_point(eye) > l3d_from_double<T>(0);
+}
+
+template <class T> double l3d_polygon_3d<T>::area() const {
+    l3d_vector<double, 3> sum(0);
+    const auto edge = [this](std::size_t i) {
+        return l3d_converted<double, T, 3>(corner(i) - corner(0));
+    };
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        sum += l3d_cross(edge(i - 1), edge(i));
+    return l3d_length(sum) / 2;
+}
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// l3d_pipeline_2d: what every program that draws with the 2D rasterizer has; the programs add the
+// drawing.
+#ifndef L3D_PIPELINE_PIPELINE_2D_H
+#define L3D_PIPELINE_PIPELINE_2D_H
+
+#include "pipeline/pipeline.h"
+#include "raster/rasterizer_factory.h"
+#include "tool_2d/screen.h"
+
+#include <memory>
+
+/// What a program draws on, and by whom: as step 1 has chosen.
+///
+/// Expects: neither is null.
+/// Lives:   borrows the factory.
+struct l3d_canvas {
+    std::unique_ptr<l3d_screen> screen;
+    const l3d_rasterizer_factory* rasterizers = nullptr;
+};
+
+/// A pipeline with a screen and a rasterizer for it. q and Escape end it; it survives resizes.
+///
+/// A subclass has the world: it overrides `draw`, and what else of l3d_pipeline it answers to. One
+/// with keys of its own passes those that it does not know to l3d_pipeline_2d::key_event.
+/// Lives:   owns screen and rasterizer.
+class l3d_pipeline_2d : public l3d_pipeline {
+public:
+    /// Errors:  as l3d_rasterizer_factory::create_2d.
+    explicit l3d_pipeline_2d(l3d_canvas canvas);
+
+    l3d_screen& screen() { return *screen_; }
+    l3d_size size() { return screen_->pixels().size(); }
+
+    void key_event(int key) override;
+
+    /// Takes up the new pixels; a subclass that overrides it calls this first.
+    void resize_event(l3d_size size) override;
+
+    void draw_event() final;
+
+private:
+    /// Draws a picture on top of the last one; nothing clears it but `clear_buffer`, and a resize.
+    virtual void draw(l3d_rasterizer_2d& rasterizer) = 0;
+
+    std::unique_ptr<l3d_screen> screen_;
+    std::unique_ptr<l3d_rasterizer_2d_imp> imp_;
+    l3d_rasterizer_2d rasterizer_;
+};
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// l3d_ticker: time as it passes, in the equal steps that a program counts in.
+#ifndef L3D_PIPELINE_TICKER_H
+#define L3D_PIPELINE_TICKER_H
+
+#include <algorithm>
+#include <cmath>
+
+/// Turns seconds into whole steps, so that a world that moves step by step moves as fast at any
+/// frame rate: at 30 frames a second two steps of a 60th each, at 300 one in every fifth frame.
+class l3d_ticker {
+public:
+    /// Units:   steps per second. Expects: positive.
+    explicit l3d_ticker(double per_second = 60) : per_second_(per_second) {}
+
+    /// How many steps are due `seconds` after the last call; what is left is kept for the next.
+    ///
+    /// At most a second's worth: a program that was stopped does not catch up with hours.
+    int due(double seconds) {
+        // A rounding error is no reason to put off a step: 1/60 s, as a double, times 60 is 1, but
+        // the sum of many such need not be whole. 2^-20 of a step is more than any error of 2^30
+        // of them, and not seen by anybody.
+        constexpr double slack = 0x1p-20;
+        steps_ = std::min(steps_ + std::max(seconds, 0.0) * per_second_, per_second_);
+        const double whole = std::floor(steps_ + slack);
+        steps_ -= whole;
+        return static_cast<int>(whole);
+    }
+
+private:
+    double per_second_;
+    double steps_ = 0; ///< not yet handed out, may be less than 0 by the slack
+};
+
+#endif

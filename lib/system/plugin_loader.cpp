@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// l3d_plugin_loader: the host's side of the interface, and dlopen.
+#include "system/plugin_loader.h"
+
+#include "geom/mesh_cut.h"
+#include "geom/model_file.h"
+#include "pipeline/object_plugin.h"
+#include "system/text_file.h"
+#include "tool_2d/error.h"
+
+#include <dlfcn.h>
+
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <span>
+#include <utility>
+
+/// What a plug-in's functions are handed: an object, and what the host does for it.
+struct l3d_plugin_object {
+    l3d_object* object;
+    std::string program, file, folder;
+    l3d_random random;
+    std::string complaint{}; ///< the first one
+
+    void complain(const std::string& text) {
+        if (complaint.empty())
+            complaint = file + ": " + text;
+    }
+};
+
+namespace {
+
+constexpr std::uint32_t most_transforms = 16;
+
+// ---- what the host does ------------------------------------------------------------------------
+
+int set_polygons(l3d_plugin_object* to, std::uint32_t vertices, const double* coordinates,
+                 std::uint32_t faces, const std::uint32_t* corner_counts,
+                 const std::uint32_t* corners, const std::uint32_t* colors) {
+    l3d_polygon_mesh mesh;
+    for (const double* c = coordinates; c != coordinates + 3 * std::size_t{vertices}; c += 3)
+        mesh.vertices.push_back({c[0], c[1], c[2]});
+    for (const std::uint32_t count : std::span(corner_counts, faces)) {
+        mesh.add_face({corners, count});
+        corners += count;
+    }
+    mesh.face_colors.assign(colors, colors + faces);
+    if (!mesh.is_valid()) {
+        to->complain("set_polygons: a face has fewer than 3 corners or names no vertex, or a "
+                     "coordinate is not finite");
+        return 0;
+    }
+    to->object->set_mesh(std::move(mesh));
+    return 1;
+}
+
+/// A mesh from a file, or null after a complaint.
+std::optional<l3d_polygon_mesh> read_videoscape(l3d_plugin_object& to, const char* file) {
+    const auto path = (std::filesystem::path(to.folder) / file).string();
+    try {
+        std::string why;
+        auto model = l3d_read_videoscape(l3d_read_text_file(path), path, why);
+        if (model)
+            return std::move(model->mesh);
+        to.complain(why);
+    } catch (const l3d_error& error) {
+        to.complain(error.what());
+    }
+    return std::nullopt;
+}
+
+int load_videoscape(l3d_plugin_object* to, const char* file, int random_colors) {
+    auto mesh = read_videoscape(*to, file);
+    if (!mesh)
+        return 0;
+    l3d_turn_left_handed(*mesh);
+    if (random_colors)
+        for (std::uint32_t& color : mesh->face_colors)
+            color = to->random.next() >> 8;
+    to->object->set_mesh(std::move(*mesh));
+    return 1;
+}
+
+int set_transform(l3d_plugin_object* to, std::uint32_t index, const double* matrix) {
+    l3d_matrix<l3d_real> m;
+    bool finite = true;
+    for (int i = 0; i < 16; ++i) {
+        m(i / 4, i % 4) = l3d_from_double<l3d_real>(matrix[i]);
+        finite = finite && std::isfinite(matrix[i]);
+    }
+    if (index >= most_transforms || !finite) {
+        to->complain(finite ? "set_transform: there is no matrix " + std::to_string(index)
+                            : "set_transform: matrix " + std::to_string(index) + " is not finite");
+        return 0;
+    }
+    to->object->set_transform(index, m);
+    return 1;
+}
+
+std::uint32_t random(l3d_plugin_object* to) {
+    return to->random.next();
+}
+
+void fail(l3d_plugin_object* to, const char* why) {
+    to->complain(why ? why : "it failed, and does not say why");
+}
+
+const l3d_plugin_host host{sizeof(l3d_plugin_host),
+                           L3D_PLUGIN_VERSION,
+                           set_polygons,
+                           load_videoscape,
+                           set_transform,
+                           random,
+                           fail};
+
+// ---- the library -------------------------------------------------------------------------------
+
+/// A shared library that is open. The system counts how often.
+class library {
+public:
+    explicit library(const std::string& file)
+        // All symbols at once: one that is missing is an error now, not in mid-flight. A name
+        // without a slash would be looked for in the system's folders.
+        : handle_(dlopen((file.find('/') == file.npos ? "./" + file : file).c_str(),
+                         RTLD_NOW | RTLD_LOCAL)) {}
+    library(const library&) = delete;
+    library& operator=(const library&) = delete;
+    ~library() {
+        if (handle_)
+            dlclose(handle_);
+    }
+
+    bool is_open() const { return handle_ != nullptr; }
+    const l3d_plugin_interface* plugin() const {
+        return static_cast<const l3d_plugin_interface*>(dlsym(handle_, L3D_PLUGIN_SYMBOL));
+    }
+
+private:
+    void* handle_;
+};
+
+/// What is wrong with a library, or an empty text. Without one it is the system's own words, which
+/// begin with the file's name.
+std::string fault_of(const library& opened, const std::string& file) {
+    if (!opened.is_open()) {
+        const std::string words = dlerror();
+        const std::size_t colon = words.find(": ");
+        return file + (colon == words.npos ? ": " + words : words.substr(colon));
+    }
+    const l3d_plugin_interface* const plugin = opened.plugin();
+    if (!plugin)
+        return file + ": it is no plug-in: it defines no symbol " L3D_PLUGIN_SYMBOL;
+    if (plugin->version != L3D_PLUGIN_VERSION)
+        return file + ": it is made for version " + std::to_string(plugin->version) +
+               " of the plug-in interface, this program has version " +
+               std::to_string(L3D_PLUGIN_VERSION);
+    if (plugin->size < sizeof(l3d_plugin_interface))
+        return file + ": its interface has " + std::to_string(plugin->size) + " bytes, not " +
+               std::to_string(sizeof(l3d_plugin_interface));
+    if (!plugin->create || !plugin->update || !plugin->copy || !plugin->destroy)
+        return file + ": it lacks one of the functions create, update, copy and destroy";
+    return {};
+}
+
+/// An object's behaviour by a plug-in: its data, and the library with the code for it.
+class plugged_behaviour final : public l3d_object_behaviour {
+public:
+    /// Expects: fault_of is empty for the file.
+    explicit plugged_behaviour(l3d_plugin_object context)
+        : library_(context.file), context_(std::move(context)) {}
+    ~plugged_behaviour() override {
+        if (data_)
+            library_.plugin()->destroy(data_);
+    }
+
+    bool create(const std::string& parameters, std::string& why) {
+        data_ = library_.plugin()->create(&host, &context_, parameters.c_str());
+        return is_set_up(why);
+    }
+
+private:
+    bool is_set_up(std::string& why) {
+        if (!data_)
+            context_.complain("it failed, and does not say why");
+        why = context_.complaint;
+        return data_ && why.empty();
+    }
+
+    void do_update(l3d_object&, double seconds) override {
+        const bool silent = context_.complaint.empty();
+        library_.plugin()->update(data_, seconds);
+        if (silent && !context_.complaint.empty())
+            std::cerr << context_.program << ": " << context_.complaint << '\n';
+    }
+
+    std::unique_ptr<l3d_object_behaviour> do_clone(l3d_object& for_copy) const override {
+        l3d_plugin_object context = context_;
+        context.object = &for_copy;
+        context.complaint.clear();
+        auto copy = std::make_unique<plugged_behaviour>(std::move(context));
+        copy->data_ = library_.plugin()->copy(data_, &copy->context_);
+        std::string why;
+        if (copy->is_set_up(why))
+            return copy;
+        std::cerr << context_.program << ": " << why << '\n';
+        return nullptr;
+    }
+
+    library library_;
+    l3d_plugin_object context_;
+    void* data_ = nullptr;
+};
+
+} // namespace
+
+std::unique_ptr<l3d_object>
+l3d_plugin_loader::load(const std::string& file, const std::string& parameters, std::string& why) {
+    const library tried(file);
+    why = fault_of(tried, file);
+    if (!why.empty())
+        return nullptr;
+    auto object = std::make_unique<l3d_object>();
+    auto behaviour = std::make_unique<plugged_behaviour>(
+        l3d_plugin_object{object.get(), program_, file, folder_,
+                          l3d_random(std::uint64_t{random_.next()} << 32 | random_.next())});
+    if (!behaviour->create(parameters, why))
+        return nullptr;
+    object->plug(std::move(behaviour));
+    return object;
+}
+
+std::string l3d_plugin_folder() {
+    std::error_code unknown;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+    return unknown ? "plugins" : (program.parent_path().parent_path() / "plugins").string();
+}

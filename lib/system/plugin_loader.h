@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// l3d_plugin_loader: makes objects whose behaviour comes from shared libraries.
+#ifndef L3D_SYSTEM_PLUGIN_LOADER_H
+#define L3D_SYSTEM_PLUGIN_LOADER_H
+
+#include "geom/random.h"
+#include "pipeline/object.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+/// Loads object plug-ins: shared libraries with the interface of pipeline/object_plugin.h, which
+/// is C, has a version, and does not depend on how l3d itself was built.
+///
+/// Lives:   the objects need the loader no more; each holds its library, which is closed with the
+///          last of them.
+class l3d_plugin_loader {
+public:
+    /// `program` is what lines on stderr begin with; `folder` is where plug-ins find relative names
+    /// of files.
+    l3d_plugin_loader(std::string program, std::uint64_t seed, std::string folder = ".")
+        : program_(std::move(program)), folder_(std::move(folder)), random_(seed) {}
+
+    /// An object that the plug-in in `file` has set up with these parameters.
+    ///
+    /// Errors:  null, and `why` = "file: what is wrong", if there is no such file or it is no
+    ///          shared library; if it has no symbol l3d_plugin; if that is of another version, too
+    ///          short, or lacks a function; and if the plug-in refuses, with its own reason.
+    ///          What it does wrong later is a line on stderr, once.
+    std::unique_ptr<l3d_object> load(const std::string& file, const std::string& parameters,
+                                     std::string& why);
+
+private:
+    std::string program_, folder_;
+    l3d_random random_;
+};
+
+/// Where `make` puts plug-ins: the folder plugins beside that of the running program.
+std::string l3d_plugin_folder();
+
+#endif

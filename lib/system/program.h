@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// l3d_program: what the main function of every program does, so that it shows the five steps alone.
+#ifndef L3D_SYSTEM_PROGRAM_H
+#define L3D_SYSTEM_PROGRAM_H
+
+#include "pipeline/pipeline_2d.h"
+#include "system/factory_manager.h"
+#include "system/options.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+/// A program's command line and factory manager, and how they are used.
+///
+///     int main(int argc, char** argv) {
+///         l3d_program program("drawdot", "A dot leaves a trail.", {320, 200});
+///         return program.run(argc, argv, [&] {                     // step 1: choose factories
+///             const auto dispatcher = program.create_dispatcher(); // step 3
+///             drawdot_pipeline pipeline(program.create_canvas());
+///             dispatcher->plug(pipeline, pipeline.screen());       // step 4
+///             return dispatcher->start();                          // step 5
+///         });
+///     }
+///
+/// Lives:   a local object of main, which outlives what it creates.
+class l3d_program {
+public:
+    /// The purpose is what --help begins with; it has the keys, too.
+    l3d_program(std::string name, const std::string& purpose, l3d_size default_size);
+
+    /// For options of the program's own, which are added before run().
+    l3d_options& options() { return options_; }
+
+    /// For back-ends of the program's own, likewise.
+    l3d_factory_manager& factories() { return factories_; }
+
+    /// Reads the command line, chooses a back-end, and does the other steps; returns what main
+    /// does. The steps are left out if there is nothing to show, as after --help.
+    ///
+    /// Errors:  none: each exception becomes a line on stderr, and its exit code.
+    int run(int argc, const char* const* argv, const std::function<l3d_exit()>& steps);
+
+    /// Errors:  as l3d_factory_manager::create_dispatcher. Expects: called by the steps.
+    std::unique_ptr<l3d_dispatcher> create_dispatcher() const;
+
+    /// Errors:  as l3d_factory_manager::create_screen. Expects: called by the steps.
+    l3d_canvas create_canvas() const;
+
+    /// Where random numbers start: --seed.
+    std::uint64_t seed() const { return options_.common().seed; }
+
+private:
+    l3d_options options_;
+    l3d_factory_manager factories_;
+};
+
+#endif

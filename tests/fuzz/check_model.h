@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// What must hold of any text given to any reader of models: for fuzzing, and for the tests.
+#ifndef L3D_TESTS_FUZZ_CHECK_MODEL_H
+#define L3D_TESTS_FUZZ_CHECK_MODEL_H
+
+#include "geom/model_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+
+using l3d_model_reader = std::optional<l3d_model_file>(std::string_view, std::string_view,
+                                                       std::string&);
+
+/// l3d_read_bpt as a reader of models.
+inline std::optional<l3d_model_file> read_bpt_model(std::string_view text, std::string_view name,
+                                                    std::string& why) {
+    auto patches = l3d_read_bpt(text, name, why);
+    return patches ? std::optional(l3d_model_file{{}, *std::move(patches), {}}) : std::nullopt;
+}
+
+struct named_model_reader {
+    const char* name; ///< of the folder of its corpus, too
+    l3d_model_reader* read;
+};
+inline constexpr std::array<named_model_reader, 7> model_readers{
+    {{"asc", l3d_read_asc},
+     {"bez", l3d_read_bez},
+     {"bpt", read_bpt_model},
+     {"obj", l3d_read_obj},
+     {"off", l3d_read_off},
+     {"ply", l3d_read_ply},
+     {"videoscape", l3d_read_videoscape}}};
+
+/// Printable ASCII of bounded length that begins with the file's name.
+inline bool is_message(const std::string& text) {
+    return text.starts_with("name:") && text.size() < 250 &&
+           std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c < 127; });
+}
+
+inline bool is_within_limits(const l3d_model_file& model) {
+    const auto within = [](double value) { return std::abs(value) <= l3d_bpt_largest_coordinate; };
+    for (const l3d_polygon_mesh::vector& v : model.mesh.vertices)
+        if (!within(v[0]) || !within(v[1]) || !within(v[2]))
+            return false;
+    for (const l3d_patch_points& patch : model.patches) {
+        const int points = (patch.degree_u + 1) * (patch.degree_v + 1);
+        if (patch.degree_u < 1 || patch.degree_u > l3d_bpt_largest_degree || patch.degree_v < 1 ||
+            patch.degree_v > l3d_bpt_largest_degree ||
+            patch.points.size() != static_cast<std::size_t>(points))
+            return false;
+        for (const std::array<double, 3>& p : patch.points)
+            if (!std::all_of(p.begin(), p.end(), within))
+                return false;
+    }
+    return true;
+}
+
+/// What the writer and the reader of .off make of a mesh, compared with what they may lose.
+inline bool survives_off(const l3d_polygon_mesh& mesh) {
+    l3d_polygon_mesh kept = mesh;
+    kept.parts.clear();
+    kept.materials.clear();
+    kept.face_materials.clear();
+    std::string why;
+    const auto again = l3d_read_off(l3d_write_off(mesh), "again", why);
+    return again && again->mesh == kept;
+}
+
+inline bool survives_obj(const l3d_model_file& model) {
+    l3d_model_file kept = model;
+    kept.mesh.face_colors.clear();
+    kept.notes.clear();
+    std::string why;
+    const auto again = l3d_read_obj(l3d_write_obj(model), "again", why);
+    return again && *again == kept;
+}
+
+inline bool survives_bpt(const l3d_model_file& model) {
+    std::string why;
+    return model.patches.empty() ||
+           l3d_read_bpt(l3d_write_bpt(model.patches), "again", why) == model.patches;
+}
+
+/// Reads the text and says what is wrong with the reader; nothing if all is well.
+/// `has_plain_names`: names have nothing that an .obj file could not hold.
+inline std::string wrong_with(l3d_model_reader& read, std::string_view text, bool has_plain_names) {
+    std::string why;
+    const auto model = read(text, "name", why);
+    if (!model)
+        return is_message(why) ? "" : "bad message: " + why;
+    if (!why.empty())
+        return "a reason without an error: " + why;
+    if (!model->mesh.is_valid())
+        return "the mesh is not valid";
+    if (!is_within_limits(*model))
+        return "beyond the limits";
+    if (model->notes.size() > 21 ||
+        !std::all_of(model->notes.begin(), model->notes.end(), is_message))
+        return "bad notes";
+    if (!survives_off(model->mesh))
+        return "changed by .off";
+    if (has_plain_names && !survives_obj(*model))
+        return "changed by .obj";
+    if (!survives_bpt(*model))
+        return "changed by .bpt";
+    return "";
+}
+
+#endif
