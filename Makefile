@@ -73,7 +73,7 @@ $(foreach a,$(apps),$(eval objects_apps/$(a) := $(call objects,$(wildcard apps/$
 
 tested    := $(foreach l,$(LAYERS) reference,$(if $(objects_tests/$(l)),$(l)))
 plugins   := $(wildcard apps/*/plugins/*.cpp tests/*/plugins/*.cpp)
-PLUGINS   := $(patsubst %.cpp,$(OUT)/plugins/%.so,$(notdir $(plugins)))
+PLUGINS   := $(patsubst %.cpp,$(OUT)/plugins/%.so,$(notdir $(plugins))) $(OUT)/plugins/spaceship.obj
 
 ARCHIVES  := $(call archives,$(LAYERS))
 APPS      := $(apps:%=$(OUT)/bin/%)
@@ -144,10 +144,10 @@ tidy: packages-tidy ## clang-tidy, warnings are errors
 format: packages-lint ## clang-format every file in place
 	$(Q)$(CLANG_FORMAT) -i $(FORMATTED)
 
-golden: $(APPS) ## store the pictures' hashes that tests/x11/programs_test.py compares with
+golden: $(APPS) $(PLUGINS) ## store the pictures' hashes that tests/x11/programs_test.py compares with
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/programs_test.py --write
 
-pictures: $(APPS) ## docs/pictures/programs.png: what every program shows, one row of the table each
+pictures: $(APPS) $(PLUGINS) ## docs/pictures/programs.png: what every program shows, one row of the table each
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/contact_sheet.py docs/pictures/programs.png
 
 bench: packages-bench ## build and run the benchmarks
@@ -206,9 +206,12 @@ $(APPS): $(OUT)/bin/%: $$(objects_apps/$$*) $(ARCHIVES) $(OUT)/list/apps/%
 
 # A plug-in is loaded, not linked: it may be built otherwise than the library, here by itself.
 $(foreach p,$(plugins),$(eval $(OUT)/plugins/$(notdir $(p:.cpp=.so)): $(p)))
-$(PLUGINS): $(OUT)/flags | packages-build
+$(filter %.so,$(PLUGINS)): $(OUT)/flags | packages-build
 	$(call say,PLUG,$@)
 	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) -fPIC -shared -MD -MP $(filter %.cpp,$^) -o $@
+
+$(OUT)/plugins/%.obj: apps/vidflat/plugins/%.obj
+	$(Q)mkdir -p $(@D); cp $< $@
 
 $(TESTERS): $(OUT)/tests/%_tests: $$(objects_tests/$$*) $$(call archives,$$(call may_use,$$*)) \
         $(OUT)/list/tests/%
@@ -273,4 +276,4 @@ $(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o
 	$(call say,TIDY,$<)
 	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ -Wno-unknown-warning-option $(FLAGS) $(if $(filter tests/%,$<),-Itests) && touch $@
 
--include $(wildcard $(OBJECTS:.o=.d) $(PLUGINS:.so=.d) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))
+-include $(wildcard $(OBJECTS:.o=.d) $(patsubst %.so,%.d,$(filter %.so,$(PLUGINS))) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))
