@@ -26,7 +26,8 @@ public:
     /// Errors: l3d_error(usage) for a light of no direction, or an unknown method.
     l3d_afd_settings settings() const;
 
-    /// The model asked for, or the teapot. Errors: l3d_error(bad_input) with file and line.
+    /// The model asked for, or the teapot; notes on what is skipped go to stderr.
+    /// Errors: l3d_error(bad_input) with file and line, or for a file without patches.
     l3d_patch_model model() const;
 
     /// As given; empty for the teapot.

@@ -14,7 +14,7 @@ TEST(radix_sort, is_the_stable_sort) {
     std::vector<l3d_sort_item> other;
     for (int round = 0; round < 400; ++round) {
         // Few different keys to see stability; some digits the same in all to see passes left out.
-        const std::uint32_t mask = static_cast<std::uint32_t>(random()) & random();
+        const std::uint32_t mask = static_cast<std::uint32_t>(random() & random());
         const auto common = static_cast<std::uint32_t>(random());
         std::vector<l3d_sort_item> items(random() % 3000);
         for (std::uint32_t i = 0; i < items.size(); ++i)
