@@ -45,7 +45,7 @@ void check_place(const char* option, const std::array<double, 3>& place) {
 
 l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--model", model_file_,
-                "patches to draw: .bpt, .bez, .bbp or .obj; without it, the teapot", "FILE");
+                "model to draw, see docs/FORMATS.md; without it, the teapot", "FILE");
     options.add("--method", method_, "how surfaces are drawn: " + l3d_method_choice::all_names(),
                 "NAME");
     // Vertices lie on a grid of 1/256 pixel, which is already off by sqrt(2)/512 = 0.0028.
