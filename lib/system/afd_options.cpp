@@ -129,14 +129,16 @@ l3d_patch_model l3d_afd_options::model() const {
         throw l3d_error(l3d_exit::bad_input, why);
     const std::string polygons = std::to_string(file->mesh.faces()) + " polygons";
     if (file->patches.empty())
-        throw l3d_error(l3d_exit::bad_input, model_file_ + ": holds " + polygons +
-                                                 " and no patches; modelview shows polygons");
+        throw l3d_error(l3d_exit::bad_input,
+                        model_file_ + ": holds " + polygons +
+                            " and no patches; modelview --pipeline zbuffer shows them");
     auto model = l3d_patch_model::from_patches(file->patches, model_file_, why);
     if (!model)
         throw l3d_error(l3d_exit::bad_input, why);
     for (const std::string& note : file->notes)
         std::cerr << note << '\n';
     if (file->mesh.faces() > 0)
-        std::cerr << model_file_ << ": " << polygons << " are skipped; modelview shows them\n";
+        std::cerr << model_file_ << ": " << polygons
+                  << " are skipped; modelview --pipeline zbuffer shows them\n";
     return *std::move(model);
 }
