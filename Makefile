@@ -7,9 +7,10 @@ uses_tool_2d  :=
 uses_raster   := geom tool_2d
 uses_pipeline := geom tool_2d raster
 uses_system   := geom tool_2d raster pipeline
-uses_apps     := $(LAYERS)
+uses_apps     := $(LAYERS) reference
 
-# tests/reference, the exact renderer, is a layer beside them that only these may use.
+# tests/reference, the exact renderer, is a layer beside them that only these may use, and the
+# programs: a report of errors has no better judge.
 uses_reference       := geom
 tests_with_reference := pipeline reference bench
 
@@ -100,7 +101,7 @@ MAKEFLAGS += -rR --no-print-directory
 .SECONDEXPANSION:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: FORCE all run test stress matrix lint $(CHECKS) tidy format bench packages hooks clean help
+.PHONY: FORCE all run test stress matrix lint report $(CHECKS) tidy format bench packages hooks clean help
 
 Q    := $(if $(V),,@)
 say   = $(if $(V),,@printf '  %-5s %s\n' $(1) $(2:$(OUT)/%=%))
@@ -144,8 +145,11 @@ bench: packages-bench ## build and run the benchmarks
 	@$(again) $(BENCHES)
 	@set -e; for bench in $(BENCHES); do $$bench $(ARGS); done
 
+report: packages-report $(OUT)/bin/teapot_afd ## error against run time, all methods, into docs/report; QUICK=1: a small one, in $(OUT)/report
+	@$(OUT)/bin/teapot_afd --no-input --error-report $(if $(QUICK),$(OUT)/report --quick,docs/report)
+
 packages: packages-build packages-test packages-lint ## install the Debian packages that are missing
-packages-test packages-lint packages-tidy packages-bench packages-matrix: packages-build
+packages-test packages-lint packages-tidy packages-bench packages-matrix packages-report: packages-build
 packages-%:
 	@CXX="$(CXX)" tests/lint/packages.sh $(PACKAGES_$*)
 
@@ -171,7 +175,7 @@ $(OUT)/list/%: FORCE
 
 $(OUT)/%.o: %.cpp $(OUT)/flags | packages-build
 	$(call say,C++,$@)
-	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(if $(filter tests/%,$<),-Itests) -MD -MP -c $< -o $@
+	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(if $(filter tests/% apps/%,$<),-Itests) -MD -MP -c $< -o $@
 
 # A text file as a C++ string literal, to be included.
 $(OUT)/%.inc: %
@@ -182,7 +186,7 @@ $(OUT)/libl3d_%.a: $$(objects_$$*) $(OUT)/list/%
 	$(call say,AR,$@)
 	$(Q)rm -f $@; ar rcs $@ $(filter %.o,$^)
 
-$(APPS): $(OUT)/bin/%: $$(objects_apps/$$*) $(ARCHIVES) $(OUT)/list/apps/%
+$(APPS): $(OUT)/bin/%: $$(objects_apps/$$*) $(call archives,reference $(LAYERS)) $(OUT)/list/apps/%
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D); $(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -o $@
 
@@ -249,6 +253,6 @@ $(OUT)/log/fail.log: FORCE | packages-build
 
 $(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o
 	$(call say,TIDY,$<)
-	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ -Wno-unknown-warning-option $(FLAGS) $(if $(filter tests/%,$<),-Itests) && touch $@
+	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ -Wno-unknown-warning-option $(FLAGS) $(if $(filter tests/% apps/%,$<),-Itests) && touch $@
 
 -include $(wildcard $(OBJECTS:.o=.d) $(PLUGINS:.so=.d) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))

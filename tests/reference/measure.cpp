@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 
 namespace reference {
 namespace {
@@ -128,6 +129,37 @@ measurement measure(std::span<const float> product_depth, const exact_image& exa
         result.mean_depth_relative /= static_cast<double>(result.depth_compared);
         result.mean_depth_px /= static_cast<double>(result.depth_compared);
     }
+    return result;
+}
+
+std::vector<float> error_map(std::span<const float> product_depth, const exact_image& exact,
+                             const exact_region& region, int most_distances) {
+    constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+    constexpr double farthest = 16; // pixels: beyond, an outline is off by no method but a hole
+    const comparison pictures(product_depth, exact);
+    const picture_size size = exact.size();
+    std::vector<float> result(product_depth.size(), nothing);
+    const auto for_pixels = [&](auto visit) {
+        std::size_t k = 0;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x, ++k)
+                visit(k, x, y, pictures.product_covers(x, y), exact.covered(x, y));
+    };
+    std::int64_t wrong = 0;
+    for_pixels([&](std::size_t, int, int, bool is, bool should) { wrong += is != should; });
+    const std::int64_t every = wrong / std::max(most_distances, 1) + 1;
+    std::int64_t count = 0;
+    for_pixels([&](std::size_t k, int x, int y, bool is, bool should) {
+        double error = std::numeric_limits<double>::quiet_NaN();
+        if (is && should && pictures.is_smooth(x, y))
+            error = pictures.error_px(x, y);
+        else if (!is && should && pictures.surrounded(x, y))
+            error = std::numeric_limits<double>::infinity();
+        else if (is != should && count++ % every == 0)
+            error = is ? region.distance_to_exact_surface(x + 0.5, y + 0.5)
+                       : region.distance_to_uncovered(x + 0.5, y + 0.5, farthest).upper;
+        result[k] = static_cast<float>(error);
+    });
     return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace reference {
 
@@ -37,6 +38,15 @@ double depth_error_px(const exact_sample& exact, const camera_frame& frame, int 
 /// Expects: product_depth of the exact picture's size; region of the same patches and camera.
 measurement measure(std::span<const float> product_depth, const exact_image& exact,
                     const exact_region& region, int most_distances = 20000);
+
+/// How far off each pixel is, row by row, in pixels: as `measure` takes it, by its depth, or by the
+/// distance of a falsely covered or uncovered centre. Infinite: a hole; NaN: not comparable, for it
+/// is empty rightly, or beside an outline or a jump of depth.
+///
+/// Of centres covered or uncovered falsely, at most `most_distances` are measured, evenly spread;
+/// the others are NaN. Shape and what is expected: as for measure.
+std::vector<float> error_map(std::span<const float> product_depth, const exact_image& exact,
+                             const exact_region& region, int most_distances = 4000);
 
 /// Differences of grey levels on the pixels that `measure` compares the depth of.
 struct shade_difference {
