@@ -156,6 +156,29 @@ int steps_of(const plane_curve& c, int halvings) {
     return steps_of(low, halvings - 1) + steps_of(high, halvings - 1);
 }
 
+/// The largest derivative of a coordinate: that of a cubic is a quadratic, largest at an end or
+/// where its own derivative is 0.
+double speed_of(const plane_curve& c) {
+    double fastest = 0;
+    for (int k = 0; k < 2; ++k) {
+        const auto d = c.derivative();
+        const double a = d[0][k], b = d[1][k], e = d[2][k];
+        const double t = a - 2 * b + e != 0 ? (a - b) / (a - 2 * b + e) : 0;
+        fastest = std::max({fastest, std::abs(a), std::abs(e)});
+        if (t > 0 && t < 1)
+            fastest = std::max(fastest, std::abs(a * (1 - t) + b * t));
+    }
+    return fastest;
+}
+
+/// Steps of the pieces of a halved curve by their largest derivatives.
+double true_steps_of(const plane_curve& c, int halvings) {
+    if (halvings == 0)
+        return std::ceil(speed_of(c));
+    const auto [low, high] = c.split();
+    return true_steps_of(low, halvings - 1) + true_steps_of(high, halvings - 1);
+}
+
 /// The larger side of a curve's box, and the number of pixels that it passes through, at least.
 struct extent {
     double box, pixels;
@@ -240,7 +263,7 @@ std::vector<step_row> measure_steps(double range, int most_halvings, int curves)
     std::vector<step_row> rows;
     for (int halvings = 0; halvings <= most_halvings; ++halvings) {
         number_source random;
-        step_row row{halvings, 0, 0, 0, 0};
+        step_row row{halvings, 0, 0, 0, 0, 0};
         for (int i = 0; i < curves; ++i) {
             const plane_curve c = random.flat_curve(range);
             const extent size = extent_of(c);
@@ -250,6 +273,7 @@ std::vector<step_row> measure_steps(double range, int most_halvings, int curves)
             row.extra += steps / size.pixels / curves;
         }
         row.chebyshev = steps_of(chebyshev, halvings) / extent_of(chebyshev).box;
+        row.true_speed = true_steps_of(chebyshev, halvings) / extent_of(chebyshev).box;
         rows.push_back(row);
     }
     return rows;

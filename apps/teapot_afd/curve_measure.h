@@ -47,10 +47,11 @@ std::vector<chord_row> measure_chords(double range, const std::vector<int>& step
 /// Steps that keep points at most a pixel apart, after so many halvings of the curve.
 struct step_row {
     int halvings = 0;
-    double per_pixel = 0; ///< mean of steps / size of the curve's box, over random cubics
-    double most = 0;      ///< the largest
-    double chebyshev = 0; ///< of the cubic that needs most
-    double extra = 0;     ///< mean of steps / pixels that the curve passes through
+    double per_pixel = 0;  ///< mean of steps / size of the curve's box, over random cubics
+    double most = 0;       ///< the largest
+    double chebyshev = 0;  ///< of the cubic that is fastest at its ends
+    double true_speed = 0; ///< of the same, by the largest derivative itself
+    double extra = 0;      ///< mean of steps / pixels that the curve passes through
 };
 std::vector<step_row> measure_steps(double range, int most_halvings, int curves);
 

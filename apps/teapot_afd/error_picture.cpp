@@ -40,15 +40,17 @@ void draw_legend(const l3d_pixels& pixels, double largest) {
 
 } // namespace
 
-void write_error_picture(const std::string& file, const std::vector<float>& errors, l3d_size size,
+void write_error_picture(const std::string& file, const reference::error_map& errors, l3d_size size,
                          double largest) {
     l3d_image image(size, size.width);
     const l3d_pixels pixels = image.pixels();
-    auto error = errors.begin();
+    std::size_t k = 0;
     for (int y = 0; y < size.height; ++y)
         for (std::uint32_t& word : pixels.row(y)) {
-            const auto value = static_cast<double>(*error++);
-            word = std::isinf(value) ? magenta : std::isnan(value) ? 0 : color_of(value / largest);
+            const float depth = errors.depth[k], outline = errors.outline[k];
+            const auto error = static_cast<double>(std::isnan(depth) ? outline : depth);
+            word = errors.holes[k] ? magenta : std::isnan(error) ? 0 : color_of(error / largest);
+            ++k;
         }
     draw_legend(pixels, largest);
     l3d_write_image(file, pixels);

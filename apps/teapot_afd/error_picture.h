@@ -3,17 +3,16 @@
 #ifndef L3D_APPS_TEAPOT_AFD_ERROR_PICTURE_H
 #define L3D_APPS_TEAPOT_AFD_ERROR_PICTURE_H
 
+#include "reference/measure.h"
 #include "tool_2d/pixels.h"
 
 #include <string>
-#include <vector>
 
 /// Green where the error is 0, over yellow, to red where it is `largest` pixels or more; magenta
 /// where there is a hole, black where nothing is compared. A legend in pixels is drawn in.
 ///
-/// Shape:  errors as reference::error_map gives them.
 /// Errors: l3d_error(failure) that names the file.
-void write_error_picture(const std::string& file, const std::vector<float>& errors, l3d_size size,
+void write_error_picture(const std::string& file, const reference::error_map& errors, l3d_size size,
                          double largest);
 
 #endif

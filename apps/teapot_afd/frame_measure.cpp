@@ -3,13 +3,14 @@
 #include "frame_measure.h"
 
 #include "raster/rasterizer_factory_sw.h"
-#include "reference/measure.h"
 #include "system/number_text.h"
 #include "tool_2d/screen_memory.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
+#include <ctime>
 #include <utility>
 
 namespace {
@@ -40,6 +41,13 @@ std::unique_ptr<l3d_screen> memory_screen(l3d_size size) {
     return l3d_screen_factory_memory().create(request, refusal);
 }
 
+/// Time that this thread has run: what others do with the machine meanwhile does not count.
+double processor_ms() {
+    timespec time{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
 class trembling_pipeline final : public l3d_pipeline_afd {
 public:
     using l3d_pipeline_afd::l3d_pipeline_afd;
@@ -53,12 +61,13 @@ public:
 };
 
 void summarize(frame_result& result) {
+    for (const float distance : result.errors.outline)
+        if (std::isfinite(distance))
+            result.outline_px = std::max(result.outline_px, static_cast<double>(distance));
+    result.holes = std::count(result.errors.holes.begin(), result.errors.holes.end(), true);
     std::vector<float> known;
-    for (const float error : result.errors) {
-        result.holes += std::isinf(error);
-        if (std::isfinite(error))
-            known.push_back(error);
-    }
+    std::copy_if(result.errors.depth.begin(), result.errors.depth.end(), std::back_inserter(known),
+                 [](float error) { return std::isfinite(error); });
     if (known.empty())
         return;
     std::sort(known.begin(), known.end());
@@ -78,10 +87,6 @@ measured_view::measured_view(std::string name, const l3d_patch_model& model,
       patches_(patches_of(model)), exact_(patches_, camera_of(camera), {size.width, size.height}),
       region_(patches_, camera_of(camera), {size.width, size.height}) {}
 
-std::vector<float> measured_view::errors(const std::vector<float>& distances) const {
-    return reference::error_map(distances, exact_, region_);
-}
-
 std::string measured_setting::series() const {
     l3d_method_choice without_number = method;
     without_number.resolution = 0;
@@ -96,7 +101,7 @@ std::string measured_setting::label() const {
 }
 
 frame_result measure_frames(const measured_view& view, const measured_setting& setting,
-                            double seconds) {
+                            double seconds, int most_distances) {
     using clock = std::chrono::steady_clock;
     l3d_afd_settings settings;
     settings.tolerance = setting.tolerance;
@@ -111,8 +116,9 @@ frame_result measure_frames(const measured_view& view, const measured_setting& s
     while (times.size() < fewest_frames ||
            (times.size() < most_frames && clock::now() - start < enough)) {
         pipeline.tremble(view.camera(), 1 + static_cast<int>(times.size()));
+        const double before = processor_ms();
         pipeline.draw_event();
-        times.push_back(pipeline.report().time_ms.total);
+        times.push_back(processor_ms() - before);
     }
     frame_result result;
     result.first_ms = times.front();
@@ -132,7 +138,7 @@ frame_result measure_frames(const measured_view& view, const measured_setting& s
     result.quads = report.surface.quads;
     result.failures = report.dice.failures;
     result.bound_px = report.dice.bound_px;
-    result.errors = view.errors(l3d_distances(pipeline.depth()));
+    result.errors = view.errors(l3d_distances(pipeline.depth()), most_distances);
     summarize(result);
     return result;
 }

@@ -5,6 +5,7 @@
 
 #include "pipeline/pipeline_afd.h"
 #include "reference/exact.h"
+#include "reference/measure.h"
 #include "reference/region.h"
 
 #include <cstdint>
@@ -23,8 +24,10 @@ public:
     const l3d_camera& camera() const { return camera_; }
     l3d_size size() const { return size_; }
 
-    /// As reference::error_map. Shape: distances row by row.
-    std::vector<float> errors(const std::vector<float>& distances) const;
+    /// Shape: distances row by row.
+    reference::error_map errors(const std::vector<float>& distances, int most_distances) const {
+        return reference::map_errors(distances, exact_, region_, most_distances);
+    }
 
 private:
     std::string name_;
@@ -52,14 +55,19 @@ struct frame_result {
     int frames = 0;
     std::int64_t samples = 0, quads = 0, failures = 0;
     double bound_px = 0;                                   ///< infinite: none
-    double largest_px = 0, mean_px = 0, percentile_px = 0; ///< measured; 999 of 1000 are below
+    double outline_px = 0;                                 ///< measured, the largest
+    double largest_px = 0, mean_px = 0, percentile_px = 0; ///< of depth; 999 of 1000 are below
     std::int64_t holes = 0;
-    std::vector<float> errors; ///< of each pixel; kept for pictures
+    reference::error_map errors; ///< kept for pictures
+
+    /// What a diagram shows: both outline and depth, but for one pixel of a thousand.
+    double shown_px() const { return outline_px > percentile_px ? outline_px : percentile_px; }
 };
 
 /// Draws the view again and again on one thread for about so long, from eyes that are never twice
 /// at the same place, and then the view itself, which is compared with the exact one.
+/// Of outlines, at most some `most_distances` pixels are measured.
 frame_result measure_frames(const measured_view& view, const measured_setting& setting,
-                            double seconds);
+                            double seconds, int most_distances);
 
 #endif

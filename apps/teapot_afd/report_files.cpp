@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -19,7 +20,7 @@
 namespace {
 
 template <class... Values> std::string formatted(const char* format, Values... values) {
-    std::array<char, 400> text{};
+    std::array<char, 4000> text{};
     std::snprintf(text.data(), text.size(), format, values...);
     return text.data();
 }
@@ -58,20 +59,22 @@ std::string head(const report_contents& report) {
                      "l3d_real = %s; %s; load %.1f when written.\nPictures of %d x %d, one thread "
                      "for every method.\n\n",
                      report.quick ? "A quick report: few settings, short times.\n\n" : "",
-                     processor().c_str(), std::thread::hardware_concurrency(), l3d_simd_target(),
-                     __VERSION__, l3d_real_name(), today().c_str(), load(), report.size.width,
-                     report.size.height) +
+                     processor().c_str(), std::thread::hardware_concurrency(),
+                     l3d_simd_target().c_str(), __VERSION__, l3d_real_name(), today().c_str(),
+                     load(), report.size.width, report.size.height) +
            R"(How to read it:
 
 - *ms* is the least time of a frame from control points to finished pixels, depth included, the eye
-  never twice at the same place; *first* is the very first frame, in which `voxels` fills its cube and
-  `mesa` makes its meshes.
-- *largest*, *99.9 %* and *mean* error compare the drawn picture with an exact one that shares no code
-  with the library (tests/reference): where both show a surface, by how many pixels the drawn depth
-  has to be moved to lie on the exact tangent plane; where only one does, how far the pixel's centre
-  is from the exact outline. That is the same for all methods, whatever they are made of. *holes* are
-  pixels left empty inside of the surface; they are counted, not measured.
-- *bound* is what the method certifies for every point of the frame; none: it cannot.
+  never twice at the same place; *median* that of all frames but the *first*, the very first frame, in which `voxels`
+  fills its cube and `mesa` makes its meshes. All are times of the processor: waiting for it does not count.
+- Errors compare the drawn picture with an exact one that shares no code with the library
+  (tests/reference), alike for all methods, whatever they are made of. *outline*: where only one of both
+  shows a surface, how far the pixel's centre is from the exact outline, at most (of pixels spread
+  evenly; where the gap behind is a sliver, up to a pixel's size too much). *99.9 %*, *largest* and *mean*:
+  where both do, away from outlines, how far the drawn point is from the exact tangent plane, along the
+  line of sight too, which is no error in the picture: so these may be larger than the bound.
+  *holes* are pixels left empty inside of the surface; they are counted, not measured.
+- *bound* is what the method certifies of every point's place in the picture; none: it cannot.
 - *failures* are pixels in which an iteration came to no rest and which were left out.
 
 )";
@@ -83,19 +86,18 @@ std::string frame_tables(const report_contents& report) {
     for (const frame_result& row : report.frames) {
         if (row.view != view) {
             view = row.view;
-            text +=
-                "## View " + view + "\n\n![error against time](work_precision_" + view +
-                ".svg)\n\n| method | setting | ms | median | first | largest px | 99.9 % | mean "
-                "| bound | holes | failures | points |\n"
-                "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+            text += "\n## View " + view + "\n\n![error against time](work_precision_" + view +
+                    ".svg)\n\n| method | setting | ms | median | first | bound px | outline px "
+                    "| 99.9 % | largest | mean | holes | failures | points |\n"
+                    "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
         }
-        text +=
-            formatted("| %s | %s | %.3g | %.3g | %.3g | %.3g | %.3g | %.2g | %s | %lld | %lld "
-                      "| %lld |\n",
-                      row.series.c_str(), row.label.c_str(), row.least_ms, row.median_ms,
-                      row.first_ms, row.largest_px, row.percentile_px, row.mean_px,
-                      bound_text(row.bound_px).c_str(), static_cast<long long>(row.holes),
-                      static_cast<long long>(row.failures), static_cast<long long>(row.samples));
+        text += formatted("| %s | %s | %.3g | %.3g | %.3g | %s | %.3g | %.3g | %.3g | %.2g | %lld "
+                          "| %lld | %lld |\n",
+                          row.series.c_str(), row.label.c_str(), row.least_ms, row.median_ms,
+                          row.first_ms, bound_text(row.bound_px).c_str(), row.outline_px,
+                          row.percentile_px, row.largest_px, row.mean_px,
+                          static_cast<long long>(row.holes), static_cast<long long>(row.failures),
+                          static_cast<long long>(row.samples));
     }
     return text + '\n';
 }
@@ -139,41 +141,48 @@ which no random cubic is a pixel off.
 )";
     for (const step_limit& row : c.limits)
         text += formatted("| %s | %d | %d |\n", name_of(row.numbers), row.in_1024, row.in_128k);
-    text += R"(
-*32-bit graded* is our form of their idea: each register keeps the fraction bits that its own size leaves, and
-sums are rounded. (Numbers at the end of the range that was tried are only known to be at least that.) One
-exponent for all four registers, as in 16.16, bears some hundred steps, for its error grows with n^3 / 6.
-Where we differ: they count in a fixed word of the hardware and leave the points' last bits unrounded; ours are
-random curves, not the worst, and our registers are sized for the range and the number of steps.
+    int tried = 0;
+    for (const step_limit& row : c.limits)
+        tried = std::max(tried, row.in_1024);
+    text += formatted(R"(
+*32-bit graded* is our form of what both are about: each register keeps the fraction bits that its own size
+leaves, and sums are rounded. One exponent for all four registers, as in 16.16, bears some hundred steps, for
+its error grows with n^3 / 6. Where we differ: the papers' figures are those of their abstracts, which do not say
+how registers are aligned, and are proved for all curves; ours are random curves, not the worst, our registers
+are sized for the range and the number of steps, and no more than %d steps were tried: a number as large as
+that is a least one.
 
 **Steps a pixel.** Klassen (*Exact integer hybrid subdivision and forward differencing of cubics*, TOG 13, 1994)
 proves that a cubic whose picture fits into w pixels needs at most 9 w steps with no two points more than a pixel
 apart, and states that a few halvings beforehand leave very few extra points. Ours, steps from the control points'
 differences, in both coordinates:
 
-| halvings | steps / w, mean | largest | Chebyshev's cubic | steps / pixels passed, mean |
-|---|---|---|---|---|
-)";
+| halvings | steps / w, mean | largest | Chebyshev's cubic | the same, by its derivative | steps / pixels passed, mean |
+|---|---|---|---|---|---|
+)",
+                      tried);
     for (const step_row& row : c.steps)
-        text += formatted("| %d | %.2f | %.2f | %.2f | %.2f |\n", row.halvings, row.per_pixel,
-                          row.most, row.chebyshev, row.extra);
+        text += formatted("| %d | %.2f | %.2f | %.2f | %.2f | %.2f |\n", row.halvings,
+                          row.per_pixel, row.most, row.chebyshev, row.true_speed, row.extra);
     return text + R"(
-The bound 9 is Markov's inequality for cubics, and Chebyshev's cubic reaches it; random ones stay below.
-With each halving the excess shrinks, but the number of points does not come down to one for each pixel passed:
-the step is set by the fastest point of each piece. This is why a surface walked pixel by pixel (`isocurves`
+The bound 9 is Markov's inequality for cubics: Chebyshev's cubic, which is the fastest, reaches it by its largest
+derivative. Control points, which we go by, say 15 of it; one halving makes up for that. Random curves need far
+less, and with each halving the excess shrinks, as he says: after five, a twelfth of the steps is extra.
+The step is still set by the fastest point of each piece, and it is a step in two coordinates. This is why a surface walked pixel by pixel (`isocurves`
 above) takes 20 and more points for each pixel that it covers, where Lien, Shantz and Pratt (SIGGRAPH 1987) aim at
 about one point a pixel *along a curve*: curves half a pixel apart multiply with points half a pixel apart.
 )";
 }
 
 std::string frames_csv(const report_contents& report) {
-    std::string text = "view,method,setting,least_ms,median_ms,first_ms,frames,largest_px,"
-                       "percentile_999_px,mean_px,bound_px,holes,failures,points,quads\n";
+    std::string text =
+        "view,method,setting,least_ms,median_ms,first_ms,frames,outline_px,largest_px,"
+        "percentile_999_px,mean_px,bound_px,holes,failures,points,quads\n";
     for (const frame_result& r : report.frames)
-        text += formatted("%s,%s,%s,%.6g,%.6g,%.6g,%d,%.6g,%.6g,%.6g,%s,%lld,%lld,%lld,%lld\n",
+        text += formatted("%s,%s,%s,%.6g,%.6g,%.6g,%d,%.6g,%.6g,%.6g,%.6g,%s,%lld,%lld,%lld,%lld\n",
                           r.view.c_str(), r.series.c_str(), r.label.c_str(), r.least_ms,
-                          r.median_ms, r.first_ms, r.frames, r.largest_px, r.percentile_px,
-                          r.mean_px, bound_text(r.bound_px).c_str(),
+                          r.median_ms, r.first_ms, r.frames, r.outline_px, r.largest_px,
+                          r.percentile_px, r.mean_px, bound_text(r.bound_px).c_str(),
                           static_cast<long long>(r.holes), static_cast<long long>(r.failures),
                           static_cast<long long>(r.samples), static_cast<long long>(r.quads));
     return text;
@@ -206,6 +215,7 @@ std::string json(const report_contents& report) {
                                     {"least_ms", r.least_ms},
                                     {"median_ms", r.median_ms},
                                     {"first_ms", r.first_ms},
+                                    {"outline_px", r.outline_px},
                                     {"largest_px", r.largest_px},
                                     {"percentile_999_px", r.percentile_px},
                                     {"mean_px", r.mean_px},

@@ -86,9 +86,9 @@ bool run_gnuplot(const std::string& folder, const std::string& script) {
 
 diagram work_precision(const report_contents& report, const std::string& view) {
     diagram d{"work_precision_" + view,
-              "largest error against time, view " + view,
+              "error against time, view " + view,
               "milliseconds a frame, one thread",
-              "largest error in pixels",
+              "error in pixels: outlines, and depth but for a thousandth",
               {}};
     std::map<std::string, std::size_t> place;
     for (const frame_result& row : report.frames) {
@@ -99,7 +99,7 @@ diagram work_precision(const report_contents& report, const std::string& view) {
             row.series + (row.label[0] == 'n' && row.series[0] == 'f' ? ", n steps" : "");
         if (place.emplace(title, d.lines.size()).second)
             d.lines.push_back({title, {}, false});
-        d.lines[place[title]].points.push_back({row.least_ms, row.largest_px});
+        d.lines[place[title]].points.push_back({row.least_ms, row.shown_px()});
     }
     for (line& l : d.lines)
         std::sort(l.points.begin(), l.points.end());
@@ -111,14 +111,14 @@ diagram error_by_steps(const report_contents& report) {
     diagram d{"error_by_steps",
               "error of n x n quads a patch; dashed: slope -2",
               "n, quads along a patch",
-              "largest error in pixels",
+              "error in pixels",
               {}};
     for (const char* series : {"tessellation", "fd 16.16"}) {
         line measured{series, {}, false};
         for (const frame_result& row : report.frames)
             if (row.view == report.frames.front().view && row.series == series &&
                 row.label[0] == 'n')
-                measured.points.push_back({std::atof(row.label.c_str() + 4), row.largest_px});
+                measured.points.push_back({std::atof(row.label.c_str() + 4), row.shown_px()});
         if (measured.points.empty())
             continue;
         line theory{"", {}, true};

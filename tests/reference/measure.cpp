@@ -56,6 +56,17 @@ public:
         return around(x, y, [&](int i, int j) { return exact_.covered(i, j); });
     }
 
+    /// Most of the neighbours are covered: where an outline has moved inwards, they are not.
+    bool is_hole(int x, int y) const {
+        constexpr int most = 6; // of eight
+        int covered = 0;
+        around(x, y, [&](int i, int j) {
+            covered += product_covers(i, j);
+            return true;
+        });
+        return covered >= most;
+    }
+
     /// Neither an outline nor a jump of depth within one pixel.
     bool is_smooth(int x, int y) const {
         const exact_sample& middle = exact_.at(x, y);
@@ -132,13 +143,15 @@ measurement measure(std::span<const float> product_depth, const exact_image& exa
     return result;
 }
 
-std::vector<float> error_map(std::span<const float> product_depth, const exact_image& exact,
-                             const exact_region& region, int most_distances) {
+error_map map_errors(std::span<const float> product_depth, const exact_image& exact,
+                     const exact_region& region, int most_distances) {
     constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
-    constexpr double farthest = 16; // pixels: beyond, an outline is off by no method but a hole
+    constexpr double farthest = 16; // pixels: no method's outline is worse but by a hole
     const comparison pictures(product_depth, exact);
     const picture_size size = exact.size();
-    std::vector<float> result(product_depth.size(), nothing);
+    const std::size_t pixels = product_depth.size();
+    error_map result{std::vector<float>(pixels, nothing), std::vector<float>(pixels, nothing),
+                     std::vector<bool>(pixels)};
     const auto for_pixels = [&](auto visit) {
         std::size_t k = 0;
         for (int y = 0; y < size.height; ++y)
@@ -146,19 +159,21 @@ std::vector<float> error_map(std::span<const float> product_depth, const exact_i
                 visit(k, x, y, pictures.product_covers(x, y), exact.covered(x, y));
     };
     std::int64_t wrong = 0;
-    for_pixels([&](std::size_t, int, int, bool is, bool should) { wrong += is != should; });
-    const std::int64_t every = wrong / std::max(most_distances, 1) + 1;
+    for_pixels([&](std::size_t k, int x, int y, bool is, bool should) {
+        result.holes[k] = !is && should && pictures.surrounded(x, y) && pictures.is_hole(x, y);
+        wrong += is != should && !result.holes[k];
+    });
+    const std::int64_t every = wrong / most_distances + 1;
     std::int64_t count = 0;
     for_pixels([&](std::size_t k, int x, int y, bool is, bool should) {
-        double error = std::numeric_limits<double>::quiet_NaN();
         if (is && should && pictures.is_smooth(x, y))
-            error = pictures.error_px(x, y);
-        else if (!is && should && pictures.surrounded(x, y))
-            error = std::numeric_limits<double>::infinity();
-        else if (is != should && count++ % every == 0)
-            error = is ? region.distance_to_exact_surface(x + 0.5, y + 0.5)
-                       : region.distance_to_uncovered(x + 0.5, y + 0.5, farthest).upper;
-        result[k] = static_cast<float>(error);
+            result.depth[k] = static_cast<float>(pictures.error_px(x, y));
+        if (is == should || result.holes[k] || count++ % every != 0)
+            return;
+        result.outline[k] = static_cast<float>(
+            is ? region.distance_to_exact_surface(x + 0.5, y + 0.5)
+               : std::min(farthest,
+                          region.distance_to_uncovered(x + 0.5, y + 0.5, farthest).upper));
     });
     return result;
 }
