@@ -31,6 +31,8 @@ flags_asan    := -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
                  -fsanitize=address,undefined,float-cast-overflow
 flags_tsan    := -O1 -g -fsanitize=thread
 flags_cov     := -O0 -g --coverage
+flags_fuzz    := -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
+                 -fsanitize=fuzzer-no-link,address,undefined
 
 # Leaks in libraries that are not ours to mend.
 export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lint/leaks.supp:print_suppressions=0
@@ -38,8 +40,8 @@ export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lint/leaks.supp:print_suppre
 ifeq ($(filter $(REAL),float double fixed),)
 $(error REAL=$(REAL) is unknown; choose float, double or fixed)
 endif
-ifeq ($(filter $(MODE),release debug asan tsan cov),)
-$(error MODE=$(MODE) is unknown; choose release, debug, asan, tsan or cov)
+ifeq ($(filter $(MODE),release debug asan tsan cov fuzz),)
+$(error MODE=$(MODE) is unknown; choose release, debug, asan, tsan, cov or fuzz)
 endif
 
 compiler := $(notdir $(lastword $(CXX)))
@@ -72,19 +74,20 @@ $(foreach a,$(apps),$(eval objects_apps/$(a) := $(call objects,$(wildcard apps/$
 
 tested    := $(foreach l,$(LAYERS) reference,$(if $(objects_tests/$(l)),$(l)))
 plugins   := $(wildcard apps/*/plugins/*.cpp tests/*/plugins/*.cpp)
-PLUGINS   := $(patsubst %.cpp,$(OUT)/plugins/%.so,$(notdir $(plugins)))
+PLUGINS   := $(patsubst %.cpp,$(OUT)/plugins/%.so,$(notdir $(plugins))) $(OUT)/plugins/spaceship.obj
 
 ARCHIVES  := $(call archives,$(LAYERS))
 APPS      := $(apps:%=$(OUT)/bin/%)
 TESTERS   := $(tested:%=$(OUT)/tests/%_tests)
 objects_bench := $(call objects,$(filter-out %_bench.cpp,$(wildcard tests/bench/*.cpp)))
 BENCHES   := $(patsubst %.cpp,$(OUT)/%,$(wildcard tests/bench/*_bench.cpp))
+FUZZERS   := $(patsubst tests/fuzz/corpus/%,$(OUT)/fuzz/%,$(wildcard tests/fuzz/corpus/*))
 SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
 STRESS    := $(wildcard tests/x11/stress/*_test.py)
 HEADERS   := $(sort $(wildcard lib/*/*.h))
 SOURCES   := $(sort $(wildcard lib/*/*.cpp apps/*/*.cpp tests/*/*.cpp))
 FORMATTED := $(SOURCES) $(HEADERS) $(plugins) $(sort $(wildcard apps/*/*.h tests/*.h tests/*/*.h))
-OBJECTS   := $(call objects,$(filter-out tests/fail/% tests/bench/%,$(SOURCES)))
+OBJECTS   := $(call objects,$(filter-out tests/fail/% tests/bench/% tests/fuzz/%,$(SOURCES)))
 LONE      := $(HEADERS:%=$(OUT)/%.ok)
 
 # A check writes a log; summary.awk judges any set of logs.
@@ -101,7 +104,8 @@ MAKEFLAGS += -rR --no-print-directory
 .SECONDEXPANSION:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: FORCE all run test stress matrix lint report $(CHECKS) tidy format bench packages hooks clean help
+.PHONY: FORCE all run test stress matrix lint $(CHECKS) tidy format golden pictures bench report fuzz \
+        fuzz-each packages hooks clean help
 
 Q    := $(if $(V),,@)
 say   = $(if $(V),,@printf '  %-5s %s\n' $(1) $(2:$(OUT)/%=%))
@@ -141,15 +145,30 @@ tidy: packages-tidy ## clang-tidy, warnings are errors
 format: packages-lint ## clang-format every file in place
 	$(Q)$(CLANG_FORMAT) -i $(FORMATTED)
 
+golden: $(APPS) $(PLUGINS) ## store the pictures' hashes that tests/x11/programs_test.py compares with
+	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/programs_test.py --write
+
+pictures: $(APPS) $(PLUGINS) ## docs/pictures/programs.png: what every program shows, one row of the table each
+	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/contact_sheet.py docs/pictures/programs.png
+
 bench: packages-bench ## build and run the benchmarks
 	@$(again) $(BENCHES)
 	@set -e; for bench in $(BENCHES); do $$bench $(ARGS); done
 
-report: packages-report $(OUT)/bin/teapot_afd ## error against run time, all methods, into docs/report; QUICK=1: a small one, in $(OUT)/report
+report: packages-report $(OUT)/bin/teapot_afd ## error against time, all methods, into docs/report; QUICK=1: a small one
 	@$(OUT)/bin/teapot_afd --no-input --error-report $(if $(QUICK),$(OUT)/report --quick,docs/report)
 
+fuzz: packages-fuzz ## fuzz every reader of model files: make fuzz FUZZ_SECONDS=600
+	@$(again) MODE=fuzz CXX="$(FUZZ_CXX)" fuzz-each
+
+fuzz-each: $(FUZZERS)
+	@set -e; for fuzzer in $(FUZZERS); do mkdir -p $$fuzzer.corpus; \
+	    $$fuzzer -max_total_time=$(FUZZ_SECONDS) $(FUZZ_LIMITS) -artifact_prefix=$$fuzzer.found- \
+	    $$fuzzer.corpus tests/fuzz/corpus/$${fuzzer##*/}; done
+
 packages: packages-build packages-test packages-lint ## install the Debian packages that are missing
-packages-test packages-lint packages-tidy packages-bench packages-matrix packages-report: packages-build
+packages-test packages-lint packages-tidy packages-bench packages-matrix packages-fuzz \
+    packages-report: packages-build
 packages-%:
 	@CXX="$(CXX)" tests/lint/packages.sh $(PACKAGES_$*)
 
@@ -162,7 +181,7 @@ clean: ## remove everything made
 help: ## this list
 	@awk -F':.*## ' '/^[a-z$$].*:.*## /{sub(/^\$$\(CHECKS\)/, "$(CHECKS)", $$1); \
 	    printf "  %-14s %s\n", $$1, $$2}' Makefile
-	@echo "  REAL=float|double|fixed MODE=release|debug|asan|tsan|cov CXX=g++|clang++ V=1"
+	@echo "  REAL=float|double|fixed MODE=release|debug|asan|tsan|cov|fuzz CXX=g++|clang++ V=1"
 
 # ---- rules --------------------------------------------------------------------------------------
 
@@ -192,9 +211,12 @@ $(APPS): $(OUT)/bin/%: $$(objects_apps/$$*) $(call archives,reference $(LAYERS))
 
 # A plug-in is loaded, not linked: it may be built otherwise than the library, here by itself.
 $(foreach p,$(plugins),$(eval $(OUT)/plugins/$(notdir $(p:.cpp=.so)): $(p)))
-$(PLUGINS): $(OUT)/flags | packages-build
+$(filter %.so,$(PLUGINS)): $(OUT)/flags | packages-build
 	$(call say,PLUG,$@)
 	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) -fPIC -shared -MD -MP $(filter %.cpp,$^) -o $@
+
+$(OUT)/plugins/%.obj: apps/vidflat/plugins/%.obj
+	$(Q)mkdir -p $(@D); cp $< $@
 
 $(TESTERS): $(OUT)/tests/%_tests: $$(objects_tests/$$*) $$(call archives,$$(call may_use,$$*)) \
         $(OUT)/list/tests/%
@@ -205,6 +227,10 @@ $(TESTERS): $(OUT)/tests/%_tests: $$(objects_tests/$$*) $$(call archives,$$(call
 $(BENCHES): %: %.o $(objects_bench) $(call archives,reference $(LAYERS))
 	$(call say,LINK,$@)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -lembree3 -o $@
+
+$(OUT)/fuzz/%: tests/fuzz/model_fuzz.cpp $(wildcard tests/fuzz/*.h) $(OUT)/libl3d_geom.a
+	$(call say,LINK,$@)
+	$(Q)mkdir -p $(@D); $(LINK) -fsanitize=fuzzer -DL3D_FUZZED='"$*"' $(filter-out %.h,$^) -o $@
 
 # ---- logs: each ends with the exit status of what it ran ----------------------------------------
 
@@ -255,4 +281,4 @@ $(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o
 	$(call say,TIDY,$<)
 	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ -Wno-unknown-warning-option $(FLAGS) $(if $(filter tests/% apps/%,$<),-Itests) && touch $@
 
--include $(wildcard $(OBJECTS:.o=.d) $(PLUGINS:.so=.d) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))
+-include $(wildcard $(OBJECTS:.o=.d) $(patsubst %.so,%.d,$(filter %.so,$(PLUGINS))) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))

@@ -5,7 +5,7 @@ VERSION := 0.1.0
 PREFIX  ?= /usr/local
 
 REAL  ?= float#    the scalar l3d_real: float, double or fixed
-MODE  ?= release#  release, debug, asan (with UBSan), tsan or cov
+MODE  ?= release#  release, debug, asan (with UBSan), tsan, cov or fuzz
 BUILD ?= build#    where everything made goes, a folder per variant
 
 ifneq ($(filter default undefined,$(origin CXX)),)
@@ -15,6 +15,10 @@ WERROR       ?= -Werror#  make WERROR= builds with a compiler that warns of more
 CLANG_FORMAT ?= clang-format
 CLANG_TIDY   ?= clang-tidy
 TEST_TIMEOUT ?= 900#  seconds a test program may take, sanitizers on a slow machine included
+
+FUZZ_CXX     ?= clang++#  the compiler that has libFuzzer
+FUZZ_SECONDS ?= 60#  for each reader; a crash, 10 seconds for one text or this much memory ends it:
+FUZZ_LIMITS  ?= -timeout=10 -rss_limit_mb=1024 -malloc_limit_mb=64 -max_len=4096
 
 # Debian packages, each with its proof: a header, a library or a program that must be there.
 PACKAGES_build  := g++:$(CXX) libglm-dev:glm/glm.hpp libpng-dev:png.h libx11-dev:X11/Xlib.h \
@@ -27,6 +31,7 @@ PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:
 PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
 PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
 PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h
+PACKAGES_fuzz   := $(PACKAGES_matrix)
 PACKAGES_bench  := libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so \
     libembree-dev:embree3/rtcore.h xvfb:Xvfb
 PACKAGES_report := gnuplot-nox:gnuplot

@@ -15,9 +15,9 @@ template <std::size_t N> bool is_one_of(std::string_view word, const std::string
 }
 
 bool is_whole_number(std::string_view word) {
-    return !word.empty() &&
-           word.find_first_not_of("0123456789", word[0] == '+' || word[0] == '-') ==
-               std::string_view::npos;
+    if (word.starts_with('+') || word.starts_with('-'))
+        word.remove_prefix(1);
+    return !word.empty() && word.find_first_not_of("0123456789") == word.npos;
 }
 
 std::optional<l3d_model_file> read_bpt(std::string_view text, std::string_view name,

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Reader and writer of .bpt patch files, and degree elevation.
+// Reader and writer of .bpt patch files; degrees raised and reduced to 3.
 #include "geom/patch_file.h"
 
 #include "geom/text_cursor_p.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -48,11 +49,11 @@ bool read_patches(l3d_detail::text_cursor& text, std::vector<l3d_patch_points>& 
                                      std::to_string(count) + " patches");
 }
 
-/// Raises the degree of the curve in the first degree + 1 places of `line` to 3.
+/// Raises the degree of the curve in the first degree + 1 places of `line` to `target`.
 /// Source: Farin, Curves and Surfaces for CAGD: q_i = (i p_{i-1} + (n - i) p_i) / n, n = degree
 /// + 1.
-void elevate(std::array<point, 4>& line, int degree) {
-    for (int n = degree + 1; n <= 3; ++n) {
+void elevate(std::span<point> line, int degree, int target) {
+    for (int n = degree + 1; n <= target; ++n) {
         const auto last = static_cast<std::size_t>(n);
         line[last] = line[last - 1];
         for (std::size_t i = last - 1; i > 0; --i)
@@ -61,6 +62,31 @@ void elevate(std::array<point, 4>& line, int degree) {
                               static_cast<double>(last - i) * line[i][k]) /
                              n;
     }
+}
+
+/// Brings the curve in the first degree + 1 places of `line` to degree 3 in the first four; false
+/// if that would change it.
+bool make_cubic(std::vector<point>& line, int degree, double rounding) {
+    if (degree <= 3) {
+        elevate(line, degree, 3);
+        return true;
+    }
+    // Only one cubic has the ends and the end derivatives of the curve, degree (p_1 - p_0).
+    const auto n = static_cast<std::size_t>(degree);
+    std::vector<point> cubic{line[0], {}, {}, line[n]};
+    for (std::size_t k = 0; k < 3; ++k) {
+        cubic[1][k] = line[0][k] + degree * (line[1][k] - line[0][k]) / 3;
+        cubic[2][k] = line[n][k] + degree * (line[n - 1][k] - line[n][k]) / 3;
+    }
+    std::vector<point> raised = cubic;
+    raised.resize(n + 1);
+    elevate(raised, 3, degree);
+    for (std::size_t i = 0; i <= n; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (std::abs(raised[i][k] - line[i][k]) > rounding)
+                return false;
+    std::ranges::copy(cubic, line.begin());
+    return true;
 }
 
 } // namespace
@@ -88,28 +114,38 @@ std::string l3d_write_bpt(std::span<const l3d_patch_points> patches) {
     return text;
 }
 
-std::optional<std::array<std::array<double, 3>, 16>>
-l3d_elevated_to_bicubic(const l3d_patch_points& patch) {
-    const auto cubic_or_less = [](int degree) { return degree >= 1 && degree <= 3; };
-    if (!cubic_or_less(patch.degree_u) || !cubic_or_less(patch.degree_v))
+std::optional<std::array<std::array<double, 3>, 16>> l3d_as_bicubic(const l3d_patch_points& patch) {
+    const auto well = [](int degree) { return degree >= 1 && degree <= l3d_bpt_largest_degree; };
+    if (!well(patch.degree_u) || !well(patch.degree_v))
         return std::nullopt;
     const std::size_t columns = points_along(patch.degree_u);
     const std::size_t rows = points_along(patch.degree_v);
     if (patch.points.size() != columns * rows)
         return std::nullopt;
 
-    std::array<std::array<point, 4>, 4> grid{}; // grid[column][row]
+    // Raising 12 times rounds 3 times 2^-53 each; the cubic's inner points, (1 + 2 * 5) times; the
+    // file's own points were rounded as often: 2 * 36 + 11 is less than 2^7.
+    double largest = 0;
+    for (const point& p : patch.points)
+        for (const double value : p)
+            largest = std::max(largest, std::abs(value));
+    const double rounding = 0x1p-46 * largest;
+
+    std::array<std::vector<point>, 4> grid; // grid[column][row]
     for (std::size_t row = 0; row < rows; ++row) {
-        std::array<point, 4> line{};
-        std::copy_n(patch.points.begin() + static_cast<std::ptrdiff_t>(row * columns), columns,
-                    line.begin());
-        elevate(line, patch.degree_u);
+        const auto first = patch.points.begin() + static_cast<std::ptrdiff_t>(row * columns);
+        std::vector<point> line(first, first + static_cast<std::ptrdiff_t>(columns));
+        line.resize(std::max<std::size_t>(columns, 4));
+        if (!make_cubic(line, patch.degree_u, rounding))
+            return std::nullopt;
         for (std::size_t column = 0; column < 4; ++column)
-            grid[column][row] = line[column];
+            grid[column].push_back(line[column]);
     }
     std::array<point, 16> result;
     for (std::size_t column = 0; column < 4; ++column) {
-        elevate(grid[column], patch.degree_v);
+        grid[column].resize(std::max<std::size_t>(rows, 4));
+        if (!make_cubic(grid[column], patch.degree_v, rounding))
+            return std::nullopt;
         for (std::size_t row = 0; row < 4; ++row)
             result[4 * row + column] = grid[column][row];
     }

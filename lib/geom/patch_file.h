@@ -43,12 +43,14 @@ std::optional<std::vector<l3d_patch_points>> l3d_read_bpt(std::string_view text,
 /// Expects: what l3d_read_bpt would accept.
 std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
 
-/// The same surface with degrees 3 and 3.
+/// The same surface with degrees 3 and 3: lower degrees are raised, higher ones reduced where the
+/// surface is no more than bicubic.
 ///
 /// A common boundary stays common bit for bit, whichever way its two patches run along it.
 /// Shape:   index = 4 * row (v) + column (u).
-/// Errors:  nothing if a degree is outside 1 to 3 or the number of points is not what they say.
-std::optional<std::array<std::array<double, 3>, 16>>
-l3d_elevated_to_bicubic(const l3d_patch_points& patch);
+/// Errors:  nothing if a degree is outside 1 to 15, if the number of points is not what they say,
+///          or if no bicubic patch has these points but for rounding, 2^-46 of the largest
+///          coordinate.
+std::optional<std::array<std::array<double, 3>, 16>> l3d_as_bicubic(const l3d_patch_points& patch);
 
 #endif

@@ -101,6 +101,29 @@ l3d_second_bounds l3d_second_bounds_of(const l3d_image_patch& patch, const l3d_i
     return bounds_of(patch, seen_in(visible, w_low));
 }
 
+l3d_mixed_bounds l3d_mixed_bounds_of(const l3d_image_patch& patch, const l3d_image_box& visible,
+                                     double w_low) {
+    const seen_in norm(visible, w_low);
+    const auto along_u = [&](int row, int i) {
+        return second_difference(patch.at(row, i), patch.at(row, i + 1), patch.at(row, i + 2));
+    };
+    const auto along_v = [&](int i, int column) {
+        return second_difference(patch.at(i, column), patch.at(i + 1, column),
+                                 patch.at(i + 2, column));
+    };
+    l3d_mixed_bounds result;
+    for (int i = 0; i < 2; ++i)
+        for (int k = 0; k < 3; ++k) {
+            result.uuv = std::max(result.uuv, 18 * norm(along_u(k + 1, i) - along_u(k, i)));
+            result.uvv = std::max(result.uvv, 18 * norm(along_v(i, k + 1) - along_v(i, k)));
+            if (k < 2)
+                result.uuvv = std::max(result.uuvv,
+                                       36 * norm(second_difference(along_u(k, i), along_u(k + 1, i),
+                                                                   along_u(k + 2, i))));
+        }
+    return result;
+}
+
 double l3d_second_bound_of(const l3d_image_curve& curve, const l3d_image_box& visible,
                            double w_low) {
     return bound_of(curve, seen_in(visible, w_low));
@@ -112,6 +135,19 @@ l3d_second_bounds l3d_depth_bounds_of(const l3d_image_patch& patch) {
 
 double l3d_depth_bound_of(const l3d_image_curve& curve) {
     return bound_of(curve, depth_alone{});
+}
+
+l3d_image_curve l3d_balanced(const l3d_image_curve& f, int n) {
+    if (n == 1)
+        return f;
+    const auto& p = f.points;
+    const double moved = l3d_balance / (static_cast<double>(n) * n);
+    const point first = second_difference(p[0], p[1], p[2]) * (6 * moved);
+    const point last = second_difference(p[1], p[2], p[3]) * (6 * moved);
+    l3d_image_curve result = f;
+    for (std::size_t i = 0; i < 4; ++i) // f'' is linear
+        result.points[i] -= first + (last - first) * (static_cast<double>(i) / 3);
+    return result;
 }
 
 double l3d_vertex_error(double e_xy, double e_w, double reach, double w_least) {

@@ -80,6 +80,14 @@ struct l3d_second_bounds {
     }
 };
 
+/// Bounds of mixed third and fourth derivatives, seen in the image in the same way: 18 and 36 times
+/// the largest of the control points' differences.
+struct l3d_mixed_bounds {
+    double uuv = 0, uvv = 0, uuvv = 0;
+};
+l3d_mixed_bounds l3d_mixed_bounds_of(const l3d_image_patch& patch, const l3d_image_box& visible,
+                                     double w_low);
+
 /// Expects: w_low > 0, a lower bound of w wherever something is drawn; `visible` not empty.
 l3d_second_bounds l3d_second_bounds_of(const l3d_image_patch& patch, const l3d_image_box& visible,
                                        double w_low);
@@ -92,6 +100,31 @@ double l3d_second_bound_of(const l3d_image_curve& curve, const l3d_image_box& vi
 /// (result.uu / nu^2 + result.vv / nv^2) / 8 + result.uv / (4 nu nv). Units: those of w.
 l3d_second_bounds l3d_depth_bounds_of(const l3d_image_patch& patch);
 double l3d_depth_bound_of(const l3d_image_curve& curve);
+
+/// How far balanced vertices lie off a curve f that is drawn in n >= 2 chords of h = 1 / n: those
+/// between its ends by h^2 f'' times this, to the outer side, so that chords err to both sides.
+///
+/// With y the share of h^2 f'' by which a chord's two ends are moved, it errs at s of its length by
+///     h^2 f'' ( s (1 - s) / 2 - y ),   between h^2 f'' / 8 - y and -y
+/// where both ends are moved, and at most h^2 f'' (1/2 - y)^2 / 2 where one end is not, as at the
+/// curve's ends. (1/2 - y)^2 / 2 = y has the root (3 - sqrt 8) / 2: then neither is larger than y.
+/// Where f'' changes along the chord, |f - Lf| is at most the sum of two weights times |f''| at
+/// both ends, and that sum is no larger.
+inline constexpr double l3d_balance = 0.0857864376269049512;
+
+/// The chord error of a balanced curve in n steps is at most this times max |f''|. One step has no
+/// vertex to move: 1/8.
+constexpr double l3d_balanced_error(int n) {
+    return n == 1 ? 1.0 / 8 : l3d_balance / (static_cast<double>(n) * n);
+}
+
+/// How much larger than those of the net coordinates of balanced vertices may be, in quarters of at
+/// least two steps: they are moved by l3d_balance / 64 of second derivatives, at most 6 * 4 times
+/// the net's largest value, along u and along v, and by both: 1.0322^2 < 1 + 1/15.
+inline constexpr double l3d_balanced_reach = 1 + 1.0 / 15;
+
+/// f - (l3d_balance / n^2) f'', on which the balanced vertices lie; f itself for n = 1.
+l3d_image_curve l3d_balanced(const l3d_image_curve& f, int n);
 
 /// Image error of a vertex whose homogeneous coordinates are off by e_xy (each of x, y) and e_w:
 /// in each image coordinate X at most (e_xy + |X| e_w) / (w - e_w), sqrt(2) times that in all.

@@ -10,6 +10,13 @@
 #include <algorithm>
 #include <limits>
 
+/// Whether a net is small: those smaller than 24 pixels in both directions are not divided into
+/// strips for the bound. A quarter of that is a few quads, and strips would cost more than they
+/// save.
+inline bool l3d_is_small(const l3d_image_box& hull) {
+    return hull.width() < 24 && hull.height() < 24;
+}
+
 /// The picture and the accuracy asked for; constant for a frame.
 ///
 /// Units: pixels from the picture's centre; near, far and depths in the image transform's scaled w.
@@ -28,6 +35,11 @@ struct l3d_dice_view {
         return std::max(tolerance - vertex_error, tolerance / 4);
     }
 
+    /// What walking may add to a vertex' error, else it is evaluated. Slits along edges, which get
+    /// half their budget for balanced chords, may be off by 1 / (16 l3d_balance) = 0.73 of it; with
+    /// an eighth for walking, that is within the tolerance while all else takes less than a half.
+    double walk_allowance() const { return tolerance / 8; }
+
     /// The least exact w where something is drawn of a net whose least w is `least`: steps are
     /// chosen so that where a chord is in front of the near plane, the exact w is over half of it.
     double drawn_w(double least) const { return std::max(least, near / 2); }
@@ -36,13 +48,19 @@ struct l3d_dice_view {
     /// (l3d_vertex_accuracy counts on it), else what drawn_w allows.
     double depth_budget(double least) const { return least > near ? least / 8 : near / 2; }
 
+    /// What is drawn of a net whose exact points are in `hull`: balanced vertices (l3d_balance), of
+    /// nets that are not small, may lie the tolerance beside it.
+    l3d_image_box drawn_box(const l3d_image_box& hull) const {
+        return l3d_is_small(hull) ? hull : hull.grown(tolerance);
+    }
+
     l3d_image_box window() const {
         return {-size.width / 2.0, -size.height / 2.0, size.width / 2.0, size.height / 2.0};
     }
 
-    /// The window and a pixel around it: what is outside this touches no pixel centre, whatever
-    /// the snapping to sub-pixels.
-    l3d_image_box margin() const { return window().grown(1); }
+    /// The window and a pixel and the tolerance around it: what is outside this touches no pixel
+    /// centre, whatever the snapping to sub-pixels and wherever balanced vertices lie.
+    l3d_image_box margin() const { return window().grown(1 + tolerance); }
 
     /// Position of the picture's centre in 1/256 pixel; a half pixel is 128, so this is exact.
     std::int32_t centre_x() const { return size.width * (l3d_subpixel_one / 2); }
@@ -57,9 +75,5 @@ inline constexpr double l3d_guard_band = 16384;
 /// Steps per strip above which a piece or an edge is cut: the bound of halves is tighter, and 32
 /// steps keep round-off of a strip small in every number type.
 inline constexpr int l3d_most_steps_whole = 32;
-
-/// Nets smaller than this in both directions are not divided into strips for the bound: a quarter
-/// of 24 pixels is a few quads, and the strips would cost more than they save. Units: pixels.
-inline constexpr double l3d_small_net = 24;
 
 #endif

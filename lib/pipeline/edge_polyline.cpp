@@ -155,7 +155,7 @@ void l3d_edge_polyline::add_strip(const l3d_image_curve& strip, double t0, doubl
     bool small = false;
     if (visible && in_front) {
         const l3d_image_box whole = l3d_image_box_of(strip.points);
-        small = whole.width() < l3d_small_net && whole.height() < l3d_small_net;
+        small = l3d_is_small(whole);
         box = box.intersected(whole);
         visible = !box.empty();
     }

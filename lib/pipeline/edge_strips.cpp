@@ -79,10 +79,19 @@ template <class V> V least_of(V a, V b, V c, V d) {
     return hn::Min(hn::Min(a, b), hn::Min(c, d));
 }
 
-/// Steps and chord errors of all strips; see l3d_second_bound_of and l3d_depth_bound_of.
-/// per_budget: 1 / (4 budget): half the budget, as each direction of a quad gets; then an edge and
-/// the boundary row of a patch mostly have the same steps, and the slit between them is empty.
-void plan_strips(const strip_nets& nets, const l3d_image_box& window, const row& per_budget,
+/// What differs from strip to strip when steps are planned.
+struct strip_wishes {
+    /// 1 / (4 budget): half the budget, as each direction of a quad gets; then an edge and the
+    /// boundary row of a patch mostly have the same steps, and the slit between them is empty.
+    row per_budget;
+    /// What balance makes of squared steps: 8 l3d_balance, or 1 where there is none.
+    row balance;
+    row grown_by; ///< how far balance can move vertices
+};
+
+/// Steps and chord errors of all strips; see l3d_second_bound_of and l3d_depth_bound_of. The errors
+/// are those of chords that are not balanced, as slits may be.
+void plan_strips(const strip_nets& nets, const l3d_image_box& window, const strip_wishes& wishes,
                  row& steps, row& chord_error) {
     const hn::CappedTag<double, lanes> d;
     using vec = hn::Vec<decltype(d)>;
@@ -98,10 +107,16 @@ void plan_strips(const strip_nets& nets, const l3d_image_box& window, const row&
             x[i] = hn::Mul(at(0, i), over_w[i]);
             y[i] = hn::Mul(at(1, i), over_w[i]);
         }
-        const vec left = hn::Max(hn::Set(d, window.left), least_of(x[0], x[1], x[2], x[3]));
-        const vec right = hn::Min(hn::Set(d, window.right), greatest_of(x[0], x[1], x[2], x[3]));
-        const vec top = hn::Max(hn::Set(d, window.top), least_of(y[0], y[1], y[2], y[3]));
-        const vec bottom = hn::Min(hn::Set(d, window.bottom), greatest_of(y[0], y[1], y[2], y[3]));
+        const vec grown_by = hn::Load(d, &wishes.grown_by.at[l]);
+        const auto least = [&](const vec(&v)[4], double limit) {
+            return hn::Max(hn::Set(d, limit), hn::Sub(least_of(v[0], v[1], v[2], v[3]), grown_by));
+        };
+        const auto greatest = [&](const vec(&v)[4], double limit) {
+            return hn::Min(hn::Set(d, limit),
+                           hn::Add(greatest_of(v[0], v[1], v[2], v[3]), grown_by));
+        };
+        const vec left = least(x, window.left), right = greatest(x, window.right);
+        const vec top = least(y, window.top), bottom = greatest(y, window.bottom);
         const vec width = hn::Sub(right, left), height = hn::Sub(bottom, top);
         const auto visible = hn::And(hn::Ge(width, zero), hn::Ge(height, zero));
         const vec centre_x = hn::Mul(hn::Add(left, right), half);
@@ -123,13 +138,15 @@ void plan_strips(const strip_nets& nets, const l3d_image_box& window, const row&
         const vec six_over_w =
             hn::Mul(six, greatest_of(over_w[0], over_w[1], over_w[2], over_w[3]));
         bound = hn::Mul(bound, six_over_w);
-        // w may be off by an eighth, l3d_dice_view::depth_budget.
-        const vec squared = hn::Max(hn::Mul(bound, hn::Load(d, &per_budget.at[l])),
-                                    hn::Mul(depth_bound, six_over_w));
         // More than 32 steps are too many, however many.
-        const vec wanted = hn::Ceil(hn::Sqrt(
-            hn::Min(squared, hn::Set(d, 4.0 * l3d_most_steps_whole * l3d_most_steps_whole))));
-        const vec n = hn::IfThenElse(visible, hn::Max(one, wanted), one);
+        const vec most = hn::Set(d, 4.0 * l3d_most_steps_whole * l3d_most_steps_whole);
+        const vec in_image = hn::Min(hn::Mul(bound, hn::Load(d, &wishes.per_budget.at[l])), most);
+        const vec balanced = hn::Mul(in_image, hn::Load(d, &wishes.balance.at[l]));
+        // w may be off by an eighth, l3d_dice_view::depth_budget.
+        const vec in_depth = hn::Min(hn::Mul(depth_bound, six_over_w), most);
+        const vec wanted = hn::Ceil(hn::Sqrt(hn::Max(balanced, in_depth)));
+        const vec least_steps = hn::IfThenElse(hn::Le(in_image, one), one, two);
+        const vec n = hn::IfThenElse(visible, hn::Max(least_steps, wanted), one);
         const vec error = hn::Div(bound, hn::Mul(hn::Set(d, 8), hn::Mul(n, n)));
         hn::Store(n, d, &steps.at[l]);
         hn::Store(hn::IfThenElseZero(visible, error), d, &chord_error.at[l]);
@@ -157,9 +174,10 @@ public:
           inv_w_(out.inv_w) {}
 
     /// Points i = 0 .. n - 1 of n steps of a strip, or in the opposite order; t = t_first + i
-    /// t_step along the edge as it was given.
-    void strip(const strip_nets& powers, std::size_t lane, int n, bool backwards, double t_first,
-               double t_step) {
+    /// t_step along the edge as it was given. All but point 0 are moved by `balance` times the
+    /// second derivative.
+    void strip(const strip_nets& powers, std::size_t lane, int n, double balance, bool backwards,
+               double t_first, double t_step) {
         const hn::ScalableTag<double> d;
         const hn::Rebind<std::int32_t, decltype(d)> di;
         const hn::Rebind<float, decltype(d)> df;
@@ -172,9 +190,10 @@ public:
             const auto rising = hn::Min(hn::Iota(d, static_cast<double>(at)), last);
             const auto i = hn::Add(first, hn::Mul(rising, direction));
             const auto t = hn::Div(i, steps);
-            const auto w = hn::Div(one, value(d, powers[2], lane, t));
-            const auto x = hn::Mul(value(d, powers[0], lane, t), w);
-            const auto y = hn::Mul(value(d, powers[1], lane, t), w);
+            const auto moved = hn::IfThenElseZero(hn::Gt(i, hn::Zero(d)), hn::Set(d, balance));
+            const auto w = hn::Div(one, value(d, powers[2], lane, t, moved));
+            const auto x = hn::Mul(value(d, powers[0], lane, t, moved), w);
+            const auto y = hn::Mul(value(d, powers[1], lane, t, moved), w);
             hn::StoreU(hn::Add(hn::Set(d, t_first), hn::Mul(i, hn::Set(d, t_step))), d, t_ + at);
             hn::StoreU(hn::Add(snapped(d, di, x), hn::Set(di, centre_x_)), di, x_ + at);
             hn::StoreU(hn::Add(snapped(d, di, y), hn::Set(di, centre_y_)), di, y_ + at);
@@ -194,12 +213,15 @@ public:
     }
 
 private:
+    /// The cubic, less `moved` times its second derivative.
     template <class D>
-    static hn::Vec<D> value(D d, const cubic& c, std::size_t lane, hn::Vec<D> t) {
+    static hn::Vec<D> value(D d, const cubic& c, std::size_t lane, hn::Vec<D> t, hn::Vec<D> moved) {
         auto sum = hn::Set(d, c[3].at[lane]);
         for (std::size_t power = 3; power-- > 0;)
             sum = hn::Add(hn::Mul(sum, t), hn::Set(d, c[power].at[lane]));
-        return sum;
+        const auto second =
+            hn::Add(hn::Mul(hn::Set(d, 6 * c[3].at[lane]), t), hn::Set(d, 2 * c[2].at[lane]));
+        return hn::Sub(sum, hn::Mul(moved, second));
     }
 
     /// To sub-pixels as l3d_snap does: to nearest, ties away from zero.
@@ -247,8 +269,7 @@ edge_view view_edge(const l3d_image_curve& edge, const l3d_dice_view& view) {
     result.backwards = runs_backwards(edge);
     const l3d_image_box whole = l3d_image_box_of(edge.points);
     const l3d_image_box seen = whole.intersected(view.margin());
-    result.one_strip =
-        seen.empty() || (whole.width() < l3d_small_net && whole.height() < l3d_small_net);
+    result.one_strip = seen.empty() || l3d_is_small(whole);
     if (seen.empty())
         return result;
     double largest_xy = 0, largest_w = 0, least_w = edge.points[0][2];
@@ -274,15 +295,18 @@ void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
                       const l3d_dice_view& view, std::array<edge_strips, edges_at_once>& results) {
     std::array<edge_view, edges_at_once> seen;
     cubic whole{};
-    row per_budget;
+    strip_wishes wishes;
     for (std::size_t e = 0; e < edges_at_once; ++e) {
         seen[e] = view_edge(edges[e], view);
         for (std::size_t i = 0; i < 4; ++i)
             for (std::size_t k = 0; k < 3; ++k)
                 whole[i].at[4 * k + e] =
                     edges[e].points[seen[e].backwards ? 3 - i : i][static_cast<int>(k)];
-        for (std::size_t s = 0; s < most_strips; ++s)
-            per_budget.at[4 * s + e] = 1 / (4 * view.chord_budget(seen[e].vertex_error));
+        for (std::size_t s = 0; s < most_strips; ++s) {
+            wishes.per_budget.at[4 * s + e] = 1 / (4 * view.chord_budget(seen[e].vertex_error));
+            wishes.balance.at[4 * s + e] = seen[e].one_strip ? 1 : 8 * l3d_balance;
+            wishes.grown_by.at[4 * s + e] = seen[e].one_strip ? 0 : view.tolerance;
+        }
     }
     strip_nets nets;
     cut_in_four(whole, nets);
@@ -292,7 +316,7 @@ void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
                 for (std::size_t i = 0; i < 4; ++i)
                     nets[k][i].at[e] = whole[i].at[4 * k + e];
     row steps, chord_error;
-    plan_strips(nets, view.margin(), per_budget, steps, chord_error);
+    plan_strips(nets, view.margin(), wishes, steps, chord_error);
     strip_nets powers;
     for (std::size_t k = 0; k < 3; ++k)
         to_powers(nets[k], powers[k]);
@@ -324,8 +348,9 @@ void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
             const std::size_t of = backwards ? strips - 1 - s : s;
             const double t_start = static_cast<double>(of) / static_cast<double>(strips);
             const double t_step = 1.0 / (static_cast<double>(strips) * n[of]);
-            writer.strip(powers, 4 * of + e, n[of], backwards, backwards ? 1 - t_start : t_start,
-                         backwards ? -t_step : t_step);
+            const double balance = strips > 1 && n[of] > 1 ? l3d_balanced_error(n[of]) : 0.0;
+            writer.strip(powers, 4 * of + e, n[of], balance, backwards,
+                         backwards ? 1 - t_start : t_start, backwards ? -t_step : t_step);
             out.strips.first[s + 1] = out.strips.first[s] + n[of];
         }
         if (!backwards)

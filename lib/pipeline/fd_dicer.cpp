@@ -151,7 +151,7 @@ void l3d_fd_dicer::dice(const l3d_image_patch& net, const l3d_normal_net& normal
     l3d_vertex_accuracy accuracy = l3d_evaluated_accuracy(net, view);
     const double budget = view.chord_budget(accuracy.drawn_error(l3d_vertex_accuracy::in_front));
     const l3d_step_plan plan =
-        l3d_plan_steps(std::span(&net, 1), view, budget, l3d_quad_kind::whole);
+        l3d_plan_steps(net, std::span(&net, 1), view, budget, l3d_quad_kind::whole);
     if (!plan.visible)
         return;
     const int nu = steps_ > 0 ? steps_ : plan.nu[0], nv = steps_ > 0 ? steps_ : plan.nv[0];

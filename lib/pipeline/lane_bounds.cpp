@@ -32,6 +32,10 @@ using doubles = hn::CappedTag<double, points>;
 /// operations add relative to it is in `relative`.
 constexpr float difference_rounding = 170 * 0x1p-24F, relative = 1 + 8 * 0x1p-23F;
 
+/// The same of third and fourth differences of a whole net: made in doubles, rounded once, each to
+/// at most 16 and seen, as above, at most 4 times.
+constexpr float mixed_rounding = 64 * 0x1p-24F;
+
 /// The same of w alone.
 constexpr float depth_rounding = 40 * 0x1p-24F;
 
@@ -109,19 +113,19 @@ double reach_of(const lane_bounds& of) {
 
 /// Image boxes in which width and height add up to less than this need bounds of depth too: see
 /// l3d_needs_of; a budget is at most the tolerance, and 2.83 > 2 sqrt(2).
-double depth_matters_below(const l3d_dice_view& view) {
-    return 8 * 2.83 * view.tolerance;
+double depth_matters_below(const l3d_dice_view& view, bool balanced) {
+    return (balanced ? 1 / l3d_balance : 8) * 2.83 * view.tolerance;
 }
 
 /// Needs of the blocks in lanes `lane` on, given what is seen at most, about the net's centre.
 HWY_ATTR HWY_INLINE void bound_lanes(const block_nets& blocks, std::size_t lane,
-                                     const l3d_image_box& window, float reach, float deep_below,
-                                     l3d_block_needs& needs) {
+                                     const l3d_image_box& window, float reach, float grown_by,
+                                     float deep_below, l3d_block_needs& needs) {
     const floats d;
     const auto limit = [&](double number)
                            HWY_ATTR { return hn::Set(d, static_cast<float>(number)); };
     const auto zero = hn::Zero(d), half = hn::Set(d, 0.5F);
-    const auto slack = hn::Set(d, projected_rounding * reach);
+    const auto slack = hn::Set(d, projected_rounding * reach + grown_by);
     const lane_boxes box = boxes_of(blocks, lane);
     const auto left = hn::Max(hn::Sub(box.left, slack), limit(window.left));
     const auto right = hn::Min(hn::Add(box.right, slack), limit(window.right));
@@ -162,6 +166,68 @@ HWY_ATTR HWY_INLINE void bound_lanes(const block_nets& blocks, std::size_t lane,
     put(hn::IfThenElseZero(visible, hn::Mul(per_gap, box.gap_v)), needs.least_v, lane);
 }
 
+/// The norm for all of a net that is seen.
+HWY_ATTR seen_norm norm_of(const l3d_image_box& seen, const centred_net& net) {
+    const floats d;
+    const double width = seen.width(), height = seen.height();
+    const double diagonal = std::sqrt(width * width + height * height);
+    return {hn::Set(d, static_cast<float>((seen.left + seen.right) / 2 - net.x)),
+            hn::Set(d, static_cast<float>((seen.top + seen.bottom) / 2 - net.y)),
+            hn::Set(d, static_cast<float>(diagonal / 2))};
+}
+
+/// Mixed third and fourth differences of a net, side by side.
+struct mixed_differences {
+    static constexpr std::size_t uuv = 0, uvv = 6, uuvv = 12, end = 16;
+    alignas(64) float at[3][end];
+
+    mixed_differences(const centred_net& net, double scale) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double* p = net.points[k];
+            double u[2][4], v[2][4]; // second differences along u, by row; along v, by column
+            for (std::size_t line = 0; line < 4; ++line)
+                for (std::size_t i = 0; i < 2; ++i) {
+                    const double *row = p + 4 * line + i, *column = p + 4 * i + line;
+                    u[i][line] = (row[0] - 2 * row[1] + row[2]) * scale;
+                    v[i][line] = (column[0] - 2 * column[4] + column[8]) * scale;
+                }
+            for (std::size_t i = 0; i < 2; ++i)
+                for (std::size_t j = 0; j < 3; ++j) {
+                    at[k][uuv + 3 * i + j] = static_cast<float>(u[i][j + 1] - u[i][j]);
+                    at[k][uvv + 3 * i + j] = static_cast<float>(v[i][j + 1] - v[i][j]);
+                    if (j < 2)
+                        at[k][uuvv + 2 * i + j] =
+                            static_cast<float>(u[i][j] - 2 * u[i][j + 1] + u[i][j + 2]);
+                }
+        }
+    }
+};
+
+/// What balanced vertices add: bounds for steps of the blocks, from the whole net.
+HWY_ATTR void bound_mixed(const l3d_dice_view& view, lane_bounds& out) {
+    const l3d_image_box box = view.margin().intersected(view.drawn_box(out.hull));
+    if (box.empty())
+        return;
+    const floats d;
+    const seen_norm norm = norm_of(box, out.net);
+    const double scale = 1 / out.most_w;
+    using differences = mixed_differences;
+    const differences of(out.net, scale);
+    alignas(64) float image[differences::end];
+    for (std::size_t i = 0; i < differences::end; i += hn::Lanes(d))
+        hn::Store(
+            norm(hn::Load(d, of.at[0] + i), hn::Load(d, of.at[1] + i), hn::Load(d, of.at[2] + i)),
+            d, image + i);
+    const auto bound = [&](std::size_t from, std::size_t to, double factor) {
+        const auto largest = static_cast<double>(*std::max_element(image + from, image + to));
+        return factor / (out.least_w * scale) * static_cast<double>(relative) *
+               (largest + static_cast<double>(mixed_rounding) * reach_of(out));
+    };
+    out.needs.uuv = bound(differences::uuv, differences::uvv, 18.0 / 64);
+    out.needs.uvv = bound(differences::uvv, differences::uuvv, 18.0 / 64);
+    out.needs.uuvv = bound(differences::uuvv, differences::end, 36.0 / 256);
+}
+
 /// Needs of sixteen blocks.
 HWY_ATTR void bound_blocks(const l3d_dice_view& view, lane_bounds& out) {
     // Homogeneous points may be scaled: w to at most 1, so that squares stay in a float's range.
@@ -179,9 +245,12 @@ HWY_ATTR void bound_blocks(const l3d_dice_view& view, lane_bounds& out) {
                                margin.bottom - y};
     out.needs.strips = l3d_block_needs::most_strips;
     out.needs.visible = out.needs.keeps_depth = false;
+    out.needs.balanced = true;
     for (std::size_t lane = 0; lane < points; lane += hn::Lanes(floats()))
         bound_lanes(blocks, lane, window, static_cast<float>(reach_of(out)),
-                    static_cast<float>(depth_matters_below(view)), out.needs);
+                    static_cast<float>(view.tolerance),
+                    static_cast<float>(depth_matters_below(view, true)), out.needs);
+    bound_mixed(view, out);
 }
 
 /// Differences of a whole net, side by side: 8 second ones along u, 8 along v, 9 mixed ones.
@@ -220,11 +289,7 @@ HWY_ATTR void bound_whole(const l3d_dice_view& view, lane_bounds& out) {
     if (!needs.visible)
         return;
     const floats d;
-    const double width = box.width(), height = box.height();
-    const double diagonal = std::sqrt(width * width + height * height);
-    const seen_norm norm{hn::Set(d, static_cast<float>((box.left + box.right) / 2 - out.net.x)),
-                         hn::Set(d, static_cast<float>((box.top + box.bottom) / 2 - out.net.y)),
-                         hn::Set(d, static_cast<float>(diagonal / 2))};
+    const seen_norm norm = norm_of(box, out.net);
     const double scale = 1 / out.most_w;
     using differences = net_differences;
     const differences of(out.net, scale);
@@ -245,7 +310,7 @@ HWY_ATTR void bound_whole(const l3d_dice_view& view, lane_bounds& out) {
     needs.uu[0] = bound(image, differences::along_u, differences::along_v, six, rounding);
     needs.vv[0] = bound(image, differences::along_v, differences::mixed, six, rounding);
     needs.uv[0] = bound(image, differences::mixed, differences::end, nine, rounding);
-    needs.keeps_depth = width + height < depth_matters_below(view);
+    needs.keeps_depth = box.width() + box.height() < depth_matters_below(view, false);
     if (!needs.keeps_depth)
         return;
     const auto of_w = static_cast<double>(depth_rounding);
@@ -262,7 +327,7 @@ HWY_ATTR void bounds(const double* net, const l3d_dice_view& view, lane_bounds& 
     if (out.seen.empty())
         out.seen = view.margin();
     centre(out);
-    if (out.hull.width() < l3d_small_net && out.hull.height() < l3d_small_net)
+    if (l3d_is_small(out.hull))
         bound_whole(view, out);
     else
         bound_blocks(view, out);

@@ -28,7 +28,7 @@ struct lane_bounds {
     l3d_image_box hull, seen; ///< pixels from the picture's centre; `seen` as l3d_piece_nets has it
     double least_w = 0, most_w = 0;
     centred_net net;
-    l3d_block_needs needs; ///< one block, if the net is smaller than l3d_small_net
+    l3d_block_needs needs; ///< one block, if the net is small
 };
 
 /// The slow twin is l3d_needs_of; needs are larger than its by the rounding of floats, at most:

@@ -18,9 +18,9 @@ using l3d_detail::lane_register;
 
 /// Rounding of the doubles that columns start from, relative to the largest centred coordinate.
 /// Power coefficients of a bicubic add up to at most 27^2 times its largest control value;
-/// centring, differences of differences, Horner's scheme in u and the weights of forward
-/// differences are some 20 roundings in a row: 20 * 27^2 < 2^14.
-constexpr double start_rounding = 0x1p14 * 0x1p-53;
+/// centring, differences of differences, Horner's scheme in u, balance and the weights of forward
+/// differences are some 25 roundings in a row: 25 * 27^2 < 2^15.
+constexpr double start_rounding = 0x1p15 * 0x1p-53;
 
 /// Error of walking most_steps steps in T, for coordinates up to `largest`; differences of control
 /// values are at most 2, 4, 8 times those, and shrink in `strips` parts.
@@ -57,7 +57,7 @@ double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy
     accuracy.error_w = walk_w + start_rounding * bounds_.most_w;
     accuracy.w_low = bounds_.least_w - view.error_w;
     accuracy.seen_reach = around_centre(seen);
-    accuracy.reach = around_centre(hull);
+    accuracy.reach = around_centre(view.drawn_box(hull));
     accuracy.snap_error = snap_error;
     // The transform's errors, and that of moving the centre, count at the picture's own place.
     const double moved = 4 * 0x1p-53 * bounds_.most_w * hull.reach();
@@ -70,7 +70,8 @@ double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy
 template <class T> bool l3d_lane_dicer<T>::judge(const l3d_dice_view& view) {
     const l3d_detail::centred_net& net = bounds_.net;
     const int strips = bounds_.needs.strips;
-    const double most_xy = std::max(net.largest_xy, bounds_.most_w / l3d_subpixel_one);
+    const double most_w = l3d_balanced_reach * bounds_.most_w;
+    const double most_xy = std::max(l3d_balanced_reach * net.largest_xy, most_w / l3d_subpixel_one);
     const double reach = bounds_.hull.reach() + std::max(std::abs(net.x), std::abs(net.y));
     // The centre of a folded quad is rounded to sub-pixels once more.
     const double centre_snap = l3d_snap_error<double>(0);
@@ -82,7 +83,7 @@ template <class T> bool l3d_lane_dicer<T>::judge(const l3d_dice_view& view) {
     register_xy_ = register_w_ = 1;
     if constexpr (l3d_is_fixed<T>) {
         const int bits_xy = l3d_block_fraction_bits(most_xy);
-        const int bits_w = l3d_block_fraction_bits(bounds_.most_w);
+        const int bits_w = l3d_block_fraction_bits(most_w);
         const auto walked_in = [&](lane_register kind, int more_bits, double snap,
                                    double allowance) {
             register_ = kind;
@@ -96,19 +97,19 @@ template <class T> bool l3d_lane_dicer<T>::judge(const l3d_dice_view& view) {
         const double snap = 2 * l3d_snap_error<float>(reach) - l3d_snap_error<float>(0);
         return walked_in(lane_register::fixed_32, 0, snap, view.tolerance / 16) ||
                walked_in(lane_register::fixed_64, 32, l3d_snap_error<double>(reach),
-                         view.tolerance / 4);
+                         view.walk_allowance());
     } else {
         register_ = sizeof(T) == 4 ? lane_register::float_32 : lane_register::float_64;
-        return judged(walking_error<T>(most_xy, strips), walking_error<T>(bounds_.most_w, strips),
-                      l3d_snap_error<T>(reach), view.tolerance / 4);
+        return judged(walking_error<T>(most_xy, strips), walking_error<T>(most_w, strips),
+                      l3d_snap_error<T>(reach), view.walk_allowance());
     }
 }
 
 template <class T>
 void l3d_lane_dicer<T>::fill_grid(const l3d_normal_net& normals, const l3d_dice_view& view,
                                   l3d_surface_part& part) {
-    u_.fill(plan_.strips, plan_.nu);
-    v_.fill(plan_.strips, plan_.nv);
+    u_.fill(plan_.strips, plan_.nu, plan_.balanced);
+    v_.fill(plan_.strips, plan_.nv, plan_.balanced);
     part.block_columns = starts_of(plan_, plan_.nu);
     part.block_rows = starts_of(plan_, plan_.nv);
     part.grid.resize(static_cast<int>(u_.count), static_cast<int>(v_.count));
@@ -116,6 +117,7 @@ void l3d_lane_dicer<T>::fill_grid(const l3d_normal_net& normals, const l3d_dice_
     const l3d_detail::lane_walk walk{net,
                                      u_,
                                      plan_.strips,
+                                     plan_.balanced,
                                      plan_.nv,
                                      view.centre_x() + net.x * l3d_subpixel_one,
                                      view.centre_y() + net.y * l3d_subpixel_one,

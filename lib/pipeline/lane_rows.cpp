@@ -23,9 +23,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using doubles = hn::CappedTag<double, lane_columns>;
 
-/// Of one strip: four registers of three coordinates, [4 * coordinate + difference][column].
+/// Of each strip: the point where it starts, [coordinate][column], one more for the last one's end;
+/// and four registers of three coordinates, [4 * coordinate + difference][column], of the balanced
+/// curve from there on.
 template <class Number> struct column_starts {
     static constexpr std::size_t registers = 12;
+    alignas(64) Number point[5][3][lane_columns];
     alignas(64) Number at[4][registers][lane_columns];
 };
 
@@ -95,8 +98,9 @@ HWY_ATTR power_form powers_of(const centred_net& net) {
 /// f(t), d1 . (a1, a2, a3), d2 . (a2, a3) and d3 a3.
 struct difference_weights {
     double t, d1[3], d2[2], d3;
+    double moved; ///< see lane_parameters
 
-    difference_weights(double at, double h) : t(at) {
+    difference_weights(double at, double h, double moved_by) : t(at), moved(moved_by) {
         const double h2 = h * h, h3 = h2 * h;
         d1[0] = h;
         d1[1] = 2 * t * h + h2;
@@ -110,36 +114,46 @@ struct difference_weights {
 /// Starts of the columns at u, for all strips, in lanes i on.
 template <class Number>
 HWY_ATTR HWY_INLINE void start(const power_form& powers, const lane_walk& walk,
-                               const difference_weights* weights, const double* u, std::size_t i,
+                               const difference_weights* weights, std::size_t column, std::size_t i,
                                column_starts<Number>& starts) {
     const doubles d;
-    const auto t = hn::Load(d, u + i);
+    const auto t = hn::Load(d, walk.u.at + column + i);
+    const auto moved = hn::Load(d, walk.u.moved + column + i);
+    const auto six = hn::Set(d, 6.0), two = hn::Set(d, 2.0);
     for (std::size_t k = 0; k < 3; ++k) {
         const auto at_u = [&](std::size_t power) HWY_ATTR {
             const double* a = powers.at[k][power];
-            auto sum = hn::Add(hn::Mul(hn::Set(d, a[3]), t), hn::Set(d, a[2]));
+            const auto bend = hn::Set(d, a[2]), twist = hn::Mul(hn::Set(d, a[3]), t);
+            auto sum = hn::Add(twist, bend);
             sum = hn::Add(hn::Mul(sum, t), hn::Set(d, a[1]));
-            return hn::Add(hn::Mul(sum, t), hn::Set(d, a[0]));
+            sum = hn::Add(hn::Mul(sum, t), hn::Set(d, a[0]));
+            const auto second = hn::Add(hn::Mul(two, bend), hn::Mul(six, twist));
+            return hn::Sub(sum, hn::Mul(moved, second));
         };
         const auto a0 = at_u(0), a1 = at_u(1), a2 = at_u(2), a3 = at_u(3);
         const double scale = k < 2 ? walk.register_xy : walk.register_w;
         for (std::size_t b = 0; b < static_cast<std::size_t>(walk.strips); ++b) {
             const difference_weights& by = weights[b];
-            const auto at = hn::Set(d, by.t);
-            auto value = hn::Add(hn::Mul(a3, at), a2);
+            const auto at = hn::Set(d, by.t), moved_v = hn::Set(d, by.moved);
+            const auto twist = hn::Mul(a3, at);
+            auto value = hn::Add(twist, a2);
             value = hn::Add(hn::Mul(value, at), a1);
             value = hn::Add(hn::Mul(value, at), a0);
+            const auto bend = hn::Add(hn::Mul(two, a2), hn::Mul(six, twist));
+            const auto slope = hn::Sub(a1, hn::Mul(moved_v, hn::Mul(six, a3)));
             const auto first = hn::Add(
-                hn::Add(hn::Mul(a1, hn::Set(d, by.d1[0])), hn::Mul(a2, hn::Set(d, by.d1[1]))),
+                hn::Add(hn::Mul(slope, hn::Set(d, by.d1[0])), hn::Mul(a2, hn::Set(d, by.d1[1]))),
                 hn::Mul(a3, hn::Set(d, by.d1[2])));
             const auto second =
                 hn::Add(hn::Mul(a2, hn::Set(d, by.d2[0])), hn::Mul(a3, hn::Set(d, by.d2[1])));
+            put(value, scale, starts.point[b][k] + i);
             auto* out = starts.at[b] + 4 * k;
-            put(value, scale, out[0] + i);
+            put(hn::Sub(value, hn::Mul(moved_v, bend)), scale, out[0] + i);
             put(first, scale, out[1] + i);
             put(second, scale, out[2] + i);
             put(hn::Mul(a3, hn::Set(d, by.d3)), scale, out[3] + i);
         }
+        put(hn::Add(hn::Add(a0, a1), hn::Add(a2, a3)), scale, starts.point[walk.strips][k] + i);
     }
 }
 
@@ -158,7 +172,23 @@ HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Nu
     const auto origin_x = hn::Set(di, walk.origin_x), origin_y = hn::Set(di, walk.origin_y);
     const auto one = hn::Set(df, real(1));
     std::size_t to = column + i;
+    using number_vec = hn::Vec<decltype(d)>;
+    const auto emit = [&](number_vec x, number_vec y, number_vec w) HWY_ATTR {
+        const auto inverse = hn::Div(one, as_float(d, w));
+        const auto scaled = hn::Mul(inverse, to_pixels);
+        const auto px = snapped(df, hn::Mul(as_float(d, x), scaled));
+        const auto py = snapped(df, hn::Mul(as_float(d, y), scaled));
+        hn::StoreU(hn::Add(px, origin_x), di, grid.x.data() + to);
+        hn::StoreU(hn::Add(py, origin_y), di, grid.y.data() + to);
+        hn::StoreU(hn::Mul(as_single(df, inverse), to_depth), ds, grid.inv_w.data() + to);
+        to += static_cast<std::size_t>(grid.pitch);
+    };
+    const auto emit_point = [&](int b) HWY_ATTR {
+        const auto& point = starts.point[b];
+        emit(hn::Load(d, point[0] + i), hn::Load(d, point[1] + i), hn::Load(d, point[2] + i));
+    };
     for (int b = 0; b < walk.strips; ++b) {
+        emit_point(b);
         const auto* from = starts.at[b];
         auto x = hn::Load(d, from[0] + i), x1 = hn::Load(d, from[1] + i);
         auto y = hn::Load(d, from[4] + i), y1 = hn::Load(d, from[5] + i);
@@ -167,16 +197,7 @@ HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Nu
         auto w2 = hn::Load(d, from[10] + i);
         const auto x3 = hn::Load(d, from[3] + i), y3 = hn::Load(d, from[7] + i);
         const auto w3 = hn::Load(d, from[11] + i);
-        const int rows = walk.rows[static_cast<std::size_t>(b)] + (b + 1 == walk.strips);
-        for (int row = 0; row < rows; ++row) {
-            const auto inverse = hn::Div(one, as_float(d, w));
-            const auto scaled = hn::Mul(inverse, to_pixels);
-            const auto px = snapped(df, hn::Mul(as_float(d, x), scaled));
-            const auto py = snapped(df, hn::Mul(as_float(d, y), scaled));
-            hn::StoreU(hn::Add(px, origin_x), di, grid.x.data() + to);
-            hn::StoreU(hn::Add(py, origin_y), di, grid.y.data() + to);
-            hn::StoreU(hn::Mul(as_single(df, inverse), to_depth), ds, grid.inv_w.data() + to);
-            to += static_cast<std::size_t>(grid.pitch);
+        for (int row = 1; row < walk.rows[static_cast<std::size_t>(b)]; ++row) {
             x = hn::Add(x, x1);
             y = hn::Add(y, y1);
             w = hn::Add(w, w1);
@@ -186,22 +207,26 @@ HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Nu
             x2 = hn::Add(x2, x3);
             y2 = hn::Add(y2, y3);
             w2 = hn::Add(w2, w3);
+            emit(x, y, w);
         }
     }
+    emit_point(walk.strips);
 }
 
 template <class Number> HWY_ATTR void walk_columns(const lane_walk& walk, l3d_micro_grid& grid) {
     const power_form powers = powers_of(walk.net);
     const auto weights_of = [&](int b) {
         const int n = walk.rows[static_cast<std::size_t>(b)];
-        return difference_weights(static_cast<double>(b) / walk.strips, 1.0 / (walk.strips * n));
+        const double h = 1.0 / (walk.strips * n);
+        return difference_weights(static_cast<double>(b) / walk.strips, h,
+                                  walk.balanced && n > 1 ? l3d_balance * h * h : 0);
     };
     const difference_weights weights[4] = {weights_of(0), weights_of(1), weights_of(2),
                                            weights_of(3)};
     column_starts<Number> starts;
     for (std::size_t column = 0; column < walk.u.padded(); column += lane_columns) {
         for (std::size_t i = 0; i < lane_columns; i += hn::Lanes(doubles()))
-            start(powers, walk, weights, walk.u.at + column, i, starts);
+            start(powers, walk, weights, column, i, starts);
         constexpr hn::CappedTag<Number, lane_columns> d;
         for (std::size_t i = 0; i < lane_columns; i += hn::Lanes(d))
             walk_down(walk, starts, column, i, grid);
@@ -318,16 +343,20 @@ L3D_SIMD_TABLE(walk_fixed_32);
 L3D_SIMD_TABLE(walk_fixed_64);
 L3D_SIMD_TABLE(normals);
 
-void lane_parameters::fill(int strips, const std::array<int, 4>& steps) {
+void lane_parameters::fill(int strips, const std::array<int, 4>& steps, bool balanced) {
     const double length = 1.0 / strips; // a power of two
     count = 0;
     for (int s = 0; s < strips; ++s) {
         const int n = steps[static_cast<std::size_t>(s)];
-        for (int i = 0; i < n; ++i)
-            at[count++] = (s + static_cast<double>(i) / n) * length;
+        const double h = length / n;
+        for (int i = 0; i < n; ++i, ++count) {
+            at[count] = (s + static_cast<double>(i) / n) * length;
+            moved[count] = balanced && i > 0 ? l3d_balance * h * h : 0;
+        }
     }
     const std::size_t last = count++;
     std::fill(at + last, at + padded(), 1.0);
+    std::fill(moved + last, moved + padded(), 0.0);
 }
 
 void walk_in_lanes(const lane_walk& walk, lane_register kind, l3d_micro_grid& grid) {

@@ -20,13 +20,14 @@ struct lane_parameters {
     static constexpr std::size_t most = 4 * l3d_most_steps_whole + 1;
     static constexpr std::size_t room = (most + lane_columns - 1) / lane_columns * lane_columns;
     alignas(64) double at[room];
+    alignas(64) double moved[room]; ///< how much of its second derivative a vertex is moved by
     std::size_t count = 0;
 
     /// Rounded up to whole vectors.
     std::size_t padded() const { return (count + lane_columns - 1) / lane_columns * lane_columns; }
 
-    /// The points i / n of each of the strips; 1 from the last one on.
-    void fill(int strips, const std::array<int, 4>& steps);
+    /// The points i / n of each of the strips; 1 from the last one on. Balanced or not.
+    void fill(int strips, const std::array<int, 4>& steps, bool balanced);
 };
 
 /// The kinds of registers in which columns can be walked.
@@ -37,6 +38,7 @@ struct lane_walk {
     const centred_net& net;
     const lane_parameters& u;
     int strips;
+    bool balanced;
     std::array<int, 4> rows;         ///< steps of each strip along v
     std::int32_t origin_x, origin_y; ///< of x' / w' = 0, in sub-pixels from the picture's corner
     double register_xy = 1, register_w = 1; ///< what 1 is in the registers: a power of two

@@ -46,7 +46,7 @@ template <class T> void l3d_patch_dicer<T>::dice_piece(const piece& p, task& of)
         vertex_error = std::max(vertex_error, of.edges[side.edge].vertex_error());
     const double budget = of.view.chord_budget(vertex_error);
     const auto kind = nets.whole() ? l3d_quad_kind::whole : l3d_quad_kind::triangles;
-    l3d_step_plan plan = l3d_plan_steps(nets.blocks(), of.view, budget, kind);
+    l3d_step_plan plan = l3d_plan_steps(nets.net(), nets.blocks(), of.view, budget, kind);
 
     const int most = nets.whole() ? l3d_most_steps_whole : l3d_most_steps_clipped;
     const int wanted = std::max(plan.most_u(), plan.most_v());
@@ -54,8 +54,11 @@ template <class T> void l3d_patch_dicer<T>::dice_piece(const piece& p, task& of)
         return cut(p, plan.most_u() >= plan.most_v(), of);
 
     if (wanted > l3d_most_steps_whole) {
-        // Errors fall with the square of the steps, at the least.
+        // Errors of what is not balanced fall with the square of the steps, at the least.
         const double ratio = static_cast<double>(wanted) / l3d_most_steps_whole;
+        if (plan.balanced)
+            plan.chord_error /= 8 * l3d_balance;
+        plan.balanced = false;
         plan.chord_error *= nets.whole() ? ratio * ratio : std::numeric_limits<double>::infinity();
         for (auto* steps : {&plan.nu, &plan.nv})
             for (int& n : *steps)

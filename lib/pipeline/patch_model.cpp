@@ -39,16 +39,21 @@ l3d_patch_model::l3d_patch_model(std::vector<patch> patches) : patches_(std::mov
 std::optional<l3d_patch_model> l3d_patch_model::from_bpt(std::string_view text,
                                                          std::string_view name, std::string& why) {
     const auto read = l3d_read_bpt(text, name, why);
-    if (!read)
-        return std::nullopt;
+    return read ? from_patches(*read, name, why) : std::nullopt;
+}
+
+std::optional<l3d_patch_model> l3d_patch_model::from_patches(std::span<const l3d_patch_points> read,
+                                                             std::string_view name,
+                                                             std::string& why) {
     std::vector<patch> patches;
-    patches.reserve(read->size());
-    for (const l3d_patch_points& points : *read) {
-        const auto bicubic = l3d_elevated_to_bicubic(points);
+    patches.reserve(read.size());
+    for (const l3d_patch_points& points : read) {
+        const auto bicubic = l3d_as_bicubic(points);
         if (!bicubic) {
             why = std::string(name) + ": patch " + std::to_string(patches.size() + 1) +
                   " has degree " + std::to_string(points.degree_u) + " by " +
-                  std::to_string(points.degree_v) + "; at most 3 by 3 can be drawn";
+                  std::to_string(points.degree_v) + " and is no bicubic one; at most 3 by 3 can " +
+                  "be drawn";
             return std::nullopt;
         }
         patch& p = patches.emplace_back();

@@ -26,10 +26,15 @@ public:
     /// Expects: finite coordinates of magnitude at most 1e12.
     explicit l3d_patch_model(std::vector<patch> patches);
 
-    /// Reads a .bpt text; patches of lower degree are raised to bicubic ones.
+    /// Reads a .bpt text.
     /// Errors: nothing, with "name:line: what" in `why`.
     static std::optional<l3d_patch_model> from_bpt(std::string_view text, std::string_view name,
                                                    std::string& why);
+
+    /// Patches as files have them, brought to degree 3 by 3.
+    /// Errors: nothing, with the patch and its degrees in `why`, if it is no bicubic one.
+    static std::optional<l3d_patch_model> from_patches(std::span<const l3d_patch_points> patches,
+                                                       std::string_view name, std::string& why);
 
     std::span<const patch> patches() const { return patches_; }
     const l3d_normal_net& normals(std::size_t index) const { return normals_[index]; }

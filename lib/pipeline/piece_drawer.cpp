@@ -20,6 +20,17 @@ template <class Visit> void for_columns(const l3d_step_plan& plan, Visit visit) 
     visit(column, static_cast<std::size_t>(plan.strips - 1), 1.0);
 }
 
+/// The column at `u` of a block as a curve in v: of those between the strip's ends, the balanced
+/// one.
+l3d_image_curve column_at(const l3d_image_patch& block, double u, int steps, bool balanced) {
+    l3d_image_curve column = block.curve_at_u(u);
+    if (balanced && u > 0 && u < 1)
+        for (int row = 0; row < 4; ++row)
+            column.points[static_cast<std::size_t>(row)] =
+                l3d_balanced(block.row(row), steps).evaluate(u);
+    return column;
+}
+
 } // namespace
 
 template <class T>
@@ -103,18 +114,27 @@ void l3d_piece_drawer<T>::walk_rows(const l3d_piece_nets<T>& nets, const l3d_ste
                              &grid.normal[1][at], &grid.normal[2][at]);
         ++row;
     };
+    const auto for_curves = [&](std::size_t b, const auto& visit) {
+        for_columns(plan, [&](std::size_t c, std::size_t a, double u) {
+            visit(c, column_at(nets.blocks()[strips * b + a], u, plan.nu[a], plan.balanced));
+        });
+    };
     for (std::size_t b = 0; b < strips; ++b) {
         const int n = plan.nv[b];
-        for_columns(plan, [&](std::size_t c, std::size_t a, double u) {
-            walker_.start(c, nets.blocks()[strips * b + a].curve_at_u(u), n);
+        for_curves(b, [&](std::size_t c, const l3d_image_curve& curve) {
+            walker_.place(c, curve.points[0]);
         });
-        for (int i = 0; i < n; ++i) {
-            emit();
+        emit();
+        for_curves(b, [&](std::size_t c, const l3d_image_curve& curve) {
+            walker_.start(c, plan.balanced ? l3d_balanced(curve, n) : curve, n);
+        });
+        for (int i = 1; i < n; ++i) {
             walker_.step();
+            emit();
         }
     }
-    for_columns(plan, [&](std::size_t c, std::size_t a, double u) {
-        walker_.place(c, nets.blocks()[strips * (strips - 1) + a].row(3).evaluate(u));
+    for_curves(strips - 1, [&](std::size_t c, const l3d_image_curve& curve) {
+        walker_.place(c, curve.points[3]);
     });
     emit();
 }
@@ -134,7 +154,11 @@ void l3d_piece_drawer<T>::evaluate_grid(const l3d_piece_nets<T>& nets, const l3d
                              normal_row_[2].data());
         for_columns(plan, [&](std::size_t c, std::size_t a, double u) {
             l3d_clip_vertex& vertex = clip_grid_[row * columns + c];
-            vertex = l3d_canonical_vertex(nets.blocks()[strips * strip + a].evaluate(u, v), view_);
+            l3d_image_curve column =
+                column_at(nets.blocks()[strips * strip + a], u, plan.nu[a], plan.balanced);
+            if (plan.balanced && v > 0 && v < 1)
+                column = l3d_balanced(column, plan.nv[strip]);
+            vertex = l3d_canonical_vertex(column.evaluate(v), view_);
             vertex.dice.u = out.u[c];
             vertex.dice.v = out.v[row];
             for (std::size_t k = 0; k < 3; ++k)

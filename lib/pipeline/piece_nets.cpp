@@ -34,9 +34,10 @@ struct magnitudes {
 /// Error of walking n steps in T along one of `strips` equal parts of [0, 1]: differences of
 /// order k shrink by strips^k.
 template <class T> double walking_error(const std::array<double, 4>& size, int n, int strips) {
-    const double s = strips;
-    return l3d_forward_difference_error<T>(n, size[0], size[1] / s, size[2] / (s * s),
-                                           size[3] / (s * s * s));
+    const double s = strips, whole = l3d_balanced_reach;
+    return l3d_forward_difference_error<T>(n, whole * size[0], whole * size[1] / s,
+                                           whole * size[2] / (s * s),
+                                           whole * size[3] / (s * s * s));
 }
 
 } // namespace
@@ -54,8 +55,8 @@ l3d_piece_nets<T>::l3d_piece_nets(const l3d_image_patch& piece, const l3d_dice_v
         const l3d_image_box hull = l3d_image_box_of(net_.points);
         whole_ = hull.reach() < l3d_guard_band && depth.most < view.far;
         if (whole_) {
-            accuracy.reach = hull.reach();
-            small = hull.width() < l3d_small_net && hull.height() < l3d_small_net;
+            accuracy.reach = view.drawn_box(hull).reach();
+            small = l3d_is_small(hull);
             if (!seen.intersected(hull).empty())
                 seen = seen.intersected(hull);
         }
@@ -98,7 +99,7 @@ void l3d_piece_nets<T>::judge(l3d_vertex_accuracy accuracy, const l3d_dice_view&
     accuracy.error_w += walking_error<T>(size.w, l3d_most_steps_whole, strips);
     accuracy.snap_error += l3d_snap_error<T>(accuracy.reach) - l3d_snap_error<T>(0);
     const double walking = accuracy.drawn_error(w_ratio);
-    walked_ = walking - vertex_error_ <= view.tolerance / 4;
+    walked_ = walking - vertex_error_ <= view.walk_allowance();
     if (walked_)
         vertex_error_ = walking;
 }

@@ -30,7 +30,7 @@ public:
     bool whole() const { return whole_; }
 
     /// Walked by forward differences in T; else each vertex is evaluated, because walking would
-    /// err by a quarter of the tolerance more.
+    /// err by more than l3d_dice_view::walk_allowance more.
     bool walked() const { return walked_; }
 
     /// What rounding of the vertices adds to the chord error. Units: pixels.

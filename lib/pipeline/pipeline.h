@@ -25,6 +25,9 @@ public:
     /// Set to true to ask the dispatcher to finish after the current frame.
     bool done = false;
 
+    /// Anything happened; comes before the call below that it leads to, if there is one.
+    virtual void any_event(const l3d_event& event) { static_cast<void>(event); }
+
     /// A key was pressed: ASCII code or l3d_key.
     virtual void key_event(int key) { static_cast<void>(key); }
 

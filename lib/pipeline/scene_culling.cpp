@@ -49,6 +49,15 @@ bool is_hidden(const auto& where, bool (*hidden)(const void*, const l3d_subpixel
            hidden(context, where.box, where.inv_w);
 }
 
+/// How far a balanced vertex' w may be off the exact one, where a net's are from `least` to `most`.
+///
+/// The vertex is off by l3d_balance h^2 f'', h <= 1/8 as a strip is a quarter and has two steps,
+/// and f'' <= 6 * 2 (most - least), along u and along v: 0.0322 (most - least). What both do
+/// together is below 0.001 of it.
+double balance_of_w(double least, double most) {
+    return (most - least) / 30;
+}
+
 /// A float not below 1 / distance of what is drawn at w >= `least`, if its w is off by `error`
 /// and 2^-12 of itself at the most. The float's rounding is within the latter, too.
 float inv_w_above(double least, double error, double depth_scale) {
@@ -87,14 +96,17 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
     if (boxes.least[i] <= view_.near + 2 * error_w ||
         boxes.most[i] > most_depth_ratio * boxes.least[i] || view_.keep_all)
         return where;
-    // The box holds the exact surface, whatever the transform's error; a vertex is off that by the
-    // error of its own net, at most a quarter of the tolerance (or is evaluated), and snapping.
+    // The box holds the exact surface, whatever the transform's error; a vertex is off that by its
+    // balance, by the error of its own net, at most l3d_dice_view::walk_allowance (or is
+    // evaluated), and by snapping.
     const l3d_image_box exact = box_of(boxes, i);
     const double transformed =
         l3d_vertex_error(view_.error_xy, view_.error_w, exact.reach(), boxes.least[i]);
-    const double vertex_error = transformed + view_.tolerance / 4 + 1.0 / l3d_subpixel_one;
-    where.inv_w = inv_w_above(boxes.least[i], error_w, view_.depth_scale);
-    where.box = subpixels(exact.grown(vertex_error).intersected(view_.margin()), view_);
+    const double vertex_error = transformed + view_.walk_allowance() + 1.0 / l3d_subpixel_one;
+    const double balance = l3d_is_small(exact) ? 0 : balance_of_w(boxes.least[i], boxes.most[i]);
+    where.inv_w = inv_w_above(boxes.least[i], error_w + balance, view_.depth_scale);
+    where.box =
+        subpixels(view_.drawn_box(exact).grown(vertex_error).intersected(view_.margin()), view_);
     return where;
 }
 

@@ -31,6 +31,13 @@ struct l3d_block_needs {
     bool keeps_depth = false;                     ///< whether any depth is not zero
     per_block uu{}, uv{}, vv{};                   ///< l3d_second_bounds of the image, in pixels
     per_block depth_uu{}, depth_uv{}, depth_vv{}; ///< those of w, in depth budgets
+
+    /// Whether vertices inside strips are balanced (l3d_balance): in sixteen blocks, drawn whole.
+    bool balanced = false;
+    /// Then bounds of the mixed third and fourth derivatives, for the steps of every block. Units:
+    /// pixels.
+    double uuv = 0, uvv = 0, uuvv = 0;
+
     /// Steps below which quads are too large to be filled fast. Not certified: a perspective
     /// curve may run through its pixels faster than its control points are apart.
     per_block least_u{}, least_v{};
@@ -43,11 +50,11 @@ inline constexpr double l3d_largest_quad = 48;
 
 /// The slow twin of l3d_detail::bounds_in_lanes, which also takes what is clipped.
 ///
-/// Shape:   blocks as in l3d_block_needs: 1 or 16.
+/// Shape:   blocks of the net, as in l3d_block_needs: 1 or 16.
 /// Units:   budget: of the image error, in pixels.
 /// Expects: for `whole`, every w > view.near.
-l3d_block_needs l3d_needs_of(std::span<const l3d_image_patch> blocks, const l3d_dice_view& view,
-                             double budget, l3d_quad_kind kind);
+l3d_block_needs l3d_needs_of(const l3d_image_patch& net, std::span<const l3d_image_patch> blocks,
+                             const l3d_dice_view& view, double budget, l3d_quad_kind kind);
 
 /// Steps per strip of a piece that is cut into strips x strips blocks.
 ///
@@ -61,6 +68,7 @@ struct l3d_step_plan {
     std::array<int, most_strips> nu{1, 1, 1, 1}, nv{1, 1, 1, 1};
     double chord_error = 0; ///< bound of the visible blocks' chord error, in pixels
     bool visible = false;   ///< whether any block may reach into the picture
+    bool balanced = false;  ///< whether vertices inside strips are to be moved, see l3d_balance
 
     int most_u() const { return *std::max_element(nu.begin(), nu.begin() + strips); }
     int most_v() const { return *std::max_element(nv.begin(), nv.begin() + strips); }
@@ -69,6 +77,14 @@ struct l3d_step_plan {
 /// The fewest steps (greedily) with which every visible block keeps its chord error at or below
 /// `budget`.
 ///
+/// With c the weight of a direction's steps (1/8 h^2, or l3d_balanced_error) and m that of what its
+/// vertices are moved by (0, or l3d_balance h^2), a quad errs by at most
+///     c_u uu + c_v vv + m_u m_v uuvv + d k,   d = h_u h_v uv + 2 m_u h_v uuv + 2 m_v h_u uvv
+///                                                 + 4 m_u m_v uuvv,
+/// d being a bound of the corners' mixed difference and k 1/16 or 1/4, see l3d_second_bounds. Slits
+/// between a side's row and its edge may be as far off as chords that are not balanced, so those
+/// of the outer blocks keep the budget, too.
+///
 /// Units:   budget in pixels.
 /// Expects: budget > 0.
 /// Errors:  with `triangles`, the bound holds where the interpolated w is at least view.near;
@@ -76,9 +92,10 @@ struct l3d_step_plan {
 l3d_step_plan l3d_plan_steps(const l3d_block_needs& needs, double budget, l3d_quad_kind kind);
 
 /// The same from the blocks' nets. Shape and what is expected: those of l3d_needs_of.
-inline l3d_step_plan l3d_plan_steps(std::span<const l3d_image_patch> blocks,
+inline l3d_step_plan l3d_plan_steps(const l3d_image_patch& net,
+                                    std::span<const l3d_image_patch> blocks,
                                     const l3d_dice_view& view, double budget, l3d_quad_kind kind) {
-    return l3d_plan_steps(l3d_needs_of(blocks, view, budget, kind), budget, kind);
+    return l3d_plan_steps(l3d_needs_of(net, blocks, view, budget, kind), budget, kind);
 }
 
 #endif

@@ -44,7 +44,7 @@ public:
         }
     }
 
-    /// Puts column c on one point; used for a last row, which nothing follows.
+    /// Puts column c on one point, from which it is not walked on.
     void place(std::size_t c, const l3d_image_point& point) {
         for (std::size_t k = 0; k < 3; ++k)
             registers_[k][0][c] = l3d_from_double<T>(point[static_cast<int>(k)]);

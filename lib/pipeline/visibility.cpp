@@ -23,7 +23,8 @@ std::int64_t* reason(const l3d_image_patch& net, const l3d_dice_view& view,
 
 } // namespace
 
-bool l3d_holds_no_centre(const l3d_image_box& box, const l3d_dice_view& view) {
+bool l3d_holds_no_centre(const l3d_image_box& hull, const l3d_dice_view& view) {
+    const l3d_image_box box = view.drawn_box(hull);
     if (box.width() > 1 && box.height() > 1)
         return false;
     constexpr double slack = 1.0 / l3d_subpixel_one;

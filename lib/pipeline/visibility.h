@@ -6,9 +6,9 @@
 #include "pipeline/dice_counts.h"
 #include "pipeline/dice_view.h"
 
-/// Whether what lies in a box of the picture covers no pixel's centre, even when snapping moves it
-/// by half a sub-pixel.
-bool l3d_holds_no_centre(const l3d_image_box& box, const l3d_dice_view& view);
+/// Whether what is drawn of a surface that lies in `hull` covers no pixel's centre, even when
+/// snapping moves it by half a sub-pixel.
+bool l3d_holds_no_centre(const l3d_image_box& hull, const l3d_dice_view& view);
 
 /// Whether a patch need not be diced, as its net shows that it covers no pixel's centre; the reason
 /// is counted. Expects: !view.keep_all.

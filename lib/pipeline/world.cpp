@@ -10,9 +10,9 @@ void l3d_world::update_all(double seconds) {
 }
 
 std::size_t l3d_world::draw_all(l3d_rasterizer_2d& rasterizer, l3d_size size) {
-    painter_.begin(camera, size);
+    facets_.begin(camera, size);
     for (const auto& object : objects)
-        painter_.add(*object);
-    painter_.draw(rasterizer, order);
-    return painter_.polygons();
+        facets_.add(*object);
+    facets_.draw(rasterizer, order);
+    return facets_.polygons();
 }

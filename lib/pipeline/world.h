@@ -3,7 +3,7 @@
 #ifndef L3D_PIPELINE_WORLD_H
 #define L3D_PIPELINE_WORLD_H
 
-#include "pipeline/painter.h"
+#include "pipeline/facet_list.h"
 
 #include <cstddef>
 #include <memory>
@@ -30,7 +30,7 @@ public:
     std::size_t draw_all(l3d_rasterizer_2d& rasterizer, l3d_size size);
 
 private:
-    l3d_painter painter_;
+    l3d_facet_list facets_;
 };
 
 #endif

@@ -16,9 +16,8 @@ namespace l3d_detail {
 /// What all bands of a frame have in common.
 struct band_frame {
     l3d_shading shading;
-    fill_shading lane_shading{shading}; ///< the same for the fill kernel
-    bool by_lanes = false;              ///< mode and width are such that the fill kernel can serve
-    bool leaves_out_hidden = true;      ///< what is behind the coarse depth is not looked at
+    bool by_lanes = false;         ///< mode and width are such that the fill kernel can serve
+    bool leaves_out_hidden = true; ///< what is behind the coarse depth is not looked at
 };
 
 /// A worker's own work space, and what it has counted.
@@ -47,7 +46,7 @@ private:
                   const grid_cells& cells);
     void draw_rest(const band_frame& frame, const fill_band& band);
     fill_target by_lanes(const band_frame& frame, const fill_band& band) {
-        return {band, frame.lane_shading, queue_, by_lanes_, rest_};
+        return {band, frame.shading, queue_, by_lanes_, rest_};
     }
 
     band_scalar scalar_;

@@ -87,11 +87,13 @@ void band_scalar::fill(const l3d_surface_part& part, std::size_t first, std::siz
 }
 
 void band_scalar::fill(const fill_rest& rest) {
-    surface_fill fill(target_, lambert_shader(*shading_));
-    for (const fill_rest::quad& quad : rest.quads)
-        fill_cell(fill, target_.band, *quad.grid, quad.index);
-    for (const fill_rest::triangle& triangle : rest.triangles)
-        fill_triangle(fill, *triangle.triangles, triangle.index);
+    constexpr std::uint32_t no_color = 0; // the kernel does not take mode `error`
+    with_shader(no_color, [&](auto fill) {
+        for (const fill_rest::quad& quad : rest.quads)
+            fill_cell(fill, target_.band, *quad.grid, quad.index);
+        for (const fill_rest::triangle& triangle : rest.triangles)
+            fill_triangle(fill, *triangle.triangles, triangle.index);
+    });
 }
 
 } // namespace l3d_detail

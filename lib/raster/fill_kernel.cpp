@@ -10,38 +10,16 @@
 #include "raster/simd_dispatch_p.h"
 
 #include "raster/fill_group-inl.h"
-#include "raster/fill_pixels-inl.h"
+#include "raster/fill_lights-inl.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
-
-/// Where one corner of a row of polygons lies in memory, side by side.
-///
-/// Shape: `size` elements in each array may be read.
-struct corner_arrays {
-    const std::int32_t* x;
-    const std::int32_t* y;
-    const float* inv_w;
-    const float* normal[3];
-    std::size_t size;
-};
-
-/// A vector from an array's element `at` on; unless it is all `inside`, zeros behind the end.
-template <bool Inside, class D, class T>
-HWY_INLINE hn::Vec<D> load_within(D d, const T* array, std::size_t at, std::size_t size) {
-    if constexpr (Inside)
-        return hn::LoadU(d, array + at);
-    HWY_ALIGN T part[hn::MaxLanes(D())] = {};
-    std::copy(array + std::min(at, size), array + std::min(at + hn::MaxLanes(D()), size), part);
-    return hn::Load(d, part);
-}
 
 /// Whether a pixel centre in [begin, end) lies between the corners.
 template <class D, class V = hn::Vec<D>>
@@ -53,21 +31,23 @@ HWY_INLINE hn::Mask<D> meets(D d, const V (&v)[4], std::int32_t begin, std::int3
 }
 
 /// Keeps those polygons that may cover a pixel, and fills them when there are enough.
-class fill_stream {
+///
+/// Shape: Light makes their greys: lambert_lanes or grey_lanes.
+template <class Light> class fill_stream {
 public:
+    using light_arrays = HWY_NAMESPACE::light_arrays<Light::numbers>;
+
     HWY_INLINE explicit fill_stream(const fill_target& target)
         : target_(target), queue_(target.queue) {}
 
-    /// Takes polygons [at, at + count) of arrays of corners. The first one's name is `name`, the
-    /// others' follow by `step`.
-    HWY_INLINE void take(const corner_arrays (&from)[4], const std::size_t (&at)[4],
-                         std::size_t count, const void* source, std::int32_t name,
-                         std::int32_t step) {
+    /// Takes `count` polygons. The first one's name is `name`, the others' follow by `step`.
+    HWY_INLINE void take(const corner_arrays& corners, const light_arrays& light, std::size_t count,
+                         const void* source, std::int32_t name, std::int32_t step) {
         using few = hn::CappedTag<std::int32_t, (lanes + 1) / 2>;
         if (count <= hn::MaxLanes(few()))
-            return take_some(few(), from, at, 0, count, source, name, step);
+            return take_some(few(), corners, light, 0, count, source, name, step);
         for (std::size_t i = 0; i < count; i += lanes)
-            take_some(ints(), from, at, i, std::min(lanes, count - i), source,
+            take_some(ints(), corners, light, i, std::min(lanes, count - i), source,
                       name + static_cast<std::int32_t>(i) * step, step);
     }
 
@@ -84,28 +64,28 @@ public:
 
 private:
     template <class D>
-    HWY_INLINE void take_some(D d, const corner_arrays (&from)[4], const std::size_t (&at)[4],
+    HWY_INLINE void take_some(D d, const corner_arrays& from, const light_arrays& light,
                               std::size_t i, std::size_t count, const void* source,
                               std::int32_t name, std::int32_t step) {
         bool inside = true;
-        for (std::size_t k = 0; k < 4; ++k)
-            inside = inside && at[k] + i + hn::MaxLanes(d) <= from[k].size;
+        for (const vertex_arrays& corner : from)
+            inside = inside && i + hn::MaxLanes(d) <= corner.size;
         if (HWY_LIKELY(inside))
-            take_vector<true>(d, from, at, i, count, source, name, step);
+            take_vector<true>(d, from, light, i, count, source, name, step);
         else
-            take_vector<false>(d, from, at, i, count, source, name, step);
+            take_vector<false>(d, from, light, i, count, source, name, step);
     }
 
     template <bool Inside, class D>
-    HWY_INLINE void take_vector(D d, const corner_arrays (&from)[4], const std::size_t (&at)[4],
+    HWY_INLINE void take_vector(D d, const corner_arrays& from, const light_arrays& light,
                                 std::size_t i, std::size_t count, const void* source,
                                 std::int32_t name, std::int32_t step) {
         using vec = hn::Vec<D>;
         const hn::RebindToFloat<D> df;
         vec x[4], y[4];
         for (std::size_t k = 0; k < 4; ++k) {
-            x[k] = load_within<Inside>(d, from[k].x, at[k] + i, from[k].size);
-            y[k] = load_within<Inside>(d, from[k].y, at[k] + i, from[k].size);
+            x[k] = load_within<Inside>(d, from[k].x, i, from[k].size);
+            y[k] = load_within<Inside>(d, from[k].y, i, from[k].size);
         }
         const fill_band& band = target_.band;
         const auto live =
@@ -122,14 +102,14 @@ private:
             hn::StoreU(v, d, place + to);
         };
         const auto number = [&](std::size_t k, const float* array) HWY_ATTR {
-            return hn::BitCast(d, load_within<Inside>(df, array, at[k] + i, from[k].size));
+            return hn::BitCast(d, load_within<Inside>(df, array, i, from[k].size));
         };
         for (std::size_t k = 0; k < 4; ++k) {
             put(x[k], queue_.corner[k][0]);
             put(y[k], queue_.corner[k][1]);
             put(number(k, from[k].inv_w), queue_.corner[k][2]);
-            for (std::size_t c = 0; c < 3; ++c)
-                put(number(k, from[k].normal[c]), queue_.corner[k][3 + c]);
+            for (std::size_t c = 0; c < Light::numbers; ++c)
+                put(number(k, light[k][c]), queue_.corner[k][3 + c]);
         }
         put(hn::Add(hn::Mul(hn::Iota(d, 0), hn::Set(d, step)), hn::Set(d, name)), queue_.name);
         std::fill_n(queue_.source.begin() + static_cast<std::ptrdiff_t>(to), lanes, source);
@@ -139,17 +119,11 @@ private:
     }
 
     /// Adds a piece. Expects: room.
-    void add(const std::array<l3d_micro_vertex, 3>& triangle) {
+    void add(const fill_piece& triangle) {
         const std::size_t to = queue_.count++;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const l3d_micro_vertex& v = triangle[std::min<std::size_t>(k, 2)];
-            auto& corner = queue_.corner[k];
-            corner[0][to] = v.x;
-            corner[1][to] = v.y;
-            corner[2][to] = std::bit_cast<std::int32_t>(v.inv_w);
-            for (std::size_t c = 0; c < 3; ++c)
-                corner[3 + c][to] = std::bit_cast<std::int32_t>(v.normal[c]);
-        }
+        for (std::size_t k = 0; k < 4; ++k)
+            for (std::size_t c = 0; c < components; ++c)
+                queue_.corner[k][c][to] = triangle[std::min<std::size_t>(k, 2)][c];
         queue_.name[to] = fill_queue::piece;
         queue_.source[to] = nullptr;
     }
@@ -164,8 +138,8 @@ private:
             std::copy_n(array + fill_queue::enough, fill_queue::widest_vector, array);
         };
         for (auto& corner : queue_.corner)
-            for (auto& component : corner)
-                to_front(component);
+            for (std::size_t c = 0; c < components; ++c)
+                to_front(corner[c]);
         to_front(queue_.name);
         to_front(queue_.source.data());
         queue_.count -= fill_queue::enough;
@@ -178,70 +152,79 @@ private:
     }
 
     HWY_NOINLINE void fill(std::size_t at, std::size_t count) {
-        fill_group group;
-        if (!group.set_up(target_, at, count, table_))
-            return;
-        target_.counts.written += fill_table_of(table_.shape);
+        fill_group<Light> group;
+        if (group.set_up(target_, at, count, table_))
+            target_.counts.written += group.fill(target_.band, table_);
     }
 
-    HWY_INLINE std::int64_t fill_table_of(fill_shape shape) const {
-        switch (shape) {
-        case fill_shape::flat:
-            return fill_pixels<fill_shape::flat>(target_.band, table_);
-        case fill_shape::bent:
-            return fill_pixels<fill_shape::bent>(target_.band, table_);
-        case fill_shape::twisted:
-            break;
-        }
-        return fill_pixels<fill_shape::twisted>(target_.band, table_);
-    }
-
+    static constexpr std::size_t components = 3 + Light::numbers;
     const fill_target& target_;
     fill_queue& queue_;
     fill_table table_;
 };
 
-corner_arrays arrays_of(const l3d_micro_grid& grid) {
-    return {grid.x.data(),
-            grid.y.data(),
-            grid.inv_w.data(),
-            {grid.normal[0].data(), grid.normal[1].data(), grid.normal[2].data()},
-            grid.x.size()};
+template <class Lights>
+HWY_INLINE void quads_by(const fill_target& to, const l3d_micro_grid& grid, int row_begin,
+                         int row_end, int column, std::size_t count) {
+    fill_stream<typename Lights::lanes_type> stream(to);
+    Lights lights(to);
+    const auto vertices = [&](int row, int at) {
+        return vertex_arrays::from(grid, grid.index(row, at));
+    };
+    lights.start(vertices(row_begin, column), count);
+    for (int row = row_begin; row < row_end; ++row) {
+        const corner_arrays corners{vertices(row, column), vertices(row, column + 1),
+                                    vertices(row + 1, column + 1), vertices(row + 1, column)};
+        stream.take(corners, lights.quads(corners, count), count, &grid,
+                    static_cast<std::int32_t>(grid.index(row, column)), 1);
+    }
 }
 
-corner_arrays arrays_of(const l3d_micro_triangles::corner& corner) {
-    return {corner.x.data(),
-            corner.y.data(),
-            corner.inv_w.data(),
-            {corner.normal[0].data(), corner.normal[1].data(), corner.normal[2].data()},
-            corner.x.size()};
+template <class Lights>
+HWY_INLINE void triangles_by(const fill_target& to, const l3d_micro_triangles& triangles,
+                             std::size_t first, std::size_t count) {
+    const auto vertices = [&](std::size_t k) {
+        return vertex_arrays::from(triangles.corners[k], first);
+    };
+    const corner_arrays corners{vertices(0), vertices(1), vertices(2), vertices(2)};
+    fill_stream<typename Lights::lanes_type>(to).take(corners, Lights(to).triangles(corners, count),
+                                                      count, &triangles,
+                                                      -1 - static_cast<std::int32_t>(first), -1);
 }
 
+/// Runs of columns that there is room for the greys of.
 void fill_quads(const fill_target& to, const l3d_micro_grid& grid, int row_begin, int row_end,
                 int column_begin, int column_end) {
-    const corner_arrays a = arrays_of(grid);
-    const corner_arrays from[4] = {a, a, a, a};
-    fill_stream stream(to);
-    for (int row = row_begin; row < row_end; ++row) {
-        const std::size_t p00 = grid.index(row, column_begin);
-        const std::size_t p01 = grid.index(row + 1, column_begin);
-        stream.take(from, {p00, p00 + 1, p01 + 1, p01},
-                    static_cast<std::size_t>(column_end - column_begin), &grid,
-                    static_cast<std::int32_t>(p00), 1);
+    constexpr int run_of_quads = fill_queue::run;
+    for (int column = column_begin; column < column_end; column += run_of_quads) {
+        const auto count = static_cast<std::size_t>(std::min(column_end - column, run_of_quads));
+        if (to.shading.mode == l3d_shade::gouraud)
+            quads_by<vertex_lights>(to, grid, row_begin, row_end, column, count);
+        else if (to.shading.mode == l3d_shade::flat)
+            quads_by<polygon_lights>(to, grid, row_begin, row_end, column, count);
+        else
+            quads_by<normal_lights>(to, grid, row_begin, row_end, column, count);
     }
 }
 
 void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles, std::size_t first,
                     std::size_t last) {
-    const auto& corners = triangles.corners;
-    const corner_arrays c = arrays_of(corners[2]);
-    const corner_arrays from[4] = {arrays_of(corners[0]), arrays_of(corners[1]), c, c};
-    fill_stream(to).take(from, {first, first, first, first}, last - first, &triangles,
-                         -1 - static_cast<std::int32_t>(first), -1);
+    for (std::size_t i = first; i < last; i += fill_queue::run) {
+        const std::size_t count = std::min(last - i, fill_queue::run);
+        if (to.shading.mode == l3d_shade::gouraud)
+            triangles_by<vertex_lights>(to, triangles, i, count);
+        else if (to.shading.mode == l3d_shade::flat)
+            triangles_by<polygon_lights>(to, triangles, i, count);
+        else
+            triangles_by<normal_lights>(to, triangles, i, count);
+    }
 }
 
 void fill_finish(const fill_target& to) {
-    fill_stream(to).finish();
+    if (to.shading.mode == l3d_shade::lambert)
+        fill_stream<lambert_lanes>(to).finish();
+    else
+        fill_stream<grey_lanes>(to).finish();
 }
 
 } // namespace

@@ -31,21 +31,18 @@ struct fill_band {
 /// A whole vector of pixels must fit a row.
 inline constexpr std::int32_t fill_least_width = 16;
 
-/// What stays the same for a frame: l3d_shading without its mode, which is lambert.
-struct fill_shading {
-    std::array<float, 3> light, ray, ray_right, ray_down;
-
-    explicit fill_shading(const l3d_shading& s)
-        : light(s.light), ray(s.ray), ray_right(s.ray_right), ray_down(s.ray_down) {}
-};
+/// The modes that the lanes can shade.
+inline bool fill_shades(l3d_shade mode) {
+    return mode == l3d_shade::lambert || mode == l3d_shade::gouraud || mode == l3d_shade::flat;
+}
 
 struct fill_counts {
     std::int64_t samples = 0; ///< pixel centres tested against the depth buffer
     std::int64_t written = 0; ///< of those, nearer than what was there
 };
 
-/// Polygons that the lanes do not take: larger than 64 pixels, or of too different normals. The
-/// caller fills them by the scalar filler after fill_finish.
+/// Polygons that the lanes do not take: larger than 64 pixels, or, for lambert, of too different
+/// normals. The caller fills them by the scalar filler after fill_finish.
 struct fill_rest {
     struct quad {
         const l3d_micro_grid* grid;
@@ -65,13 +62,17 @@ struct fill_rest {
     }
 };
 
+/// A piece of a folded or skew quad. Shape: [corner][component], as in fill_queue.
+using fill_piece = std::array<std::array<std::int32_t, 6>, 3>;
+
 /// Polygons that wait until a vector of them can be set up together.
 ///
 /// Shape: polygon i is in element i of each array; [corner][component], components being x, y, 1/w
-///        and the normal, floats as their bits. A triangle's last corner is there twice.
+///        and what the light needs: for lambert the normal, else the grey level. Floats as their
+///        bits. A triangle's last corner is there twice.
 /// Lives: of one worker, kept for its memory. Empty between bands.
 struct fill_queue {
-    static constexpr std::size_t widest_vector = 16, components = 6;
+    static constexpr std::size_t widest_vector = 16, components = fill_piece::value_type().size();
     /// So many are filled together: whole vectors of every width, so that what waits, and with it
     /// what is drawn when somebody asks what is hidden, does not depend on the width.
     static constexpr std::size_t enough = 3 * widest_vector;
@@ -87,13 +88,18 @@ struct fill_queue {
 
     /// Folded and skew quads in pieces: filled when all others are, so that what comes first where
     /// two are equally near does not depend on how many waited together.
-    std::vector<std::array<l3d_micro_vertex, 3>> pieces;
+    std::vector<fill_piece> pieces;
+
+    /// Grey levels of a run of polygons' corners, made a run at a time. A whole vector may be read
+    /// from every corner on.
+    static constexpr std::size_t run = 256;
+    alignas(64) float greys[3][run + 2 * widest_vector] = {};
 };
 
 /// Where polygons go, and what is written down of it: counts and rest are added to.
 struct fill_target {
     const fill_band& band;
-    const fill_shading& shading;
+    const l3d_shading& shading;
     fill_queue& queue;
     fill_counts& counts;
     fill_rest& rest;
@@ -102,10 +108,11 @@ struct fill_target {
 /// Fills the quads of a grid whose first corner is in rows [row_begin, row_end) and columns
 /// [column_begin, column_end), now or later: at the latest in fill_finish.
 ///
-/// The same picture as surface_fill with the lambert shader: coverage and `samples` exactly, depth
+/// The same picture as surface_fill with the mode's shader: coverage and `samples` exactly, depth
 /// within 1e-5 of the corners' range, grey within one level. The same bits whatever the processor
 /// and however a picture is divided into bands.
-/// Expects: 0 <= row_begin, row_end < grid.rows, and so for columns; normals of unit length, or
+/// Expects: fill_shades(mode); 0 <= row_begin, row_end < grid.rows, and so for columns; normals of
+/// unit length, or
 ///          zero; inv_w > 0. Band and shading are the same until fill_finish, and grids stay.
 void fill_quads(const fill_target& to, const l3d_micro_grid& grid, int row_begin, int row_end,
                 int column_begin, int column_end);

@@ -20,32 +20,48 @@ namespace {
 alignas(64) constexpr float run_columns[run] = {0, 1, 2,  3,  4,  5,  6,  7,
                                                 8, 9, 10, 11, 12, 13, 14, 15};
 
-/// The words of three equal bytes 26 + floor(max(0, lit)), at most 255. Expects: lit < 256.
-///
-/// Where 2^23 is added to a number below 2^23, the last bits of the sum are the nearest integer.
-template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> grey_words(D d, hn::Vec<D> lit) {
+/// Three bytes like the lowest one of each sum.
+template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> three_bytes(D, hn::Vec<D> sum) {
     const hn::RebindToUnsigned<D> dw;
-    const auto zero = hn::Set(d, 8388608.0f); // 2^23
-    const auto sum = hn::Max(hn::Add(lit, hn::Set(d, 8388607.5f)), zero);
 #if HWY_TARGET == HWY_SCALAR // has no bytes to shuffle
+    return hn::Mul(hn::And(hn::BitCast(dw, sum), hn::Set(dw, 0xffu)), hn::Set(dw, 0x010101u));
+#else
+    const hn::Repartition<std::uint8_t, D> bytes;
+    alignas(16) static constexpr std::uint8_t lowest[16] = {0, 0, 0, 0x80, 4,  4,  4,  0x80,
+                                                            8, 8, 8, 0x80, 12, 12, 12, 0x80};
+    return hn::BitCast(
+        dw, hn::TableLookupBytesOr0(hn::BitCast(bytes, sum), hn::LoadDup128(bytes, lowest)));
+#endif
+}
+
+/// Where this is added to a number below it, the last bits of the sum are the nearest integer.
+constexpr float whole_numbers = 8388608.0f; // 2^23
+
+/// Words from grey levels. Expects: levels in [0, 255].
+template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> level_words(D d, hn::Vec<D> level) {
+    return three_bytes(d, hn::Add(level, hn::Set(d, whole_numbers)));
+}
+
+/// Words of the levels 26 + floor(max(0, lit)), at most 255. Expects: lit < 256.
+template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> cosine_words(D d, hn::Vec<D> lit) {
+    const hn::RebindToUnsigned<D> dw;
+    const auto sum =
+        hn::Max(hn::Add(lit, hn::Set(d, whole_numbers - 0.5f)), hn::Set(d, whole_numbers));
+#if HWY_TARGET == HWY_SCALAR
     const auto level = hn::And(hn::BitCast(dw, sum), hn::Set(dw, 0xffu));
     const auto grey = hn::Min(hn::Add(level, hn::Set(dw, 26u)), hn::Set(dw, 255u));
     return hn::Mul(grey, hn::Set(dw, 0x010101u));
 #else
     const hn::Repartition<std::uint8_t, D> bytes;
-    alignas(16) static constexpr std::uint8_t lowest[16] = {0, 0, 0, 0x80, 4,  4,  4,  0x80,
-                                                            8, 8, 8, 0x80, 12, 12, 12, 0x80};
-    const auto spread =
-        hn::TableLookupBytesOr0(hn::BitCast(bytes, sum), hn::LoadDup128(bytes, lowest));
     const auto ambient = hn::BitCast(bytes, hn::Set(dw, 0x001a1a1au));
-    return hn::BitCast(dw, hn::SaturatedAdd(spread, ambient));
+    return hn::BitCast(dw, hn::SaturatedAdd(hn::BitCast(bytes, three_bytes(d, sum)), ambient));
 #endif
 }
 
 /// One polygon of a table, `Pixels` of a row at a time.
 template <class D, std::int32_t Pixels, fill_shape Shape> class fill_polygon {
 public:
-    /// Pixels written, by lanes.
+    /// Pixels written, by lanes; and words.
     using count_vec = hn::Vec<hn::RebindToUnsigned<D>>;
 
     HWY_INLINE fill_polygon(const fill_band& band, const fill_table& table, std::size_t i)
@@ -53,6 +69,10 @@ public:
         const D d;
         farthest_ = hn::Set(d, table.farthest[i]);
         nearest_ = hn::Set(d, table.nearest[i]);
+        if constexpr (is_grey) {
+            darkest_ = hn::Set(d, table.darkest[i]);
+            brightest_ = hn::Set(d, table.brightest[i]);
+        }
         for (std::size_t v = 0; v < vectors; ++v) {
             const vec x = hn::Load(d, run_columns + v * width);
             inv_w_x_[v] = hn::Mul(hn::Set(d, table.inv_w_x[i]), x);
@@ -90,7 +110,8 @@ public:
 
 private:
     using vec = hn::Vec<D>;
-    static constexpr bool is_bent = Shape != fill_shape::flat;
+    static constexpr bool is_grey = Shape == fill_shape::grey;
+    static constexpr bool is_bent = Shape == fill_shape::bent || Shape == fill_shape::twisted;
     static constexpr bool is_twisted = Shape == fill_shape::twisted;
     static constexpr std::size_t width = hn::MaxLanes(D()), vectors = Pixels / width;
 
@@ -152,7 +173,17 @@ private:
             covered, hn::Min(hn::Max(hn::Add(start.inv_w, inv_w_x_[v]), farthest_), nearest_));
         const auto seen = hn::Gt(inv_w, hn::LoadU(d, to_depths));
         hn::BlendedStore(inv_w, seen, d, to_depths);
+        const hn::RebindToUnsigned<D> dw;
+        hn::BlendedStore(words_of(start, v), hn::RebindMask(dw, seen), dw, to_words);
+        const auto seen_words = hn::RebindMask(dw, seen);
+        written = hn::IfThenElse(seen_words, hn::Add(written, hn::Set(dw, 1u)), written);
+    }
+
+    HWY_INLINE count_vec words_of(const run_start& start, std::size_t v) const {
+        const D d;
         vec lit = hn::Add(start.lit, lit_x_[v]);
+        if constexpr (is_grey)
+            return level_words(d, hn::Min(hn::Max(lit, darkest_), brightest_));
         if constexpr (is_bent) {
             vec unit = hn::Add(start.bend, hn::Add(hn::Mul(start.bend_x, x_[v]), bend_xx_[v]));
             if constexpr (is_twisted)
@@ -161,16 +192,14 @@ private:
         }
         if constexpr (is_twisted)
             lit = hn::Xor(lit, hn::And(hn::Add(start.facing, facing_x_[v]), hn::SignBit(d)));
-        const hn::RebindToUnsigned<D> dw;
-        hn::BlendedStore(grey_words(d, lit), hn::RebindMask(dw, seen), dw, to_words);
-        const auto seen_words = hn::RebindMask(dw, seen);
-        written = hn::IfThenElse(seen_words, hn::Add(written, hn::Set(dw, 1u)), written);
+        return cosine_words(d, lit);
     }
 
     const fill_band& band_;
     const fill_table& table_;
     std::size_t i_;
     vec inv_w_x_[vectors], lit_x_[vectors], farthest_, nearest_;
+    vec darkest_, brightest_;
     vec x_[vectors], bend_xx_[vectors], facing_x_[vectors];
     vec unit0_, unit1_, unit2_;
 };

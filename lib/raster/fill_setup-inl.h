@@ -17,6 +17,26 @@ namespace {
 /// A pixel in sub-pixel units.
 constexpr std::int32_t pixel = l3d_subpixel_one;
 
+HWY_INLINE int_vec load(const std::int32_t* p) {
+    return hn::LoadU(ints(), p);
+}
+
+HWY_INLINE float_vec load_float(const std::int32_t* p) {
+    return hn::BitCast(floats(), load(p));
+}
+
+HWY_INLINE float_vec set(float value) {
+    return hn::Set(floats(), value);
+}
+
+HWY_INLINE int_vec set(std::int32_t value) {
+    return hn::Set(ints(), value);
+}
+
+HWY_INLINE int_mask mask_of(hn::Mask<floats> mask) {
+    return hn::RebindMask(ints(), mask);
+}
+
 /// first_centre of scan_edge_p.h.
 template <class D> HWY_INLINE hn::Vec<D> first_centre_of(D d, hn::Vec<D> position) {
     return hn::ShiftRight<l3d_subpixel_bits>(hn::Add(position, hn::Set(d, pixel / 2 - 1)));
@@ -140,8 +160,46 @@ struct lane_frame {
     }
 };
 
+/// What the light of a group's polygons depends on beside their normals or greys.
+struct lane_places {
+    int_vec x[4], y[4]; ///< corners in the picture, in sub-pixels
+    lane_frame frame;
+    float_vec column_s, column_t; ///< what a column adds to s and t
+    int_mask fits, piece;         ///< which are filled here, which come from a quad in pieces
+};
+
 HWY_INLINE float_vec square_of(float_vec v) {
     return hn::Mul(v, v);
+}
+
+HWY_INLINE float_vec least_of(const float_vec (&v)[4]) {
+    return hn::Min(hn::Min(hn::Min(v[0], v[1]), v[2]), v[3]);
+}
+
+HWY_INLINE float_vec most_of(const float_vec (&v)[4]) {
+    return hn::Max(hn::Max(hn::Max(v[0], v[1]), v[2]), v[3]);
+}
+
+/// The cosine of the light on a unit normal.
+HWY_INLINE float_vec lit_of(const l3d_shading& shading, const float_vec (&normal)[3]) {
+    return hn::Add(hn::Add(hn::Mul(normal[0], set(shading.light[0])),
+                           hn::Mul(normal[1], set(shading.light[1]))),
+                   hn::Mul(normal[2], set(shading.light[2])));
+}
+
+/// away_from_eye, operation by operation.
+HWY_INLINE float_vec away_of(const l3d_shading& shading, int_vec place_x, int_vec place_y,
+                             const float_vec (&normal)[3]) {
+    const float_vec x = hn::Mul(to_float(place_x), set(1.0f / pixel));
+    const float_vec y = hn::Mul(to_float(place_y), set(1.0f / pixel));
+    float_vec away = hn::Zero(floats());
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float_vec ray =
+            hn::Add(hn::Add(set(shading.ray[k]), hn::Mul(x, set(shading.ray_right[k]))),
+                    hn::Mul(y, set(shading.ray_down[k])));
+        away = hn::Add(away, hn::Mul(normal[k], ray));
+    }
+    return away;
 }
 
 } // namespace

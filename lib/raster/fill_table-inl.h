@@ -39,10 +39,13 @@ using int_mask = hn::Mask<ints>;
 constexpr std::size_t lanes = hn::MaxLanes(ints());
 static_assert(lanes <= fill_queue::widest_vector);
 
-/// How a polygon's cosines come from `lit`, from the cheapest to the dearest. With a dearer way the
-/// polygons of a cheaper one get the same bits.
+/// How a pixel's grey comes from `lit`, which is a plane over the polygon.
+///
+/// From `flat` on it is a cosine times 229.5. These go from the cheapest to the dearest; with a
+/// dearer way the polygons of a cheaper one get the same bits.
 enum class fill_shape {
-    flat,   ///< as they are
+    grey,   ///< is the grey level, but between darkest and brightest
+    flat,   ///< is the cosine
     bent,   ///< times bend, a parabola along a row
     twisted ///< times (unit2 bend + unit1) bend + unit0, and turned round where facing < 0
 };
@@ -57,7 +60,7 @@ struct fill_row {
     alignas(64) float bend[lanes], bend_x[lanes], facing[lanes];
 };
 
-/// What the pixel loops need.
+/// What the pixel loops need; of the arrays for greys, what the shape does.
 ///
 /// A run begins at its row's first covered pixel, or further left where it would not fit the
 /// picture.
@@ -66,9 +69,9 @@ struct fill_table {
     alignas(64) std::int32_t height[lanes];  ///< rows; 0 if there is nothing to fill
     alignas(64) std::int32_t longest[lanes]; ///< `last` of the longest row
     alignas(64) float inv_w_x[lanes], lit_x[lanes], farthest[lanes], nearest[lanes];
+    alignas(64) float darkest[lanes], brightest[lanes];
     alignas(64) float bend_xx[lanes], facing_x[lanes];
     alignas(64) float unit0[lanes], unit1[lanes], unit2[lanes];
-    fill_shape shape; ///< which of bend, bend_x, bend_xx, facing, facing_x, unit are there
 };
 
 } // namespace

@@ -58,8 +58,7 @@ void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer* de
     rows_ = settings_.rows ? settings_.rows : rows_of_band(target.size());
     drawn_ = false;
     counts_ = {};
-    work_->frame = {shading, fill_shading(shading),
-                    shading.mode == l3d_shade::lambert && target.width >= fill_least_width,
+    work_->frame = {shading, fill_shades(shading.mode) && target.width >= fill_least_width,
                     settings_.leave_out_hidden};
     work_->coarse.resize(target.size());
     const int bands = (target.height + rows_ - 1) / rows_;

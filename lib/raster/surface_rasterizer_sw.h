@@ -21,8 +21,8 @@ struct l3d_band_settings {
 /// Units:   as l3d_surface_rasterizer_scalar, its slow twin.
 /// Lives:   borrows the workers.
 /// Cost:    a frame allocates only where there is more of something than in any frame before.
-///          Lambert shading in pictures at least 16 pixels wide is filled in SIMD lanes, all else
-///          pixel by pixel.
+///          Lambert, gouraud and flat shading in pictures at least 16 pixels wide is filled in SIMD
+///          lanes, all else pixel by pixel. Gouraud and flat cost least.
 class l3d_surface_rasterizer_sw final : public l3d_surface_rasterizer {
 public:
     explicit l3d_surface_rasterizer_sw(l3d_workers& workers, l3d_band_settings settings = {});

@@ -52,6 +52,26 @@ inline std::uint32_t grey_word(float intensity) {
     return level * 0x010101u;
 }
 
+/// What a vertex's normal, turned to the eye, gives.
+inline float vertex_intensity(const l3d_micro_vertex& vertex, const l3d_shading& shading) {
+    const float lit = cosine(shading.light, vertex.normal);
+    return intensity(away_from_eye(vertex, shading) > 0 ? -lit : lit);
+}
+
+/// What the sum of a polygon's normals gives.
+inline float polygon_intensity(std::span<const l3d_micro_vertex> corners,
+                               const l3d_shading& shading) {
+    vector3 sum{0, 0, 0};
+    float away = 0;
+    for (const l3d_micro_vertex& vertex : corners) {
+        for (std::size_t i = 0; i < sum.size(); ++i)
+            sum[i] += vertex.normal[i];
+        away += away_from_eye(vertex, shading);
+    }
+    const float lit = cosine(shading.light, sum.data());
+    return intensity(away > 0 ? -lit : lit);
+}
+
 /// The normal's components, and how far it points away from the eye.
 inline void put_normal(const l3d_micro_vertex& vertex, const l3d_shading& shading, float* out) {
     for (std::size_t i = 0; i < 3; ++i)
@@ -103,10 +123,7 @@ public:
     }
 
 private:
-    float grey(const l3d_micro_vertex& vertex) const {
-        const float lit = cosine(shading_.light, vertex.normal);
-        return intensity(away_from_eye(vertex, shading_) > 0 ? -lit : lit);
-    }
+    float grey(const l3d_micro_vertex& vertex) const { return vertex_intensity(vertex, shading_); }
 
     const l3d_shading& shading_;
     float darkest_ = 0, brightest_ = 1;
@@ -120,15 +137,7 @@ public:
     explicit flat_shader(const l3d_shading& shading) : shading_(shading) {}
 
     void begin_polygon(std::span<const l3d_micro_vertex> corners) {
-        vector3 sum{0, 0, 0};
-        float away = 0;
-        for (const l3d_micro_vertex& vertex : corners) {
-            for (std::size_t i = 0; i < sum.size(); ++i)
-                sum[i] += vertex.normal[i];
-            away += away_from_eye(vertex, shading_);
-        }
-        const float lit = cosine(shading_.light, sum.data());
-        word_ = grey_word(intensity(away > 0 ? -lit : lit));
+        word_ = grey_word(polygon_intensity(corners, shading_));
     }
     void corner(const l3d_micro_vertex&, float*) const {}
     std::uint32_t word(const float*) const { return word_; }

@@ -2,11 +2,13 @@
 // l3d_afd_options: declarations and what the values must be.
 #include "system/afd_options.h"
 
+#include "geom/model_file.h"
 #include "geom/teapot.h"
 #include "system/number_text.h"
 #include "system/text_file.h"
 
 #include <algorithm>
+#include <iostream>
 #include <limits>
 #include <thread>
 
@@ -42,8 +44,8 @@ void check_place(const char* option, const std::array<double, 3>& place) {
 } // namespace
 
 l3d_afd_options::l3d_afd_options(l3d_options& options) {
-    options.add("--model", model_file_, "patches to draw, a .bpt file; without it, the teapot",
-                "FILE");
+    options.add("--model", model_file_,
+                "patches to draw: .bpt, .bez, .bbp or .obj; without it, the teapot", "FILE");
     options.add("--method", method_, "how surfaces are drawn: " + l3d_method_choice::all_names(),
                 "NAME");
     // Vertices lie on a grid of 1/256 pixel, which is already off by sqrt(2)/512 = 0.0028.
@@ -128,11 +130,25 @@ l3d_afd_settings l3d_afd_options::settings() const {
 
 l3d_patch_model l3d_afd_options::model() const {
     std::string why;
-    const std::string text = model_file_.empty() ? "" : l3d_read_text_file(model_file_);
-    auto model = model_file_.empty()
-                     ? l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot.bpt", why)
-                     : l3d_patch_model::from_bpt(text, model_file_, why);
+    if (model_file_.empty()) {
+        auto teapot = l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);
+        if (!teapot)
+            throw l3d_error(l3d_exit::bad_input, why);
+        return *std::move(teapot);
+    }
+    const auto file = l3d_read_model(l3d_read_text_file(model_file_), model_file_, why);
+    if (!file)
+        throw l3d_error(l3d_exit::bad_input, why);
+    const std::string polygons = std::to_string(file->mesh.faces()) + " polygons";
+    if (file->patches.empty())
+        throw l3d_error(l3d_exit::bad_input, model_file_ + ": holds " + polygons +
+                                                 " and no patches; modelview shows polygons");
+    auto model = l3d_patch_model::from_patches(file->patches, model_file_, why);
     if (!model)
         throw l3d_error(l3d_exit::bad_input, why);
+    for (const std::string& note : file->notes)
+        std::cerr << note << '\n';
+    if (file->mesh.faces() > 0)
+        std::cerr << model_file_ << ": " << polygons << " are skipped; modelview shows them\n";
     return *std::move(model);
 }

@@ -26,8 +26,15 @@ public:
     /// Errors: l3d_error(usage) for a light of no direction, or an unknown method.
     l3d_afd_settings settings() const;
 
-    /// The model asked for, or the teapot. Errors: l3d_error(bad_input) with file and line.
+    /// The model asked for, or the teapot; notes on what is skipped go to stderr.
+    /// Errors: l3d_error(bad_input) with file and line, or for a file without patches.
     l3d_patch_model model() const;
+
+    /// As given; empty for the teapot.
+    const std::string& model_file() const { return model_file_; }
+
+    /// Whether --eye or --target say anything else than their defaults.
+    bool places_camera() const { return eye_ != teapot_eye || target_ != teapot_target; }
 
     double turntable() const { return turntable_; }
     const std::string& depth_output() const { return depth_output_; }
@@ -44,7 +51,8 @@ public:
 private:
     std::string model_file_;
     std::string method_ = "afd";
-    std::array<double, 3> eye_{3.2, 3.6, 7.4}, target_{0.2, 1.3, 0}, up_{0, 1, 0};
+    static constexpr std::array<double, 3> teapot_eye{3.2, 3.6, 7.4}, teapot_target{0.2, 1.3, 0};
+    std::array<double, 3> eye_ = teapot_eye, target_ = teapot_target, up_{0, 1, 0};
     double fov_ = 38, near_ = 0.1, far_ = 1e13;
     std::array<double, 3> light_{0.4, 0.8, 0.45};
     l3d_afd_settings settings_;

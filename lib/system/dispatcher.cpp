@@ -15,6 +15,7 @@ l3d_exit l3d_dispatcher::start() {
 }
 
 void l3d_dispatcher::deliver(const l3d_event& event, l3d_pipeline& pipeline) {
+    pipeline.any_event(event);
     switch (event.type) {
     case l3d_event_type::key_press:
         pipeline.key_event(event.key);

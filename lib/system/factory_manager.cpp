@@ -94,7 +94,9 @@ bool l3d_factory_manager::choose(l3d_options& options, std::istream& in, std::os
         return false;
     }
     const bool by_option = !common.backend.empty();
-    const std::string name = by_option ? common.backend : environment("L3D_BACKEND");
+    std::string name = by_option ? common.backend : environment("L3D_BACKEND");
+    if (name.empty())
+        name = common.usual_backend;
     verbose_ = common.verbose;
     const bool named = !name.empty() && name != "ask" && name != "auto";
     const bool ask = may_ask && !common.no_input && name != "auto";

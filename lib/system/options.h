@@ -24,7 +24,8 @@
 
 /// What the options that every program has were set to.
 struct l3d_common_options {
-    std::string backend; ///< a back-end's name, "ask" or "auto"; empty: not given
+    std::string backend;         ///< a back-end's name, "ask" or "auto"; empty: not given
+    std::string usual_backend{}; ///< taken if the user names none; empty: chosen by what serves
     bool no_input = false;
     bool list_backends = false;
     bool diagnose = false;
@@ -90,6 +91,9 @@ public:
 
     /// Replaces --output, for a program (or factory manager) that has a better default.
     void set_output(const std::string& name) { common_.output = name; }
+
+    /// Names the back-end of a program that is about it, unless the user names another.
+    void prefer_backend(const std::string& name) { common_.usual_backend = name; }
 
     /// What a screen needs to know; the program's name is the title too.
     l3d_screen_request screen_request() const;

@@ -16,19 +16,20 @@ std::unique_ptr<l3d_screen> memory_screen(l3d_size size) {
     return l3d_screen_factory_memory().create(request, refusal);
 }
 
-l3d_afd_settings settings(double tolerance, int threads) {
+l3d_afd_settings settings(double tolerance, int threads, l3d_shade shade) {
     l3d_afd_settings result;
     result.tolerance = tolerance;
     result.threads = threads;
+    result.shade = shade;
     return result;
 }
 
 } // namespace
 
 bench_frame::bench_frame(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size,
-                         double tolerance, int threads)
+                         double tolerance, int threads, l3d_shade shade)
     : camera_(camera), pipeline_(memory_screen(size), l3d_rasterizer_factory_sw(), scene, camera,
-                                 settings(tolerance, threads)) {}
+                                 settings(tolerance, threads, shade)) {}
 
 double bench_frame::draw() {
     // A tenth of a millionth of the distance: no picture shows it, no frame equals another.

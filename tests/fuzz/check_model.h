@@ -42,9 +42,7 @@ inline bool is_message(const std::string& text) {
 }
 
 inline bool is_within_limits(const l3d_model_file& model) {
-    const auto within = [](double value) {
-        return std::abs(value) <= l3d_bpt_largest_coordinate;
-    };
+    const auto within = [](double value) { return std::abs(value) <= l3d_bpt_largest_coordinate; };
     for (const l3d_polygon_mesh::vector& v : model.mesh.vertices)
         if (!within(v[0]) || !within(v[1]) || !within(v[2]))
             return false;

@@ -26,8 +26,8 @@ void count_malloc(const volatile void* memory, std::size_t size) {
 
 void count_free(const volatile void* memory) {
     if (is_counting && memory)
-        live_bytes -= std::min(
-            live_bytes, __sanitizer_get_allocated_size(const_cast<const void*>(memory)));
+        live_bytes -=
+            std::min(live_bytes, __sanitizer_get_allocated_size(const_cast<const void*>(memory)));
 }
 
 void fail(const std::string& what) {

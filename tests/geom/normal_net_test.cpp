@@ -94,7 +94,7 @@ std::vector<patch> teapot(const std::string& name) {
         throw std::runtime_error(why);
     std::vector<patch> patches;
     for (const auto& one : *read) {
-        const auto points = l3d_elevated_to_bicubic(one);
+        const auto points = l3d_as_bicubic(one);
         patches.emplace_back();
         for (std::size_t i = 0; i < 16; ++i)
             patches.back().points[i] = {(*points)[i][0], (*points)[i][1], (*points)[i][2]};

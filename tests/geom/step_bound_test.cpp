@@ -151,6 +151,92 @@ void print(const char* what, kind k, const std::vector<double>& ratios) {
                 median(ratios), *std::max_element(ratios.begin(), ratios.end()), ratios.size());
 }
 
+/// How far chords through n + 1 points, balanced but for the ends, are off the curve.
+double balanced_error(const l3d_image_curve& curve, int n, const l3d_image_box& visible) {
+    const l3d_image_curve moved = l3d_balanced(curve, n);
+    const auto vertex = [&](int i) {
+        return (i == 0 || i == n ? curve : moved).evaluate(static_cast<double>(i) / n);
+    };
+    double worst = 0;
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k <= 32; ++k) {
+            const double t = k / 32.0;
+            const pixel chord = projected(mixed(vertex(i), vertex(i + 1), t));
+            if (holds(visible, chord))
+                worst = std::max(worst, distance(chord, projected(curve.evaluate((i + t) / n))));
+        }
+    return worst;
+}
+
+TEST(step_bound, balanced_chords_err_to_both_sides_alike) {
+    // f'' = (0, 600) pixels everywhere.
+    const l3d_image_curve parabola{{{{30, 40, 1}, {80, 40, 1}, {130, 140, 1}, {180, 340, 1}}}};
+    for (const int n : {2, 3, 7}) {
+        const double bound = l3d_balanced_error(n) * l3d_second_bound_of(parabola, window, 1);
+        EXPECT_NEAR(bound, 600 * 0.0857864 / (n * n), 1e-4);
+        const double worst = balanced_error(parabola, n, window);
+        EXPECT_LE(worst, bound * (1 + 1e-12));
+        EXPECT_GE(worst, bound * 0.999); // reached at all vertices inside
+    }
+    EXPECT_EQ(l3d_balanced(parabola, 1).points, parabola.points);
+
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    oracle::random_values random(seed);
+    for (const kind k : kinds) {
+        std::vector<double> ratios;
+        for (int round = 0; round < 400; ++round) {
+            const auto curve = random_curve(random, k);
+            const int n = random.up_to(16);
+            const l3d_image_box hull = l3d_image_box_of(curve.points);
+            const double least = l3d_depth_range_of(curve.points).least;
+            // As far as the bound says that balance moves vertices out of the hull.
+            const double reach =
+                l3d_second_bound_of(curve, hull.grown(hull.width() + hull.height()), least);
+            const l3d_image_box visible = hull.grown(reach / 8 / (n * n)).intersected(window);
+            if (visible.empty() || reach > 8 * n * n * (hull.width() + hull.height()))
+                continue;
+            const double bound = l3d_balanced_error(n) * l3d_second_bound_of(curve, visible, least);
+            const double worst = balanced_error(curve, n, visible);
+            ASSERT_LE(worst, bound + 1e-9) << name(k) << ", " << n << " steps";
+            ratios.push_back(worst / bound);
+        }
+        print("balanced", k, ratios);
+        EXPECT_GE(median(ratios), k == kind::deep ? 0.05 : 0.3);
+    }
+}
+
+TEST(step_bound, of_mixed_derivatives_are_kept) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    oracle::random_values random(seed);
+    for (int round = 0; round < 200; ++round) {
+        l3d_image_patch patch = random_patch(random, kind::moderate);
+        for (point& p : patch.points)
+            p = {p[0] / p[2], p[1] / p[2], 1};
+        const l3d_mixed_bounds bounds = l3d_mixed_bounds_of(patch, window, 1);
+        const auto second = [](const l3d_image_curve& f,
+                               double t) { // f'' = 6 (lerp of differences)
+            const auto& p = f.points;
+            const point first = p[0] - p[1] * 2.0 + p[2], last = p[1] - p[2] * 2.0 + p[3];
+            return (first + (last - first) * t) * 6.0;
+        };
+        const double u = random.within(0, 1), v = random.within(0, 1);
+        l3d_image_curve uu, vv;
+        for (std::size_t i = 0; i < 4; ++i) {
+            uu.points[i] = second(patch.row(static_cast<int>(i)), u);
+            vv.points[i] = second(patch.column(static_cast<int>(i)), v);
+        }
+        const auto slope = [](const l3d_image_curve& f, double t) { // of a cubic
+            const auto d = f.derivative();
+            return d[0] * ((1 - t) * (1 - t)) + d[1] * (2 * t * (1 - t)) + d[2] * (t * t);
+        };
+        const auto length = [](const point& d) { return std::hypot(d[0], d[1]); };
+        EXPECT_LE(length(slope(uu, v)), bounds.uuv * (1 + 1e-12));
+        EXPECT_LE(length(slope(vv, u)), bounds.uvv * (1 + 1e-12));
+        EXPECT_LE(length(second(uu, v)), bounds.uuvv * (1 + 1e-12));
+        EXPECT_GT(length(slope(uu, v)) + length(slope(vv, u)), 0);
+    }
+}
+
 TEST(step_bound, of_a_chord_is_kept_and_tight) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     oracle::random_values random(seed);

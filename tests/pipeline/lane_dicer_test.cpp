@@ -123,6 +123,51 @@ TYPED_TEST(lane_dicer, holds_its_bound) {
     }
 }
 
+/// Where the vertex of a grid's row and column is to be, its strips given by where they start: with
+/// f - m f'' along u and then along v, m that of l3d_balance, or 0 at the strips' ends.
+class balanced_places {
+public:
+    explicit balanced_places(const l3d_diced_piece& piece)
+        : u_(moved(piece.part.block_columns)), v_(moved(piece.part.block_rows)) {}
+
+    l3d_image_point operator()(const l3d_image_patch& net, const l3d_diced_piece& piece, int row,
+                               int column) const {
+        const auto r = static_cast<std::size_t>(row), c = static_cast<std::size_t>(column);
+        l3d_image_curve along_v;
+        for (int i = 0; i < 4; ++i)
+            along_v.points[static_cast<std::size_t>(i)] =
+                moved_by(net.row(i), u_[c]).evaluate(piece.u[c]);
+        return moved_by(along_v, v_[r]).evaluate(piece.v[r]);
+    }
+
+private:
+    static std::vector<double> moved(const l3d_block_starts& starts) {
+        std::vector<double> result;
+        for (int s = 0; s < starts.blocks; ++s) {
+            const auto strip = static_cast<std::size_t>(s);
+            const int n = starts.first[strip + 1] - starts.first[strip];
+            for (int i = 0; i < n; ++i)
+                result.push_back(i == 0 || starts.blocks == 1 ? 0 : l3d_balance / (16.0 * n * n));
+        }
+        result.push_back(0);
+        return result;
+    }
+
+    /// f'' is 6 times the second differences of the control points, and linear.
+    static l3d_image_curve moved_by(const l3d_image_curve& f, double m) {
+        l3d_image_curve result = f;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double last = static_cast<double>(i) / 3;
+            for (std::size_t k = 0; k < 2; ++k)
+                result.points[i] -= (f.points[k] - f.points[k + 1] * 2.0 + f.points[k + 2]) *
+                                    (6 * m * (k == 0 ? 1 - last : last));
+        }
+        return result;
+    }
+
+    std::vector<double> u_, v_;
+};
+
 TYPED_TEST(lane_dicer, places_vertices_where_exact_evaluation_does) {
     double worst = 0;
     for (const named_kind& of : kinds)
@@ -133,11 +178,10 @@ TYPED_TEST(lane_dicer, places_vertices_where_exact_evaluation_does) {
             all.dice(s, 0.25,
                      [&](std::size_t i, const l3d_image_patch& net, const l3d_diced_piece& piece) {
                          const l3d_micro_grid& grid = piece.part.grid;
+                         const balanced_places place(piece);
                          for (int r = 0; r < grid.rows; ++r)
                              for (int c = 0; c < grid.columns; ++c) {
-                                 const l3d_image_point h =
-                                     net.evaluate(piece.u[static_cast<std::size_t>(c)],
-                                                  piece.v[static_cast<std::size_t>(r)]);
+                                 const l3d_image_point h = place(net, piece, r, c);
                                  const l3d_micro_vertex v = grid.vertex(r, c);
                                  const double x = h[0] / h[2] * l3d_subpixel_one + view.centre_x();
                                  const double y = h[1] / h[2] * l3d_subpixel_one + view.centre_y();

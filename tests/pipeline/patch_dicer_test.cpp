@@ -162,10 +162,11 @@ TYPED_TEST(patch_dicer, finer_tolerance_takes_more_samples_and_cuts_in_the_end) 
     for (const double tolerance : {2.0, 0.5, 0.125, 0.03, 0.0078}) {
         hash_sink sink;
         counts = dice<TypeParam>(s, tolerance, sink);
-        // A quarter of the tolerance doubles both numbers of steps, if rounding leaves any.
+        // A quarter of the tolerance doubles both numbers of steps, if rounding leaves any: two
+        // steps, which are balanced, do for nearly three times the error of one.
         EXPECT_GT(counts.samples, before);
         if (before > 0 && tolerance > 0.02) {
-            EXPECT_GT(static_cast<double>(counts.samples), 2.2 * static_cast<double>(before));
+            EXPECT_GT(static_cast<double>(counts.samples), 2.0 * static_cast<double>(before));
             EXPECT_LT(static_cast<double>(counts.samples), 5.5 * static_cast<double>(before));
         }
         before = counts.samples;

@@ -84,15 +84,15 @@ TEST(book_world, projection_of_fltsim) {
     const l3d_size size{640, 400};
     pyramid object(1);
     object.update(1 / l3d_book_rate);
-    l3d_painter painter;
-    painter.begin(camera_at(0, 0, -50, size), size);
-    EXPECT_EQ(painter.add(object), 4u); // vertices transformed, not twelve
-    ASSERT_EQ(painter.polygons(), 4u);
+    l3d_facet_list facets;
+    facets.begin(camera_at(0, 0, -50, size), size);
+    EXPECT_EQ(facets.add(object), 4u); // vertices transformed, not twelve
+    ASSERT_EQ(facets.polygons(), 4u);
     const double wanted[4][2] = {
         {325.265, 194.735}, {377.914, 194.735}, {325.092, 144.766}, {324.413, 203.250}};
     for (std::size_t face = 0; face < 4; ++face)
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto corner = painter.corners(face)[k];
+            const auto corner = facets.corners(face)[k];
             const double* const w = wanted[object.mesh().face(face)[k]];
             EXPECT_NEAR(corner.x, w[0], 1e-3);
             EXPECT_NEAR(corner.y, w[1], 1e-3);
@@ -102,12 +102,12 @@ TEST(book_world, projection_of_fltsim) {
     plugged.set_transform(0, l3d_rotation_z<real>(1));
     plugged.set_transform(1, l3d_translation<real>(70, 0, 0));
     plugged.set_transform(2, l3d_translation<real>(0, 0, 50));
-    painter.begin(camera_at(0, 0, -50, size), size);
-    painter.add(plugged);
-    EXPECT_NEAR(painter.corners(0)[0].x, 507.958, 1e-3);
-    EXPECT_NEAR(painter.corners(0)[0].y, 200, 1e-3);
-    EXPECT_NEAR(painter.corners(0)[1].x, 534.805, 1e-3);
-    EXPECT_NEAR(painter.corners(0)[1].y, 199.531, 1e-3);
+    facets.begin(camera_at(0, 0, -50, size), size);
+    facets.add(plugged);
+    EXPECT_NEAR(facets.corners(0)[0].x, 507.958, 1e-3);
+    EXPECT_NEAR(facets.corners(0)[0].y, 200, 1e-3);
+    EXPECT_NEAR(facets.corners(0)[1].x, 534.805, 1e-3);
+    EXPECT_NEAR(facets.corners(0)[1].y, 199.531, 1e-3);
 }
 
 /// Row "Numeric facade": whatever l3d_real is, pixels are within half a pixel of double's.
@@ -160,22 +160,22 @@ TEST(book_world, nothing_behind_the_eye_is_projected) {
         camera.fovy = 2 + 1.9 * uniform(random);
         camera.turn_about_up(180 * uniform(random));
         camera.turn_about_right(180 * uniform(random));
-        l3d_painter painter;
-        painter.begin(camera, size);
+        l3d_facet_list facets;
+        facets.begin(camera, size);
         for (int k = 0; k < 3; ++k) {
             l3d_object object(pyramid_mesh());
             const double grow = std::exp(4 * uniform(random));
             object.set_transform(0, l3d_scaling<real>(grow, 1, 1 / grow));
             object.set_transform(1, l3d_rotation<real>({uniform(random), 1.1, 0.2}, 3.0 * k));
-            painter.add(object);
+            facets.add(object);
         }
-        for (std::size_t p = 0; p < painter.polygons(); ++p)
-            for (const l3d_point_2d& corner : painter.corners(p)) {
+        for (std::size_t p = 0; p < facets.polygons(); ++p)
+            for (const l3d_point_2d& corner : facets.corners(p)) {
                 ASSERT_LT(std::abs(corner.x), 0x1p15 + size.width) << "case " << i;
                 ASSERT_LT(std::abs(corner.y), 0x1p15 + size.height) << "case " << i;
             }
-        painter.draw(image.rasterizer, l3d_draw_order::far_first);
-        drawn += painter.polygons();
+        facets.draw(image.rasterizer, l3d_draw_order::far_first);
+        drawn += facets.polygons();
     }
     EXPECT_GT(drawn, 3000u);
 }
@@ -185,16 +185,17 @@ TEST(book_world, nothing_behind_the_eye_is_projected) {
 TEST(book_world, a_cut_polygon_covers_what_is_left) {
     const l3d_size size{101, 67};
     picture image(size);
-    l3d_painter painter;
+    l3d_facet_list facets;
     auto camera = camera_at(3, 2, -1, size);
     camera.near_z = 0.5; // there the floor is 200 pixels below the centre
-    painter.begin(camera, size);
+    camera.far_z = 1e7;
+    facets.begin(camera, size);
     l3d_polygon_mesh floor;
     floor.vertices = {{-9e4, 0, -80}, {-9e4, 0, 9e6}, {9e4, 0, 9e6}, {9e4, 0, -80}};
     floor.add_face({{0, 1, 2, 3}});
-    painter.add(l3d_object(floor));
-    ASSERT_EQ(painter.polygons(), 1u);
-    painter.draw(image.rasterizer, l3d_draw_order::as_added);
+    facets.add(l3d_object(floor));
+    ASSERT_EQ(facets.polygons(), 1u);
+    facets.draw(image.rasterizer, l3d_draw_order::as_added);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
             ASSERT_EQ(image.at(x, y) != 0, y > 33) << x << ',' << y; // the horizon: 33.5
@@ -229,6 +230,18 @@ TEST(book_world, visibility) {
     }
 }
 
+TEST(book_world, far_away_is_nothing) {
+    const l3d_size size{80, 60};
+    l3d_world world(size);
+    world.camera.place = l3d_point<real>::of(0, 0, 0);
+    world.objects.push_back(card(-2, -2, 4, 4, 499, 0xff0000));
+    world.objects.push_back(card(-2, -2, 4, 4, 501, 0x0000ff));
+    picture image(size);
+    EXPECT_EQ(world.draw_all(image.rasterizer, size), 1u);
+    world.camera.far_z = 502;
+    EXPECT_EQ(world.draw_all(image.rasterizer, size), 2u);
+}
+
 TEST(book_world, no_fixed_limits) {
     const l3d_size size{200, 100};
     l3d_polygon_mesh mesh;
@@ -257,12 +270,12 @@ TEST(book_object, geometry_is_never_modified) {
     const auto before = object.mesh();
     const std::vector<l3d_point<real>> vertices(object.vertices().begin(), object.vertices().end());
     const l3d_size size{64, 40};
-    l3d_painter painter;
+    l3d_facet_list facets;
     for (int i = 0; i < 1000000; ++i) {
         object.update(1 / l3d_book_rate);
         if (i % 1000 == 0) {
-            painter.begin(camera_at(0, 0, -5, size), size);
-            painter.add(object);
+            facets.begin(camera_at(0, 0, -5, size), size);
+            facets.add(object);
         }
     }
     EXPECT_EQ(object.mesh(), before);

@@ -139,7 +139,7 @@ TEST(SurfaceBands, DrawWhatTheSlowTwinDraws) {
 TEST(SurfaceBands, PictureDoesNotDependOnThemNorOnThreads) {
     // Else oneTBB has no more threads than the machine has cores.
     const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
-    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::normals})
+    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::normals})
         for (unsigned n = 0; n < 4; ++n) {
             const parts scene = random_scene(seed + n, odd, 30);
             surface_picture one(odd.width, odd.height, 1);
@@ -164,29 +164,30 @@ TEST(SurfaceBands, PictureDoesNotDependOnThemNorOnThreads) {
 }
 
 TEST(SurfaceBands, PictureDoesNotDependOnTheInstructions) {
-    for (unsigned n = 0; n < 4; ++n) {
-        const parts scene = random_scene(seed + n, odd, 60);
-        surface_picture best(odd.width, odd.height, 2);
-        draw_frame(best, scene, l3d_shade::lambert);
-        const l3d_surface_counts of_best = best.rasterizer.counts();
-        for (const std::string& name : l3d_simd_targets()) {
-            ASSERT_TRUE(l3d_set_simd_target(name));
-            surface_picture other(odd.width, odd.height, 2);
-            draw_frame(other, scene, l3d_shade::lambert);
-            SCOPED_TRACE(name);
-            expect_same(best, other);
-            EXPECT_EQ(other.rasterizer.counts().samples, of_best.samples);
-            EXPECT_EQ(other.rasterizer.counts().written, of_best.written);
-            EXPECT_EQ(other.rasterizer.counts().covered, of_best.covered);
-            EXPECT_TRUE(other.guards_intact());
+    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat})
+        for (unsigned n = 0; n < 4; ++n) {
+            const parts scene = random_scene(seed + n, odd, 60);
+            surface_picture best(odd.width, odd.height, 2);
+            draw_frame(best, scene, mode);
+            const l3d_surface_counts of_best = best.rasterizer.counts();
+            for (const std::string& name : l3d_simd_targets()) {
+                ASSERT_TRUE(l3d_set_simd_target(name));
+                surface_picture other(odd.width, odd.height, 2);
+                draw_frame(other, scene, mode);
+                SCOPED_TRACE(name);
+                expect_same(best, other);
+                EXPECT_EQ(other.rasterizer.counts().samples, of_best.samples);
+                EXPECT_EQ(other.rasterizer.counts().written, of_best.written);
+                EXPECT_EQ(other.rasterizer.counts().covered, of_best.covered);
+                EXPECT_TRUE(other.guards_intact());
+            }
+            l3d_set_simd_target("");
         }
-        l3d_set_simd_target("");
-    }
 }
 
 TEST(SurfaceBands, LeavingOutWhatIsHiddenLosesNothing) {
     std::int64_t with = 0, without = 0;
-    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::error})
+    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::error})
         for (unsigned n = 0; n < 10; ++n) {
             const parts scene = random_scene(seed + n, odd, 150);
             surface_picture all(odd.width, odd.height, 1, {.rows = 32, .leave_out_hidden = false});
@@ -320,7 +321,7 @@ TEST(SurfaceBands, NeedNoDepthBuffer) {
 }
 
 TEST(SurfaceBands, UntouchedPicturesAreEmptiedWhereSomethingWas) {
-    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::error}) {
+    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::error}) {
         surface_picture fresh(odd.width, odd.height, 2), kept(odd.width, odd.height, 2);
         std::vector<std::uint32_t> other_words(fresh.words);
         l3d_pixels other = kept.pixels();

@@ -33,7 +33,44 @@ def wrong_models():
         ("degree.bpt", "1\n99 3\n" + patch, "degree.bpt:2: "),
         ("far.bpt", "1\n" + patch.replace("1 0 1", "1e13 0 1"), "far.bpt:4: "),
         ("trailing.bpt", "1\n" + patch + "7\n", "trailing.bpt:19: "),
+        ("words.bpt", "Hello, world\n", "words.bpt:1: 'Hello,' begins none of "),
+        ("mesh.bpt", "OFF 3 1 0\n1 2 3\n4 5 7\n7 8 9\n3 0 1 2\n",
+         "mesh.bpt: holds 1 polygons and no patches; modelview "),
+        ("rational.bez", "BEZ114\n" + "1 2 3 1\n" * 3 + "1 2 3 0.5\n", "rational.bez:5: "),
+        ("quartic.bez", "BEZ143\n" + "1 2 3\n" * 9 + "1 2 4\n",
+         "quartic.bez: patch 1 has degree 1 by 4 "),
     ]
+
+
+def teapot_in_every_format():
+    """The shipped teapot's patches: name of a file, text."""
+    with open(os.path.join(ROOT, "data", "teapot.bpt"), encoding="ascii") as file:
+        lines = file.read().split("\n")[1:]
+    patches = [lines[first + 1 : first + 17] for first in range(0, 28 * 17, 17)]
+    surface = "surf 0 1 0 1 " + " ".join("-%d" % back for back in range(16, 0, -1))
+    surfaces = {
+        "bezier": surface + "\nparm u 0 1\nparm v 0 1\nend\n",
+        "bspline": surface + "\nparm u 0 0 0 0 1 1 1 1\nparm v 0 0 0 0 1 1 1 1\nend\n",
+    }
+    yield "teapot.bbp", "BBP\n" + "\n".join(point for patch in patches for point in patch)
+    for kind, statements in surfaces.items():
+        body = ["".join("v %s\n" % point for point in patch) + statements for patch in patches]
+        yield kind + ".obj", "cstype %s\ndeg 3 3\n%s" % (kind, "".join(body))
+
+
+def draws_the_same_patches_from_every_format():
+    with folder() as path:
+        size = ("--size", "157x119")
+        expect_equal(memory(*size, "--output", "teapot.png", cwd=path), (0, b"", ""))
+        with open(os.path.join(path, "teapot.png"), "rb") as file:
+            expected = file.read()
+        for name, text in teapot_in_every_format():
+            with open(os.path.join(path, name), "w", encoding="ascii") as file:
+                file.write(text)
+            said = memory(*size, "--model", name, "--output", "o.png", cwd=path)
+            expect_equal(said, (0, b"", ""), name)
+            with open(os.path.join(path, "o.png"), "rb") as file:
+                expect(file.read() == expected, name)
 
 
 def refuses_wrong_models():
@@ -204,7 +241,8 @@ def obeys_the_mouse():
 def main():
     checks = Checks()
     for check in (
-        refuses_wrong_models, draws_a_model_cut_at_no_byte, reports_every_frame,
+        refuses_wrong_models, draws_a_model_cut_at_no_byte,
+        draws_the_same_patches_from_every_format, reports_every_frame,
         reports_to_the_standard_output, writes_distances,
         repeats_itself, explains_what_it_left_out, refuses_wrong_values, obeys_its_keys,
         obeys_the_mouse,

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// l3d_painter: the steps from an object's polygons to pixels.
-#include "pipeline/painter.h"
+// l3d_facet_list: the steps from an object's polygons to pixels.
+#include "pipeline/facet_list.h"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <limits>
-#include <numeric>
 
 namespace {
 
@@ -14,9 +13,14 @@ namespace {
 /// times 256 for the fractions of a pixel that rasterizers count in, are far from 2^31.
 constexpr double farthest_pixel = 0x1p15;
 
+/// Falls as depth rises: positive floats are in the order of their bits. Expects: depth > 0.
+std::uint32_t key_of(l3d_real depth) {
+    return ~std::bit_cast<std::uint32_t>(static_cast<float>(l3d_to_double(depth)));
+}
+
 } // namespace
 
-void l3d_painter::begin(const l3d_camera_left_handed<real>& camera, l3d_size size) {
+void l3d_facet_list::begin(const l3d_camera_left_handed<real>& camera, l3d_size size) {
     camera_ = camera;
     size_ = size;
     viewing_ = camera.viewing_transform();
@@ -24,7 +28,7 @@ void l3d_painter::begin(const l3d_camera_left_handed<real>& camera, l3d_size siz
     polygons_.clear();
 }
 
-std::size_t l3d_painter::add(const l3d_object& object) {
+std::size_t l3d_facet_list::add(const l3d_object& object) {
     const l3d_matrix<real> to_camera = viewing_ * object.modeling_transform();
     const auto vertices = object.vertices();
     points_.clear();
@@ -40,22 +44,22 @@ std::size_t l3d_painter::add(const l3d_object& object) {
 }
 
 /// What is left is in `clipped_`; false if that is nothing.
-bool l3d_painter::clip(std::span<const std::uint32_t> face) {
-    if (!l3d_clip_near_z(face, l3d_from_double<real>(camera_.near_z), points_, clipped_))
+bool l3d_facet_list::clip(std::span<const std::uint32_t> face) {
+    const real far = l3d_from_double<real>(camera_.far_z);
+    if (std::all_of(face.begin(), face.end(), [&](auto i) { return points_[i][2] > far; }) ||
+        !l3d_clip_near_z(face, l3d_from_double<real>(camera_.near_z), points_, clipped_))
         return false;
-    const real right = l3d_from_double<real>(farthest_pixel / (camera_.fovx * size_.width));
-    const real up = l3d_from_double<real>(farthest_pixel / (camera_.fovy * size_.height));
+    const real right = l3d_from_double<real>(camera_.fovx * size_.width / farthest_pixel);
+    const real up = l3d_from_double<real>(camera_.fovy * size_.height / farthest_pixel);
     return clip_sideways(0, right) && clip_sideways(0, -right) && clip_sideways(1, up) &&
            clip_sideways(1, -up);
 }
 
-/// Cuts where a coordinate exceeds `limit` times z, or, if that is negative, is less.
-bool l3d_painter::clip_sideways(int axis, real limit) {
+/// Cuts where a coordinate, times `scale`, exceeds z. The scale is small, so that fixed point does
+/// not overflow here either; one that is negative is for the other side.
+bool l3d_facet_list::clip_sideways(int axis, real scale) {
     const real zero = l3d_from_double<real>(0);
-    const auto side = [&](std::uint32_t i) {
-        const real across = points_[i][2] * limit - points_[i][axis];
-        return limit > zero ? across : -across;
-    };
+    const auto side = [&](std::uint32_t i) { return points_[i][2] - points_[i][axis] * scale; };
     const auto is_inside = [&](std::uint32_t i) { return !(side(i) < zero); };
     if (std::all_of(clipped_.begin(), clipped_.end(), is_inside))
         return true;
@@ -69,7 +73,7 @@ bool l3d_painter::clip_sideways(int axis, real limit) {
 }
 
 /// Adds the polygon in `clipped_`, unless it is beside the picture.
-void l3d_painter::project(std::uint32_t color) {
+void l3d_facet_list::project(std::uint32_t color) {
     const std::size_t first = corners_.size();
     double left = std::numeric_limits<double>::max(), right = -left, top = left, bottom = -left;
     real depth = l3d_from_double<real>(0);
@@ -89,17 +93,16 @@ void l3d_painter::project(std::uint32_t color) {
                              depth / l3d_from_double<real>(static_cast<double>(clipped_.size()))});
 }
 
-std::span<const l3d_point_2d> l3d_painter::corners(std::size_t which) const {
+std::span<const l3d_point_2d> l3d_facet_list::corners(std::size_t which) const {
     return {corners_.data() + polygons_[which].first_corner, polygons_[which].corners};
 }
 
-void l3d_painter::draw(l3d_rasterizer_2d& rasterizer, l3d_draw_order order) {
-    order_.resize(polygons_.size());
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    if (order == l3d_draw_order::far_first)
-        std::stable_sort(order_.begin(), order_.end(), [this](std::size_t a, std::size_t b) {
-            return polygons_[a].depth > polygons_[b].depth;
-        });
-    for (const std::size_t i : order_)
-        rasterizer.draw_polygon_flatshaded(corners(i), polygons_[i].color);
+void l3d_facet_list::draw(l3d_rasterizer_2d& rasterizer, l3d_draw_order order) {
+    order_.clear();
+    for (const polygon& p : polygons_)
+        order_.push_back({order == l3d_draw_order::far_first ? key_of(p.depth) : 0,
+                          static_cast<std::uint32_t>(order_.size())});
+    l3d_radix_sort(order_, sorting_);
+    for (const l3d_sort_item& item : order_)
+        rasterizer.draw_polygon_flatshaded(corners(item.index), polygons_[item.index].color);
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// l3d_painter: a frame's polygons, from objects in a world to pixels, farthest first.
-#ifndef L3D_PIPELINE_PAINTER_H
-#define L3D_PIPELINE_PAINTER_H
+// l3d_facet_list: a frame's polygons, from objects in a world to pixels, farthest first.
+#ifndef L3D_PIPELINE_FACET_LIST_H
+#define L3D_PIPELINE_FACET_LIST_H
 
+#include "geom/radix_sort.h"
 #include "raster/rasterizer_2d.h"
 #include "pipeline/camera_left_handed.h"
 #include "pipeline/object.h"
@@ -20,14 +21,16 @@ enum class l3d_draw_order {
 /// Transforms, clips and projects polygons, and holds those that are left for one frame.
 ///
 /// Each vertex of an object is transformed once, however many polygons share it. Polygons are cut
-/// at near_z, and far outside the picture; new vertices follow the object's own in one list.
+/// at near_z, and far outside the picture; what is wholly beyond far_z is left out. New vertices
+/// follow the object's own in one list.
+/// Cost:    time linear in vertices and polygons, sorting included; memory for the most polygons of
+///          any frame so far, and no limit to their number but 2^32.
 /// Source:  the order of steps is that of l3d_world::draw_all in the book.
-/// Cost:    memory for the most polygons of any frame so far, and no limit to their number.
-class l3d_painter {
+class l3d_facet_list {
 public:
     using real = l3d_real;
 
-    /// Forgets the last frame. Expects: 0 < near_z, finite.
+    /// Forgets the last frame. Expects: 0 < near_z <= far_z, fovx and fovy > 0.
     void begin(const l3d_camera_left_handed<real>& camera, l3d_size size);
 
     /// Adds what may be seen of an object. Returns how many vertices were transformed.
@@ -49,7 +52,7 @@ private:
     };
 
     bool clip(std::span<const std::uint32_t> face);
-    bool clip_sideways(int axis, real limit);
+    bool clip_sideways(int axis, real scale);
     void project(std::uint32_t color);
 
     l3d_camera_left_handed<real> camera_{l3d_size{1, 1}};
@@ -59,7 +62,7 @@ private:
     std::vector<std::uint32_t> clipped_, before_; ///< of one polygon
     std::vector<l3d_point_2d> corners_;           ///< of all polygons
     std::vector<polygon> polygons_;
-    std::vector<std::size_t> order_;
+    std::vector<l3d_sort_item> order_, sorting_;
 };
 
 #endif

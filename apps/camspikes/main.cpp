@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// camspikes: spikes seen by a camera that flies.
+#include "../spikes/spike.h"
+#include "pipeline/pipeline_world.h"
+#include "system/program.h"
+
+namespace {
+
+// Step 2 of 5: what the pipeline shows; the pipeline itself is l3d_pipeline_world.
+class camspikes_world final : public l3d_world {
+public:
+    camspikes_world(l3d_size size, std::uint64_t seed) : l3d_world(size), random_(seed) {
+        camera.near_z = 0.01;
+        const spike_kind kind{.spread = 300,
+                              .nearest_start = 200,
+                              .farthest_start = 200,
+                              .slowest = 10,
+                              .fastest = 49};
+        for (int i = 0; i < 150; ++i)
+            objects.push_back(std::make_unique<spike>(kind, random_));
+    }
+
+private:
+    l3d_random random_;
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    l3d_program program("camspikes",
+                        std::string("Spikes, and a camera that flies.\n") + l3d_world_keys,
+                        {320, 200});
+    return program.run(argc, argv, [&] {                     // step 1: choose factories
+        const auto dispatcher = program.create_dispatcher(); // step 3
+        auto canvas = program.create_canvas();
+        camspikes_world world(canvas.screen->pixels().size(), program.seed());
+        l3d_pipeline_world pipeline(std::move(canvas), world);
+        dispatcher->plug(pipeline, pipeline.screen()); // step 4
+        return dispatcher->start();                    // step 5
+    });
+}

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// dots: dots in space, in true perspective: a runway, stars, or snow.
+#include "geom/random.h"
+#include "pipeline/camera_left_handed.h"
+#include "pipeline/pipeline_2d.h"
+#include "pipeline/ticker.h"
+#include "system/program.h"
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace {
+
+using point = l3d_point<l3d_real>;
+
+/// What the dots are: where they start, and how they move. Units: per update of the book.
+class dot_kind {
+public:
+    dot_kind() = default;
+    dot_kind(const dot_kind&) = delete;
+    dot_kind& operator=(const dot_kind&) = delete;
+    virtual ~dot_kind() = default;
+
+    virtual int count() const { return 150; }
+    virtual point place(int number, l3d_random& random) const = 0;
+    virtual void move(point& dot, l3d_random& random) const = 0;
+};
+
+point random_place(l3d_random& random, int x0, int x1, int y0, int y1, int z0, int z1) {
+    const int x = random.between(x0, x1), y = random.between(y0, y1), z = random.between(z0, z1);
+    return point::of(x, y, z);
+}
+
+class runway final : public dot_kind {
+    int count() const override { return 100; }
+    point place(int number, l3d_random&) const override {
+        return point::of(-200 + 40 * (number % 10), -70, 100 + 40 * (number / 10));
+    }
+    void move(point& dot, l3d_random&) const override {
+        dot += point::of(-5, 0, 0).from_origin;
+        if (l3d_to_double(dot[0]) <= -200) // ten columns of 40 further right, where there is room
+            dot += point::of(400, 0, 0).from_origin;
+    }
+};
+
+class stars final : public dot_kind {
+    point place(int, l3d_random& random) const override {
+        return random_place(random, -1000, 1000, -1000, 1000, 200, 1199);
+    }
+    void move(point& dot, l3d_random& random) const override {
+        dot += point::of(0, 0, -10).from_origin;
+        if (l3d_to_double(dot[2]) < 20)
+            dot = place(0, random);
+    }
+};
+
+class snow final : public dot_kind {
+    point place(int, l3d_random& random) const override {
+        return random_place(random, -319, 0, 100, 199, 64, 303);
+    }
+    void move(point& dot, l3d_random& random) const override {
+        dot += point::of(random.between(0, 1), -1, 0).from_origin;
+        if (l3d_to_double(dot[1]) < -70)
+            dot = place(0, random);
+    }
+};
+
+// Step 2 of 5: the application is a pipeline.
+class dots_pipeline final : public l3d_pipeline_2d {
+public:
+    dots_pipeline(l3d_canvas canvas, const dot_kind& kind, std::uint64_t seed)
+        : l3d_pipeline_2d(std::move(canvas)), kind_(kind), random_(seed) {
+        for (int i = 0; i < kind.count(); ++i)
+            dots_.push_back(kind.place(i, random_));
+    }
+
+    void update_event(double seconds) override {
+        for (int n = ticker_.due(seconds); n > 0; --n)
+            for (point& dot : dots_)
+                kind_.move(dot, random_);
+    }
+
+private:
+    /// The eye is at the origin and looks along z. It sees 61.6 degrees, the book's 1 / tan 50.
+    void draw(l3d_rasterizer_2d& rasterizer) override {
+        l3d_camera_left_handed<l3d_real> camera(size());
+        camera.fovx *= 2;
+        camera.fovy *= 2;
+        rasterizer.clear_buffer();
+        for (const point& dot : dots_) {
+            const auto pixel = camera.project(dot, size());
+            rasterizer.draw_point(static_cast<int>(std::floor(pixel.x)),
+                                  static_cast<int>(std::floor(pixel.y)), 0xffffff);
+        }
+    }
+
+    const dot_kind& kind_;
+    l3d_random random_;
+    l3d_ticker ticker_;
+    std::vector<point> dots_;
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    l3d_program program("dots", "Dots in space. Keys: F11, q.", {320, 240});
+    const runway a_runway;
+    const stars some_stars;
+    const snow some_snow;
+    const dot_kind* kind = &a_runway;
+    program.options().add_choice<const dot_kind*>(
+        "--scene", kind,
+        "what the dots are (the book's "
+        "0, 1 and 2)",
+        {{"runway", &a_runway}, {"stars", &some_stars}, {"snow", &some_snow}});
+    return program.run(argc, argv, [&] {                     // step 1: choose factories
+        const auto dispatcher = program.create_dispatcher(); // step 3
+        dots_pipeline pipeline(program.create_canvas(), *kind, program.seed());
+        dispatcher->plug(pipeline, pipeline.screen()); // step 4
+        return dispatcher->start();                    // step 5
+    });
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// fltsim: a world of pyramids to fly through. Ten of them are a class, one is a plug-in.
+#include "geom/random.h"
+#include "pipeline/pipeline_world.h"
+#include "system/plugin_loader.h"
+#include "system/program.h"
+
+#include <iostream>
+
+namespace {
+
+/// Turns about the x axis, 10 degrees per update of the book.
+class pyramid final : public l3d_object {
+public:
+    pyramid(double x, l3d_random& random) {
+        l3d_polygon_mesh mesh;
+        mesh.vertices = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}};
+        mesh.add_face({{0, 1, 3}});
+        mesh.add_face({{2, 3, 1}});
+        mesh.add_face({{0, 2, 1}});
+        mesh.add_face({{3, 2, 0}});
+        for (std::size_t i = 0; i < mesh.faces(); ++i)
+            mesh.face_colors.push_back(random.next() >> 8);
+        set_mesh(std::move(mesh));
+        set_transform(1, l3d_translation<l3d_real>(x, 1, 1));
+    }
+
+private:
+    void do_update(double seconds) override {
+        degrees_ += 10 * l3d_book_rate * seconds;
+        set_transform(0, l3d_rotation_x<l3d_real>(degrees_));
+    }
+
+    double degrees_ = 0;
+};
+
+// Step 2 of 5: what the pipeline shows; the pipeline itself is l3d_pipeline_world.
+class fltsim_world final : public l3d_world {
+public:
+    fltsim_world(l3d_size size, std::uint64_t seed, const std::string& plugin) : l3d_world(size) {
+        camera.place = l3d_point<l3d_real>::of(0, 0, -50);
+        l3d_random random(seed);
+        for (int i = 0; i < 10; ++i)
+            objects.push_back(std::make_unique<pyramid>(1 + 20 * i, random));
+        std::string why;
+        l3d_plugin_loader loader("fltsim", seed);
+        if (auto object = loader.load(plugin, "", why))
+            objects.push_back(std::move(object));
+        else
+            std::cerr << "fltsim: going on without the plug-in: " << why << '\n';
+    }
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    l3d_program program("fltsim", std::string("A flight among pyramids.\n") + l3d_world_keys,
+                        {640, 400});
+    std::string plugin = l3d_plugin_folder() + "/pyramid.so";
+    program.options().add("--plugin", plugin, "one object more, by a shared library", "FILE");
+    return program.run(argc, argv, [&] {                     // step 1: choose factories
+        const auto dispatcher = program.create_dispatcher(); // step 3
+        auto canvas = program.create_canvas();
+        fltsim_world world(canvas.screen->pixels().size(), program.seed(), plugin);
+        l3d_pipeline_world pipeline(std::move(canvas), world);
+        dispatcher->plug(pipeline, pipeline.screen()); // step 4
+        return dispatcher->start();                    // step 5
+    });
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// hello: the first lessons: a window, what happens to it, and a picture made word by word.
+#include "geom/random.h"
+#include "raster/text.h"
+#include "system/program.h"
+
+#include <iostream>
+#include <string>
+
+namespace {
+
+enum class lesson { window, event, image };
+
+/// What X calls it, with its values; empty for what X does not know.
+std::string name_of(const l3d_event& event) {
+    const std::string place = ' ' + std::to_string(event.x) + ',' + std::to_string(event.y);
+    const std::string button = " button " + std::to_string(event.button);
+    const std::string key = event.key > ' ' && event.key < 127
+                                ? std::string(1, static_cast<char>(event.key))
+                                : "code " + std::to_string(event.key);
+    switch (event.type) {
+    case l3d_event_type::key_press:
+        return "KeyPress " + key;
+    case l3d_event_type::key_release:
+        return "KeyRelease " + key;
+    case l3d_event_type::button_press:
+        return "ButtonPress" + button + place;
+    case l3d_event_type::button_release:
+        return "ButtonRelease" + button + place;
+    case l3d_event_type::pointer_motion:
+        return "MotionNotify" + place;
+    case l3d_event_type::wheel:
+        return "ButtonPress wheel " + std::to_string(event.y);
+    case l3d_event_type::resize:
+        return "ConfigureNotify " + std::to_string(event.size.width) + 'x' +
+               std::to_string(event.size.height);
+    case l3d_event_type::expose:
+        return "Expose";
+    case l3d_event_type::hide:
+        return "VisibilityNotify hidden";
+    case l3d_event_type::close:
+        return "ClientMessage WM_DELETE_WINDOW";
+    case l3d_event_type::fullscreen:
+    case l3d_event_type::display_lost:
+        break;
+    }
+    return {};
+}
+
+// Step 2 of 5: the application is a pipeline.
+class hello_pipeline final : public l3d_pipeline_2d {
+public:
+    hello_pipeline(l3d_canvas canvas, lesson which, std::uint64_t seed)
+        : l3d_pipeline_2d(std::move(canvas)), lesson_(which), random_(seed) {
+        if (lesson_ == lesson::event)
+            std::cerr << screen().describe() << '\n';
+    }
+
+    void any_event(const l3d_event& event) override {
+        if (const std::string name = name_of(event); lesson_ == lesson::event && !name.empty())
+            std::cerr << (last_event_ = name) << '\n';
+        changed_ = true;
+    }
+
+    void pointer_event(const l3d_event& event) override {
+        x_ = event.x;
+        y_ = event.y;
+    }
+
+    bool needs_redraw() const override { return changed_ || lesson_ == lesson::image; }
+
+private:
+    void draw(l3d_rasterizer_2d& rasterizer) override {
+        changed_ = false;
+        if (lesson_ == lesson::image) {
+            for (int y = 0; y < size().height; ++y)
+                for (std::uint32_t& word : screen().pixels().row(y))
+                    word = random_.next() & 0xFFFFFF;
+            return;
+        }
+        rasterizer.clear_buffer();
+        l3d_draw_text(rasterizer, x_, y_, "Hello, X!", 0xFFFFFF, 2);
+        if (lesson_ == lesson::event)
+            l3d_draw_text(rasterizer, 50, 50, last_event_, 0x00FF80);
+    }
+
+    lesson lesson_;
+    l3d_random random_;
+    int x_ = 20, y_ = 20; ///< of the greeting, which follows the pointer
+    std::string last_event_ = "no event yet";
+    bool changed_ = false;
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    l3d_program program("hello", "A window, and what there is to learn about it. Keys: F11, q.",
+                        {320, 200});
+    lesson which = lesson::window;
+    program.options().add_choice(
+        "--lesson", which, "a greeting; what happens to the window; words of random colours",
+        {{"window", lesson::window}, {"event", lesson::event}, {"image", lesson::image}});
+    return program.run(argc, argv, [&] {                     // step 1: choose factories
+        const auto dispatcher = program.create_dispatcher(); // step 3
+        hello_pipeline pipeline(program.create_canvas(), which, program.seed());
+        dispatcher->plug(pipeline, pipeline.screen()); // step 4
+        return dispatcher->start();                    // step 5
+    });
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// morph2d: a polygon on its way through four forms, one of them far wider than the window.
+#include "geom/vertex_interpolator.h"
+#include "pipeline/ticker.h"
+#include "raster/polygon_2d_flatshaded.h"
+#include "system/program.h"
+
+#include <array>
+#include <utility>
+
+namespace {
+
+using vertex_list = l3d_vertex_list<l3d_real>;
+
+vertex_list form(std::initializer_list<std::array<int, 2>> corners) {
+    std::vector<l3d_coordinate<l3d_real>> vertices;
+    for (const auto& corner : corners)
+        vertices.emplace_back(l3d_point<l3d_real>::of(corner[0], corner[1], 0));
+    return vertex_list(vertices);
+}
+
+// Step 2 of 5: the application is a pipeline.
+class morph2d_pipeline final : public l3d_pipeline_2d {
+public:
+    explicit morph2d_pipeline(l3d_canvas canvas) : l3d_pipeline_2d(std::move(canvas)) {
+        morph_.start(forms_[0], forms_[1], steps);
+    }
+
+    void update_event(double seconds) override {
+        for (int due = ticker_.due(seconds); due > 0; --due) {
+            if (morph_.step())
+                continue;
+            last_ = (last_ + 1) % forms_.size();
+            morph_.start(forms_[last_], forms_[(last_ + 1) % forms_.size()], steps);
+        }
+    }
+
+private:
+    static constexpr int steps = 50; // from form to form
+
+    void draw(l3d_rasterizer_2d& rasterizer) override {
+        rasterizer.clear_buffer();
+        // Whole, not clipped beforehand: the rasterizer cuts it off at the window without moving
+        // an edge.
+        polygon_.draw(morph_.list(), rasterizer);
+    }
+
+    const std::array<vertex_list, 4> forms_{form({{100, 100}, {200, 150}, {150, 200}, {50, 120}}),
+                                            form({{100, 100}, {200, 100}, {150, 200}, {140, 200}}),
+                                            form({{-100, 100}, {200, 100}, {950, 200}, {940, 200}}),
+                                            form({{100, 150}, {100, 100}, {250, 200}, {100, 200}})};
+    std::size_t last_ = 0; ///< the form that it comes from
+    l3d_vertex_interpolator<l3d_real> morph_;
+    l3d_polygon_2d_flatshaded polygon_{{0, 1, 2, 3}, l3d_screen_info::ext_to_native(0, 128, 255)};
+    l3d_ticker ticker_;
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    l3d_program program("morph2d", "A polygon changes its form. Keys: F11, q.", {320, 200});
+    return program.run(argc, argv, [&] {                     // step 1: choose factories
+        const auto dispatcher = program.create_dispatcher(); // step 3
+        morph2d_pipeline pipeline(program.create_canvas());
+        dispatcher->plug(pipeline, pipeline.screen()); // step 4
+        return dispatcher->start();                    // step 5
+    });
+}

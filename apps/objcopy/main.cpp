@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// objcopy: an object is copied, both are cut by a plane, and the halves slide apart and back.
+#include "geom/mesh_cut.h"
+#include "geom/random.h"
+#include "pipeline/pipeline_world.h"
+#include "system/program.h"
+
+#include <algorithm>
+
+namespace {
+
+/// Slides along x, to and fro, once it has been given a speed.
+class half_pyramid final : public l3d_object {
+public:
+    explicit half_pyramid(l3d_random& random) {
+        l3d_polygon_mesh mesh;
+        mesh.vertices = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}};
+        mesh.add_face({{0, 1, 3}});
+        mesh.add_face({{2, 3, 1}});
+        mesh.add_face({{0, 2, 1}});
+        mesh.add_face({{3, 2, 0}});
+        for (std::size_t i = 0; i < mesh.faces(); ++i)
+            mesh.face_colors.push_back(random.next() >> 8);
+        set_mesh(std::move(mesh));
+    }
+
+    /// Units: per update of the book.
+    void set_speed(double speed) { speed_ = speed; }
+
+private:
+    void do_update(double seconds) override {
+        constexpr double farthest = 5;
+        x_ += speed_ * l3d_book_rate * seconds;
+        if (x_ < 0 || x_ > farthest)
+            speed_ = -speed_;
+        x_ = std::clamp(x_, 0.0, farthest);
+        set_transform(0, l3d_translation<l3d_real>(x_, 0, 0));
+    }
+    std::unique_ptr<l3d_object> do_clone() const override {
+        return std::make_unique<half_pyramid>(*this);
+    }
+
+    double x_ = 0, speed_ = 0;
+};
+
+// Step 2 of 5: what the pipeline shows; the pipeline itself is l3d_pipeline_world.
+class objcopy_world final : public l3d_world {
+public:
+    objcopy_world(l3d_size size, std::uint64_t seed, l3d_cut_end end) : l3d_world(size) {
+        camera.place = l3d_point<l3d_real>::of(2, 3, -15);
+        l3d_random random(seed);
+        auto original = std::make_unique<half_pyramid>(random);
+        auto copy = original->clone();
+        // -x - y - z + 3 = 0, the front towards the origin.
+        const auto plane = l3d_plane<double>::through({1, 1, 1}, {-1, -1, -1});
+        original->set_mesh(l3d_cut_mesh(original->mesh(), plane, end));
+        copy->set_mesh(l3d_cut_mesh(copy->mesh(), plane.flipped(), end));
+        static_cast<half_pyramid&>(*copy).set_speed(0.25);
+        objects.push_back(std::move(original));
+        objects.push_back(std::move(copy));
+    }
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    l3d_program program("objcopy", std::string("A pyramid in two halves.\n") + l3d_world_keys,
+                        {640, 400});
+    bool capped = false;
+    program.options().add("--cap", capped, "close the halves where they were cut");
+    return program.run(argc, argv, [&] {                     // step 1: choose factories
+        const auto dispatcher = program.create_dispatcher(); // step 3
+        auto canvas = program.create_canvas();
+        objcopy_world world(canvas.screen->pixels().size(), program.seed(),
+                            capped ? l3d_cut_end::capped : l3d_cut_end::open);
+        l3d_pipeline_world pipeline(std::move(canvas), world);
+        dispatcher->plug(pipeline, pipeline.screen()); // step 4
+        return dispatcher->start();                    // step 5
+    });
+}

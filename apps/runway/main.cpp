@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// runway: three rows of dots at different speeds look like depth, and are not.
+#include "pipeline/pipeline_2d.h"
+#include "pipeline/ticker.h"
+#include "system/program.h"
+
+namespace {
+
+/// Dots at the same height, and so, one believes, at the same distance.
+struct row {
+    int y, spacing, updates_per_pixel;
+};
+
+/// Units: pixels of a picture of 320 x 200.
+constexpr row rows[] = {{180, 20, 1}, {140, 10, 2}, {120, 7, 4}};
+
+// Step 2 of 5: the application is a pipeline.
+class runway_pipeline final : public l3d_pipeline_2d {
+public:
+    using l3d_pipeline_2d::l3d_pipeline_2d;
+
+    void update_event(double seconds) override { updates_ += ticker_.due(seconds); }
+
+private:
+    void draw(l3d_rasterizer_2d& rasterizer) override {
+        rasterizer.clear_buffer();
+        for (const row& r : rows)
+            for (int x = 0; x + r.spacing <= size().width; x += r.spacing)
+                rasterizer.draw_point(moved(x, r), r.y, 0xffffff);
+    }
+
+    /// To the left, and in again from the right.
+    int moved(int x, const row& r) {
+        const int width = size().width;
+        const auto gone = static_cast<int>(updates_ / r.updates_per_pixel % width);
+        return (x - gone + width) % width;
+    }
+
+    l3d_ticker ticker_;
+    long updates_ = 0;
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    l3d_program program("runway", "Dots in three rows. Keys: F11, q.", {320, 200});
+    return program.run(argc, argv, [&] {                     // step 1: choose factories
+        const auto dispatcher = program.create_dispatcher(); // step 3
+        runway_pipeline pipeline(program.create_canvas());
+        dispatcher->plug(pipeline, pipeline.screen()); // step 4
+        return dispatcher->start();                    // step 5
+    });
+}

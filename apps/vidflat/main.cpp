@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// vidflat: a model from a file of Videoscape's, as Blender writes it, by way of a plug-in.
+#include "pipeline/pipeline_world.h"
+#include "system/plugin_loader.h"
+#include "system/program.h"
+
+namespace {
+
+// Step 2 of 5: what the pipeline shows; the pipeline itself is l3d_pipeline_world.
+class vidflat_world final : public l3d_world {
+public:
+    /// Errors: l3d_error(bad_input), naming the plug-in, or file and line.
+    vidflat_world(l3d_size size, l3d_plugin_loader loader, const std::string& plugin,
+                  const std::string& parameters)
+        : l3d_world(size) {
+        camera.place = l3d_point<l3d_real>::of(0, 0, -50);
+        std::string why;
+        auto object = loader.load(plugin, parameters, why);
+        if (!object)
+            throw l3d_error(l3d_exit::bad_input, why);
+        objects.push_back(std::move(object));
+    }
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    l3d_program program("vidflat", std::string("A model from a file.\n") + l3d_world_keys,
+                        {400, 300});
+    std::string folder = l3d_plugin_folder(), plugin = folder + "/videoscape.so";
+    std::string parameters = "0 0 0 1 0 0 0 1 0 0 0 1 spaceship.obj";
+    program.options().add("--plugin", plugin, "what reads the model, a shared library", "FILE");
+    program.options().add("--parameters", parameters,
+                          "what it is told: x y z, three axes as the columns of nine numbers, a "
+                          "Videoscape file",
+                          "TEXT");
+    program.options().add("--folder", folder, "where that file is", "FOLDER");
+    return program.run(argc, argv, [&] {                     // step 1: choose factories
+        const auto dispatcher = program.create_dispatcher(); // step 3
+        auto canvas = program.create_canvas();
+        const l3d_plugin_loader loader("vidflat", program.seed(), folder);
+        vidflat_world world(canvas.screen->pixels().size(), loader, plugin, parameters);
+        l3d_pipeline_world pipeline(std::move(canvas), world);
+        dispatcher->plug(pipeline, pipeline.screen()); // step 4
+        return dispatcher->start();                    // step 5
+    });
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// l3d_coordinate: a place with its history: where it is defined, and where it has been moved to.
+#ifndef L3D_GEOM_COORDINATE_H
+#define L3D_GEOM_COORDINATE_H
+
+#include "geom/transform.h"
+#include "geom/two_part_list.h"
+
+#include <array>
+
+/// A vertex that many polygons share, and that is moved from its definition in every frame.
+///
+/// Since every frame starts from `original`, no rounding adds up from frame to frame; since the
+/// stage is counted, a vertex is moved once however many polygons ask for it.
+template <class T> struct l3d_coordinate {
+    /// Uninitialised, as a point is.
+    l3d_coordinate() = default;
+    explicit l3d_coordinate(const l3d_point<T>& place) : original(place) { reset(); }
+
+    /// Forgets all transformations.
+    void reset() {
+        transformed = original;
+        transform_stage = 0;
+    }
+
+    /// Moves it, unless this stage has been done already. Expects: a stage that is not 0; what
+    /// comes one after another has different stages.
+    void transform(const l3d_matrix<T>& matrix, int stage) {
+        if (transform_stage == stage)
+            return;
+        transform_stage = stage;
+        transformed = l3d_transformed(matrix, transformed);
+    }
+
+    l3d_point<T> original;
+    l3d_point<T> transformed; ///< in the end a position in the picture, in pixels
+    /// For whoever needs places between the two again, in camera space, say.
+    std::array<l3d_point<T>, 2> transformed_intermediates;
+    int transform_stage = 0;
+};
+
+/// The vertices of one or several polygons.
+template <class T> using l3d_vertex_list = l3d_two_part_list<l3d_coordinate<T>>;
+
+#endif

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// l3d_tessellated: patches as a mesh of triangles.
+#ifndef L3D_PIPELINE_PATCH_TESSELLATION_H
+#define L3D_PIPELINE_PATCH_TESSELLATION_H
+
+#include "geom/polygon_mesh.h"
+#include "pipeline/patch_model.h"
+
+/// Each patch as n by n quads of two triangles, counterclockwise where dS/du x dS/dv points to.
+///
+/// Patches with a common boundary have its vertices in common: these are a function of the
+/// boundary's control points, whichever way it runs. Triangles whose corners coincide, as at the
+/// teapot's knob, are left out.
+/// Expects: n >= 1.
+l3d_polygon_mesh l3d_tessellated(const l3d_patch_model& model, int n);
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// l3d_polygon_frame: the triangles of a model that may be seen, in the picture.
+#ifndef L3D_PIPELINE_POLYGON_FRAME_H
+#define L3D_PIPELINE_POLYGON_FRAME_H
+
+#include "pipeline/dice_view.h"
+#include "pipeline/diced_piece.h"
+#include "pipeline/polygon_model.h"
+#include "pipeline/polygon_view.h"
+#include "raster/painter.h"
+#include "raster/rasterizer_2d.h"
+#include "raster/surface_part.h"
+#include "raster/workers.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+/// What became of the triangles of a model in a frame.
+struct l3d_polygon_counts {
+    std::int64_t drawn = 0;    ///< triangles of the model
+    std::int64_t back = 0;     ///< left out: seen from behind
+    std::int64_t outside = 0;  ///< left out: beyond one side of the window
+    std::int64_t subpixel = 0; ///< left out: no pixel's centre in its box
+    std::int64_t clipped = 0;  ///< of those drawn, reaching beyond near, far or guard band
+
+    void add(const l3d_polygon_counts& other) {
+        drawn += other.drawn;
+        back += other.back;
+        outside += other.outside;
+        subpixel += other.subpixel;
+        clipped += other.clipped;
+    }
+};
+
+/// Vertices once each to the picture, then faces: which are seen, clipped where they must be.
+///
+/// Projection is in double for every number type, then rounded to 1/256 pixel: l3d_real is for what
+/// is stepped. Of a parallel projection, inv_w is not 1 / distance but 2 at the nearest and 1 at
+/// the farthest end of the model's sphere, linear in between, as rasterizers need it. Expects:
+/// workers, model and view outlive each make(). Cost:    keeps its memory: 24 bytes per vertex and
+/// 72 per triangle drawn.
+class l3d_polygon_frame {
+public:
+    /// `cull` leaves out faces seen from behind; `smooth` takes the vertices' normals, else all of
+    /// a face have its own.
+    void make(const l3d_polygon_model& model, const l3d_polygon_view& view, bool cull, bool smooth,
+              l3d_workers& workers);
+
+    /// Triangles ready for a rasterizer; no grids.
+    /// Lives:   until the next make.
+    std::span<const l3d_surface_part* const> parts() const { return parts_; }
+
+    /// The same triangles one by one, with the sides that are sides of faces. Of a clipped triangle
+    /// the outline of what is left.
+    void list(std::vector<l3d_painter_triangle>& out) const;
+
+    const l3d_polygon_counts& counts() const { return counts_; }
+
+private:
+    /// So many triangles of the model are one item of work, and one part.
+    static constexpr std::size_t chunk_triangles = 4096;
+
+    struct chunk {
+        l3d_surface_part part;
+        std::vector<std::uint8_t> sides; ///< of each triangle of the part
+        l3d_diced_piece clipped;         ///< pieces of one triangle
+        l3d_polygon_counts counts;
+    };
+
+    struct frame_input {
+        const l3d_polygon_model& model;
+        const l3d_polygon_view& view;
+        l3d_dice_view window;
+        bool cull, smooth;
+    };
+
+    void place_vertices(const frame_input& in, std::size_t begin, std::size_t end);
+    void place_chunk(const frame_input& in, std::size_t index);
+    void add_clipped(const frame_input& in, const l3d_model_triangle& triangle,
+                     const float (&normals)[3][3], chunk& to) const;
+    double depth_value(double distance) const { return depth_base_ + depth_step_ * distance; }
+
+    std::vector<l3d_micro_vertex> vertices_; ///< inv_w is 0 where a vertex cannot be drawn
+    std::vector<chunk> chunks_;
+    std::vector<const l3d_surface_part*> parts_;
+    l3d_polygon_counts counts_;
+    double depth_base_ = 0, depth_step_ = 0; ///< of a parallel projection
+};
+
+#endif

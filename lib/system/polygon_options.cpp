@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// l3d_polygon_options: declarations, the model, and the camera that frames it.
+#include "system/polygon_options.h"
+
+#include "geom/model_file.h"
+#include "pipeline/patch_tessellation.h"
+#include "system/text_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <numbers>
+#include <utility>
+
+namespace {
+
+/// A tessellation is 2 facets^2 triangles for each patch: with the teapot's 28, two millions.
+constexpr int most_facets = 192;
+
+/// Adds the faces of one mesh to another.
+void append(l3d_polygon_mesh& to, const l3d_polygon_mesh& from) {
+    const auto offset = static_cast<std::uint32_t>(to.vertices.size());
+    to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
+    for (std::size_t f = 0; f < from.faces(); ++f) {
+        std::vector<std::uint32_t> corners;
+        for (const std::uint32_t corner : from.face(f))
+            corners.push_back(corner + offset);
+        to.add_face(corners);
+    }
+}
+
+} // namespace
+
+l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared)
+    : shared_(shared) {
+    options.add_choice<l3d_pipeline_kind>(
+        "--pipeline", pipeline_,
+        "who is in front: patches by afd; polygons sorted and cut, by a depth buffer, or by GL",
+        {{"afd", l3d_pipeline_kind::afd},
+         {"zsort", l3d_pipeline_kind::zsort},
+         {"zbuffer", l3d_pipeline_kind::zbuffer},
+         {"mesa", l3d_pipeline_kind::mesa}});
+    options.add("--parallel", parallel_, "parallel projection of polygons");
+    options.add("--hidden-lines", hidden_lines_, "lines of polygons, what is hidden removed");
+    options.add("--all-faces", all_faces_, "draw faces seen from behind, too");
+    options.add("--rotate", rotation_,
+                "degrees that polygons are turned about x, then y, then z, round their middle");
+    options.add("--to-origin", to_origin_, "move the mean of the polygons' vertices to the origin");
+    options.add("--facets", facets_, "patches as N by N quads, where polygons are drawn", 1,
+                most_facets);
+}
+
+l3d_polygon_model l3d_polygon_options::model() const {
+    std::string why;
+    l3d_polygon_mesh mesh;
+    bool has_patches = true;
+    if (const std::string& name = shared_.model_file(); !name.empty()) {
+        auto file = l3d_read_model(l3d_read_text_file(name), name, why);
+        if (!file)
+            throw l3d_error(l3d_exit::bad_input, why);
+        for (const std::string& note : file->notes)
+            std::cerr << note << '\n';
+        mesh = std::move(file->mesh);
+        has_patches = !file->patches.empty();
+        if (!has_patches && mesh.faces() == 0)
+            throw l3d_error(l3d_exit::bad_input, name + ": no polygons and no patches");
+    }
+    if (has_patches) {
+        const l3d_polygon_mesh patches = l3d_tessellated(shared_.model(), facets_);
+        if (mesh.faces() == 0)
+            mesh = patches;
+        else {
+            // What only a part of the faces would have is left out.
+            mesh = {std::move(mesh.vertices),
+                    std::move(mesh.corners),
+                    std::move(mesh.face_ends),
+                    {},
+                    {},
+                    {},
+                    {},
+                    {}};
+            append(mesh, patches);
+        }
+    }
+    return l3d_polygon_model(std::move(mesh), to_origin_);
+}
+
+l3d_camera l3d_polygon_options::camera(const l3d_polygon_model& model) const {
+    l3d_camera camera = shared_.camera();
+    if (shared_.places_camera())
+        return camera;
+    const double radius = model.radius() > 0 ? model.radius() : 1;
+    constexpr double margin = 1.05;
+    const double half_angle = camera.fov / 2 * std::numbers::pi / 180;
+    const double distance = margin * radius / std::sin(half_angle);
+    const l3d_camera::vector up = l3d_normalized(camera.up);
+    // Some direction across `up`: the least of its components leads farthest away from it.
+    l3d_camera::vector across{0.0, 0.0, 1.0};
+    if (std::abs(up[2]) > 0.9)
+        across = {0.0, -1.0, 0.0};
+    const l3d_camera::vector right = l3d_normalized(l3d_cross(up, across));
+    const l3d_camera::vector front = l3d_cross(right, up);
+    camera.target = model.centre();
+    camera.eye = camera.target + l3d_normalized(front + right * 0.35 + up * 0.45) * distance;
+    camera.near = std::min(camera.near, 1e-3 * radius);
+    return camera;
+}
+
+l3d_polygon_settings l3d_polygon_options::settings() const {
+    const l3d_afd_settings shared = shared_.settings();
+    l3d_polygon_settings settings;
+    settings.style = hidden_lines_      ? l3d_polygon_style::hidden_lines
+                     : shared.wireframe ? l3d_polygon_style::wireframe
+                                        : l3d_polygon_style::solid;
+    settings.shade = shared.shade;
+    settings.projection = parallel_ ? l3d_projection::parallel : l3d_projection::perspective;
+    settings.light = shared.light;
+    settings.rotation = {rotation_[0], rotation_[1], rotation_[2]};
+    settings.cull = !all_faces_;
+    settings.threads = shared.threads;
+    return settings;
+}

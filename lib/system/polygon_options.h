@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// l3d_polygon_options: the command line of programs that draw polygons.
+#ifndef L3D_SYSTEM_POLYGON_OPTIONS_H
+#define L3D_SYSTEM_POLYGON_OPTIONS_H
+
+#include "pipeline/pipeline_polygons.h"
+#include "pipeline/polygon_model.h"
+#include "system/afd_options.h"
+#include "system/options.h"
+
+#include <array>
+
+/// Who finds out what is in front.
+enum class l3d_pipeline_kind { afd, zsort, zbuffer, mesa };
+
+/// Options for pipeline, projection and style, beside those that patches and polygons share.
+///
+/// Lives:   both options are borrowed until parse() is done.
+class l3d_polygon_options {
+public:
+    l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared);
+    l3d_polygon_options(const l3d_polygon_options&) = delete;
+    l3d_polygon_options& operator=(const l3d_polygon_options&) = delete;
+
+    l3d_pipeline_kind pipeline() const { return pipeline_; }
+
+    /// The polygons of the model asked for, its patches as triangles; the teapot if none was. What
+    /// a file holds and nobody reads is told on stderr.
+    /// Errors: l3d_error(bad_input) with file and line.
+    l3d_polygon_model model() const;
+
+    /// As --eye and --target say; without them, so that the whole model is seen from the front, a
+    /// little from the right and from above.
+    /// Errors: as l3d_afd_options::camera.
+    l3d_camera camera(const l3d_polygon_model& model) const;
+
+    /// Errors: as l3d_afd_options::settings.
+    l3d_polygon_settings settings() const;
+
+private:
+    const l3d_afd_options& shared_;
+    l3d_pipeline_kind pipeline_ = l3d_pipeline_kind::zbuffer;
+    bool parallel_ = false, hidden_lines_ = false, all_faces_ = false, to_origin_ = false;
+    std::array<double, 3> rotation_{0, 0, 0};
+    int facets_ = 8;
+};
+
+#endif

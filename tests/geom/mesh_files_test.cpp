@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+// Files of polygons, format by format: what is read, what is skipped, and how errors are said.
+#include "geom/model_file.h"
+#include "geom/polygon_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace {
+
+using vector = l3d_polygon_mesh::vector;
+using numbers = std::vector<std::uint32_t>;
+
+std::string file_text(const std::string& name) {
+    std::ifstream file("data/" + name, std::ios::binary);
+    EXPECT_TRUE(file) << "the tests run in the project's folder";
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+l3d_model_file read(std::string_view text) {
+    std::string why;
+    const auto model = l3d_read_model(text, "name", why);
+    EXPECT_TRUE(model) << why;
+    return model.value_or(l3d_model_file{});
+}
+
+std::string complaint(std::string_view text) {
+    std::string why;
+    EXPECT_FALSE(l3d_read_model(text, "name", why)) << text;
+    return why;
+}
+
+std::string with(std::string_view text, std::string_view old, std::string_view replacement) {
+    std::string result(text);
+    const auto at = result.find(old);
+    EXPECT_NE(at, std::string::npos) << old;
+    return result.replace(at, old.size(), replacement);
+}
+
+/// Whether every edge has a face on both sides, that run along it in opposite directions.
+bool is_closed(const l3d_polygon_mesh& mesh) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    for (std::size_t i = 0; i < mesh.faces(); ++i)
+        for (std::size_t k = 0; k < mesh.face(i).size(); ++k)
+            ++edges[{mesh.face(i)[k], mesh.face(i)[(k + 1) % mesh.face(i).size()]}];
+    return std::ranges::all_of(edges, [&edges](const auto& edge) {
+        const auto back = edges.find({edge.first.second, edge.first.first});
+        return edge.second == 1 && back != edges.end() && back->second == 1;
+    });
+}
+
+// ---- 3D Studio
+
+constexpr std::string_view asc_text = "Ambient light color: Red=0 Green=0 Blue=0\r\n"
+                                      "\r\n"
+                                      "Named object: \"The box\"\r\n"
+                                      "Tri-mesh, Vertices: 4     Faces: 2\r\n"
+                                      "Vertex list:\r\n"
+                                      "Vertex 0:  X:1.5     Y:-2     Z:3\r\n"
+                                      "Vertex 1: X: 4 Y: 5 Z: 6\r\n"
+                                      "Vertex 2:  X:7     Y:8     Z:1e2\r\n"
+                                      "Page 3\r\n"
+                                      "Vertex 3:  X:10     Y:11     Z:12  U:0 V:1\r\n"
+                                      "Face list:\r\n"
+                                      "Face 0:    A:0 B:1 C:2 AB:1 BC:1 CA:1\r\n"
+                                      "Face 1:    A:3 B:2 C:1\r\n"
+                                      "Material:\"Gold\"\r\n"
+                                      "Smoothing: 1\r\n";
+
+TEST(asc_file, has_vertices_triangles_and_materials_of_named_objects) {
+    const std::string two =
+        std::string(asc_text) + std::string(asc_text.substr(asc_text.find("Named")));
+    const l3d_polygon_mesh mesh = read(two).mesh;
+    ASSERT_EQ(mesh.vertices.size(), 8u);
+    EXPECT_EQ(mesh.vertices[0], vector(1.5, -2, 3));
+    EXPECT_EQ(mesh.vertices[1], vector(4, 5, 6));
+    EXPECT_EQ(mesh.vertices[7], vector(10, 11, 12));
+    EXPECT_EQ(mesh.corners, (numbers{0, 1, 2, 3, 2, 1, 4, 5, 6, 7, 6, 5}));
+    EXPECT_EQ(mesh.face_ends, (numbers{3, 6, 9, 12}));
+    EXPECT_EQ(mesh.parts, (std::vector<l3d_polygon_mesh::part>{{"The box", 0}, {"The box", 2}}));
+    EXPECT_EQ(mesh.materials, (std::vector<std::string>{"Gold", ""}));
+    EXPECT_EQ(mesh.face_materials, (numbers{1, 0, 1, 0}));
+}
+
+TEST(asc_file, skips_lights_and_cameras_with_a_note) {
+    const std::string text = std::string(asc_text) + "Named object: \"Lamp\"\nDirect light\n"
+                                                     "Position: X:1 Y:2 Z:3\nUnheard of: 5\n";
+    const std::vector<std::string> notes{"name:17: the light or camera 'Lamp' is skipped",
+                                         "name:19: the line 'Unheard\\x20of:\\x205' is skipped"};
+    EXPECT_EQ(read(text).notes, notes);
+}
+
+TEST(asc_file, says_where_and_what_is_wrong) {
+    EXPECT_EQ(complaint(with(asc_text, "Y: 5", "Y: five")),
+              "name:7: 'five', a coordinate, is not a number");
+    EXPECT_EQ(complaint(with(asc_text, "Z:3", "3")), "name:6: Z: is missing");
+    EXPECT_EQ(complaint(with(asc_text, "Vertex 2:", "Vertex 3:")),
+              "name:8: the number of a vertex is 3, not 2");
+    EXPECT_EQ(complaint(with(asc_text, "A:3", "A:4")), "name:13: '4', a corner, is not in 0 to 3");
+    EXPECT_EQ(complaint(with(asc_text, "Face 1:", "Edge 1:")),
+              "name:13: 'The\\x20box' has 1 of 2 faces");
+    EXPECT_EQ(complaint(with(asc_text, "Vertices: 4", "Vertices: 400")),
+              "name:4: the text is too short for 400 vertices");
+    EXPECT_EQ(complaint(with(asc_text, "Vertices: 4", "Vertices: 5")),
+              "name:16: 'The\\x20box' has 4 of 5 vertices");
+    EXPECT_EQ(complaint("Named object: \"x\"\n"), "name:2: the text ends without a triangle");
+}
+
+TEST(asc_file, the_shipped_models_are_closed) {
+    for (const auto& [name, vertices, faces] :
+         {std::tuple("thing.asc", 26u, 48u), std::tuple("ball.asc", 114u, 224u)}) {
+        const l3d_model_file model = read(file_text(name));
+        EXPECT_EQ(model.mesh.vertices.size(), vertices) << name;
+        EXPECT_EQ(model.mesh.faces(), faces) << name;
+        EXPECT_TRUE(is_closed(model.mesh)) << name;
+        EXPECT_EQ(model.notes, std::vector<std::string>{}) << name;
+    }
+}
+
+// ---- geomview
+
+TEST(off_file, has_faces_of_any_number_of_corners_with_colours) {
+    const l3d_polygon_mesh mesh = read("OFF 4 3 6 # counts\n1.5 2 3\n4 5 6 7 8 9\n-1 -2 -3\n"
+                                       "3 0 1 2 255 128 0\n4 3 2 1 0\n3 1 2 3 0 0.5 1.0 0.25")
+                                      .mesh;
+    ASSERT_EQ(mesh.vertices.size(), 4u);
+    EXPECT_EQ(mesh.vertices[2], vector(7, 8, 9));
+    EXPECT_EQ(mesh.corners, (numbers{0, 1, 2, 3, 2, 1, 0, 1, 2, 3}));
+    EXPECT_EQ(mesh.face_ends, (numbers{3, 7, 10}));
+    EXPECT_EQ(mesh.face_colors, (numbers{0xff8000, 0xaaaaaa, 0x0080ff}));
+}
+
+TEST(off_file, keeps_normals_and_skips_what_has_no_place) {
+    const l3d_model_file model =
+        read("STCNOFF\n3 2 3\n1 2 3 0 0 1 1 1 1 1 0 0\n4 5 6 0 1 0 1 1 1 1 0 0\n"
+             "7 8 9 1 0 0 1 1 1 1 0 0\n3 0 1 2 5\n2 0 1\n");
+    EXPECT_EQ(model.mesh.vertex_normals, (std::vector<vector>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
+    EXPECT_EQ(model.mesh.faces(), 1u);
+    const std::vector<std::string> notes{"name:1: the colours of vertices are skipped",
+                                         "name:1: texture coordinates are skipped",
+                                         "name:6: a colour by its place in a map is skipped",
+                                         "name:7: a face of 2 corners is skipped"};
+    EXPECT_EQ(model.notes, notes);
+}
+
+TEST(off_file, says_where_and_what_is_wrong) {
+    const std::string_view text = "OFF\n3 1 0\n1 2 3\n4 5 6\n7 8 9\n3 0 1 2\n";
+    EXPECT_EQ(complaint("4OFF 0 0 0"), "name:1: '4OFF' has vertices of other than 3 coordinates");
+    EXPECT_EQ(complaint("BOFF 0 0 0"), "name:1: 'BOFF' is not a kind of OFF");
+    EXPECT_EQ(complaint(with(text, "3 1 0", "4000000000 1 0")),
+              "name:2: the text is too short for 4000000000 vertices");
+    EXPECT_EQ(complaint(with(text, "3 1 0", "3 99 0")),
+              "name:2: the text is too short for 99 faces");
+    EXPECT_EQ(complaint(with(text, "3 1 0", "3 -1 0")),
+              "name:2: '-1', the number of faces, is not in 0 to 4294967295");
+    EXPECT_EQ(complaint(with(text, "5", "nan")),
+              "name:4: 'nan', a coordinate of vertex 1 of 3, is not finite");
+    EXPECT_EQ(complaint(with(text, "5", "5e12")),
+              "name:4: '5e12', a coordinate of vertex 1 of 3, is beyond 1e12");
+    EXPECT_EQ(complaint(with(text, "0 1 2", "0 1 3")),
+              "name:6: '3', a corner of face 0 of 1, is not in 0 to 2");
+    EXPECT_EQ(complaint(with(text, "3 0", "999 0")),
+              "name:6: the text is too short for 999 corners");
+    EXPECT_EQ(complaint(with(text, "0 1 2", "0 1 2 1 2 3 4 5")), "name:6: '5' follows a face");
+    EXPECT_EQ(complaint(with(text, "0 1 2", "0 1 2 1 2 256")), "name:6: a colour is out of range");
+    EXPECT_EQ(complaint(std::string(text) + "\n8"), "name:8: '8' follows the last face");
+}
+
+void append_big(std::string& text, auto value) {
+    char bytes[sizeof value];
+    std::memcpy(bytes, &value, sizeof value);
+    if (std::endian::native == std::endian::little)
+        std::reverse(std::begin(bytes), std::end(bytes));
+    text.append(bytes, sizeof value);
+}
+
+TEST(off_file, binary_errors_name_the_byte) {
+    std::string text = "OFF BINARY\n";
+    for (const int number : {3, 1, 0})
+        append_big(text, std::int32_t{number});
+    for (const float number : {1.5f, 2.f, 3.f, 4.f, 5.f, 6.f, 7.f, 8.f, -9.f})
+        append_big(text, number);
+    for (const int number : {3, 2, 0, 1, 0})
+        append_big(text, std::int32_t{number});
+    const l3d_polygon_mesh mesh = read(text).mesh;
+    ASSERT_EQ(mesh.vertices.size(), 3u);
+    EXPECT_EQ(mesh.vertices[2], vector(7, 8, -9));
+    EXPECT_EQ(mesh.corners, (numbers{2, 0, 1}));
+    EXPECT_EQ(complaint(text.substr(0, 70)),
+              "name:2: the text is too short for 3 corners (byte 63)");
+    EXPECT_EQ(complaint(text.substr(0, 77)), "name:2: the text ends where the number of colour "
+                                             "components of face 0 of 1 should be (byte 77)");
+    text[66] = 9; // of the first corner, bytes 63 to 66
+    EXPECT_EQ(complaint(text), "name:2: '9', a corner of face 0 of 1, is not in 0 to 2 (byte 67)");
+}
+
+// ---- Stanford
+
+constexpr std::string_view ply_text = "ply\n"
+                                      "format ascii 1.0\n"
+                                      "comment property of nothing\n"
+                                      "element vertex 3\n"
+                                      "property float x\n"
+                                      "property uchar quality\n"
+                                      "property double z\n"
+                                      "property float y\n"
+                                      "element strip 1\n"
+                                      "property list int int what\n"
+                                      "element face 2\n"
+                                      "property float red\n"
+                                      "property float green\n"
+                                      "property float blue\n"
+                                      "property list uchar int vertex_index\n"
+                                      "end_header\n"
+                                      "1 9 3 2\n"
+                                      "4 9 6 5\n"
+                                      "7 9 9 8\n"
+                                      "2 1 1\n"
+                                      "1 0.5 0 3 0 1 2\n"
+                                      "1 0 0 2 0 1";
+
+TEST(ply_file, has_properties_in_any_order) {
+    const l3d_model_file model = read(ply_text);
+    EXPECT_EQ(model.mesh.vertices, (std::vector<vector>{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}));
+    EXPECT_EQ(model.mesh.corners, (numbers{0, 1, 2}));
+    EXPECT_EQ(model.mesh.face_colors, (numbers{0xff8000}));
+    const std::vector<std::string> notes{"name:16: the element 'strip' is skipped",
+                                         "name:22: a face of 2 corners is skipped"};
+    EXPECT_EQ(model.notes, notes);
+}
+
+TEST(ply_file, says_where_and_what_is_wrong) {
+    EXPECT_EQ(complaint(with(ply_text, "ascii", "ebcdic")), "name:2: 'ebcdic' is no format of ply");
+    EXPECT_EQ(complaint(with(ply_text, "1.0", "2.0")), "name:2: '2.0' is not version 1.0");
+    EXPECT_EQ(complaint(with(ply_text, "vertex 3", "vertex 3000000000")),
+              "name:16: the text is too short for 3000000000 of the element 'vertex'");
+    EXPECT_EQ(complaint(with(ply_text, "double z", "double w")), "name:16: vertices have no z");
+    EXPECT_EQ(complaint(with(ply_text, "double z", "double x")),
+              "name:7: there is a second property 'x'");
+    EXPECT_EQ(complaint(with(ply_text, "float x", "quad x")), "name:5: 'quad' is no type of ply");
+    EXPECT_EQ(complaint(with(ply_text, "uchar int vertex_index", "float int vertex_index")),
+              "name:15: 'float' counts a list");
+    EXPECT_EQ(complaint(with(ply_text, "uchar int vertex_index", "uchar float vertex_index")),
+              "name:15: indices of vertices are not whole numbers");
+    EXPECT_EQ(complaint(with(ply_text, "3 0 1 2", "3 0 1 5")),
+              "name:21: '5', a corner of face 0 of 2, is not in 0 to 2");
+    EXPECT_EQ(complaint(with(ply_text, "0.5", "1.5")), "name:21: the colour of a face is out of "
+                                                       "range");
+    EXPECT_EQ(complaint(std::string(ply_text) + " 7"), "name:22: more follows the last element");
+    EXPECT_EQ(complaint("ply\nformat ascii 1.0\nelement x 1000000000\nend_header\n"),
+              "name:4: the element 'x' has no properties");
+}
+
+TEST(ply_file, both_byte_orders_say_the_same_as_text) {
+    const auto corpus = [](const std::string& name) {
+        return read(file_text("../tests/fuzz/corpus/ply/" + name + ".ply")).mesh;
+    };
+    ASSERT_EQ(corpus("text").vertices.size(), 4u);
+    EXPECT_EQ(corpus("little"), corpus("text"));
+    EXPECT_EQ(corpus("big"), corpus("text"));
+}
+
+// ---- Videoscape
+
+TEST(videoscape_file, has_colours_of_the_palette_or_of_bytes) {
+    const l3d_model_file model = read("3DG1\n4\n1.5 2 3\n4 5 6\n7 8 9\n-1 -2 -3\n"
+                                      "3 0 1 2 0x3322cc\n4 3 2 1 0 20\n2 0 1 7\n");
+    EXPECT_EQ(model.mesh.corners, (numbers{0, 1, 2, 3, 2, 1, 0}));
+    EXPECT_EQ(model.mesh.face_colors, (numbers{0xcc2233, 0xa00000})); // 20: red and glossy
+    EXPECT_EQ(model.notes, std::vector<std::string>{"name:9: a face of 2 corners is skipped"});
+}
+
+TEST(videoscape_file, says_where_and_what_is_wrong) {
+    const std::string_view text = "3DG1\n3\n1 2 3\n4 5 6\n7 8 9\n3 0 1 2 7\n";
+    EXPECT_EQ(complaint(with(text, "\n3\n", "\n99\n")),
+              "name:2: the text is too short for 99 vertices");
+    EXPECT_EQ(complaint(with(text, "8", "x")),
+              "name:5: 'x', a coordinate of vertex 2 of 3, is not a number");
+    EXPECT_EQ(complaint(with(text, "1 2 7", "1 3 7")),
+              "name:6: '3', a corner of a face, is not in 0 to 2");
+    EXPECT_EQ(complaint(with(text, "2 7", "2 0x")),
+              "name:6: '0x', the colour of a face, is not a number");
+    EXPECT_EQ(complaint(with(text, "2 7", "2 -7")),
+              "name:6: '-7', the colour of a face, announces detail polygons, which are not read");
+    EXPECT_EQ(complaint(with(text, " 7", "")),
+              "name:7: the text ends where the colour of a face should be");
+}
+
+TEST(torus, is_what_the_writer_makes_of_the_shape) {
+    const l3d_polygon_mesh torus = l3d_torus_mesh(12, 8);
+    const std::string text = file_text("torus.off");
+    const l3d_polygon_mesh mesh = read(text).mesh;
+    EXPECT_EQ(mesh.faces(), 192u);
+    EXPECT_TRUE(is_closed(mesh));
+    EXPECT_EQ(mesh.corners, torus.corners);
+    EXPECT_EQ(l3d_write_off(mesh), text);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) // sine and cosine differ among systems
+        EXPECT_LT(l3d_length(mesh.vertices[i] - torus.vertices.at(i)), 1e-14) << i;
+}
+
+} // namespace

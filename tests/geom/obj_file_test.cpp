@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Wavefront files: polygons, names and normals, and free-form surfaces.
+#include "geom/model_file.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using point = std::array<double, 3>;
+using vector = l3d_polygon_mesh::vector;
+using numbers = std::vector<std::uint32_t>;
+
+constexpr std::string_view square = "v 1.5 2 3\nv 4 5 6\nv 7 8 9\nv 10 11 12\n";
+
+l3d_model_file read(std::string_view text) {
+    std::string why;
+    const auto model = l3d_read_obj(text, "name", why);
+    EXPECT_TRUE(model) << why;
+    return model.value_or(l3d_model_file{});
+}
+
+std::string complaint(std::string_view text) {
+    std::string why;
+    EXPECT_FALSE(l3d_read_obj(text, "name", why)) << text;
+    return why;
+}
+
+/// What is wrong with statements after the four vertices, which are lines 1 to 4.
+std::string complaint_after(std::string_view statements) {
+    return complaint(std::string(square).append(statements));
+}
+
+l3d_model_file read_after(std::string_view statements) {
+    return read(std::string(square).append(statements));
+}
+
+TEST(obj_file, has_faces_by_numbers_from_both_ends) {
+    const l3d_polygon_mesh mesh =
+        read_after("f 1 2 3\nf -4 -3 \\\n -2 -1 # all\nf 1/7 3/8 4/9\n").mesh;
+    EXPECT_EQ(mesh.vertices[3], vector(10, 11, 12));
+    EXPECT_EQ(mesh.corners, (numbers{0, 1, 2, 0, 1, 2, 3, 0, 2, 3}));
+    EXPECT_EQ(mesh.face_ends, (numbers{3, 7, 10}));
+}
+
+TEST(obj_file, has_parts_and_materials) {
+    const l3d_polygon_mesh mesh =
+        read_after("o A  body\nf 1 2 3\nusemtl red\ng\tside \nf 2 3 4\nusemtl blue\nf 1 3 4\n"
+                   "usemtl red\nf 1 2 4\n")
+            .mesh;
+    EXPECT_EQ(mesh.parts, (std::vector<l3d_polygon_mesh::part>{{"A body", 0}, {"side", 1}}));
+    EXPECT_EQ(mesh.materials, (std::vector<std::string>{"red", "blue", ""}));
+    EXPECT_EQ(mesh.face_materials, (numbers{2, 0, 1, 0}));
+}
+
+TEST(obj_file, has_normals_if_every_vertex_has_just_one) {
+    const std::string normals = "vn 1 0 0\nvn 0 2 0\nvn 0 0 3\nvn 1 1 1\n";
+    const std::string note = "name:10: normals are skipped: not every vertex has just one";
+    const l3d_model_file mixed = read_after(normals + "f 1//4 2//3 3//2\nf 2/1/3 3/1/2 4/1/1\n");
+    EXPECT_EQ(mixed.mesh.vertex_normals,
+              (std::vector<vector>{{1, 1, 1}, {0, 0, 3}, {0, 2, 0}, {1, 0, 0}}));
+    EXPECT_EQ(mixed.notes, std::vector<std::string>{});
+    for (const std::string faces :
+         {"f 1//4 2//3 3//2\nf 2//1 3//2 4//1", "f 1//4 2//3 3//2\nf 2 3 4"}) {
+        const l3d_model_file model = read_after(normals + faces);
+        EXPECT_TRUE(model.mesh.vertex_normals.empty());
+        EXPECT_EQ(model.notes, std::vector<std::string>{note});
+    }
+}
+
+TEST(obj_file, says_where_and_what_is_wrong) {
+    EXPECT_EQ(complaint_after("f 1 2\n"), "name:5: a face of fewer than 3 corners");
+    EXPECT_EQ(complaint_after("f 1 2 5\n"), "name:5: '5', an index, names none of the 4 before it");
+    EXPECT_EQ(complaint_after("f 1 2 0\n"), "name:5: '0', an index, names none of the 4 before it");
+    EXPECT_EQ(complaint_after("\nf 1 -5 2\n"),
+              "name:6: '-5', an index, names none of the 4 before it");
+    EXPECT_EQ(complaint_after("f 1//1 2//1 3//1\n"),
+              "name:5: '1', an index, names none of the 0 before it");
+    EXPECT_EQ(complaint_after("f 1 2 x"), "name:5: 'x', an index, is not a whole number");
+    EXPECT_EQ(complaint_after("vv 1 2 3"), "name:5: 'vv' begins no statement of an .obj file");
+    EXPECT_EQ(complaint_after("v 1 2"), "name:5: the line ends where a coordinate should be");
+    EXPECT_EQ(complaint_after("v 1 2 inf"), "name:5: 'inf', a coordinate, is not finite");
+    EXPECT_EQ(complaint_after("v 1 2 -1e13"), "name:5: '-1e13', a coordinate, is beyond 1e12");
+    EXPECT_EQ(complaint_after("vn 1 2 3 4"), "name:5: '4' at the end of a statement");
+}
+
+TEST(obj_file, notes_each_kind_of_statement_that_is_skipped_once) {
+    const std::vector<std::string> notes{"name:5: statements 'vt' are skipped",
+                                         "name:8: statements 'curv' are skipped"};
+    EXPECT_EQ(read_after("vt 1 2\nvt 3 4\ns off\ncurv 0 1 1 2 3\nparm u 0 1\nend\n").notes, notes);
+}
+
+TEST(obj_surface, of_several_bezier_patches_is_cut_at_its_parameters) {
+    const l3d_model_file model = read_after("v 1 2 9\nv 3 4 7\n"
+                                            "cstype bezier\ndeg 1 1\n"
+                                            "surf 0 7 0 1 1 2 3 -3 -2/5 -1\n"
+                                            "parm u 0 2 7\nparm v 0 1\nend\n");
+    ASSERT_EQ(model.patches.size(), 2u);
+    EXPECT_EQ(model.patches[0].degree_u, 1);
+    EXPECT_EQ(model.patches[0].points,
+              (std::vector<point>{{1.5, 2, 3}, {4, 5, 6}, {10, 11, 12}, {1, 2, 9}}));
+    EXPECT_EQ(model.patches[1].points,
+              (std::vector<point>{{4, 5, 6}, {7, 8, 9}, {1, 2, 9}, {3, 4, 7}}));
+    EXPECT_TRUE(model.mesh.vertices.empty()); // they are control points
+}
+
+TEST(obj_surface, range_may_be_a_part) {
+    const l3d_model_file model = read("v 1 2 3\nv 3 2 3\nv 1 2 5\nv 3 2 5\ncstype bezier\ndeg 1 1\n"
+                                      "surf 0.25 0.5 0 1 1 2 3 4\nparm u 0 1\nparm v 0 1\nend\n");
+    ASSERT_EQ(model.patches.size(), 1u);
+    EXPECT_EQ(model.patches[0].points,
+              (std::vector<point>{{1.5, 2, 3}, {2, 2, 3}, {1.5, 2, 5}, {2, 2, 5}}));
+}
+
+TEST(obj_surface, with_equal_weights_is_not_rational) {
+    const std::string_view statements = "cstype rat bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\n"
+                                        "parm u 0 1\nparm v 0 1\nend\n";
+    const std::string equal = "v 1 2 3 2\nv 3 2 3 2\nv 1 2 5 2\nv 3 2 5 2\n";
+    EXPECT_EQ(read(equal + std::string(statements)).patches.at(0).points[1], (point{3, 2, 3}));
+    const std::string unequal = "v 1 2 3\nv 3 2 3\nv 1 2 5\nv 3 2 5 0.5\n";
+    EXPECT_EQ(complaint(unequal + std::string(statements)),
+              "name:10: the surface is rational: its control points have different weights");
+}
+
+TEST(obj_surface, says_where_and_what_is_wrong) {
+    const std::string head = "cstype bspline\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\n"; // lines 5 to 7
+    const std::string end = "parm v 0 0 1 1\nend\n";
+    EXPECT_EQ(complaint_after("surf 0 1 0 1 1"), "name:5: a surface before cstype");
+    EXPECT_EQ(complaint_after("cstype taylor\ndeg 1 1\nsurf 0 1 0 1 1"),
+              "name:7: a surface that is neither bezier nor bspline");
+    EXPECT_EQ(complaint_after("cstype nurbs"), "name:5: 'nurbs' is no type of curve or surface");
+    EXPECT_EQ(complaint_after("cstype bezier\ndeg 3\nsurf 0 1 0 1 1"),
+              "name:7: a surface before deg with two degrees");
+    EXPECT_EQ(complaint_after("deg 1 16"), "name:5: '16', a degree, is not in 1 to 15");
+    EXPECT_EQ(complaint_after(head), "name:8: the text ends in a surface, before its end");
+    EXPECT_EQ(complaint_after(head + head), "name:10: a surface begins before the last one's end");
+    EXPECT_EQ(complaint_after(head + "parm u 0 0 1\n" + end),
+              "name:10: parm u has fewer knots than twice the degree and 2");
+    EXPECT_EQ(complaint_after(head + "parm u 0 0 1 0.5\n"),
+              "name:8: '0.5', a parameter, is less than the one before");
+    EXPECT_EQ(complaint_after(head + "parm u 0 0 0.5 0.5\n" + end),
+              "name:10: parm u does not cover the range of surf");
+    EXPECT_EQ(complaint_after(head + "parm u 0 0 .4 .4 1 1\n" + end),
+              "name:10: parm u has a knot more often than the degree");
+    EXPECT_EQ(complaint_after(head + "parm u 0 0 .4 1 1\n" + end),
+              "name:10: the surface has 4 control points; its parameters ask for 3 by 2");
+    EXPECT_EQ(complaint_after("cstype bezier\ndeg 1 1\nsurf 1 1 0 1 1 2 3 4\n"),
+              "name:7: the range of a parameter is empty");
+}
+
+TEST(obj_surface, that_names_the_same_points_again_and_again_is_refused) {
+    std::string text = "v 1 2 3\ncstype bspline\ndeg 3 3\nsurf 3 100 3 100";
+    for (int i = 0; i < 100 * 100; ++i)
+        text += " 1";
+    for (const char* const parm : {"\nparm u", "\nparm v"}) {
+        text += parm;
+        for (int i = 0; i < 104; ++i)
+            text += ' ' + std::to_string(i);
+    }
+    EXPECT_EQ(complaint(text + "\nend\n"),
+              "name:7: the surfaces take more than 48 times the memory of the text");
+}
+
+} // namespace

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// The painter's pictures against the nearest triangle of each pixel, and against depth buffers.
+#include "pipeline/painter_order.h"
+
+#include "painter_scenes.h"
+#include "raster/surface_rasterizer_scalar.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+
+namespace pipeline_tests {
+namespace {
+
+constexpr l3d_size window{57, 41};
+constexpr std::ptrdiff_t stride = 61;
+
+std::vector<std::uint32_t> packed(const std::vector<std::uint32_t>& words, l3d_size size) {
+    std::vector<std::uint32_t> result;
+    for (int y = 0; y < size.height; ++y)
+        result.insert(result.end(), words.begin() + y * stride,
+                      words.begin() + y * stride + size.width);
+    return result;
+}
+
+class canvas {
+public:
+    canvas() : words_(static_cast<std::size_t>(stride * window.height), 0xbadu) {}
+    l3d_pixels pixels() { return {words_.data(), window.width, window.height, stride}; }
+    std::vector<std::uint32_t> picture() const { return packed(words_, window); }
+
+private:
+    std::vector<std::uint32_t> words_;
+};
+
+class painting {
+public:
+    std::vector<std::uint32_t> paint(const std::vector<l3d_painter_triangle>& triangles,
+                                     l3d_shade shade, bool resolve = true) {
+        canvas on;
+        order.make(triangles, window, resolve);
+        painter_.paint(on.pixels(), {shade, {0.6f, 0, 0.8f}, {0, 0, -1}, {}, {}}, order.triangles(),
+                       order.pieces(), order.cuts());
+        return on.picture();
+    }
+
+    l3d_painter_order order;
+
+private:
+    l3d_painter painter_;
+};
+
+std::vector<std::uint32_t> by_depth_buffer(const std::vector<l3d_painter_triangle>& triangles,
+                                           l3d_shade shade) {
+    canvas on;
+    l3d_depth_buffer depth;
+    depth.resize(window);
+    l3d_surface_rasterizer_scalar rasterizer;
+    rasterizer.begin(on.pixels(), &depth, {shade, {0.6f, 0, 0.8f}, {0, 0, -1}, {}, {}});
+    for (const l3d_painter_triangle& t : triangles) {
+        l3d_surface_part part;
+        part.triangles.add(t.v[0], t.v[1], t.v[2]);
+        part.error_color = t.color;
+        const std::array<const l3d_surface_part*, 1> parts{&part};
+        rasterizer.draw(parts);
+    }
+    rasterizer.finish();
+    return on.picture();
+}
+
+/// Pixels that differ though neither of the two nearest depths ties.
+int differences(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b,
+                const nearest_triangles& exact) {
+    int count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        count += a[i] != b[i] && !exact.tied[i];
+    return count;
+}
+
+TEST(painter_order, ten_thousand_scenes_are_right_in_every_pixel) {
+    painting painted;
+    std::int64_t tied = 0, covered = 0, knots = 0, cuts = 0, wrong_unresolved = 0;
+    for (unsigned seed = 1; seed <= 10000; ++seed) {
+        std::mt19937 random(seed);
+        auto triangles = random_triangles(random, window);
+        for (l3d_painter_triangle& t : triangles)
+            for (l3d_micro_vertex& v : t.v)
+                v.normal[0] = static_cast<float>(random() % 255) / 256;
+        const nearest_triangles exact = find_nearest(triangles, window);
+        const auto numbers = painted.paint(triangles, l3d_shade::error);
+        ASSERT_EQ(differences(numbers, exact.number, exact), 0) << "seed " << seed;
+        ASSERT_EQ(differences(numbers, by_depth_buffer(triangles, l3d_shade::error), exact), 0)
+            << "seed " << seed;
+        const auto shade = seed % 2 ? l3d_shade::lambert : l3d_shade::gouraud;
+        ASSERT_EQ(
+            differences(painted.paint(triangles, shade), by_depth_buffer(triangles, shade), exact),
+            0)
+            << "shaded, seed " << seed;
+        tied += std::ranges::count(exact.tied, true);
+        covered += std::ranges::count_if(exact.number, [](std::uint32_t n) { return n > 0; });
+        knots += painted.order.counts().knots;
+        cuts += painted.order.counts().cuts;
+        wrong_unresolved +=
+            differences(painted.paint(triangles, l3d_shade::error, false), exact.number, exact) > 0;
+    }
+    // The scenes must be hard: most are wrong when only sorted, and many need cuts.
+    EXPECT_GT(wrong_unresolved, 5000);
+    EXPECT_GT(knots, 5000);
+    EXPECT_LT(tied * 50, covered); // and what is excluded is little
+    RecordProperty("knots", static_cast<int>(knots));
+    std::cout << "knots " << knots << ", cuts " << cuts << ", pixels " << covered << ", tied "
+              << tied << ", wrong when only sorted " << wrong_unresolved << '\n';
+}
+
+TEST(painter_order, the_cycle_of_three_rectangles) {
+    const auto triangles = rectangle_cycle(window);
+    const nearest_triangles exact = find_nearest(triangles, window);
+    painting painted;
+    EXPECT_EQ(differences(painted.paint(triangles, l3d_shade::error), exact.number, exact), 0);
+    EXPECT_EQ(painted.order.counts().knots, 1);
+    EXPECT_GE(painted.order.counts().cuts, 1);
+    EXPECT_GT(differences(painted.paint(triangles, l3d_shade::error, false), exact.number, exact),
+              0);
+}
+
+TEST(painter_order, nothing_and_what_covers_nothing) {
+    painting painted;
+    EXPECT_EQ(painted.paint({}, l3d_shade::error), std::vector<std::uint32_t>(57 * 41, 0u));
+    l3d_painter_triangle flat{};
+    for (int i = 0; i < 3; ++i)
+        flat.v[static_cast<std::size_t>(i)] = {1000 * i, 2000 * i, 1, {0, 0, 1}};
+    flat.color = 7;
+    painted.paint({flat}, l3d_shade::error);
+    EXPECT_TRUE(painted.order.pieces().empty());
+}
+
+} // namespace
+} // namespace pipeline_tests

@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Every program under apps/: its pictures are the stored ones; keys, close and resize in a window.
+
+With --write the hashes in tests/golden/programs.txt become those of the programs in L3D_BIN."""
+
+import hashlib
+import os
+import pathlib
+import sys
+
+import harness
+from harness import Checks, environment, expect, expect_equal, run, xdotool
+from window_test import Session
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+TABLE = ROOT / "tests" / "golden" / "programs.txt"
+FRAMES = 100
+
+
+class Row:
+    """A line of the table."""
+
+    def __init__(self, line):
+        cells = [cell.strip() for cell in line.split("|")]
+        expect_equal(len(cells), 6, "columns of '%s':" % line.strip())
+        self.name, size, arguments, self.real, self.hash, keys = cells
+        width, height = map(int, size.split("x"))
+        self.program = harness.Program(self.name, (width, height))
+        self.arguments = arguments.split()
+        self.is_console = keys == "console"
+        self.keys = keys.split()
+        self.title = ".".join([self.name, *self.arguments])
+
+    def measured_hash(self):
+        command = self.program.command(*self.arguments)
+        if not self.is_console:
+            command += ["--backend", "memory", "--frames", str(FRAMES), "--output", "-"]
+        status, out, messages = run(command, environment())
+        expect_equal((status, messages), (0, ""))
+        if not self.is_console:
+            header = b"P6\n%d %d\n255\n" % self.program.size
+            expect_equal(out.count(header), FRAMES, "pictures:")
+        return hashlib.sha256(out).hexdigest()[:16]
+
+
+def table():
+    lines = TABLE.read_text().splitlines()
+    return [Row(line) for line in lines if line and not line.startswith("#")]
+
+
+def real_of(name):
+    """The number type that a program was built with, as it says."""
+    status, out, _ = run([os.path.join(harness.BIN, name), "--version"], environment())
+    expect_equal(status, 0)
+    return out.decode().rsplit(maxsplit=1)[-1]
+
+
+def programs():
+    return sorted(path.parent.name for path in ROOT.glob("apps/*/main.cpp"))
+
+
+def has_a_row(name, rows):
+    real = real_of(name)
+    found = [row for row in rows if row.name == name and row.real in ("any", real)]
+    expect(found, "no row of", str(TABLE.relative_to(ROOT)), "for", name, real)
+
+
+def makes_the_stored_pictures(row):
+    expect_equal(row.measured_hash(), row.hash, "the hash of %d frames" % FRAMES)
+
+
+def obeys_keys(row):
+    with Session(row.program, *row.arguments) as it:
+        for key in row.keys:
+            before = it.picture()
+            xdotool(it.display, "key", key)
+            it.await_picture(lambda rows: rows != before, what="a change by " + key)
+        xdotool(it.display, "key", "q")
+        it.expect_end(0)
+
+
+def obeys_the_close_button(row):
+    with Session(row.program, *row.arguments) as it:
+        it.eyes.ask_to_close(it.window)
+        it.expect_end(0)
+
+
+def fills_a_resized_window(row):
+    """Larger, then smaller than at first; there is a picture in either, and Escape ends it."""
+    width, height = row.program.size
+    with Session(row.program, *row.arguments) as it:
+        for size in ((width + 37, height + 21), (max(width - 19, 40), max(height - 9, 25))):
+            xdotool(it.display, "windowsize", it.window, *size)
+            it.await_picture(harness.has_picture, size, "a picture of %dx%d" % size)
+        xdotool(it.display, "key", "Escape")
+        it.expect_end(0)
+
+
+def write():
+    lines = TABLE.read_text().splitlines()
+    for i, line in enumerate(lines):
+        if line and not line.startswith("#"):
+            row = Row(line)
+            if row.real in ("any", real_of(row.name)):
+                before, _, after = line.rsplit("|", 2)
+                lines[i] = "%s| %s |%s" % (before, row.measured_hash(), after)
+    TABLE.write_text("\n".join(lines) + "\n")
+
+
+def main():
+    checks = Checks()
+    rows = table()
+    for name in programs():
+        checks.run("programs.%s.has_a_row" % name, has_a_row, name, rows)
+    seen = set()
+    for row in rows:
+        if row.real not in ("any", real_of(row.name)):
+            continue
+        checks.run("programs.%s.pictures" % row.title, makes_the_stored_pictures, row)
+        if row.name not in seen and not row.is_console:
+            for check in (obeys_keys, obeys_the_close_button, fills_a_resized_window):
+                checks.run("programs.%s.%s" % (row.name, check.__name__), check, row)
+        seen.add(row.name)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    if sys.argv[1:] == ["--write"]:
+        write()
+    else:
+        main()
