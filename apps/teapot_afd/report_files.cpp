@@ -148,7 +148,7 @@ which no random cubic is a pixel off.
 *32-bit graded* is our form of what both are about: each register keeps the fraction bits that its own size
 leaves, and sums are rounded. One exponent for all four registers, as in 16.16, bears some hundred steps, for
 its error grows with n^3 / 6. Where we differ: the papers' figures are those of their abstracts, which do not say
-how registers are aligned, and are proved for all curves; ours are random curves, not the worst, our registers
+how registers are aligned, and are meant for all curves; ours are random curves, not the worst, our registers
 are sized for the range and the number of steps, and no more than %d steps were tried: a number as large as
 that is a least one.
 
