@@ -93,7 +93,7 @@ LONE      := $(HEADERS:%=$(OUT)/%.ok)
 # A check writes a log; summary.awk judges any set of logs.
 CHECKS    := format-check headers layers errors-doc fail
 LINT_LOGS := $(CHECKS:%=$(OUT)/log/%.log)
-STRESS_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log)
+STRESS_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log) $(OUT)/log/raster-stress.log
 TEST_LOGS := $(tested:%=$(OUT)/log/%.log) $(SCRIPTS:tests/%=$(OUT)/log/%.log) \
              $(OUT)/log/layers.log $(OUT)/log/fail.log $(if $(filter stress,$(WITH)),$(STRESS_LOGS))
 
@@ -124,7 +124,7 @@ run: ## build, then show the teapot: in a window, or as a PNG where there is no 
 test: packages-test ## build and run every test; ends with "N passed, N failed"
 	@$(call judge,$(TEST_LOGS))
 
-stress: packages-test ## what takes minutes: a server that dies at every request; also: make test WITH=stress
+stress: packages-test ## what takes minutes: servers that die at every request, a million shapes; also: make test WITH=stress
 	@$(call judge,$(STRESS_LOGS))
 
 test-%: packages-test ## the tests of one layer: make test-geom
@@ -226,7 +226,8 @@ $(TESTERS): $(OUT)/tests/%_tests: $$(objects_tests/$$*) $$(call archives,$$(call
 
 $(BENCHES): %: %.o $(objects_bench) $(call archives,reference $(LAYERS))
 	$(call say,LINK,$@)
-	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -lembree3 -o $@
+	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) \
+	    -lembree3 -lbenchmark -o $@
 
 $(OUT)/fuzz/%: tests/fuzz/model_fuzz.cpp $(wildcard tests/fuzz/*.h) $(OUT)/libl3d_geom.a
 	$(call say,LINK,$@)
@@ -239,6 +240,12 @@ logged = $(Q)mkdir -p $(@D); { $(1); } > $@ 2>&1; echo "exit status $$?" >> $@
 $(tested:%=$(OUT)/log/%.log): $(OUT)/log/%.log: $(OUT)/tests/%_tests FORCE
 	$(call say,TEST,$*)
 	$(call logged,timeout --foreground $(TEST_TIMEOUT) $< --gtest_color=no)
+
+# What takes minutes is disabled in its test program.
+$(OUT)/log/raster-stress.log: $(OUT)/tests/raster_tests FORCE
+	$(call say,TEST,raster stress)
+	$(call logged,timeout --foreground $(TEST_TIMEOUT) $< --gtest_color=no \
+	    --gtest_also_run_disabled_tests --gtest_filter='*DISABLED_*')
 
 $(OUT)/log/system.log: $(PLUGINS)
 

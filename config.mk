@@ -33,5 +33,5 @@ PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
 PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h
 PACKAGES_fuzz   := $(PACKAGES_matrix)
 PACKAGES_bench  := libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so \
-    libembree-dev:embree3/rtcore.h xvfb:Xvfb
+    libembree-dev:embree3/rtcore.h xvfb:Xvfb libbenchmark-dev:benchmark/benchmark.h
 PACKAGES_report := gnuplot-nox:gnuplot

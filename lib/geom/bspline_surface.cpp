@@ -76,10 +76,10 @@ void append_segments(const l3d_bspline_direction& d, const control_line& points,
             continue;
         const double a = std::max(d.knots[span], d.from);
         const double b = std::min(d.knots[span + 1], d.to);
-        // Both neighbours compute their common point alone, and would round differently.
-        const bool first = a == d.from;
-        result.push_back(first ? blossom(d, points, span, a, b, 0) : point(result.back()));
-        for (std::size_t index = 1; index <= n; ++index)
+        // Neighbours compute their common point from the same control points by the same
+        // operations, since weights of zero pick a point without rounding: it is the same bit for
+        // bit.
+        for (std::size_t index = 0; index <= n; ++index)
             result.push_back(blossom(d, points, span, a, b, index));
     }
 }

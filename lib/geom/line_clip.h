@@ -6,13 +6,15 @@
 #include "geom/side_2d.h"
 
 #include <algorithm>
+#include <cmath>
 
 /// Moves the ends of a line into a window; false, and nothing changes, if no point of it is there.
 ///
 /// An end in the window stays as it is; another one goes to the border, to nearest in T, and is
 /// never outside. For lines of pixels the rasterizer does without: it clips by itself, so that the
 /// pixels are those of the whole line.
-/// Expects: least[i] <= most[i]. A line with an end that is not a number is nowhere.
+/// Expects: least[i] <= most[i]. A line with an end that is not finite, or longer than
+///          double can say, is nowhere.
 /// Cost:    see docs/BOOK.md; Cohen and Sutherland's way was measured against it.
 /// Source:  Liang, Barsky: A New Concept and Method for Line Clipping (1984).
 template <class T>
@@ -25,6 +27,8 @@ bool l3d_clip_line(l3d_position<T>& from, l3d_position<T>& to, const l3d_positio
         const double way = l3d_to_double(to[axis]) - start;
         const double low = l3d_to_double(least[axis]) - start;
         const double high = l3d_to_double(most[axis]) - start;
+        if (!std::isfinite(way))
+            return false;
         if (way == 0) {
             if (!(low <= 0 && high >= 0))
                 return false;

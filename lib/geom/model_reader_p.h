@@ -68,7 +68,8 @@ inline bool read_vertex(text_cursor& text, l3d_polygon_mesh& mesh) {
     return true;
 }
 
-/// The value of every reader: the model with its notes, or nothing and the cursor's reason.
+/// The value of every reader: the model with its notes.
+/// Errors: nothing, and the cursor's reason in `why`, unless all went `well`.
 inline std::optional<l3d_model_file> outcome(bool well, l3d_model_file& model, text_cursor& text,
                                              std::string& why) {
     if (!well) {

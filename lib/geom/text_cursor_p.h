@@ -36,6 +36,7 @@ public:
 
     /// Fails, for use as a result. The message names the line of the current token.
     bool fail(const std::string& what);
+    /// Errors: the last one; empty if nothing has failed.
     const std::string& why() const { return why_; }
 
     /// Keeps a remark on what is skipped, with the line of the current token.

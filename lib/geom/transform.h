@@ -6,6 +6,7 @@
 #include "geom/matrix.h"
 #include "geom/point.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -52,8 +52,7 @@ typedef struct l3d_plugin_interface {
 
     /* Sets the object up. The result is the plug-in's own data for this object, which the other
        functions get; null if it cannot be done. The host outlives it; the parameters do not. */
-    void* (*create)(const l3d_plugin_host* host, l3d_plugin_object* object,
-                    const char* parameters);
+    void* (*create)(const l3d_plugin_host* host, l3d_plugin_object* object, const char* parameters);
     /* Lets time pass. */
     void (*update)(void* data, double seconds);
     /* Data for a copy of the object, whose polygons and placement have been copied already; null

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -129,7 +130,7 @@ void painter_knot::arrange(fragments&& set) {
     std::ranges::move(found.rbegin(), found.rend(), std::back_inserter(tasks_));
 }
 
-/// Of eight members, the one whose plane cuts fewest, and leaves the most equal halves.
+/// Of some eight members, the one whose plane cuts fewest, and leaves the most equal halves.
 std::size_t painter_knot::best_splitter(const fragments& set) const {
     constexpr std::size_t tried = 8;
     constexpr long price_of_cut = 4; // in members that one half has more than the other

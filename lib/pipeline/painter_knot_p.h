@@ -38,10 +38,6 @@ private:
     };
     using fragments = std::vector<fragment>;
 
-    struct pair {
-        std::uint32_t first, second;
-    };
-
     fragment whole(std::uint32_t triangle) const;
     static void set_box(fragment& of);
     double tie(const fragment& a, const fragment& b) const;

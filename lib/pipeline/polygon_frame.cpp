@@ -114,8 +114,10 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
     const auto mine = all.subspan(begin, std::min(chunk_triangles, all.size() - begin));
     for (const l3d_model_triangle& triangle : mine) {
         const auto& face = in.model.face_normals()[triangle.face];
-        if (in.cull && !(in.view.faces_eye(l3d_converted<double>(face),
-                                           in.model.mesh().vertices[triangle.corners[0]]) > 0)) {
+        const bool from_behind =
+            !(in.view.faces_eye(l3d_converted<double>(face),
+                                in.model.mesh().vertices[triangle.corners[0]]) > 0);
+        if (in.cull && from_behind) {
             ++to.counts.back;
             continue;
         }
@@ -130,37 +132,42 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
                 continue;
             }
         }
-        if (!in.smooth) {
-            turn(in.view.placement(), face, v[0].normal);
-            for (std::size_t k = 1; k < 3; ++k)
-                std::ranges::copy(v[0].normal, v[k].normal);
-        }
+        set_normals(in, triangle, from_behind, whole, v);
         if (whole) {
             ++to.counts.drawn;
             to.part.triangles.add(v[0], v[1], v[2]);
             to.sides.push_back(static_cast<std::uint8_t>(triangle.sides));
-            continue;
+        } else {
+            add_clipped(in, triangle, v, to);
         }
-        float normals[3][3];
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (in.smooth)
-                turn(in.view.placement(), in.model.vertex_normals()[triangle.corners[k]],
-                     v[k].normal);
-            std::ranges::copy(v[k].normal, normals[k]);
-        }
-        add_clipped(in, triangle, normals, to);
+    }
+}
+
+/// Those of the face or of the vertices (`placed` has them already if it could be drawn), turned
+/// round on the face's other side.
+void l3d_polygon_frame::set_normals(const frame_input& in, const l3d_model_triangle& triangle,
+                                    bool from_behind, bool placed,
+                                    std::array<l3d_micro_vertex, 3>& v) const {
+    for (std::size_t k = 0; k < v.size(); ++k) {
+        if (!in.smooth)
+            turn(in.view.placement(), in.model.face_normals()[triangle.face], v[k].normal);
+        else if (!placed)
+            turn(in.view.placement(), in.model.vertex_normals()[triangle.corners[k]], v[k].normal);
+        if (from_behind)
+            for (float& component : v[k].normal)
+                component = -component;
     }
 }
 
 /// What a clipped corner's depth is in a parallel projection, it carries as its parameter u.
 void l3d_polygon_frame::add_clipped(const frame_input& in, const l3d_model_triangle& triangle,
-                                    const float (&normals)[3][3], chunk& to) const {
+                                    const std::array<l3d_micro_vertex, 3>& v, chunk& to) const {
     std::array<l3d_clip_vertex, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
         const point h = placed(in.view.matrix(), in.model.mesh().vertices[triangle.corners[k]]);
         corners[k] = l3d_canonical_vertex({h[0], h[1], h[3]}, in.window);
         corners[k].dice.u = depth_value(h[2]);
-        std::ranges::copy(normals[k], corners[k].dice.vertex.normal);
+        std::ranges::copy(v[k].normal, corners[k].dice.vertex.normal);
     }
     to.clipped.clear();
     to.clipped.keep_parameters = true;
@@ -168,15 +175,15 @@ void l3d_polygon_frame::add_clipped(const frame_input& in, const l3d_model_trian
     const l3d_micro_triangles& pieces = to.clipped.part.triangles;
     bool seen = false;
     for (std::size_t i = 0; i < pieces.count; ++i) {
-        std::array<l3d_micro_vertex, 3> v;
+        std::array<l3d_micro_vertex, 3> p;
         for (std::size_t k = 0; k < 3; ++k) {
-            v[k] = pieces.vertex(i, k);
+            p[k] = pieces.vertex(i, k);
             if (in.view.is_parallel())
-                v[k].inv_w = static_cast<float>(to.clipped.triangle_uv[k][i].u);
+                p[k].inv_w = static_cast<float>(to.clipped.triangle_uv[k][i].u);
         }
-        if (reach_of(v[0], v[1], v[2], in.view.size()) != reach::seen)
+        if (reach_of(p[0], p[1], p[2], in.view.size()) != reach::seen)
             continue;
-        to.part.triangles.add(v[0], v[1], v[2]);
+        to.part.triangles.add(p[0], p[1], p[2]);
         // The pieces are a fan: the first side of the first and the last of the last are outside.
         const bool first = i == 0, last = i + 1 == pieces.count;
         to.sides.push_back(static_cast<std::uint8_t>(first | 2 | last << 2));

@@ -12,6 +12,7 @@
 #include "raster/surface_part.h"
 #include "raster/workers.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -78,8 +79,10 @@ private:
 
     void place_vertices(const frame_input& in, std::size_t begin, std::size_t end);
     void place_chunk(const frame_input& in, std::size_t index);
+    void set_normals(const frame_input& in, const l3d_model_triangle& triangle, bool from_behind,
+                     bool placed, std::array<l3d_micro_vertex, 3>& v) const;
     void add_clipped(const frame_input& in, const l3d_model_triangle& triangle,
-                     const float (&normals)[3][3], chunk& to) const;
+                     const std::array<l3d_micro_vertex, 3>& v, chunk& to) const;
     double depth_value(double distance) const { return depth_base_ + depth_step_ * distance; }
 
     std::vector<l3d_micro_vertex> vertices_; ///< inv_w is 0 where a vertex cannot be drawn

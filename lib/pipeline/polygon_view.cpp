@@ -5,8 +5,6 @@
 #include "geom/transform.h"
 #include "pipeline/camera_shading.h"
 
-#include <cstddef>
-
 namespace {
 
 using vector = l3d_polygon_view::vector;
@@ -52,12 +50,6 @@ l3d_polygon_view::l3d_polygon_view(const l3d_camera& camera, l3d_size size,
 
 l3d_shading l3d_polygon_view::shading(l3d_shade mode, const vector& light) const {
     l3d_shading result = l3d_camera_shading(camera_, size_, mode, light);
-    if (is_parallel()) {
-        const vector forward = camera_.axes().forward;
-        for (std::size_t i = 0; i < 3; ++i) {
-            result.ray[i] = static_cast<float>(forward[static_cast<int>(i)]);
-            result.ray_right[i] = result.ray_down[i] = 0;
-        }
-    }
+    result.ray = result.ray_right = result.ray_down = {0, 0, 0};
     return result;
 }

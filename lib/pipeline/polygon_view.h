@@ -44,7 +44,9 @@ public:
         return is_parallel() ? -l3d_dot(normal, forward_) : l3d_dot(normal, eye_ - point);
     }
 
-    /// For the rasterizers. Rays and light are of the world: normals must be placed, too.
+    /// For the rasterizers, the light in world space. The rays are zero, so that no pixel's normal
+    /// is turned round: which side of a face is seen, its plane says. The smooth normals of a face
+    /// at an outline point away from the eye in some of its pixels, and are right as they are.
     l3d_shading shading(l3d_shade mode, const vector& light) const;
 
 private:

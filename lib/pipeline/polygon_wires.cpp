@@ -3,9 +3,9 @@
 #include "pipeline/polygon_wires.h"
 
 #include "pipeline/dice_view.h"
+#include "pipeline/snap.h"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace {
@@ -56,9 +56,13 @@ bool clip(const clip_planes& planes, homogeneous& a, homogeneous& b, unsigned co
     return (code_a & code_b) == 0;
 }
 
-/// The pixel that a point lies in.
-int pixel(double offset, int side) {
-    return static_cast<int>(std::floor(offset + side / 2.0));
+/// The line between the pixels that two points lie in, rounded as the corners of filled faces are.
+l3d_line_2d line_of(const homogeneous& a, const homogeneous& b, l3d_size size) {
+    const l3d_snapped from = l3d_snap(a.x, a.y, a.w), to = l3d_snap(b.x, b.y, b.w);
+    const std::int32_t x = size.width * (l3d_subpixel_one / 2);
+    const std::int32_t y = size.height * (l3d_subpixel_one / 2);
+    return {(from.x + x) >> l3d_subpixel_bits, (from.y + y) >> l3d_subpixel_bits,
+            (to.x + x) >> l3d_subpixel_bits, (to.y + y) >> l3d_subpixel_bits};
 }
 
 } // namespace
@@ -92,9 +96,7 @@ std::span<const l3d_line_2d> l3d_polygon_wires::make(const l3d_polygon_model& mo
             homogeneous a{from.x, from.y, from.w}, b{to.x, to.y, to.w};
             if (!clip(planes, a, b, from.outside, to.outside))
                 continue;
-            lines_.push_back(
-                {pixel(a.x / a.w, view.size().width), pixel(a.y / a.w, view.size().height),
-                 pixel(b.x / b.w, view.size().width), pixel(b.y / b.w, view.size().height)});
+            lines_.push_back(line_of(a, b, view.size()));
         }
     }
     return lines_;

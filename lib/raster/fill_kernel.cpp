@@ -35,20 +35,25 @@ HWY_INLINE hn::Mask<D> meets(D d, const V (&v)[4], std::int32_t begin, std::int3
 /// Shape: Light makes their greys: lambert_lanes or grey_lanes.
 template <class Light> class fill_stream {
 public:
-    using light_arrays = HWY_NAMESPACE::light_arrays<Light::numbers>;
-
     HWY_INLINE explicit fill_stream(const fill_target& target)
         : target_(target), queue_(target.queue) {}
 
-    /// Takes `count` polygons. The first one's name is `name`, the others' follow by `step`.
-    HWY_INLINE void take(const corner_arrays& corners, const light_arrays& light, std::size_t count,
-                         const void* source, std::int32_t name, std::int32_t step) {
+    /// Polygons side by side. The first one's name is `name`, the others' follow by `step`.
+    struct row {
+        const corner_arrays& corners;
+        corner_places at;
+        light_arrays<Light::numbers> light;
+        std::size_t count;
+        const void* source;
+        std::int32_t name, step;
+    };
+
+    HWY_INLINE void take(const row& from) {
         using few = hn::CappedTag<std::int32_t, (lanes + 1) / 2>;
-        if (count <= hn::MaxLanes(few()))
-            return take_some(few(), corners, light, 0, count, source, name, step);
-        for (std::size_t i = 0; i < count; i += lanes)
-            take_some(ints(), corners, light, i, std::min(lanes, count - i), source,
-                      name + static_cast<std::int32_t>(i) * step, step);
+        if (from.count <= hn::MaxLanes(few()))
+            return take_some(few(), from, 0, from.count);
+        for (std::size_t i = 0; i < from.count; i += lanes)
+            take_some(ints(), from, i, std::min(lanes, from.count - i));
     }
 
     HWY_INLINE void finish() {
@@ -64,28 +69,25 @@ public:
 
 private:
     template <class D>
-    HWY_INLINE void take_some(D d, const corner_arrays& from, const light_arrays& light,
-                              std::size_t i, std::size_t count, const void* source,
-                              std::int32_t name, std::int32_t step) {
+    HWY_INLINE void take_some(D d, const row& from, std::size_t i, std::size_t count) {
         bool inside = true;
-        for (const vertex_arrays& corner : from)
-            inside = inside && i + hn::MaxLanes(d) <= corner.size;
+        for (std::size_t k = 0; k < 4; ++k)
+            inside = inside && from.at[k] + i + hn::MaxLanes(d) <= from.corners[k].size;
         if (HWY_LIKELY(inside))
-            take_vector<true>(d, from, light, i, count, source, name, step);
+            take_vector<true>(d, from, i, count);
         else
-            take_vector<false>(d, from, light, i, count, source, name, step);
+            take_vector<false>(d, from, i, count);
     }
 
     template <bool Inside, class D>
-    HWY_INLINE void take_vector(D d, const corner_arrays& from, const light_arrays& light,
-                                std::size_t i, std::size_t count, const void* source,
-                                std::int32_t name, std::int32_t step) {
+    HWY_INLINE void take_vector(D d, const row& from, std::size_t i, std::size_t count) {
         using vec = hn::Vec<D>;
         const hn::RebindToFloat<D> df;
         vec x[4], y[4];
         for (std::size_t k = 0; k < 4; ++k) {
-            x[k] = load_within<Inside>(d, from[k].x, i, from[k].size);
-            y[k] = load_within<Inside>(d, from[k].y, i, from[k].size);
+            const vertex_arrays& corner = from.corners[k];
+            x[k] = load_within<Inside>(d, corner.x, from.at[k] + i, corner.size);
+            y[k] = load_within<Inside>(d, corner.y, from.at[k] + i, corner.size);
         }
         const fill_band& band = target_.band;
         const auto live =
@@ -101,18 +103,21 @@ private:
                 v = hn::Compress(v, live);
             hn::StoreU(v, d, place + to);
         };
-        const auto number = [&](std::size_t k, const float* array) HWY_ATTR {
-            return hn::BitCast(d, load_within<Inside>(df, array, i, from[k].size));
-        };
         for (std::size_t k = 0; k < 4; ++k) {
+            const vertex_arrays& corner = from.corners[k];
+            const std::size_t left = corner.size - from.at[k], at = from.light.at[k];
             put(x[k], queue_.corner[k][0]);
             put(y[k], queue_.corner[k][1]);
-            put(number(k, from[k].inv_w), queue_.corner[k][2]);
-            for (std::size_t c = 0; c < Light::numbers; ++c)
-                put(number(k, light[k][c]), queue_.corner[k][3 + c]);
+            const auto inv_w = load_within<Inside>(df, corner.inv_w, from.at[k] + i, corner.size);
+            put(hn::BitCast(d, inv_w), queue_.corner[k][2]);
+            for (std::size_t c = 0; c < Light::numbers; ++c) {
+                const auto light = load_within<Inside>(df, from.light.of[k][c], at + i, at + left);
+                put(hn::BitCast(d, light), queue_.corner[k][3 + c]);
+            }
         }
-        put(hn::Add(hn::Mul(hn::Iota(d, 0), hn::Set(d, step)), hn::Set(d, name)), queue_.name);
-        std::fill_n(queue_.source.begin() + static_cast<std::ptrdiff_t>(to), lanes, source);
+        const auto name = from.name + static_cast<std::int32_t>(i) * from.step;
+        put(hn::Add(hn::Mul(hn::Iota(d, 0), hn::Set(d, from.step)), hn::Set(d, name)), queue_.name);
+        std::fill_n(queue_.source.begin() + static_cast<std::ptrdiff_t>(to), lanes, from.source);
         queue_.count += found;
         if (queue_.count >= fill_queue::enough)
             fill_enough();
@@ -166,30 +171,34 @@ private:
 template <class Lights>
 HWY_INLINE void quads_by(const fill_target& to, const l3d_micro_grid& grid, int row_begin,
                          int row_end, int column, std::size_t count) {
-    fill_stream<typename Lights::lanes_type> stream(to);
+    using stream = fill_stream<typename Lights::lanes_type>;
+    stream out(to);
     Lights lights(to);
-    const auto vertices = [&](int row, int at) {
-        return vertex_arrays::from(grid, grid.index(row, at));
-    };
-    lights.start(vertices(row_begin, column), count);
+    const vertex_arrays vertices(grid);
+    const corner_arrays corners{vertices, vertices, vertices, vertices};
+    lights.start(vertices, grid.index(row_begin, column), count);
     for (int row = row_begin; row < row_end; ++row) {
-        const corner_arrays corners{vertices(row, column), vertices(row, column + 1),
-                                    vertices(row + 1, column + 1), vertices(row + 1, column)};
-        stream.take(corners, lights.quads(corners, count), count, &grid,
-                    static_cast<std::int32_t>(grid.index(row, column)), 1);
+        const std::size_t p00 = grid.index(row, column), p01 = grid.index(row + 1, column);
+        const corner_places at{p00, p00 + 1, p01 + 1, p01};
+        out.take({corners, at, lights.quads(corners, at, count), count, &grid,
+                  static_cast<std::int32_t>(p00), 1});
     }
 }
 
 template <class Lights>
 HWY_INLINE void triangles_by(const fill_target& to, const l3d_micro_triangles& triangles,
                              std::size_t first, std::size_t count) {
-    const auto vertices = [&](std::size_t k) {
-        return vertex_arrays::from(triangles.corners[k], first);
-    };
-    const corner_arrays corners{vertices(0), vertices(1), vertices(2), vertices(2)};
-    fill_stream<typename Lights::lanes_type>(to).take(corners, Lights(to).triangles(corners, count),
-                                                      count, &triangles,
-                                                      -1 - static_cast<std::int32_t>(first), -1);
+    const vertex_arrays last(triangles.corners[2]);
+    const corner_arrays corners{vertex_arrays(triangles.corners[0]),
+                                vertex_arrays(triangles.corners[1]), last, last};
+    Lights lights(to);
+    fill_stream<typename Lights::lanes_type>(to).take({corners,
+                                                       {first, first, first, first},
+                                                       lights.triangles(corners, first, count),
+                                                       count,
+                                                       &triangles,
+                                                       -1 - static_cast<std::int32_t>(first),
+                                                       -1});
 }
 
 /// Runs of columns that there is room for the greys of.

@@ -19,7 +19,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Vertices side by side in memory, from one on.
+/// Vertices side by side in memory.
 ///
 /// Shape: `size` elements in each array may be read.
 struct vertex_arrays {
@@ -30,20 +30,25 @@ struct vertex_arrays {
     std::size_t size;
 
     /// Of an l3d_micro_grid or a corner of l3d_micro_triangles.
-    template <class Arrays> static vertex_arrays from(const Arrays& of, std::size_t at) {
-        return {of.x.data() + at,
-                of.y.data() + at,
-                of.inv_w.data() + at,
-                {of.normal[0].data() + at, of.normal[1].data() + at, of.normal[2].data() + at},
-                of.x.size() - at};
-    }
+    template <class Arrays>
+    explicit vertex_arrays(const Arrays& of)
+        : x(of.x.data()), y(of.y.data()),
+          inv_w(of.inv_w.data()), normal{of.normal[0].data(), of.normal[1].data(),
+                                         of.normal[2].data()},
+          size(of.x.size()) {}
 };
 
 /// The four corners of polygons side by side; the last of a triangle is there twice.
 using corner_arrays = std::array<vertex_arrays, 4>;
 
-/// What is queued of the light of each of them; as many elements as of the corner may be read.
-template <std::size_t Count> using light_arrays = std::array<std::array<const float*, Count>, 4>;
+/// Where the first polygon's corners are in each of four arrays.
+using corner_places = std::array<std::size_t, 4>;
+
+/// What is queued of the corners' light; as many elements as of the corners may be read.
+template <std::size_t Count> struct light_arrays {
+    std::array<std::array<const float*, Count>, 4> of;
+    corner_places at;
+};
 
 /// A vector from an array's element `at` on; unless it is all `inside`, zeros behind the end.
 template <bool Inside, class D, class T>
@@ -74,6 +79,19 @@ HWY_INLINE float_vec level_of(float_vec cosine, float_vec away) {
     return hn::Add(set(25.5f), hn::Mul(set(grey_of_cosine), lit));
 }
 
+/// A vector of vertices' normals, and how far they point away from the eye.
+struct lane_normals {
+    float_vec normal[3], away;
+
+    template <bool Inside>
+    HWY_INLINE void load(const vertex_arrays& v, std::size_t at, const l3d_shading& shading) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            normal[axis] = load_within<Inside>(floats(), v.normal[axis], at, v.size);
+        away = away_of(shading, load_within<Inside>(ints(), v.x, at, v.size),
+                       load_within<Inside>(ints(), v.y, at, v.size), normal);
+    }
+};
+
 /// Lambert: every corner's normal.
 class normal_lights {
 public:
@@ -81,12 +99,14 @@ public:
 
     HWY_INLINE explicit normal_lights(const fill_target&) {}
 
-    HWY_INLINE void start(const vertex_arrays&, std::size_t) {}
-    HWY_INLINE light_arrays<3> quads(const corner_arrays& v, std::size_t) const {
-        return {v[0].normal, v[1].normal, v[2].normal, v[3].normal};
+    HWY_INLINE void start(const vertex_arrays&, std::size_t, std::size_t) {}
+    HWY_INLINE light_arrays<3> quads(const corner_arrays& v, const corner_places& at,
+                                     std::size_t) const {
+        return {{v[0].normal, v[1].normal, v[2].normal, v[3].normal}, at};
     }
-    HWY_INLINE light_arrays<3> triangles(const corner_arrays& v, std::size_t n) const {
-        return quads(v, n);
+    HWY_INLINE light_arrays<3> triangles(const corner_arrays& v, std::size_t first,
+                                         std::size_t count) const {
+        return quads(v, {first, first, first, first}, count);
     }
 };
 
@@ -100,33 +120,31 @@ public:
           below_(to.queue.greys[1]) {}
 
     /// Before the first row of `count` quads: the vertices above it.
-    HWY_INLINE void start(const vertex_arrays& above, std::size_t count) {
-        make(above, count + 1, below_);
+    HWY_INLINE void start(const vertex_arrays& v, std::size_t at, std::size_t count) {
+        make(v, at, count + 1, below_);
     }
     /// Expects: rows in their order.
-    HWY_INLINE light_arrays<1> quads(const corner_arrays& v, std::size_t count) {
+    HWY_INLINE light_arrays<1> quads(const corner_arrays& v, const corner_places& at,
+                                     std::size_t count) {
         std::swap(above_, below_);
-        make(v[3], count + 1, below_);
-        return {{{above_}, {above_ + 1}, {below_ + 1}, {below_}}};
+        make(v[3], at[3], count + 1, below_);
+        return {{{{above_}, {above_}, {below_}, {below_}}}, {0, 1, 1, 0}};
     }
-    HWY_INLINE light_arrays<1> triangles(const corner_arrays& v, std::size_t count) const {
-        make(v[0], count, above_);
-        make(v[1], count, below_);
-        make(v[2], count, third_);
-        return {{{above_}, {below_}, {third_}, {third_}}};
+    HWY_INLINE light_arrays<1> triangles(const corner_arrays& v, std::size_t first,
+                                         std::size_t count) const {
+        make(v[0], first, count, above_);
+        make(v[1], first, count, below_);
+        make(v[2], first, count, third_);
+        return {{{{above_}, {below_}, {third_}, {third_}}}, {}};
     }
 
 private:
-    HWY_INLINE void make(const vertex_arrays& v, std::size_t count, float* levels) const {
-        for_vectors(count, v.size, [&](auto inside, std::size_t i) HWY_ATTR {
-            const auto number = [&](const float* array) HWY_ATTR {
-                return load_within<inside()>(floats(), array, i, v.size);
-            };
-            const float_vec normal[3] = {number(v.normal[0]), number(v.normal[1]),
-                                         number(v.normal[2])};
-            const float_vec away = away_of(shading_, load_within<inside()>(ints(), v.x, i, v.size),
-                                           load_within<inside()>(ints(), v.y, i, v.size), normal);
-            hn::Store(level_of(lit_of(shading_, normal), away), floats(), levels + i);
+    HWY_INLINE void make(const vertex_arrays& v, std::size_t at, std::size_t count,
+                         float* levels) const {
+        for_vectors(count, v.size - at, [&](auto inside, std::size_t i) HWY_ATTR {
+            lane_normals n;
+            n.load<inside()>(v, at + i, shading_);
+            hn::Store(level_of(lit_of(shading_, n.normal), n.away), floats(), levels + i);
         });
     }
 
@@ -144,40 +162,40 @@ public:
     HWY_INLINE explicit polygon_lights(const fill_target& to)
         : shading_(to.shading), levels_(to.queue.greys[0]) {}
 
-    HWY_INLINE void start(const vertex_arrays&, std::size_t) {}
-    HWY_INLINE light_arrays<1> quads(const corner_arrays& v, std::size_t count) const {
-        return make<4>(v, count);
+    HWY_INLINE void start(const vertex_arrays&, std::size_t, std::size_t) {}
+    HWY_INLINE light_arrays<1> quads(const corner_arrays& v, const corner_places& at,
+                                     std::size_t count) const {
+        return make<4>(v, at, count);
     }
-    HWY_INLINE light_arrays<1> triangles(const corner_arrays& v, std::size_t count) const {
-        return make<3>(v, count);
+    HWY_INLINE light_arrays<1> triangles(const corner_arrays& v, std::size_t first,
+                                         std::size_t count) const {
+        return make<3>(v, {first, first, first, first}, count);
     }
 
 private:
     template <std::size_t Corners>
-    HWY_INLINE light_arrays<1> make(const corner_arrays& v, std::size_t count) const {
-        std::size_t size = v[0].size;
+    HWY_INLINE light_arrays<1> make(const corner_arrays& v, const corner_places& at,
+                                    std::size_t count) const {
+        std::size_t size = v[0].size - at[0];
         for (std::size_t k = 1; k < Corners; ++k)
-            size = std::min(size, v[k].size);
+            size = std::min(size, v[k].size - at[k]);
         for_vectors(count, size, [&](auto inside, std::size_t i) HWY_ATTR {
-            const floats d;
-            float_vec sum[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)}, away = hn::Zero(d);
-            for (std::size_t k = 0; k < Corners; ++k) {
-                float_vec normal[3];
-                for (std::size_t axis = 0; axis < 3; ++axis) {
-                    normal[axis] = load_within<inside()>(d, v[k].normal[axis], i, v[k].size);
-                    sum[axis] = hn::Add(sum[axis], normal[axis]);
-                }
-                const int_vec x = load_within<inside()>(ints(), v[k].x, i, v[k].size);
-                const int_vec y = load_within<inside()>(ints(), v[k].y, i, v[k].size);
-                away = hn::Add(away, away_of(shading_, x, y, normal));
+            lane_normals sum, n;
+            sum.load<inside()>(v[0], at[0] + i, shading_);
+            for (std::size_t k = 1; k < Corners; ++k) {
+                n.load<inside()>(v[k], at[k] + i, shading_);
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    sum.normal[axis] = hn::Add(sum.normal[axis], n.normal[axis]);
+                sum.away = hn::Add(sum.away, n.away);
             }
             const float_vec square =
-                hn::Add(hn::Add(square_of(sum[0]), square_of(sum[1])), square_of(sum[2]));
-            const float_vec cosine =
-                hn::Div(lit_of(shading_, sum), hn::Sqrt(hn::Max(square, set(least_square))));
-            hn::Store(level_of(cosine, away), d, levels_ + i);
+                hn::Add(hn::Add(square_of(sum.normal[0]), square_of(sum.normal[1])),
+                        square_of(sum.normal[2]));
+            const float_vec length = hn::Sqrt(hn::Max(square, set(least_square)));
+            const float_vec cosine = hn::Div(lit_of(shading_, sum.normal), length);
+            hn::Store(level_of(cosine, sum.away), floats(), levels_ + i);
         });
-        return {{{levels_}, {levels_}, {levels_}, {levels_}}};
+        return {{{{levels_}, {levels_}, {levels_}, {levels_}}}, {}};
     }
 
     /// Of normals that cancel each other; no light comes of them.

@@ -37,9 +37,11 @@ public:
 
     void add(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c) {
         const std::array<l3d_micro_vertex, 3> v{a, b, c};
+        const float of_all =
+            shading_.mode == l3d_shade::flat ? 255 * polygon_intensity(v, shading_) : 0;
         fill_piece& piece = pieces_.emplace_back();
         for (std::size_t i = 0; i < v.size(); ++i) {
-            const std::array<float, 3> light = light_of(v, i);
+            const std::array<float, 3> light = light_of(v[i], of_all);
             piece[i] = {v[i].x,         v[i].y,         bits(v[i].inv_w),
                         bits(light[0]), bits(light[1]), bits(light[2])};
         }
@@ -48,14 +50,14 @@ public:
 private:
     static std::int32_t bits(float number) { return std::bit_cast<std::int32_t>(number); }
 
-    std::array<float, 3> light_of(const std::array<l3d_micro_vertex, 3>& v, std::size_t i) const {
+    std::array<float, 3> light_of(const l3d_micro_vertex& vertex, float of_all) const {
         switch (shading_.mode) {
         case l3d_shade::gouraud:
-            return {255 * vertex_intensity(v[i], shading_), 0, 0};
+            return {255 * vertex_intensity(vertex, shading_), 0, 0};
         case l3d_shade::flat:
-            return {255 * polygon_intensity(v, shading_), 0, 0};
+            return {of_all, 0, 0};
         default:
-            return {v[i].normal[0], v[i].normal[1], v[i].normal[2]};
+            return {vertex.normal[0], vertex.normal[1], vertex.normal[2]};
         }
     }
 

@@ -65,7 +65,7 @@ public:
     using count_vec = hn::Vec<hn::RebindToUnsigned<D>>;
 
     HWY_INLINE fill_polygon(const fill_band& band, const fill_table& table, std::size_t i)
-        : band_(band), table_(table), i_(i) {
+        : words_(band.words), depths_(band.depths), table_(table), i_(i) {
         const D d;
         farthest_ = hn::Set(d, table.farthest[i]);
         nearest_ = hn::Set(d, table.nearest[i]);
@@ -129,8 +129,7 @@ private:
         }
         if constexpr (is_twisted)
             start.facing = hn::Set(d, row.facing[i_]);
-        one_run(start, row.mask[i_], band_.words + row.word_at[i_], band_.depths + row.depth_at[i_],
-                written);
+        one_run(start, row.mask[i_], words_ + row.word_at[i_], depths_ + row.depth_at[i_], written);
     }
 
     /// The last run ends where the row does, so that it fits the picture if the row does.
@@ -151,8 +150,8 @@ private:
         if constexpr (is_twisted)
             there.facing = hn::Set(d, row.facing[i_] + x * table_.facing_x[i_]);
         const std::int32_t mask = ((1 << Pixels) - 1) & ~((1 << (done - start)) - 1);
-        one_run(there, mask, band_.words + row.word_at[i_] + start,
-                band_.depths + row.depth_at[i_] + start, written);
+        one_run(there, mask, words_ + row.word_at[i_] + start, depths_ + row.depth_at[i_] + start,
+                written);
     }
 
     HWY_INLINE void one_run(const run_start& start, std::int32_t mask, std::uint32_t* to_words,
@@ -195,7 +194,8 @@ private:
         return cosine_words(d, lit);
     }
 
-    const fill_band& band_;
+    std::uint32_t* words_;
+    float* depths_;
     const fill_table& table_;
     std::size_t i_;
     vec inv_w_x_[vectors], lit_x_[vectors], farthest_, nearest_;

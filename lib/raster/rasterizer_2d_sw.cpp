@@ -4,6 +4,7 @@
 
 #include "raster/line_steps_p.h"
 #include "raster/smooth_line_p.h"
+#include "raster/span_kernels_p.h"
 
 #include <algorithm>
 #include <array>
@@ -14,12 +15,15 @@ namespace {
 using namespace l3d_detail;
 
 /// Lights the pixels of the steps seen; strides are in words.
-void light(const line_steps& line, std::uint32_t* words, std::ptrdiff_t along,
-           std::ptrdiff_t across, std::uint32_t color) {
-    std::uint32_t* at = words + (line.major + line.first) * along;
-    exact_steps minors = line.minors();
-    for (std::int64_t i = line.first; i <= line.last; ++i, minors.step(), at += along)
-        at[(line.minor + minors.floor()) * across] = color;
+template <class Minors>
+void light(const line_steps& line, Minors minors, const l3d_pixels& target, std::uint32_t color) {
+    const std::ptrdiff_t along = line.x_major ? 1 : target.stride;
+    const std::ptrdiff_t across = line.x_major ? target.stride : 1;
+    std::uint32_t* at = target.words + (line.major + line.first) * along + line.minor * across;
+    for (std::int64_t left = line.last - line.first + 1; left > 0; --left, at += along) {
+        at[minors.floor() * across] = color;
+        minors.step();
+    }
 }
 
 /// A word whose three lower bytes are moved towards the colour's by coverage / 255, to nearest.
@@ -34,17 +38,6 @@ std::uint32_t blended(std::uint32_t word, std::uint32_t color, int coverage) {
     return result;
 }
 
-/// The colour of one pixel: red, green, blue to nearest.
-std::uint32_t color_at(const shaded_span& span, std::int32_t column) {
-    const auto i = static_cast<float>(column - span.anchor);
-    std::uint32_t word = 0;
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        const float value = span.start[channel] + span.step[channel] * i + 0.5f;
-        word = word << 8 | static_cast<std::uint32_t>(value);
-    }
-    return word;
-}
-
 shaded_corner corner_of(const l3d_colored_point_2d& p) {
     const auto channel = [&p](int shift) { return static_cast<double>(p.color >> shift & 255); };
     return {lattice_point({p.x, p.y}), {channel(16), channel(8), channel(0)}};
@@ -54,6 +47,8 @@ shaded_corner corner_of(const l3d_colored_point_2d& p) {
 
 void l3d_rasterizer_2d_sw_imp::do_set_target(l3d_pixels target) {
     target_ = target;
+    constexpr double most = scan_limit / l3d_subpixel_one;
+    ends_ = {std::min<double>(target.width, most), std::min<double>(target.height, most)};
     scan_.set_rows({0, target.height});
 }
 
@@ -79,8 +74,10 @@ void l3d_rasterizer_2d_sw_imp::draw_line(const l3d_line_2d& line, std::uint32_t 
     const line_steps steps = steps_of(line, target_.size());
     if (steps.first > steps.last)
         return;
-    light(steps, target_.words, steps.x_major ? 1 : target_.stride,
-          steps.x_major ? target_.stride : 1, color);
+    if (swift_minors::serves(steps))
+        light(steps, swift_minors(steps), target_, color);
+    else
+        light(steps, steps.minors(), target_, color);
 }
 
 void l3d_rasterizer_2d_sw_imp::do_draw_line_antialiased(l3d_point_2d from, l3d_point_2d to,
@@ -95,6 +92,8 @@ void l3d_rasterizer_2d_sw_imp::do_draw_line_antialiased(l3d_point_2d from, l3d_p
 
 void l3d_rasterizer_2d_sw_imp::do_draw_polygon_flatshaded(l3d_outline_2d corners,
                                                           std::uint32_t color) {
+    if (corners.size() == 3 && fill_small_triangle(target_, corners.first<3>(), ends_, color))
+        return;
     if (!corners_.set(corners))
         return;
     if (corners_.all_near())
@@ -106,16 +105,8 @@ void l3d_rasterizer_2d_sw_imp::do_draw_polygon_flatshaded(l3d_outline_2d corners
 template <class Point>
 void l3d_rasterizer_2d_sw_imp::fill_convex(std::span<const Point> corners, std::uint32_t color) {
     const scan_rows rows = scan_.convert(corners, corners_.clockwise());
-    for (int y = rows.top; y < rows.bottom; ++y)
-        fill(y, std::max(scan_.first(y), 0), std::min(scan_.last(y), target_.width), color);
-}
-
-void l3d_rasterizer_2d_sw_imp::fill(std::int32_t row, std::int32_t first, std::int32_t last,
-                                    std::uint32_t color) {
-    if (first < last)
-        std::ranges::fill(target_.row(row).subspan(static_cast<std::size_t>(first),
-                                                   static_cast<std::size_t>(last - first)),
-                          color);
+    if (rows.top < rows.bottom)
+        fill_rows(target_, rows.top, scan_.ends(rows), color);
 }
 
 void l3d_rasterizer_2d_sw_imp::do_draw_polygon_gouraudshaded(
@@ -125,14 +116,11 @@ void l3d_rasterizer_2d_sw_imp::do_draw_polygon_gouraudshaded(
     for (std::size_t i = 2; i < corners.size(); ++i) {
         const std::array<shaded_corner, 3> triangle{
             corner_of(corners[0]), corner_of(corners[i - 1]), corner_of(corners[i])};
-        for (const shaded_span& span : triangle_.convert(triangle, target_.size()))
-            for (std::int32_t x = span.first; x < span.last; ++x)
-                target_.row(span.row)[static_cast<std::size_t>(x)] = color_at(span, x);
+        shade_spans(target_, triangle_.convert(triangle, target_.size()));
     }
 }
 
 void l3d_rasterizer_2d_sw_imp::do_draw_outlines(std::span<const l3d_outline_2d> outlines,
                                                 l3d_winding inside, std::uint32_t color) {
-    for (const pixel_span& span : winding_.convert(outlines, inside, target_.size()))
-        fill(span.row, span.first, span.last, color);
+    fill_spans(target_, winding_.convert(outlines, inside, target_.size()), color);
 }

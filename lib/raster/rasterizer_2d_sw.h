@@ -9,6 +9,8 @@
 #include "raster/shaded_triangle_p.h"
 #include "raster/winding_scan_p.h"
 
+#include <array>
+
 /// Writes pixel words into memory, whichever screen they belong to.
 ///
 /// Cost: allocates when the target is higher, or a polygon has more corners, than any before.
@@ -29,9 +31,9 @@ private:
 
     void draw_line(const l3d_line_2d& line, std::uint32_t color);
     template <class Point> void fill_convex(std::span<const Point> corners, std::uint32_t color);
-    void fill(std::int32_t row, std::int32_t first, std::int32_t last, std::uint32_t color);
 
     l3d_pixels target_;
+    std::array<double, 2> ends_{}; ///< how far fill_small_triangle serves
     l3d_detail::polygon_corners corners_;
     l3d_detail::scan_polygon scan_;
     l3d_detail::shaded_triangle triangle_;

@@ -18,6 +18,9 @@ struct scan_rows {
     std::int32_t top = 0, bottom = 0;
 };
 
+/// The first column of a row, and the one after its last; none if the first is not less.
+using scan_ends = std::array<std::int32_t, 2>;
+
 /// Converts convex polygons to spans: a pixel belongs to the polygon if its centre is inside, or on
 /// a left or top edge.
 ///
@@ -57,12 +60,16 @@ public:
     std::int32_t first(std::int32_t row) const { return span_of(row)[left]; }
     std::int32_t last(std::int32_t row) const { return span_of(row)[right]; }
 
+    /// The same for some rows that convert gave.
+    std::span<const scan_ends> ends(scan_rows rows) const {
+        return {&span_of(rows.top), static_cast<std::size_t>(rows.bottom - rows.top)};
+    }
+
 private:
     static constexpr std::size_t left = 0, right = 1;
-    using ends = std::array<std::int32_t, 2>;
 
     std::size_t index(std::int32_t row) const { return static_cast<std::size_t>(row - kept_.top); }
-    const ends& span_of(std::int32_t row) const { return spans_[index(row)]; }
+    const scan_ends& span_of(std::int32_t row) const { return spans_[index(row)]; }
 
     template <class Point>
     void add_edge(Point upper, Point lower, std::size_t side, scan_rows& rows) {
@@ -80,7 +87,7 @@ private:
     }
 
     scan_rows kept_;
-    std::vector<ends> spans_;
+    std::vector<scan_ends> spans_;
 };
 
 } // namespace l3d_detail

@@ -45,7 +45,7 @@ void check_place(const char* option, const std::array<double, 3>& place) {
 
 l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--model", model_file_,
-                "patches to draw: .bpt, .bez, .bbp or .obj; without it, the teapot", "FILE");
+                "model to draw, see docs/FORMATS.md; without it, the teapot", "FILE");
     options.add("--method", method_, "how surfaces are drawn: " + l3d_method_choice::all_names(),
                 "NAME");
     // Vertices lie on a grid of 1/256 pixel, which is already off by sqrt(2)/512 = 0.0028.
@@ -141,14 +141,16 @@ l3d_patch_model l3d_afd_options::model() const {
         throw l3d_error(l3d_exit::bad_input, why);
     const std::string polygons = std::to_string(file->mesh.faces()) + " polygons";
     if (file->patches.empty())
-        throw l3d_error(l3d_exit::bad_input, model_file_ + ": holds " + polygons +
-                                                 " and no patches; modelview shows polygons");
+        throw l3d_error(l3d_exit::bad_input,
+                        model_file_ + ": holds " + polygons +
+                            " and no patches; modelview --pipeline zbuffer shows them");
     auto model = l3d_patch_model::from_patches(file->patches, model_file_, why);
     if (!model)
         throw l3d_error(l3d_exit::bad_input, why);
     for (const std::string& note : file->notes)
         std::cerr << note << '\n';
     if (file->mesh.faces() > 0)
-        std::cerr << model_file_ << ": " << polygons << " are skipped; modelview shows them\n";
+        std::cerr << model_file_ << ": " << polygons
+                  << " are skipped; modelview --pipeline zbuffer shows them\n";
     return *std::move(model);
 }

@@ -36,6 +36,9 @@ public:
     /// Whether --eye or --target say anything else than their defaults.
     bool places_camera() const { return eye_ != teapot_eye || target_ != teapot_target; }
 
+    /// Whether --light says anything else than its default.
+    bool places_light() const { return light_ != teapot_light; }
+
     double turntable() const { return turntable_; }
     const std::string& depth_output() const { return depth_output_; }
     const std::string& report() const { return report_; }
@@ -54,7 +57,8 @@ private:
     static constexpr std::array<double, 3> teapot_eye{3.2, 3.6, 7.4}, teapot_target{0.2, 1.3, 0};
     std::array<double, 3> eye_ = teapot_eye, target_ = teapot_target, up_{0, 1, 0};
     double fov_ = 38, near_ = 0.1, far_ = 1e13;
-    std::array<double, 3> light_{0.4, 0.8, 0.45};
+    static constexpr std::array<double, 3> teapot_light{0.4, 0.8, 0.45};
+    std::array<double, 3> light_ = teapot_light;
     l3d_afd_settings settings_;
     double turntable_ = 0;
     std::string depth_output_, report_, error_report_;

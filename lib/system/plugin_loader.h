@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 
 /// Loads object plug-ins: shared libraries with the interface of pipeline/object_plugin.h, which
 /// is C, has a version, and does not depend on how l3d itself was built.

@@ -29,6 +29,20 @@ void append(l3d_polygon_mesh& to, const l3d_polygon_mesh& from) {
     }
 }
 
+/// Directions as seen by who stands upright before a model.
+struct upright_frame {
+    l3d_camera::vector right, up, front;
+
+    explicit upright_frame(const l3d_camera::vector& upwards) : up(l3d_normalized(upwards)) {
+        // Front is the z axis, or -y where that is up.
+        const bool z_is_up = std::abs(up[2]) > 0.9;
+        const l3d_camera::vector across =
+            z_is_up ? l3d_camera::vector{0.0, -1.0, 0.0} : l3d_camera::vector{0.0, 0.0, 1.0};
+        right = l3d_normalized(l3d_cross(up, across));
+        front = l3d_cross(right, up);
+    }
+};
+
 } // namespace
 
 l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared)
@@ -93,15 +107,10 @@ l3d_camera l3d_polygon_options::camera(const l3d_polygon_model& model) const {
     constexpr double margin = 1.05;
     const double half_angle = camera.fov / 2 * std::numbers::pi / 180;
     const double distance = margin * radius / std::sin(half_angle);
-    const l3d_camera::vector up = l3d_normalized(camera.up);
-    // Some direction across `up`: the least of its components leads farthest away from it.
-    l3d_camera::vector across{0.0, 0.0, 1.0};
-    if (std::abs(up[2]) > 0.9)
-        across = {0.0, -1.0, 0.0};
-    const l3d_camera::vector right = l3d_normalized(l3d_cross(up, across));
-    const l3d_camera::vector front = l3d_cross(right, up);
+    const upright_frame frame(camera.up);
     camera.target = model.centre();
-    camera.eye = camera.target + l3d_normalized(front + right * 0.35 + up * 0.45) * distance;
+    camera.eye = camera.target +
+                 l3d_normalized(frame.front + frame.right * 0.35 + frame.up * 0.45) * distance;
     camera.near = std::min(camera.near, 1e-3 * radius);
     return camera;
 }
@@ -115,6 +124,12 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
     settings.shade = shared.shade;
     settings.projection = parallel_ ? l3d_projection::parallel : l3d_projection::perspective;
     settings.light = shared.light;
+    if (!shared_.places_camera() && !shared_.places_light()) {
+        // The teapot's, from where this model is looked at.
+        const upright_frame frame(shared_.camera().up);
+        settings.light = frame.right * shared.light[0] + frame.up * shared.light[1] +
+                         frame.front * shared.light[2];
+    }
     settings.rotation = {rotation_[0], rotation_[1], rotation_[2]};
     settings.cull = !all_faces_;
     settings.threads = shared.threads;

@@ -7,6 +7,7 @@
 #include "bench/mesa_peer.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <stdexcept>
 
@@ -137,7 +138,7 @@ auto bytes_of(const std::vector<std::uint8_t>& bytes, int width) {
     };
 }
 
-/// The three in turn; in a child.
+/// Both shadings of ours and the two peers in turn; in a child.
 class cell_timer {
 public:
     cell_timer(const l3d_patch_model& model, int threads)
@@ -150,24 +151,27 @@ public:
         mesa_->prepare(mesh, camera, cell.size, culling);
         embree_->prepare(cell.meshes[times.embree_way.mesh], camera, cell.size);
 
-        bench_frame ours(scene_, camera, cell.size, cell.our_tolerance, threads_);
-        std::vector<double> our_ms, mesa_ms, embree_ms;
+        bench_frame lambert(scene_, camera, cell.size, cell.our_tolerance, threads_);
+        bench_frame gouraud(scene_, camera, cell.size, cell.our_tolerance, threads_,
+                            l3d_shade::gouraud);
+        std::array<std::vector<double>, 4> ms;
         for (int i = 0; i < warm_up + frames; ++i) {
-            const double a = ours.draw();
-            const double b = milliseconds([&] { mesa_->draw(); });
-            const double c = milliseconds([&] { embree_->draw(workers_); });
-            if (i < warm_up)
-                continue;
-            our_ms.push_back(a);
-            mesa_ms.push_back(b);
-            embree_ms.push_back(c);
+            const std::array<double, 4> frame{lambert.draw(), gouraud.draw(),
+                                              milliseconds([&] { mesa_->draw(); }),
+                                              milliseconds([&] { embree_->draw(workers_); })};
+            for (std::size_t side = 0; i >= warm_up && side < frame.size(); ++side)
+                ms[side].push_back(frame[side]);
         }
-        times.ours = summary(our_ms);
-        times.mesa = summary(mesa_ms);
-        times.embree = summary(embree_ms);
+        times.lambert = summary(ms[0]);
+        times.gouraud = summary(ms[1]);
+        times.mesa = summary(ms[2]);
+        times.embree = summary(ms[3]);
 
-        ours.hash();
-        const auto our_words = words_of(ours.pixels());
+        lambert.hash();
+        gouraud.hash();
+        const auto our_words = words_of(lambert.pixels());
+        if (differences(cell.size, our_words, words_of(gouraud.pixels())) != 0)
+            throw std::runtime_error("our shadings cover different pixels");
         times.covered = differences(cell.size, our_words, [](int, int) { return 0; });
         times.mesa_differs =
             differences(cell.size, our_words, bytes_of(mesa_->picture(), cell.size.width));
@@ -210,10 +214,10 @@ private:
 };
 
 /// A cell's numbers, as they come through a pipe.
-constexpr std::size_t numbers_of_a_cell = 10;
+constexpr std::size_t numbers_of_a_cell = 12;
 
 void write(const cell_times& t, std::vector<double>& numbers) {
-    for (const frame_times& times : {t.ours, t.mesa, t.embree})
+    for (const frame_times& times : {t.lambert, t.gouraud, t.mesa, t.embree})
         numbers.insert(numbers.end(), {times.median, times.least});
     for (const long count : {t.mesa_differs, t.embree_differs, t.covered, t.culled})
         numbers.push_back(static_cast<double>(count));
@@ -221,7 +225,7 @@ void write(const cell_times& t, std::vector<double>& numbers) {
 
 void read(std::span<const double, numbers_of_a_cell> numbers, cell_times& t) {
     std::size_t next = 0;
-    for (frame_times* const times : {&t.ours, &t.mesa, &t.embree}) {
+    for (frame_times* const times : {&t.lambert, &t.gouraud, &t.mesa, &t.embree}) {
         times->median = numbers[next++];
         times->least = numbers[next++];
     }

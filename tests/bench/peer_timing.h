@@ -27,7 +27,8 @@ struct frame_times {
 /// What was measured in a cell.
 struct cell_times {
     peer_choice mesa_way, embree_way;
-    frame_times ours, mesa, embree;
+    frame_times lambert, gouraud; ///< ours: a unit normal in every pixel, a grey at every vertex
+    frame_times mesa, embree;     ///< a grey at every vertex
     long mesa_differs = 0, embree_differs = 0; ///< pixels that only one of us covers
     long covered = 0;                          ///< pixels that ours covers
     long culled = 0; ///< pixels that llvmpipe would lose if it culled the side that loses least
@@ -36,9 +37,9 @@ struct cell_times {
 /// Compares on `threads` threads a side, cell by cell.
 ///
 /// First each peer tries its meshes and, for llvmpipe, numbers of workers; with its best it is then
-/// timed in turn with ours, frame by frame. llvmpipe reads its number of workers once in a
-/// process, so all this happens in children.
-/// Errors:  std::runtime_error if a peer is not there, or a picture is wrong.
+/// timed in turn with both shadings of ours, frame by frame. llvmpipe reads its number of workers
+/// once in a process, so all this happens in children. Errors:  std::runtime_error if a peer is not
+/// there, or a picture is wrong.
 std::vector<cell_times> compare(const l3d_patch_model& model, std::span<const bench_cell> cells,
                                 int threads);
 

@@ -4,10 +4,11 @@
 //
 // All draw the same view into memory, in turn, and medians are compared. A cell of the table is a
 // view, a size and an error in pixels: ours gets the largest tolerance with which what it draws is
-// within that error of the exact surface, the peers get triangle meshes that are within it too, made
-// beforehand for this very view, without what is outside of the window, in static buffers, with the
-// shading baked into the vertices: adaptive ones, and the same thinned out for as long as the error
-// allows. Ours starts each frame from the patches and shades each pixel.
+// within that error of the exact surface, the peers get triangle meshes that are within it too,
+// made beforehand for this very view, without what is outside of the window, in static buffers,
+// with the shading baked into the vertices: adaptive ones, and the same thinned out for as long as
+// the error allows. Ours starts each frame from the patches and shades each pixel (lambert) or, as
+// the peers do, each vertex (gouraud).
 #include "bench/bench_cell.h"
 #include "bench/peer_timing.h"
 #include "geom/teapot.h"
@@ -48,40 +49,43 @@ double ratio(const frame_times& theirs, const frame_times& ours) {
 }
 
 void print_head(int threads) {
-    std::printf("\n%d thread%s\n%-23s | %-29s | %-48s | %-33s |\n", threads,
-                threads == 1 ? "" : "s", "", "l3d", "llvmpipe", "Embree");
-    std::printf("%-7s %9s %5s | %5s %5s %5s %11s | %-8s %6s %5s %7s %8s %8s | %-8s %6s %8s %8s | "
-                "%s\n",
-                "view", "size", "px", "tol", "bound", "error", "ms", "mesh", "tris", "error",
-                "workers", "ms", "ratio", "mesh", "tris", "ms", "ratio", "pixels differ");
+    std::printf("\n%d thread%s\n%-23s | %-35s | %-57s | %-42s |\n", threads,
+                threads == 1 ? "" : "s", "", "l3d: lambert, gouraud",
+                "llvmpipe; ratio to lambert, to gouraud", "Embree; ratio to lambert, to gouraud");
+    std::printf("%-7s %9s %5s | %5s %5s %5s %8s %8s | %-8s %6s %5s %7s %8s %8s %8s | "
+                "%-8s %6s %8s %8s %8s | %s\n",
+                "view", "size", "px", "tol", "bound", "error", "ms", "ms", "mesh", "tris", "error",
+                "workers", "ms", "ratio", "ratio", "mesh", "tris", "ms", "ratio", "ratio",
+                "pixels differ");
 }
 
 void print_row(const bench_cell& cell, const cell_times& times) {
     const peer_mesh& mesa = cell.meshes[times.mesa_way.mesh];
     const peer_mesh& embree = cell.meshes[times.embree_way.mesh];
-    std::printf("%-7s %4dx%-4d %5.2f | %5.3f %5.3f %5.3f %11.3f | ", cell.view->name,
+    std::printf("%-7s %4dx%-4d %5.2f | %5.3f %5.3f %5.3f %8.3f %8.3f | ", cell.view->name,
                 cell.size.width, cell.size.height, cell.error, cell.our_tolerance, cell.our_bound,
-                cell.our_error, times.ours.median);
-    std::printf("%-8s %6zu %5.3f %7d %8.3f %8.2f | ", mesa.kind.c_str(), mesa.triangles(),
+                cell.our_error, times.lambert.median, times.gouraud.median);
+    std::printf("%-8s %6zu %5.3f %7d %8.3f %8.2f %8.2f | ", mesa.kind.c_str(), mesa.triangles(),
                 mesa.error, times.mesa_way.mesa_threads, times.mesa.median,
-                ratio(times.mesa, times.ours));
-    std::printf("%-8s %6zu %8.3f %8.2f | %ld %ld of %ld\n", embree.kind.c_str(), embree.triangles(),
-                times.embree.median, ratio(times.embree, times.ours), times.mesa_differs,
-                times.embree_differs, times.covered);
+                ratio(times.mesa, times.lambert), ratio(times.mesa, times.gouraud));
+    std::printf("%-8s %6zu %8.3f %8.2f %8.2f | %ld %ld of %ld\n", embree.kind.c_str(),
+                embree.triangles(), times.embree.median, ratio(times.embree, times.lambert),
+                ratio(times.embree, times.gouraud), times.mesa_differs, times.embree_differs,
+                times.covered);
 }
 
-void print_ratios(const char* peer, std::span<const cell_times> times,
-                  frame_times cell_times::*theirs) {
+void print_ratios(const char* peer, const char* shade, std::span<const cell_times> times,
+                  frame_times cell_times::*theirs, frame_times cell_times::*ours) {
     std::vector<double> medians, least;
     for (const cell_times& t : times) {
-        medians.push_back(ratio(t.*theirs, t.ours));
-        least.push_back((t.*theirs).least / t.ours.least);
+        medians.push_back(ratio(t.*theirs, t.*ours));
+        least.push_back((t.*theirs).least / (t.*ours).least);
     }
     std::ranges::sort(medians);
     std::ranges::sort(least);
-    std::printf("%-8s ratio: least %.2f, median %.2f; of the fastest frames: least %.2f, median "
+    std::printf("%-8s to %s: least %.2f, median %.2f; of the fastest frames: least %.2f, median "
                 "%.2f\n",
-                peer, medians.front(), medians[medians.size() / 2], least.front(),
+                peer, shade, medians.front(), medians[medians.size() / 2], least.front(),
                 least[least.size() / 2]);
 }
 
@@ -90,8 +94,10 @@ void print(std::span<const bench_cell> cells, std::span<const cell_times> times,
     print_head(threads);
     for (std::size_t i = 0; i < cells.size(); ++i)
         print_row(cells[i], times[i]);
-    print_ratios("llvmpipe", times, &cell_times::mesa);
-    print_ratios("Embree", times, &cell_times::embree);
+    print_ratios("llvmpipe", "lambert", times, &cell_times::mesa, &cell_times::lambert);
+    print_ratios("llvmpipe", "gouraud", times, &cell_times::mesa, &cell_times::gouraud);
+    print_ratios("Embree", "lambert", times, &cell_times::embree, &cell_times::lambert);
+    print_ratios("Embree", "gouraud", times, &cell_times::embree, &cell_times::gouraud);
     const long lost = std::ranges::min(times, {}, &cell_times::culled).culled;
     if (lost > 0)
         std::printf("llvmpipe culls nothing: it would lose at least %ld pixels\n", lost);
@@ -103,9 +109,10 @@ void write_csv(std::FILE* file, std::span<const bench_cell> cells,
         const bench_cell& c = cells[i];
         const cell_times& t = times[i];
         const peer_mesh &mesa = c.meshes[t.mesa_way.mesh], &embree = c.meshes[t.embree_way.mesh];
-        std::fprintf(file, "%d,%s,%d,%d,%g,%g,%g,%g,%g,%g,", threads, c.view->name, c.size.width,
-                     c.size.height, c.error, c.our_tolerance, c.our_bound, c.our_error,
-                     t.ours.median, t.ours.least);
+        std::fprintf(file, "%d,%s,%d,%d,%g,%g,%g,%g,%g,%g,%g,%g,", threads, c.view->name,
+                     c.size.width, c.size.height, c.error, c.our_tolerance, c.our_bound,
+                     c.our_error, t.lambert.median, t.lambert.least, t.gouraud.median,
+                     t.gouraud.least);
         std::fprintf(file, "%s,%zu,%g,%d,%g,%g,", mesa.kind.c_str(), mesa.triangles(), mesa.error,
                      t.mesa_way.mesa_threads, t.mesa.median, t.mesa.least);
         std::fprintf(file, "%s,%zu,%g,%g\n", embree.kind.c_str(), embree.triangles(),
@@ -118,7 +125,8 @@ std::FILE* open_csv(const std::string& path) {
     if (!file)
         throw std::runtime_error("cannot write " + path);
     std::fputs("threads,view,width,height,error_px,l3d_tolerance,l3d_bound,l3d_error,l3d_ms,"
-               "l3d_least_ms,llvmpipe_mesh,llvmpipe_triangles,llvmpipe_error,llvmpipe_workers,"
+               "l3d_least_ms,l3d_gouraud_ms,l3d_gouraud_least_ms,llvmpipe_mesh,llvmpipe_triangles,"
+               "llvmpipe_error,llvmpipe_workers,"
                "llvmpipe_ms,llvmpipe_least_ms,embree_mesh,embree_triangles,embree_ms,"
                "embree_least_ms\n",
                file);

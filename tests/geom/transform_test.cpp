@@ -127,7 +127,7 @@ TYPED_TEST(book_transform, full_4x4_products) {
 
 TYPED_TEST(book_transform, arbitrary_axis) {
     using T = TypeParam;
-    for (const double degrees : {-123.4, 17.0, 90.0, 301.5}) {
+    for (const double degrees : {-123.4, 17.0, 90.0, 110.3, 215.0, 301.5}) {
         const double radians = degrees * std::numbers::pi / 180;
         EXPECT_LT(
             largest_difference(l3d_rotation<T>({1, 0, 0}, radians), l3d_rotation_x<T>(degrees)),

@@ -118,7 +118,8 @@ TYPED_TEST(book_moveable, a_push_is_damped_and_ends) {
     EXPECT_EQ(body.velocity.right, 0);
     EXPECT_EQ(body.spin.forward, 0);
     EXPECT_NEAR(l3d_to_double(body.place[2]), 53.8, 0.02);
-    EXPECT_NEAR(std::atan2(number(body.right(), 1), number(body.right(), 0)) * 180 / std::numbers::pi,
+    EXPECT_NEAR(std::atan2(number(body.right(), 1), number(body.right(), 0)) * 180 /
+                    std::numbers::pi,
                 -5 * 0.85 / 0.15, 0.01);
     const auto rest = body.place;
     body.update(3);

@@ -6,8 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <limits>
 #include <random>
 #include <string>
@@ -72,6 +75,20 @@ struct twins {
         for (std::size_t i = 0; i < by_cpu.words().size(); ++i)
             count += by_cpu.words()[i] != by_gl.words()[i];
         return count;
+    }
+
+    /// The most by which a red, green or blue differs; the highest bytes must not.
+    int worst_channel() {
+        gl.finish();
+        int worst = 0;
+        for (std::size_t i = 0; i < by_cpu.words().size(); ++i) {
+            const std::uint32_t a = by_cpu.words()[i], b = by_gl.words()[i];
+            EXPECT_EQ(a >> 24, b >> 24);
+            for (const int shift : {0, 8, 16})
+                worst = std::max(worst, std::abs(static_cast<int>(a >> shift & 255) -
+                                                 static_cast<int>(b >> shift & 255)));
+        }
+        return worst;
     }
 
     picture by_cpu, by_gl;
@@ -153,6 +170,49 @@ TEST_P(mesa_2d, PolygonsAreTheSamePixels) {
     }
 }
 
+TEST_P(mesa_2d, OutlinesAreTheSamePixels) {
+    twins t(context(), 67, 39);
+    std::mt19937 random(seed + 5);
+    std::uniform_real_distribution<double> at(-30, 100), far(-1e6, 1e6);
+    for (int n = 0; n < 300; ++n) {
+        std::vector<l3d_point_2d> one(3 + random() % 9), other(3 + random() % 4);
+        for (l3d_point_2d& p : one)
+            p = {at(random), at(random)};
+        for (l3d_point_2d& p : other)
+            p = n % 3 ? l3d_point_2d{at(random), at(random)}
+                      : l3d_point_2d{far(random), at(random)};
+        const std::array<l3d_outline_2d, 2> outlines{one, other};
+        const auto inside = n % 2 ? l3d_winding::nonzero : l3d_winding::even_odd;
+        const auto color = static_cast<std::uint32_t>(random());
+        t.draw([&](l3d_rasterizer_2d& r) { r.draw_outlines(outlines, inside, color); });
+    }
+    EXPECT_EQ(t.different(), 0) << "seed " << seed + 5;
+}
+
+TEST_P(mesa_2d, ShadedPolygonsAndSmoothLinesDifferByOneAtMost) {
+    std::mt19937 random(seed + 6);
+    twins t(context(), 67, 39);
+    std::uniform_real_distribution<double> at(-30, 90);
+    int worst = 0;
+    for (int n = 0; n < 300; ++n) {
+        const l3d_point_2d a{at(random), at(random)}, b{at(random), at(random)};
+        const auto color = static_cast<std::uint32_t>(random());
+        std::vector<l3d_colored_point_2d> corners;
+        for (const l3d_point_2d& p : random_convex(random, n % 10 ? 50.0 : 9000.0))
+            corners.push_back({p.x, p.y, static_cast<std::uint32_t>(random())});
+        t.draw([&](l3d_rasterizer_2d& r) {
+            r.clear_buffer();
+            if (n % 2)
+                r.draw_polygon_gouraudshaded(corners);
+            else
+                r.draw_line_antialiased(a, b, color);
+            r.draw_point(3, 4, color); // and back to colours that are not blended
+        });
+        worst = std::max(worst, t.worst_channel());
+    }
+    EXPECT_LE(worst, 1) << "seed " << seed + 6;
+}
+
 TEST_P(mesa_2d, WhatDrawsNothingDrawsNothing) {
     twins t(context(), 29, 17);
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -218,11 +278,16 @@ TEST_P(mesa_2d, PicturesThatGlCannotHoldAreDrawnAllTheSame) {
     t.cpu_imp.set_target(cpu_large.pixels());
     t.gl_imp.set_target(gl_large.pixels());
     const std::vector<l3d_point_2d> corners{{16300, 0}, {16499, 0.5}, {16420, 3}};
-    t.draw([&corners](l3d_rasterizer_2d& r) {
+    const std::vector<l3d_colored_point_2d> colored{
+        {16310, 0, 0x00ff0000}, {16499, 0.5, 0x0000ff00}, {16420, 3, 0x000000ff}};
+    t.draw([&](l3d_rasterizer_2d& r) {
         r.clear_buffer();
         r.draw_point(16450, 1, 0x00fedcba);
         r.draw_line(3, 2, 16490, 0, 0x00123456);
         r.draw_polygon_flatshaded(corners, 0x00987654);
+        r.draw_polygon_complex(corners, l3d_winding::nonzero, 0x00765432);
+        r.draw_polygon_gouraudshaded(colored);
+        r.draw_line_antialiased({16000, 0.5}, {16480, 2}, 0x00543210);
     });
     t.gl.finish();
     EXPECT_EQ(gl_large.words(), cpu_large.words());

@@ -2,6 +2,9 @@
 // Points, lines and polygons: the book's reference values, exact rules, and awkward coordinates.
 #include "raster/rasterizer_factory_sw.h"
 
+#include "raster/canvas_2d.h"
+#include "raster/slow_2d.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,62 +13,13 @@
 #include <cstdint>
 #include <limits>
 #include <random>
-#include <set>
 #include <utility>
 #include <vector>
 
 namespace {
 
 constexpr unsigned seed = 20010322;
-constexpr std::uint32_t color = 0x0000ff80;
-constexpr std::uint32_t guard = 0xdeadbeef;
-__extension__ typedef __int128 wide;
-
-using pixel_set = std::set<std::pair<int, int>>;
-
-/// A picture with guard words behind every row and before and after the picture.
-class canvas {
-public:
-    canvas(int width, int height)
-        : width_(width), height_(height),
-          words_(std::size_t(width + gap) * std::size_t(height + 2), guard),
-          imp_({words_.data() + width + gap, width, height, width + gap}), draw(imp_) {
-        draw.clear_buffer();
-    }
-
-    /// The pixels that are lit. A pixel of another colour than the test's fails.
-    pixel_set lit() {
-        pixel_set result;
-        for (int y = 0; y < height_; ++y)
-            for (int x = 0; x < width_; ++x) {
-                const std::uint32_t word =
-                    words_[std::size_t(y + 1) * std::size_t(width_ + gap) + std::size_t(x)];
-                if (word != 0)
-                    result.insert({x, y});
-                EXPECT_TRUE(word == 0 || word == color);
-            }
-        return result;
-    }
-
-    bool guards_intact() const {
-        for (int i = 0; i < static_cast<int>(words_.size()); ++i) {
-            const int x = i % (width_ + gap), y = i / (width_ + gap) - 1;
-            const bool inside = x < width_ && y >= 0 && y < height_;
-            if (!inside && words_[static_cast<std::size_t>(i)] != guard)
-                return false;
-        }
-        return true;
-    }
-
-private:
-    static constexpr int gap = 3;
-    int width_, height_;
-    std::vector<std::uint32_t> words_;
-    l3d_rasterizer_2d_sw_imp imp_;
-
-public:
-    l3d_rasterizer_2d draw;
-};
+constexpr std::uint32_t color = canvas::color;
 
 TEST(Points, AreLitInsideOnly) {
     canvas c(11, 7);
@@ -83,19 +37,8 @@ TEST(Points, AreLitInsideOnly) {
     EXPECT_TRUE(c.guards_intact());
 }
 
-/// The pixel of one step of a line, by the rule alone: nearest, ties to the smaller coordinate.
-std::pair<wide, wide> exact_pixel(const l3d_line_2d& l, wide i) {
-    const wide dx = wide{l.x1} - l.x0, dy = wide{l.y1} - l.y0;
-    const wide length = std::max(dx < 0 ? -dx : dx, dy < 0 ? -dy : dy);
-    if (length == 0)
-        return {l.x0, l.y0};
-    const auto along = [&](wide from, wide delta) {
-        const wide twice = 2 * i * delta - length; // ceil(i delta / length - 1/2)
-        const wide down = twice / (2 * length);
-        return from + down + (twice > down * 2 * length ? 1 : 0);
-    };
-    return {along(l.x0, dx), along(l.y0, dy)};
-}
+using slow_2d::pixel_of_line;
+using wide = slow_2d::wide;
 
 /// All of a line's pixels that lie in a picture, step by step.
 pixel_set exact_line(const l3d_line_2d& l, int width, int height) {
@@ -103,7 +46,7 @@ pixel_set exact_line(const l3d_line_2d& l, int width, int height) {
         std::max(std::abs(std::int64_t{l.x1} - l.x0), std::abs(std::int64_t{l.y1} - l.y0));
     pixel_set result;
     for (std::int64_t i = 0; i <= length; ++i) {
-        const auto [x, y] = exact_pixel(l, i);
+        const auto [x, y] = pixel_of_line(l, i);
         if (x >= 0 && x < width && y >= 0 && y < height)
             result.insert({static_cast<int>(x), static_cast<int>(y)});
     }
@@ -135,23 +78,33 @@ TEST(Lines, TiesGoUpAndLeft) {
     EXPECT_EQ(drawn({5, 2, 4, 4}, 9, 7), (pixel_set{{5, 2}, {4, 3}, {4, 4}}));
 }
 
-TEST(Lines, AreTheNearestPixelsInEitherDirection) {
-    std::mt19937 random(seed);
+/// Near lines, half of them clipped, in both directions.
+void test_lines(int lines, unsigned first_seed) {
+    std::mt19937 random(first_seed);
     std::uniform_int_distribution<int> near(-30, 60), size(1, 33);
     std::size_t lit = 0;
-    for (int n = 0; n < 100000; ++n) {
+    for (int n = 0; n < lines; ++n) {
         const l3d_line_2d l{near(random), near(random), near(random), near(random)};
         const int width = size(random), height = size(random) + 2;
         const pixel_set expected = exact_line(l, width, height);
         ASSERT_EQ(drawn(l, width, height), expected)
-            << "seed " << seed << ", line " << n << ": " << l.x0 << " " << l.y0 << " " << l.x1
+            << "seed " << first_seed << ", line " << n << ": " << l.x0 << " " << l.y0 << " " << l.x1
             << " " << l.y1 << " in " << width << " x " << height;
         if (n % 4 == 0) {
             ASSERT_EQ(drawn({l.x1, l.y1, l.x0, l.y0}, width, height), expected);
         }
         lit += expected.size();
     }
-    EXPECT_GT(lit, 300000u);
+    EXPECT_GT(lit, static_cast<std::size_t>(lines) * 3);
+}
+
+TEST(Lines, AreTheNearestPixelsInEitherDirection) {
+    test_lines(50000, seed);
+}
+
+/// Takes a minute: make stress.
+TEST(Lines, DISABLED_AMillionAreTheNearestPixels) {
+    test_lines(1000000, seed + 9);
 }
 
 TEST(Lines, FromFarAwayAreExactWhereTheyAreSeen) {
@@ -173,7 +126,7 @@ TEST(Lines, FromFarAwayAreExactWhereTheyAreSeen) {
         for (int major = 0; major < (x_major ? width : height); ++major) {
             const wide from = x_major ? l.x0 : l.y0, delta = x_major ? dx : dy;
             const wide i = delta < 0 ? from - major : major - from;
-            const auto [x, y] = exact_pixel(l, i);
+            const auto [x, y] = pixel_of_line(l, i);
             if (x >= 0 && x < width && y >= 0 && y < height)
                 expected.insert({static_cast<int>(x), static_cast<int>(y)});
         }

@@ -49,6 +49,29 @@ TEST(dispatcher_script, events_come_before_their_frame) {
                                  "draw", "show", "frame"}));
 }
 
+TEST(dispatcher_script, every_event_is_told_and_first) {
+    class listener final : public l3d_pipeline {
+    public:
+        call_log log;
+        void any_event(const l3d_event& event) override {
+            log.push_back("any " + std::to_string(static_cast<int>(event.type)));
+        }
+        void key_event(int) override { log.push_back("key"); }
+    } pipeline;
+    call_log ignored;
+    fake_screen screen(ignored);
+    l3d_dispatcher_script dispatcher({}, {{0, make_event(l3d_event_type::expose)},
+                                          {0, make_key('x')},
+                                          {0, make_event(l3d_event_type::hide)}});
+    dispatcher.plug(pipeline, screen);
+    dispatcher.start();
+    const auto any = [](l3d_event_type type) {
+        return "any " + std::to_string(static_cast<int>(type));
+    };
+    EXPECT_EQ(pipeline.log, (call_log{any(l3d_event_type::expose), any(l3d_event_type::key_press),
+                                      "key", any(l3d_event_type::hide)}));
+}
+
 TEST(dispatcher_script, steps_are_fixed) {
     using rate = std::optional<double>;
     for (const auto& [fps, step] : {std::pair{rate(60), 1 / 60.0},

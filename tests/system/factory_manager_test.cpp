@@ -163,6 +163,20 @@ TEST_F(factory_manager, option_ask_beats_environment) {
     EXPECT_EQ(manager.chosen().name, "paper");
 }
 
+TEST_F(factory_manager, a_program_may_have_a_usual_back_end) {
+    options.prefer_backend("paper");
+    EXPECT_TRUE(choose({}, "1\n", true));
+    EXPECT_EQ(manager.chosen().name, "paper");
+    EXPECT_EQ(out.str(), "");
+}
+
+TEST_F(factory_manager, users_beat_the_usual_back_end) {
+    options.prefer_backend("paper");
+    setenv("L3D_BACKEND", "memory", 1);
+    EXPECT_TRUE(choose({}, "", true));
+    EXPECT_EQ(manager.chosen().name, "memory");
+}
+
 TEST_F(factory_manager, unseen_pictures_go_to_a_file) {
     EXPECT_TRUE(choose({}, "", false));
     EXPECT_EQ(options.common().output, "tester.png");

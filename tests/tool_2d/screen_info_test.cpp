@@ -190,3 +190,24 @@ TEST(screen_info, describes_itself) {
 }
 
 } // namespace
+
+// Every value of a channel at every intensity, against the formula; the other channels are others.
+TEST(screen_info, row_10_light_and_fog) {
+    for (std::uint32_t c = 0; c < 256; ++c)
+        for (std::uint32_t i = 0; i < 256; ++i) {
+            const std::uint32_t word = c << 16 | (255 - c) << 8 | (c ^ 0x5A);
+            const auto lit = [i](std::uint32_t v) { return (2 * v * i + 255) / 510; };
+            const auto fogged = [i](std::uint32_t v) {
+                return 255 - (2 * (255 - v) * (255 - i) + 255) / 510;
+            };
+            const auto of = [&](auto change) {
+                return change(c) << 16 | change(255 - c) << 8 | change(c ^ 0x5A);
+            };
+            ASSERT_EQ(l3d_screen_info::light_native(word, i), of(lit)) << c << ' ' << i;
+            ASSERT_EQ(l3d_screen_info::fog_native(word, i), of(fogged)) << c << ' ' << i;
+        }
+    EXPECT_EQ(l3d_screen_info::light_native(0x123456, 255), 0x123456u);
+    EXPECT_EQ(l3d_screen_info::light_native(0x123456, 0), 0u);
+    EXPECT_EQ(l3d_screen_info::fog_native(0x123456, 0), 0x123456u);
+    EXPECT_EQ(l3d_screen_info::fog_native(0x123456, 255), 0xFFFFFFu);
+}

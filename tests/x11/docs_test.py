@@ -47,7 +47,7 @@ def run(command, folder):
 def main():
     failed = 0
     for document in ("README.md", "ARCHITECTURE.md", "docs/NUMERICS.md", "docs/SPEED.md",
-                     "docs/DISPLAYS.md"):
+                     "docs/DISPLAYS.md", "docs/BOOK.md", "docs/POLYGONS.md"):
         text = (ROOT / document).read_text()
         found = commands(text)
         if document == "README.md" and not found:

@@ -10,7 +10,7 @@ import pathlib
 import sys
 
 import harness
-from harness import Checks, environment, expect, expect_equal, run, xdotool
+from harness import Checks, environment, expect, expect_equal, run, x_server, xdotool
 from window_test import Session
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -32,11 +32,11 @@ class Row:
         self.keys = keys.split()
         self.title = ".".join([self.name, *self.arguments])
 
-    def measured_hash(self):
+    def measured_hash(self, env=None, *more):
         command = self.program.command(*self.arguments)
         if not self.is_console:
-            command += ["--backend", "memory", "--frames", str(FRAMES), "--output", "-"]
-        status, out, messages = run(command, environment())
+            command += ["--backend", "memory", "--frames", str(FRAMES), "--output", "-", *more]
+        status, out, messages = run(command, env or environment())
         expect_equal((status, messages), (0, ""))
         if not self.is_console:
             header = b"P6\n%d %d\n255\n" % self.program.size
@@ -70,6 +70,23 @@ def makes_the_stored_pictures(row):
     expect_equal(row.measured_hash(), row.hash, "the hash of %d frames" % FRAMES)
 
 
+def shows_the_stored_pictures(row, server):
+    """On every kind of window, too; frames that are counted go by fixed steps of time."""
+    for backend in ("ximage", "xshm"):
+        found = row.measured_hash(environment(server.display), "--backend", backend, "--fps", "0")
+        expect_equal(found, row.hash, "the hash of %d frames by %s" % (FRAMES, backend))
+
+
+def is_the_five_steps(name):
+    """Rows 1 and 39: a reader of the book finds the steps, and no window system in a program."""
+    text = (ROOT / "apps" / name / "main.cpp").read_text()
+    includes = [line for line in text.splitlines() if line.startswith("#include")]
+    foreign = [line for line in includes if "X11/" in line or "GL/" in line or "_p.h" in line]
+    expect_equal(foreign, [])
+    steps = [text.lower().find("step %d" % step) for step in (2, 1, 3, 4, 5)]
+    expect(all(at >= 0 for at in steps) and steps == sorted(steps), "steps are at", steps)
+
+
 def obeys_keys(row):
     with Session(row.program, *row.arguments) as it:
         for key in row.keys:
@@ -97,6 +114,41 @@ def fills_a_resized_window(row):
         it.expect_end(0)
 
 
+def hello_tells_every_event():
+    """Row 34: the names of what happens, as X has them, on the terminal."""
+    program = harness.Program("hello", (160, 100))
+    with Session(program, "--lesson", "event") as it:
+        with it.eyes.cover(80, 50):
+            pass
+        for action in ("mousemove 30 40", "mousedown 1", "mousemove 50 60", "mouseup 1"):
+            verb, *numbers = action.split()
+            window = ("--window", it.window) if verb == "mousemove" else ()
+            xdotool(it.display, verb, *window, *numbers)
+        xdotool(it.display, "key", "x", "q")
+        status, _, messages = harness.ended(it.process)
+    expect_equal(status, 0, messages)
+    for wanted in ("bits per pixel", "Expose\n", "KeyPress x\n", "ButtonPress button 1 30,40\n",
+                   "MotionNotify 50,60\n", "ButtonRelease button 1 50,60\n"):
+        expect(wanted in messages, wanted, "is not in", messages)
+
+
+def morph2d_has_the_books_forms():
+    """Rows 21 and 37: every pixel of the four forms, the third cut off by the window."""
+    program = harness.Program("morph2d", (320, 200))
+    for frames, wanted in ((50, 5530), (100, 7132), (150, 7450), (200, 6715)):
+        rows = harness.memory_picture(program, "--frames", str(frames))
+        found = [pixel for row in rows for pixel in row if pixel]
+        expect_equal(set(found), {0x0080FF})
+        expect_equal(len(found), wanted, "pixels after %d frames" % frames)
+
+
+def xform_differs_by_seed():
+    """Row 36: the same seed gives the same picture, which the hash shows; another another."""
+    program = harness.Program("xform", (160, 120))
+    pictures = [harness.memory_picture(program, "--seed", seed) for seed in ("7", "8")]
+    expect(pictures[0] != pictures[1], "two seeds, one picture")
+
+
 def write():
     lines = TABLE.read_text().splitlines()
     for i, line in enumerate(lines):
@@ -113,7 +165,15 @@ def main():
     rows = table()
     for name in programs():
         checks.run("programs.%s.has_a_row" % name, has_a_row, name, rows)
+    for name in sorted({row.name for row in rows if not row.is_console}):
+        checks.run("programs.%s.is_the_five_steps" % name, is_the_five_steps, name)
     seen = set()
+    for check in (
+        hello_tells_every_event,
+        morph2d_has_the_books_forms,
+        xform_differs_by_seed,
+    ):
+        checks.run("programs." + check.__name__, check)
     for row in rows:
         if row.real not in ("any", real_of(row.name)):
             continue
@@ -121,6 +181,10 @@ def main():
         if row.name not in seen and not row.is_console:
             for check in (obeys_keys, obeys_the_close_button, fills_a_resized_window):
                 checks.run("programs.%s.%s" % (row.name, check.__name__), check, row)
+        if not row.is_console:
+            with x_server() as server:
+                check = "programs.%s.shows_the_stored_pictures" % row.title
+                checks.run(check, shows_the_stored_pictures, row, server)
         seen.add(row.name)
     checks.finish()
 

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// Whole frames of polygons: zsort against zbuffer against Mesa, in every style and projection.
+#include "pipeline/pipeline_zbuffer.h"
+#include "pipeline/pipeline_zsort.h"
+
+#include "geom/polygon_shapes.h"
+#include "raster/rasterizer_factory_mesa.h"
+#include "raster/rasterizer_factory_sw.h"
+#include "tool_2d/screen_memory.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace {
+
+constexpr l3d_size window{331, 247};
+using picture = std::vector<std::uint32_t>;
+
+const l3d_rasterizer_factory_sw sw;
+
+l3d_canvas canvas() {
+    return {std::make_unique<l3d_screen_memory>(window), &sw};
+}
+
+l3d_camera camera(double x = 1.3, double y = -5.1, double z = 3.2) {
+    l3d_camera result;
+    result.eye = {x, y, z};
+    result.target = {0.1, 0.05, -0.1};
+    result.up = {0, 0, 1};
+    return result;
+}
+
+picture drawn(l3d_pipeline_polygons& pipeline) {
+    pipeline.draw_event();
+    picture result;
+    const l3d_pixels pixels = pipeline.screen().pixels();
+    for (int y = 0; y < pixels.height; ++y)
+        result.insert(result.end(), pixels.row(y).begin(), pixels.row(y).end());
+    return result;
+}
+
+picture by_zsort(const l3d_polygon_model& model, const l3d_camera& from,
+                 const l3d_polygon_settings& settings, l3d_polygon_report* report = nullptr) {
+    l3d_pipeline_zsort pipeline(canvas(), model, from, settings);
+    picture result = drawn(pipeline);
+    if (report)
+        *report = pipeline.report();
+    return result;
+}
+
+picture by_zbuffer(const l3d_polygon_model& model, const l3d_camera& from,
+                   const l3d_polygon_settings& settings) {
+    l3d_pipeline_zbuffer pipeline(canvas(), model, from, settings, sw);
+    return drawn(pipeline);
+}
+
+long differing(const picture& a, const picture& b, int levels) {
+    long count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        count += std::abs(static_cast<int>(a[i] & 255) - static_cast<int>(b[i] & 255)) > levels;
+    return count;
+}
+
+long lit(const picture& p) {
+    return std::ranges::count_if(p, [](std::uint32_t word) { return word != 0; });
+}
+
+/// Two tori, one through the other.
+l3d_polygon_mesh linked_tori() {
+    l3d_polygon_mesh mesh = l3d_torus_mesh(31, 14, 1.5, 0.6);
+    const l3d_polygon_mesh other = l3d_torus_mesh(27, 12, 1.2, 0.5);
+    const auto offset = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const auto& v : other.vertices)
+        mesh.vertices.push_back({v[0] + 0.7, v[2] - 0.2, -v[1] + 0.1});
+    for (std::size_t f = 0; f < other.faces(); ++f) {
+        const auto face = other.face(f);
+        mesh.add_face({{face[0] + offset, face[1] + offset, face[2] + offset}});
+    }
+    return mesh;
+}
+
+TEST(pipeline_polygons, zsort_and_zbuffer_show_the_same) {
+    const l3d_polygon_model model(linked_tori());
+    for (const bool cull : {true, false})
+        for (const auto projection : {l3d_projection::perspective, l3d_projection::parallel})
+            for (const auto shade :
+                 {l3d_shade::flat, l3d_shade::gouraud, l3d_shade::lambert, l3d_shade::normals}) {
+                l3d_polygon_settings settings;
+                settings.shade = shade;
+                settings.projection = projection;
+                settings.cull = cull;
+                settings.rotation = {17, -23, 40};
+                l3d_polygon_report report;
+                const picture a = by_zsort(model, camera(), settings, &report);
+                const picture b = by_zbuffer(model, camera(), settings);
+                // By lanes, lambert's grey may be a level off.
+                EXPECT_EQ(differing(a, b, shade == l3d_shade::lambert), 0)
+                    << "cull " << cull << " shade " << static_cast<int>(shade);
+                EXPECT_GT(lit(a), 10000);
+                EXPECT_GT(report.order.cuts, 10);
+            }
+}
+
+/// Inside a torus, with faces behind the eye, near it, and far outside of the window.
+TEST(pipeline_polygons, clipped_at_the_near_plane_both_show_the_same) {
+    const l3d_polygon_model model(l3d_torus_mesh(40, 20, 2, 0.8));
+    l3d_camera inside = camera(2.1, 0.1, 0.3);
+    inside.target = {1.7, 1.4, -0.2};
+    inside.near = 0.05;
+    l3d_polygon_settings settings;
+    settings.cull = false;
+    const picture a = by_zsort(model, inside, settings);
+    EXPECT_EQ(differing(a, by_zbuffer(model, inside, settings), 0), 0);
+    EXPECT_EQ(lit(a), window.width * window.height); // no hole in the wall around the eye
+}
+
+TEST(pipeline_polygons, mesa_agrees) {
+    const l3d_polygon_model model(linked_tori());
+    l3d_polygon_settings settings;
+    const l3d_rasterizer_factory_mesa gl;
+    l3d_pipeline_zbuffer pipeline(canvas(), model, camera(), settings, gl, "mesa");
+    const picture a = by_zsort(model, camera(), settings), b = drawn(pipeline);
+    EXPECT_LE(differing(a, b, 1) * 1000, lit(a)); // it rounds where depths nearly tie
+}
+
+/// A closed body shows the same with and without the faces that are seen from behind.
+TEST(pipeline_polygons, culling_leaves_out_what_is_not_seen) {
+    const l3d_polygon_model model(l3d_torus_mesh(24, 16, 1.7, 0.7));
+    for (const auto projection : {l3d_projection::perspective, l3d_projection::parallel}) {
+        l3d_polygon_settings settings;
+        settings.projection = projection;
+        settings.rotation = {-31, 12, 5};
+        l3d_polygon_report report, all_report;
+        const picture culled = by_zsort(model, camera(), settings, &report);
+        settings.cull = false;
+        const picture all = by_zsort(model, camera(), settings, &all_report);
+        // On an outline, where a face from behind and one from in front share an edge, depths tie.
+        EXPECT_LE(differing(culled, all, 0), 20);
+        EXPECT_GT(report.polygons.back, 200);
+        EXPECT_EQ(all_report.polygons.back, 0);
+        EXPECT_EQ(report.polygons.drawn + report.polygons.back + report.polygons.subpixel +
+                      report.polygons.outside,
+                  768);
+    }
+}
+
+TEST(pipeline_polygons, hidden_lines_are_some_of_all_lines) {
+    const l3d_polygon_model model(l3d_torus_mesh(12, 8, 1.7, 0.7));
+    l3d_polygon_settings settings;
+    settings.style = l3d_polygon_style::wireframe;
+    settings.cull = false;
+    const picture wires = by_zsort(model, camera(), settings);
+    settings.style = l3d_polygon_style::hidden_lines;
+    settings.cull = true;
+    const picture sorted = by_zsort(model, camera(), settings);
+    const picture tested = by_zbuffer(model, camera(), settings);
+    EXPECT_LT(lit(sorted) * 10, lit(wires) * 8);
+    EXPECT_GT(lit(sorted) * 10, lit(wires) * 3);
+    long beside_wires = 0;
+    for (std::size_t i = 0; i < wires.size(); ++i)
+        beside_wires += (sorted[i] | tested[i]) != 0 && wires[i] == 0;
+    EXPECT_EQ(beside_wires, 0); // the same pixels, fewer of them
+    // Near an outline a line may end a pixel earlier in one of the two.
+    EXPECT_LE(differing(sorted, tested, 0) * 12, lit(sorted));
+}
+
+/// Lines that reach behind the eye end at the near plane, and nothing wraps round.
+TEST(pipeline_polygons, wires_are_clipped) {
+    const l3d_polygon_model model(l3d_torus_mesh(40, 20, 2, 0.8));
+    l3d_camera inside = camera(2.1, 0.1, 0.3);
+    inside.target = {1.7, 1.4, -0.2};
+    const l3d_polygon_view view(inside, window, l3d_projection::perspective,
+                                l3d_identity<double>());
+    l3d_polygon_wires wires;
+    const auto lines = wires.make(model, view, false);
+    EXPECT_GT(lines.size(), 1000u);
+    EXPECT_LT(lines.size(), 4800u); // 1600 triangles of three sides
+    for (const l3d_line_2d& line : lines)
+        for (const int number : {line.x0, line.y0, line.x1, line.y1})
+            EXPECT_LE(std::abs(number), 16384 + 331);
+    // What is wholly in front is where the matrix puts it.
+    const auto& v = model.mesh().vertices;
+    std::size_t exact = 0;
+    for (const l3d_model_triangle& t : model.triangles())
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto place = [&](std::uint32_t i) {
+                return view.matrix() * l3d_vector<double, 4>(v[i][0], v[i][1], v[i][2], 1.0);
+            };
+            const auto a = place(t.corners[k]), b = place(t.corners[(k + 1) % 3]);
+            if (a[3] > 0.2 && b[3] > 0.2) {
+                const auto beside = [](int pixel, double offset, int side) {
+                    return std::abs(pixel + 0.5 - offset - side / 2.0) <= 0.5 + 1.0 / 256;
+                };
+                const bool found = std::ranges::any_of(lines, [&](const l3d_line_2d& l) {
+                    return beside(l.x0, a[0] / a[3], 331) && beside(l.y0, a[1] / a[3], 247) &&
+                           beside(l.x1, b[0] / b[3], 331) && beside(l.y1, b[1] / b[3], 247);
+                });
+                exact += found;
+                EXPECT_TRUE(found);
+            }
+        }
+    EXPECT_GT(exact, 500u);
+}
+
+TEST(pipeline_polygons, euler_angles_turn_about_the_centre) {
+    const l3d_vector<double, 3> centre{3.0, -2.0, 7.0};
+    const auto turn = l3d_euler_rotation({90, 0, 90}, centre);
+    const auto kept = turn * l3d_vector<double, 4>(3.0, -2.0, 7.0, 1.0);
+    EXPECT_EQ(kept, (l3d_vector<double, 4>(3.0, -2.0, 7.0, 1.0)));
+    // First about x: y becomes z. Then about z: z stays.
+    const auto y = turn * l3d_vector<double, 4>(3.0, -1.0, 7.0, 1.0);
+    EXPECT_EQ(y, (l3d_vector<double, 4>(3.0, -2.0, 8.0, 1.0)));
+    // x is left by the first, and becomes y by the second.
+    const auto x = turn * l3d_vector<double, 4>(4.0, -2.0, 7.0, 1.0);
+    EXPECT_EQ(x, (l3d_vector<double, 4>(3.0, -1.0, 7.0, 1.0)));
+}
+
+TEST(pipeline_polygons, threads_do_not_change_the_picture) {
+    const l3d_polygon_model model(l3d_torus_mesh(90, 60, 1.7, 0.7));
+    l3d_polygon_settings settings;
+    settings.shade = l3d_shade::lambert;
+    const picture one = by_zbuffer(model, camera(), settings);
+    const picture one_sorted = by_zsort(model, camera(), settings);
+    settings.threads = 3;
+    EXPECT_EQ(by_zbuffer(model, camera(), settings), one);
+    EXPECT_EQ(by_zsort(model, camera(), settings), one_sorted);
+}
+
+} // namespace

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// l3d_polygon_model: faces as triangles, normals, the centroid; and tessellated patches.
+#include "pipeline/polygon_model.h"
+
+#include "geom/polygon_shapes.h"
+#include "geom/teapot.h"
+#include "pipeline/patch_tessellation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace {
+
+using vector = l3d_polygon_model::vector;
+
+/// One face in a slanted plane through (3, -2, 5), from places in that plane.
+l3d_polygon_mesh face_of(const std::vector<std::pair<double, double>>& places) {
+    l3d_polygon_mesh mesh;
+    std::vector<std::uint32_t> face;
+    for (const auto& [u, v] : places) {
+        face.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+        mesh.vertices.push_back({3 + u, -2 + 0.3 * u + v, 5 + 0.2 * u - 0.4 * v});
+    }
+    mesh.add_face(face);
+    return mesh;
+}
+
+/// Twice the area of a triangle, positive if it faces as its face does.
+double area2(const l3d_polygon_model& model, const l3d_model_triangle& t) {
+    const auto& p = model.mesh().vertices;
+    const vector a = p[t.corners[0]], b = p[t.corners[1]], c = p[t.corners[2]];
+    return l3d_dot(l3d_cross(b - a, c - a), l3d_converted<double>(model.face_normals()[t.face]));
+}
+
+/// Triangles cover the face once: none is turned round, areas add up, each side once.
+void expect_covered(const l3d_polygon_mesh& mesh) {
+    const l3d_polygon_model model(mesh);
+    const auto face = mesh.face(0);
+    ASSERT_EQ(model.triangles().size(), face.size() - 2);
+    vector whole{0.0, 0.0, 0.0};
+    for (std::size_t i = 0; i < face.size(); ++i)
+        whole += l3d_cross(mesh.vertices[face[i]] - mesh.vertices[face[0]],
+                           mesh.vertices[face[(i + 1) % face.size()]] - mesh.vertices[face[0]]);
+    double sum = 0;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
+    for (const l3d_model_triangle& t : model.triangles()) {
+        EXPECT_GE(area2(model, t), -1e-9);
+        sum += area2(model, t);
+        for (std::size_t k = 0; k < 3; ++k)
+            if (t.sides >> k & 1) {
+                EXPECT_TRUE(sides.insert({t.corners[k], t.corners[(k + 1) % 3]}).second);
+            }
+    }
+    EXPECT_NEAR(sum, l3d_length(whole), 1e-6);
+    EXPECT_EQ(sides.size(), face.size());
+    for (std::size_t i = 0; i < face.size(); ++i)
+        EXPECT_TRUE(sides.contains({face[i], face[(i + 1) % face.size()]}));
+}
+
+TEST(polygon_model, faces_of_any_form_become_triangles) {
+    expect_covered(face_of({{0, 0}, {4, 1}, {5, 4}, {1, 3}}));                 // convex
+    expect_covered(face_of({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}));         // a notch
+    expect_covered(face_of({{0, 4}, {2, 1}, {4, 4}, {4, 0}, {0, 0}}));         // turned round
+    expect_covered(face_of({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 2}, {0, 2}})); // on one line
+    std::vector<std::pair<double, double>> star;
+    for (int i = 0; i < 22; ++i) {
+        const double r = i % 2 ? 1.1 : 5, a = 6.283185307179586 * i / 22;
+        star.emplace_back(r * std::cos(a), r * std::sin(a));
+    }
+    expect_covered(face_of(star));
+}
+
+/// A pentagram goes round twice without ever turning right: a fan would do as well as anything, but
+/// no corner may be lost.
+TEST(polygon_model, a_face_that_crosses_itself_still_becomes_triangles) {
+    std::vector<std::pair<double, double>> places;
+    for (int i = 0; i < 5; ++i)
+        places.emplace_back(std::cos(2.5132741228718345 * i), std::sin(2.5132741228718345 * i));
+    EXPECT_EQ(l3d_polygon_model(face_of(places)).triangles().size(), 3u);
+}
+
+TEST(polygon_model, normals_point_outwards_and_the_centroid_may_be_the_origin) {
+    l3d_polygon_mesh sphere = l3d_sphere_mesh(24, 12, 2);
+    for (vector& v : sphere.vertices)
+        v += vector{10.0, -20.0, 30.0};
+    const l3d_polygon_model model(sphere);
+    const vector centre{10.0, -20.0, 30.0};
+    for (std::size_t i = 0; i < sphere.vertices.size(); ++i)
+        EXPECT_GT(l3d_dot(l3d_normalized(sphere.vertices[i] - centre),
+                          l3d_converted<double>(model.vertex_normals()[i])),
+                  0.98);
+    EXPECT_NEAR(model.radius(), 2, 1e-9);
+    EXPECT_NEAR(l3d_length(model.centre() - centre), 0, 1e-9);
+    const l3d_polygon_model moved(sphere, true);
+    EXPECT_NEAR(l3d_length(moved.centre()), 0, 1e-9);
+    EXPECT_EQ(model.bytes(),
+              28 * sphere.faces() + 48 + 32 * sphere.faces() + 12 * sphere.vertices.size());
+}
+
+TEST(polygon_model, tessellated_patches_share_their_boundaries) {
+    std::string why;
+    const auto teapot = l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);
+    ASSERT_TRUE(teapot) << why;
+    for (const int n : {1, 3, 8}) {
+        const l3d_polygon_mesh mesh = l3d_tessellated(*teapot, n);
+        EXPECT_TRUE(mesh.is_valid());
+        std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+        for (std::size_t f = 0; f < mesh.faces(); ++f) {
+            const auto face = mesh.face(f);
+            for (std::size_t i = 0; i < 3; ++i)
+                ++uses[std::minmax(face[i], face[(i + 1) % 3])];
+        }
+        // All but the rims of body, lid, spout and handle are between two faces.
+        int alone = 0;
+        for (const auto& [side, count] : uses)
+            alone += count == 1;
+        EXPECT_LE(alone, 32 * n) << n;
+        EXPECT_GE(mesh.faces(), static_cast<std::size_t>(28 * (2 * n * n - n)));
+    }
+}
+
+} // namespace
