@@ -7,9 +7,10 @@ uses_tool_2d  :=
 uses_raster   := geom tool_2d
 uses_pipeline := geom tool_2d raster
 uses_system   := geom tool_2d raster pipeline
-uses_apps     := $(LAYERS)
+uses_apps     := $(LAYERS) reference
 
-# tests/reference, the exact renderer, is a layer beside them that only these may use.
+# tests/reference, the exact renderer, is a layer beside them that only these may use, and the
+# programs: a report of errors has no better judge.
 uses_reference       := geom
 tests_with_reference := pipeline reference bench stability
 uses_stability       := geom tool_2d raster pipeline
@@ -106,8 +107,8 @@ MAKEFLAGS += -rR --no-print-directory
 .SECONDEXPANSION:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: FORCE all run test stress stability matrix lint $(CHECKS) tidy format golden pictures bench fuzz \
-        fuzz-each packages hooks clean help
+.PHONY: FORCE all run test stress stability matrix lint $(CHECKS) tidy format golden pictures bench report \
+        fuzz fuzz-each packages hooks clean help
 
 Q    := $(if $(V),,@)
 say   = $(if $(V),,@printf '  %-5s %s\n' $(1) $(2:$(OUT)/%=%))
@@ -162,6 +163,9 @@ bench: packages-bench ## build and run the benchmarks
 	@$(again) $(BENCHES)
 	@set -e; for bench in $(BENCHES); do $$bench $(ARGS); done
 
+report: packages-report $(OUT)/bin/teapot_afd ## error against time, all methods, into docs/report; QUICK=1: a small one
+	@$(OUT)/bin/teapot_afd --no-input --error-report $(if $(QUICK),$(OUT)/report --quick,docs/report)
+
 fuzz: packages-fuzz ## fuzz every reader of model files: make fuzz FUZZ_SECONDS=600
 	@$(again) MODE=fuzz CXX="$(FUZZ_CXX)" fuzz-each
 
@@ -171,8 +175,8 @@ fuzz-each: $(FUZZERS)
 	    $$fuzzer.corpus tests/fuzz/corpus/$${fuzzer##*/}; done
 
 packages: packages-build packages-test packages-lint ## install the Debian packages that are missing
-packages-test packages-lint packages-tidy packages-bench packages-matrix packages-fuzz packages-stability: \
-    packages-build
+packages-test packages-lint packages-tidy packages-bench packages-matrix packages-fuzz \
+    packages-stability packages-report: packages-build
 packages-%:
 	@CXX="$(CXX)" tests/lint/packages.sh $(PACKAGES_$*)
 
@@ -198,7 +202,7 @@ $(OUT)/list/%: FORCE
 
 $(OUT)/%.o: %.cpp $(OUT)/flags | packages-build
 	$(call say,C++,$@)
-	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(if $(filter tests/%,$<),-Itests) -MD -MP -c $< -o $@
+	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(if $(filter tests/% apps/%,$<),-Itests) -MD -MP -c $< -o $@
 
 # A text file as a C++ string literal, to be included.
 $(OUT)/%.inc: %
@@ -209,7 +213,7 @@ $(OUT)/libl3d_%.a: $$(objects_$$*) $(OUT)/list/%
 	$(call say,AR,$@)
 	$(Q)rm -f $@; ar rcs $@ $(filter %.o,$^)
 
-$(APPS): $(OUT)/bin/%: $$(objects_apps/$$*) $(ARCHIVES) $(OUT)/list/apps/%
+$(APPS): $(OUT)/bin/%: $$(objects_apps/$$*) $(call archives,reference $(LAYERS)) $(OUT)/list/apps/%
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D); $(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -o $@
 
@@ -300,6 +304,6 @@ $(OUT)/log/fail.log: FORCE | packages-build
 
 $(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o
 	$(call say,TIDY,$<)
-	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ -Wno-unknown-warning-option $(FLAGS) $(if $(filter tests/%,$<),-Itests) && touch $@
+	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ -Wno-unknown-warning-option $(FLAGS) $(if $(filter tests/% apps/%,$<),-Itests) && touch $@
 
 -include $(wildcard $(OBJECTS:.o=.d) $(patsubst %.so,%.d,$(filter %.so,$(PLUGINS))) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))

@@ -9,6 +9,8 @@
 #include "system/screenshot.h"
 #include "tool_2d/image_file.h"
 
+#include "error_report.h"
+
 #include <iostream>
 #include <optional>
 
@@ -50,6 +52,11 @@ int main(int argc, char** argv) try {
     const l3d_camera camera = afd.camera();
     const l3d_afd_settings settings = afd.settings();
     const l3d_patch_model model = afd.model();
+    if (!afd.error_report().empty()) {
+        write_error_report(afd.error_report(), model, camera, options.common().size,
+                           {afd.shows_the_usual(), afd.quick()});
+        return 0;
+    }
     if (!factories.choose(options))
         return 0;
 

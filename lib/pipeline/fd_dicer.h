@@ -24,10 +24,9 @@
 /// Cost: 9 additions and a division a vertex.
 class l3d_fd_dicer {
 public:
-    explicit l3d_fd_dicer(l3d_arithmetic arithmetic) : arithmetic_(arithmetic) {}
-
-    /// Takes so many steps in each patch, instead of what the tolerance asks for; 0: does not.
-    void set_steps(int steps) { steps_ = steps; }
+    /// With steps > 0, takes so many in each patch instead of what the tolerance asks for.
+    explicit l3d_fd_dicer(l3d_arithmetic arithmetic, int steps = 0)
+        : arithmetic_(arithmetic), steps_(steps) {}
 
     /// Expects: l3d_needs_no_clipping(net, view).
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
@@ -48,7 +47,7 @@ private:
               const l3d_dice_view& view, const l3d_diced_piece& piece, l3d_micro_grid& grid);
 
     l3d_arithmetic arithmetic_;
-    int steps_ = 0;
+    int steps_;
     l3d_uniform_grid grid_;
     l3d_edge_polylines edges_;
     l3d_patch_dicer<double> adaptive_;

@@ -34,7 +34,7 @@ struct method_row {
 /// million in 600 MB of bricks.
 constexpr std::array<method_row, 9> rows{{
     {"afd", l3d_method::afd},
-    {"fd", l3d_method::fd},
+    {"fd", l3d_method::fd, 0, 1, 1024},
     {"isocurves", l3d_method::isocurves},
     {"subdivision", l3d_method::subdivision},
     {"tessellation", l3d_method::tessellation, 16, 1, 1024},
@@ -94,7 +94,7 @@ const char* l3d_name_of(l3d_arithmetic arithmetic) {
 
 std::string l3d_method_choice::name() const {
     const method_row& row = row_of(method);
-    return row.most > 0 ? std::string(row.name) + ':' + std::to_string(resolution) : row.name;
+    return resolution > 0 ? std::string(row.name) + ':' + std::to_string(resolution) : row.name;
 }
 
 std::optional<l3d_method_choice> l3d_method_choice::from_name(std::string_view name,
@@ -138,7 +138,8 @@ std::unique_ptr<l3d_surface_method> l3d_create_method(const l3d_method_choice& c
                                                       l3d_workers& workers) {
     switch (choice.method) {
     case l3d_method::fd:
-        return create_mesh(rasterizers, workers, l3d_fd_dicer(choice.arithmetic));
+        return create_mesh(rasterizers, workers,
+                           l3d_fd_dicer(choice.arithmetic, choice.resolution));
     case l3d_method::isocurves:
         return std::make_unique<l3d_method_points<l3d_isocurve_plotter<l3d_real>>>(rasterizers);
     case l3d_method::scanline:

@@ -42,7 +42,8 @@ const char* l3d_name_of(l3d_arithmetic arithmetic);
 /// A method and what it is told.
 struct l3d_method_choice {
     l3d_method method = l3d_method::afd;
-    int resolution = 0; ///< of tessellation: quads along a patch; of voxels: cells along the model
+    int resolution = 0; ///< of tessellation, fd: quads along a patch (fd: 0 is what the tolerance
+                        ///< asks for); of voxels: cells along the model
     l3d_arithmetic arithmetic = l3d_real_arithmetic(); ///< of afd (but 32-bit fixed) and fd
 
     /// As the command line has it: "fd", "tessellation:16".

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The methods that adaptive forward differencing is compared with: their bounds hold, and they leave
-// no pixel out between patches.
+// The methods that adaptive forward differencing is compared with: their bounds hold, and they
+// leave no pixel out between patches.
 #include "certificate.h"
 #include "nasty.h"
 #include "picture.h"
@@ -77,9 +77,10 @@ TEST(method_dicer, holds_its_bound_on_the_teapot) {
                 << measured.worst_u << ", " << measured.worst_v << "), bound "
                 << measured.worst_bound;
             EXPECT_GT(measured.samples, 1000);
-            std::printf("%-15s %-8s bound %8.4f px, most %8.4f, mean %7.4f, measured / bound %.2f\n",
-                        method.name, view, counts.bound_px, measured.largest, measured.mean(),
-                        measured.worst_ratio);
+            std::printf(
+                "%-15s %-8s bound %8.4f px, most %8.4f, mean %7.4f, measured / bound %.2f\n",
+                method.name, view, counts.bound_px, measured.largest, measured.mean(),
+                measured.worst_ratio);
         });
 }
 
@@ -89,9 +90,8 @@ TEST(method_dicer, holds_its_bound_on_random_patches) {
     for_dicers([&](const auto& method) {
         std::int64_t samples = 0, violations = 0;
         double worst = 0;
-        for (const auto kind :
-             {reference::patch_kind::moderate, reference::patch_kind::thin,
-              reference::patch_kind::folded, reference::patch_kind::coincident})
+        for (const auto kind : {reference::patch_kind::moderate, reference::patch_kind::thin,
+                                reference::patch_kind::folded, reference::patch_kind::coincident})
             for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
                 const scene s(reference::random_patches(seed, kind, 3, eye, {317, 241}), eye,
                               {317, 241});

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 
 namespace reference {
 namespace {
@@ -53,6 +54,17 @@ public:
 
     bool surrounded(int x, int y) const {
         return around(x, y, [&](int i, int j) { return exact_.covered(i, j); });
+    }
+
+    /// Most of the neighbours are covered: where an outline has moved inwards, they are not.
+    bool is_hole(int x, int y) const {
+        constexpr int most = 6; // of eight
+        int covered = 0;
+        around(x, y, [&](int i, int j) {
+            covered += product_covers(i, j);
+            return true;
+        });
+        return covered >= most;
     }
 
     /// Neither an outline nor a jump of depth within one pixel.
@@ -128,6 +140,41 @@ measurement measure(std::span<const float> product_depth, const exact_image& exa
         result.mean_depth_relative /= static_cast<double>(result.depth_compared);
         result.mean_depth_px /= static_cast<double>(result.depth_compared);
     }
+    return result;
+}
+
+error_map map_errors(std::span<const float> product_depth, const exact_image& exact,
+                     const exact_region& region, int most_distances) {
+    constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+    constexpr double farthest = 16; // pixels: no method's outline is worse but by a hole
+    const comparison pictures(product_depth, exact);
+    const picture_size size = exact.size();
+    const std::size_t pixels = product_depth.size();
+    error_map result{std::vector<float>(pixels, nothing), std::vector<float>(pixels, nothing),
+                     std::vector<bool>(pixels)};
+    const auto for_pixels = [&](auto visit) {
+        std::size_t k = 0;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x, ++k)
+                visit(k, x, y, pictures.product_covers(x, y), exact.covered(x, y));
+    };
+    std::int64_t wrong = 0;
+    for_pixels([&](std::size_t k, int x, int y, bool is, bool should) {
+        result.holes[k] = !is && should && pictures.surrounded(x, y) && pictures.is_hole(x, y);
+        wrong += is != should && !result.holes[k];
+    });
+    const std::int64_t every = wrong / most_distances + 1;
+    std::int64_t count = 0;
+    for_pixels([&](std::size_t k, int x, int y, bool is, bool should) {
+        if (is && should && pictures.is_smooth(x, y))
+            result.depth[k] = static_cast<float>(pictures.error_px(x, y));
+        if (is == should || result.holes[k] || count++ % every != 0)
+            return;
+        result.outline[k] = static_cast<float>(
+            is ? region.distance_to_exact_surface(x + 0.5, y + 0.5)
+               : std::min(farthest,
+                          region.distance_to_uncovered(x + 0.5, y + 0.5, farthest).upper));
+    });
     return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace reference {
 
@@ -37,6 +38,20 @@ double depth_error_px(const exact_sample& exact, const camera_frame& frame, int 
 /// Expects: product_depth of the exact picture's size; region of the same patches and camera.
 measurement measure(std::span<const float> product_depth, const exact_image& exact,
                     const exact_region& region, int most_distances = 20000);
+
+/// How far off each pixel is. Shape: row by row; NaN where there is nothing to compare. Units:
+/// pixels.
+struct error_map {
+    std::vector<float> depth; ///< as `measure` takes it: away from outlines and jumps of depth
+    std::vector<float>
+        outline;             ///< of a centre that only one of both covers: from the exact outline
+    std::vector<bool> holes; ///< not covered, although exactly all around, and by most neighbours
+};
+
+/// Of centres covered or uncovered falsely, at most some `most_distances` are measured, evenly
+/// spread. Shape and what is expected: as for measure.
+error_map map_errors(std::span<const float> product_depth, const exact_image& exact,
+                     const exact_region& region, int most_distances);
 
 /// Differences of grey levels on the pixels that `measure` compares the depth of.
 struct shade_difference {

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// curve_measure: what the literature says of forward differences of cubics, measured.
+#ifndef L3D_APPS_TEAPOT_AFD_CURVE_MEASURE_H
+#define L3D_APPS_TEAPOT_AFD_CURVE_MEASURE_H
+
+#include <array>
+#include <vector>
+
+/// How numbers are held in a walk.
+enum class curve_numbers {
+    float_32,
+    float_64,
+    fixed_16_16,
+    block_32,  ///< one exponent for all four registers
+    graded_32, ///< a register has the fraction bits that its own size leaves; sums are rounded
+    fixed_32_32,
+};
+
+const char* name_of(curve_numbers numbers);
+inline constexpr std::array all_curve_numbers{
+    curve_numbers::fixed_16_16, curve_numbers::block_32, curve_numbers::graded_32,
+    curve_numbers::fixed_32_32, curve_numbers::float_32, curve_numbers::float_64};
+
+/// Largest round-off after n steps over random cubics.
+struct growth_row {
+    curve_numbers numbers;
+    int steps = 0;
+    double measured = 0, theory = 0; ///< pixels
+};
+
+/// Units:  range: of the control points, in pixels.
+/// Source: theory: docs/NUMERICS.md section 5; graded registers: Chang, Rocchetti, Shantz 1989.
+std::vector<growth_row> measure_growth(double range, const std::vector<int>& steps, int curves);
+
+/// The most steps, a power of two up to `limit`, whose error stays below a pixel over random cubics
+/// of that range.
+int most_steps_below_a_pixel(curve_numbers numbers, double range, int limit, int curves);
+
+/// Largest distance of chords from random cubics, with n steps, and what the bound h^2 / 8 max
+/// |f''| allows.
+struct chord_row {
+    int steps = 0;
+    double measured = 0, theory = 0;
+};
+std::vector<chord_row> measure_chords(double range, const std::vector<int>& steps, int curves);
+
+/// Steps that keep points at most a pixel apart, after so many halvings of the curve.
+struct step_row {
+    int halvings = 0;
+    double per_pixel = 0;  ///< mean of steps / size of the curve's box, over random cubics
+    double most = 0;       ///< the largest
+    double chebyshev = 0;  ///< of the cubic that is fastest at its ends
+    double true_speed = 0; ///< of the same, by the largest derivative itself
+    double extra = 0;      ///< mean of steps / pixels that the curve passes through
+};
+std::vector<step_row> measure_steps(double range, int most_halvings, int curves);
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// frame_measure: what a method's frames cost, and how far they are off.
+#ifndef L3D_APPS_TEAPOT_AFD_FRAME_MEASURE_H
+#define L3D_APPS_TEAPOT_AFD_FRAME_MEASURE_H
+
+#include "pipeline/pipeline_afd.h"
+#include "reference/exact.h"
+#include "reference/measure.h"
+#include "reference/region.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// A view of the model that is measured, and its exact picture.
+class measured_view {
+public:
+    /// Cost: some us for each pixel that is covered.
+    measured_view(std::string name, const l3d_patch_model& model, const l3d_camera& camera,
+                  l3d_size size);
+
+    const std::string& name() const { return name_; }
+    const l3d_patch_model& model() const { return model_; }
+    const l3d_camera& camera() const { return camera_; }
+    l3d_size size() const { return size_; }
+
+    /// Shape: distances row by row.
+    reference::error_map errors(const std::vector<float>& distances, int most_distances) const {
+        return reference::map_errors(distances, exact_, region_, most_distances);
+    }
+
+private:
+    std::string name_;
+    const l3d_patch_model& model_;
+    l3d_camera camera_;
+    l3d_size size_;
+    std::vector<reference::patch> patches_;
+    reference::exact_image exact_;
+    reference::exact_region region_;
+};
+
+/// What is measured: a method, how it is told to draw, and in what.
+struct measured_setting {
+    l3d_method_choice method;
+    double tolerance = 0.25;
+
+    std::string series() const; ///< what its points in a diagram have in common
+    std::string label() const;  ///< what sets it apart from others of its series
+};
+
+/// A row of the report.
+struct frame_result {
+    std::string view, series, label;
+    double least_ms = 0, median_ms = 0, first_ms = 0; ///< of a frame; of the very first
+    int frames = 0;
+    std::int64_t samples = 0, quads = 0, failures = 0;
+    double bound_px = 0;                                   ///< infinite: none
+    double outline_px = 0;                                 ///< measured, the largest
+    double largest_px = 0, mean_px = 0, percentile_px = 0; ///< of depth; 999 of 1000 are below
+    std::int64_t holes = 0;
+    reference::error_map errors; ///< kept for pictures
+
+    /// What a diagram shows: both outline and depth, but for one pixel of a thousand.
+    double shown_px() const { return outline_px > percentile_px ? outline_px : percentile_px; }
+};
+
+/// Draws the view again and again on one thread for about so long, from eyes that are never twice
+/// at the same place, and then the view itself, which is compared with the exact one.
+/// Of outlines, at most some `most_distances` pixels are measured.
+frame_result measure_frames(const measured_view& view, const measured_setting& setting,
+                            double seconds, int most_distances);
+
+#endif

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+// Tables: Markdown, CSV, JSON.
+#include "report_files.h"
+
+#include "geom/real.h"
+#include "raster/simd_target.h"
+#include "tool_2d/error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <thread>
+
+namespace {
+
+template <class... Values> std::string formatted(const char* format, Values... values) {
+    std::array<char, 4000> text{};
+    std::snprintf(text.data(), text.size(), format, values...);
+    return text.data();
+}
+
+std::string processor() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name"))
+            return line.substr(line.find(':') + 2);
+    return "unknown processor";
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    std::array<char, 32> text{};
+    std::tm utc{};
+    std::strftime(text.data(), text.size(), "%Y-%m-%d", ::gmtime_r(&now, &utc));
+    return text.data();
+}
+
+double load() {
+    double average = 0;
+    return ::getloadavg(&average, 1) == 1 ? average : -1;
+}
+
+std::string bound_text(double bound) {
+    return std::isfinite(bound) ? formatted("%.3g", bound) : "none";
+}
+
+nlohmann::ordered_json number_or_null(double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+std::string head(const report_contents& report) {
+    return formatted("# Error against run time\n\n%s%s, %u processors, %s, compiler %s, "
+                     "l3d_real = %s; %s; load %.1f when written.\nPictures of %d x %d, one thread "
+                     "for every method.\n\n",
+                     report.quick ? "A quick report: few settings, short times.\n\n" : "",
+                     processor().c_str(), std::thread::hardware_concurrency(),
+                     l3d_simd_target().c_str(), __VERSION__, l3d_real_name(), today().c_str(),
+                     load(), report.size.width, report.size.height) +
+           R"(How to read it:
+
+- *ms* is the least time of a frame from control points to finished pixels, depth included, the eye
+  never twice at the same place; *median* that of all frames but the *first*, the very first frame, in which `voxels`
+  fills its cube and `mesa` makes its meshes. All are times of the processor: waiting for it does not count.
+- Errors compare the drawn picture with an exact one that shares no code with the library
+  (tests/reference), alike for all methods, whatever they are made of. *outline*: where only one of both
+  shows a surface, how far the pixel's centre is from the exact outline, at most (of pixels spread
+  evenly; where the gap behind is a sliver, up to a pixel's size too much). *99.9 %*, *largest* and *mean*:
+  where both do, away from outlines, how far the drawn point is from the exact tangent plane, along the
+  line of sight too, which is no error in the picture: so these may be larger than the bound.
+  *holes* are pixels left empty inside of the surface; they are counted, not measured.
+- *bound* is what the method certifies of every point's place in the picture; none: it cannot.
+- *failures* are pixels in which an iteration came to no rest and which were left out.
+
+)";
+}
+
+std::string frame_tables(const report_contents& report) {
+    std::string text;
+    std::string view;
+    for (const frame_result& row : report.frames) {
+        if (row.view != view) {
+            view = row.view;
+            text += "\n## View " + view + "\n\n![error against time](work_precision_" + view +
+                    ".svg)\n\n| method | setting | ms | median | first | bound px | outline px "
+                    "| 99.9 % | largest | mean | holes | failures | points |\n"
+                    "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+        }
+        text += formatted("| %s | %s | %.3g | %.3g | %.3g | %s | %.3g | %.3g | %.3g | %.2g | %lld "
+                          "| %lld | %lld |\n",
+                          row.series.c_str(), row.label.c_str(), row.least_ms, row.median_ms,
+                          row.first_ms, bound_text(row.bound_px).c_str(), row.outline_px,
+                          row.percentile_px, row.largest_px, row.mean_px,
+                          static_cast<long long>(row.holes), static_cast<long long>(row.failures),
+                          static_cast<long long>(row.samples));
+    }
+    return text + '\n';
+}
+
+std::string pictures(const report_contents& report) {
+    std::string text = "## Where the error sits\n\n";
+    for (const report_picture& picture : report.pictures)
+        text += picture.title + ":\n\n![" + picture.title + "](" + picture.file + ")\n\n";
+    return text + R"(## Error against steps
+
+![quads](error_by_steps.svg)
+
+Of n x n quads a patch. Chords err with n^-2 (dashed); in 16.16 what walking adds, with n^3, takes over.
+
+)";
+}
+
+std::string curves(const curve_results& c) {
+    std::string text = formatted(
+        "## Arithmetic\n\n![chords](chord_error.svg)\n\n![round-off](arithmetic.svg)\n\n%d random "
+        "cubics, control points up to 1024 px apart, walked from end to end by forward "
+        "differences.\nDashed: theory (docs/NUMERICS.md, section 5). 32-bit block has one exponent "
+        "for all registers, 32-bit graded one for each.\n\n| numbers | steps | measured px | "
+        "theory "
+        "px | ratio |\n|---|---|---|---|---|\n",
+        c.curves);
+    for (const growth_row& row : c.growth)
+        text += formatted("| %s | %d | %.3g | %.3g | %.2f |\n", name_of(row.numbers), row.steps,
+                          row.measured, row.theory, row.measured / row.theory);
+    text += R"(
+## What the literature says, and what comes out here
+
+**How many steps 32 bits bear.** Chang, Rocchetti and Shantz (*Rendering cubic curves and surfaces with
+integer adaptive forward differencing*, SIGGRAPH 1989) state more than 4096 steps with less than a pixel of
+accumulated error; Rappoport (*Rendering curves and surfaces with hybrid subdivision and forward differencing*,
+TOG 10, 1991) states up to 2^13 steps for cubics in a space of 128K x 128K. Ours: the largest power of two with
+which no random cubic is a pixel off.
+
+| numbers | in 1024 px | in 131072 px |
+|---|---|---|
+)";
+    for (const step_limit& row : c.limits)
+        text += formatted("| %s | %d | %d |\n", name_of(row.numbers), row.in_1024, row.in_128k);
+    int tried = 0;
+    for (const step_limit& row : c.limits)
+        tried = std::max(tried, row.in_1024);
+    text += formatted(R"(
+*32-bit graded* is our form of what both are about: each register keeps the fraction bits that its own size
+leaves, and sums are rounded. One exponent for all four registers, as in 16.16, bears some hundred steps, for
+its error grows with n^3 / 6. Where we differ: the papers' figures are those of their abstracts, which do not say
+how registers are aligned, and are meant for all curves; ours are random curves, not the worst, our registers
+are sized for the range and the number of steps, and no more than %d steps were tried: a number as large as
+that is a least one.
+
+**Steps a pixel.** Klassen (*Exact integer hybrid subdivision and forward differencing of cubics*, TOG 13, 1994)
+proves that a cubic whose picture fits into w pixels needs at most 9 w steps with no two points more than a pixel
+apart, and states that a few halvings beforehand leave very few extra points. Ours, steps from the control points'
+differences, in both coordinates:
+
+| halvings | steps / w, mean | largest | Chebyshev's cubic | the same, by its derivative | steps / pixels passed, mean |
+|---|---|---|---|---|---|
+)",
+                      tried);
+    for (const step_row& row : c.steps)
+        text += formatted("| %d | %.2f | %.2f | %.2f | %.2f | %.2f |\n", row.halvings,
+                          row.per_pixel, row.most, row.chebyshev, row.true_speed, row.extra);
+    return text + R"(
+The bound 9 is Markov's inequality for cubics: Chebyshev's cubic, which is the fastest, reaches it by its largest
+derivative. Control points, which we go by, say 15 of it; one halving makes up for that. Random curves need far
+less, and with each halving the excess shrinks, as he says: after five, a twelfth of the steps is extra.
+The step is still set by the fastest point of each piece, and it is a step in two coordinates. This is why a surface walked pixel by pixel (`isocurves`
+above) takes 20 and more points for each pixel that it covers, where Lien, Shantz and Pratt (SIGGRAPH 1987) aim at
+about one point a pixel *along a curve*: curves half a pixel apart multiply with points half a pixel apart.
+)";
+}
+
+std::string frames_csv(const report_contents& report) {
+    std::string text =
+        "view,method,setting,least_ms,median_ms,first_ms,frames,outline_px,largest_px,"
+        "percentile_999_px,mean_px,bound_px,holes,failures,points,quads\n";
+    for (const frame_result& r : report.frames)
+        text += formatted("%s,%s,%s,%.6g,%.6g,%.6g,%d,%.6g,%.6g,%.6g,%.6g,%s,%lld,%lld,%lld,%lld\n",
+                          r.view.c_str(), r.series.c_str(), r.label.c_str(), r.least_ms,
+                          r.median_ms, r.first_ms, r.frames, r.outline_px, r.largest_px,
+                          r.percentile_px, r.mean_px, bound_text(r.bound_px).c_str(),
+                          static_cast<long long>(r.holes), static_cast<long long>(r.failures),
+                          static_cast<long long>(r.samples), static_cast<long long>(r.quads));
+    return text;
+}
+
+std::string curves_csv(const curve_results& curves) {
+    std::string text = "numbers,steps,measured_px,theory_px\n";
+    for (const growth_row& row : curves.growth)
+        text += formatted("%s,%d,%.6g,%.6g\n", name_of(row.numbers), row.steps, row.measured,
+                          row.theory);
+    for (const chord_row& row : curves.chords)
+        text += formatted("chord,%d,%.6g,%.6g\n", row.steps, row.measured, row.theory);
+    return text;
+}
+
+std::string json(const report_contents& report) {
+    nlohmann::ordered_json result{{"processor", processor()},
+                                  {"date", today()},
+                                  {"real", l3d_real_name()},
+                                  {"simd", l3d_simd_target()},
+                                  {"width", report.size.width},
+                                  {"height", report.size.height},
+                                  {"quick", report.quick},
+                                  {"frames", nlohmann::ordered_json::array()},
+                                  {"arithmetic", nlohmann::ordered_json::array()}};
+    for (const frame_result& r : report.frames)
+        result["frames"].push_back({{"view", r.view},
+                                    {"method", r.series},
+                                    {"setting", r.label},
+                                    {"least_ms", r.least_ms},
+                                    {"median_ms", r.median_ms},
+                                    {"first_ms", r.first_ms},
+                                    {"outline_px", r.outline_px},
+                                    {"largest_px", r.largest_px},
+                                    {"percentile_999_px", r.percentile_px},
+                                    {"mean_px", r.mean_px},
+                                    {"bound_px", number_or_null(r.bound_px)},
+                                    {"holes", r.holes},
+                                    {"failures", r.failures},
+                                    {"points", r.samples},
+                                    {"quads", r.quads}});
+    for (const growth_row& r : report.curves.growth)
+        result["arithmetic"].push_back({{"numbers", name_of(r.numbers)},
+                                        {"steps", r.steps},
+                                        {"measured_px", r.measured},
+                                        {"theory_px", r.theory}});
+    return result.dump(1) + '\n';
+}
+
+} // namespace
+
+void write_text(const std::string& file, const std::string& text) {
+    std::ofstream out(file, std::ios::binary);
+    out << text;
+    if (!out.flush())
+        throw l3d_error(l3d_exit::failure, "cannot write " + file);
+}
+
+void write_report_files(const std::string& folder, const report_contents& report) {
+    write_text(folder + "/report.md",
+               head(report) + frame_tables(report) + pictures(report) + curves(report.curves));
+    write_text(folder + "/frames.csv", frames_csv(report));
+    write_text(folder + "/curves.csv", curves_csv(report.curves));
+    write_text(folder + "/report.json", json(report));
+}
