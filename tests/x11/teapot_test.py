@@ -170,7 +170,7 @@ def refuses_wrong_values():
     wrong = [
         ("--tolerance", "nan"), ("--tolerance", "-1"), ("--tolerance", "0"), ("--fov", "180"),
         ("--eye", "1,2"), ("--eye", "2e12,0,0"), ("--target", "3.2,3.6,7.4"), ("--up", "0,0,0"),
-        ("--light", "0,0,0"), ("--method", "fd"), ("--method", "magic"), ("--shade", "green"),
+        ("--light", "0,0,0"), ("--method", "fd:x"), ("--method", "afd:3"), ("--method", "magic"), ("--shade", "green"),
         ("--near", "0"), ("--far", "0.05"), ("--threads", "0"), ("--turntable", "1e9"),
     ]
     with folder() as path:
