@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: MIT
 # The build of l3d. Its first lines are the architecture: who may include, call and link whom.
 
-LAYERS        := geom tool_2d raster pipeline system
+LAYERS        := geom tool_2d raster dice pipeline system
 uses_geom     :=
 uses_tool_2d  :=
 uses_raster   := geom tool_2d
-uses_pipeline := geom tool_2d raster
-uses_system   := geom tool_2d raster pipeline
+uses_dice     := geom tool_2d raster
+uses_pipeline := geom tool_2d raster dice
+uses_system   := geom tool_2d raster dice pipeline
 uses_apps     := $(LAYERS) reference
 
 # tests/reference, the exact renderer, is a layer beside them that only these may use, and the
 # programs: a report of errors has no better judge.
 uses_reference       := geom
-tests_with_reference := pipeline reference bench stability
-uses_stability       := geom tool_2d raster pipeline
+tests_with_reference := dice pipeline reference bench stability
+uses_stability       := geom tool_2d raster dice pipeline
 
 # What a layer links from outside.
 links_tool_2d := -lpng -lXext -lX11
@@ -67,6 +68,8 @@ may_use    = $(1) $(uses_$(1)) $(if $(filter $(1),$(tests_with_reference)),refer
 
 $(foreach l,$(LAYERS),$(eval objects_$(l) := $(call objects,$(wildcard lib/$(l)/*.cpp))))
 $(foreach l,$(LAYERS),$(eval objects_tests/$(l) := $(call objects,$(wildcard tests/$(l)/*.cpp))))
+# Scenes and judges of dicing serve the tests of whole frames, too.
+objects_tests/pipeline += $(call objects,$(filter-out %_test.cpp,$(wildcard tests/dice/*.cpp)))
 objects_tests/reference := $(call objects,$(wildcard tests/reference/*_test.cpp))
 objects_reference := $(filter-out $(objects_tests/reference),\
                      $(call objects,$(wildcard tests/reference/*.cpp)))

@@ -4,7 +4,7 @@
 #define L3D_PIPELINE_CAMERA_LEFT_HANDED_H
 
 #include "tool_2d/pixels.h"
-#include "pipeline/camera.h"
+#include "dice/camera.h"
 #include "pipeline/moveable.h"
 
 /// The book's term for a field of view: the distance of a window from the eye over its width, as

@@ -3,7 +3,7 @@
 #ifndef L3D_PIPELINE_FRAME_REPORT_H
 #define L3D_PIPELINE_FRAME_REPORT_H
 
-#include "pipeline/dice_counts.h"
+#include "dice/dice_counts.h"
 #include "raster/surface_rasterizer.h"
 #include "tool_2d/pixels.h"
 

@@ -3,8 +3,8 @@
 #ifndef L3D_PIPELINE_METHOD_AFD_H
 #define L3D_PIPELINE_METHOD_AFD_H
 
-#include "pipeline/frame_dicer.h"
-#include "pipeline/scene_culling.h"
+#include "dice/frame_dicer.h"
+#include "dice/scene_culling.h"
 #include "pipeline/surface_method.h"
 #include "raster/rasterizer_factory.h"
 #include "raster/workers.h"

@@ -3,17 +3,17 @@
 #include "pipeline/method_choice.h"
 
 #include "geom/real.h"
-#include "pipeline/fd_dicer.h"
-#include "pipeline/isocurve_plotter.h"
+#include "dice/fd_dicer.h"
+#include "dice/isocurve_plotter.h"
 #include "pipeline/method_afd.h"
 #include "pipeline/method_mesa.h"
 #include "pipeline/method_mesh.h"
 #include "pipeline/method_points.h"
 #include "pipeline/method_voxels.h"
-#include "pipeline/micropolygon_dicer.h"
-#include "pipeline/scanline_plotter.h"
-#include "pipeline/subdivision_dicer.h"
-#include "pipeline/tessellation_dicer.h"
+#include "dice/micropolygon_dicer.h"
+#include "dice/scanline_plotter.h"
+#include "dice/subdivision_dicer.h"
+#include "dice/tessellation_dicer.h"
 
 #include <algorithm>
 #include <array>
@@ -69,28 +69,6 @@ std::unique_ptr<l3d_surface_method> create_mesh(const l3d_rasterizer_factory& ra
 }
 
 } // namespace
-
-l3d_arithmetic l3d_real_arithmetic() {
-    return std::is_same_v<l3d_real, float>    ? l3d_arithmetic::float_32
-           : std::is_same_v<l3d_real, double> ? l3d_arithmetic::float_64
-                                              : l3d_arithmetic::fixed_32_32;
-}
-
-const char* l3d_name_of(l3d_arithmetic arithmetic) {
-    switch (arithmetic) {
-    case l3d_arithmetic::float_32:
-        return "float";
-    case l3d_arithmetic::float_64:
-        return "double";
-    case l3d_arithmetic::fixed_16_16:
-        return "16.16";
-    case l3d_arithmetic::block_32:
-        return "32-bit block";
-    case l3d_arithmetic::fixed_32_32:
-        return "32.32";
-    }
-    return "";
-}
 
 std::string l3d_method_choice::name() const {
     const method_row& row = row_of(method);

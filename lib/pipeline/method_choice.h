@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_METHOD_CHOICE_H
 #define L3D_PIPELINE_METHOD_CHOICE_H
 
+#include "dice/arithmetic.h"
 #include "pipeline/surface_method.h"
 #include "raster/rasterizer_factory.h"
 #include "raster/workers.h"
@@ -24,20 +25,6 @@ enum class l3d_method {
     voxels,        ///< a cubic frame buffer, looked into by rays
     mesa,          ///< triangles through GL
 };
-
-/// Numbers that forward differences can be walked in.
-enum class l3d_arithmetic {
-    float_32,
-    float_64,
-    fixed_16_16, ///< 32 bits, 16 after the point
-    block_32,    ///< 32 bits, an exponent for each coordinate of a patch
-    fixed_32_32, ///< 64 bits, 32 after the point
-};
-
-/// The arithmetic of l3d_real.
-l3d_arithmetic l3d_real_arithmetic();
-
-const char* l3d_name_of(l3d_arithmetic arithmetic);
 
 /// A method and what it is told.
 struct l3d_method_choice {

@@ -2,8 +2,8 @@
 // l3d_method_patches: culling, and clipping for those who do not clip.
 #include "pipeline/method_patches.h"
 
-#include "pipeline/placed_net.h"
-#include "pipeline/visibility.h"
+#include "dice/placed_net.h"
+#include "dice/visibility.h"
 
 bool l3d_needs_no_clipping(const l3d_image_patch& net, const l3d_dice_view& view) {
     const l3d_depth_range depth = l3d_depth_range_of(net.points);

@@ -3,10 +3,10 @@
 #ifndef L3D_PIPELINE_METHOD_PATCHES_H
 #define L3D_PIPELINE_METHOD_PATCHES_H
 
-#include "pipeline/diced_pieces.h"
-#include "pipeline/edge_polylines.h"
-#include "pipeline/patch_dicer.h"
-#include "pipeline/scene_culling.h"
+#include "dice/diced_pieces.h"
+#include "dice/edge_polylines.h"
+#include "dice/patch_dicer.h"
+#include "dice/scene_culling.h"
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/surface_method.h"
 #include "raster/workers.h"

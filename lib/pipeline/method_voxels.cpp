@@ -4,7 +4,7 @@
 
 #include "geom/forward_difference.h"
 #include "geom/real.h"
-#include "pipeline/normal_columns.h"
+#include "dice/normal_columns.h"
 #include "pipeline/stopwatch_p.h"
 
 #include <algorithm>

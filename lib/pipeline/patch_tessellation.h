@@ -4,7 +4,7 @@
 #define L3D_PIPELINE_PATCH_TESSELLATION_H
 
 #include "geom/polygon_mesh.h"
-#include "pipeline/patch_model.h"
+#include "dice/patch_model.h"
 
 /// Each patch as n by n quads of two triangles, counterclockwise where dS/du x dS/dv points to.
 ///

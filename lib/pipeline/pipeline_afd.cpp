@@ -2,9 +2,9 @@
 // l3d_pipeline_afd: the stages of a frame.
 #include "pipeline/pipeline_afd.h"
 
-#include "pipeline/camera_shading.h"
-#include "pipeline/edge_polyline.h"
-#include "pipeline/placed_net.h"
+#include "dice/camera_shading.h"
+#include "dice/edge_polyline.h"
+#include "dice/placed_net.h"
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/wire_lines_p.h"
 #include "raster/simd_target.h"

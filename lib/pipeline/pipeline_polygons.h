@@ -3,7 +3,7 @@
 #ifndef L3D_PIPELINE_PIPELINE_POLYGONS_H
 #define L3D_PIPELINE_PIPELINE_POLYGONS_H
 
-#include "pipeline/camera.h"
+#include "dice/camera.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/pipeline_2d.h"
 #include "pipeline/polygon_frame.h"

@@ -2,8 +2,8 @@
 // l3d_polygon_frame: place, cull, clip.
 #include "pipeline/polygon_frame.h"
 
-#include "pipeline/near_clip.h"
-#include "pipeline/snap.h"
+#include "dice/near_clip.h"
+#include "dice/snap.h"
 #include "raster/scan_edge_p.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 #ifndef L3D_PIPELINE_POLYGON_FRAME_H
 #define L3D_PIPELINE_POLYGON_FRAME_H
 
-#include "pipeline/dice_view.h"
-#include "pipeline/diced_piece.h"
+#include "dice/dice_view.h"
+#include "dice/diced_piece.h"
 #include "pipeline/polygon_model.h"
 #include "pipeline/polygon_view.h"
 #include "raster/painter.h"

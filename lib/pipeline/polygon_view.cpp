@@ -3,7 +3,7 @@
 #include "pipeline/polygon_view.h"
 
 #include "geom/transform.h"
-#include "pipeline/camera_shading.h"
+#include "dice/camera_shading.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #define L3D_PIPELINE_POLYGON_VIEW_H
 
 #include "geom/matrix.h"
-#include "pipeline/camera.h"
+#include "dice/camera.h"
 #include "raster/surface_rasterizer.h"
 #include "tool_2d/pixels.h"
 

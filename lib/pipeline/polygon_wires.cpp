@@ -2,8 +2,8 @@
 // l3d_polygon_wires: Cohen and Sutherland's clipping in homogeneous coordinates.
 #include "pipeline/polygon_wires.h"
 
-#include "pipeline/dice_view.h"
-#include "pipeline/snap.h"
+#include "dice/dice_view.h"
+#include "dice/snap.h"
 
 #include <array>
 #include <cstddef>

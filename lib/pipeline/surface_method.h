@@ -3,10 +3,10 @@
 #ifndef L3D_PIPELINE_SURFACE_METHOD_H
 #define L3D_PIPELINE_SURFACE_METHOD_H
 
-#include "pipeline/dice_counts.h"
-#include "pipeline/dice_view.h"
+#include "dice/dice_counts.h"
+#include "dice/dice_view.h"
 #include "pipeline/frame_report.h"
-#include "pipeline/patch_scene.h"
+#include "dice/patch_scene.h"
 #include "raster/depth_buffer.h"
 #include "raster/surface_rasterizer.h"
 #include "tool_2d/pixels.h"

@@ -3,7 +3,7 @@
 #include "bench/bench_cell.h"
 
 #include "bench/surface_error.h"
-#include "pipeline/frame_dicer.h"
+#include "dice/frame_dicer.h"
 
 #include <atomic>
 #include <cmath>

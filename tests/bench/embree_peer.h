@@ -4,7 +4,7 @@
 #define L3D_TESTS_BENCH_EMBREE_PEER_H
 
 #include "bench/peer_mesh.h"
-#include "pipeline/camera.h"
+#include "dice/camera.h"
 #include "raster/workers.h"
 #include "tool_2d/image.h"
 

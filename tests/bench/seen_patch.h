@@ -4,8 +4,8 @@
 #define L3D_TESTS_BENCH_SEEN_PATCH_H
 
 #include "geom/step_bound.h"
-#include "pipeline/camera.h"
-#include "pipeline/patch_model.h"
+#include "dice/camera.h"
+#include "dice/patch_model.h"
 
 #include <array>
 #include <vector>

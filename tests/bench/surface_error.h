@@ -4,10 +4,10 @@
 #define L3D_TESTS_BENCH_SURFACE_ERROR_H
 
 #include "geom/step_bound.h"
-#include "pipeline/camera.h"
-#include "pipeline/dice_view.h"
-#include "pipeline/diced_piece.h"
-#include "pipeline/patch_model.h"
+#include "dice/camera.h"
+#include "dice/dice_view.h"
+#include "dice/diced_piece.h"
+#include "dice/patch_model.h"
 
 #include <span>
 

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
 // The methods that adaptive forward differencing is compared with: their bounds hold, and they
 // leave no pixel out between patches.
-#include "certificate.h"
-#include "nasty.h"
-#include "picture.h"
-#include "scene.h"
+#include "dice/certificate.h"
+#include "dice/nasty.h"
+#include "dice/picture.h"
+#include "dice/scene.h"
 
-#include "pipeline/fd_dicer.h"
+#include "dice/fd_dicer.h"
 #include "pipeline/method_patches.h"
-#include "pipeline/micropolygon_dicer.h"
-#include "pipeline/subdivision_dicer.h"
-#include "pipeline/tessellation_dicer.h"
-#include "pipeline/visibility.h"
+#include "dice/micropolygon_dicer.h"
+#include "dice/subdivision_dicer.h"
+#include "dice/tessellation_dicer.h"
+#include "dice/visibility.h"
 #include "reference/random_patches.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
-namespace pipeline_tests {
+namespace dice_tests {
 namespace {
 
 /// A dicer under a name.
@@ -139,4 +139,4 @@ TEST(method_dicer, leaves_no_pixel_out_of_tilings) {
 }
 
 } // namespace
-} // namespace pipeline_tests
+} // namespace dice_tests

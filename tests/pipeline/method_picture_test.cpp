@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whole pictures of every method against the exact one.
-#include "scene.h"
+#include "dice/scene.h"
 
 #include "pipeline/pipeline_afd.h"
 #include "raster/rasterizer_factory_sw.h"
@@ -18,7 +18,7 @@
 #include <optional>
 #include <string>
 
-namespace pipeline_tests {
+namespace dice_tests {
 namespace {
 
 constexpr l3d_size size{233, 171};
@@ -125,4 +125,4 @@ TEST(method_choice, is_read_as_it_is_written) {
 }
 
 } // namespace
-} // namespace pipeline_tests
+} // namespace dice_tests

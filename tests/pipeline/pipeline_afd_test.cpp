@@ -5,12 +5,12 @@
 #include "allocations.h"
 #include "geom/matrix.h"
 #include "geom/teapot.h"
-#include "pipeline/camera_shading.h"
+#include "dice/camera_shading.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "raster/simd_target.h"
 #include "raster/surface_rasterizer_scalar.h"
 #include "reference/views.h"
-#include "scene.h"
+#include "dice/scene.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace pipeline_tests {
+namespace dice_tests {
 namespace {
 
 constexpr l3d_size picture_size{640, 481};
@@ -86,7 +86,7 @@ l3d_afd_settings settings_of(double tolerance, int threads) {
 struct crowd {
     static constexpr int count = 600;
 
-    crowd() : teapot(pipeline_tests::teapot(reference::project_view("full"), picture_size)) {
+    crowd() : teapot(dice_tests::teapot(reference::project_view("full"), picture_size)) {
         std::mt19937_64 random(90125);
         std::uniform_real_distribution<double> unit(-1, 1);
         for (int i = 0; i < count; ++i) {
@@ -246,7 +246,7 @@ TEST(pipeline_afd, draws_what_the_slow_twins_draw) {
         rasterizer.begin(
             {slow.data(), s.size.width, s.size.height, s.size.width}, &depth,
             l3d_camera_shading(s.camera, s.size, l3d_shade::lambert, {light.x, light.y, light.z}));
-        scene_dicer<pipeline_tests::slow<l3d_real>>().dice(
+        scene_dicer<dice_tests::slow<l3d_real>>().dice(
             s, 0.25, [&](std::size_t, diced pieces, double) {
                 std::vector<const l3d_surface_part*> parts;
                 for (const l3d_diced_piece& piece : pieces)
@@ -342,4 +342,4 @@ TEST(pipeline_afd, allocates_nothing_on_its_second_turn_round_the_model) {
 }
 
 } // namespace
-} // namespace pipeline_tests
+} // namespace dice_tests

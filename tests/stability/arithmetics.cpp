@@ -2,11 +2,11 @@
 // Frames in every number type.
 #include "arithmetics.h"
 
-#include "pipeline/camera_shading.h"
-#include "pipeline/frame_dicer.h"
-#include "pipeline/image_transform.h"
+#include "dice/camera_shading.h"
+#include "dice/frame_dicer.h"
+#include "dice/image_transform.h"
 #include "pipeline/pipeline_afd.h"
-#include "pipeline/scene_culling.h"
+#include "dice/scene_culling.h"
 #include "processor_time.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "raster/surface_rasterizer_sw.h"

@@ -5,10 +5,10 @@
 
 #include "cases.h"
 
-#include "pipeline/camera.h"
-#include "pipeline/dice_counts.h"
-#include "pipeline/diced_piece.h"
-#include "pipeline/patch_model.h"
+#include "dice/camera.h"
+#include "dice/dice_counts.h"
+#include "dice/diced_piece.h"
+#include "dice/patch_model.h"
 
 #include <cstdint>
 #include <functional>

@@ -2,7 +2,7 @@
 // Judging drawn points and pictures.
 #include "judge.h"
 
-#include "../pipeline/drawn_points.h"
+#include "dice/drawn_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +67,7 @@ public:
         std::size_t polygons = 0;
         for (const l3d_diced_piece& piece : pieces)
             polygons += quads_of(piece) + piece.part.triangles.count;
-        const pipeline_tests::drawn_points some(size_, 1 + polygons / of_.how_.most_polygons);
+        const dice_tests::drawn_points some(size_, 1 + polygons / of_.how_.most_polygons);
         for (const l3d_diced_piece& piece : pieces) {
             some.of_grid(piece, [&](const auto& at) { look(at, piece.bound); });
             some.of_triangles(piece, [&](const auto& at) { look(at, frame_bound); });
@@ -82,7 +82,7 @@ public:
 
 private:
     struct candidate {
-        pipeline_tests::drawn_point at;
+        dice_tests::drawn_point at;
         double bound, about;
     };
 
@@ -96,7 +96,7 @@ private:
     static bool worse(const candidate& a, const candidate& b) { return a.about > b.about; }
 
     /// Keeps the points with the largest ratios, as 64 bits see them.
-    void look(const pipeline_tests::drawn_point& at, double bound) {
+    void look(const dice_tests::drawn_point& at, double bound) {
         ++points;
         double about = surface_->about(at.x, at.y, at.u, at.v) / bound;
         if (!(about <= std::numeric_limits<double>::max()))

@@ -3,7 +3,7 @@
 #include "table.h"
 
 #include "geom/real.h"
-#include "pipeline/patch_dicer.h"
+#include "dice/patch_dicer.h"
 #include "raster/simd_target.h"
 
 #include <chrono>

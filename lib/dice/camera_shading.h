@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Shading as a camera sees it.
+#ifndef L3D_DICE_CAMERA_SHADING_H
+#define L3D_DICE_CAMERA_SHADING_H
+
+#include "dice/camera.h"
+#include "raster/surface_rasterizer.h"
+
+/// What a surface rasterizer needs to know of the camera and the light for one frame.
+///
+/// Units:   `light` points towards the light, world space, any length but 0.
+/// Expects: camera.is_valid().
+l3d_shading l3d_camera_shading(const l3d_camera& camera, l3d_size size, l3d_shade mode,
+                               const l3d_camera::vector& light);
+
+#endif

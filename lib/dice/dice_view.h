@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// l3d_dice_view: what dicing has to know of the picture.
+#ifndef L3D_DICE_DICE_VIEW_H
+#define L3D_DICE_DICE_VIEW_H
+
+#include "geom/step_bound.h"
+#include "raster/micro_grid.h"
+#include "tool_2d/pixels.h"
+
+#include <algorithm>
+#include <limits>
+
+/// Whether a net is small: those smaller than 24 pixels in both directions are not divided into
+/// strips for the bound. A quarter of that is a few quads, and strips would cost more than they
+/// save.
+inline bool l3d_is_small(const l3d_image_box& hull) {
+    return hull.width() < 24 && hull.height() < 24;
+}
+
+/// The picture and the accuracy asked for; constant for a frame.
+///
+/// Units: pixels from the picture's centre; near, far and depths in the image transform's scaled w.
+struct l3d_dice_view {
+    l3d_size size;
+    double near = 0, far = std::numeric_limits<double>::infinity();
+    double tolerance = 0.25;
+    double depth_scale = 1; ///< scaled w / distance along the view axis
+    double error_xy = 0;    ///< of a transformed control point
+    double error_w = 0;
+    bool keep_all = false; ///< leave nothing out that could be left out
+
+    /// What the chord error may be where rounding of vertices already takes `vertex_error`. Where
+    /// that is most of the tolerance, a quarter is left, and the bound says that it is exceeded;
+    /// but never less than a 16th of a sub-pixel, which moves hardly any vertex.
+    double chord_budget(double vertex_error) const {
+        constexpr double finest = 1.0 / (16 * l3d_subpixel_one);
+        return std::max({tolerance - vertex_error, tolerance / 4, finest});
+    }
+
+    /// What walking may add to a vertex' error, else it is evaluated. Slits along edges, which get
+    /// half their budget for balanced chords, may be off by 1 / (16 l3d_balance) = 0.73 of it; with
+    /// an eighth for walking, that is within the tolerance while all else takes less than a half.
+    double walk_allowance() const { return tolerance / 8; }
+
+    /// The least exact w where something is drawn of a net whose least w is `least`: steps are
+    /// chosen so that where a chord is in front of the near plane, the exact w is over half of it.
+    double drawn_w(double least) const { return std::max(least, near / 2); }
+
+    /// How much w of a chord may differ from the exact w: an eighth in front of the near plane
+    /// (l3d_vertex_accuracy counts on it), else what drawn_w allows.
+    double depth_budget(double least) const { return least > near ? least / 8 : near / 2; }
+
+    /// What is drawn of a net whose exact points are in `hull`: balanced vertices (l3d_balance), of
+    /// nets that are not small, may lie the tolerance beside it.
+    l3d_image_box drawn_box(const l3d_image_box& hull) const {
+        return l3d_is_small(hull) ? hull : hull.grown(tolerance);
+    }
+
+    l3d_image_box window() const {
+        return {-size.width / 2.0, -size.height / 2.0, size.width / 2.0, size.height / 2.0};
+    }
+
+    /// The window and a pixel and the tolerance around it: what is outside this touches no pixel
+    /// centre, whatever the snapping to sub-pixels and wherever balanced vertices lie.
+    l3d_image_box margin() const { return window().grown(1 + tolerance); }
+
+    /// Position of the picture's centre in 1/256 pixel; a half pixel is 128, so this is exact.
+    std::int32_t centre_x() const { return size.width * (l3d_subpixel_one / 2); }
+    std::int32_t centre_y() const { return size.height * (l3d_subpixel_one / 2); }
+};
+
+/// Farthest a vertex may lie from the picture's centre. Beyond, surfaces are clipped.
+/// 2^14 pixels are 2^22 sub-pixels: exact in a float, and half the rasterizer's range, so that
+/// the picture's centre (at most 2^13 pixels from its corner) still fits.
+inline constexpr double l3d_guard_band = 16384;
+
+/// Steps per strip above which a piece or an edge is cut: the bound of halves is tighter, and 32
+/// steps keep round-off of a strip small in every number type.
+inline constexpr int l3d_most_steps_whole = 32;
+
+#endif

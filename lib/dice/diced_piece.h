@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// l3d_diced_piece: a piece of a patch as the rasterizer takes it, and what is known of it.
+#ifndef L3D_DICE_DICED_PIECE_H
+#define L3D_DICE_DICED_PIECE_H
+
+#include "raster/surface_part.h"
+
+#include <array>
+#include <vector>
+
+/// A vertex with the patch parameters whose exact point it stands for.
+struct l3d_dice_vertex {
+    l3d_micro_vertex vertex;
+    double u = 0, v = 0;
+};
+
+/// A grid and the triangles around it. Vertex (r, c) of the grid stands for the exact surface
+/// point at (u[c], v[r]), corner k of triangle i for the one at triangle_uv[k][i].
+///
+/// Lives: kept from frame to frame for its memory.
+struct l3d_diced_piece {
+    struct parameters {
+        double u, v;
+    };
+
+    l3d_surface_part part;
+    std::vector<double> u, v;
+    double bound = 0; ///< certified image error of the grid, in pixels; triangles have the frame's
+
+    /// Only written if asked for, by whoever measures.
+    bool keep_parameters = false;
+    std::array<std::vector<parameters>, 3> triangle_uv;
+
+    /// Neither grid nor triangles; keeps the memory.
+    void clear() {
+        part.grid.rows = part.grid.columns = 0;
+        part.triangles.clear();
+        u.clear();
+        v.clear();
+        bound = 0;
+        for (auto& corner : triangle_uv)
+            corner.clear();
+    }
+
+    void add_triangle(const l3d_dice_vertex& a, const l3d_dice_vertex& b,
+                      const l3d_dice_vertex& c) {
+        part.triangles.add(a.vertex, b.vertex, c.vertex);
+        if (!keep_parameters)
+            return;
+        triangle_uv[0].push_back({a.u, a.v});
+        triangle_uv[1].push_back({b.u, b.v});
+        triangle_uv[2].push_back({c.u, c.v});
+    }
+};
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What rounding and snapping of vertices add to the error of everything drawn between them.
+#ifndef L3D_DICE_DRAWN_ERROR_H
+#define L3D_DICE_DRAWN_ERROR_H
+
+#include "geom/real.h"
+#include "geom/step_bound.h"
+#include "dice/snap.h"
+
+#include <limits>
+
+/// Error of the evaluation of points of control nets in double, for coordinates up to `largest`,
+/// in which 16 operations follow one another. (Halvings are part of the image transform's error.)
+inline double l3d_evaluation_error(double largest) {
+    return 16 * l3d_real_traits<double>::unit_roundoff * largest;
+}
+
+/// The same of a curve's points by Horner's scheme, from power coefficients that are differences of
+/// its control points. In units of u * largest, first to third differences are at most 2, 4, 8 and
+/// off by 2, 8, 24; the coefficients at most 6, 12, 8, off by 12, 36, 24. Horner's products and
+/// sums are at most 8, 20, 20, 26, 26, 1 and rounded each; t is rounded, too, along which the curve
+/// changes by at most 6: 179 in all. Balance (l3d_balance / 4 at most of the second derivative, of
+/// values up to 72 that are off by 216 and rounded three times) adds 11.
+inline double l3d_power_form_error(double largest) {
+    return 190 * l3d_real_traits<double>::unit_roundoff * largest;
+}
+
+/// How exact a piece's vertices are, and where they lie.
+///
+/// Units: x, y, w those of homogeneous points; pixels from the picture's centre.
+struct l3d_vertex_accuracy {
+    double error_xy = 0, error_w = 0; ///< of homogeneous coordinates, before the division
+    double w_low = 0;                 ///< least w of the exact surface where something is drawn
+    double seen_reach = 0;            ///< of the part that is seen
+    double reach = 0;                 ///< of the vertices, which may lie far outside the window
+    double snap_error = 0;            ///< of a vertex, in pixels
+
+    /// Largest w of a chord in terms of the exact w at the same parameters. Steps are chosen so
+    /// that w is off by at most an eighth in front of the near plane; another eighth is for the
+    /// drawn point's lying off the box in which the chord error was bounded. Near the near plane
+    /// the exact w is at least half of the interpolated one.
+    static constexpr double in_front = 1.25, crossing = 2;
+
+    /// The image error that comes on top of the chord error, for points drawn inside the window.
+    ///
+    /// Let corner i have homogeneous errors e_i, be drawn off its place X_i by d_i, with its
+    /// 1 / w off by the factor 1 + r_i; b_i be its weight at the drawn point X0. To first order
+    ///     S / w - X0 = chord + sum b_i (e_i.xy - X0 e_i.w) / w
+    ///                + sum b_i w_i / w (d_i + r_i (X_i - X0)),
+    /// where only X0, not X_i, meets the errors of w, and sum b_i w_i / w is `w_ratio`.
+    /// 1 / w is rounded to a float, at most 2^-24 of it, and once more by its own division.
+    double drawn_error(double w_ratio) const {
+        constexpr double root_two = 1.4142135623730951, reciprocal = 0x1p-23;
+        if (!(error_w < w_low / 4))
+            return std::numeric_limits<double>::infinity();
+        return l3d_vertex_error(error_xy, error_w, seen_reach, w_low) +
+               w_ratio * (snap_error + reciprocal * root_two * (reach + seen_reach));
+    }
+};
+
+#endif

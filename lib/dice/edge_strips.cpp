@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: MIT
+// Edges in lanes: bounds and steps of all strips side by side, then the points of each.
+#include "dice/edge_strips_p.h"
+
+#include "geom/bezier_curve.h"
+#include "dice/drawn_error.h"
+#include "dice/near_clip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "dice/edge_strips.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "raster/simd_dispatch_p.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr std::size_t most_strips = l3d_block_starts::most_blocks;
+constexpr std::size_t lanes = edges_at_once * most_strips;
+
+/// One number per strip: strip s of edge e is lane 4 s + e.
+struct alignas(64) row {
+    double at[lanes];
+};
+
+/// The four control values in one coordinate; or the four coefficients of powers of t.
+using cubic = std::array<row, 4>;
+
+/// The halves of curves, as l3d_bezier_curve::split makes them.
+void split(const cubic& p, cubic& HWY_RESTRICT low, cubic& HWY_RESTRICT high) {
+    for (std::size_t l = 0; l < lanes; ++l) {
+        const double a = (p[0].at[l] + p[1].at[l]) / 2, b = (p[1].at[l] + p[2].at[l]) / 2,
+                     c = (p[2].at[l] + p[3].at[l]) / 2;
+        const double ab = (a + b) / 2, bc = (b + c) / 2;
+        const double middle = (ab + bc) / 2;
+        low[0].at[l] = p[0].at[l];
+        low[1].at[l] = a;
+        low[2].at[l] = ab;
+        low[3].at[l] = middle;
+        high[0].at[l] = middle;
+        high[1].at[l] = bc;
+        high[2].at[l] = c;
+        high[3].at[l] = p[3].at[l];
+    }
+}
+
+/// The strips' control points: [coordinate][control point].
+using strip_nets = std::array<cubic, 3>;
+
+/// `edges` has coordinate k of edge e in lane 4 k + e, a whole edge each.
+void cut_in_four(const cubic& edges, strip_nets& out) {
+    std::array<cubic, 2> halves;
+    std::array<cubic, most_strips> strips;
+    split(edges, halves[0], halves[1]);
+    split(halves[0], strips[0], strips[1]);
+    split(halves[1], strips[2], strips[3]);
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t s = 0; s < most_strips; ++s)
+                for (std::size_t e = 0; e < edges_at_once; ++e)
+                    out[k][i].at[4 * s + e] = strips[s][i].at[4 * k + e];
+}
+
+template <class V> V length(V x, V y) {
+    return hn::Sqrt(hn::Add(hn::Mul(x, x), hn::Mul(y, y)));
+}
+template <class V> V greatest_of(V a, V b, V c, V d) {
+    return hn::Max(hn::Max(a, b), hn::Max(c, d));
+}
+template <class V> V least_of(V a, V b, V c, V d) {
+    return hn::Min(hn::Min(a, b), hn::Min(c, d));
+}
+
+/// What differs from strip to strip when steps are planned.
+struct strip_wishes {
+    /// 1 / (4 budget): half the budget, as each direction of a quad gets; then an edge and the
+    /// boundary row of a patch mostly have the same steps, and the slit between them is empty.
+    row per_budget;
+    /// What balance makes of squared steps: 8 l3d_balance, or 1 where there is none.
+    row balance;
+    row grown_by; ///< how far balance can move vertices
+};
+
+/// Steps and chord errors of all strips; see l3d_second_bound_of and l3d_depth_bound_of. The errors
+/// are those of chords that are not balanced, as slits may be.
+void plan_strips(const strip_nets& nets, const l3d_image_box& window, const strip_wishes& wishes,
+                 row& steps, row& chord_error) {
+    const hn::CappedTag<double, lanes> d;
+    using vec = hn::Vec<decltype(d)>;
+    const vec zero = hn::Zero(d), one = hn::Set(d, 1), two = hn::Set(d, 2), six = hn::Set(d, 6),
+              half = hn::Set(d, 0.5);
+    for (std::size_t l = 0; l < lanes; l += hn::Lanes(d)) {
+        const auto at = [&](int k, std::size_t i) {
+            return hn::Load(d, &nets[static_cast<std::size_t>(k)][i].at[l]);
+        };
+        vec over_w[4], x[4], y[4];
+        for (std::size_t i = 0; i < 4; ++i) {
+            over_w[i] = hn::Div(one, at(2, i));
+            x[i] = hn::Mul(at(0, i), over_w[i]);
+            y[i] = hn::Mul(at(1, i), over_w[i]);
+        }
+        const vec grown_by = hn::Load(d, &wishes.grown_by.at[l]);
+        const auto least = [&](const vec(&v)[4], double limit) {
+            return hn::Max(hn::Set(d, limit), hn::Sub(least_of(v[0], v[1], v[2], v[3]), grown_by));
+        };
+        const auto greatest = [&](const vec(&v)[4], double limit) {
+            return hn::Min(hn::Set(d, limit),
+                           hn::Add(greatest_of(v[0], v[1], v[2], v[3]), grown_by));
+        };
+        const vec left = least(x, window.left), right = greatest(x, window.right);
+        const vec top = least(y, window.top), bottom = greatest(y, window.bottom);
+        const vec width = hn::Sub(right, left), height = hn::Sub(bottom, top);
+        const auto visible = hn::And(hn::Ge(width, zero), hn::Ge(height, zero));
+        const vec centre_x = hn::Mul(hn::Add(left, right), half);
+        const vec centre_y = hn::Mul(hn::Add(top, bottom), half);
+        const vec radius = hn::Mul(length(width, height), half);
+
+        vec bound = zero, depth_bound = zero;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto second = [&](int k) {
+                return hn::Add(hn::Sub(at(k, i), hn::Mul(two, at(k, i + 1))), at(k, i + 2));
+            };
+            const vec dw = second(2);
+            const vec dx = hn::Sub(second(0), hn::Mul(centre_x, dw));
+            const vec dy = hn::Sub(second(1), hn::Mul(centre_y, dw));
+            const vec change = hn::Abs(dw);
+            bound = hn::Max(bound, hn::Add(length(dx, dy), hn::Mul(radius, change)));
+            depth_bound = hn::Max(depth_bound, change);
+        }
+        const vec six_over_w =
+            hn::Mul(six, greatest_of(over_w[0], over_w[1], over_w[2], over_w[3]));
+        bound = hn::Mul(bound, six_over_w);
+        // More than 32 steps are too many, however many.
+        const vec most = hn::Set(d, 4.0 * l3d_most_steps_whole * l3d_most_steps_whole);
+        const vec in_image = hn::Min(hn::Mul(bound, hn::Load(d, &wishes.per_budget.at[l])), most);
+        const vec balanced = hn::Mul(in_image, hn::Load(d, &wishes.balance.at[l]));
+        // w may be off by an eighth, l3d_dice_view::depth_budget.
+        const vec in_depth = hn::Min(hn::Mul(depth_bound, six_over_w), most);
+        const vec wanted = hn::Ceil(hn::Sqrt(hn::Max(balanced, in_depth)));
+        const vec least_steps = hn::IfThenElse(hn::Le(in_image, one), one, two);
+        const vec n = hn::IfThenElse(visible, hn::Max(least_steps, wanted), one);
+        const vec error = hn::Div(bound, hn::Mul(hn::Set(d, 8), hn::Mul(n, n)));
+        hn::Store(n, d, &steps.at[l]);
+        hn::Store(hn::IfThenElseZero(visible, error), d, &chord_error.at[l]);
+    }
+}
+
+/// p(t) = c0 + t (c1 + t (c2 + t c3)).
+void to_powers(const cubic& p, cubic& HWY_RESTRICT c) {
+    for (std::size_t l = 0; l < lanes; ++l) {
+        double a0 = p[0].at[l], a1 = p[1].at[l], a2 = p[2].at[l], a3 = p[3].at[l];
+        l3d_to_powers(a0, a1, a2, a3);
+        c[0].at[l] = a0;
+        c[1].at[l] = a1;
+        c[2].at[l] = a2;
+        c[3].at[l] = a3;
+    }
+}
+
+/// Writes points and goes on behind them.
+class point_writer {
+public:
+    point_writer(const l3d_dice_view& view, const edge_strips& out)
+        : centre_x_(view.centre_x()), centre_y_(view.centre_y()),
+          depth_scale_(static_cast<float>(view.depth_scale)), t_(out.t), x_(out.x), y_(out.y),
+          inv_w_(out.inv_w) {}
+
+    /// Points i = 0 .. n - 1 of n steps of a strip, or in the opposite order; t = t_first + i
+    /// t_step along the edge as it was given. All but point 0 are moved by `balance` times the
+    /// second derivative.
+    void strip(const strip_nets& powers, std::size_t lane, int n, double balance, bool backwards,
+               double t_first, double t_step) {
+        const hn::ScalableTag<double> d;
+        const hn::Rebind<std::int32_t, decltype(d)> di;
+        const hn::Rebind<float, decltype(d)> df;
+        const auto last = hn::Set(d, n - 1), steps = hn::Set(d, n);
+        const auto first = hn::Set(d, backwards ? n - 1 : 0);
+        const auto direction = hn::Set(d, backwards ? -1 : 1), one = hn::Set(d, 1);
+        const auto count = static_cast<std::size_t>(n);
+        for (std::size_t at = 0; at < count; at += hn::Lanes(d)) {
+            // Lanes beyond the last point repeat it.
+            const auto rising = hn::Min(hn::Iota(d, static_cast<double>(at)), last);
+            const auto i = hn::Add(first, hn::Mul(rising, direction));
+            const auto t = hn::Div(i, steps);
+            const auto moved = hn::IfThenElseZero(hn::Gt(i, hn::Zero(d)), hn::Set(d, balance));
+            const auto w = hn::Div(one, value(d, powers[2], lane, t, moved));
+            const auto x = hn::Mul(value(d, powers[0], lane, t, moved), w);
+            const auto y = hn::Mul(value(d, powers[1], lane, t, moved), w);
+            hn::StoreU(hn::Add(hn::Set(d, t_first), hn::Mul(i, hn::Set(d, t_step))), d, t_ + at);
+            hn::StoreU(hn::Add(snapped(d, di, x), hn::Set(di, centre_x_)), di, x_ + at);
+            hn::StoreU(hn::Add(snapped(d, di, y), hn::Set(di, centre_y_)), di, y_ + at);
+            hn::StoreU(hn::Mul(hn::DemoteTo(df, w), hn::Set(df, depth_scale_)), df, inv_w_ + at);
+        }
+        advance(n);
+    }
+
+    /// An end of the edge, a corner of its patches.
+    void corner(const l3d_image_point& h, double t, const l3d_dice_view& view) {
+        const l3d_micro_vertex vertex = l3d_canonical_vertex(h, view).dice.vertex;
+        *t_ = t;
+        *x_ = vertex.x;
+        *y_ = vertex.y;
+        *inv_w_ = vertex.inv_w;
+        advance(1);
+    }
+
+private:
+    /// The cubic, less `moved` times its second derivative.
+    template <class D>
+    static hn::Vec<D> value(D d, const cubic& c, std::size_t lane, hn::Vec<D> t, hn::Vec<D> moved) {
+        auto sum = hn::Set(d, c[3].at[lane]);
+        for (std::size_t power = 3; power-- > 0;)
+            sum = hn::Add(hn::Mul(sum, t), hn::Set(d, c[power].at[lane]));
+        const auto second =
+            hn::Add(hn::Mul(hn::Set(d, 6 * c[3].at[lane]), t), hn::Set(d, 2 * c[2].at[lane]));
+        return hn::Sub(sum, hn::Mul(moved, second));
+    }
+
+    /// To sub-pixels as l3d_snap does: to nearest, ties away from zero.
+    template <class D, class I> static hn::Vec<I> snapped(D d, I di, hn::Vec<D> pixels) {
+        const auto scaled = hn::Mul(pixels, hn::Set(d, double{l3d_subpixel_one}));
+        const auto half = hn::CopySign(hn::Set(d, 0.5), scaled);
+        return hn::DemoteTo(di, hn::Add(scaled, half));
+    }
+
+    void advance(int by) {
+        t_ += by;
+        x_ += by;
+        y_ += by;
+        inv_w_ += by;
+    }
+
+    std::int32_t centre_x_, centre_y_;
+    float depth_scale_;
+    double* t_;
+    std::int32_t *x_, *y_;
+    float* inv_w_;
+};
+
+/// What is found out of a whole edge before its strips.
+struct edge_view {
+    bool drawable = false, one_strip = false, backwards = false;
+    double vertex_error = 0;
+};
+
+/// Whether a point can be drawn, and is by more than rounding of its neighbours can take.
+bool safely_drawable(const l3d_image_point& h, const l3d_dice_view& view) {
+    constexpr double slack = 0x1p-30;
+    const double reach = l3d_guard_band * (1 - slack) * h[2];
+    return h[2] > view.near * (1 + slack) && h[2] < view.far * (1 - slack) &&
+           std::abs(h[0]) <= reach && std::abs(h[1]) <= reach;
+}
+
+edge_view view_edge(const l3d_image_curve& edge, const l3d_dice_view& view) {
+    edge_view result;
+    result.drawable = true;
+    for (const l3d_image_point& p : edge.points)
+        result.drawable = result.drawable && safely_drawable(p, view);
+    if (!result.drawable)
+        return result;
+    result.backwards = runs_backwards(edge);
+    const l3d_image_box whole = l3d_image_box_of(edge.points);
+    const l3d_image_box seen = whole.intersected(view.margin());
+    result.one_strip = seen.empty() || l3d_is_small(whole);
+    if (seen.empty())
+        return result;
+    double largest_xy = 0, largest_w = 0, least_w = edge.points[0][2];
+    for (const l3d_image_point& p : edge.points) {
+        largest_xy = std::max({largest_xy, std::abs(p[0]), std::abs(p[1])});
+        largest_w = std::max(largest_w, p[2]);
+        least_w = std::min(least_w, p[2]);
+    }
+    l3d_vertex_accuracy accuracy;
+    accuracy.error_xy = view.error_xy + l3d_power_form_error(largest_xy);
+    accuracy.error_w = view.error_w + l3d_power_form_error(largest_w);
+    accuracy.w_low = least_w;
+    accuracy.seen_reach = seen.reach();
+    accuracy.reach = whole.reach();
+    accuracy.snap_error = l3d_snap_error<double>(accuracy.reach);
+    result.vertex_error = accuracy.drawn_error(l3d_vertex_accuracy::in_front);
+    return result;
+}
+
+} // namespace
+
+void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
+                      const l3d_dice_view& view, std::array<edge_strips, edges_at_once>& results) {
+    std::array<edge_view, edges_at_once> seen;
+    cubic whole{};
+    strip_wishes wishes;
+    for (std::size_t e = 0; e < edges_at_once; ++e) {
+        seen[e] = view_edge(edges[e], view);
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                whole[i].at[4 * k + e] =
+                    edges[e].points[seen[e].backwards ? 3 - i : i][static_cast<int>(k)];
+        for (std::size_t s = 0; s < most_strips; ++s) {
+            wishes.per_budget.at[4 * s + e] = 1 / (4 * view.chord_budget(seen[e].vertex_error));
+            wishes.balance.at[4 * s + e] = seen[e].one_strip ? 1 : 8 * l3d_balance;
+            wishes.grown_by.at[4 * s + e] = seen[e].one_strip ? 0 : view.tolerance;
+        }
+    }
+    strip_nets nets;
+    cut_in_four(whole, nets);
+    for (std::size_t e = 0; e < edges_at_once; ++e)
+        if (seen[e].one_strip)
+            for (std::size_t k = 0; k < 3; ++k)
+                for (std::size_t i = 0; i < 4; ++i)
+                    nets[k][i].at[e] = whole[i].at[4 * k + e];
+    row steps, chord_error;
+    plan_strips(nets, view.margin(), wishes, steps, chord_error);
+    strip_nets powers;
+    for (std::size_t k = 0; k < 3; ++k)
+        to_powers(nets[k], powers[k]);
+
+    for (std::size_t e = 0; e < edges_at_once; ++e) {
+        edge_strips& out = results[e];
+        out.strips = {0, {}};
+        if (!seen[e].drawable)
+            continue;
+        const std::size_t strips = seen[e].one_strip ? 1 : most_strips;
+        const bool backwards = seen[e].backwards;
+        std::array<int, most_strips> n{};
+        int most = 0;
+        out.chord_error = 0;
+        for (std::size_t s = 0; s < strips; ++s) {
+            const std::size_t lane = 4 * s + e;
+            n[s] = static_cast<int>(steps.at[lane]);
+            most = std::max(most, n[s]);
+            out.chord_error = std::max(out.chord_error, chord_error.at[lane]);
+        }
+        if (most > l3d_most_steps_whole)
+            continue;
+        out.vertex_error = seen[e].vertex_error;
+        out.strips.blocks = static_cast<int>(strips);
+        point_writer writer(view, out);
+        if (backwards)
+            writer.corner(edges[e].points[0], 0, view);
+        for (std::size_t s = 0; s < strips; ++s) {
+            const std::size_t of = backwards ? strips - 1 - s : s;
+            const double t_start = static_cast<double>(of) / static_cast<double>(strips);
+            const double t_step = 1.0 / (static_cast<double>(strips) * n[of]);
+            const double balance = strips > 1 && n[of] > 1 ? l3d_balanced_error(n[of]) : 0.0;
+            writer.strip(powers, 4 * of + e, n[of], balance, backwards,
+                         backwards ? 1 - t_start : t_start, backwards ? -t_step : t_step);
+            out.strips.first[s + 1] = out.strips.first[s] + n[of];
+        }
+        if (!backwards)
+            writer.corner(edges[e].points[3], 1, view);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace l3d_detail {
+
+L3D_SIMD_TABLE(make_edge_strips);
+
+void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
+                      const l3d_dice_view& view, std::array<edge_strips, edges_at_once>& results) {
+    L3D_SIMD_CALL(make_edge_strips)(edges, view, results);
+}
+
+} // namespace l3d_detail
+#endif

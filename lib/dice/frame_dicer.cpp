@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// l3d_frame_dicer: a slot for each patch, a work space for each worker.
+#include "dice/frame_dicer.h"
+
+#include "dice/placed_net.h"
+#include "dice/visibility.h"
+
+#include <algorithm>
+
+namespace {
+
+/// Green where the bound is small, over yellow, to red where it is all of the tolerance.
+std::uint32_t error_color(double bound, double tolerance) {
+    const double part = std::clamp(bound / tolerance, 0.0, 1.0);
+    const auto red = static_cast<std::uint32_t>(255 * std::min(1.0, 2 * part));
+    const auto green = static_cast<std::uint32_t>(255 * std::min(1.0, 2 - 2 * part));
+    return red << 16 | green << 8;
+}
+
+} // namespace
+
+template <class T> void l3d_frame_dicer<T>::begin(const l3d_dice_view& view) {
+    view_ = view;
+    counts_ = {};
+}
+
+template <class T>
+std::span<const l3d_surface_part* const>
+l3d_frame_dicer<T>::dice(const l3d_patch_scene& scene, const l3d_scene_culling& culling,
+                         std::span<const l3d_placed_patch> batch) {
+    while (slots_.size() < batch.size())
+        slots_.push_back(keep_parameters_ ? l3d_diced_pieces::with_parameters()
+                                          : l3d_diced_pieces());
+    for (worker_space& space : each_worker_)
+        space.counts = {};
+    workers_.for_each(static_cast<int>(batch.size()), [&](int item, int worker) {
+        const auto i = static_cast<std::size_t>(item);
+        const l3d_placed_patch& p = batch[i];
+        const l3d_patch_instance& instance = scene.instances()[p.instance];
+        const l3d_normal_net& normals = instance.model().normals(p.patch);
+        const l3d_image_patch net =
+            l3d_placed_net(culling.matrix(p), instance.model().patches()[p.patch]);
+        worker_space& space = each_worker_[static_cast<std::size_t>(worker)];
+        slots_[i].clear();
+        if (!view_.keep_all && l3d_left_out(net, view_, space.counts))
+            return;
+        if (instance.turns_normals())
+            dice_patch(net, normals.turned(instance.normal_matrix()), slots_[i], space);
+        else
+            dice_patch(net, normals, slots_[i], space);
+    });
+    parts_.clear();
+    for (const l3d_diced_pieces& slot : std::span(slots_).first(batch.size()))
+        for (const l3d_diced_piece& piece : slot.used())
+            parts_.push_back(&piece.part);
+    for (const worker_space& space : each_worker_)
+        counts_.add(space.counts);
+    share_memory_sizes();
+    return parts_;
+}
+
+/// Which worker meets a patch is chance, so each is prepared for all that any has met.
+template <class T> void l3d_frame_dicer<T>::share_memory_sizes() {
+    worker_space& first = each_worker_.front();
+    for (const worker_space& space : each_worker_)
+        first.reserve_as(space);
+    for (worker_space& space : each_worker_)
+        space.reserve_as(first);
+}
+
+template <class T>
+void l3d_frame_dicer<T>::dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals,
+                                    l3d_diced_pieces& out, worker_space& space) const {
+    space.edges.build(net, view_);
+    const bool diced =
+        way_ == l3d_dice_way::lanes &&
+        space.lanes.dice(net, normals, view_, space.edges.outer(), out.next(), space.counts);
+    if (!diced) {
+        if (way_ == l3d_dice_way::lanes)
+            out.give_back();
+        space.general.dice(net, normals, view_, space.edges, out, space.counts);
+    }
+    for (l3d_diced_piece& piece : out.used())
+        piece.part.error_color = error_color(piece.bound, view_.tolerance);
+}
+
+template class l3d_frame_dicer<float>;
+template class l3d_frame_dicer<double>;
+template class l3d_frame_dicer<l3d_fixed<std::int64_t, 32>>;

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// l3d_frame_dicer: dices many patches on all workers.
+#ifndef L3D_DICE_FRAME_DICER_H
+#define L3D_DICE_FRAME_DICER_H
+
+#include "dice/dice_counts.h"
+#include "dice/dice_view.h"
+#include "dice/diced_pieces.h"
+#include "dice/edge_polylines.h"
+#include "dice/lane_dicer.h"
+#include "dice/patch_dicer.h"
+#include "dice/scene_culling.h"
+#include "raster/workers.h"
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+/// Which dicer takes the patches that both can dice.
+enum class l3d_dice_way {
+    lanes,  ///< the SIMD dicer; the general one takes what is left
+    general ///< the general one, the slow twin, takes all
+};
+
+/// Turns batches of placed patches into parts for the rasterizer.
+///
+/// What is made of a patch depends on the patch and the view alone, and parts come in the order of
+/// their patches: so nothing depends on the workers.
+/// Lives: borrows the workers. Parts live until the next batch.
+/// Cost:  no allocation in a frame of patches and batches that was drawn before. Else, a worker
+///        allocates for a patch that is larger than any of the frame's other workers had, a slot
+///        (the i-th place of a batch) for one that is larger than any it held.
+template <class T> class l3d_frame_dicer {
+public:
+    explicit l3d_frame_dicer(l3d_workers& workers, l3d_dice_way way = l3d_dice_way::lanes,
+                             bool keep_parameters = false)
+        : workers_(workers), way_(way), keep_parameters_(keep_parameters),
+          each_worker_(static_cast<std::size_t>(workers.count())) {}
+
+    /// Starts a frame. Expects: tolerance > 0, near > 0.
+    void begin(const l3d_dice_view& view);
+
+    /// Expects: batch is of this scene and culling.
+    std::span<const l3d_surface_part* const> dice(const l3d_patch_scene& scene,
+                                                  const l3d_scene_culling& culling,
+                                                  std::span<const l3d_placed_patch> batch);
+
+    /// What patch i of the last batch became, with the parameters of all vertices if these are
+    /// kept.
+    std::span<const l3d_diced_piece> pieces(std::size_t i) const { return slots_[i].used(); }
+
+    /// Of all batches of the frame.
+    const l3d_dice_counts& counts() const { return counts_; }
+
+private:
+    struct worker_space {
+        l3d_lane_dicer<T> lanes;
+        l3d_patch_dicer<T> general;
+        l3d_edge_polylines edges;
+        l3d_dice_counts counts;
+
+        void reserve_as(const worker_space& other) {
+            general.reserve_as(other.general);
+            edges.reserve_as(other.edges);
+        }
+    };
+
+    void share_memory_sizes();
+    void dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals,
+                    l3d_diced_pieces& out, worker_space& space) const;
+
+    l3d_workers& workers_;
+    l3d_dice_way way_;
+    bool keep_parameters_;
+    l3d_dice_view view_;
+    l3d_dice_counts counts_;
+    std::vector<worker_space> each_worker_;
+    std::vector<l3d_diced_pieces> slots_; ///< one for each patch of a batch
+    std::vector<const l3d_surface_part*> parts_;
+};
+
+#endif

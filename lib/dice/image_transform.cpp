@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// l3d_image_transform: scaling and error bound of the transform.
+#include "dice/image_transform.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+/// The largest power of two not above value. Expects: value > 0.
+double power_below(double value) {
+    return std::exp2(std::floor(std::log2(value)));
+}
+
+} // namespace
+
+l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size,
+                                         const l3d_patch_scene& scene)
+    : size_(size), near_(camera.near), far_(camera.far) {
+    const double focal = camera.focal_length(size);
+    double farthest = 0; // bound of the distance of any control point from the eye
+    for (int i = 0; i < 3; ++i) {
+        farthest += std::max(std::abs(scene.least()[i] - camera.eye[i]),
+                             std::abs(scene.most()[i] - camera.eye[i]));
+    }
+    depth_scale_ = power_below(std::min(0x1p8, 0x1p28 / focal) / std::max(farthest, 1e-30));
+    matrix_ = camera.image_matrix(size);
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            matrix_(row, column) *= depth_scale_;
+
+    // The matrix (axes, products) is good to some 16 ulps of |direction| (|p| + |eye|), with a
+    // placement multiplied in to 8 more, four products and three sums add at most 8; a patch cut
+    // in 50 halvings is rounded at its own size first, not at that of its pieces, at 3 midpoints
+    // each.
+    double eye = 0;
+    for (int i = 0; i < 3; ++i)
+        eye += std::abs(camera.eye[i]);
+    constexpr double roundings = (16 + 8 + 8 + 3 * 50) * 0x1p-53;
+    error_w_ = roundings * (scene.reach() + eye) * depth_scale_;
+    // The axes to the right and down are turned by the rounding of the line of sight and of the
+    // product with `up`, 4 ulps, over the sine between them.
+    constexpr double turning = 4 * 0x1p-53;
+    error_xy_ = focal * (error_w_ + turning / camera.up_sine() * farthest * depth_scale_);
+}
+
+l3d_dice_view l3d_image_transform::view(double tolerance) const {
+    l3d_dice_view view;
+    view.size = size_;
+    // Nearer than that, w is hardly known any more, and what is divided by it neither.
+    view.near = std::max(near_ * depth_scale_, 32 * error_w_);
+    view.far = far_ * depth_scale_;
+    view.tolerance = tolerance;
+    view.depth_scale = depth_scale_;
+    view.error_xy = error_xy_;
+    view.error_w = error_w_;
+    return view;
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// l3d_lane_dicer: dices ordinary patches, blocks and columns side by side in SIMD lanes.
+#ifndef L3D_DICE_LANE_DICER_H
+#define L3D_DICE_LANE_DICER_H
+
+#include "geom/normal_net.h"
+#include "geom/real.h"
+#include "dice/dice_counts.h"
+#include "dice/dice_view.h"
+#include "dice/diced_piece.h"
+#include "dice/edge_polyline.h"
+#include "dice/lane_rows_p.h"
+
+#include <span>
+
+/// Dices patches that need neither clipping nor cutting; the slow twin, which takes all, is
+/// l3d_patch_dicer.
+///
+/// Lives: one per worker.
+/// Cost:  no allocation but what `out` needs to be larger than ever before.
+template <class T> class l3d_lane_dicer {
+public:
+    /// The patch in one piece, grid and slits. What could be left out is not.
+    ///
+    /// Shape:   edges as l3d_edge_polylines::outer() has them, of this net and view.
+    /// Expects: tolerance > 0, near > 0.
+    /// Errors:  false, with nothing written, if the patch is not ordinary: if it reaches to the
+    ///          near or the far plane or out of the guard band, it or an edge needs more than 32
+    ///          steps in a strip, or it cannot be walked in T exactly enough.
+    bool dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
+              std::span<const l3d_edge_polyline, 4> edges, l3d_diced_piece& out,
+              l3d_dice_counts& counts);
+
+private:
+    bool judge(const l3d_dice_view& view);
+    double vertex_error(const l3d_dice_view& view, double walk_xy, double walk_w,
+                        double snap_error) const;
+    void fill_grid(const l3d_normal_net& normals, const l3d_dice_view& view,
+                   l3d_surface_part& part);
+
+    l3d_detail::lane_bounds bounds_;
+    l3d_step_plan plan_;
+    l3d_detail::lane_parameters u_, v_;
+    l3d_detail::lane_register register_ = l3d_detail::lane_register::float_32;
+    double register_xy_ = 1, register_w_ = 1;
+    double vertex_error_ = 0;
+};
+
+#endif

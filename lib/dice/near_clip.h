@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Triangles that reach behind the near plane or far beyond the window, cut to what can be drawn.
+#ifndef L3D_DICE_NEAR_CLIP_H
+#define L3D_DICE_NEAR_CLIP_H
+
+#include "dice/dice_view.h"
+#include "dice/diced_piece.h"
+
+/// A surface point that may be anywhere, even behind the eye.
+struct l3d_clip_vertex {
+    l3d_image_point h{0.0, 0.0, 0.0};
+    l3d_dice_vertex dice; ///< the vertex is valid only if `drawable`
+    bool drawable = false;
+};
+
+/// Whether a homogeneous point is between the near and the far plane and inside the guard band.
+bool l3d_drawable(const l3d_image_point& h, const l3d_dice_view& view);
+
+/// A homogeneous point as a vertex: the one way in which corners and points of edges become pixels.
+l3d_clip_vertex l3d_canonical_vertex(const l3d_image_point& h, const l3d_dice_view& view);
+
+/// Adds the part of triangle a b c that can be drawn, as triangles, to `out`.
+///
+/// A drawable corner keeps its vertex bit for bit. A new corner on the edge p q is a function of
+/// p and q alone, whatever their order, so triangles that share an edge still fit together.
+/// Source: Sutherland, Hodgman, Reentrant Polygon Clipping, CACM 17, 1974, in homogeneous space.
+void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c,
+                       const l3d_dice_view& view, l3d_diced_piece& out);
+
+#endif

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// l3d_patch_dicer: what is cut, and drawn how finely.
+#include "dice/patch_dicer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace {
+
+/// As deep as halving a parameter stays exact in doubles, with room for the strips' quarters.
+constexpr int deepest = 48;
+
+/// Vertices for all that is left when a patch is in l3d_most_pieces pieces: of a second, an eighth.
+constexpr std::int64_t most_left_samples = l3d_most_samples / 8;
+
+/// Vertices of a grid.
+std::int64_t samples_of(const l3d_step_plan& plan) {
+    std::int64_t columns = 1, rows = 1;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(plan.strips); ++i) {
+        columns += plan.nu[i];
+        rows += plan.nv[i];
+    }
+    return columns * rows;
+}
+
+} // namespace
+
+template <class T>
+void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& normals,
+                              const l3d_dice_view& view, l3d_edge_polylines& edges,
+                              l3d_diced_pieces& out, l3d_dice_counts& counts) {
+    ++counts.drawn;
+    for (const l3d_edge_polyline& edge : edges.outer())
+        counts.add_edge(edge.size(), edge.bound());
+    drawer_.begin(view, normals, edges);
+    piece whole{net, 0, 1, 0, 1, {}, 0};
+    for (std::size_t side = 0; side < whole.sides.size(); ++side)
+        whole.sides[side].edge = side;
+    task of{view, edges, out, counts, l3d_most_samples};
+    waiting_.clear();
+    take(whole, of);
+    for (std::size_t pieces = 1; !waiting_.empty() && pieces < l3d_most_pieces; ++pieces) {
+        std::pop_heap(waiting_.begin(), waiting_.end());
+        const waiting worst = waiting_.back();
+        waiting_.pop_back();
+        for (const piece& half : halves(worst, of))
+            take(half, of);
+    }
+    of.samples_left = std::min(of.samples_left, most_left_samples);
+    for (std::size_t left = waiting_.size(); left > 0; --left)
+        draw_coarsely(waiting_[left - 1].p, of.samples_left / static_cast<std::int64_t>(left), of);
+}
+
+template <class T>
+auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of) const -> planned {
+    planned result{l3d_piece_nets<T>(p.net, of.view), {}};
+    result.vertex_error = result.nets.vertex_error();
+    for (const l3d_piece_side& side : p.sides)
+        result.vertex_error = std::max(result.vertex_error, of.edges[side.edge].vertex_error());
+    const bool whole = result.nets.whole();
+    result.plan = l3d_plan_steps(result.nets.net(), result.nets.blocks(), of.view,
+                                 of.view.chord_budget(result.vertex_error),
+                                 whole ? l3d_quad_kind::whole : l3d_quad_kind::triangles);
+    result.excess = static_cast<double>(std::max(result.plan.most_u(), result.plan.most_v())) /
+                    (whole ? l3d_most_steps_whole : l3d_most_steps_clipped);
+    return result;
+}
+
+/// Draws a piece, or lets it wait for being cut.
+template <class T> void l3d_patch_dicer<T>::take(const piece& p, task& of) {
+    if ((!of.view.keep_all || p.depth > 0) &&
+        l3d_outside(p.net.points, of.view.margin(), of.view.near, of.view.far))
+        return drawer_.close_hidden(p, of.out.next());
+    const planned how = plan_of(p, of);
+    if (how.excess <= 1 && samples_of(how.plan) <= of.samples_left)
+        return draw(p, how, of);
+    if (p.depth >= deepest || how.excess <= 1)
+        return draw_coarsely(p, of.samples_left, of);
+    waiting_.push_back({p, how.excess, how.plan.most_u() >= how.plan.most_v()});
+    std::push_heap(waiting_.begin(), waiting_.end());
+}
+
+/// With fewer steps than the tolerance asks for.
+template <class T>
+void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, task& of) {
+    planned how = plan_of(p, of);
+    const bool whole = how.nets.whole();
+    double ratio = 1;
+    int most = l3d_most_steps_whole;
+    const l3d_step_plan wanted = how.plan;
+    do {
+        ratio = 1;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(wanted.strips); ++i) {
+            how.plan.nu[i] = std::min(wanted.nu[i], most);
+            how.plan.nv[i] = std::min(wanted.nv[i], most);
+            ratio = std::max({ratio, static_cast<double>(wanted.nu[i]) / how.plan.nu[i],
+                              static_cast<double>(wanted.nv[i]) / how.plan.nv[i]});
+        }
+        most /= 2;
+    } while (most > 0 && samples_of(how.plan) > samples);
+    // Errors of what is not balanced fall with the square of the steps, at the least. What crosses
+    // the near plane may be anywhere if its depth is off.
+    if (ratio > 1) {
+        if (how.plan.balanced)
+            how.plan.chord_error /= 8 * l3d_balance;
+        how.plan.balanced = false;
+        how.plan.chord_error *= whole ? ratio * ratio : std::numeric_limits<double>::infinity();
+    }
+    draw(p, how, of);
+}
+
+template <class T> void l3d_patch_dicer<T>::draw(const piece& p, const planned& how, task& of) {
+    l3d_diced_piece& out = of.out.next();
+    drawer_.draw(p, how.nets, how.plan, out);
+    out.bound = how.plan.visible ? how.plan.chord_error + how.vertex_error : 0;
+    double side_error = 0;
+    for (const l3d_piece_side& side : p.sides)
+        side_error = std::max(side_error, of.edges[side.edge].chord_error());
+    // Slits lie between vertices of the piece and of its sides, each off by its own error.
+    of.counts.bound_px = std::max({of.counts.bound_px, out.bound, side_error + how.vertex_error});
+    ++of.counts.pieces;
+    of.counts.clipped += !how.nets.whole();
+    const auto samples = static_cast<std::int64_t>(out.u.size() * out.v.size());
+    of.counts.samples += samples;
+    of.samples_left = std::max(std::int64_t{0}, of.samples_left - samples);
+}
+
+template <class T>
+auto l3d_patch_dicer<T>::halves(const waiting& w, task& of) const -> std::array<piece, 2> {
+    const piece& p = w.p;
+    std::array<piece, 2> result{p, p};
+    auto& [low, high] = result;
+    low.depth = high.depth = p.depth + 1;
+    if (w.along_u) {
+        std::tie(low.net, high.net) = p.net.split_u();
+        low.u1 = high.u0 = (p.u0 + p.u1) / 2;
+    } else {
+        std::tie(low.net, high.net) = p.net.split_v();
+        low.v1 = high.v0 = (p.v0 + p.v1) / 2;
+    }
+    // The sides across the cut are halved; the cut itself is a new edge, whole for both.
+    for (const std::size_t across :
+         {w.along_u ? std::size_t{0} : 2, w.along_u ? std::size_t{1} : 3}) {
+        const double middle = (p.sides[across].t0 + p.sides[across].t1) / 2;
+        low.sides[across].t1 = high.sides[across].t0 = middle;
+    }
+    const std::size_t edge = of.edges.add(w.along_u ? low.net.column(3) : low.net.row(3), of.view);
+    of.counts.add_edge(of.edges[edge].size(), of.edges[edge].bound());
+    low.sides[w.along_u ? 3 : 1] = high.sides[w.along_u ? 2 : 0] = l3d_piece_side{edge, 0, 1};
+    return result;
+}
+
+template class l3d_patch_dicer<float>;
+template class l3d_patch_dicer<double>;
+template class l3d_patch_dicer<l3d_fixed<std::int64_t, 32>>;

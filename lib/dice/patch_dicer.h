@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// l3d_patch_dicer: turns patches into grids of micro-quads by adaptive forward differencing.
+#ifndef L3D_DICE_PATCH_DICER_H
+#define L3D_DICE_PATCH_DICER_H
+
+#include "geom/normal_net.h"
+#include "dice/dice_counts.h"
+#include "dice/dice_view.h"
+#include "dice/diced_pieces.h"
+#include "dice/edge_polylines.h"
+#include "dice/piece_drawer.h"
+#include "dice/surface_piece.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/// Pieces of a patch at most: 2047 cuts, of which what lies outside the picture takes a part.
+inline constexpr std::size_t l3d_most_pieces = 2048;
+
+/// Vertices of a patch at most, those of its edges not counted, and about as many quads. A patch
+/// that fills 16384 x 16384 pixels and bends by all of their width needs 2300^2 = 5 million at the
+/// finest tolerance. Some 2 seconds and 700 MB.
+inline constexpr std::int64_t l3d_most_samples = std::int64_t{1} << 23;
+
+/// Dices patches given as homogeneous image nets.
+///
+/// A patch is one piece; a piece that would need more than 32 steps a strip, or that crosses the
+/// near plane and is not yet fine, is cut in two, the one that is least fine before others. No
+/// patch is cut into more than l3d_most_pieces; where that is not enough, what is left is drawn as
+/// fine as it may be, and the bound says how fine that is. A piece's rows are walked by forward
+/// differences in T, restarted exactly at each strip. Along each side the piece fills the slit
+/// between its own boundary row and the side's edge polyline, which both neighbours compute alike;
+/// so pieces of any steps and any depth of cutting meet without a gap, and every vertex is an
+/// exact surface point of known parameters, which is what makes the bound certain.
+///
+/// Cost: no allocation of its own once the patch with the most pieces has been seen. At most
+///       l3d_most_pieces grids and l3d_most_samples vertices a patch.
+template <class T> class l3d_patch_dicer {
+public:
+    /// Adds the patch's pieces to `out`, and to `counts` what it did.
+    ///
+    /// Expects: `edges` was built of this net and view, and has nothing more than its outer edges;
+    ///          tolerance > 0, near > 0.
+    void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
+              l3d_edge_polylines& edges, l3d_diced_pieces& out, l3d_dice_counts& counts);
+
+    /// From now on, pieces that are no larger than any `other` has had allocate nothing.
+    void reserve_as(const l3d_patch_dicer& other) {
+        drawer_.reserve_as(other.drawer_);
+        waiting_.reserve(other.waiting_.capacity());
+    }
+
+private:
+    using piece = l3d_surface_piece;
+
+    /// A piece, its steps, and how many times as many it has as it may have.
+    struct planned {
+        l3d_piece_nets<T> nets;
+        l3d_step_plan plan;
+        double vertex_error = 0, excess = 0;
+    };
+
+    /// A piece that is still too coarse.
+    struct waiting {
+        piece p;
+        double excess = 0;
+        bool along_u = false;
+
+        friend bool operator<(const waiting& a, const waiting& b) { return a.excess < b.excess; }
+    };
+
+    /// What stays the same for a patch.
+    struct task {
+        const l3d_dice_view& view;
+        l3d_edge_polylines& edges;
+        l3d_diced_pieces& out;
+        l3d_dice_counts& counts;
+        std::int64_t samples_left = 0;
+    };
+
+    planned plan_of(const piece& p, const task& of) const;
+    void take(const piece& p, task& of);
+    void draw_coarsely(const piece& p, std::int64_t samples, task& of);
+    void draw(const piece& p, const planned& how, task& of);
+    std::array<piece, 2> halves(const waiting& w, task& of) const;
+
+    std::vector<waiting> waiting_; ///< a heap: the least fine on top
+    l3d_piece_drawer<T> drawer_;
+};
+
+#endif

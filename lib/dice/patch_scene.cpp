@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// l3d_patch_scene: boxes and normals of what has been placed.
+#include "dice/patch_scene.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace {
+
+using vector = l3d_patch_scene::vector;
+
+[[maybe_unused]] bool is_affine(const l3d_matrix<double>& m) {
+    return m(3, 0) == 0 && m(3, 1) == 0 && m(3, 2) == 0 && m(3, 3) == 1;
+}
+
+vector placed_direction(const l3d_matrix<double>& placement, const vector& d) {
+    const auto p = placement * l3d_vector<double, 4>(d[0], d[1], d[2], 0.0);
+    return {p[0], p[1], p[2]};
+}
+
+vector placed_point(const l3d_matrix<double>& placement, const vector& d) {
+    const auto p = placement * l3d_vector<double, 4>(d[0], d[1], d[2], 1.0);
+    return {p[0], p[1], p[2]};
+}
+
+/// Largest magnitude in the upper left three by three.
+double largest(const l3d_matrix<double>& m) {
+    double result = 0;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            result = std::max(result, std::abs(m(row, column)));
+    return result;
+}
+
+/// The cofactors of the upper left three by three, the largest scaled to 1. Scaled before, too,
+/// so that their products neither overflow nor vanish.
+l3d_matrix<double> cofactors(const l3d_matrix<double>& m) {
+    const double scale = 1 / largest(m);
+    const auto at = [&](int row, int column) { return m(row % 3, column % 3) * scale; };
+    l3d_matrix<double> result = l3d_identity<double>();
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            result(row, column) = at(row + 1, column + 1) * at(row + 2, column + 2) -
+                                  at(row + 1, column + 2) * at(row + 2, column + 1);
+    const double most = largest(result);
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            result(row, column) /= most;
+    return result;
+}
+
+/// Bound of the sum of the magnitudes of all terms that a placed point's coordinates have.
+double reach_of(const l3d_patch_instance& instance) {
+    double reach = 0;
+    for (int row = 0; row < 3; ++row) {
+        for (int k = 0; k < 3; ++k)
+            reach += std::abs(instance.placement()(row, k)) *
+                     std::max(std::abs(instance.model().least()[k]),
+                              std::abs(instance.model().most()[k]));
+        reach += std::abs(instance.placement()(row, 3));
+    }
+    return reach;
+}
+
+} // namespace
+
+l3d_patch_instance::l3d_patch_instance(const l3d_patch_model& model,
+                                       const l3d_matrix<double>& placement)
+    : model_(&model), placement_(placement), normal_matrix_(cofactors(placement)),
+      turns_normals_(!(normal_matrix_ == l3d_identity<double>())) {
+    assert(is_affine(placement));
+}
+
+l3d_slanted_box l3d_patch_instance::box() const {
+    l3d_slanted_box box;
+    box.centre = placed_point(placement_, (model_->least() + model_->most()) * 0.5);
+    const vector half = (model_->most() - model_->least()) * 0.5;
+    for (int k = 0; k < 3; ++k) {
+        vector axis{0.0, 0.0, 0.0};
+        axis[k] = half[k];
+        box.axes[static_cast<std::size_t>(k)] = placed_direction(placement_, axis);
+    }
+    return box;
+}
+
+void l3d_patch_scene::add(const l3d_patch_model& model, const l3d_matrix<double>& placement) {
+    const l3d_patch_instance& instance = instances_.emplace_back(model, placement);
+    patch_count_ += static_cast<std::int64_t>(model.patches().size());
+    const l3d_slanted_box box = instance.box();
+    boxes_.add(box);
+    const bool is_first = instances_.size() == 1;
+    for (int i = 0; i < 3; ++i) {
+        const double half =
+            std::abs(box.axes[0][i]) + std::abs(box.axes[1][i]) + std::abs(box.axes[2][i]);
+        const double low = box.centre[i] - half, high = box.centre[i] + half;
+        least_[i] = is_first ? low : std::min(least_[i], low);
+        most_[i] = is_first ? high : std::max(most_[i], high);
+    }
+    reach_ = std::max(reach_, reach_of(instance));
+}
+
+void l3d_patch_scene::clear() {
+    instances_.clear();
+    boxes_.clear();
+    patch_count_ = 0;
+    least_ = most_ = {0.0, 0.0, 0.0};
+    reach_ = 0;
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// l3d_piece_drawer: the vertices of a piece, and the slits along its sides.
+#ifndef L3D_DICE_PIECE_DRAWER_H
+#define L3D_DICE_PIECE_DRAWER_H
+
+#include "geom/normal_net.h"
+#include "dice/diced_piece.h"
+#include "dice/edge_polylines.h"
+#include "dice/normal_columns.h"
+#include "dice/piece_nets.h"
+#include "dice/slit.h"
+#include "dice/step_plan.h"
+#include "dice/strip_walker.h"
+#include "dice/surface_piece.h"
+
+#include <array>
+#include <vector>
+
+/// Draws pieces with given steps. What to draw, and how finely, is the dicer's choice.
+///
+/// A piece that needs no clipping becomes a grid, its rows walked by forward differences; any
+/// other becomes clipped triangles. Along each side, triangles fill the slit to the side's edge.
+/// Cost: no allocation once the largest piece has been seen.
+template <class T> class l3d_piece_drawer {
+public:
+    using piece = l3d_surface_piece;
+
+    /// What stays the same for a patch. Lives: normals and edges must outlive its drawing.
+    void begin(const l3d_dice_view& view, const l3d_normal_net& normals,
+               const l3d_edge_polylines& edges);
+
+    /// Expects: the piece's sides name edges of those given to begin.
+    void draw(const piece& p, const l3d_piece_nets<T>& nets, const l3d_step_plan& plan,
+              l3d_diced_piece& out);
+
+    /// A piece outside the window is not diced, but the slits that start along its sides may
+    /// reach inside: they are filled up to its corners.
+    void close_hidden(const piece& p, l3d_diced_piece& out);
+
+    /// From now on, pieces that are no larger than any `other` has had allocate nothing.
+    void reserve_as(const l3d_piece_drawer& other);
+
+private:
+    void fill_parameters(const piece& p, const l3d_step_plan& plan, l3d_diced_piece& out);
+    void walk_rows(const l3d_piece_nets<T>& nets, const l3d_step_plan& plan, l3d_diced_piece& out);
+    void evaluate_grid(const l3d_piece_nets<T>& nets, const l3d_step_plan& plan,
+                       const l3d_diced_piece& out);
+    void copy_evaluated(l3d_micro_grid& grid) const;
+    void set_grid_corners(const piece& p, l3d_micro_grid& grid) const;
+    void set_clip_corners(const piece& p);
+    void add_clipped_quads(l3d_diced_piece& out) const;
+    l3d_clip_vertex grid_vertex(const piece& p, const l3d_micro_grid& grid, int row,
+                                int column) const;
+    template <class VertexAt>
+    void fill_slit(const piece& p, std::size_t side, VertexAt vertex_at, l3d_diced_piece& out);
+
+    l3d_clip_vertex& clip_vertex(int row, int column) {
+        return clip_grid_[clip_index(row, column)];
+    }
+    const l3d_clip_vertex& clip_vertex(int row, int column) const {
+        return clip_grid_[clip_index(row, column)];
+    }
+    std::size_t clip_index(int row, int column) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column);
+    }
+
+    l3d_dice_view view_;
+    const l3d_normal_net* normals_ = nullptr;
+    const l3d_edge_polylines* edges_ = nullptr;
+
+    int columns_ = 0, rows_ = 0;
+
+    // Kept between pieces only for their memory.
+    l3d_strip_walker<T> walker_;
+    l3d_normal_columns normal_columns_;
+    std::vector<l3d_clip_vertex> clip_grid_;
+    std::array<std::vector<float>, 3> normal_row_;
+    std::vector<l3d_boundary_point> boundary_;
+};
+
+#endif

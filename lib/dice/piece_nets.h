@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// l3d_piece_nets: a piece as the bounds see it.
+#ifndef L3D_DICE_PIECE_NETS_H
+#define L3D_DICE_PIECE_NETS_H
+
+#include "geom/step_bound.h"
+#include "dice/dice_view.h"
+#include "dice/drawn_error.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+/// l3d_most_steps_whole for pieces that need clipping: these are drawn slowly, so they are kept
+/// finer.
+inline constexpr int l3d_most_steps_clipped = 8;
+
+/// The net of a piece and of its blocks; how the piece is to be drawn, and how exact its vertices
+/// are then.
+///
+/// Shape: block 4 * b + a is u-strip a, v-strip b; or there is one block.
+template <class T> class l3d_piece_nets {
+public:
+    l3d_piece_nets(const l3d_image_patch& piece, const l3d_dice_view& view);
+
+    const l3d_image_patch& net() const { return net_; }
+    std::span<const l3d_image_patch> blocks() const { return std::span(blocks_).first(count_); }
+
+    /// Needs no clipping: all in front of the near plane, before the far one, in the guard band.
+    bool whole() const { return whole_; }
+
+    /// Walked by forward differences in T; else each vertex is evaluated, because walking would
+    /// err by more than l3d_dice_view::walk_allowance more.
+    bool walked() const { return walked_; }
+
+    /// What rounding of the vertices adds to the chord error. Units: pixels.
+    double vertex_error() const { return vertex_error_; }
+
+private:
+    void cut();
+    void judge(l3d_vertex_accuracy accuracy, const l3d_dice_view& view);
+
+    l3d_image_patch net_;
+    std::size_t count_ = 1;
+    std::array<l3d_image_patch, 16> blocks_;
+    bool whole_ = false;
+    bool walked_ = false;
+    double vertex_error_ = 0;
+};
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Projection of homogeneous image points to sub-pixels, in each number type.
+#ifndef L3D_DICE_SNAP_H
+#define L3D_DICE_SNAP_H
+
+#include "geom/real.h"
+#include "raster/micro_grid.h"
+
+#include <concepts>
+#include <cstdint>
+
+/// A projected coordinate pair and the reciprocal of its scaled w.
+struct l3d_snapped {
+    std::int32_t x, y;
+    float inv_w;
+};
+
+namespace l3d_detail {
+
+/// To nearest, ties away from zero. A cast is the one float to integer conversion that every
+/// processor has in vector form.
+template <std::floating_point T> std::int32_t rounded(T value) {
+    return static_cast<std::int32_t>(value < 0 ? value - T(0.5) : value + T(0.5));
+}
+
+} // namespace l3d_detail
+
+/// (x / w, y / w) in 1/256 pixel.
+///
+/// Expects: w > 0, |x / w| and |y / w| at most l3d_guard_band.
+/// Errors:  two roundings, of the reciprocal and of the product: at most 2.01 u |x / w|; snapping
+///          adds half a sub-pixel in each coordinate.
+template <std::floating_point T> l3d_snapped l3d_snap(T x, T y, T w) {
+    const T reciprocal = T(1) / w;
+    return {l3d_detail::rounded(x * reciprocal * T(l3d_subpixel_one)),
+            l3d_detail::rounded(y * reciprocal * T(l3d_subpixel_one)),
+            static_cast<float>(reciprocal)};
+}
+
+/// The same in fixed point: one exact quotient, rounded once.
+/// Expects: also |x| and |y| below 2^(bits - 1 - 8) raw, as the image transform makes sure.
+template <class S, int F, l3d_overflow O>
+l3d_snapped l3d_snap(l3d_fixed<S, F, O> x, l3d_fixed<S, F, O> y, l3d_fixed<S, F, O> w) {
+    const auto divided = [&](l3d_fixed<S, F, O> value) {
+        return static_cast<std::int32_t>(l3d_detail::divided_to_nearest(
+            std::int64_t{value.raw()} * l3d_subpixel_one, std::int64_t{w.raw()}));
+    };
+    return {divided(x), divided(y), static_cast<float>(1 / l3d_to_double(w))};
+}
+
+/// What l3d_snap adds to a vertex's error, for coordinates up to `reach`. Units: pixels.
+template <class T> double l3d_snap_error(double reach) {
+    constexpr double root_two = 1.4142135623730951;
+    return root_two * (2.01 * l3d_real_traits<T>::unit_roundoff * reach + 0.5 / l3d_subpixel_one);
+}
+
+#endif

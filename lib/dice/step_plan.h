@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// l3d_step_plan: how finely a piece of a patch is diced, from the error bound.
+#ifndef L3D_DICE_STEP_PLAN_H
+#define L3D_DICE_STEP_PLAN_H
+
+#include "geom/step_bound.h"
+#include "dice/dice_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+/// Which of the two ways to draw a quad steps are chosen for.
+enum class l3d_quad_kind {
+    whole,     ///< convex quads whole: only for pieces that need no clipping
+    triangles, ///< two triangles, clipped
+};
+
+/// What the blocks of a piece ask of its steps.
+///
+/// Shape: element strips * b + a of each array is u-strip a, v-strip b. A block that is not visible
+///        has zeros everywhere.
+struct l3d_block_needs {
+    static constexpr int most_strips = 4;
+    static constexpr std::size_t most_blocks = 16;
+    using per_block = std::array<double, most_blocks>;
+
+    int strips = 1;
+    bool visible = false;                         ///< whether any block is
+    bool keeps_depth = false;                     ///< whether any depth is not zero
+    per_block uu{}, uv{}, vv{};                   ///< l3d_second_bounds of the image, in pixels
+    per_block depth_uu{}, depth_uv{}, depth_vv{}; ///< those of w, in depth budgets
+
+    /// Whether vertices inside strips are balanced (l3d_balance): in sixteen blocks, drawn whole.
+    bool balanced = false;
+    /// Then bounds of the mixed third and fourth derivatives, for the steps of every block. Units:
+    /// pixels.
+    double uuv = 0, uvv = 0, uuvv = 0;
+
+    /// Steps below which quads are too large to be filled fast. Not certified: a perspective
+    /// curve may run through its pixels faster than its control points are apart.
+    per_block least_u{}, least_v{};
+};
+
+/// Sides of micro-quads, so that nearly all quads fit in the 64 pixels which the rasterizer's
+/// 32-bit edge functions hold: the box of a square that lies across is sqrt(2) as large as its
+/// sides, 48 sqrt(2) = 68, and steps are rounded up. Units: pixels.
+inline constexpr double l3d_largest_quad = 48;
+
+/// The slow twin of l3d_detail::bounds_in_lanes, which also takes what is clipped.
+///
+/// Shape:   blocks of the net, as in l3d_block_needs: 1 or 16.
+/// Units:   budget: of the image error, in pixels.
+/// Expects: for `whole`, every w > view.near.
+l3d_block_needs l3d_needs_of(const l3d_image_patch& net, std::span<const l3d_image_patch> blocks,
+                             const l3d_dice_view& view, double budget, l3d_quad_kind kind);
+
+/// Steps per strip of a piece that is cut into strips x strips blocks.
+///
+/// The grid is a tensor product, so that it is watertight inside by construction: all blocks of
+/// a u-strip share its steps. Integers, not powers of two: on the teapot that saves a third of
+/// the quads, and four strips instead of one save another third.
+struct l3d_step_plan {
+    static constexpr int most_strips = l3d_block_needs::most_strips;
+
+    int strips = 1;
+    std::array<int, most_strips> nu{1, 1, 1, 1}, nv{1, 1, 1, 1};
+    double chord_error = 0; ///< bound of the visible blocks' chord error, in pixels
+    bool visible = false;   ///< whether any block may reach into the picture
+    bool balanced = false;  ///< whether vertices inside strips are to be moved, see l3d_balance
+
+    int most_u() const { return *std::max_element(nu.begin(), nu.begin() + strips); }
+    int most_v() const { return *std::max_element(nv.begin(), nv.begin() + strips); }
+};
+
+/// The fewest steps (greedily) with which every visible block keeps its chord error at or below
+/// `budget`.
+///
+/// With c the weight of a direction's steps (1/8 h^2, or l3d_balanced_error) and m that of what its
+/// vertices are moved by (0, or l3d_balance h^2), a quad errs by at most
+///     c_u uu + c_v vv + m_u m_v uuvv + d k,   d = h_u h_v uv + 2 m_u h_v uuv + 2 m_v h_u uvv
+///                                                 + 4 m_u m_v uuvv,
+/// d being a bound of the corners' mixed difference and k 1/16 or 1/4, see l3d_second_bounds. Slits
+/// between a side's row and its edge may be as far off as chords that are not balanced, so those
+/// of the outer blocks keep the budget, too.
+///
+/// Units:   budget in pixels.
+/// Expects: budget > 0.
+/// Errors:  with `triangles`, the bound holds where the interpolated w is at least view.near;
+///          enough steps are taken that the exact w is then at least half of that.
+l3d_step_plan l3d_plan_steps(const l3d_block_needs& needs, double budget, l3d_quad_kind kind);
+
+/// The same from the blocks' nets. Shape and what is expected: those of l3d_needs_of.
+inline l3d_step_plan l3d_plan_steps(const l3d_image_patch& net,
+                                    std::span<const l3d_image_patch> blocks,
+                                    const l3d_dice_view& view, double budget, l3d_quad_kind kind) {
+    return l3d_plan_steps(l3d_needs_of(net, blocks, view, budget, kind), budget, kind);
+}
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// l3d_surface_piece: a patch, or a part of one that was cut off, in the image.
+#ifndef L3D_DICE_SURFACE_PIECE_H
+#define L3D_DICE_SURFACE_PIECE_H
+
+#include "dice/near_clip.h"
+
+#include <array>
+#include <cstddef>
+
+/// A stretch of an edge polyline that a piece's side lies along.
+struct l3d_piece_side {
+    std::size_t edge = 0; ///< index among the patch's edges
+    double t0 = 0, t1 = 1;
+
+    bool whole() const { return t0 == 0 && t1 == 1; }
+};
+
+/// A part of a patch: its own homogeneous image net, and where it lies in the patch.
+///
+/// Shape: sides [0] v low, [1] v high (both along u), [2] u low, [3] u high (both along v).
+struct l3d_surface_piece {
+    l3d_image_patch net;
+    double u0 = 0, u1 = 1, v0 = 0, v1 = 1;
+    std::array<l3d_piece_side, 4> sides;
+    int depth = 0; ///< cuts that made it
+
+    /// A corner at its canonical place, which all pieces that share it use; without normal.
+    l3d_clip_vertex corner(bool high_u, bool high_v, const l3d_dice_view& view) const {
+        l3d_clip_vertex result = l3d_canonical_vertex(net.at(high_v ? 3 : 0, high_u ? 3 : 0), view);
+        result.dice.u = high_u ? u1 : u0;
+        result.dice.v = high_v ? v1 : v0;
+        return result;
+    }
+};
+
+#endif

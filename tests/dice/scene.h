@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// A scene that the dicer and the exact reference both see, and dicing it in any number type.
+#ifndef L3D_TESTS_DICE_SCENE_H
+#define L3D_TESTS_DICE_SCENE_H
+
+#include "dice/frame_dicer.h"
+#include "dice/image_transform.h"
+#include "dice/placed_net.h"
+#include "reference/views.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dice_tests {
+
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool sanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+inline constexpr bool sanitized = true;
+#else
+inline constexpr bool sanitized = false;
+#endif
+#else
+inline constexpr bool sanitized = false;
+#endif
+
+using fixed = l3d_fixed<std::int64_t, 32>;
+
+/// The slow twin in number type T; T itself stands for the product.
+template <class T> struct slow {};
+
+using number_types = ::testing::Types<float, double, fixed, slow<float>, slow<fixed>>;
+
+template <class T> struct way_of {
+    using real = T;
+    static constexpr l3d_dice_way way = l3d_dice_way::lanes;
+};
+template <class T> struct way_of<slow<T>> {
+    using real = T;
+    static constexpr l3d_dice_way way = l3d_dice_way::general;
+};
+
+template <class T> constexpr const char* name_of() {
+    using real = typename way_of<T>::real;
+    if (way_of<T>::way == l3d_dice_way::general)
+        return std::is_same_v<real, float> ? "slow_float" : "slow_fixed";
+    return std::is_same_v<T, float> ? "float" : std::is_same_v<T, double> ? "double" : "fixed";
+}
+
+/// Patches, a camera and a picture size, for the library and for the reference.
+struct scene {
+    scene(std::vector<reference::patch> surfaces, const reference::camera& view, l3d_size of);
+
+    std::vector<reference::patch> patches;
+    reference::camera eye;
+    l3d_size size;
+    l3d_patch_model model;
+    l3d_camera camera;
+
+    reference::picture_size picture() const { return {size.width, size.height}; }
+};
+
+/// The teapot as one of the project's views shows it.
+scene teapot(const reference::view& view, l3d_size size);
+
+/// A dicer and what it keeps from frame to frame.
+template <class T> class scene_dicer {
+public:
+    /// Dices a whole scene, nearest patches first; calls sink(i, pieces, frame_bound) with the
+    /// pieces of patch i.
+    template <class Sink>
+    l3d_dice_counts dice(const scene& s, double tolerance, Sink sink, bool keep_all = false) {
+        world_.clear();
+        world_.add(s.model);
+        const l3d_image_transform to_image(s.camera, s.size, world_);
+        l3d_dice_view view = to_image.view(tolerance);
+        view.keep_all = keep_all;
+        culling_.begin(world_, to_image.matrix(), view);
+        dicer_.begin(view);
+        const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
+        for (auto batch = culling_.next(nothing_is_hidden); !batch.empty();
+             batch = culling_.next(nothing_is_hidden)) {
+            dicer_.dice(world_, culling_, batch);
+            for (std::size_t i = 0; i < batch.size(); ++i)
+                sink(batch[i].patch, dicer_.pieces(i), dicer_.counts().bound_px);
+        }
+        l3d_dice_counts counts = dicer_.counts();
+        counts.offscreen += culling_.counts().offscreen;
+        counts.behind += culling_.counts().behind;
+        counts.beyond += culling_.counts().beyond;
+        counts.subpixel += culling_.counts().subpixel;
+        return counts;
+    }
+
+private:
+    l3d_workers workers_{1};
+    l3d_patch_scene world_;
+    l3d_scene_culling culling_;
+    l3d_frame_dicer<typename way_of<T>::real> dicer_{workers_, way_of<T>::way, true};
+};
+
+using diced = std::span<const l3d_diced_piece>;
+
+/// Hands every patch's pieces to sink.draw(pieces, frame_bound).
+template <class T, class Sink>
+l3d_dice_counts dice(const scene& s, double tolerance, Sink& sink, bool keep_all = false) {
+    return scene_dicer<T>().dice(
+        s, tolerance, [&](std::size_t, diced pieces, double bound) { sink.draw(pieces, bound); },
+        keep_all);
+}
+
+} // namespace dice_tests
+
+#endif

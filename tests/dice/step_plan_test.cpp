@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Steps: enough, hardly too many, and as the square root of the tolerance.
+#include "nasty.h"
+#include "dice/step_plan.h"
+#include "planned_error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace dice_tests {
+namespace {
+
+constexpr l3d_size odd{640, 481};
+
+l3d_dice_view view_with(double tolerance) {
+    l3d_dice_view view;
+    view.size = odd;
+    view.near = 0.1;
+    view.tolerance = tolerance;
+    return view;
+}
+
+/// A sheet of about 250 x 180 pixels with waves of `bend` pixels, at distances 3 to 4.
+l3d_image_patch sheet(number_source& random, double bend) {
+    l3d_image_patch result;
+    for (int r = 0; r < 4; ++r)
+        for (int c = 0; c < 4; ++c) {
+            const double w = random.between(3, 4);
+            const double x = -100 + 83 * c + random.between(-bend, bend);
+            const double y = -70 + 60 * r + random.between(-bend, bend);
+            result.at(r, c) = {x * w, y * w, w};
+        }
+    return result;
+}
+
+std::array<l3d_image_patch, 16> blocks_of(const l3d_image_patch& patch) {
+    std::array<l3d_image_patch, 16> result;
+    const auto [low, high] = patch.split_v();
+    const std::array<std::pair<l3d_image_patch, l3d_image_patch>, 2> rows{low.split_v(),
+                                                                          high.split_v()};
+    for (std::size_t b = 0; b < 4; ++b) {
+        const l3d_image_patch& row = b % 2 == 0 ? rows[b / 2].first : rows[b / 2].second;
+        const auto [left, right] = row.split_u();
+        std::tie(result[4 * b], result[4 * b + 1]) = left.split_u();
+        std::tie(result[4 * b + 2], result[4 * b + 3]) = right.split_u();
+    }
+    return result;
+}
+
+int total(const std::array<int, 4>& steps) {
+    return std::accumulate(steps.begin(), steps.end(), 0);
+}
+
+l3d_step_plan plan_of(const l3d_image_patch& patch, double budget,
+                      l3d_quad_kind kind = l3d_quad_kind::whole) {
+    return l3d_plan_steps(patch, blocks_of(patch), view_with(budget), budget, kind);
+}
+
+/// Whether with one step less along u quads of a strip would be larger than they may be.
+bool needs_more_for_size(const l3d_step_plan& plan, const l3d_block_needs& needs,
+                         std::size_t strip) {
+    double least = 0;
+    for (std::size_t b = 0; b < 4; ++b)
+        least = std::max(least, needs.least_u[4 * b + strip]);
+    return plan.nu[strip] - 1 < least;
+}
+
+TEST(step_plan, every_visible_block_is_within_the_budget_and_no_strip_has_a_step_to_spare) {
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        number_source random(seed);
+        const l3d_image_patch patch = sheet(random, random.of_any_size(1, 100));
+        const double budget = random.of_any_size(0.05, 2);
+        const l3d_step_plan plan = plan_of(patch, budget);
+        ASSERT_TRUE(plan.visible);
+        const l3d_block_needs needs =
+            l3d_needs_of(patch, blocks_of(patch), view_with(budget), budget, l3d_quad_kind::whole);
+        const auto error = [&](std::size_t a, std::size_t b, int nu, int nv) {
+            return planned_error(needs, a, b, nu, nv);
+        };
+        double largest = 0;
+        for (std::size_t a = 0; a < 4; ++a) {
+            double with_one_less = 0;
+            for (std::size_t b = 0; b < 4; ++b) {
+                largest = std::max(largest, error(a, b, plan.nu[a], plan.nv[b]));
+                if (plan.nu[a] > 1)
+                    with_one_less =
+                        std::max(with_one_less, error(a, b, plan.nu[a] - 1, plan.nv[b]));
+            }
+            const bool too_large = needs_more_for_size(plan, needs, a);
+            if (plan.nu[a] > 1 && !too_large) {
+                EXPECT_GT(with_one_less, budget) << "seed " << seed;
+            }
+        }
+        EXPECT_LE(largest, budget) << "seed " << seed;
+        EXPECT_DOUBLE_EQ(largest, plan.chord_error) << "seed " << seed;
+    }
+}
+
+TEST(step_plan, a_finer_tolerance_never_takes_fewer_quads) {
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        number_source random(seed);
+        const l3d_image_patch patch = sheet(random, random.of_any_size(1, 100));
+        for (const auto kind : {l3d_quad_kind::whole, l3d_quad_kind::triangles}) {
+            int before = 0;
+            for (double budget = 4; budget > 0.01; budget /= 1.5) {
+                const l3d_step_plan plan = plan_of(patch, budget, kind);
+                EXPECT_GE(total(plan.nu) * total(plan.nv), before)
+                    << "seed " << seed << " budget " << budget;
+                before = total(plan.nu) * total(plan.nv);
+            }
+        }
+    }
+}
+
+TEST(step_plan, steps_grow_as_the_inverse_root_of_the_tolerance) {
+    number_source random(7);
+    const l3d_image_patch patch = sheet(random, 60);
+    const l3d_step_plan coarse = plan_of(patch, 0.16), fine = plan_of(patch, 0.16 / 16);
+    EXPECT_GT(total(coarse.nu), 12);
+    EXPECT_NEAR(total(fine.nu) / double(total(coarse.nu)), 4, 0.5);
+    EXPECT_NEAR(total(fine.nv) / double(total(coarse.nv)), 4, 0.5);
+}
+
+TEST(step_plan, triangles_need_more_than_quads) {
+    number_source random(9);
+    const l3d_image_patch patch = sheet(random, 60);
+    const l3d_step_plan quads = plan_of(patch, 0.1);
+    const l3d_step_plan triangles = plan_of(patch, 0.1, l3d_quad_kind::triangles);
+    EXPECT_GT(total(triangles.nu) * total(triangles.nv), total(quads.nu) * total(quads.nv));
+}
+
+TEST(step_plan, a_plane_takes_one_step_and_a_hidden_patch_is_not_visible) {
+    l3d_image_patch plane, hidden;
+    for (int r = 0; r < 4; ++r)
+        for (int c = 0; c < 4; ++c) {
+            plane.at(r, c) = {-90.0 + 50 * c + 7 * r, 20.0 + 30 * r, 3 + 0.25 * c};
+            hidden.at(r, c) = {4 * (-900.0 + 50 * c * c), 4 * (20.0 + 30 * r * c), 4};
+        }
+    const l3d_step_plan flat = plan_of(plane, 0.05);
+    EXPECT_TRUE(flat.visible);
+    EXPECT_EQ(total(flat.nu), 4);
+    EXPECT_EQ(total(flat.nv), 4);
+    EXPECT_LT(flat.chord_error, 1e-9);
+    EXPECT_FALSE(plan_of(hidden, 0.05).visible);
+}
+
+TEST(step_plan, sides_of_quads_stay_within_48_pixels) {
+    l3d_image_patch plane;
+    for (int r = 0; r < 4; ++r)
+        for (int c = 0; c < 4; ++c)
+            plane.at(r, c) = {4.0 * (-250 + 160 * c), 4.0 * (-170 + 70 * r), 4};
+    const l3d_step_plan plan = plan_of(plane, 0.5);
+    // Blocks of 120 by 52.5 pixels.
+    EXPECT_EQ(plan.nu, (std::array{3, 3, 3, 3}));
+    EXPECT_EQ(plan.nv, (std::array{2, 2, 2, 2}));
+}
+
+TEST(step_plan, near_the_eye_the_exact_w_stays_above_half_the_near_plane) {
+    // Depth changes sign in a parabola: without its own budget 1 step would do on the axis.
+    l3d_image_patch through;
+    for (int r = 0; r < 4; ++r)
+        for (int c = 0; c < 4; ++c)
+            through.at(r, c) = {1e-6 * c, 2e-6 * r, 5.0 - 4 * c + 3 * (c == 3)};
+    const auto blocks = blocks_of(through);
+    const l3d_step_plan plan = plan_of(through, 0.5, l3d_quad_kind::triangles);
+    for (std::size_t a = 0; a < 4; ++a) {
+        const l3d_depth_range depth = l3d_depth_range_of(blocks[a].points);
+        if (depth.most <= 0.1 || depth.least > 0.1)
+            continue;
+        const double bend = l3d_depth_bounds_of(blocks[a]).uu / (8.0 * plan.nu[a] * plan.nu[a]);
+        EXPECT_LE(bend, 0.05);
+        EXPECT_GT(plan.nu[a], 1);
+    }
+}
+
+} // namespace
+} // namespace dice_tests

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// No pixel is left out between patches, pieces and the near plane.
+#include "nasty.h"
+#include "picture.h"
+#include "scene.h"
+
+#include "reference/random_patches.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace dice_tests {
+namespace {
+
+struct type_names {
+    template <class T> static std::string GetName(int) { return name_of<T>(); }
+};
+template <class T> class watertight : public ::testing::Test {};
+TYPED_TEST_SUITE(watertight, number_types, type_names);
+
+constexpr reference::camera oblique{{2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 0.05}, 41, 0.2};
+
+/// Pixels to fill in a test: `usual`, or what L3D_TEST_PIXELS says, shared by the number types.
+std::int64_t pixels_to_fill(std::int64_t usual) {
+    const char* more = std::getenv("L3D_TEST_PIXELS");
+    return more ? std::atoll(more) / 3 : sanitized ? usual / 8 : usual;
+}
+
+TYPED_TEST(watertight, random_tilings_cover_every_pixel) {
+    std::int64_t pixels = 0, uncovered = 0, pieces = 0, patches = 0;
+    std::uint64_t seed = 1;
+    for (const std::int64_t enough = pixels_to_fill(7'000'000); pixels < enough; ++seed) {
+        number_source random(seed);
+        const l3d_size size{static_cast<int>(random.between(150, 500)),
+                            static_cast<int>(random.between(120, 400))};
+        const int k = static_cast<int>(random.of_any_size(1, 12.99));
+        const double fold = random.between(0, 2), depth = random.between(0, 4);
+        const double tolerance = random.of_any_size(0.05, 4);
+        const scene s(random_tiling(seed, k, fold, depth, oblique, {size.width, size.height}),
+                      oblique, size);
+        picture drawn(size);
+        const l3d_dice_counts counts = dice<TypeParam>(s, tolerance, drawn);
+        EXPECT_EQ(drawn.uncovered(), 0)
+            << "seed " << seed << ": " << k << " x " << k << " patches, fold " << fold << ", depth "
+            << depth << ", tolerance " << tolerance;
+        pixels += std::int64_t{size.width} * size.height;
+        uncovered += drawn.uncovered();
+        pieces += counts.pieces;
+        patches += counts.drawn;
+    }
+    std::printf("%-6s tilings: %ld of %ld pixels uncovered; %ld patches in %ld pieces, seeds 1 to "
+                "%ld\n",
+                name_of<TypeParam>(), static_cast<long>(uncovered), static_cast<long>(pixels),
+                static_cast<long>(patches), static_cast<long>(pieces), static_cast<long>(seed - 1));
+}
+
+/// The middle of a tiling seen through a long lens: patches reach far beyond the window, some need
+/// cutting where their neighbours do not.
+TYPED_TEST(watertight, zoomed_tilings_whose_patches_are_cut_cover_every_pixel) {
+    std::int64_t pixels = 0, uncovered = 0, pieces = 0, patches = 0, clipped = 0;
+    std::uint64_t seed = 1;
+    for (const std::int64_t enough = pixels_to_fill(4'000'000); pixels < enough; ++seed) {
+        number_source random(seed);
+        const l3d_size size{static_cast<int>(random.between(150, 500)),
+                            static_cast<int>(random.between(120, 400))};
+        reference::camera wide_angle = oblique, zoomed = oblique;
+        wide_angle.fov_degrees = 70;
+        zoomed.fov_degrees = random.of_any_size(0.02, 30);
+        const int k = static_cast<int>(random.of_any_size(1, 8.99));
+        const double fold = random.between(0, 1.5), depth = random.between(0, 4);
+        const double tolerance = random.of_any_size(0.02, 4);
+        const scene s(random_tiling(seed, k, fold, depth, wide_angle, {size.width, size.height}),
+                      zoomed, size);
+        picture drawn(size);
+        const l3d_dice_counts counts = dice<TypeParam>(s, tolerance, drawn);
+        EXPECT_EQ(drawn.uncovered(), 0)
+            << "seed " << seed << ": " << k << " x " << k << " patches, fold " << fold << ", depth "
+            << depth << ", fov " << zoomed.fov_degrees << ", tolerance " << tolerance;
+        pixels += std::int64_t{size.width} * size.height;
+        uncovered += drawn.uncovered();
+        pieces += counts.pieces;
+        clipped += counts.clipped;
+        patches += counts.drawn;
+    }
+    if (!sanitized) { // too few tilings to count on one that is cut
+        EXPECT_GT(pieces, patches);
+    }
+    std::printf("%-6s zoomed tilings: %ld of %ld pixels uncovered; %ld patches in %ld pieces, %ld "
+                "clipped, seeds 1 to %ld\n",
+                name_of<TypeParam>(), static_cast<long>(uncovered), static_cast<long>(pixels),
+                static_cast<long>(patches), static_cast<long>(pieces), static_cast<long>(clipped),
+                static_cast<long>(seed - 1));
+}
+
+/// Finer than vertices can be placed, so that patches need more than 32 steps a strip.
+TYPED_TEST(watertight, tilings_cut_again_and_again_cover_every_pixel) {
+    std::int64_t pixels = 0, uncovered = 0, pieces = 0, patches = 0;
+    std::uint64_t seed = 1;
+    for (const std::int64_t enough = pixels_to_fill(1'000'000); pixels < enough; ++seed) {
+        number_source random(seed);
+        const l3d_size size{static_cast<int>(random.between(150, 500)),
+                            static_cast<int>(random.between(120, 400))};
+        const int k = static_cast<int>(random.between(1, 3.99));
+        const double tolerance = random.of_any_size(0.0005, 0.005);
+        const scene s(random_tiling(seed, k, random.between(0, 2), random.between(0, 4), oblique,
+                                    {size.width, size.height}),
+                      oblique, size);
+        picture drawn(size);
+        const l3d_dice_counts counts = dice<TypeParam>(s, tolerance, drawn);
+        EXPECT_EQ(drawn.uncovered(), 0)
+            << "seed " << seed << ": " << k << " x " << k << " patches, tolerance " << tolerance;
+        pixels += std::int64_t{size.width} * size.height;
+        uncovered += drawn.uncovered();
+        pieces += counts.pieces;
+        patches += counts.drawn;
+    }
+    EXPECT_GT(pieces, 3 * patches);
+    std::printf("%-6s cut tilings: %ld of %ld pixels uncovered; %ld patches in %ld pieces, seeds 1 "
+                "to %ld\n",
+                name_of<TypeParam>(), static_cast<long>(uncovered), static_cast<long>(pixels),
+                static_cast<long>(patches), static_cast<long>(pieces), static_cast<long>(seed - 1));
+}
+
+/// k x k patches over |x|, |z| <= 40 with control points moved within the plane y = 0, and up and
+/// down by at most `bump`.
+std::vector<reference::patch> ground(number_source& random, int k, double bump) {
+    constexpr double half = 40;
+    const std::size_t side = 3 * static_cast<std::size_t>(k) + 1;
+    std::vector<reference::vec3> lattice(side * side);
+    const double cell = 2 * half / static_cast<double>(side - 1);
+    for (std::size_t j = 0; j < side; ++j)
+        for (std::size_t i = 0; i < side; ++i) {
+            const bool rim = i == 0 || j == 0 || i + 1 == side || j + 1 == side;
+            const double move = rim ? 0 : 0.4 * cell;
+            lattice[j * side + i] = {
+                cell * static_cast<double>(i) - half + random.between(-move, move),
+                random.between(-bump, bump),
+                cell * static_cast<double>(j) - half + random.between(-move, move)};
+        }
+    std::vector<reference::patch> result(static_cast<std::size_t>(k * k));
+    for (std::size_t p = 0; p < result.size(); ++p)
+        for (std::size_t n = 0; n < 16; ++n)
+            result[p].points[n] = lattice[(3 * (p / static_cast<std::size_t>(k)) + n / 4) * side +
+                                          3 * (p % static_cast<std::size_t>(k)) + n % 4];
+    return result;
+}
+
+/// A camera over the ground, looking anywhere but up.
+reference::camera over_ground(number_source& random, double height) {
+    const double x = random.between(-9, 9), z = random.between(-9, 9);
+    return {{x, height, z},
+            {x + random.between(-10, 10), random.between(-12, 0.99 * height), z + 11},
+            {0.1, 1, 0.05},
+            random.between(20, 90),
+            height * random.of_any_size(0.1, 5)};
+}
+
+/// The ray through a pixel meets the flat ground well inside its rim and beyond the near plane.
+bool shows_flat_ground(const reference::camera_frame& frame, const reference::camera& view, int x,
+                       int y) {
+    const reference::vec3 far = frame.unproject(x + 0.5, y + 0.5, 1);
+    const double fall = view.eye.y - far.y;
+    if (fall <= 0)
+        return false;
+    const double w = view.eye.y / fall;
+    const double at_x = view.eye.x + w * (far.x - view.eye.x);
+    const double at_z = view.eye.z + w * (far.z - view.eye.z);
+    // One 1000th of w is more than a tolerance's worth beside the line where the plane is cut.
+    return std::abs(at_x) < 39 && std::abs(at_z) < 39 && w > view.near * 1.001;
+}
+
+TYPED_TEST(watertight, flat_ground_through_the_near_plane_is_covered_to_the_horizon) {
+    std::int64_t pixels = 0, uncovered = 0, clipped = 0;
+    constexpr std::uint64_t scenes = sanitized ? 6 : 60;
+    for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
+        number_source random(seed);
+        const int k = static_cast<int>(random.of_any_size(1, 9.99));
+        const reference::camera view = over_ground(random, random.of_any_size(0.01, 8));
+        const scene s(ground(random, k, 0), view, {317, 241});
+        const double tolerance = random.of_any_size(0.05, 2);
+        picture drawn(s.size);
+        const l3d_dice_counts counts = dice<TypeParam>(s, tolerance, drawn);
+        const reference::camera_frame frame(view, s.picture());
+        std::int64_t here = 0;
+        for (int y = 0; y < s.size.height; ++y)
+            for (int x = 0; x < s.size.width; ++x)
+                if (shows_flat_ground(frame, view, x, y)) {
+                    ++pixels;
+                    here += !drawn.covered(x, y);
+                }
+        EXPECT_EQ(here, 0) << "seed " << seed << ", " << k << " x " << k << " patches, tolerance "
+                           << tolerance;
+        uncovered += here;
+        clipped += counts.clipped;
+    }
+    EXPECT_GT(clipped, 0);
+    EXPECT_GT(pixels, 1000);
+    std::printf("%-6s flat ground: %ld of %ld pixels uncovered; %ld pieces clipped\n",
+                name_of<TypeParam>(), static_cast<long>(uncovered), static_cast<long>(pixels),
+                static_cast<long>(clipped));
+}
+
+TYPED_TEST(watertight, hilly_ground_through_the_near_plane_has_no_hole) {
+    std::int64_t covered = 0, holes = 0, clipped = 0;
+    constexpr std::uint64_t scenes = sanitized ? 1 : 8;
+    for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
+        number_source random(seed);
+        const reference::camera view = over_ground(random, random.of_any_size(0.3, 4));
+        const scene s(ground(random, 4, 3), view, {151, 113});
+        const reference::exact_image exact(s.patches, view, s.picture());
+        picture drawn(s.size);
+        const l3d_dice_counts counts = dice<TypeParam>(s, 0.1, drawn);
+        for (int y = 1; y + 1 < s.size.height; ++y)
+            for (int x = 1; x + 1 < s.size.width; ++x) {
+                bool inside = true;
+                for (int n = 0; n < 9; ++n)
+                    inside = inside && exact.covered(x - 1 + n % 3, y - 1 + n / 3);
+                covered += inside;
+                holes += inside && !drawn.covered(x, y);
+            }
+        clipped += counts.clipped;
+        EXPECT_EQ(holes, 0) << "seed " << seed;
+    }
+    EXPECT_GT(clipped, 0);
+    std::printf("%-6s hilly ground: %ld of %ld pixels are holes; %ld pieces clipped\n",
+                name_of<TypeParam>(), static_cast<long>(holes), static_cast<long>(covered),
+                static_cast<long>(clipped));
+}
+
+} // namespace
+} // namespace dice_tests
