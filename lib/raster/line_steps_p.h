@@ -55,6 +55,7 @@ public:
     }
 
     std::int64_t floor() const { return value_ >> fraction_bits; }
+    std::int64_t floor_after(int steps) const { return (value_ + steps * step_) >> fraction_bits; }
     void step() { value_ += step_; }
 
 private:

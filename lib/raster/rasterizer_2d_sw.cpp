@@ -14,16 +14,26 @@ namespace {
 
 using namespace l3d_detail;
 
-/// Lights the pixels of the steps seen; strides are in words.
-template <class Minors>
+/// Lights the pixels of the steps seen; strides are in words. Those so many steps `ahead` are asked
+/// for, if not 0.
+template <int ahead, class Minors>
 void light(const line_steps& line, Minors minors, const l3d_pixels& target, std::uint32_t color) {
     const std::ptrdiff_t along = line.x_major ? 1 : target.stride;
     const std::ptrdiff_t across = line.x_major ? target.stride : 1;
     std::uint32_t* at = target.words + (line.major + line.first) * along + line.minor * across;
     for (std::int64_t left = line.last - line.first + 1; left > 0; --left, at += along) {
+        if constexpr (ahead > 0)
+            __builtin_prefetch(at + minors.floor_after(ahead) * across + ahead * along, 1);
         at[minors.floor() * across] = color;
         minors.step();
     }
+}
+
+/// Each pixel of a steep line is in a row, and so in a cache line, of its own: a picture that the
+/// cache does not hold is written a third faster if asked for ahead. Short lines end too soon.
+constexpr int pixels_ahead = 4;
+bool gains_ahead(const line_steps& line) {
+    return !line.x_major && line.last - line.first > 8 * pixels_ahead;
 }
 
 /// A word whose three lower bytes are moved towards the colour's by coverage / 255, to nearest.
@@ -74,10 +84,12 @@ void l3d_rasterizer_2d_sw_imp::draw_line(const l3d_line_2d& line, std::uint32_t 
     const line_steps steps = steps_of(line, target_.size());
     if (steps.first > steps.last)
         return;
-    if (swift_minors::serves(steps))
-        light(steps, swift_minors(steps), target_, color);
+    if (!swift_minors::serves(steps))
+        light<0>(steps, steps.minors(), target_, color);
+    else if (gains_ahead(steps))
+        light<pixels_ahead>(steps, swift_minors(steps), target_, color);
     else
-        light(steps, steps.minors(), target_, color);
+        light<0>(steps, swift_minors(steps), target_, color);
 }
 
 void l3d_rasterizer_2d_sw_imp::do_draw_line_antialiased(l3d_point_2d from, l3d_point_2d to,
