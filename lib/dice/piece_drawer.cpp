@@ -145,31 +145,41 @@ void l3d_piece_drawer<T>::evaluate_grid(const l3d_piece_nets<T>& nets, const l3d
                                         const l3d_diced_piece& out) {
     const std::size_t columns = out.u.size();
     clip_grid_.resize(columns * out.v.size());
+    curves_.resize(columns);
     for (auto& component : normal_row_)
         component.resize(columns);
     const auto strips = static_cast<std::size_t>(plan.strips);
     std::size_t row = 0;
-    const auto emit = [&](std::size_t strip, double v) {
+    const auto set_curves = [&](std::size_t b) {
+        for_columns(plan, [&](std::size_t c, std::size_t a, double u) {
+            curves_[c] = column_at(nets.blocks()[strips * b + a], u, plan.nu[a], plan.balanced);
+        });
+    };
+    const auto emit = [&](double v) {
         normal_columns_.emit(out.v[row], normal_row_[0].data(), normal_row_[1].data(),
                              normal_row_[2].data());
-        for_columns(plan, [&](std::size_t c, std::size_t a, double u) {
+        for (std::size_t c = 0; c < columns; ++c) {
             l3d_clip_vertex& vertex = clip_grid_[row * columns + c];
-            l3d_image_curve column =
-                column_at(nets.blocks()[strips * strip + a], u, plan.nu[a], plan.balanced);
-            if (plan.balanced && v > 0 && v < 1)
-                column = l3d_balanced(column, plan.nv[strip]);
-            vertex = l3d_canonical_vertex(column.evaluate(v), view_);
+            vertex = l3d_canonical_vertex(curves_[c].evaluate(v), view_);
             vertex.dice.u = out.u[c];
             vertex.dice.v = out.v[row];
             for (std::size_t k = 0; k < 3; ++k)
                 vertex.dice.vertex.normal[k] = normal_row_[k][c];
-        });
+        }
         ++row;
     };
-    for (std::size_t strip = 0; strip < strips; ++strip)
-        for (int i = 0; i < plan.nv[strip]; ++i)
-            emit(strip, static_cast<double>(i) / plan.nv[strip]);
-    emit(strips - 1, 1);
+    for (std::size_t b = 0; b < strips; ++b) {
+        const int n = plan.nv[b];
+        set_curves(b);
+        emit(0);
+        if (plan.balanced)
+            for (l3d_image_curve& curve : curves_)
+                curve = l3d_balanced(curve, n);
+        for (int i = 1; i < n; ++i)
+            emit(static_cast<double>(i) / n);
+    }
+    set_curves(strips - 1);
+    emit(1);
 }
 
 /// What was evaluated, as the grid of a piece that needs no clipping.
@@ -279,6 +289,7 @@ template <class T> void l3d_piece_drawer<T>::reserve_as(const l3d_piece_drawer& 
     walker_.resize(other.walker_.room());
     normal_columns_.resize(other.normal_columns_.room());
     clip_grid_.reserve(other.clip_grid_.capacity());
+    curves_.reserve(other.curves_.capacity());
     for (std::size_t k = 0; k < normal_row_.size(); ++k)
         normal_row_[k].reserve(other.normal_row_[k].capacity());
     boundary_.reserve(other.boundary_.capacity());

@@ -75,6 +75,7 @@ private:
     l3d_strip_walker<T> walker_;
     l3d_normal_columns normal_columns_;
     std::vector<l3d_clip_vertex> clip_grid_;
+    std::vector<l3d_image_curve> curves_;
     std::array<std::vector<float>, 3> normal_row_;
     std::vector<l3d_boundary_point> boundary_;
 };
