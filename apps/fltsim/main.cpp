@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // fltsim: a world of pyramids to fly through. Ten of them are a class, one is a plug-in.
+#include "geom/polygon_shapes.h"
 #include "geom/random.h"
 #include "pipeline/pipeline_world.h"
 #include "system/plugin_loader.h"
@@ -13,12 +14,7 @@ namespace {
 class pyramid final : public l3d_object {
 public:
     pyramid(double x, l3d_random& random) {
-        l3d_polygon_mesh mesh;
-        mesh.vertices = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}};
-        mesh.add_face({{0, 1, 3}});
-        mesh.add_face({{2, 3, 1}});
-        mesh.add_face({{0, 2, 1}});
-        mesh.add_face({{3, 2, 0}});
+        l3d_polygon_mesh mesh = l3d_pyramid_mesh();
         for (std::size_t i = 0; i < mesh.faces(); ++i)
             mesh.face_colors.push_back(random.next() >> 8);
         set_mesh(std::move(mesh));

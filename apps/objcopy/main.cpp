@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // objcopy: an object is copied, both are cut by a plane, and the halves slide apart and back.
 #include "geom/mesh_cut.h"
+#include "geom/polygon_shapes.h"
 #include "geom/random.h"
 #include "pipeline/pipeline_world.h"
 #include "system/program.h"
@@ -13,12 +14,7 @@ namespace {
 class half_pyramid final : public l3d_object {
 public:
     explicit half_pyramid(l3d_random& random) {
-        l3d_polygon_mesh mesh;
-        mesh.vertices = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}};
-        mesh.add_face({{0, 1, 3}});
-        mesh.add_face({{2, 3, 1}});
-        mesh.add_face({{0, 2, 1}});
-        mesh.add_face({{3, 2, 0}});
+        l3d_polygon_mesh mesh = l3d_pyramid_mesh();
         for (std::size_t i = 0; i < mesh.faces(); ++i)
             mesh.face_colors.push_back(random.next() >> 8);
         set_mesh(std::move(mesh));

@@ -1,45 +1,25 @@
 // SPDX-License-Identifier: MIT
 // xform: triangles thrown about the window and clipped by it, and lines; they pile up.
-#include "geom/random.h"
-#include "pipeline/ticker.h"
+#include "pile_pipeline.h"
 #include "raster/polygon_2d_flatshaded.h"
 #include "system/program.h"
-
-#include <algorithm>
 
 namespace {
 
 // Step 2 of 5: the application is a pipeline.
-class xform_pipeline final : public l3d_pipeline_2d {
+class xform_pipeline final : public pile_pipeline {
 public:
-    xform_pipeline(l3d_canvas canvas, std::uint64_t seed)
-        : l3d_pipeline_2d(std::move(canvas)), random_(seed) {}
-
-    void update_event(double seconds) override {
-        constexpr int most = 10 * 60; // of what was never seen, ten seconds hide all before
-        rounds_ = std::min(rounds_ + ticker_.due(seconds), most);
-    }
-
-    bool needs_redraw() const override { return rounds_ > 0; }
+    using pile_pipeline::pile_pipeline;
 
 private:
-    void draw(l3d_rasterizer_2d& rasterizer) override {
-        for (; rounds_ > 0; --rounds_)
-            for (int i = 0; i < 7; ++i) {
-                const auto channel = [this] { return random_.between(0, 255); };
-                const auto red = channel(), green = channel(), blue = channel();
-                draw_pair(rasterizer, l3d_screen_info::ext_to_native(red, green, blue));
-            }
-    }
-
     /// A triangle anywhere in or near the window, and a line from its corner. Half of the range of
     /// the triangle's place is outside, so that there is something to clip.
-    void draw_pair(l3d_rasterizer_2d& rasterizer, std::uint32_t color) {
+    void draw_one(l3d_rasterizer_2d& rasterizer, l3d_random& random, std::uint32_t color) override {
         const auto [width, height] = size();
-        const int right = random_.between(-width, width * 7 / 8);
-        const int down = random_.between(-height * 5 / 6, height * 5 / 6);
-        const int x = random_.between(0, width * 5 / 6);
-        const int y = random_.between(0, height * 4 / 5);
+        const int right = random.between(-width, width * 7 / 8);
+        const int down = random.between(-height * 5 / 6, height * 5 / 6);
+        const int x = random.between(0, width * 5 / 6);
+        const int y = random.between(0, height * 4 / 5);
         vertices_.clear_varying();
         for (auto& vertex : vertices_.fixed()) {
             vertex.reset();
@@ -61,9 +41,6 @@ private:
         return l3d_coordinate<l3d_real>(l3d_point<l3d_real>::of(x, y, 0));
     }
 
-    l3d_random random_;
-    l3d_ticker ticker_;
-    int rounds_ = 0; ///< due, but not yet drawn
     l3d_vertex_list<l3d_real> vertices_{{vertex(100, 100), vertex(300, 150), vertex(70, 120)}};
     l3d_polygon_2d_flatshaded triangle_{{0, 1, 2}, 0};
 };

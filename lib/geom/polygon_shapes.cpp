@@ -64,3 +64,13 @@ l3d_polygon_mesh l3d_sphere_mesh(int around, int rows, double radius) {
     }
     return mesh;
 }
+
+l3d_polygon_mesh l3d_pyramid_mesh() {
+    l3d_polygon_mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}};
+    mesh.add_face({{0, 1, 3}});
+    mesh.add_face({{2, 3, 1}});
+    mesh.add_face({{0, 2, 1}});
+    mesh.add_face({{3, 2, 0}});
+    return mesh;
+}

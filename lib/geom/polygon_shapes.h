@@ -15,6 +15,9 @@ l3d_polygon_mesh l3d_torus_mesh(int around, int across, double major = 2, double
 /// Expects: around >= 3, rows >= 2; radius > 0.
 l3d_polygon_mesh l3d_sphere_mesh(int around, int rows, double radius = 1);
 
+/// The book's pyramid: three edges of length 10 from the origin along the axes, four faces.
+l3d_polygon_mesh l3d_pyramid_mesh();
+
 /// The height field z = height(x, y) over [-1, 1] squared: 2 cells^2 triangles.
 /// Expects: cells >= 1.
 template <class Height> l3d_polygon_mesh l3d_grid_mesh(int cells, Height height) {

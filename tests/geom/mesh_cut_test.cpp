@@ -18,12 +18,7 @@ using point = l3d_point<double>;
 
 /// The book's pyramid with a colour for each face.
 l3d_polygon_mesh pyramid() {
-    l3d_polygon_mesh mesh;
-    mesh.vertices = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}};
-    mesh.add_face({{0, 1, 3}});
-    mesh.add_face({{2, 3, 1}});
-    mesh.add_face({{0, 2, 1}});
-    mesh.add_face({{3, 2, 0}});
+    l3d_polygon_mesh mesh = l3d_pyramid_mesh();
     mesh.face_colors = {0x10, 0x20, 0x30, 0x40};
     return mesh;
 }

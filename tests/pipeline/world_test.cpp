@@ -2,6 +2,7 @@
 // Objects, worlds and the painter: the rows of the book's table from "Original vs. transformed" on.
 #include "pipeline/world.h"
 
+#include "geom/polygon_shapes.h"
 #include "raster/rasterizer_2d_sw.h"
 
 #include <gtest/gtest.h>
@@ -18,20 +19,10 @@ double uniform(std::mt19937& random) {
     return static_cast<double>(random()) / 0x1p31 - 1;
 }
 
-l3d_polygon_mesh pyramid_mesh() {
-    l3d_polygon_mesh mesh;
-    mesh.vertices = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}};
-    mesh.add_face({{0, 1, 3}});
-    mesh.add_face({{2, 3, 1}});
-    mesh.add_face({{0, 2, 1}});
-    mesh.add_face({{3, 2, 0}});
-    return mesh;
-}
-
 /// Turns 10 degrees about x per update of the book, at (x, 1, 1), as in fltsim.
 class pyramid final : public l3d_object {
 public:
-    explicit pyramid(double x) : l3d_object(pyramid_mesh()) {
+    explicit pyramid(double x) : l3d_object(l3d_pyramid_mesh()) {
         set_transform(1, l3d_translation<real>(x, 1, 1));
     }
 
@@ -98,7 +89,7 @@ TEST(book_world, projection_of_fltsim) {
             EXPECT_NEAR(corner.y, w[1], 1e-3);
         }
 
-    l3d_object plugged(pyramid_mesh()); // one that turns about z, further away
+    l3d_object plugged(l3d_pyramid_mesh()); // one that turns about z, further away
     plugged.set_transform(0, l3d_rotation_z<real>(1));
     plugged.set_transform(1, l3d_translation<real>(70, 0, 0));
     plugged.set_transform(2, l3d_translation<real>(0, 0, 50));
@@ -163,7 +154,7 @@ TEST(book_world, nothing_behind_the_eye_is_projected) {
         l3d_facet_list facets;
         facets.begin(camera, size);
         for (int k = 0; k < 3; ++k) {
-            l3d_object object(pyramid_mesh());
+            l3d_object object(l3d_pyramid_mesh());
             const double grow = std::exp(4 * uniform(random));
             object.set_transform(0, l3d_scaling<real>(grow, 1, 1 / grow));
             object.set_transform(1, l3d_rotation<real>({uniform(random), 1.1, 0.2}, 3.0 * k));
@@ -297,14 +288,14 @@ TEST(book_object, copies_are_deep) {
     mesh.vertices[0] = {9, 9, 9};
     copy->set_mesh(mesh);
     EXPECT_EQ(original->modeling_transform(), before);
-    EXPECT_EQ(original->mesh(), pyramid_mesh());
+    EXPECT_EQ(original->mesh(), l3d_pyramid_mesh());
     EXPECT_NE(copy->modeling_transform(), before);
     original.reset();
     EXPECT_EQ(copy->vertices()[0], l3d_point<real>::of(9, 9, 9));
 }
 
 TEST(book_object, composite_transform) {
-    l3d_object object(pyramid_mesh());
+    l3d_object object(l3d_pyramid_mesh());
     EXPECT_EQ(object.modeling_transform(), l3d_identity<real>());
     object.set_transform(2, l3d_translation<real>(10, 0, 0));
     object.set_transform(0, l3d_rotation_z<real>(90));
