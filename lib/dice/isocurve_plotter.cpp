@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <tuple>
 
 namespace {
 
@@ -58,41 +57,35 @@ double distance(const place& a, const place& b) {
 } // namespace
 
 template <class T>
-void l3d_isocurve_plotter<T>::plot(const l3d_image_patch& net, const l3d_normal_net& normals,
-                                   const l3d_dice_view& view, l3d_point_canvas& canvas,
-                                   l3d_dice_counts& counts) {
-    task of{normals, view, canvas, counts};
+void l3d_isocurve_plotter<T>::plot(const l3d_image_patch& net, const l3d_plot_task& of) {
     normals_.resize(1);
     draw_curve(net.column(0), 0, 0, 1, of);
     draw_curve(net.column(3), 1, 0, 1, of);
-    fill({net, 0, 1, 0, 1, 0}, of);
-    counts.bound_px = std::numeric_limits<double>::infinity();
+    fill({net}, of);
+    of.counts.bound_px = std::numeric_limits<double>::infinity();
 }
 
-template <class T> void l3d_isocurve_plotter<T>::fill(const stripe& between, task& of) {
+template <class T>
+void l3d_isocurve_plotter<T>::fill(const stripe& between, const l3d_plot_task& of) {
     const l3d_image_box hull = l3d_image_box_of(between.net.points);
     if (hull.intersected(of.view.margin()).empty())
         return;
     if (width_bound(between.net, hull) <= spacing || between.depth == deepest)
         return;
-    stripe low = between, high = between;
-    low.depth = high.depth = between.depth + 1;
     if (std::max(hull.width(), hull.height()) > least_length) {
-        std::tie(low.net, high.net) = between.net.split_v();
+        const auto [low, high] = l3d_halves(between, false);
         const auto width_of = [](const l3d_image_patch& net) {
             return width_bound(net, l3d_image_box_of(net.points));
         };
         // Worth while where one half needs no more curves, or fewer.
         const double first = width_of(low.net), second = width_of(high.net);
         if (std::min(first, second) < 0.75 * std::max(first, second)) {
-            low.v1 = high.v0 = (between.v0 + between.v1) / 2;
             fill(low, of);
             fill(high, of);
             return;
         }
     }
-    std::tie(low.net, high.net) = between.net.split_u();
-    low.u1 = high.u0 = (between.u0 + between.u1) / 2;
+    const auto [low, high] = l3d_halves(between, true);
     draw_curve(low.net.column(3), low.u1, between.v0, between.v1, of);
     fill(low, of);
     fill(high, of);
@@ -101,7 +94,7 @@ template <class T> void l3d_isocurve_plotter<T>::fill(const stripe& between, tas
 /// Time is counted in units of 2^-most_halvings of the curve.
 template <class T>
 void l3d_isocurve_plotter<T>::draw_curve(const l3d_image_curve& curve, double u, double v0,
-                                         double v1, task& of) {
+                                         double v1, const l3d_plot_task& of) {
     normals_.set(0, of.normals, u);
     std::array<l3d_forward_difference<T, 3>, 3> walk;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -139,7 +132,8 @@ void l3d_isocurve_plotter<T>::draw_curve(const l3d_image_curve& curve, double u,
     }
 }
 
-template <class T> void l3d_isocurve_plotter<T>::put(const l3d_image_point& h, double v, task& of) {
+template <class T>
+void l3d_isocurve_plotter<T>::put(const l3d_image_point& h, double v, const l3d_plot_task& of) {
     ++of.counts.samples;
     const l3d_size size = of.canvas.size();
     const double x = h[0] / h[2] + size.width / 2.0, y = h[1] / h[2] + size.height / 2.0;

@@ -3,11 +3,9 @@
 #ifndef L3D_DICE_ISOCURVE_PLOTTER_H
 #define L3D_DICE_ISOCURVE_PLOTTER_H
 
-#include "geom/normal_net.h"
-#include "dice/dice_counts.h"
-#include "dice/dice_view.h"
+#include "dice/net_piece.h"
 #include "dice/normal_columns.h"
-#include "raster/point_canvas.h"
+#include "dice/plot_task.h"
 
 /// Curves of constant u, walked by adaptive forward differences in T: before each step the step is
 /// halved while it is longer than half a pixel, and doubled where it is shorter than a quarter.
@@ -23,27 +21,17 @@
 ///         Rendering for Freeform Surfaces, TOG 15, 1996.
 template <class T> class l3d_isocurve_plotter {
 public:
-    /// Expects: l3d_needs_no_clipping(net, view).
-    void plot(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
-              l3d_point_canvas& canvas, l3d_dice_counts& counts);
+    /// Expects: l3d_needs_no_clipping(net, of.view).
+    void plot(const l3d_image_patch& net, const l3d_plot_task& of);
 
 private:
     /// A part of the patch between two curves that have been drawn.
-    struct stripe {
-        l3d_image_patch net;
-        double u0 = 0, u1 = 1, v0 = 0, v1 = 1;
-        int depth = 0;
-    };
-    struct task {
-        const l3d_normal_net& normals;
-        const l3d_dice_view& view;
-        l3d_point_canvas& canvas;
-        l3d_dice_counts& counts;
-    };
+    using stripe = l3d_net_piece;
 
-    void fill(const stripe& between, task& of);
-    void draw_curve(const l3d_image_curve& curve, double u, double v0, double v1, task& of);
-    void put(const l3d_image_point& h, double v, task& of);
+    void fill(const stripe& between, const l3d_plot_task& of);
+    void draw_curve(const l3d_image_curve& curve, double u, double v0, double v1,
+                    const l3d_plot_task& of);
+    void put(const l3d_image_point& h, double v, const l3d_plot_task& of);
 
     l3d_normal_columns normals_;
 };

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace {
 
@@ -59,7 +58,7 @@ void l3d_micropolygon_dicer::dice(const l3d_image_patch& net, const l3d_normal_n
     for (const l3d_edge_polyline& edge : edges_.outer())
         counts.add_edge(edge.size(), edge.bound());
     drawer_.begin(fine, normals, edges_);
-    l3d_surface_piece whole{net, 0, 1, 0, 1, {}, 0};
+    l3d_surface_piece whole{{net}, {}};
     for (std::size_t side = 0; side < whole.sides.size(); ++side)
         whole.sides[side].edge = side;
     task of{fine, out, counts, most_pieces};
@@ -108,22 +107,6 @@ void l3d_micropolygon_dicer::dice_piece(const l3d_surface_piece& p, task& of) {
 
 void l3d_micropolygon_dicer::cut(const l3d_surface_piece& p, bool along_u, task& of) {
     --of.cuts_left;
-    l3d_surface_piece low = p, high = p;
-    low.depth = high.depth = p.depth + 1;
-    if (along_u) {
-        std::tie(low.net, high.net) = p.net.split_u();
-        low.u1 = high.u0 = (p.u0 + p.u1) / 2;
-    } else {
-        std::tie(low.net, high.net) = p.net.split_v();
-        low.v1 = high.v0 = (p.v0 + p.v1) / 2;
-    }
-    for (const std::size_t across : {along_u ? std::size_t{0} : 2, along_u ? std::size_t{1} : 3}) {
-        const double middle = (p.sides[across].t0 + p.sides[across].t1) / 2;
-        low.sides[across].t1 = high.sides[across].t0 = middle;
-    }
-    const std::size_t edge = edges_.add(along_u ? low.net.column(3) : low.net.row(3), of.view);
-    of.counts.add_edge(edges_[edge].size(), edges_[edge].bound());
-    low.sides[along_u ? 3 : 1] = high.sides[along_u ? 2 : 0] = l3d_piece_side{edge, 0, 1};
-    dice_piece(low, of);
-    dice_piece(high, of);
+    for (const l3d_surface_piece& half : l3d_cut_piece(p, along_u, of.view, edges_, of.counts))
+        dice_piece(half, of);
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace {
 
@@ -35,7 +34,7 @@ void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& 
     for (const l3d_edge_polyline& edge : edges.outer())
         counts.add_edge(edge.size(), edge.bound());
     drawer_.begin(view, normals, edges);
-    piece whole{net, 0, 1, 0, 1, {}, 0};
+    piece whole{{net}, {}};
     for (std::size_t side = 0; side < whole.sides.size(); ++side)
         whole.sides[side].edge = side;
     task of{view, edges, out, counts, l3d_most_samples};
@@ -45,7 +44,8 @@ void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& 
         std::pop_heap(waiting_.begin(), waiting_.end());
         const waiting worst = waiting_.back();
         waiting_.pop_back();
-        for (const piece& half : halves(worst, of))
+        for (const piece& half :
+             l3d_cut_piece(worst.p, worst.along_u, of.view, of.edges, of.counts))
             take(half, of);
     }
     of.samples_left = std::min(of.samples_left, most_left_samples);
@@ -125,31 +125,6 @@ template <class T> void l3d_patch_dicer<T>::draw(const piece& p, const planned& 
     const auto samples = static_cast<std::int64_t>(out.u.size() * out.v.size());
     of.counts.samples += samples;
     of.samples_left = std::max(std::int64_t{0}, of.samples_left - samples);
-}
-
-template <class T>
-auto l3d_patch_dicer<T>::halves(const waiting& w, task& of) const -> std::array<piece, 2> {
-    const piece& p = w.p;
-    std::array<piece, 2> result{p, p};
-    auto& [low, high] = result;
-    low.depth = high.depth = p.depth + 1;
-    if (w.along_u) {
-        std::tie(low.net, high.net) = p.net.split_u();
-        low.u1 = high.u0 = (p.u0 + p.u1) / 2;
-    } else {
-        std::tie(low.net, high.net) = p.net.split_v();
-        low.v1 = high.v0 = (p.v0 + p.v1) / 2;
-    }
-    // The sides across the cut are halved; the cut itself is a new edge, whole for both.
-    for (const std::size_t across :
-         {w.along_u ? std::size_t{0} : 2, w.along_u ? std::size_t{1} : 3}) {
-        const double middle = (p.sides[across].t0 + p.sides[across].t1) / 2;
-        low.sides[across].t1 = high.sides[across].t0 = middle;
-    }
-    const std::size_t edge = of.edges.add(w.along_u ? low.net.column(3) : low.net.row(3), of.view);
-    of.counts.add_edge(of.edges[edge].size(), of.edges[edge].bound());
-    low.sides[w.along_u ? 3 : 1] = high.sides[w.along_u ? 2 : 0] = l3d_piece_side{edge, 0, 1};
-    return result;
 }
 
 template class l3d_patch_dicer<float>;

@@ -84,7 +84,6 @@ private:
     void take(const piece& p, task& of);
     void draw_coarsely(const piece& p, std::int64_t samples, task& of);
     void draw(const piece& p, const planned& how, task& of);
-    std::array<piece, 2> halves(const waiting& w, task& of) const;
 
     std::vector<waiting> waiting_; ///< a heap: the least fine on top
     l3d_piece_drawer<T> drawer_;

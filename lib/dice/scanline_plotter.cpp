@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace {
 
@@ -41,15 +40,13 @@ l3d_scan_root between(const l3d_scan_root& a, const l3d_scan_root& b, double t) 
 
 } // namespace
 
-void l3d_scanline_plotter::plot(const l3d_image_patch& net, const l3d_normal_net& normals,
-                                const l3d_dice_view& view, l3d_point_canvas& canvas,
-                                l3d_dice_counts& counts) {
-    task of{normals, view, canvas, counts, view.tolerance / 8};
-    divide({net, 0, 1, 0, 1, 0}, of);
-    counts.bound_px = std::numeric_limits<double>::infinity();
+void l3d_scanline_plotter::plot(const l3d_image_patch& net, const l3d_plot_task& of) {
+    accuracy_ = of.view.tolerance / 8;
+    divide({net}, of);
+    of.counts.bound_px = std::numeric_limits<double>::infinity();
 }
 
-void l3d_scanline_plotter::divide(const piece& p, task& of) {
+void l3d_scanline_plotter::divide(const piece& p, const l3d_plot_task& of) {
     const l3d_image_box hull = l3d_image_box_of(p.net.points);
     const l3d_image_box seen = hull.intersected(of.view.window());
     const double centre_x = of.view.size.width / 2.0, centre_y = of.view.size.height / 2.0;
@@ -61,8 +58,6 @@ void l3d_scanline_plotter::divide(const piece& p, task& of) {
         return scan(p, hull, of);
     if (std::max(hull.width(), hull.height()) <= smallest || p.depth == deepest)
         return try_pixels(p, hull, of);
-    piece low = p, high = p;
-    low.depth = high.depth = p.depth + 1;
     const auto length = [&](int line, bool along_u) {
         double sum = 0;
         for (int i = 0; i < 3; ++i) {
@@ -76,15 +71,8 @@ void l3d_scanline_plotter::divide(const piece& p, task& of) {
         return std::max(
             {length(0, along_u), length(1, along_u), length(2, along_u), length(3, along_u)});
     };
-    if (longest(true) >= longest(false)) {
-        std::tie(low.net, high.net) = p.net.split_u();
-        low.u1 = high.u0 = (p.u0 + p.u1) / 2;
-    } else {
-        std::tie(low.net, high.net) = p.net.split_v();
-        low.v1 = high.v0 = (p.v0 + p.v1) / 2;
-    }
-    divide(low, of);
-    divide(high, of);
+    for (const piece& half : l3d_halves(p, longest(true) >= longest(false)))
+        divide(half, of);
 }
 
 void l3d_scanline_plotter::add_stretches(const l3d_image_curve& curve, l3d_scan_root from,
@@ -129,7 +117,8 @@ l3d_scanline_plotter::crossing l3d_scanline_plotter::meet(const stretch& s, doub
     return {h[0] / h[2], between(s.from, s.to, t)};
 }
 
-void l3d_scanline_plotter::scan(const piece& p, const l3d_image_box& hull, task& of) {
+void l3d_scanline_plotter::scan(const piece& p, const l3d_image_box& hull,
+                                const l3d_plot_task& of) {
     stretches_.clear();
     add_stretches(p.net.row(0), {0, 0, 0}, {1, 0, 0}, 0);
     add_stretches(p.net.row(3), {0, 1, 0}, {1, 1, 0}, 0);
@@ -152,7 +141,8 @@ void l3d_scanline_plotter::scan(const piece& p, const l3d_image_box& hull, task&
 }
 
 void l3d_scanline_plotter::scan_span(const piece& p, const l3d_scan_piece& powers, int row,
-                                     const crossing& left, const crossing& right, task& of) {
+                                     const crossing& left, const crossing& right,
+                                     const l3d_plot_task& of) {
     const double centre_x = of.view.size.width / 2.0;
     const double y = row + 0.5 - of.view.size.height / 2.0;
     const int end = std::min(of.view.size.width, first_centre(right.x + centre_x));
@@ -165,11 +155,11 @@ void l3d_scanline_plotter::scan_span(const piece& p, const l3d_scan_piece& power
             straight_on ? between(before, last, 2)
                         : between(left.root, right.root, (x - left.x) / (right.x - left.x));
         ++of.counts.samples;
-        std::optional<l3d_scan_root> root = powers.find(x, y, start, of.accuracy);
+        std::optional<l3d_scan_root> root = powers.find(x, y, start, accuracy_);
         if (!root)
-            root = powers.find(x, y, left.root, of.accuracy);
+            root = powers.find(x, y, left.root, accuracy_);
         if (!root)
-            root = powers.find(x, y, right.root, of.accuracy);
+            root = powers.find(x, y, right.root, accuracy_);
         if (!root) {
             ++of.counts.failures;
             straight_on = false;
@@ -182,7 +172,8 @@ void l3d_scanline_plotter::scan_span(const piece& p, const l3d_scan_piece& power
     }
 }
 
-void l3d_scanline_plotter::try_pixels(const piece& p, const l3d_image_box& hull, task& of) {
+void l3d_scanline_plotter::try_pixels(const piece& p, const l3d_image_box& hull,
+                                      const l3d_plot_task& of) {
     const l3d_scan_piece powers(p.net);
     const double centre_x = of.view.size.width / 2.0, centre_y = of.view.size.height / 2.0;
     const int right = std::min(of.view.size.width, first_centre(hull.right + centre_x) + 1);
@@ -194,13 +185,13 @@ void l3d_scanline_plotter::try_pixels(const piece& p, const l3d_image_box& hull,
             for (const auto& [u, v] :
                  {std::pair{0.5, 0.5}, {0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}})
                 if (const auto root = powers.find(column + 0.5 - centre_x, row + 0.5 - centre_y,
-                                                  {u, v, 0}, of.accuracy))
+                                                  {u, v, 0}, accuracy_))
                     put(p, column, row, *root, of);
         }
 }
 
 void l3d_scanline_plotter::put(const piece& p, int column, int row, const l3d_scan_root& root,
-                               task& of) {
+                               const l3d_plot_task& of) {
     const auto inv_w = static_cast<float>(of.view.depth_scale / root.w);
     if (of.canvas.is_nearest(column, row, inv_w))
         of.canvas.put(column, row, inv_w,

@@ -3,11 +3,9 @@
 #ifndef L3D_DICE_SCANLINE_PLOTTER_H
 #define L3D_DICE_SCANLINE_PLOTTER_H
 
-#include "geom/normal_net.h"
-#include "dice/dice_counts.h"
-#include "dice/dice_view.h"
+#include "dice/net_piece.h"
 #include "dice/scan_piece.h"
-#include "raster/point_canvas.h"
+#include "dice/plot_task.h"
 
 #include <vector>
 
@@ -25,23 +23,11 @@
 ///         Surfaces, CACM 23, 1980.
 class l3d_scanline_plotter {
 public:
-    /// Expects: l3d_needs_no_clipping(net, view).
-    void plot(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
-              l3d_point_canvas& canvas, l3d_dice_counts& counts);
+    /// Expects: l3d_needs_no_clipping(net, of.view).
+    void plot(const l3d_image_patch& net, const l3d_plot_task& of);
 
 private:
-    struct piece {
-        l3d_image_patch net;
-        double u0 = 0, u1 = 1, v0 = 0, v1 = 1;
-        int depth = 0;
-    };
-    struct task {
-        const l3d_normal_net& normals;
-        const l3d_dice_view& view;
-        l3d_point_canvas& canvas;
-        l3d_dice_counts& counts;
-        double accuracy;
-    };
+    using piece = l3d_net_piece;
     /// A stretch of a piece's border that rises or falls from end to end.
     struct stretch {
         l3d_image_curve curve;
@@ -54,16 +40,18 @@ private:
         l3d_scan_root root;
     };
 
-    void divide(const piece& p, task& of);
+    void divide(const piece& p, const l3d_plot_task& of);
     void add_stretches(const l3d_image_curve& curve, l3d_scan_root from, l3d_scan_root to,
                        int depth);
     static crossing meet(const stretch& s, double y);
-    void scan(const piece& p, const l3d_image_box& hull, task& of);
+    void scan(const piece& p, const l3d_image_box& hull, const l3d_plot_task& of);
     void scan_span(const piece& p, const l3d_scan_piece& powers, int row, const crossing& left,
-                   const crossing& right, task& of);
-    void try_pixels(const piece& p, const l3d_image_box& hull, task& of);
-    static void put(const piece& p, int column, int row, const l3d_scan_root& root, task& of);
+                   const crossing& right, const l3d_plot_task& of);
+    void try_pixels(const piece& p, const l3d_image_box& hull, const l3d_plot_task& of);
+    static void put(const piece& p, int column, int row, const l3d_scan_root& root,
+                    const l3d_plot_task& of);
 
+    double accuracy_ = 0; ///< within which the iteration stops
     std::vector<stretch> stretches_;
     std::vector<crossing> crossings_;
 };

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <tuple>
 
 namespace {
 
@@ -57,7 +56,7 @@ void l3d_subdivision_dicer::dice(const l3d_image_patch& net, const l3d_normal_ne
     const double vertex_error =
         l3d_evaluated_accuracy(net, view).drawn_error(l3d_vertex_accuracy::in_front);
     task of{normals, view, view.chord_budget(vertex_error), out.next(), counts};
-    piece whole{net, 0, 1, 0, 1, {}, {}, 0};
+    piece whole{{net}, {}, {}};
     for (const bool high_v : {false, true})
         for (const bool high_u : {false, true})
             whole.corners[2 * std::size_t{high_v} + std::size_t{high_u}] =
@@ -94,15 +93,7 @@ void l3d_subdivision_dicer::divide(piece& p, task& of) {
 }
 
 void l3d_subdivision_dicer::cut(const piece& p, bool along_u, task& of) {
-    piece low = p, high = p;
-    low.depth = high.depth = p.depth + 1;
-    if (along_u) {
-        std::tie(low.net, high.net) = p.net.split_u();
-        low.u1 = high.u0 = (p.u0 + p.u1) / 2;
-    } else {
-        std::tie(low.net, high.net) = p.net.split_v();
-        low.v1 = high.v0 = (p.v0 + p.v1) / 2;
-    }
+    auto [low, high] = l3d_halves(p, along_u);
     for (const std::size_t high_side : {std::size_t{0}, std::size_t{1}}) {
         // The ends and the middle of an edge across the cut.
         const std::size_t side = (along_u ? 0 : 2) + high_side;

@@ -7,6 +7,7 @@
 #include "dice/dice_counts.h"
 #include "dice/dice_view.h"
 #include "dice/diced_pieces.h"
+#include "dice/net_piece.h"
 
 #include <array>
 
@@ -28,12 +29,9 @@ public:
 
 private:
     /// Shape: corner 2 * (high v) + (high u); edges v low, v high, u low, u high.
-    struct piece {
-        l3d_image_patch net;
-        double u0 = 0, u1 = 1, v0 = 0, v1 = 1;
+    struct piece : l3d_net_piece {
         std::array<l3d_dice_vertex, 4> corners;
         std::array<bool, 4> straight{};
-        int depth = 0;
     };
 
     /// What stays the same for a patch.

@@ -3,7 +3,10 @@
 #ifndef L3D_DICE_SURFACE_PIECE_H
 #define L3D_DICE_SURFACE_PIECE_H
 
+#include "dice/dice_counts.h"
+#include "dice/edge_polylines.h"
 #include "dice/near_clip.h"
+#include "dice/net_piece.h"
 
 #include <array>
 #include <cstddef>
@@ -16,14 +19,11 @@ struct l3d_piece_side {
     bool whole() const { return t0 == 0 && t1 == 1; }
 };
 
-/// A part of a patch: its own homogeneous image net, and where it lies in the patch.
+/// A part of a patch, and what it shares with its neighbours.
 ///
 /// Shape: sides [0] v low, [1] v high (both along u), [2] u low, [3] u high (both along v).
-struct l3d_surface_piece {
-    l3d_image_patch net;
-    double u0 = 0, u1 = 1, v0 = 0, v1 = 1;
+struct l3d_surface_piece : l3d_net_piece {
     std::array<l3d_piece_side, 4> sides;
-    int depth = 0; ///< cuts that made it
 
     /// A corner at its canonical place, which all pieces that share it use; without normal.
     l3d_clip_vertex corner(bool high_u, bool high_v, const l3d_dice_view& view) const {
@@ -33,5 +33,11 @@ struct l3d_surface_piece {
         return result;
     }
 };
+
+/// Both halves of a piece. The sides across the cut are halved; the cut itself is a new edge, whole
+/// for both, which is counted.
+std::array<l3d_surface_piece, 2> l3d_cut_piece(const l3d_surface_piece& p, bool along_u,
+                                               const l3d_dice_view& view, l3d_edge_polylines& edges,
+                                               l3d_dice_counts& counts);
 
 #endif

@@ -232,8 +232,8 @@ private:
 
 std::optional<l3d_model_file> l3d_read_asc(std::string_view text, std::string_view name,
                                            std::string& why) {
-    text_cursor cursor(text, name);
-    l3d_model_file model;
-    const bool well = asc_reader(cursor, model.mesh).read();
-    return l3d_detail::outcome(well, model, cursor, why);
+    const auto read = [](text_cursor& cursor, l3d_model_file& model) {
+        return asc_reader(cursor, model.mesh).read();
+    };
+    return l3d_detail::read_model_by(read, text, name, why);
 }

@@ -75,13 +75,7 @@ private:
     bool at_end() { return is_binary_ ? text_.rest().empty() : text_.at_end(); }
 
     bool real(double& value, const char* what) {
-        if (!is_binary_)
-            return text_.number(value, what);
-        float bits = 0;
-        if (!text_.binary(bits, std::endian::big, what))
-            return false;
-        value = bits;
-        return text_.is_finite(value, what);
+        return text_.number_or_float(value, is_binary_, what);
     }
 
     bool skip(int numbers) {
@@ -135,8 +129,8 @@ private:
 
 std::optional<l3d_model_file> l3d_read_bez(std::string_view text, std::string_view name,
                                            std::string& why) {
-    text_cursor cursor(text, name, '#');
-    l3d_model_file model;
-    const bool well = bez_reader(cursor, model.patches).read();
-    return l3d_detail::outcome(well, model, cursor, why);
+    const auto read = [](text_cursor& cursor, l3d_model_file& model) {
+        return bez_reader(cursor, model.patches).read();
+    };
+    return l3d_detail::read_model_by(read, text, name, why, '#');
 }

@@ -44,25 +44,12 @@ std::optional<l3d_model_format> l3d_model_format_of(std::string_view text);
 std::optional<l3d_model_file> l3d_read_model(std::string_view text, std::string_view name,
                                              std::string& why);
 
-/// Readers of one format each; errors and cost as those of l3d_read_model.
-/// Errors: nothing, with the reason in `why`.
-std::optional<l3d_model_file> l3d_read_asc(std::string_view text, std::string_view name,
-                                           std::string& why);
-/// Errors: nothing, with the reason in `why`.
-std::optional<l3d_model_file> l3d_read_obj(std::string_view text, std::string_view name,
-                                           std::string& why);
-/// Errors: nothing, with the reason in `why`.
-std::optional<l3d_model_file> l3d_read_off(std::string_view text, std::string_view name,
-                                           std::string& why);
-/// Errors: nothing, with the reason in `why`.
-std::optional<l3d_model_file> l3d_read_ply(std::string_view text, std::string_view name,
-                                           std::string& why);
-/// Errors: nothing, with the reason in `why`.
-std::optional<l3d_model_file> l3d_read_videoscape(std::string_view text, std::string_view name,
-                                                  std::string& why);
-/// Errors: nothing, with the reason in `why`.
-std::optional<l3d_model_file> l3d_read_bez(std::string_view text, std::string_view name,
-                                           std::string& why);
+/// A reader of one format.
+/// Errors: as those of l3d_read_model, whose cost it has, too.
+using l3d_model_reader = std::optional<l3d_model_file>(std::string_view text, std::string_view name,
+                                                       std::string& why);
+l3d_model_reader l3d_read_asc, l3d_read_obj, l3d_read_off, l3d_read_ply, l3d_read_videoscape,
+    l3d_read_bez;
 
 /// The text of an .off file; reading it gives the same vertices, faces, normals and colours, bit
 /// for bit. Parts and materials have no place in it.

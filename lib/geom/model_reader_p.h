@@ -68,16 +68,20 @@ inline bool read_vertex(text_cursor& text, l3d_polygon_mesh& mesh) {
     return true;
 }
 
-/// The value of every reader: the model with its notes.
-/// Errors: nothing, and the cursor's reason in `why`, unless all went `well`.
-inline std::optional<l3d_model_file> outcome(bool well, l3d_model_file& model, text_cursor& text,
-                                             std::string& why) {
-    if (!well) {
-        why = text.why();
+/// The value of every reader of a format: read(cursor, model) says whether all went well. What
+/// follows `comment`, if any, to the line's end is skipped.
+/// Errors: nothing, and the cursor's reason in `why`.
+template <class Read>
+std::optional<l3d_model_file> read_model_by(Read read, std::string_view text, std::string_view name,
+                                            std::string& why, char comment = '\0') {
+    text_cursor cursor(text, name, comment);
+    l3d_model_file model;
+    if (!read(cursor, model)) {
+        why = cursor.why();
         return std::nullopt;
     }
-    model.notes = text.take_notes();
-    return std::move(model);
+    model.notes = cursor.take_notes();
+    return model;
 }
 
 } // namespace l3d_detail

@@ -189,13 +189,7 @@ private:
     }
 
     bool real(double& value, const char* what) {
-        if (!is_binary_)
-            return text_.number(value, what);
-        float bits = 0;
-        if (!text_.binary(bits, std::endian::big, what))
-            return false;
-        value = bits;
-        return text_.is_finite(value, what);
+        return text_.number_or_float(value, is_binary_, what);
     }
 
     bool whole(std::int64_t& value, const char* what, std::int64_t least, std::int64_t most) {
@@ -225,10 +219,10 @@ void append_vector(std::string& text, const l3d_polygon_mesh::vector& v, char af
 
 std::optional<l3d_model_file> l3d_read_off(std::string_view text, std::string_view name,
                                            std::string& why) {
-    text_cursor cursor(text, name, '#');
-    l3d_model_file model;
-    const bool well = off_reader(cursor, model.mesh).read();
-    return l3d_detail::outcome(well, model, cursor, why);
+    const auto read = [](text_cursor& cursor, l3d_model_file& model) {
+        return off_reader(cursor, model.mesh).read();
+    };
+    return l3d_detail::read_model_by(read, text, name, why, '#');
 }
 
 std::string l3d_write_off(const l3d_polygon_mesh& mesh) {

@@ -105,6 +105,17 @@ public:
         return true;
     }
 
+    /// A number as Geomview writes it: text, or a float of the file's binary part.
+    bool number_or_float(double& value, bool is_float, const char* what) {
+        if (!is_float)
+            return number(value, what);
+        float bits = 0;
+        if (!binary(bits, std::endian::big, what))
+            return false;
+        value = bits;
+        return is_finite(value, what);
+    }
+
 private:
     bool ends(const char* what);
     std::string place() const;

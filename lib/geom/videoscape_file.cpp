@@ -95,8 +95,8 @@ bool read_mesh(text_cursor& text, l3d_polygon_mesh& mesh) {
 
 std::optional<l3d_model_file> l3d_read_videoscape(std::string_view text, std::string_view name,
                                                   std::string& why) {
-    text_cursor cursor(text, name);
-    l3d_model_file model;
-    const bool well = read_mesh(cursor, model.mesh);
-    return l3d_detail::outcome(well, model, cursor, why);
+    const auto read = [](text_cursor& cursor, l3d_model_file& model) {
+        return read_mesh(cursor, model.mesh);
+    };
+    return l3d_detail::read_model_by(read, text, name, why);
 }

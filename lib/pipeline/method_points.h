@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_METHOD_POINTS_H
 #define L3D_PIPELINE_METHOD_POINTS_H
 
+#include "dice/plot_task.h"
 #include "pipeline/method_patches.h"
 #include "pipeline/surface_method.h"
 #include "raster/point_canvas.h"
@@ -15,9 +16,8 @@
 /// Puts the pixels of a patch that needs no clipping (l3d_needs_no_clipping) on a canvas.
 template <class P>
 concept l3d_point_plotter = requires(P plotter, const l3d_image_patch& net,
-                                     const l3d_normal_net& normals, const l3d_dice_view& view,
-                                     l3d_point_canvas& canvas, l3d_dice_counts& counts) {
-    plotter.plot(net, normals, view, canvas, counts);
+                                     const l3d_plot_task& of) {
+    plotter.plot(net, of);
 };
 
 /// Patches that need clipping are drawn first, by l3d_patch_dicer; then a `Plotter` draws all
@@ -44,7 +44,7 @@ private:
         canvas_.begin(frame.target, frame.depth, frame.shading);
         counts_ = patches_.counts();
         for (const l3d_method_patch& patch : ordinary_)
-            plotter_.plot(patch.net, patch.normals, frame.view, canvas_, counts_);
+            plotter_.plot(patch.net, {patch.normals, frame.view, canvas_, counts_});
         surface_counts_ = surface_->counts();
         surface_counts_.samples += canvas_.counts().samples;
         surface_counts_.written += canvas_.counts().written;
