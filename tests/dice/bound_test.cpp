@@ -106,7 +106,7 @@ private:
 
 TEST(certificate, evaluates_as_exactly_as_the_reference_does) {
     const reference::camera_frame frame(oblique, {odd.width, odd.height});
-    number_source random(3);
+    random_numbers random(3);
     for (const auto kind : {nasty_kind::crossing, nasty_kind::spear, nasty_kind::wide})
         for (const reference::patch& surface :
              nasty_patches(5, kind, 20, oblique, {odd.width, odd.height})) {
@@ -131,7 +131,7 @@ TYPED_TEST(bound_of, random_patches_of_every_kind_hold) {
     for (const auto& [kind, name] : kinds) {
         random_scenes<TypeParam> all(name);
         for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
-            const double tolerance = number_source(seed).of_any_size(0.03, 2);
+            const double tolerance = random_numbers(seed).of_any_size(0.03, 2);
             all.check(seed,
                       {random_patches(seed, kind, patches, oblique, {odd.width, odd.height}),
                        oblique, odd},
@@ -149,7 +149,7 @@ TYPED_TEST(bound_of, patches_cut_again_and_again_hold) {
                   {random_patches(seed, reference::patch_kind::folded, patches, oblique,
                                   {odd.width, odd.height}),
                    oblique, odd},
-                  number_source(seed).of_any_size(0.001, 0.005), false);
+                  random_numbers(seed).of_any_size(0.001, 0.005), false);
     EXPECT_GT(all.pieces, 3 * scenes * patches);
 }
 
@@ -164,7 +164,7 @@ TYPED_TEST(bound_of, patches_around_the_eye_and_far_from_the_window_hold) {
     for (const auto& [kind, name] : kinds) {
         random_scenes<TypeParam> all(name);
         for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
-            const double tolerance = number_source(seed).of_any_size(0.03, 2);
+            const double tolerance = random_numbers(seed).of_any_size(0.03, 2);
             all.check(seed,
                       {nasty_patches(seed, kind, patches, oblique, {odd.width, odd.height}),
                        oblique, odd},

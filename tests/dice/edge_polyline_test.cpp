@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Edges: the same from both sides, clipped the same from both sides, and near enough.
 #include "nasty.h"
+#include "odd_view.h"
 #include "dice/edge_polyline.h"
 #include "dice/slit.h"
 #include "raster/simd_target.h"
@@ -16,15 +17,11 @@ namespace dice_tests {
 namespace {
 
 l3d_dice_view view_with(double tolerance) {
-    l3d_dice_view view;
-    view.size = {640, 481};
-    view.near = 0.3;
-    view.tolerance = tolerance;
-    return view;
+    return odd_view(tolerance, 0.3);
 }
 
 /// Through the window, or at any side of it and of the near plane.
-l3d_image_curve random_edge(number_source& random) {
+l3d_image_curve random_edge(random_numbers& random) {
     l3d_image_curve result;
     const bool crossing = random.between(0, 1) < 0.3;
     for (auto& point : result.points) {
@@ -61,7 +58,7 @@ l3d_image_point placed(const l3d_clip_vertex& v, const l3d_dice_view& view) {
 TEST(edge_polyline, is_the_same_backwards_bit_for_bit) {
     std::size_t points = 0;
     for (std::uint64_t seed = 1; seed <= 500; ++seed) {
-        number_source random(seed);
+        random_numbers random(seed);
         const auto edge = random_edge(random);
         const l3d_dice_view view = view_with(random.of_any_size(0.02, 2));
         l3d_edge_polyline forth, back;
@@ -98,7 +95,7 @@ TEST(edge_polyline, is_the_same_alone_and_among_four_on_every_simd_target) {
     int in_lanes = 0, cut = 0;
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        number_source random(seed);
+        random_numbers random(seed);
         std::array<l3d_image_curve, 4> edges;
         for (l3d_image_curve& edge : edges)
             edge = random_edge(random);
@@ -137,7 +134,7 @@ TEST(edge_polyline, strips_are_one_or_four_and_hold_the_balanced_points_of_their
     std::array<int, 5> seen{};
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        number_source random(seed);
+        random_numbers random(seed);
         const double size = random.of_any_size(1, 400);
         l3d_image_curve edge;
         for (auto& point : edge.points) {
@@ -179,7 +176,7 @@ TEST(edge_polyline, strips_are_one_or_four_and_hold_the_balanced_points_of_their
 TEST(edge_polyline, runs_from_end_to_end_within_its_bound) {
     double worst = 0;
     for (std::uint64_t seed = 1; seed <= 500; ++seed) {
-        number_source random(seed);
+        random_numbers random(seed);
         const auto edge = random_edge(random);
         const l3d_dice_view view = view_with(random.of_any_size(0.02, 2));
         l3d_edge_polyline line;
@@ -212,7 +209,7 @@ TEST(edge_polyline, runs_from_end_to_end_within_its_bound) {
 }
 
 /// A corner of a triangle to be clipped, drawable or not.
-l3d_clip_vertex corner_at(number_source& random, const l3d_dice_view& view) {
+l3d_clip_vertex corner_at(random_numbers& random, const l3d_dice_view& view) {
     const double w = random.between(-2, 3);
     l3d_clip_vertex result = l3d_canonical_vertex(
         {random.between(-500, 500) * w, random.between(-400, 400) * w, w}, view);
@@ -225,7 +222,7 @@ TEST(near_clip, triangles_that_share_an_edge_get_the_same_corners_on_it) {
     const l3d_dice_view view = view_with(0.25);
     int crossings = 0;
     for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
-        number_source random(seed);
+        random_numbers random(seed);
         const l3d_clip_vertex a = corner_at(random, view), b = corner_at(random, view),
                               c = corner_at(random, view), d = corner_at(random, view);
         l3d_diced_piece left, right;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bounds of blocks in lanes, against those of each block by itself.
 #include "nasty.h"
+#include "odd_view.h"
 #include "dice/lane_bounds_p.h"
 #include "dice/piece_nets.h"
 #include "planned_error.h"
@@ -15,18 +16,12 @@
 namespace dice_tests {
 namespace {
 
-constexpr l3d_size odd{640, 481};
-
 l3d_dice_view view_with(double tolerance) {
-    l3d_dice_view view;
-    view.size = odd;
-    view.near = 0.1;
-    view.tolerance = tolerance;
-    return view;
+    return odd_view(tolerance, 0.1);
 }
 
 /// A turned and bent sheet of 4 to 2000 pixels that touches the window, w changing up to tenfold.
-l3d_image_patch sheet(number_source& random) {
+l3d_image_patch sheet(random_numbers& random) {
     const double size = random.of_any_size(4, 2000), bend = random.of_any_size(0.01, 1);
     const double x0 = random.between(-400, 400), y0 = random.between(-300, 300);
     const double angle = random.between(0, 6.28), aspect = random.of_any_size(0.05, 1);
@@ -70,7 +65,7 @@ TEST(lane_bounds, give_the_plans_of_the_slow_twin) {
     int compared = 0, different = 0;
     long quads = 0, wanted_quads = 0;
     for (std::uint64_t seed = 1; seed <= patches; ++seed) {
-        number_source random(seed);
+        random_numbers random(seed);
         const l3d_image_patch patch = sheet(random);
         const l3d_dice_view view = view_with(random.of_any_size(0.02, 2));
         const double budget = 0.98 * view.tolerance;
@@ -104,7 +99,7 @@ TEST(lane_bounds, give_the_plans_of_the_slow_twin) {
 
 TEST(lane_bounds, are_bounds_and_hardly_larger_than_the_slow_twins) {
     for (std::uint64_t seed = 1; seed <= (sanitized ? 200 : 5000); ++seed) {
-        number_source random(seed);
+        random_numbers random(seed);
         const l3d_image_patch patch = sheet(random);
         const l3d_dice_view view = view_with(0.5);
         l3d_detail::lane_bounds bounds;
@@ -140,7 +135,7 @@ TEST(lane_bounds, are_bounds_and_hardly_larger_than_the_slow_twins) {
 }
 
 TEST(lane_bounds, refuse_what_is_not_ordinary) {
-    number_source random(4);
+    random_numbers random(4);
     const l3d_image_patch good = sheet(random);
     const auto ordinary = [&](std::size_t at, const l3d_image_point& p) {
         l3d_image_patch patch = good;

@@ -89,7 +89,7 @@ TYPED_TEST(lane_dicer, holds_its_bound) {
         std::int64_t offered = 0, taken = 0, samples = 0;
         double worst = 0;
         for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
-            const double tolerance = number_source(seed).of_any_size(0.03, 2);
+            const double tolerance = random_numbers(seed).of_any_size(0.03, 2);
             SCOPED_TRACE(testing::Message()
                          << of.name << " seed " << seed << " tolerance " << tolerance);
             const scene s = random_scene(seed, of.kind, patches);

@@ -14,7 +14,7 @@ struct seen_point {
     double x, y, w;
 };
 
-seen_point point_of(number_source& random, nasty_kind kind, std::size_t row, std::size_t column,
+seen_point point_of(random_numbers& random, nasty_kind kind, std::size_t row, std::size_t column,
                     double near, reference::picture_size size) {
     const double width = size.width, height = size.height;
     const double a = static_cast<double>(column) / 3, b = static_cast<double>(row) / 3;
@@ -40,7 +40,7 @@ seen_point point_of(number_source& random, nasty_kind kind, std::size_t row, std
 }
 
 /// A parallelogram in the world; any three corners span it.
-reference::patch plane(number_source& random, const reference::camera_frame& frame, double near,
+reference::patch plane(random_numbers& random, const reference::camera_frame& frame, double near,
                        reference::picture_size size) {
     std::array<reference::vec3, 3> corners;
     for (reference::vec3& corner : corners)
@@ -60,22 +60,10 @@ reference::patch plane(number_source& random, const reference::camera_frame& fra
 } // namespace
 
 /// SplitMix64 (Steele, Lea, Flood 2014).
-double number_source::between(double low, double high) {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    z ^= z >> 31;
-    return low + (high - low) * static_cast<double>(z >> 11) * 0x1p-53;
-}
-
-double number_source::of_any_size(double low, double high) {
-    return std::exp(between(std::log(low), std::log(high)));
-}
-
 std::vector<reference::patch> nasty_patches(std::uint64_t seed, nasty_kind kind, int count,
                                             const reference::camera& view,
                                             reference::picture_size size) {
-    number_source random(seed);
+    random_numbers random(seed);
     const reference::camera_frame frame(view, size);
     std::vector<reference::patch> result(static_cast<std::size_t>(count));
     for (reference::patch& surface : result)
@@ -91,7 +79,7 @@ std::vector<reference::patch> nasty_patches(std::uint64_t seed, nasty_kind kind,
 
 std::vector<reference::patch> hopeless_patches(std::uint64_t seed, const reference::camera& view,
                                                reference::picture_size size) {
-    number_source random(seed);
+    random_numbers random(seed);
     std::vector<reference::patch> result;
     const auto add = [&](auto point_at) {
         reference::patch p;

@@ -4,11 +4,14 @@
 #define L3D_TESTS_DICE_NASTY_H
 
 #include "reference/exact.h"
+#include "reference/random_numbers.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace dice_tests {
+
+using reference::random_numbers;
 
 enum class nasty_kind {
     around_eye, ///< control points on all sides of the eye
@@ -27,18 +30,6 @@ std::vector<reference::patch> nasty_patches(std::uint64_t seed, nasty_kind kind,
 /// One each of all the ways to be nasty without being infinite.
 std::vector<reference::patch> hopeless_patches(std::uint64_t seed, const reference::camera& view,
                                                reference::picture_size size);
-
-/// A source of numbers that is the same with every library.
-class number_source {
-public:
-    explicit number_source(std::uint64_t seed) : state_(seed) {}
-    double between(double low, double high);
-    /// Every order of magnitude alike. Expects: 0 < low <= high.
-    double of_any_size(double low, double high);
-
-private:
-    std::uint64_t state_;
-};
 
 } // namespace dice_tests
 

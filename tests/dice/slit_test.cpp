@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Slits along whole sides, against the way that clips and looks at every triangle.
 #include "nasty.h"
+#include "odd_view.h"
 #include "dice/slit.h"
 
 #include <gtest/gtest.h>
@@ -12,11 +13,7 @@ namespace dice_tests {
 namespace {
 
 l3d_dice_view view_with(double tolerance) {
-    l3d_dice_view view;
-    view.size = {640, 481};
-    view.near = 0.3;
-    view.tolerance = tolerance;
-    return view;
+    return odd_view(tolerance, 0.3);
 }
 
 /// Steps of the strips of a row.
@@ -26,7 +23,7 @@ using steps = std::vector<int>;
 /// to a sub-pixel as another way to compute them would. Its other vertices do not matter.
 l3d_diced_piece piece_along(const l3d_image_curve& edge, const steps& strips, std::size_t side,
                             double low, double high, const l3d_dice_view& view,
-                            number_source& random) {
+                            random_numbers& random) {
     l3d_diced_piece piece;
     piece.keep_parameters = true;
     const bool along_u = side < 2;
@@ -95,7 +92,7 @@ void expect_same_triangles(const l3d_diced_piece& a, const l3d_diced_piece& b) {
         }
 }
 
-l3d_image_curve random_edge(number_source& random) {
+l3d_image_curve random_edge(random_numbers& random) {
     const double size = random.of_any_size(4, 300);
     l3d_image_curve edge;
     for (auto& point : edge.points) {
@@ -109,7 +106,7 @@ TEST(slit, along_a_whole_side_is_that_of_any_row) {
     std::size_t triangles = 0;
     for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        number_source random(seed);
+        random_numbers random(seed);
         const l3d_image_curve edge = random_edge(random);
         const l3d_dice_view view = view_with(random.of_any_size(0.3, 3));
         l3d_edge_polyline line;
@@ -135,7 +132,7 @@ TEST(slit, along_a_whole_side_is_that_of_any_row) {
 TEST(slit, is_empty_where_the_row_has_the_steps_of_the_edge) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        number_source random(seed);
+        random_numbers random(seed);
         const l3d_image_curve edge = random_edge(random);
         const l3d_dice_view view = view_with(random.of_any_size(0.3, 3));
         l3d_edge_polyline line;
@@ -174,7 +171,7 @@ std::int64_t doubled_area(const std::vector<l3d_micro_vertex>& polygon) {
 TEST(slit, triangles_add_up_to_the_area_between_row_and_edge) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        number_source random(seed);
+        random_numbers random(seed);
         const l3d_image_curve edge = random_edge(random);
         const l3d_dice_view view = view_with(1);
         l3d_edge_polyline line;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Steps: enough, hardly too many, and as the square root of the tolerance.
 #include "nasty.h"
+#include "odd_view.h"
 #include "dice/step_plan.h"
 #include "planned_error.h"
 
@@ -12,18 +13,12 @@
 namespace dice_tests {
 namespace {
 
-constexpr l3d_size odd{640, 481};
-
 l3d_dice_view view_with(double tolerance) {
-    l3d_dice_view view;
-    view.size = odd;
-    view.near = 0.1;
-    view.tolerance = tolerance;
-    return view;
+    return odd_view(tolerance, 0.1);
 }
 
 /// A sheet of about 250 x 180 pixels with waves of `bend` pixels, at distances 3 to 4.
-l3d_image_patch sheet(number_source& random, double bend) {
+l3d_image_patch sheet(random_numbers& random, double bend) {
     l3d_image_patch result;
     for (int r = 0; r < 4; ++r)
         for (int c = 0; c < 4; ++c) {
@@ -69,7 +64,7 @@ bool needs_more_for_size(const l3d_step_plan& plan, const l3d_block_needs& needs
 
 TEST(step_plan, every_visible_block_is_within_the_budget_and_no_strip_has_a_step_to_spare) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-        number_source random(seed);
+        random_numbers random(seed);
         const l3d_image_patch patch = sheet(random, random.of_any_size(1, 100));
         const double budget = random.of_any_size(0.05, 2);
         const l3d_step_plan plan = plan_of(patch, budget);
@@ -100,7 +95,7 @@ TEST(step_plan, every_visible_block_is_within_the_budget_and_no_strip_has_a_step
 
 TEST(step_plan, a_finer_tolerance_never_takes_fewer_quads) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-        number_source random(seed);
+        random_numbers random(seed);
         const l3d_image_patch patch = sheet(random, random.of_any_size(1, 100));
         for (const auto kind : {l3d_quad_kind::whole, l3d_quad_kind::triangles}) {
             int before = 0;
@@ -115,7 +110,7 @@ TEST(step_plan, a_finer_tolerance_never_takes_fewer_quads) {
 }
 
 TEST(step_plan, steps_grow_as_the_inverse_root_of_the_tolerance) {
-    number_source random(7);
+    random_numbers random(7);
     const l3d_image_patch patch = sheet(random, 60);
     const l3d_step_plan coarse = plan_of(patch, 0.16), fine = plan_of(patch, 0.16 / 16);
     EXPECT_GT(total(coarse.nu), 12);
@@ -124,7 +119,7 @@ TEST(step_plan, steps_grow_as_the_inverse_root_of_the_tolerance) {
 }
 
 TEST(step_plan, triangles_need_more_than_quads) {
-    number_source random(9);
+    random_numbers random(9);
     const l3d_image_patch patch = sheet(random, 60);
     const l3d_step_plan quads = plan_of(patch, 0.1);
     const l3d_step_plan triangles = plan_of(patch, 0.1, l3d_quad_kind::triangles);

@@ -32,7 +32,7 @@ TYPED_TEST(watertight, random_tilings_cover_every_pixel) {
     std::int64_t pixels = 0, uncovered = 0, pieces = 0, patches = 0;
     std::uint64_t seed = 1;
     for (const std::int64_t enough = pixels_to_fill(7'000'000); pixels < enough; ++seed) {
-        number_source random(seed);
+        random_numbers random(seed);
         const l3d_size size{static_cast<int>(random.between(150, 500)),
                             static_cast<int>(random.between(120, 400))};
         const int k = static_cast<int>(random.of_any_size(1, 12.99));
@@ -62,7 +62,7 @@ TYPED_TEST(watertight, zoomed_tilings_whose_patches_are_cut_cover_every_pixel) {
     std::int64_t pixels = 0, uncovered = 0, pieces = 0, patches = 0, clipped = 0;
     std::uint64_t seed = 1;
     for (const std::int64_t enough = pixels_to_fill(4'000'000); pixels < enough; ++seed) {
-        number_source random(seed);
+        random_numbers random(seed);
         const l3d_size size{static_cast<int>(random.between(150, 500)),
                             static_cast<int>(random.between(120, 400))};
         reference::camera wide_angle = oblique, zoomed = oblique;
@@ -99,7 +99,7 @@ TYPED_TEST(watertight, tilings_cut_again_and_again_cover_every_pixel) {
     std::int64_t pixels = 0, uncovered = 0, pieces = 0, patches = 0;
     std::uint64_t seed = 1;
     for (const std::int64_t enough = pixels_to_fill(1'000'000); pixels < enough; ++seed) {
-        number_source random(seed);
+        random_numbers random(seed);
         const l3d_size size{static_cast<int>(random.between(150, 500)),
                             static_cast<int>(random.between(120, 400))};
         const int k = static_cast<int>(random.between(1, 3.99));
@@ -125,7 +125,7 @@ TYPED_TEST(watertight, tilings_cut_again_and_again_cover_every_pixel) {
 
 /// k x k patches over |x|, |z| <= 40 with control points moved within the plane y = 0, and up and
 /// down by at most `bump`.
-std::vector<reference::patch> ground(number_source& random, int k, double bump) {
+std::vector<reference::patch> ground(random_numbers& random, int k, double bump) {
     constexpr double half = 40;
     const std::size_t side = 3 * static_cast<std::size_t>(k) + 1;
     std::vector<reference::vec3> lattice(side * side);
@@ -148,7 +148,7 @@ std::vector<reference::patch> ground(number_source& random, int k, double bump) 
 }
 
 /// A camera over the ground, looking anywhere but up.
-reference::camera over_ground(number_source& random, double height) {
+reference::camera over_ground(random_numbers& random, double height) {
     const double x = random.between(-9, 9), z = random.between(-9, 9);
     return {{x, height, z},
             {x + random.between(-10, 10), random.between(-12, 0.99 * height), z + 11},
@@ -175,7 +175,7 @@ TYPED_TEST(watertight, flat_ground_through_the_near_plane_is_covered_to_the_hori
     std::int64_t pixels = 0, uncovered = 0, clipped = 0;
     constexpr std::uint64_t scenes = sanitized ? 6 : 60;
     for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
-        number_source random(seed);
+        random_numbers random(seed);
         const int k = static_cast<int>(random.of_any_size(1, 9.99));
         const reference::camera view = over_ground(random, random.of_any_size(0.01, 8));
         const scene s(ground(random, k, 0), view, {317, 241});
@@ -206,7 +206,7 @@ TYPED_TEST(watertight, hilly_ground_through_the_near_plane_has_no_hole) {
     std::int64_t covered = 0, holes = 0, clipped = 0;
     constexpr std::uint64_t scenes = sanitized ? 1 : 8;
     for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
-        number_source random(seed);
+        random_numbers random(seed);
         const reference::camera view = over_ground(random, random.of_any_size(0.3, 4));
         const scene s(ground(random, 4, 3), view, {151, 113});
         const reference::exact_image exact(s.patches, view, s.picture());

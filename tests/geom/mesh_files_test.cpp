@@ -3,46 +3,30 @@
 #include "geom/model_file.h"
 #include "geom/polygon_shapes.h"
 
+#include "model_text.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <tuple>
 #include <utility>
 
 namespace {
 
+using model_text::with;
+
 using vector = l3d_polygon_mesh::vector;
 using numbers = std::vector<std::uint32_t>;
 
-std::string file_text(const std::string& name) {
-    std::ifstream file("data/" + name, std::ios::binary);
-    EXPECT_TRUE(file) << "the tests run in the project's folder";
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 l3d_model_file read(std::string_view text) {
-    std::string why;
-    const auto model = l3d_read_model(text, "name", why);
-    EXPECT_TRUE(model) << why;
-    return model.value_or(l3d_model_file{});
+    return model_text::read_by(l3d_read_model, text, "name");
 }
 
 std::string complaint(std::string_view text) {
-    std::string why;
-    EXPECT_FALSE(l3d_read_model(text, "name", why)) << text;
-    return why;
-}
-
-std::string with(std::string_view text, std::string_view old, std::string_view replacement) {
-    std::string result(text);
-    const auto at = result.find(old);
-    EXPECT_NE(at, std::string::npos) << old;
-    return result.replace(at, old.size(), replacement);
+    return model_text::complaint_of(l3d_read_model, text, "name");
 }
 
 /// Whether every edge has a face on both sides, that run along it in opposite directions.
@@ -117,7 +101,7 @@ TEST(asc_file, says_where_and_what_is_wrong) {
 TEST(asc_file, the_shipped_models_are_closed) {
     for (const auto& [name, vertices, faces] :
          {std::tuple("thing.asc", 26u, 48u), std::tuple("ball.asc", 114u, 224u)}) {
-        const l3d_model_file model = read(file_text(name));
+        const l3d_model_file model = read(model_text::of_file("data/" + std::string(name)));
         EXPECT_EQ(model.mesh.vertices.size(), vertices) << name;
         EXPECT_EQ(model.mesh.faces(), faces) << name;
         EXPECT_TRUE(is_closed(model.mesh)) << name;
@@ -261,7 +245,7 @@ TEST(ply_file, says_where_and_what_is_wrong) {
 
 TEST(ply_file, both_byte_orders_say_the_same_as_text) {
     const auto corpus = [](const std::string& name) {
-        return read(file_text("../tests/fuzz/corpus/ply/" + name + ".ply")).mesh;
+        return read(model_text::of_file("data/../tests/fuzz/corpus/ply/" + name + ".ply")).mesh;
     };
     ASSERT_EQ(corpus("text").vertices.size(), 4u);
     EXPECT_EQ(corpus("little"), corpus("text"));
@@ -296,7 +280,7 @@ TEST(videoscape_file, says_where_and_what_is_wrong) {
 
 TEST(torus, is_what_the_writer_makes_of_the_shape) {
     const l3d_polygon_mesh torus = l3d_torus_mesh(12, 8);
-    const std::string text = file_text("torus.off");
+    const std::string text = model_text::of_file("data/torus.off");
     const l3d_polygon_mesh mesh = read(text).mesh;
     EXPECT_EQ(mesh.faces(), 192u);
     EXPECT_TRUE(is_closed(mesh));

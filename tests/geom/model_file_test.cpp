@@ -2,11 +2,11 @@
 // All readers of models: which is chosen, and what holds for every text, whole, cut or damaged.
 #include "fuzz/check_model.h"
 
+#include "model_text.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <vector>
 
@@ -17,12 +17,6 @@ struct sample {
     std::string path, text;
 };
 
-std::string file_text(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    EXPECT_TRUE(file) << path << ": the tests run in the project's folder";
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 /// The corpus of fuzzing: files that were written for it, which have an extension, or those that
 /// fuzzing found to take ways of their own through a reader.
 std::vector<sample> samples(bool written) {
@@ -31,14 +25,12 @@ std::vector<sample> samples(bool written) {
         for (const auto& file :
              std::filesystem::directory_iterator(std::string("tests/fuzz/corpus/") + reader.name))
             if (file.path().has_extension() == written)
-                result.push_back({&reader, file.path(), file_text(file.path())});
+                result.push_back({&reader, file.path(), model_text::of_file(file.path())});
     return result;
 }
 
 std::string complaint(std::string_view text) {
-    std::string why;
-    EXPECT_FALSE(l3d_read_model(text, "name", why));
-    return why;
+    return model_text::complaint_of(l3d_read_model, text, "name");
 }
 
 /// In a buffer of its own, so that the sanitizer sees a read beyond its end.

@@ -2,6 +2,8 @@
 // Wavefront files: polygons, names and normals, and free-form surfaces.
 #include "geom/model_file.h"
 
+#include "model_text.h"
+
 #include <gtest/gtest.h>
 
 namespace {
@@ -13,16 +15,11 @@ using numbers = std::vector<std::uint32_t>;
 constexpr std::string_view square = "v 1.5 2 3\nv 4 5 6\nv 7 8 9\nv 10 11 12\n";
 
 l3d_model_file read(std::string_view text) {
-    std::string why;
-    const auto model = l3d_read_obj(text, "name", why);
-    EXPECT_TRUE(model) << why;
-    return model.value_or(l3d_model_file{});
+    return model_text::read_by(l3d_read_obj, text, "name");
 }
 
 std::string complaint(std::string_view text) {
-    std::string why;
-    EXPECT_FALSE(l3d_read_obj(text, "name", why)) << text;
-    return why;
+    return model_text::complaint_of(l3d_read_obj, text, "name");
 }
 
 /// What is wrong with statements after the four vertices, which are lines 1 to 4.

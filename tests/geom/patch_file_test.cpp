@@ -4,19 +4,21 @@
 
 #include "patch_points.h"
 
+#include "model_text.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <locale>
 #include <random>
 #include <sstream>
 
 namespace {
+
+using model_text::with;
 
 using patches = std::vector<l3d_patch_points>;
 
@@ -31,30 +33,11 @@ constexpr std::string_view small_text = "2\n"
                                         "27 28 29\n30 31 32\n33 34 -3.5e-2\n";
 
 patches read(std::string_view text) {
-    std::string why;
-    const auto result = l3d_read_bpt(text, "some.bpt", why);
-    EXPECT_TRUE(result) << why;
-    EXPECT_EQ(why, "");
-    return result.value_or(patches{});
+    return model_text::read_by(l3d_read_bpt, text, "some.bpt");
 }
 
 std::string complaint(std::string_view text) {
-    std::string why;
-    EXPECT_FALSE(l3d_read_bpt(text, "some.bpt", why)) << text;
-    return why;
-}
-
-std::string with(std::string_view text, std::string_view old, std::string_view replacement) {
-    std::string result(text);
-    const auto at = result.find(old);
-    EXPECT_NE(at, std::string::npos) << old;
-    return result.replace(at, old.size(), replacement);
-}
-
-std::string file_text(const std::string& name) {
-    std::ifstream file("data/" + name, std::ios::binary);
-    EXPECT_TRUE(file) << "the tests run in the project's folder";
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    return model_text::complaint_of(l3d_read_bpt, text, "some.bpt");
 }
 
 TEST(patch_file, has_degrees_and_then_points_with_u_fastest) {
@@ -156,7 +139,8 @@ TEST(patch_file, shows_strange_tokens_escaped_and_shortened) {
 }
 
 TEST(patch_file, truncated_anywhere_is_an_error) {
-    for (const std::string& text : {std::string(small_text), file_text("teapot_bottom.bpt")}) {
+    for (const std::string& text :
+         {std::string(small_text), model_text::of_file("data/teapot_bottom.bpt")}) {
         // A cut within the last number may leave a number.
         const std::size_t last_number = text.find_last_of(' ') + 1;
         for (std::size_t length = 0; length <= last_number; ++length) {
@@ -258,8 +242,8 @@ std::array<row, 4> boundary(const l3d_patch_points& patch) {
 }
 
 TEST(teapot, is_the_body_and_with_a_bottom_has_four_patches_more) {
-    const patches body = read(file_text("teapot.bpt"));
-    const patches closed = read(file_text("teapot_bottom.bpt"));
+    const patches body = read(model_text::of_file("data/teapot.bpt"));
+    const patches closed = read(model_text::of_file("data/teapot_bottom.bpt"));
     ASSERT_EQ(body.size(), 28u);
     ASSERT_EQ(closed.size(), 32u);
     EXPECT_TRUE(std::equal(body.begin(), body.end(), closed.begin()));
@@ -268,7 +252,7 @@ TEST(teapot, is_the_body_and_with_a_bottom_has_four_patches_more) {
 }
 
 TEST(teapot, bottom_shares_its_boundary_bit_for_bit) {
-    const patches closed = read(file_text("teapot_bottom.bpt"));
+    const patches closed = read(model_text::of_file("data/teapot_bottom.bpt"));
     ASSERT_EQ(closed.size(), 32u);
     for (std::size_t i = 28; i < 32; ++i) {
         const auto edges = boundary(closed[i]);
@@ -282,7 +266,7 @@ TEST(teapot, bottom_shares_its_boundary_bit_for_bit) {
 }
 
 TEST(teapot, bottom_is_the_rim_moved_down_and_in) {
-    const patches closed = read(file_text("teapot_bottom.bpt"));
+    const patches closed = read(model_text::of_file("data/teapot_bottom.bpt"));
     ASSERT_EQ(closed.size(), 32u);
     for (std::size_t i = 28; i < 32; ++i)
         for (std::size_t k = 0; k < 4; ++k) {
@@ -296,7 +280,7 @@ TEST(teapot, bottom_is_the_rim_moved_down_and_in) {
 }
 
 TEST(teapot, bottom_faces_outward_as_the_body_does) {
-    const patches closed = read(file_text("teapot_bottom.bpt"));
+    const patches closed = read(model_text::of_file("data/teapot_bottom.bpt"));
     ASSERT_EQ(closed.size(), 32u);
     for (std::size_t i = 4; i < 32; i = i == 11 ? 28 : i + 1) {
         constexpr double h = 1e-4;

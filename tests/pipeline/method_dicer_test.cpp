@@ -117,7 +117,7 @@ TEST(method_dicer, leaves_no_pixel_out_of_tilings) {
     for_dicers([&](const auto& method) {
         std::int64_t pixels = 0, uncovered = 0;
         for (std::uint64_t seed = 1; seed <= (sanitized ? 2 : 12); ++seed) {
-            number_source random(seed);
+            random_numbers random(seed);
             const l3d_size size{static_cast<int>(random.between(100, 300)),
                                 static_cast<int>(random.between(90, 240))};
             const int k = static_cast<int>(random.of_any_size(1, 8.99));

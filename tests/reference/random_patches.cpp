@@ -2,6 +2,8 @@
 // Random surfaces, made in the picture and carried into the world.
 #include "reference/random_patches.h"
 
+#include "reference/random_numbers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,26 +11,6 @@
 
 namespace reference {
 namespace {
-
-/// SplitMix64 (Steele, Lea, Flood 2014): the same numbers with every library.
-class generator {
-public:
-    explicit generator(std::uint64_t seed) : state_(seed) {}
-
-    std::uint64_t next() {
-        std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        return z ^ (z >> 31);
-    }
-    double between(double low, double high) {
-        return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53;
-    }
-    std::size_t below(std::size_t count) { return static_cast<std::size_t>(next() % count); }
-
-private:
-    std::uint64_t state_;
-};
 
 /// A control point where it is made: picture position and distance.
 struct seen_point {
@@ -41,7 +23,7 @@ struct frame_2d {
     double x, y, angle, length_u, length_v;
 };
 
-frame_2d random_frame(generator& random, picture_size size) {
+frame_2d random_frame(random_numbers& random, picture_size size) {
     const double least = std::min(size.width, size.height);
     return {random.between(0, size.width), random.between(0, size.height),
             random.between(0, 2 * std::numbers::pi), least * random.between(0.05, 0.5),
@@ -49,7 +31,7 @@ frame_2d random_frame(generator& random, picture_size size) {
 }
 
 /// Shape: `at` holds the four positions along u and v, 0 to 1; jitter in cells; depth as a ratio.
-seen_net make_seen(generator& random, const frame_2d& where, const std::array<double, 4>& at,
+seen_net make_seen(random_numbers& random, const frame_2d& where, const std::array<double, 4>& at,
                    double jitter, double depth, double w) {
     seen_net result{};
     const double c = std::cos(where.angle), s = std::sin(where.angle);
@@ -62,7 +44,7 @@ seen_net make_seen(generator& random, const frame_2d& where, const std::array<do
     return result;
 }
 
-void collapse(generator& random, seen_net& net) {
+void collapse(random_numbers& random, seen_net& net) {
     const std::size_t ways = 1 + random.below(3);
     for (std::size_t n = 0; n < ways; ++n) {
         const std::size_t line = random.below(2) * 3, from = random.below(16);
@@ -85,7 +67,7 @@ void collapse(generator& random, seen_net& net) {
     }
 }
 
-seen_net make_kind(generator& random, patch_kind kind, double w, picture_size size) {
+seen_net make_kind(random_numbers& random, patch_kind kind, double w, picture_size size) {
     constexpr std::array<double, 4> even{0, 1.0 / 3, 2.0 / 3, 1};
     frame_2d where = random_frame(random, size);
     switch (kind) {
@@ -123,7 +105,7 @@ patch turned(const patch& from, std::size_t way) {
 
 /// A control point position along one side of the lattice: the first and last lie beyond the window
 /// whatever the jitter (they are moved outward only), the others anywhere near their place.
-double lattice_position(generator& random, std::size_t i, std::size_t last, double extent,
+double lattice_position(random_numbers& random, std::size_t i, std::size_t last, double extent,
                         double fold) {
     const double beyond = 0.2 * extent, cell = 1.4 * extent / static_cast<double>(last);
     const double place = -beyond + cell * static_cast<double>(i);
@@ -138,7 +120,7 @@ double lattice_position(generator& random, std::size_t i, std::size_t last, doub
 
 std::vector<patch> random_patches(std::uint64_t seed, patch_kind kind, int count,
                                   const camera& view, picture_size size) {
-    generator random(seed);
+    random_numbers random(seed);
     const camera_frame frame(view, size);
     std::vector<patch> result(static_cast<std::size_t>(count));
     for (patch& surface : result) {
@@ -153,7 +135,7 @@ std::vector<patch> random_patches(std::uint64_t seed, patch_kind kind, int count
 
 std::vector<patch> random_tiling(std::uint64_t seed, int k, double fold, double depth,
                                  const camera& view, picture_size size) {
-    generator random(seed);
+    random_numbers random(seed);
     const camera_frame frame(view, size);
     const std::size_t tiles = static_cast<std::size_t>(k), last = 3 * tiles, side = last + 1;
     const double w = view.near * (1 + depth) * random.between(4, 40);

@@ -27,17 +27,6 @@ seen_point ground(double u, double v) {
     return {0.1 + 0.8 * u + 0.1 * v, 0.85 - 0.5 * v, 0.25 * (11 * v - 0.7 + 0.3 * u * v)};
 }
 
-test_case& add(std::vector<test_case>& to, const studio& in, const char* group, std::string name,
-               const reference::patch& p) {
-    test_case& c = to.emplace_back();
-    c.group = group;
-    c.name = std::move(name);
-    c.patches.push_back(p);
-    c.eye = in.eye;
-    c.size = in.size;
-    return c;
-}
-
 reference::vec3 scaled(const reference::vec3& v, double by) {
     return {v.x * by, v.y * by, v.z * by};
 }
@@ -52,10 +41,10 @@ void add_scales(std::vector<test_case>& to) {
             reference::patch p = of;
             for (reference::vec3& point : p.points)
                 point = scaled(point, by);
-            test_case& c = add(to, oblique, "scale",
-                               "1e" + std::to_string(exponent) +
-                                   (&of == sheets ? "" : ", through the near plane"),
-                               p);
+            test_case& c = add_case(to, oblique, "scale",
+                                    "1e" + std::to_string(exponent) +
+                                        (&of == sheets ? "" : ", through the near plane"),
+                                    p);
             c.eye.eye = scaled(c.eye.eye, by);
             c.eye.target = scaled(c.eye.target, by);
             c.eye.near *= by;
@@ -71,25 +60,25 @@ void add_offsets(std::vector<test_case>& to) {
         studio in = oblique;
         for (reference::vec3* v : {&in.eye.eye, &in.eye.target})
             *v = {v->x + away.x, v->y + away.y, v->z + away.z};
-        add(to, in, "offset", "1e" + std::to_string(exponent), in.patch(bent));
+        add_case(to, in, "offset", "1e" + std::to_string(exponent), in.patch(bent));
         // The eye near the origin, a large surface far away.
-        add(to, oblique, "offset", "distance 1e" + std::to_string(exponent),
-            oblique.patch([&](double u, double v) {
-                seen_point p = bent(u, v);
-                p.w *= by / 10;
-                return p;
-            }));
+        add_case(to, oblique, "offset", "distance 1e" + std::to_string(exponent),
+                 oblique.patch([&](double u, double v) {
+                     seen_point p = bent(u, v);
+                     p.w *= by / 10;
+                     return p;
+                 }));
         // A speck far away from the origin: none of it is left.
-        add(to, oblique, "offset", "a speck at 1e" + std::to_string(exponent),
-            oblique.patch([&](double u, double v) {
-                return seen_point{0.5 + (u - 0.5) / by, 0.5 + (v - 0.5) / by, by * 0.1};
-            }));
+        add_case(to, oblique, "offset", "a speck at 1e" + std::to_string(exponent),
+                 oblique.patch([&](double u, double v) {
+                     return seen_point{0.5 + (u - 0.5) / by, 0.5 + (v - 0.5) / by, by * 0.1};
+                 }));
     }
 }
 
 void add_near_plane(std::vector<test_case>& to) {
     const auto all_at = [&](const char* name, auto w) {
-        add(to, oblique, "near plane", name, oblique.patch([&](double u, double v) {
+        add_case(to, oblique, "near plane", name, oblique.patch([&](double u, double v) {
             seen_point p = bent(u, v);
             p.w = oblique.eye.near * w(u, v);
             return p;
@@ -111,18 +100,19 @@ void add_near_plane(std::vector<test_case>& to) {
     all_at("behind the eye", [](double u, double v) { return -1 - u - v; });
     all_at("a million behind, a million before",
            [](double u, double v) { return 1e6 * (u + v - 1); });
-    add(to, oblique, "near plane", "ground to the horizon", oblique.patch(ground));
-    add(to, oblique, "near plane", "a corner in the eye", oblique.patch([](double u, double v) {
-        seen_point p = bent(u, v);
-        p.w *= u + v;
-        return p;
-    }));
-    add(to, oblique, "near plane", "an edge in the eye", oblique.patch([](double u, double v) {
+    add_case(to, oblique, "near plane", "ground to the horizon", oblique.patch(ground));
+    add_case(to, oblique, "near plane", "a corner in the eye",
+             oblique.patch([](double u, double v) {
+                 seen_point p = bent(u, v);
+                 p.w *= u + v;
+                 return p;
+             }));
+    add_case(to, oblique, "near plane", "an edge in the eye", oblique.patch([](double u, double v) {
         seen_point p = bent(u, v);
         p.w *= u;
         return p;
     }));
-    add(to, oblique, "near plane", "around the eye", [] {
+    add_case(to, oblique, "near plane", "around the eye", [] {
         numbers random(3);
         reference::patch p;
         for (reference::vec3& point : p.points)
@@ -133,7 +123,7 @@ void add_near_plane(std::vector<test_case>& to) {
     }());
     for (const int exponent : {-3, -6, -9, -12, -20, -30, -40, -100, -300}) {
         const auto with_near = [&](const char* name, const reference::patch& p) {
-            add(to, oblique, "near plane", "near 1e" + std::to_string(exponent) + name, p)
+            add_case(to, oblique, "near plane", "near 1e" + std::to_string(exponent) + name, p)
                 .eye.near = std::pow(10, exponent);
         };
         with_near("", oblique.patch(bent));
@@ -147,9 +137,9 @@ void add_near_plane(std::vector<test_case>& to) {
     for (const double far : {2.3, 2.5, 0.2500001, 1e300}) {
         char text[40];
         std::snprintf(text, sizeof text, "far at %g", far);
-        add(to, oblique, "near plane", text, oblique.patch(bent)).far = far;
-        add(to, oblique, "near plane", std::string(text) + ", ground", oblique.patch(ground)).far =
-            far;
+        add_case(to, oblique, "near plane", text, oblique.patch(bent)).far = far;
+        add_case(to, oblique, "near plane", std::string(text) + ", ground", oblique.patch(ground))
+            .far = far;
     }
 }
 
@@ -160,11 +150,11 @@ void add_views(std::vector<test_case>& to) {
         std::snprintf(text, sizeof text, "%g degrees", fov);
         studio in = oblique;
         in.eye.fov_degrees = fov;
-        add(to, in, "field of view", text, in.patch(bent));
-        add(to, in, "field of view", std::string(text) + ", through the near plane",
-            in.patch(ground));
+        add_case(to, in, "field of view", text, in.patch(bent));
+        add_case(to, in, "field of view", std::string(text) + ", through the near plane",
+                 in.patch(ground));
         // What another field of view was made for: a corner of it, or a speck.
-        add(to, in, "field of view", std::string(text) + ", unfit", oblique.patch(bent));
+        add_case(to, in, "field of view", std::string(text) + ", unfit", oblique.patch(bent));
     }
     constexpr reference::picture_size sizes[] = {
         {1, 1},     {1, 2},      {2, 1},      {3, 3},     {1, 1000},    {1000, 1},   {16384, 1},
@@ -173,52 +163,54 @@ void add_views(std::vector<test_case>& to) {
         const std::string text = std::to_string(size.width) + "x" + std::to_string(size.height);
         studio in = oblique;
         in.size = size;
-        add(to, in, "picture", text, in.patch(bent));
-        add(to, in, "picture", text + ", through the near plane", in.patch(ground));
-        add(to, in, "picture", text + ", unfit", oblique.patch(bent));
+        add_case(to, in, "picture", text, in.patch(bent));
+        add_case(to, in, "picture", text + ", through the near plane", in.patch(ground));
+        add_case(to, in, "picture", text + ", unfit", oblique.patch(bent));
     }
     // Up nearly along the line of sight, (-2.3, 2, -4.5).
     for (int exponent = 1; exponent <= 12; ++exponent) {
         studio in = oblique;
         in.eye.up = {-2.3 + std::pow(10, -exponent), 2, -4.5};
-        add(to, in, "up", "off the line of sight by 1e-" + std::to_string(exponent),
-            in.patch(bent));
+        add_case(to, in, "up", "off the line of sight by 1e-" + std::to_string(exponent),
+                 in.patch(bent));
     }
     studio in = oblique;
     in.eye.up = scaled(in.eye.up, 1e-200);
-    add(to, in, "up", "1e-200 long", oblique.patch(bent));
+    add_case(to, in, "up", "1e-200 long", oblique.patch(bent));
     in.eye.up = scaled(oblique.eye.up, 1e200);
-    add(to, in, "up", "1e200 long", oblique.patch(bent));
+    add_case(to, in, "up", "1e200 long", oblique.patch(bent));
     for (const int exponent : {-3, -9, -12, -15}) {
         in = oblique;
         const double by = std::pow(10, exponent);
         in.eye.target = {in.eye.eye.x - 0.46 * by, in.eye.eye.y + 0.4 * by,
                          in.eye.eye.z - 0.9 * by};
-        add(to, in, "up", "target 1e" + std::to_string(exponent) + " from the eye", in.patch(bent));
+        add_case(to, in, "up", "target 1e" + std::to_string(exponent) + " from the eye",
+                 in.patch(bent));
     }
 }
 
 void add_denormals(std::vector<test_case>& to) {
     reference::patch p = oblique.patch(bent);
     p.points[3] = {denormal, -denormal, 3 * denormal};
-    add(to, oblique, "denormal", "a control point", p);
+    add_case(to, oblique, "denormal", "a control point", p);
     for (reference::vec3& point : p.points)
         point = {denormal, 2 * denormal, -denormal};
-    add(to, oblique, "denormal", "all control points", p);
+    add_case(to, oblique, "denormal", "all control points", p);
     p = oblique.patch(bent);
     for (reference::vec3& point : p.points)
         point.y = 1e-310;
-    add(to, oblique, "denormal", "one coordinate", p);
-    test_case& speck = add(to, oblique, "denormal", "the near plane", oblique.patch(bent));
+    add_case(to, oblique, "denormal", "one coordinate", p);
+    test_case& speck = add_case(to, oblique, "denormal", "the near plane", oblique.patch(bent));
     speck.eye.near = denormal;
-    test_case& cut = add(to, oblique, "denormal", "the near plane, ground", oblique.patch(ground));
+    test_case& cut =
+        add_case(to, oblique, "denormal", "the near plane, ground", oblique.patch(ground));
     cut.eye.near = denormal;
-    test_case& up = add(to, oblique, "denormal", "up", oblique.patch(bent));
+    test_case& up = add_case(to, oblique, "denormal", "up", oblique.patch(bent));
     up.eye.up = {0, denormal, 0};
     test_case& aside =
-        add(to, oblique, "denormal", "up but for one coordinate", oblique.patch(bent));
+        add_case(to, oblique, "denormal", "up but for one coordinate", oblique.patch(bent));
     aside.eye.up = {denormal, 1, -denormal};
-    test_case& narrow = add(to, oblique, "denormal", "field of view", oblique.patch(bent));
+    test_case& narrow = add_case(to, oblique, "denormal", "field of view", oblique.patch(bent));
     narrow.eye.fov_degrees = denormal;
 }
 
@@ -237,7 +229,7 @@ std::vector<test_case> extreme_cases() {
 std::vector<test_case> malformed_cases() {
     std::vector<test_case> result;
     const auto add_one = [&](std::string name) -> test_case& {
-        return add(result, oblique, "malformed", std::move(name), oblique.patch(bent));
+        return add_case(result, oblique, "malformed", std::move(name), oblique.patch(bent));
     };
     char text[60];
     for (const double value : {nan, infinity, -infinity, 1.7e308, -1.0001e12})

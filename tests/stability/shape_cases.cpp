@@ -17,21 +17,11 @@ seen_point bent(double u, double v) {
             1.7 + 0.6 * u * (1 - v) + 0.2 * v};
 }
 
-test_case& add(std::vector<test_case>& to, const char* group, std::string name,
-               const reference::patch& p) {
-    test_case& c = to.emplace_back();
-    c.group = group;
-    c.name = std::move(name);
-    c.patches.push_back(p);
-    c.eye = oblique.eye;
-    c.size = oblique.size;
-    return c;
-}
-
 void add_collapsed(std::vector<test_case>& to) {
     const auto moved_if = [&](const char* name, auto moves, seen_point where) {
-        add(to, "collapsed", name,
-            oblique.patch([&](double u, double v) { return moves(u, v) ? where : bent(u, v); }));
+        add_case(to, oblique, "collapsed", name, oblique.patch([&](double u, double v) {
+            return moves(u, v) ? where : bent(u, v);
+        }));
     };
     const seen_point middle = bent(0.5, 0.5), corner = bent(0, 0);
     moved_if(
@@ -56,11 +46,12 @@ void add_collapsed(std::vector<test_case>& to) {
     moved_if("to a pixel's centre", [](double, double) { return true; },
              {80.5 / oblique.size.width, 60.5 / oblique.size.height, 2});
     moved_if("to the eye", [](double, double) { return true; }, {0.5, 0.5, 0});
-    add(to, "collapsed", "to a line", oblique.patch([](double u, double) { return bent(u, 0.4); }));
-    add(to, "collapsed", "to a curve there and back",
-        oblique.patch([](double u, double v) { return bent(u * (1 - u) + 0.01 * v, 0.4); }));
-    add(to, "collapsed", "two edges onto each other",
-        oblique.patch([](double u, double v) { return bent(u, v == 1 ? 0 : v); }));
+    add_case(to, oblique, "collapsed", "to a line",
+             oblique.patch([](double u, double) { return bent(u, 0.4); }));
+    add_case(to, oblique, "collapsed", "to a curve there and back",
+             oblique.patch([](double u, double v) { return bent(u * (1 - u) + 0.01 * v, 0.4); }));
+    add_case(to, oblique, "collapsed", "two edges onto each other",
+             oblique.patch([](double u, double v) { return bent(u, v == 1 ? 0 : v); }));
 }
 
 void add_folded(std::vector<test_case>& to) {
@@ -68,28 +59,29 @@ void add_folded(std::vector<test_case>& to) {
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
             numbers random(100 * seed);
             const double reach = std::pow(10, exponent);
-            add(to, "folded",
-                "points off by 1e" + std::to_string(exponent) + " pictures, seed " +
-                    std::to_string(seed),
-                oblique.patch([&](double u, double v) {
-                    seen_point p = bent(u, v);
-                    p.x += random.between(-reach, reach);
-                    p.y += random.between(-reach, reach);
-                    p.w *= std::exp(random.between(-0.3, 0.3));
-                    return p;
-                }));
+            add_case(to, oblique, "folded",
+                     "points off by 1e" + std::to_string(exponent) + " pictures, seed " +
+                         std::to_string(seed),
+                     oblique.patch([&](double u, double v) {
+                         seen_point p = bent(u, v);
+                         p.x += random.between(-reach, reach);
+                         p.y += random.between(-reach, reach);
+                         p.w *= std::exp(random.between(-0.3, 0.3));
+                         return p;
+                     }));
         }
-    add(to, "folded", "a bow tie",
-        oblique.patch([](double u, double v) { return bent(v < 0.5 ? u : 1 - u, v); }));
-    add(to, "folded", "a closed tube that cuts itself", oblique.patch([](double u, double v) {
-        return bent(u == 1 ? 0 : 2 * u - 1, v + (u > 0.5 ? 0.3 : -0.3) * (u < 1));
-    }));
-    add(to, "folded", "onto itself exactly",
-        oblique.patch([](double u, double v) { return bent(u < 0.5 ? u : 1 - u, v); }));
-    add(to, "folded", "seen edge on", oblique.patch([](double u, double v) {
+    add_case(to, oblique, "folded", "a bow tie",
+             oblique.patch([](double u, double v) { return bent(v < 0.5 ? u : 1 - u, v); }));
+    add_case(to, oblique, "folded", "a closed tube that cuts itself",
+             oblique.patch([](double u, double v) {
+                 return bent(u == 1 ? 0 : 2 * u - 1, v + (u > 0.5 ? 0.3 : -0.3) * (u < 1));
+             }));
+    add_case(to, oblique, "folded", "onto itself exactly",
+             oblique.patch([](double u, double v) { return bent(u < 0.5 ? u : 1 - u, v); }));
+    add_case(to, oblique, "folded", "seen edge on", oblique.patch([](double u, double v) {
         return seen_point{0.2 + 0.6 * u, 0.4 + 0.1 * u, 2 + u + v};
     }));
-    add(to, "folded", "seen nearly edge on", oblique.patch([](double u, double v) {
+    add_case(to, oblique, "folded", "seen nearly edge on", oblique.patch([](double u, double v) {
         return seen_point{0.2 + 0.6 * u + 1e-4 * v, 0.4 + 0.1 * u + 1e-5 * v, 2 + u + v};
     }));
 }
@@ -101,8 +93,8 @@ void add_thrown(std::vector<test_case>& to) {
             reference::patch p = oblique.patch(bent);
             const double away = std::pow(10, exponent);
             p.points[index] = {0.7 * away, -0.4 * away, 0.9 * away};
-            add(to, "thrown",
-                "point " + std::to_string(index + 1) + " to 1e" + std::to_string(exponent), p);
+            add_case(to, oblique, "thrown",
+                     "point " + std::to_string(index + 1) + " to 1e" + std::to_string(exponent), p);
         }
     numbers random(7);
     for (const int exponent : {2, 4, 8, 12}) {
@@ -111,7 +103,7 @@ void add_thrown(std::vector<test_case>& to) {
         for (reference::vec3& point : p.points)
             point = {random.between(-reach, reach), random.between(-reach, reach),
                      random.between(-reach, reach)};
-        add(to, "thrown", "all within 1e" + std::to_string(exponent), p);
+        add_case(to, oblique, "thrown", "all within 1e" + std::to_string(exponent), p);
     }
 }
 
@@ -126,8 +118,9 @@ void add_tolerances(std::vector<test_case>& to) {
                                    1e-12, 1e-30, 1e-300, 5e-324}) {
         char text[40];
         std::snprintf(text, sizeof text, "%g px", tolerance);
-        add(to, "tolerance", std::string(text), gentle).tolerance = tolerance;
-        add(to, "tolerance", std::string(text) + ", folded", folded).tolerance = tolerance;
+        add_case(to, oblique, "tolerance", std::string(text), gentle).tolerance = tolerance;
+        add_case(to, oblique, "tolerance", std::string(text) + ", folded", folded).tolerance =
+            tolerance;
     }
 }
 

@@ -49,12 +49,7 @@ public:
     explicit collection(std::vector<test_case>& cases) : cases_(cases) {}
 
     void add(const studio& in, const char* group, std::string name, const reference::patch& p) {
-        test_case& c = cases_.emplace_back();
-        c.group = group;
-        c.name = std::move(name);
-        c.patches.push_back(p);
-        c.eye = in.eye;
-        c.size = in.size;
+        add_case(cases_, in, group, std::move(name), p);
     }
 
     /// Along u, along v and along both.

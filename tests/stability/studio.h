@@ -3,37 +3,18 @@
 #ifndef L3D_TESTS_STABILITY_STUDIO_H
 #define L3D_TESTS_STABILITY_STUDIO_H
 
+#include "cases.h"
 #include "reference/exact.h"
+#include "reference/random_numbers.h"
 
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace stability {
 
-/// SplitMix64 (Steele, Lea, Flood 2014): the same numbers with every library.
-class numbers {
-public:
-    explicit numbers(std::uint64_t seed) : state_(seed) {}
-
-    std::uint64_t next() {
-        std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        return z ^ (z >> 31);
-    }
-    double between(double low, double high) {
-        return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53;
-    }
-    /// Every order of magnitude alike. Expects: 0 < low <= high.
-    double of_any_size(double low, double high) {
-        return std::exp(between(std::log(low), std::log(high)));
-    }
-    std::size_t below(std::size_t count) { return static_cast<std::size_t>(next() % count); }
-
-private:
-    std::uint64_t state_;
-};
+using numbers = reference::random_numbers;
 
 /// Units: x, y parts of the picture's width and height; w distance along the view axis, which is
 ///        the weight of the control point in the picture.
@@ -57,6 +38,18 @@ struct studio {
         return result;
     }
 };
+
+/// One case more, of a patch seen in a studio.
+inline test_case& add_case(std::vector<test_case>& to, const studio& in, const char* group,
+                           std::string name, const reference::patch& p) {
+    test_case& c = to.emplace_back();
+    c.group = group;
+    c.name = std::move(name);
+    c.patches.push_back(p);
+    c.eye = in.eye;
+    c.size = in.size;
+    return c;
+}
 
 } // namespace stability
 
