@@ -28,6 +28,11 @@ struct diagram {
 /// Numbers below this are nothing on a logarithmic axis.
 constexpr double least_shown = 1e-13;
 
+/// Told apart from each other and from the white behind them; gnuplot has only eight of its own.
+constexpr std::array<const char*, 17> colors{"#000000", "#d62728", "#1f77b4", "#2ca02c", "#ff7f0e",
+                                             "#9467bd", "#8c564b", "#17becf", "#e377c2", "#7f7f7f",
+                                             "#bcbd22", "#00429d", "#93003a", "#5a7d00"};
+
 std::string number(double value) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.6g", value);
@@ -49,15 +54,18 @@ std::string script_of(const diagram& d) {
               d.title + "' noenhanced\nset xlabel '" + d.x_label + "'\nset ylabel '" + d.y_label +
               "'\n";
     std::string plot = "plot ";
-    int color = 0;
+    std::size_t color = 0;
     for (std::size_t i = 0; i < d.lines.size(); ++i) {
         const line& l = d.lines[i];
-        color += !l.is_theory;
-        const std::string style = " lc " + std::to_string(color);
-        plot += (i > 0 ? ", \\\n     " : "") + ("$line" + std::to_string(i)) + " using 1:2 " +
-                (l.is_theory ? "with lines dt 2 lw 1" + style + " notitle"
-                             : "with linespoints lw 2 pt " + std::to_string(4 + color % 10) +
-                                   style + " title '" + l.title + "'");
+        color += i > 0 && !l.is_theory;
+        const std::string style = " lc rgb '" + std::string(colors[color % colors.size()]) + "'";
+        const std::string width =
+            l.title.starts_with("afd") ? "lw 3" : "lw 1.5"; // what it is about
+        plot +=
+            (i > 0 ? ", \\\n     " : "") + ("$line" + std::to_string(i)) + " using 1:2 " +
+            (l.is_theory ? "with lines dt 2 lw 1" + style + " notitle"
+                         : "with linespoints " + width + " pt " + std::to_string(4 + color % 10) +
+                               style + " title '" + l.title + "'");
     }
     for (const auto& [terminal, ending] :
          {std::pair{"svg size 900,560 dynamic background rgb 'white'", ".svg"},
