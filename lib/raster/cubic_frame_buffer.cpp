@@ -125,7 +125,7 @@ l3d_cubic_frame_buffer::first(const place& origin, const place& direction, doubl
         const brick* const here = brick_at(outer.cell());
         if (!here)
             continue;
-        const double leaves = outer.leaves();
+        const double leaves = std::min(outer.leaves(), end); // the last bricks may stick out
         const auto& corner = outer.cell();
         for (stride inner(origin, direction, outer.t(), 1, resolution_); inner.t() < leaves;
              inner.go_on()) {
