@@ -3,11 +3,11 @@
 #include "../spikes/spikes_pipeline.h"
 #include "system/program.h"
 
+// Step 2 of 5: the application is a pipeline, that of spikes; these tumble.
 int main(int argc, char** argv) {
     l3d_program program("rotspikes", "Spikes fly past and tumble. Keys: F11, q.", {320, 200});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
-        // Step 2: the application is a pipeline.
         spikes_pipeline pipeline(program.create_canvas(), program.seed(),
                                  spike_kind{.fastest_turn = 8});
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
