@@ -73,8 +73,9 @@ private:
     template <class Pipeline, class... Arguments> l3d_exit show(Arguments&&... arguments) {
         const auto dispatcher = program_.create_dispatcher(); // step 3
         reporting<Pipeline> pipeline(afd_.report(), std::forward<Arguments>(arguments)...);
-        pipeline.set_turntable(afd_.turntable(), 1 / program_.options().frame_settings().step());
-        pipeline.set_screenshot(l3d_save_screenshot);
+        pipeline.controls().set_turntable(afd_.turntable(),
+                                          1 / program_.options().frame_settings().step());
+        pipeline.controls().set_screenshot(l3d_save_screenshot);
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         return dispatcher->start();                    // step 5
     }

@@ -63,8 +63,8 @@ int main(int argc, char** argv) try {
     const auto dispatcher = factories.create_dispatcher(options.frame_settings()); // step 3
     teapot_pipeline pipeline(factories.create_screen(options.screen_request()),
                              *factories.chosen().rasterizer_factory, model, camera, settings);
-    pipeline.set_turntable(afd.turntable(), 1 / options.frame_settings().step());
-    pipeline.set_screenshot(l3d_save_screenshot);
+    pipeline.controls().set_turntable(afd.turntable(), 1 / options.frame_settings().step());
+    pipeline.controls().set_screenshot(l3d_save_screenshot);
     if (!afd.report().empty())
         pipeline.write_reports(afd.report());
     dispatcher->plug(pipeline, pipeline.screen()); // step 4

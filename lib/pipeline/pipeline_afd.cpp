@@ -53,8 +53,8 @@ l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
     : screen_(std::move(screen)), workers_(settings.threads),
       imp_(rasterizers.create_2d(screen_->pixels())), rasterizer_(*imp_),
       method_(l3d_create_method(settings.method, rasterizers, workers_)), scene_(std::move(scene)),
-      camera_(checked(camera, screen_->pixels().size(), settings)), first_camera_(camera),
-      settings_(settings), wire_dicer_(workers_) {
+      camera_(checked(camera, screen_->pixels().size(), settings)), settings_(settings),
+      wire_dicer_(workers_) {
     report_.frame = -1;
     report_.method = settings.method.name();
     report_.real = l3d_real_name();

@@ -74,7 +74,6 @@ protected:
     l3d_camera& camera() { return camera_; }
     l3d_afd_settings& settings() { return settings_; }
     const l3d_afd_settings& settings() const { return settings_; }
-    void reset_camera() { camera_ = first_camera_; }
     l3d_rasterizer_2d& rasterizer() {
         untouched_ = false;
         return rasterizer_;
@@ -111,7 +110,7 @@ private:
     l3d_depth_buffer depth_;
 
     l3d_patch_scene scene_;
-    l3d_camera camera_, first_camera_;
+    l3d_camera camera_;
     l3d_afd_settings settings_;
     bool stale_ = true;
     bool untouched_ = false; ///< nobody wrote to the pixels since surfaces were filled

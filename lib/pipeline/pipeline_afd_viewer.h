@@ -4,25 +4,16 @@
 #define L3D_PIPELINE_PIPELINE_AFD_VIEWER_H
 
 #include "pipeline/pipeline_afd.h"
+#include "pipeline/viewer_controls.h"
 
-#include <functional>
-#include <string>
-#include <utility>
+#include <vector>
 
 /// l3d_pipeline_afd with the controls that its help overlay lists.
 class l3d_pipeline_afd_viewer : public l3d_pipeline_afd {
 public:
     using l3d_pipeline_afd::l3d_pipeline_afd;
 
-    /// The eye circles the target by this angle from frame to frame (per 1 / fps of a second
-    /// where time is measured); the first frame is not turned. Units: degrees; frames a second.
-    void set_turntable(double degrees_per_frame, double fps);
-
-    /// What the key s does with the picture; without one it does nothing.
-    /// The function returns a line to show, such as the file's name.
-    void set_screenshot(std::function<std::string(const l3d_pixels&)> save) {
-        save_ = std::move(save);
-    }
+    l3d_viewer_controls& controls() { return controls_; }
 
     void key_event(int key) override;
     void pointer_event(const l3d_event& event) override;
@@ -32,20 +23,11 @@ protected:
     void draw_overlay() override;
 
 private:
-    bool view_key(int key);
-    bool look_key(int key);
-    void set_tolerance(double pixels);
-    void say(std::string line);
+    std::vector<l3d_viewer_row> own_rows();
+    void scale_tolerance(double factor);
+    void switch_wireframe();
 
-    double turntable_degrees_ = 0; ///< per second
-    bool first_frame_ = true;
-    bool paused_ = false;
-    bool status_shown_ = false;
-    bool help_shown_ = false;
-    std::string message_;
-    double smoothed_seconds_ = 0; ///< between frames
-    int pointer_x_ = 0, pointer_y_ = 0;
-    std::function<std::string(const l3d_pixels&)> save_;
+    l3d_viewer_controls controls_{*this, screen(), camera(), own_rows()};
 };
 
 #endif

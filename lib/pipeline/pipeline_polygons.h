@@ -11,13 +11,12 @@
 #include "pipeline/polygon_report.h"
 #include "pipeline/polygon_view.h"
 #include "pipeline/polygon_wires.h"
+#include "pipeline/viewer_controls.h"
 #include "raster/rasterizer_2d.h"
 #include "raster/workers.h"
 
-#include <functional>
 #include <memory>
-#include <string>
-#include <utility>
+#include <vector>
 
 /// What is shown of faces.
 enum class l3d_polygon_style {
@@ -40,7 +39,7 @@ struct l3d_polygon_settings {
 
 /// Draws a model of polygons; a subclass says who is in front of whom.
 ///
-/// Has the keys that its help overlay lists. Mode `error` shades nothing here: all is white.
+/// Has the controls that its help overlay lists. Mode `error` shades nothing here: all is white.
 /// Expects: a valid camera; light not zero; threads >= 1.
 /// Lives:   owns screen, rasterizers and workers; borrows the model.
 class l3d_pipeline_polygons : public l3d_pipeline {
@@ -50,13 +49,7 @@ public:
     /// The last frame drawn; the hash is counted when asked for.
     l3d_polygon_report report() const;
 
-    /// As l3d_pipeline_afd_viewer has it. Units: degrees; frames a second.
-    void set_turntable(double degrees_per_frame, double fps) {
-        turntable_degrees_ = degrees_per_frame * fps;
-    }
-    void set_screenshot(std::function<std::string(const l3d_pixels&)> save) {
-        save_ = std::move(save);
-    }
+    l3d_viewer_controls& controls() { return controls_; }
 
     void key_event(int key) override;
     void pointer_event(const l3d_event& event) override;
@@ -90,10 +83,8 @@ private:
 
     void draw_model(l3d_polygon_report& report);
     void draw_overlay();
-    bool view_key(int key);
-    bool turn_key(int key);
-    bool look_key(int key);
-    void say(std::string line);
+    std::vector<l3d_viewer_row> own_rows();
+    void reset_view();
 
     std::unique_ptr<l3d_screen> screen_;
     l3d_workers workers_;
@@ -101,22 +92,13 @@ private:
     l3d_rasterizer_2d rasterizer_;
 
     const l3d_polygon_model& model_;
-    l3d_camera camera_, first_camera_;
+    l3d_camera camera_;
     l3d_polygon_settings settings_, first_settings_;
     l3d_polygon_frame frame_;
     l3d_polygon_wires wires_;
     l3d_polygon_report report_;
     bool stale_ = true;
-
-    double turntable_degrees_ = 0; ///< per second
-    bool first_frame_ = true;
-    bool paused_ = false;
-    bool status_shown_ = false;
-    bool help_shown_ = false;
-    std::string message_;
-    double smoothed_seconds_ = 0; ///< between frames
-    int pointer_x_ = 0, pointer_y_ = 0;
-    std::function<std::string(const l3d_pixels&)> save_;
+    l3d_viewer_controls controls_;
 };
 
 #endif

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 /// How a surface's pixels get their colour.
 enum class l3d_shade {
@@ -19,6 +20,14 @@ enum class l3d_shade {
     normals, ///< red, green, blue = round(255 (n + 1) / 2)
     error,   ///< one colour per part, its `error_color`
 };
+
+/// How users call them, in the order of their values.
+inline constexpr std::array<std::pair<const char*, l3d_shade>, 5> l3d_shade_names{
+    {{"lambert", l3d_shade::lambert},
+     {"gouraud", l3d_shade::gouraud},
+     {"flat", l3d_shade::flat},
+     {"normals", l3d_shade::normals},
+     {"error", l3d_shade::error}}};
 
 /// What stays the same for a frame.
 struct l3d_shading {

@@ -58,11 +58,7 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--near", near_, "nearest distance that is drawn", l3d_least_distance, largest);
     options.add("--far", far_, "farthest distance that is drawn", least_positive, largest);
     options.add_choice<l3d_shade>("--shade", settings_.shade, "how the surface is coloured",
-                                  {{"lambert", l3d_shade::lambert},
-                                   {"gouraud", l3d_shade::gouraud},
-                                   {"flat", l3d_shade::flat},
-                                   {"normals", l3d_shade::normals},
-                                   {"error", l3d_shade::error}});
+                                  {l3d_shade_names.begin(), l3d_shade_names.end()});
     options.add("--light", light_, "direction towards the light");
     options.add("--wireframe", settings_.wireframe, "the adaptive steps as lines");
     options.add("--net", settings_.net, "the control nets on top");

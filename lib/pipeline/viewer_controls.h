@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// l3d_viewer_controls: the keys, the mouse and the lines of text of every viewer.
+#ifndef L3D_PIPELINE_VIEWER_CONTROLS_H
+#define L3D_PIPELINE_VIEWER_CONTROLS_H
+
+#include "dice/camera.h"
+#include "pipeline/pipeline.h"
+#include "raster/rasterizer_2d.h"
+#include "tool_2d/screen.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// A line of a viewer's help, and the keys that it tells of.
+struct l3d_viewer_row {
+    const char* keys; ///< as the help calls them
+    const char* text; ///< what they do
+
+    /// By ASCII code or l3d_key; none for what is done elsewhere.
+    std::vector<std::pair<int, std::function<void()>>> actions{};
+};
+
+/// What all viewers have: the eye turns about its target and comes nearer, turntable, pause,
+/// status, help, screenshot, the end. A viewer has one, hands events on to it, and adds rows of
+/// keys of its own to the one table that help and keys both come from.
+///
+/// Calls that return a bool say whether another picture is needed.
+/// Lives:   borrows pipeline, screen and camera.
+class l3d_viewer_controls {
+public:
+    /// `rows` are the viewer's own; `reset` takes back what it changed of the view beside the
+    /// camera, and may be empty.
+    /// Expects: no key is in two rows, ours included.
+    l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& screen, l3d_camera& camera,
+                        std::vector<l3d_viewer_row> rows, std::function<void()> reset = {});
+
+    /// The eye circles the target by this angle from frame to frame (per 1 / fps of a second
+    /// where time is measured); the first frame is not turned. Units: degrees; frames a second.
+    void set_turntable(double degrees_per_frame, double fps) {
+        turntable_degrees_ = degrees_per_frame * fps;
+    }
+
+    /// What the key s does with the picture; without one it does nothing.
+    /// The function returns a line to show, such as the file's name.
+    void set_screenshot(std::function<std::string(const l3d_pixels&)> save) {
+        save_ = std::move(save);
+    }
+
+    bool key(int key);
+    bool pointer(const l3d_event& event);
+    bool update(double seconds);
+
+    /// A line that is shown until the next key. Expects: an action of a row is running.
+    void say(std::string line) { message_ = std::move(line); }
+
+    /// Whether draw() draws anything.
+    bool shows_text() const { return status_shown_ || help_shown_ || !message_.empty(); }
+
+    /// Status, help and message, as they are switched on, on top of a finished picture.
+    /// Units: what the picture took, in milliseconds. `lines` are the viewer's own of the status.
+    void draw(l3d_rasterizer_2d& rasterizer, double milliseconds,
+              std::span<const std::string> lines) const;
+
+private:
+    std::vector<l3d_viewer_row> first_rows();
+    std::vector<l3d_viewer_row> last_rows(l3d_pipeline& viewer, l3d_screen& screen,
+                                          std::function<void()> reset);
+
+    l3d_camera& camera_;
+    std::vector<l3d_viewer_row> rows_;
+    double turntable_degrees_ = 0; ///< per second
+    bool first_frame_ = true;
+    bool paused_ = false;
+    bool status_shown_ = false;
+    bool help_shown_ = false;
+    std::string message_;
+    double smoothed_seconds_ = 0; ///< between frames
+    int pointer_x_ = 0, pointer_y_ = 0;
+    std::function<std::string(const l3d_pixels&)> save_;
+};
+
+#endif

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// The keys, the mouse and the text that all viewers share.
+#include "pipeline/viewer_controls.h"
+
+#include "raster/rasterizer_factory_sw.h"
+#include "tool_2d/screen_memory.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+namespace {
+
+/// A viewer of nothing, with a key of its own.
+class nothing_viewer : public l3d_pipeline {
+public:
+    l3d_screen_memory screen{{403, 311}};
+    l3d_camera camera;
+    int own = 0, resets = 0;
+    l3d_viewer_controls controls{
+        *this, screen, camera, {{"k", "count", {{'k', [this] { ++own; }}}}}, [this] { ++resets; }};
+
+    /// Rows of the picture that have text in them.
+    int text_rows() {
+        const l3d_rasterizer_factory_sw factory;
+        const auto imp = factory.create_2d(screen.pixels());
+        l3d_rasterizer_2d rasterizer(*imp);
+        rasterizer.clear_buffer();
+        const std::string line = "a line of the viewer's own";
+        controls.draw(rasterizer, 1.5, {&line, 1});
+        int rows = 0;
+        for (int y = 0; y < screen.pixels().height; ++y)
+            rows += std::ranges::any_of(screen.pixels().row(y),
+                                        [](std::uint32_t word) { return word != 0; });
+        return rows;
+    }
+};
+
+double distance(const l3d_camera& camera) {
+    return l3d_length(camera.eye - camera.target);
+}
+
+TEST(viewer_controls, turn_zoom_and_reset) {
+    nothing_viewer it;
+    const l3d_camera first = it.camera;
+    for (const int key : {l3d_key_left, l3d_key_right, l3d_key_up, l3d_key_down}) {
+        const auto eye = it.camera.eye;
+        EXPECT_TRUE(it.controls.key(key));
+        EXPECT_NE(it.camera.eye, eye) << key;
+        EXPECT_NEAR(distance(it.camera), distance(first), 1e-12);
+    }
+    EXPECT_TRUE(it.controls.key(l3d_key_page_up));
+    EXPECT_LT(distance(it.camera), distance(first));
+    EXPECT_TRUE(it.controls.key('r'));
+    EXPECT_EQ(it.camera.eye, first.eye);
+    EXPECT_EQ(it.resets, 1);
+}
+
+TEST(viewer_controls, have_the_viewers_own_keys_and_the_end) {
+    nothing_viewer it;
+    EXPECT_TRUE(it.controls.key('k'));
+    EXPECT_EQ(it.own, 1);
+    EXPECT_FALSE(it.controls.key('j')) << "a key that nobody has needs no other picture";
+    for (const int key : {static_cast<int>('q'), static_cast<int>(l3d_key_escape)}) {
+        it.done = false;
+        it.controls.key(key);
+        EXPECT_TRUE(it.done);
+    }
+}
+
+TEST(viewer_controls, drag_and_wheel) {
+    nothing_viewer it;
+    const l3d_camera first = it.camera;
+    using type = l3d_event_type;
+    EXPECT_FALSE(it.controls.pointer({type::pointer_motion, 0, 0, 31, 17, {}}));
+    EXPECT_EQ(it.camera.eye, first.eye);
+    EXPECT_TRUE(it.controls.pointer({type::pointer_motion, 0, 1, 121, 17, {}}));
+    // A quarter of a turn, to where the eye is at right angles to where it was, seen from above.
+    const auto was = first.eye - first.target, is = it.camera.eye - it.camera.target;
+    EXPECT_NEAR(was[0] * is[0] + was[2] * is[2], 0, 1e-9);
+    EXPECT_TRUE(it.controls.pointer({type::wheel, 0, 0, 0, -1, {}}));
+    EXPECT_NEAR(distance(it.camera), 1.1 * distance(first), 1e-9);
+}
+
+TEST(viewer_controls, the_turntable_starts_after_the_first_frame_and_pauses) {
+    nothing_viewer it;
+    it.controls.set_turntable(3, 20);
+    const auto eye = it.camera.eye;
+    EXPECT_FALSE(it.controls.update(0.05));
+    EXPECT_EQ(it.camera.eye, eye);
+    EXPECT_TRUE(it.controls.update(0.05));
+    l3d_camera turned;
+    turned.orbit(3 * std::acos(-1.0) / 180, 0);
+    EXPECT_NEAR(l3d_length(it.camera.eye - turned.eye), 0, 1e-12);
+    it.controls.key(' ');
+    EXPECT_FALSE(it.controls.update(0.05));
+    it.controls.key('p');
+    EXPECT_TRUE(it.controls.update(0.05));
+    it.controls.key('t');
+    EXPECT_FALSE(it.controls.update(0.05));
+}
+
+TEST(viewer_controls, show_status_help_and_a_message_until_the_next_key) {
+    nothing_viewer it;
+    EXPECT_FALSE(it.controls.shows_text());
+    EXPECT_EQ(it.text_rows(), 0);
+    it.controls.key('o');
+    const int status = it.text_rows();
+    EXPECT_GT(status, 20);
+    it.controls.key('?');
+    const int help = it.text_rows();
+    EXPECT_GT(help, 5 * status) << "ten rows of ours and one of the viewer's";
+    it.controls.key('p');
+    EXPECT_GT(it.text_rows(), help);
+    EXPECT_TRUE(it.controls.key('j')) << "the message goes";
+    EXPECT_EQ(it.text_rows(), help);
+}
+
+TEST(viewer_controls, save_the_screens_pixels) {
+    nothing_viewer it;
+    EXPECT_TRUE(it.controls.key('s'));
+    EXPECT_FALSE(it.controls.shows_text()) << "nobody saves";
+    const std::uint32_t* saved = nullptr;
+    it.controls.set_screenshot([&](const l3d_pixels& pixels) {
+        saved = pixels.row(0).data();
+        return "saved it";
+    });
+    it.controls.key('s');
+    EXPECT_EQ(saved, it.screen.pixels().row(0).data());
+    EXPECT_TRUE(it.controls.shows_text());
+}
+
+} // namespace
