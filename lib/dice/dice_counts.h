@@ -3,35 +3,30 @@
 #ifndef L3D_DICE_DICE_COUNTS_H
 #define L3D_DICE_DICE_COUNTS_H
 
+#include "dice/seen_counts.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
-/// What a frame's dicing did, and what was left out, as control nets or the boxes around them
-/// prove.
-struct l3d_dice_counts {
-    std::int64_t drawn = 0;     ///< patches diced
-    std::int64_t offscreen = 0; ///< patches left out: beyond one side of the window
-    std::int64_t behind = 0;    ///< patches left out: behind the near plane
-    std::int64_t beyond = 0;    ///< patches left out: beyond the far plane
-    std::int64_t subpixel = 0;  ///< patches left out: hull holds no pixel centre
-    std::int64_t hidden = 0;    ///< patches left out: behind what had been drawn before
-    std::int64_t pieces = 0;    ///< grids made; more than `drawn` if patches had to be cut
-    std::int64_t clipped = 0;   ///< of those, clipped at the near plane or the guard band
-    std::int64_t samples = 0;   ///< vertices evaluated
-    std::int64_t failures = 0;  ///< pixels left out as an iteration came to no rest
-    double bound_px = 0;        ///< certified image error of all that was drawn
+/// What a frame's dicing did, and which patches were left out, as control nets or the boxes around
+/// them prove. What is `clipped` are grids.
+struct l3d_dice_counts : l3d_seen_counts {
+    std::int64_t behind = 0;   ///< patches left out: behind the near plane
+    std::int64_t beyond = 0;   ///< patches left out: beyond the far plane
+    std::int64_t hidden = 0;   ///< patches left out: behind what had been drawn before
+    std::int64_t pieces = 0;   ///< grids made; more than `drawn` if patches had to be cut
+    std::int64_t samples = 0;  ///< vertices evaluated
+    std::int64_t failures = 0; ///< pixels left out as an iteration came to no rest
+    double bound_px = 0;       ///< certified image error of all that was drawn
 
     /// Both together: of other patches.
     void add(const l3d_dice_counts& other) {
-        drawn += other.drawn;
-        offscreen += other.offscreen;
+        l3d_seen_counts::add(other);
         behind += other.behind;
         beyond += other.beyond;
-        subpixel += other.subpixel;
         hidden += other.hidden;
         pieces += other.pieces;
-        clipped += other.clipped;
         samples += other.samples;
         failures += other.failures;
         bound_px = std::max(bound_px, other.bound_px);

@@ -2,9 +2,10 @@
 // l3d_pipeline_polygons: the stages of a frame, and the keys for polygons.
 #include "pipeline/pipeline_polygons.h"
 
+#include "geom/real.h"
 #include "pipeline/formatted_p.h"
-#include "pipeline/frame_report.h"
 #include "pipeline/stopwatch_p.h"
+#include "raster/simd_target.h"
 
 #include <array>
 #include <cmath>
@@ -41,6 +42,8 @@ l3d_pipeline_polygons::l3d_pipeline_polygons(l3d_canvas canvas, const l3d_polygo
       camera_(camera), settings_(settings), first_settings_(settings),
       controls_(*this, *screen_, camera_, own_rows(), [this] { reset_view(); }) {
     report_.frame = -1;
+    report_.real = l3d_real_name();
+    report_.simd = l3d_simd_target();
     report_.threads = settings.threads;
     report_.faces = static_cast<std::int64_t>(model.mesh().faces());
     report_.triangles = static_cast<std::int64_t>(model.triangles().size());

@@ -128,7 +128,7 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
         if (whole) {
             const reach seen = reach_of(v[0], v[1], v[2], in.view.size());
             if (seen != reach::seen) {
-                ++(seen == reach::outside ? to.counts.outside : to.counts.subpixel);
+                ++(seen == reach::outside ? to.counts.offscreen : to.counts.subpixel);
                 continue;
             }
         }
@@ -189,7 +189,7 @@ void l3d_polygon_frame::add_clipped(const frame_input& in, const l3d_model_trian
         to.sides.push_back(static_cast<std::uint8_t>(first | 2 | last << 2));
         seen = true;
     }
-    ++(seen ? to.counts.drawn : to.counts.outside);
+    ++(seen ? to.counts.drawn : to.counts.offscreen);
     to.counts.clipped += seen;
 }
 

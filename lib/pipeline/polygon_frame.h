@@ -5,6 +5,7 @@
 
 #include "dice/dice_view.h"
 #include "dice/diced_piece.h"
+#include "dice/seen_counts.h"
 #include "pipeline/polygon_model.h"
 #include "pipeline/polygon_view.h"
 #include "raster/painter.h"
@@ -19,19 +20,13 @@
 #include <vector>
 
 /// What became of the triangles of a model in a frame.
-struct l3d_polygon_counts {
-    std::int64_t drawn = 0;    ///< triangles of the model
-    std::int64_t back = 0;     ///< left out: seen from behind
-    std::int64_t outside = 0;  ///< left out: beyond one side of the window
-    std::int64_t subpixel = 0; ///< left out: no pixel's centre in its box
-    std::int64_t clipped = 0;  ///< of those drawn, reaching beyond near, far or guard band
+struct l3d_polygon_counts : l3d_seen_counts {
+    std::int64_t back = 0; ///< left out: seen from behind
 
+    /// Both together: of other triangles.
     void add(const l3d_polygon_counts& other) {
-        drawn += other.drawn;
+        l3d_seen_counts::add(other);
         back += other.back;
-        outside += other.outside;
-        subpixel += other.subpixel;
-        clipped += other.clipped;
     }
 };
 

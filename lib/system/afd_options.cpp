@@ -74,10 +74,6 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                 "write the last frame's distances along the view axis (.pfm)", "FILE");
     options.add("--report", report_, "write one line of JSON per frame; - is the standard output",
                 "FILE");
-    options.add("--error-report", error_report_,
-                "draw nothing; measure what accuracy costs with each method, and write it there",
-                "FOLDER");
-    options.add("--quick", quick_, "a small --error-report, in half a minute or so");
     options.add("--explain", explain_, "tell what the last frame did not need, and why");
     options.add("--keep-all", settings_.keep_all, "leave nothing out");
 }

@@ -44,10 +44,6 @@ public:
     const std::string& report() const { return report_; }
     bool explain() const { return explain_; }
 
-    /// Where a report of error against run time goes; empty: none is asked for.
-    const std::string& error_report() const { return error_report_; }
-    bool quick() const { return quick_; }
-
     /// Neither a model nor a camera was asked for.
     bool shows_the_usual() const;
 
@@ -61,8 +57,8 @@ private:
     std::array<double, 3> light_ = teapot_light;
     l3d_afd_settings settings_;
     double turntable_ = 0;
-    std::string depth_output_, report_, error_report_;
-    bool explain_ = false, quick_ = false;
+    std::string depth_output_, report_;
+    bool explain_ = false;
 };
 
 #endif

@@ -117,6 +117,9 @@ l3d_camera l3d_polygon_options::camera(const l3d_polygon_model& model) const {
 
 l3d_polygon_settings l3d_polygon_options::settings() const {
     const l3d_afd_settings shared = shared_.settings();
+    if (shared.depth)
+        throw l3d_error(l3d_exit::usage,
+                        "--depth-output: only --pipeline afd keeps the distances for it");
     l3d_polygon_settings settings;
     settings.style = hidden_lines_      ? l3d_polygon_style::hidden_lines
                      : shared.wireframe ? l3d_polygon_style::wireframe

@@ -34,7 +34,7 @@ public:
     /// Errors: as l3d_afd_options::camera.
     l3d_camera camera(const l3d_polygon_model& model) const;
 
-    /// Errors: as l3d_afd_options::settings.
+    /// Errors: as l3d_afd_options::settings; l3d_error(usage) for --depth-output.
     l3d_polygon_settings settings() const;
 
 private:

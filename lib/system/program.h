@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 
 /// A program's command line and factory manager, and how they are used.
 ///
@@ -35,6 +36,10 @@ public:
     /// For back-ends of the program's own, likewise.
     l3d_factory_manager& factories() { return factories_; }
 
+    /// For what needs neither a screen nor a back-end, such as a report that an option asks for: it
+    /// is called when the command line has been read, and answers whether there is more to do.
+    void before_step_1(std::function<bool()> goes_on) { goes_on_ = std::move(goes_on); }
+
     /// Reads the command line, chooses a back-end, and does the other steps; returns what main
     /// does. The steps are left out if there is nothing to show, as after --help.
     ///
@@ -53,6 +58,7 @@ public:
 private:
     l3d_options options_;
     l3d_factory_manager factories_;
+    std::function<bool()> goes_on_ = [] { return true; };
 };
 
 #endif

@@ -6,17 +6,21 @@
 
 #include <cerrno>
 #include <cstring>
+#include <iostream>
 
-l3d_report_writer::l3d_report_writer(const std::string& path) : path_(path) {
+l3d_report_writer::l3d_report_writer(const std::string& path)
+    : path_(path), out_(path == "-" ? &std::cout : &file_) {
+    if (out_ != &file_)
+        return;
     errno = 0;
-    file_.open(path == "-" ? "/dev/stdout" : path, std::ios::binary);
+    file_.open(path, std::ios::binary);
     if (!file_)
         refuse();
 }
 
 void l3d_report_writer::add(const std::string& line) {
     errno = 0;
-    if (!(file_ << line << std::endl))
+    if (!(*out_ << line << std::endl))
         refuse();
 }
 

@@ -4,14 +4,18 @@
 #define L3D_SYSTEM_REPORT_WRITER_H
 
 #include <fstream>
+#include <ostream>
 #include <string>
 
 /// Writes lines as they come, so that a program that is stopped leaves whole lines behind.
 class l3d_report_writer {
 public:
-    /// The name - is the standard output.
+    /// The name - is the standard output as it is: what was written to it before stays, and what
+    /// others write to it comes in between.
     /// Errors: l3d_error(failure) that names the file and the system's reason.
     explicit l3d_report_writer(const std::string& path);
+    l3d_report_writer(const l3d_report_writer&) = delete;
+    l3d_report_writer& operator=(const l3d_report_writer&) = delete;
 
     /// Errors: as the constructor.
     void add(const std::string& line);
@@ -21,6 +25,7 @@ private:
 
     std::string path_;
     std::ofstream file_;
+    std::ostream* out_; ///< the file or the standard output
 };
 
 #endif

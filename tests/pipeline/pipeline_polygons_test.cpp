@@ -145,7 +145,7 @@ TEST(pipeline_polygons, culling_leaves_out_what_is_not_seen) {
         EXPECT_GT(report.polygons.back, 200);
         EXPECT_EQ(all_report.polygons.back, 0);
         EXPECT_EQ(report.polygons.drawn + report.polygons.back + report.polygons.subpixel +
-                      report.polygons.outside,
+                      report.polygons.offscreen,
                   768);
     }
 }

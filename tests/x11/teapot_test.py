@@ -129,6 +129,43 @@ def reports_to_the_standard_output():
         expect_equal(json.loads(out)["frame"], 0)
 
 
+def reports_into_an_open_file():
+    """A standard output that is a file keeps what is in it, and goes on after the report."""
+    with folder() as path:
+        name = os.path.join(path, "log")
+        with open(name, "wb") as log:
+            log.write(b"before\n")
+            log.flush()
+            command = TEAPOT.command("--backend", "memory", "--report", "-", "--output", "o.png")
+            done = run(command, environment(), cwd=path, stdout=log)
+            expect_equal(done, (0, None, ""))
+            log.write(b"after\n")
+        with open(name, "rb") as log:
+            lines = log.read().splitlines()
+        expect_equal((lines[0], lines[-1], len(lines)), (b"before", b"after", 3))
+        expect_equal(json.loads(lines[1])["frame"], 0)
+
+
+def modelview_reports_as_well():
+    """Of patches what the teapot's program writes; of polygons what there is."""
+    modelview = Program("modelview", TEAPOT.size)
+    with folder() as path:
+        run_it = lambda *more: run(
+            modelview.command("--backend", "memory", "--report", "-", "--explain", *more),
+            environment(), cwd=path)
+        status, out, said = run_it("--pipeline", "afd", "--eye", "1,2,3", "--depth-output", "d.pfm")
+        expect_equal((status, json.loads(out)["method"]), (0, "afd"))
+        expect("of 28 patches (offscreen)" in said, said)
+        expect(os.path.getsize(os.path.join(path, "d.pfm")) > 4 * 157 * 119, "no distances")
+        status, out, said = run_it("--pipeline", "zsort")
+        triangles = json.loads(out)["triangles"]
+        wanted = "left out %d of %d triangles (back): " % (triangles["left_out"]["back"], triangles["all"])
+        expect(status == 0 and said.startswith(wanted), said)
+        status, out, said = run_it("--pipeline", "zsort", "--depth-output", "d.pfm")
+        expect_equal((status, out), (2, b""))
+        expect(said.startswith("modelview: --depth-output: "), said)
+
+
 def writes_distances():
     """The PFM has a distance exactly where the picture has a surface."""
     with folder() as path:
@@ -243,7 +280,8 @@ def main():
     for check in (
         refuses_wrong_models, draws_a_model_cut_at_no_byte,
         draws_the_same_patches_from_every_format, reports_every_frame,
-        reports_to_the_standard_output, writes_distances,
+        reports_to_the_standard_output, reports_into_an_open_file,
+        modelview_reports_as_well, writes_distances,
         repeats_itself, explains_what_it_left_out, refuses_wrong_values, obeys_its_keys,
         obeys_the_mouse,
     ):

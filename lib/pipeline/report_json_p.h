@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Parts of a report as JSON, and in words.
+#ifndef L3D_PIPELINE_REPORT_JSON_P_H
+#define L3D_PIPELINE_REPORT_JSON_P_H
+
+#include "pipeline/report_parts.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace l3d_detail {
+
+using json = nlohmann::ordered_json;
+
+/// So many were left out for that, and why that is right.
+struct left_out {
+    const char* name;
+    const char* proof;
+    std::int64_t count;
+};
+
+/// The count of each reason, by its name.
+json counts_json(std::span<const left_out> reasons);
+
+/// What a line begins with.
+json head_json(const l3d_common_report& report);
+
+/// Times that every frame has, after those that are there already.
+void add_times(json& times, const l3d_common_times& more);
+
+/// What a line ends with: pixels, the names of the reasons that there were, the hash.
+void add_tail(json& line, const l3d_common_report& report, std::span<const left_out> reasons);
+
+/// A line for each reason that there was; `what` is left out, of `all`.
+std::string explained(std::span<const left_out> reasons, std::int64_t all, const std::string& what);
+
+} // namespace l3d_detail
+
+#endif

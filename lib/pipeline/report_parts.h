@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What the reports of all frames have in common.
+#ifndef L3D_PIPELINE_REPORT_PARTS_H
+#define L3D_PIPELINE_REPORT_PARTS_H
+
+#include "raster/surface_rasterizer.h"
+#include "tool_2d/pixels.h"
+
+#include <cstdint>
+#include <string>
+
+/// Times of the stages that every frame has, by the monotonic clock. Units: milliseconds.
+struct l3d_common_times {
+    double raster = 0;  ///< clearing, coverage, depth, shading, lines
+    double overlay = 0; ///< control nets and text
+    double total = 0;   ///< all stages but those below
+    double show = 0;    ///< bringing the picture to the screen; not part of total
+    double write = 0;   ///< writing picture files; not part of total
+};
+
+/// A frame of any kind.
+struct l3d_common_report {
+    int frame = 0;
+    std::string method;
+    std::string real;
+    std::string simd; ///< vector instructions, as l3d_simd_target names them
+    l3d_size size;
+    int threads = 1;
+    l3d_surface_counts surface;
+    std::uint64_t hash = 0; ///< l3d_hash of the picture
+};
+
+/// FNV-1a of the pixel words, row by row from the top, 64 bits.
+/// Source: Fowler, Noll, Vo; constants from RFC 9923.
+std::uint64_t l3d_hash(const l3d_pixels& pixels);
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// l3d_viewer: a pipeline that is turned, saved and reported as the command line says.
+#ifndef L3D_SYSTEM_VIEWER_H
+#define L3D_SYSTEM_VIEWER_H
+
+#include "system/afd_options.h"
+#include "system/program.h"
+#include "system/report_writer.h"
+#include "system/screenshot.h"
+#include "tool_2d/image_file.h"
+
+#include <iostream>
+#include <optional>
+#include <string>
+#include <utility>
+
+/// A `Pipeline` with l3d_viewer_controls and a report of each frame, for which --turntable,
+/// --report, --explain and --depth-output do what they say.
+///
+/// Lives:   borrows the options.
+template <class Pipeline> class l3d_viewer final : public Pipeline {
+public:
+    /// `arguments` are those of the Pipeline's constructor.
+    /// Errors:  as l3d_report_writer, and as the Pipeline's constructor.
+    template <class... Arguments>
+    l3d_viewer(l3d_program& program, const l3d_afd_options& asked, Arguments&&... arguments)
+        : Pipeline(std::forward<Arguments>(arguments)...), asked_(asked) {
+        this->controls().set_turntable(asked.turntable(),
+                                       1 / program.options().frame_settings().step());
+        this->controls().set_screenshot(l3d_save_screenshot);
+        if (!asked.report().empty())
+            reports_.emplace(asked.report());
+    }
+
+    void frame_event(const l3d_frame_times& times) override {
+        Pipeline::frame_event(times);
+        if (reports_)
+            reports_->add(this->report().json());
+    }
+
+    /// After the last frame: its distances, and what it did not need.
+    /// Errors:  l3d_error(failure) that names the file and the system's reason.
+    void finish() const {
+        if constexpr (requires { this->depth(); })
+            if (const std::string& file = asked_.depth_output(); !file.empty())
+                l3d_write_pfm(file, this->depth().size().width, this->depth().size().height,
+                              l3d_distances(this->depth()));
+        if (asked_.explain())
+            std::cerr << this->report().explanation();
+    }
+
+private:
+    const l3d_afd_options& asked_;
+    std::optional<l3d_report_writer> reports_;
+};
+
+#endif
