@@ -8,12 +8,13 @@ uses_raster   := geom tool_2d
 uses_dice     := geom tool_2d raster
 uses_pipeline := geom tool_2d raster dice
 uses_system   := geom tool_2d raster dice pipeline
-uses_apps     := $(LAYERS) reference
+uses_apps     := $(LAYERS)
 
-# tests/reference, the exact renderer, is a layer beside them that only these may use, and the
-# programs: a report of errors has no better judge.
+# tests/reference, the exact renderer, is a layer beside them that only these may use, and one
+# program: its report of errors has no better judge.
 uses_reference       := geom
 tests_with_reference := dice pipeline reference bench stability
+apps_with_reference  := teapot_afd
 uses_stability       := geom tool_2d raster dice pipeline
 
 # What a layer links from outside.
@@ -216,7 +217,9 @@ $(OUT)/libl3d_%.a: $$(objects_$$*) $(OUT)/list/%
 	$(call say,AR,$@)
 	$(Q)rm -f $@; ar rcs $@ $(filter %.o,$^)
 
-$(APPS): $(OUT)/bin/%: $$(objects_apps/$$*) $(call archives,reference $(LAYERS)) $(OUT)/list/apps/%
+$(APPS): $(OUT)/bin/%: $$(objects_apps/$$*) \
+        $$(call archives,$(LAYERS) $$(if $$(filter $$*,$(apps_with_reference)),reference)) \
+        $(OUT)/list/apps/%
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D); $(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -o $@
 
@@ -287,7 +290,7 @@ $(OUT)/%.h.ok: %.h $(OUT)/flags | packages-build
 
 include_law = awk -f tests/lint/layers.awk -v out=$(OUT)/ \
     -v law="$(foreach l,$(LAYERS) reference stability apps,$(l): $(uses_$(l));)" \
-    -v tests_with_reference="$(tests_with_reference)" $(OBJECTS:.o=.d) $(LONE:=.d)
+    -v with_reference="$(tests_with_reference:%=tests/%) $(apps_with_reference:%=apps/%)" $(OBJECTS:.o=.d) $(LONE:=.d)
 # Archives are lazy, so a whole one is linked: a call that climbs is an undefined symbol.
 link_law = echo 'int main() {}' | $(LINK) -x c++ - -x none -o $(OUT)/link_law \
     -Wl,--whole-archive $(OUT)/libl3d_$(1).a -Wl,--no-whole-archive \

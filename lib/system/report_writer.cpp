@@ -8,10 +8,12 @@
 #include <cstring>
 #include <iostream>
 
-l3d_report_writer::l3d_report_writer(const std::string& path)
-    : path_(path), out_(path == "-" ? &std::cout : &file_) {
-    if (out_ != &file_)
+l3d_report_writer::l3d_report_writer(const std::string& path) : path_(path), out_(&file_) {
+    if (path == "-") {
+        path_ = "standard output";
+        out_ = &std::cout;
         return;
+    }
     errno = 0;
     file_.open(path, std::ios::binary);
     if (!file_)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # layers.awk: reads the compiler's dependency files and names every include that breaks the law.
-# Given: out, the variant's folder; law, "layer: layers it may use; ..."; tests_with_reference.
+# Given: out, the variant's folder; law, "layer: layers it may use; ..."; with_reference, the folders
+# under tests and apps that may use tests/reference.
 
 BEGIN {
     count = split(law, rows, ";")
@@ -13,9 +14,9 @@ BEGIN {
         for (j = 1; j <= used; ++j)
             allow(layer, names[j])
     }
-    used = split(tests_with_reference, names, " ")
+    used = split(with_reference, names, " ")
     for (j = 1; j <= used; ++j)
-        allow("tests/" names[j], "reference")
+        allow(names[j], "reference")
 }
 
 function allow(layer, other) { may[layer, other] = 1 }
@@ -30,11 +31,11 @@ function layer_of(path,    part) {
 
 function permitted(unit, other,    part) {
     split(unit, part, "/")
+    if ((part[1] "/" part[2], other) in may)
+        return 1
     if (unit !~ /^tests\//)
         return (layer_of(unit), other) in may
-    if (part[2] == "bench")
-        return other == "reference" || ("apps", other) in may
-    return (part[2], other) in may || ("tests/" part[2], other) in may
+    return (part[2] == "bench" ? "apps" : part[2], other) in may
 }
 
 # One complaint per file and offended layer is enough.
