@@ -21,6 +21,27 @@ template <class T> bool absent_or(const std::vector<T>& array, std::size_t size)
 
 } // namespace
 
+void l3d_polygon_mesh::append(const l3d_polygon_mesh& more) {
+    const auto offset = static_cast<std::uint32_t>(vertices.size());
+    const auto corner_offset = static_cast<std::uint32_t>(corners.size());
+    const bool have_normals = vertex_normals.size() == vertices.size() &&
+                              more.vertex_normals.size() == more.vertices.size();
+    vertices.insert(vertices.end(), more.vertices.begin(), more.vertices.end());
+    for (const std::uint32_t corner : more.corners)
+        corners.push_back(corner + offset);
+    for (const std::uint32_t end : more.face_ends)
+        face_ends.push_back(end + corner_offset);
+    if (have_normals)
+        vertex_normals.insert(vertex_normals.end(), more.vertex_normals.begin(),
+                              more.vertex_normals.end());
+    else
+        vertex_normals.clear();
+    face_colors.clear();
+    face_materials.clear();
+    materials.clear();
+    parts.clear();
+}
+
 bool l3d_polygon_mesh::is_valid() const {
     std::size_t begin = 0;
     for (const std::size_t end : face_ends) {

@@ -55,6 +55,10 @@ struct l3d_polygon_mesh {
         face_ends.push_back(static_cast<std::uint32_t>(corners.size()));
     }
 
+    /// Adds the vertices and faces of another mesh, and vertices' normals if both have them. All
+    /// other arrays become empty: what only a part of the faces would have cannot be kept.
+    void append(const l3d_polygon_mesh& more);
+
     /// Whether every index names something, every face has three corners or more, every coordinate
     /// is finite and every optional array has its size.
     bool is_valid() const;

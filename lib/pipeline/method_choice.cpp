@@ -9,11 +9,12 @@
 #include "pipeline/method_mesa.h"
 #include "pipeline/method_mesh.h"
 #include "pipeline/method_points.h"
+#include "pipeline/method_tessellation.h"
 #include "pipeline/method_voxels.h"
+#include "pipeline/patch_tessellation.h"
 #include "dice/micropolygon_dicer.h"
 #include "dice/scanline_plotter.h"
 #include "dice/subdivision_dicer.h"
-#include "dice/tessellation_dicer.h"
 
 #include <algorithm>
 #include <array>
@@ -30,14 +31,14 @@ struct method_row {
     int usual = 0, least = 0, most = 0;
 };
 
-/// 1024 x 1024 quads are 2^20 for each patch; of 1024 cells along each axis a teapot fills 4
+/// 1024 x 1024 quads of fd are 2^20 for each patch; of 1024 cells along each axis a teapot fills 4
 /// million in 600 MB of bricks.
 constexpr std::array<method_row, 9> rows{{
     {"afd", l3d_method::afd},
     {"fd", l3d_method::fd, 0, 1, 1024},
     {"isocurves", l3d_method::isocurves},
     {"subdivision", l3d_method::subdivision},
-    {"tessellation", l3d_method::tessellation, 16, 1, 1024},
+    {"tessellation", l3d_method::tessellation, 16, 1, l3d_most_facets},
     {"micropolygons", l3d_method::micropolygons},
     {"scanline", l3d_method::scanline},
     {"voxels", l3d_method::voxels, 256, 8, 1024},
@@ -129,7 +130,7 @@ std::unique_ptr<l3d_surface_method> l3d_create_method(const l3d_method_choice& c
     case l3d_method::subdivision:
         return create_mesh(rasterizers, workers, l3d_subdivision_dicer());
     case l3d_method::tessellation:
-        return create_mesh(rasterizers, workers, l3d_tessellation_dicer(choice.resolution));
+        return std::make_unique<l3d_method_tessellation>(choice.resolution, rasterizers, workers);
     case l3d_method::micropolygons:
         return create_mesh(rasterizers, workers, l3d_micropolygon_dicer());
     default:

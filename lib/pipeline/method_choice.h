@@ -19,7 +19,7 @@ enum class l3d_method {
     fd,            ///< one fixed forward difference step a patch
     isocurves,     ///< curves on the surface, stepped pixel by pixel
     subdivision,   ///< halved until flat, by de Casteljau's scheme
-    tessellation,  ///< n x n quads a patch
+    tessellation,  ///< n x n quads a patch, as a model of polygons
     micropolygons, ///< quads of half a pixel
     scanline,      ///< by Newton's iteration along scan lines
     voxels,        ///< a cubic frame buffer, looked into by rays

@@ -52,18 +52,9 @@ vector eye_of(const l3d_matrix<double>& m) {
 
 } // namespace
 
-bool l3d_method_voxels::is_filled_with(const l3d_patch_scene& scene) const {
-    const auto instances = scene.instances();
-    return cube_.resolution() > 0 &&
-           std::equal(instances.begin(), instances.end(), filled_with_.begin(), filled_with_.end(),
-                      [](const l3d_patch_instance& is, const auto& was) {
-                          return &is.model() == was.first && is.placement() == was.second;
-                      });
-}
-
 void l3d_method_voxels::fill(const l3d_patch_scene& scene) {
     cube_.reset(resolution_);
-    filled_with_.clear();
+    filled_with_.remember(scene);
     double size = 0;
     for (int i = 0; i < 3; ++i)
         size = std::max(size, scene.most()[i] - scene.least()[i]);
@@ -71,7 +62,6 @@ void l3d_method_voxels::fill(const l3d_patch_scene& scene) {
     const vector middle = (scene.most() + scene.least()) * 0.5;
     corner_ = middle - vector(1.0, 1.0, 1.0) * (resolution_ / (2 * cells_per_unit_));
     for (const l3d_patch_instance& instance : scene.instances()) {
-        filled_with_.emplace_back(&instance.model(), instance.placement());
         const l3d_matrix<double>& m = instance.placement();
         for (std::size_t i = 0; i < instance.model().patches().size(); ++i) {
             l3d_patch_model::patch p = instance.model().patches()[i];
@@ -117,7 +107,7 @@ void l3d_method_voxels::fill(const l3d_patch_model::patch& in_cells,
 void l3d_method_voxels::do_draw(const l3d_method_frame& frame, l3d_stage_times& times) {
     const stopwatch filling;
     counts_ = {};
-    if (!is_filled_with(frame.scene))
+    if (!filled_with_.holds(frame.scene))
         fill(frame.scene);
     counts_.drawn = frame.scene.patch_count();
     counts_.bound_px = std::numeric_limits<double>::infinity();

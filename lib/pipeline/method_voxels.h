@@ -3,13 +3,13 @@
 #ifndef L3D_PIPELINE_METHOD_VOXELS_H
 #define L3D_PIPELINE_METHOD_VOXELS_H
 
+#include "pipeline/scene_memory.h"
 #include "pipeline/surface_method.h"
 #include "raster/cubic_frame_buffer.h"
 #include "raster/point_canvas.h"
 #include "raster/workers.h"
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 /// Fills a cube around the scene by forward differences in l3d_real, with points half a cell apart,
@@ -32,7 +32,6 @@ private:
     const l3d_dice_counts& do_counts() const override { return counts_; }
     const l3d_surface_counts& do_surface_counts() const override { return surface_counts_; }
 
-    bool is_filled_with(const l3d_patch_scene& scene) const;
     void fill(const l3d_patch_scene& scene);
     void fill(const l3d_patch_model::patch& in_cells, const l3d_normal_net& normals);
     void look_along(int row, const l3d_method_frame& frame, const l3d_patch_model::vector& eye,
@@ -43,7 +42,7 @@ private:
     l3d_cubic_frame_buffer cube_;
     l3d_patch_model::vector corner_{0.0, 0.0, 0.0}; ///< of the cube, in the world
     double cells_per_unit_ = 1;
-    std::vector<std::pair<const l3d_patch_model*, l3d_matrix<double>>> filled_with_;
+    l3d_scene_memory filled_with_;
     std::vector<l3d_point_canvas> canvases_;
     l3d_dice_counts counts_;
     l3d_surface_counts surface_counts_;

@@ -2,6 +2,7 @@
 // l3d_tessellated: points once each, then faces.
 #include "pipeline/patch_tessellation.h"
 
+#include "dice/normal_columns.h"
 #include "geom/bezier_curve.h"
 
 #include <algorithm>
@@ -48,28 +49,63 @@ point surface_point(const patch& p, int column, int row, int n) {
     return p.evaluate(static_cast<double>(column) / n, static_cast<double>(row) / n);
 }
 
+point unit(const point& normal) {
+    const std::array<float, 3> floats = l3d_unit_normal(normal);
+    return {floats[0], floats[1], floats[2]};
+}
+
+/// Adds vertices to a mesh; those of boundaries once for all patches.
+class vertex_store {
+public:
+    explicit vertex_store(l3d_polygon_mesh& mesh) : mesh_(mesh) {}
+
+    std::uint32_t add(const point& at, const point& normal) {
+        mesh_.vertices.push_back(at);
+        mesh_.vertex_normals.push_back(normal);
+        return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
+    }
+
+    /// The vertex of that place and normal. There may be several at one place, at a crease.
+    std::uint32_t shared(const point& at, const point& normal) {
+        // Those of two patches that join smoothly differ by roundings, and by how smoothly their
+        // control points do: a thousandth of a radian is a quarter of a grey level.
+        constexpr double same = 1e-3;
+        std::vector<std::uint32_t>& here = by_place_[numbers(at)];
+        for (const std::uint32_t i : here)
+            if (l3d_length(mesh_.vertex_normals[i] - normal) < same)
+                return i;
+        here.push_back(add(at, normal));
+        return here.back();
+    }
+
+private:
+    l3d_polygon_mesh& mesh_;
+    std::map<std::array<double, 3>, std::vector<std::uint32_t>> by_place_;
+};
+
 } // namespace
 
 l3d_polygon_mesh l3d_tessellated(const l3d_patch_model& model, int n) {
     assert(n >= 1);
     l3d_polygon_mesh mesh;
-    std::map<std::array<double, 3>, std::uint32_t> known;
+    vertex_store vertices(mesh);
     const auto side = static_cast<std::size_t>(n) + 1;
     std::vector<std::uint32_t> grid(side * side);
     const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        if (a != b && b != c && c != a)
+        const auto at = [&](std::uint32_t i) -> const point& { return mesh.vertices[i]; };
+        if (at(a) != at(b) && at(b) != at(c) && at(c) != at(a))
             mesh.add_face({{a, b, c}});
     };
-    for (const patch& p : model.patches()) {
+    for (std::size_t i = 0; i < model.patches().size(); ++i) {
+        const patch& p = model.patches()[i];
         for (int row = 0; row <= n; ++row)
             for (int column = 0; column <= n; ++column) {
+                const bool inside = row > 0 && row < n && column > 0 && column < n;
                 const point at = surface_point(p, column, row, n);
-                const auto next = static_cast<std::uint32_t>(mesh.vertices.size());
-                const auto [found, is_new] = known.try_emplace(numbers(at), next);
-                if (is_new)
-                    mesh.vertices.push_back(at);
+                const point normal = unit(model.normals(i).evaluate(static_cast<double>(column) / n,
+                                                                    static_cast<double>(row) / n));
                 grid[static_cast<std::size_t>(row) * side + static_cast<std::size_t>(column)] =
-                    found->second;
+                    inside ? vertices.add(at, normal) : vertices.shared(at, normal);
             }
         for (std::size_t row = 0; row + 1 < side; ++row)
             for (std::size_t column = 0; column + 1 < side; ++column) {

@@ -6,11 +6,16 @@
 #include "geom/polygon_mesh.h"
 #include "dice/patch_model.h"
 
-/// Each patch as n by n quads of two triangles, counterclockwise where dS/du x dS/dv points to.
+/// Largest n that programs take: 2 n^2 triangles for each patch are two millions of the teapot.
+inline constexpr int l3d_most_facets = 192;
+
+/// Each patch as n by n quads of two triangles, counterclockwise where dS/du x dS/dv points to,
+/// with the patch's normals at the vertices.
 ///
-/// Patches with a common boundary have its vertices in common: these are a function of the
-/// boundary's control points, whichever way it runs. Triangles whose corners coincide, as at the
-/// teapot's knob, are left out.
+/// Patches with a common boundary have the same points on it: these are a function of the
+/// boundary's control points, whichever way it runs. They are one vertex, unless the normals of the
+/// two differ, as at a crease. Triangles whose corners coincide, as at the teapot's knob, are left
+/// out.
 /// Expects: n >= 1.
 l3d_polygon_mesh l3d_tessellated(const l3d_patch_model& model, int n);
 

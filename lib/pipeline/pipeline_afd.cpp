@@ -112,7 +112,7 @@ void l3d_pipeline_afd::fill_surfaces(l3d_stage_times& times) {
     const l3d_shading shading =
         l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
     method_->draw(
-        {scene_, transform_.matrix(), view_, shading, target, depth_, settings_.depth, untouched_},
+        {scene_, camera_, transform_.matrix(), view_, shading, target, depth_, settings_.depth, untouched_},
         times);
     untouched_ = true;
     report_.dice = method_->counts();

@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_SURFACE_METHOD_H
 #define L3D_PIPELINE_SURFACE_METHOD_H
 
+#include "dice/camera.h"
 #include "dice/dice_counts.h"
 #include "dice/dice_view.h"
 #include "pipeline/frame_report.h"
@@ -18,6 +19,7 @@
 /// Lives: everything that it refers to must outlive the frame.
 struct l3d_method_frame {
     const l3d_patch_scene& scene;
+    const l3d_camera& camera;
     const l3d_matrix<double>& to_image; ///< world to (x, y, -, w) in the view's units
     const l3d_dice_view& view;
     const l3d_shading& shading;

@@ -14,21 +14,6 @@
 
 namespace {
 
-/// A tessellation is 2 facets^2 triangles for each patch: with the teapot's 28, two millions.
-constexpr int most_facets = 192;
-
-/// Adds the faces of one mesh to another.
-void append(l3d_polygon_mesh& to, const l3d_polygon_mesh& from) {
-    const auto offset = static_cast<std::uint32_t>(to.vertices.size());
-    to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
-    for (std::size_t f = 0; f < from.faces(); ++f) {
-        std::vector<std::uint32_t> corners;
-        for (const std::uint32_t corner : from.face(f))
-            corners.push_back(corner + offset);
-        to.add_face(corners);
-    }
-}
-
 /// Directions as seen by who stands upright before a model.
 struct upright_frame {
     l3d_camera::vector right, up, front;
@@ -61,7 +46,7 @@ l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_opt
                 "degrees that polygons are turned about x, then y, then z, round their middle");
     options.add("--to-origin", to_origin_, "move the mean of the polygons' vertices to the origin");
     options.add("--facets", facets_, "patches as N by N quads, where polygons are drawn", 1,
-                most_facets);
+                l3d_most_facets);
 }
 
 l3d_polygon_model l3d_polygon_options::model() const {
@@ -79,23 +64,8 @@ l3d_polygon_model l3d_polygon_options::model() const {
         if (!has_patches && mesh.faces() == 0)
             throw l3d_error(l3d_exit::bad_input, name + ": no polygons and no patches");
     }
-    if (has_patches) {
-        const l3d_polygon_mesh patches = l3d_tessellated(shared_.model(), facets_);
-        if (mesh.faces() == 0)
-            mesh = patches;
-        else {
-            // What only a part of the faces would have is left out.
-            mesh = {std::move(mesh.vertices),
-                    std::move(mesh.corners),
-                    std::move(mesh.face_ends),
-                    {},
-                    {},
-                    {},
-                    {},
-                    {}};
-            append(mesh, patches);
-        }
-    }
+    if (has_patches)
+        mesh.append(l3d_tessellated(shared_.model(), facets_));
     return l3d_polygon_model(std::move(mesh), to_origin_);
 }
 

@@ -10,7 +10,6 @@
 #include "pipeline/method_patches.h"
 #include "dice/micropolygon_dicer.h"
 #include "dice/subdivision_dicer.h"
-#include "dice/tessellation_dicer.h"
 #include "dice/visibility.h"
 #include "reference/random_patches.h"
 
@@ -34,7 +33,6 @@ const std::tuple all_dicers{
     named<l3d_fd_dicer>{"fd_16_16", l3d_fd_dicer(l3d_arithmetic::fixed_16_16)},
     named<l3d_fd_dicer>{"fd_block", l3d_fd_dicer(l3d_arithmetic::block_32)},
     named<l3d_fd_dicer>{"fd_32_32", l3d_fd_dicer(l3d_arithmetic::fixed_32_32)},
-    named<l3d_tessellation_dicer>{"tessellation_7", l3d_tessellation_dicer(7)},
     named<l3d_subdivision_dicer>{"subdivision", l3d_subdivision_dicer()},
     named<l3d_micropolygon_dicer>{"micropolygons", l3d_micropolygon_dicer()},
 };

@@ -93,6 +93,32 @@ TEST(method_picture, is_like_the_exact_one) {
     }
 }
 
+/// What polygons clip is clipped as exactly as the bound says, where there is one.
+TEST(method_picture, a_tessellations_outline_is_within_its_bound) {
+    int bounds = 0;
+    for (const char* name : {"full", "closeup", "top", "near_cut"}) {
+        const scene s = teapot(reference::project_view(name), size);
+        const reference::exact_image exact(s.patches, s.eye, s.picture());
+        const reference::exact_region region(s.patches, s.eye, s.picture());
+        for (const char* method : {"tessellation:4", "tessellation:16", "tessellation:64"}) {
+            l3d_pipeline_afd pipeline(memory_screen(), l3d_rasterizer_factory_sw(), s.model,
+                                      s.camera, settings_of(method, 2));
+            pipeline.draw_event();
+            const reference::error_map errors =
+                reference::map_errors(l3d_distances(pipeline.depth()), exact, region, 60);
+            double outline = 0;
+            for (const float each : errors.outline)
+                outline = std::fmax(outline, static_cast<double>(each));
+            const double bound = pipeline.report().dice.bound_px;
+            EXPECT_LE(outline, bound) << name << ' ' << method;
+            bounds += std::isfinite(bound);
+            std::printf("%-9s %-16s outline %.3f px, bound %.3f px\n", name, method, outline,
+                        bound);
+        }
+    }
+    EXPECT_GE(bounds, 10);
+}
+
 TEST(method_picture, is_the_same_for_any_number_of_threads_and_in_the_next_frame) {
     const scene s = teapot(reference::project_view("near_cut"), size);
     for (const expectation& each : expectations) {
@@ -119,7 +145,7 @@ TEST(method_choice, is_read_as_it_is_written) {
         EXPECT_EQ(l3d_method_choice::from_name(name, why).value().name(), name);
     EXPECT_EQ(l3d_method_choice::from_name("voxels", why).value().resolution, 256);
     for (const char* name : {"", "AFD", "afd:2", "tessellation:", "tessellation:0",
-                             "tessellation:1025", "tessellation:8x", "tessellation:-4", "voxels:7"})
+                             "tessellation:193", "tessellation:8x", "tessellation:-4", "voxels:7"})
         EXPECT_FALSE(l3d_method_choice::from_name(name, why)) << name;
     EXPECT_EQ(why, "'voxels:7' needs a number from 8 to 1024");
 }

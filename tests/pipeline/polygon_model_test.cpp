@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <array>
 #include <map>
+#include <set>
 #include <set>
 #include <string>
 #include <utility>
@@ -109,12 +111,24 @@ TEST(polygon_model, tessellated_patches_share_their_boundaries) {
     for (const int n : {1, 3, 8}) {
         const l3d_polygon_mesh mesh = l3d_tessellated(*teapot, n);
         EXPECT_TRUE(mesh.is_valid());
-        std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+        // By place: at a crease two vertices share it, each with the normal of one side.
+        using place = std::array<double, 3>;
+        const auto place_of = [&](std::uint32_t i) {
+            return place{mesh.vertices[i][0], mesh.vertices[i][1], mesh.vertices[i][2]};
+        };
+        std::map<std::pair<place, place>, int> uses;
+        std::set<place> places;
         for (std::size_t f = 0; f < mesh.faces(); ++f) {
             const auto face = mesh.face(f);
-            for (std::size_t i = 0; i < 3; ++i)
-                ++uses[std::minmax(face[i], face[(i + 1) % 3])];
+            for (std::size_t i = 0; i < 3; ++i) {
+                const place from = place_of(face[i]), to = place_of(face[(i + 1) % 3]);
+                ++uses[std::minmax(from, to)];
+                places.insert(from);
+            }
         }
+        EXPECT_GT(mesh.vertices.size(), places.size()) << "the rims are creases";
+        EXPECT_LE(mesh.vertices.size(), places.size() + 32 * static_cast<std::size_t>(n))
+            << "all else is smooth";
         // All but the rims of body, lid, spout and handle are between two faces.
         int alone = 0;
         for (const auto& [side, count] : uses)
