@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -86,6 +87,77 @@ TEST(depth_precision, stored_depth_is_within_its_bound) {
     EXPECT_LE(worst, 1);
     EXPECT_LE(worst_in_lanes, 1);
     EXPECT_GT(worst, 0.1); // a bound that is ten times too large would say little
+}
+
+/// Grey levels of two triangles, the first of which faces the light and the second does not.
+std::vector<std::uint32_t> picture_of(l3d_surface_rasterizer& rasterizer, triangle bright,
+                                      triangle dark, bool bright_first) {
+    std::vector<std::uint32_t> words(static_cast<std::size_t>(window.width * window.height));
+    for (l3d_micro_vertex& v : dark.v) {
+        v.normal[2] = 0;
+        v.normal[0] = 1;
+    }
+    if (!bright_first)
+        std::swap(bright, dark);
+    l3d_surface_part part;
+    part.triangles.add(bright.v[0], bright.v[1], bright.v[2]);
+    part.triangles.add(dark.v[0], dark.v[1], dark.v[2]);
+    const std::array<const l3d_surface_part*, 1> parts{&part};
+    l3d_depth_buffer depth;
+    depth.resize(window);
+    rasterizer.begin({words.data(), window.width, window.height, window.width}, &depth, {});
+    rasterizer.draw(parts);
+    rasterizer.finish();
+    return words;
+}
+
+/// Two surfaces close behind each other are seen in the right order wherever they are farther
+/// apart than their bounds together, whichever is drawn first, at any distance. The last ratio is
+/// that of a parallel projection's values, 2 to 1.
+TEST(depth_precision, surfaces_farther_apart_than_their_bounds_are_told_apart) {
+    std::mt19937 random(407);
+    const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
+    l3d_surface_rasterizer_scalar scalar;
+    l3d_workers workers(1);
+    l3d_surface_rasterizer_sw lanes(workers);
+    long decided = 0, closely = 0, wrong = 0;
+    for (int i = 0; i < 1200; ++i) {
+        const double ratio = std::array{100.0, 1000.0, 1e6, 2.0}[static_cast<std::size_t>(i % 4)];
+        const double scale = std::pow(ratio, -unit()), slope = std::pow(10, -6 * unit());
+        triangle a = random_triangle(random, 1), b = a;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double at = scale * (1 - 0.5 * slope * unit());
+            a.v[k].inv_w = static_cast<float>(at);
+            b.v[k].inv_w = static_cast<float>(at * (1 + (unit() - 0.5) * 0x1p-18));
+        }
+        const auto bounds_of = [](const triangle& t) {
+            const auto [far, near] = std::minmax({t.v[0].inv_w, t.v[1].inv_w, t.v[2].inv_w});
+            const double by_scalar = 0x1p-22 * double(near);
+            return std::array{by_scalar, by_scalar + 1e-5 * (double(near) - far)};
+        };
+        const auto of_a = bounds_of(a), of_b = bounds_of(b);
+        for (const bool in_lanes : {false, true})
+            for (const bool a_first : {false, true}) {
+                l3d_surface_rasterizer& by =
+                    in_lanes ? static_cast<l3d_surface_rasterizer&>(lanes) : scalar;
+                const auto picture = picture_of(by, a, b, a_first);
+                for (int y = 0; y < window.height; ++y)
+                    for (int x = 0; x < window.width; ++x) {
+                        const auto word = picture[static_cast<std::size_t>(y * window.width + x)];
+                        const auto apart = static_cast<double>(a.exact(x, y) - b.exact(x, y));
+                        const double least = of_a[in_lanes] + of_b[in_lanes];
+                        if (word == 0 || !(std::abs(apart) > least))
+                            continue;
+                        ++decided;
+                        closely += std::abs(apart) < 2 * least;
+                        wrong += ((word & 255) > 128) != (apart > 0);
+                    }
+            }
+    }
+    EXPECT_EQ(wrong, 0);
+    EXPECT_GT(closely, 100000);
+    std::printf("  %ld pixels of pairs, %ld of them less than twice the bounds apart\n", decided,
+                closely);
 }
 
 /// How far behind a distance another one must be to be stored as farther, relative to it.
