@@ -49,9 +49,28 @@ point surface_point(const patch& p, int column, int row, int n) {
     return p.evaluate(static_cast<double>(column) / n, static_cast<double>(row) / n);
 }
 
-point unit(const point& normal) {
-    const std::array<float, 3> floats = l3d_unit_normal(normal);
-    return {floats[0], floats[1], floats[2]};
+/// The normal of a point, as a unit vector.
+point normal_at(const l3d_normal_net& normals, int column, int row, int n) {
+    const std::array<float, 3> unit = l3d_unit_normal(
+        normals.evaluate(static_cast<double>(column) / n, static_cast<double>(row) / n));
+    return {unit[0], unit[1], unit[2]};
+}
+
+/// Where a patch folds within less than a facet, as the teapot's do at the top of the knob, its
+/// normal may point to the other side of all facets around; they decide.
+void turn_to_faces(l3d_polygon_mesh& mesh) {
+    std::vector<point> areas(mesh.vertices.size(), point{0.0, 0.0, 0.0});
+    for (std::size_t f = 0; f < mesh.faces(); ++f) {
+        const auto face = mesh.face(f);
+        const point& first = mesh.vertices[face[0]];
+        const point area =
+            l3d_cross(mesh.vertices[face[1]] - first, mesh.vertices[face[2]] - first);
+        for (const std::uint32_t corner : face)
+            areas[corner] += area;
+    }
+    for (std::size_t i = 0; i < areas.size(); ++i)
+        if (l3d_dot(areas[i], mesh.vertex_normals[i]) < 0)
+            mesh.vertex_normals[i] *= -1.0;
 }
 
 /// Adds vertices to a mesh; those of boundaries once for all patches.
@@ -102,8 +121,7 @@ l3d_polygon_mesh l3d_tessellated(const l3d_patch_model& model, int n) {
             for (int column = 0; column <= n; ++column) {
                 const bool inside = row > 0 && row < n && column > 0 && column < n;
                 const point at = surface_point(p, column, row, n);
-                const point normal = unit(model.normals(i).evaluate(static_cast<double>(column) / n,
-                                                                    static_cast<double>(row) / n));
+                const point normal = normal_at(model.normals(i), column, row, n);
                 grid[static_cast<std::size_t>(row) * side + static_cast<std::size_t>(column)] =
                     inside ? vertices.add(at, normal) : vertices.shared(at, normal);
             }
@@ -114,5 +132,6 @@ l3d_polygon_mesh l3d_tessellated(const l3d_patch_model& model, int n) {
                 add(at[0], at[side + 1], at[side]);
             }
     }
+    turn_to_faces(mesh);
     return mesh;
 }

@@ -111,9 +111,9 @@ void l3d_pipeline_afd::fill_surfaces(l3d_stage_times& times) {
         depth_.resize(view_.size);
     const l3d_shading shading =
         l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
-    method_->draw(
-        {scene_, camera_, transform_.matrix(), view_, shading, target, depth_, settings_.depth, untouched_},
-        times);
+    method_->draw({scene_, camera_, transform_.matrix(), view_, shading, target, depth_,
+                   settings_.depth, untouched_},
+                  times);
     untouched_ = true;
     report_.dice = method_->counts();
     report_.surface = method_->surface_counts();
