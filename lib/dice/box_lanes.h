@@ -31,13 +31,17 @@ public:
     void add(const l3d_slanted_box& box) {
         if (count_ == centre_[0].size())
             grow();
+        set(count_++, box);
+    }
+
+    /// Expects: there is a box at that index.
+    void set(std::size_t index, const l3d_slanted_box& box) {
         for (int i = 0; i < 3; ++i) {
             const auto at = static_cast<std::size_t>(i);
-            centre_[at][count_] = box.centre[i];
+            centre_[at][index] = box.centre[i];
             for (std::size_t k = 0; k < 3; ++k)
-                axes_[k][at][count_] = box.axes[k][i];
+                axes_[k][at][index] = box.axes[k][i];
         }
-        ++count_;
     }
 
     /// Coordinate i of the centres, from box `first` on.

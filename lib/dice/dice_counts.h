@@ -12,13 +12,14 @@
 /// What a frame's dicing did, and which patches were left out, as control nets or the boxes around
 /// them prove. What is `clipped` are grids.
 struct l3d_dice_counts : l3d_seen_counts {
-    std::int64_t behind = 0;   ///< patches left out: behind the near plane
-    std::int64_t beyond = 0;   ///< patches left out: beyond the far plane
-    std::int64_t hidden = 0;   ///< patches left out: behind what had been drawn before
-    std::int64_t pieces = 0;   ///< grids made; more than `drawn` if patches had to be cut
-    std::int64_t samples = 0;  ///< vertices evaluated
-    std::int64_t failures = 0; ///< pixels left out as an iteration came to no rest
-    double bound_px = 0;       ///< certified image error of all that was drawn
+    std::int64_t behind = 0;    ///< patches left out: behind the near plane
+    std::int64_t beyond = 0;    ///< patches left out: beyond the far plane
+    std::int64_t hidden = 0;    ///< patches left out: behind what had been drawn before
+    std::int64_t unchanged = 0; ///< patches left out: beside the part that was drawn anew
+    std::int64_t pieces = 0;    ///< grids made; more than `drawn` if patches had to be cut
+    std::int64_t samples = 0;   ///< vertices evaluated
+    std::int64_t failures = 0;  ///< pixels left out as an iteration came to no rest
+    double bound_px = 0;        ///< certified image error of all that was drawn
 
     /// Both together: of other patches.
     void add(const l3d_dice_counts& other) {
@@ -26,6 +27,7 @@ struct l3d_dice_counts : l3d_seen_counts {
         behind += other.behind;
         beyond += other.beyond;
         hidden += other.hidden;
+        unchanged += other.unchanged;
         pieces += other.pieces;
         samples += other.samples;
         failures += other.failures;

@@ -29,6 +29,8 @@ struct l3d_dice_view {
     double error_w = 0;
     bool keep_all = false; ///< leave nothing out that could be left out
 
+    friend bool operator==(const l3d_dice_view&, const l3d_dice_view&) = default;
+
     /// What the chord error may be where rounding of vertices already takes `vertex_error`. Where
     /// that is most of the tolerance, a quarter is left, and the bound says that it is exceeded;
     /// but never less than a 16th of a sub-pixel, which moves hardly any vertex.
@@ -60,9 +62,18 @@ struct l3d_dice_view {
         return {-size.width / 2.0, -size.height / 2.0, size.width / 2.0, size.height / 2.0};
     }
 
+    /// A part of the picture.
+    l3d_image_box window(const l3d_pixel_box& part) const {
+        const double x = -size.width / 2.0, y = -size.height / 2.0;
+        return {x + part.left, y + part.top, x + part.right, y + part.bottom};
+    }
+
     /// The window and a pixel and the tolerance around it: what is outside this touches no pixel
     /// centre, whatever the snapping to sub-pixels and wherever balanced vertices lie.
-    l3d_image_box margin() const { return window().grown(1 + tolerance); }
+    l3d_image_box margin() const { return margin(window()); }
+
+    /// The same of a part of the picture.
+    l3d_image_box margin(const l3d_image_box& part) const { return part.grown(1 + tolerance); }
 
     /// Position of the picture's centre in 1/256 pixel; a half pixel is 128, so this is exact.
     std::int32_t centre_x() const { return size.width * (l3d_subpixel_one / 2); }

@@ -12,6 +12,16 @@ double power_below(double value) {
     return std::exp2(std::floor(std::log2(value)));
 }
 
+/// A bound that stays the same while the value changes a little: the value rounded up to 4 bits,
+/// by a 16th of itself at most. What moves at the end of a scene would else change the errors that
+/// all others are diced by, and with them, by a bit, their pictures.
+double steady_bound(double value) {
+    if (!(value > 0))
+        return value;
+    const double unit = power_below(value) / 16;
+    return std::ceil(value / unit) * unit;
+}
+
 } // namespace
 
 l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size,
@@ -23,6 +33,7 @@ l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size
         farthest += std::max(std::abs(scene.least()[i] - camera.eye[i]),
                              std::abs(scene.most()[i] - camera.eye[i]));
     }
+    farthest = steady_bound(farthest);
     depth_scale_ = power_below(std::min(0x1p8, 0x1p28 / focal) / std::max(farthest, 1e-30));
     matrix_ = camera.image_matrix(size);
     for (int row = 0; row < 4; ++row)
@@ -37,7 +48,7 @@ l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size
     for (int i = 0; i < 3; ++i)
         eye += std::abs(camera.eye[i]);
     constexpr double roundings = (16 + 8 + 8 + 3 * 50) * 0x1p-53;
-    error_w_ = roundings * (scene.reach() + eye) * depth_scale_;
+    error_w_ = roundings * steady_bound(scene.reach() + eye) * depth_scale_;
     // The axes to the right and down are turned by the rounding of the line of sight and of the
     // product with `up`, 4 ulps, over the sine between them.
     constexpr double turning = 4 * 0x1p-53;

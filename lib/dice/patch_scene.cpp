@@ -63,6 +63,10 @@ double reach_of(const l3d_patch_instance& instance) {
     return reach;
 }
 
+std::int64_t patches_of(const l3d_patch_model& model) {
+    return static_cast<std::int64_t>(model.patches().size());
+}
+
 } // namespace
 
 l3d_patch_instance::l3d_patch_instance(const l3d_patch_model& model,
@@ -85,25 +89,64 @@ l3d_slanted_box l3d_patch_instance::box() const {
 }
 
 void l3d_patch_scene::add(const l3d_patch_model& model, const l3d_matrix<double>& placement) {
-    const l3d_patch_instance& instance = instances_.emplace_back(model, placement);
-    patch_count_ += static_cast<std::int64_t>(model.patches().size());
-    const l3d_slanted_box box = instance.box();
-    boxes_.add(box);
-    const bool is_first = instances_.size() == 1;
-    for (int i = 0; i < 3; ++i) {
-        const double half =
-            std::abs(box.axes[0][i]) + std::abs(box.axes[1][i]) + std::abs(box.axes[2][i]);
-        const double low = box.centre[i] - half, high = box.centre[i] + half;
-        least_[i] = is_first ? low : std::min(least_[i], low);
-        most_[i] = is_first ? high : std::max(most_[i], high);
+    boxes_.add(instances_.emplace_back(model, placement).box());
+    patch_count_ += patches_of(model);
+    is_moved_.push_back(false);
+    is_rebuilt_ = true;
+}
+
+void l3d_patch_scene::place(std::size_t index, const l3d_patch_model& model,
+                            const l3d_matrix<double>& placement) {
+    l3d_patch_instance& instance = instances_[index];
+    if (&model == &instance.model() && placement == instance.placement())
+        return;
+    if (!is_moved_[index]) {
+        is_moved_[index] = true;
+        moved_.push_back(index);
+        moved_from_.add(instance.box());
     }
-    reach_ = std::max(reach_, reach_of(instance));
+    patch_count_ += patches_of(model) - patches_of(instance.model());
+    instance = l3d_patch_instance(model, placement);
+    boxes_.set(index, instance.box());
+    extent_count_ = 0;
+}
+
+/// Looks at those instances that it has not seen; at all of them once one was moved, since nobody
+/// knows what the box would be without it.
+const l3d_patch_scene::whole& l3d_patch_scene::extent() const {
+    if (extent_count_ == 0)
+        extent_ = {};
+    for (; extent_count_ < instances_.size(); ++extent_count_) {
+        const l3d_patch_instance& instance = instances_[extent_count_];
+        const l3d_slanted_box box = instance.box();
+        for (int i = 0; i < 3; ++i) {
+            const double half =
+                std::abs(box.axes[0][i]) + std::abs(box.axes[1][i]) + std::abs(box.axes[2][i]);
+            const double low = box.centre[i] - half, high = box.centre[i] + half;
+            const bool is_first = extent_count_ == 0;
+            extent_.least[i] = is_first ? low : std::min(extent_.least[i], low);
+            extent_.most[i] = is_first ? high : std::max(extent_.most[i], high);
+        }
+        extent_.reach = std::max(extent_.reach, reach_of(instance));
+    }
+    return extent_;
 }
 
 void l3d_patch_scene::clear() {
     instances_.clear();
     boxes_.clear();
     patch_count_ = 0;
-    least_ = most_ = {0.0, 0.0, 0.0};
-    reach_ = 0;
+    extent_ = {};
+    extent_count_ = 0;
+    forget_changes();
+    is_moved_.clear();
+    is_rebuilt_ = true;
+}
+
+void l3d_patch_scene::forget_changes() {
+    for (const std::size_t index : moved_)
+        is_moved_[index] = false;
+    moved_.clear();
+    moved_from_.clear();
+    is_rebuilt_ = false;
 }

@@ -64,8 +64,33 @@ public:
     void add(const l3d_patch_model& model,
              const l3d_matrix<double>& placement = l3d_identity<double>());
 
+    /// Moves an instance, or puts another model in its place.
+    ///
+    /// Expects: as add; an index of instances().
+    /// Cost:    the box of the whole scene is found anew when it is next asked for, by looking at
+    ///          each instance.
+    void place(std::size_t index, const l3d_matrix<double>& placement) {
+        place(index, instances_[index].model(), placement);
+    }
+    void place(std::size_t index, const l3d_patch_model& model,
+               const l3d_matrix<double>& placement);
+
     /// Takes all instances away, and keeps their memory.
     void clear();
+
+    /// Whether anything differs from what it was at the last forget_changes().
+    bool is_changed() const { return is_rebuilt_ || !moved_.empty(); }
+
+    /// Whether instances came or went since then: moved() does not tell of all changes.
+    bool is_rebuilt() const { return is_rebuilt_; }
+
+    /// The instances that were placed anew since then, each once, and the boxes that they had then,
+    /// in the same order. Without meaning if is_rebuilt().
+    std::span<const std::size_t> moved() const { return moved_; }
+    const l3d_box_lanes& moved_from() const { return moved_from_; }
+
+    /// For who has drawn the scene as it is now.
+    void forget_changes();
 
     std::span<const l3d_patch_instance> instances() const { return instances_; }
 
@@ -73,22 +98,33 @@ public:
     std::int64_t patch_count() const { return patch_count_; }
 
     /// The box of everything; two points at the origin if there is nothing.
-    const vector& least() const { return least_; }
-    const vector& most() const { return most_; }
+    const vector& least() const { return extent().least; }
+    const vector& most() const { return extent().most; }
 
     /// Bound of the terms that a world point's coordinates are summed up from, in all: their
     /// roundings are in proportion to this, however small the coordinates become.
-    double reach() const { return reach_; }
+    double reach() const { return extent().reach; }
 
     /// The instances' boxes, in their order.
     const l3d_box_lanes& boxes() const { return boxes_; }
 
 private:
+    struct whole {
+        vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
+        double reach = 0;
+    };
+
+    const whole& extent() const;
+
     std::vector<l3d_patch_instance> instances_;
     std::int64_t patch_count_ = 0;
-    vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
-    double reach_ = 0;
     l3d_box_lanes boxes_;
+    mutable whole extent_; ///< of the first extent_count_ instances
+    mutable std::size_t extent_count_ = 0;
+    bool is_rebuilt_ = true;
+    std::vector<std::size_t> moved_;
+    std::vector<bool> is_moved_; ///< of each instance, whether it is in moved_
+    l3d_box_lanes moved_from_;
 };
 
 #endif

@@ -31,13 +31,14 @@ l3d_image_box box_of(const culled_boxes& boxes, std::size_t i) {
 
 /// The count of those that are left out for the same reason as box i; null if it may be seen.
 std::int64_t* reason_to_leave_out(const culled_boxes& boxes, std::size_t i,
-                                  const l3d_dice_view& view, l3d_dice_counts& counts) {
+                                  const l3d_dice_view& view, bool is_part,
+                                  l3d_dice_counts& counts) {
     if (boxes.most[i] <= view.near)
         return &counts.behind;
     if (boxes.least[i] >= view.far)
         return &counts.beyond;
     if (boxes.inside[i] < 0)
-        return &counts.offscreen;
+        return is_part ? &counts.unchanged : &counts.offscreen;
     if (boxes.least[i] > view.near && l3d_holds_no_centre(box_of(boxes, i), view))
         return &counts.subpixel;
     return nullptr;
@@ -66,13 +67,13 @@ float inv_w_above(double least, double error, double depth_scale) {
 
 /// Expects: the box lies within the margin.
 l3d_subpixel_box subpixels(const l3d_image_box& box, const l3d_dice_view& view) {
-    // From the margin's corner all is positive, so that a cast rounds down.
-    const l3d_image_box margin = view.margin();
+    // A cast rounds down but left of or above the window, where there is no pixel to miss.
+    const l3d_image_box window = view.window();
     const auto place = [](double pixels, double from) {
-        return static_cast<std::int32_t>((pixels - from) * l3d_subpixel_one) - l3d_subpixel_one;
+        return static_cast<std::int32_t>((pixels - from) * l3d_subpixel_one);
     };
-    return {place(box.left, margin.left), place(box.top, margin.top),
-            place(box.right, margin.left) + 1, place(box.bottom, margin.top) + 1};
+    return {place(box.left, window.left), place(box.top, window.top),
+            place(box.right, window.left) + 1, place(box.bottom, window.top) + 1};
 }
 
 std::size_t place_of(std::uint64_t ticket) {
@@ -80,6 +81,15 @@ std::size_t place_of(std::uint64_t ticket) {
 }
 
 } // namespace
+
+l3d_image_box l3d_detail::drawn_box_of(const culled_boxes& boxes, std::size_t i,
+                                       const l3d_dice_view& view) {
+    const l3d_image_box exact = box_of(boxes, i);
+    const double transformed =
+        l3d_vertex_error(view.error_xy, view.error_w, exact.reach(), boxes.least[i]);
+    const double vertex_error = transformed + view.walk_allowance() + 1.0 / l3d_subpixel_one;
+    return view.drawn_box(exact).grown(vertex_error);
+}
 
 l3d_scene_culling::ticket l3d_scene_culling::ticket_of(const extent& where, std::size_t at) {
     return ticket{std::bit_cast<std::uint32_t>(where.nearest_w)} << 32 | at;
@@ -96,17 +106,10 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
     if (boxes.least[i] <= view_.near + 2 * error_w ||
         boxes.most[i] > most_depth_ratio * boxes.least[i] || view_.keep_all)
         return where;
-    // The box holds the exact surface, whatever the transform's error; a vertex is off that by its
-    // balance, by the error of its own net, at most l3d_dice_view::walk_allowance (or is
-    // evaluated), and by snapping.
-    const l3d_image_box exact = box_of(boxes, i);
-    const double transformed =
-        l3d_vertex_error(view_.error_xy, view_.error_w, exact.reach(), boxes.least[i]);
-    const double vertex_error = transformed + view_.walk_allowance() + 1.0 / l3d_subpixel_one;
-    const double balance = l3d_is_small(exact) ? 0 : balance_of_w(boxes.least[i], boxes.most[i]);
+    const double balance =
+        l3d_is_small(box_of(boxes, i)) ? 0 : balance_of_w(boxes.least[i], boxes.most[i]);
     where.inv_w = inv_w_above(boxes.least[i], error_w + balance, view_.depth_scale);
-    where.box =
-        subpixels(view_.drawn_box(exact).grown(vertex_error).intersected(view_.margin()), view_);
+    where.box = subpixels(drawn_box_of(boxes, i, view_).intersected(view_.margin()), view_);
     return where;
 }
 
@@ -117,11 +120,11 @@ void l3d_scene_culling::look_at(const l3d_box_lanes& boxes, const l3d_matrix<dou
                                 See see, LeaveOut leave_out) {
     culled_boxes culled;
     for (std::size_t first = 0; first < boxes.count(); first += l3d_box_lanes::lanes) {
-        l3d_detail::cull_boxes(boxes, first, to_image, view_, culled);
+        l3d_detail::cull_boxes(boxes, first, to_image, view_, margin_, culled);
         const std::size_t here = std::min(l3d_box_lanes::lanes, boxes.count() - first);
         for (std::size_t i = 0; i < here; ++i) {
             std::int64_t* const reason =
-                view_.keep_all ? nullptr : reason_to_leave_out(culled, i, view_, counts_);
+                view_.keep_all ? nullptr : reason_to_leave_out(culled, i, view_, is_part_, counts_);
             if (reason == nullptr)
                 see(first + i, extent_of(culled, i));
             else
@@ -131,10 +134,12 @@ void l3d_scene_culling::look_at(const l3d_box_lanes& boxes, const l3d_matrix<dou
 }
 
 void l3d_scene_culling::begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,
-                              const l3d_dice_view& view) {
+                              const l3d_dice_view& view, const l3d_pixel_box& part) {
     scene_ = &scene;
     to_image_ = to_image;
     view_ = view;
+    margin_ = view.margin(view.window(part));
+    is_part_ = part != l3d_whole(view.size);
     counts_ = {};
     instances_.clear();
     instance_line_.clear();

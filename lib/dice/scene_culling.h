@@ -43,7 +43,13 @@ public:
     /// Shape:   to_image takes the world to (x, y, -, w) in the view's units.
     /// Expects: the scene is not changed during the frame.
     void begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,
-               const l3d_dice_view& view);
+               const l3d_dice_view& view) {
+        begin(scene, to_image, view, l3d_whole(view.size));
+    }
+
+    /// Starts a frame of which only a part is wanted: what touches no pixel of it is left out.
+    void begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,
+               const l3d_dice_view& view, const l3d_pixel_box& part);
 
     /// The next batch, its nearest patch first; empty if there are no more.
     ///
@@ -108,6 +114,8 @@ private:
     const l3d_patch_scene* scene_ = nullptr;
     l3d_matrix<double> to_image_;
     l3d_dice_view view_;
+    l3d_image_box margin_; ///< of the part of the picture that is wanted
+    bool is_part_ = false;
     l3d_dice_counts counts_;
 
     std::vector<seen_instance> instances_;

@@ -73,7 +73,7 @@ void project(const coordinate& x, const coordinate& w, const row& least, const l
 }
 
 void cull_lanes(const l3d_box_lanes& boxes, std::size_t first, const l3d_matrix<double>& to_image,
-                const l3d_dice_view& view, culled_boxes& result) {
+                const l3d_dice_view& view, const l3d_image_box& margin, culled_boxes& result) {
     const coordinate x = placed(boxes, first, to_image.row(0));
     const coordinate y = placed(boxes, first, to_image.row(1));
     const coordinate w = placed(boxes, first, to_image.row(3));
@@ -83,7 +83,6 @@ void cull_lanes(const l3d_box_lanes& boxes, std::size_t first, const l3d_matrix<
         result.least[i] = w.centre[i] - reach;
         result.most[i] = w.centre[i] + reach;
     }
-    const l3d_image_box margin = view.margin();
     result.inside.fill(std::numeric_limits<double>::infinity());
     keep_inside(x, w, margin.left, 1, view, result.inside);
     keep_inside(x, w, margin.right, -1, view, result.inside);
@@ -108,8 +107,8 @@ namespace l3d_detail {
 L3D_SIMD_TABLE(cull_lanes);
 
 void cull_boxes(const l3d_box_lanes& boxes, std::size_t first, const l3d_matrix<double>& to_image,
-                const l3d_dice_view& view, culled_boxes& result) {
-    L3D_SIMD_CALL(cull_lanes)(boxes, first, to_image, view, result);
+                const l3d_dice_view& view, const l3d_image_box& margin, culled_boxes& result) {
+    L3D_SIMD_CALL(cull_lanes)(boxes, first, to_image, view, margin, result);
 }
 
 } // namespace l3d_detail

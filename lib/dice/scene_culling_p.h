@@ -18,7 +18,7 @@ struct culled_boxes {
     using row = std::array<double, l3d_box_lanes::lanes>;
 
     row least, most; ///< of w
-    row inside;      ///< below 0: wholly beyond one side of the view's margin
+    row inside;      ///< below 0: wholly beyond one side of the margin
 
     /// Pixels from the picture's centre. Only where `least` is greater than the view's near, and
     /// only written if there is such a box that is inside.
@@ -28,11 +28,19 @@ struct culled_boxes {
 /// Looks at boxes [first, first + lanes); what is said of those from boxes.count() on means
 /// nothing.
 ///
-/// Shape:   to_image takes the boxes' space to (x, y, -, w) in the view's units.
+/// Shape:   to_image takes the boxes' space to (x, y, -, w) in the view's units; `margin` is
+///          l3d_dice_view::margin of the part of the picture that matters.
 /// Expects: first is a multiple of l3d_box_lanes::lanes.
 /// Cost:    some 160 operations a box, two of them divisions.
 void cull_boxes(const l3d_box_lanes& boxes, std::size_t first, const l3d_matrix<double>& to_image,
-                const l3d_dice_view& view, culled_boxes& result);
+                const l3d_dice_view& view, const l3d_image_box& margin, culled_boxes& result);
+
+/// Where what is drawn of box i may be. The box holds the exact surface, whatever the transform's
+/// error; a vertex is off that by its balance, by the error of its own net, at most
+/// l3d_dice_view::walk_allowance (or is evaluated), and by snapping.
+/// Units:   pixels from the picture's centre.
+/// Expects: boxes.least[i] is greater than the view's near, and the box not wholly outside.
+l3d_image_box drawn_box_of(const culled_boxes& boxes, std::size_t i, const l3d_dice_view& view);
 
 } // namespace l3d_detail
 

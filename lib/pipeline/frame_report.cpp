@@ -9,7 +9,7 @@
 
 namespace {
 
-std::array<l3d_detail::left_out, 5> reasons_of(const l3d_dice_counts& dice) {
+std::array<l3d_detail::left_out, 6> reasons_of(const l3d_dice_counts& dice) {
     return {{
         {"offscreen",
          "their control nets, and with them the patches, lie beyond one side of the window",
@@ -19,6 +19,8 @@ std::array<l3d_detail::left_out, 5> reasons_of(const l3d_dice_counts& dice) {
         {"subpixel", "the hulls of their control nets hold no pixel centre", dice.subpixel},
         {"hidden", "their boxes lie behind nearer surfaces drawn before, in every pixel",
          dice.hidden},
+        {"unchanged", "they touch no pixel in which anything changed since the last frame",
+         dice.unchanged},
     }};
 }
 
@@ -46,11 +48,17 @@ std::string l3d_frame_report::json() const {
                  {"samples", dice.samples},
                  {"failures", dice.failures},
                  {"quads", surface.quads},
+                 {"pixels_kept", pixels_kept},
                  {"error_bound_px", number_or_null(dice.bound_px)}});
     l3d_detail::add_tail(line, *this, reasons);
     return line.dump();
 }
 
 std::string l3d_frame_report::explanation() const {
-    return l3d_detail::explained(reasons_of(dice), patches, "patches");
+    std::string text = l3d_detail::explained(reasons_of(dice), patches, "patches");
+    if (pixels_kept > 0)
+        text += "kept " + std::to_string(pixels_kept) + " of " +
+                std::to_string(l3d_whole(size).area()) +
+                " pixels of the last frame: they were not cleared, filled or shown again\n";
+    return text;
 }

@@ -22,6 +22,7 @@ struct l3d_frame_report : l3d_common_report {
     l3d_stage_times time_ms;
     std::int64_t patches = 0;
     l3d_dice_counts dice;
+    std::int64_t pixels_kept = 0; ///< of the last frame's picture, as nothing changed there
 
     /// One line of JSON, without the line's end.
     std::string json() const;

@@ -23,14 +23,17 @@ template <class T> std::span<const l3d_placed_patch> l3d_method_afd<T>::next_bat
 template <class T>
 void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& times) {
     const stopwatch placing;
-    culling_.begin(frame.scene, frame.to_image, frame.view);
+    culling_.begin(frame.scene, frame.to_image, frame.view, frame.part);
     dicer_.begin(frame.view);
     std::span<const l3d_placed_patch> batch = next_batch();
     const bool keep_depth = frame.wants_depth || !culling_.is_done();
     if (keep_depth)
         frame.depth.resize(frame.view.size);
-    surface_->begin(frame.target, keep_depth ? &frame.depth : nullptr, frame.shading,
-                    frame.untouched);
+    l3d_depth_buffer* const depth = keep_depth ? &frame.depth : nullptr;
+    if (frame.is_part())
+        surface_->begin_part(frame.target, depth, frame.shading, frame.part);
+    else
+        surface_->begin(frame.target, depth, frame.shading, frame.untouched);
     times.transform += placing.milliseconds();
     while (!batch.empty()) {
         const stopwatch dicing;

@@ -20,6 +20,7 @@ public:
     l3d_method_afd(const l3d_rasterizer_factory& rasterizers, l3d_workers& workers);
 
 private:
+    bool do_draws_parts() const override { return surface_->draws_parts(); }
     void do_draw(const l3d_method_frame& frame, l3d_stage_times& times) override;
     const l3d_dice_counts& do_counts() const override { return counts_; }
     const l3d_surface_counts& do_surface_counts() const override { return surface_->counts(); }

@@ -4,6 +4,9 @@
 #define L3D_PIPELINE_PIPELINE_H
 
 #include "tool_2d/event.h"
+#include "tool_2d/pixels.h"
+
+#include <limits>
 
 /// What became of a frame after it was drawn. Units: seconds.
 struct l3d_frame_times {
@@ -42,6 +45,13 @@ public:
 
     /// Draws into the screen's pixels. The dispatcher shows and stores them afterwards.
     virtual void draw_event() {}
+
+    /// Which pixels the last draw_event may have changed; the dispatcher shows no others. May reach
+    /// beyond the picture.
+    virtual l3d_pixel_box changed() const {
+        constexpr auto far = std::numeric_limits<std::int32_t>::max();
+        return {0, 0, far, far};
+    }
 
     /// The picture that draw_event drew has been shown and stored.
     virtual void frame_event(const l3d_frame_times& times) { static_cast<void>(times); }

@@ -3,6 +3,7 @@
 #include "pipeline/pipeline_afd.h"
 
 #include "dice/camera_shading.h"
+#include "dice/drawn_pixels.h"
 #include "dice/edge_polyline.h"
 #include "dice/placed_net.h"
 #include "pipeline/stopwatch_p.h"
@@ -10,6 +11,7 @@
 #include "raster/simd_target.h"
 #include "tool_2d/error.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -17,6 +19,9 @@
 namespace {
 
 using l3d_detail::stopwatch;
+
+/// A part that is more than one in so many of the picture's pixels costs as much as all.
+constexpr int most_of_picture = 2;
 
 constexpr std::uint32_t wire_color = 0x0080d0ff, net_color = 0x00ff9030;
 
@@ -63,25 +68,30 @@ l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
 
 void l3d_pipeline_afd::resize_event(l3d_size) {
     imp_->set_target(screen_->pixels());
-    untouched_ = false;
+    touch();
     redraw();
 }
 
 void l3d_pipeline_afd::draw_event() {
     const stopwatch whole;
     l3d_stage_times times;
-    begin_frame();
-    if (settings_.wireframe)
+    is_drawing_ = true;
+    const basis now = begin_frame();
+    changed_ = part_to_draw(now);
+    if (changed_.empty())
+        keep_picture();
+    else if (settings_.wireframe)
         draw_wireframe();
     else
-        fill_surfaces(times);
+        fill_surfaces(now, changed_, times);
 
     const stopwatch overlaying;
-    if (settings_.net)
-        draw_nets();
-    draw_overlay();
-    rasterizer_.finish();
+    if (stale_ || !changed_.empty())
+        draw_on_top();
     times.overlay = overlaying.milliseconds();
+    basis_ = now;
+    scene_.forget_changes();
+    is_drawing_ = is_foreign_ = false;
 
     times.total = whole.milliseconds();
     report_.time_ms = times;
@@ -99,24 +109,84 @@ void l3d_pipeline_afd::frame_event(const l3d_frame_times& times) {
     report_.time_ms.write = 1000 * times.write;
 }
 
-void l3d_pipeline_afd::begin_frame() {
-    transform_ = l3d_image_transform(camera_, screen_->pixels().size(), scene_);
+l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
+    const l3d_pixels target = screen_->pixels();
+    transform_ = l3d_image_transform(camera_, target.size(), scene_);
     view_ = transform_.view(settings_.tolerance);
     view_.keep_all = settings_.keep_all;
+    return {target,
+            transform_.matrix(),
+            view_,
+            l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light),
+            settings_.wireframe,
+            settings_.net,
+            settings_.depth};
 }
 
-void l3d_pipeline_afd::fill_surfaces(l3d_stage_times& times) {
-    const l3d_pixels target = screen_->pixels();
+/// Nothing where the picture is right as it is. All of it where something that is drawn on top
+/// may have to go: nobody knows where that is.
+l3d_pixel_box l3d_pipeline_afd::part_to_draw(const basis& now) {
+    const l3d_pixel_box whole = l3d_whole(now.target.size());
+    if (settings_.keep_all || is_foreign_ || scene_.is_rebuilt() || now != basis_)
+        return whole;
+    if (!stale_ && !scene_.is_changed())
+        return {};
+    if (!untouched_)
+        return whole;
+    if (!scene_.is_changed())
+        return {};
+    if (settings_.depth || !method_->draws_parts())
+        return whole;
+    const l3d_pixel_box part = part_that_moved();
+    return part.area() * most_of_picture > whole.area() ? whole : part;
+}
+
+/// Around all that was placed anew, where it was and where it is.
+l3d_pixel_box l3d_pipeline_afd::part_that_moved() {
+    moved_to_.clear();
+    for (const std::size_t index : scene_.moved())
+        moved_to_.add(scene_.instances()[index].box());
+    moved_.clear();
+    l3d_add_drawn_pixels(scene_.moved_from(), transform_.matrix(), view_, moved_);
+    l3d_add_drawn_pixels(moved_to_, transform_.matrix(), view_, moved_);
+    l3d_pixel_box part;
+    for (const l3d_pixel_box& box : moved_)
+        part = part.united(box);
+    return part;
+}
+
+/// The bound stays that of what is in the picture.
+void l3d_pipeline_afd::keep_picture() {
+    l3d_dice_counts counts;
+    counts.unchanged = scene_.patch_count();
+    counts.bound_px = report_.dice.bound_px;
+    report_.dice = counts;
+    report_.surface = {};
+    report_.pixels_kept = l3d_whole(view_.size).area();
+}
+
+void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_box& part,
+                                     l3d_stage_times& times) {
     if (settings_.depth)
         depth_.resize(view_.size);
-    const l3d_shading shading =
-        l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
-    method_->draw({scene_, camera_, transform_.matrix(), view_, shading, target, depth_,
-                   settings_.depth, untouched_},
-                  times);
+    const l3d_method_frame frame{scene_,     camera_, transform_.matrix(), view_,      now.shading,
+                                 now.target, depth_,  settings_.depth,     untouched_, part};
+    method_->draw(frame, times);
     untouched_ = true;
+    const double kept_bound = frame.is_part() ? report_.dice.bound_px : 0;
     report_.dice = method_->counts();
+    report_.dice.bound_px = std::max(report_.dice.bound_px, kept_bound);
     report_.surface = method_->surface_counts();
+    report_.pixels_kept = l3d_whole(view_.size).area() - part.area();
+}
+
+void l3d_pipeline_afd::draw_on_top() {
+    if (settings_.net && !changed_.empty())
+        draw_nets();
+    draw_overlay();
+    rasterizer_.finish();
+    if (!untouched_)
+        changed_ = l3d_whole(view_.size);
 }
 
 /// Lines hide nothing and have no depth: a depth that is asked for is empty.
@@ -137,6 +207,7 @@ void l3d_pipeline_afd::draw_wireframe() {
     report_.dice = wire_dicer_.counts();
     report_.dice.add(wire_culling_.counts());
     report_.surface = {};
+    report_.pixels_kept = 0;
 }
 
 /// The 24 edges of every control net. An edge that reaches behind the near plane is left out.

@@ -19,6 +19,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 /// How a scene is to be drawn.
 struct l3d_afd_settings {
@@ -45,6 +46,8 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
 ///
 /// A program that only wants the picture uses it as it is; one with keys or things of its own to
 /// draw is a subclass that changes camera() and settings() and calls draw_event.
+/// A frame draws only what the last one did not: nothing if nothing changed, and the part of the
+/// picture where instances were or are if only these were placed anew and nothing is drawn on top.
 /// Expects: camera and settings of which l3d_afd_complaint has nothing to say, in every frame.
 /// Lives:   owns screen, workers and rasterizers, borrows the models of the scene.
 /// Cost:    filled surfaces allocate nothing once the largest frame has been seen.
@@ -68,14 +71,17 @@ public:
     void resize_event(l3d_size size) override;
     void draw_event() override;
     void frame_event(const l3d_frame_times& times) override;
-    bool needs_redraw() const override { return stale_; }
+    l3d_pixel_box changed() const override { return changed_; }
+    bool needs_redraw() const override { return stale_ || scene_.is_changed(); }
 
 protected:
+    /// What is changed here is drawn in the next frame; forget_changes() is not for others.
+    l3d_patch_scene& world() { return scene_; }
     l3d_camera& camera() { return camera_; }
     l3d_afd_settings& settings() { return settings_; }
     const l3d_afd_settings& settings() const { return settings_; }
     l3d_rasterizer_2d& rasterizer() {
-        untouched_ = false;
+        touch();
         return rasterizer_;
     }
 
@@ -86,19 +92,39 @@ protected:
     double bound() const { return report_.dice.bound_px; }
 
     l3d_pixels pixels() {
-        untouched_ = false;
+        touch();
         return screen_->pixels();
     }
 
-    /// Asks for the next frame to be drawn.
+    /// Asks for the next frame to be drawn: camera, settings or what is drawn on top may differ.
     void redraw() { stale_ = true; }
 
-    /// Draws on top of the finished surface; timed as `overlay`.
+    /// Draws on top of the finished surface; timed as `overlay`. Called in frames that draw
+    /// anything or that redraw() asked for.
     virtual void draw_overlay() {}
 
 private:
-    void begin_frame();
-    void fill_surfaces(l3d_stage_times& times);
+    /// All that a picture depends on but the placements of its models.
+    struct basis {
+        l3d_pixels target;
+        l3d_matrix<double> to_image;
+        l3d_dice_view view;
+        l3d_shading shading;
+        bool wireframe = false, net = false, depth = false;
+
+        friend bool operator==(const basis&, const basis&) = default;
+    };
+
+    void touch() {
+        untouched_ = false;
+        is_foreign_ = is_foreign_ || !is_drawing_;
+    }
+    basis begin_frame();
+    l3d_pixel_box part_to_draw(const basis& now);
+    l3d_pixel_box part_that_moved();
+    void keep_picture();
+    void fill_surfaces(const basis& now, const l3d_pixel_box& part, l3d_stage_times& times);
+    void draw_on_top();
     void draw_wireframe();
     void draw_nets();
 
@@ -113,7 +139,13 @@ private:
     l3d_camera camera_;
     l3d_afd_settings settings_;
     bool stale_ = true;
-    bool untouched_ = false; ///< nobody wrote to the pixels since surfaces were filled
+    bool untouched_ = false;  ///< nobody wrote to the pixels since surfaces were filled
+    bool is_foreign_ = false; ///< somebody did when no frame was drawn
+    bool is_drawing_ = false;
+    basis basis_; ///< of the picture that is in the pixels
+    l3d_pixel_box changed_;
+    l3d_box_lanes moved_to_;           ///< kept for their memory
+    std::vector<l3d_pixel_box> moved_; ///<
 
     l3d_image_transform transform_;
     l3d_dice_view view_;

@@ -27,6 +27,12 @@ struct l3d_method_frame {
     l3d_depth_buffer& depth;
     bool wants_depth; ///< else the method may leave the depth buffer as it is
     bool untouched;   ///< nobody wrote to the target since the last frame's end
+
+    /// What is drawn of the picture, the rest stays as it is: all of it, or a part if the method
+    /// draws parts and nobody wants depth.
+    l3d_pixel_box part;
+
+    bool is_part() const { return part != l3d_whole(target.size()); }
 };
 
 /// Draws the surfaces of whole frames, and says how exactly it did.
@@ -41,6 +47,9 @@ public:
     l3d_surface_method& operator=(const l3d_surface_method&) = delete;
     virtual ~l3d_surface_method() = default;
 
+    /// Whether a frame may be a part of a picture.
+    bool draws_parts() const { return do_draws_parts(); }
+
     /// Draws a frame; adds what its stages took to `times`.
     /// Expects: a depth buffer of the target's size if `wants_depth`.
     void draw(const l3d_method_frame& frame, l3d_stage_times& times) { do_draw(frame, times); }
@@ -50,6 +59,7 @@ public:
     const l3d_surface_counts& surface_counts() const { return do_surface_counts(); }
 
 private:
+    virtual bool do_draws_parts() const { return false; }
     virtual void do_draw(const l3d_method_frame& frame, l3d_stage_times& times) = 0;
     virtual const l3d_dice_counts& do_counts() const = 0;
     virtual const l3d_surface_counts& do_surface_counts() const = 0;

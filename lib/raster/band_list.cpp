@@ -46,22 +46,22 @@ template <class Visit> void visit_blocks(const l3d_surface_part& part, const Vis
         }
 }
 
-void place_item(band_item& item, const polygon_bounds& bounds, l3d_size window) {
-    item.box = pixels_in(bounds.box).intersected(whole(window));
+void place_item(band_item& item, const polygon_bounds& bounds, const l3d_pixel_box& window) {
+    item.box = pixels_in(bounds.box).intersected(window);
     item.nearest = bounds.nearest;
 }
 
 } // namespace
 
-void band_list::make(std::span<const l3d_surface_part* const> parts, l3d_size window, int rows,
-                     l3d_workers& workers) {
+void band_list::make(std::span<const l3d_surface_part* const> parts, const l3d_pixel_box& window,
+                     int rows, l3d_workers& workers) {
     lay_out(parts);
     workers.for_each(static_cast<int>(parts.size()), [&](int i, int) {
         const auto at = static_cast<std::size_t>(i);
         list_part(*parts[at], places_[at], window);
     });
     sort();
-    share_out((window.height + rows - 1) / rows, rows);
+    share_out(window, rows);
 }
 
 /// Gives every part its place among the items, so that they can be made in any order.
@@ -85,7 +85,7 @@ void band_list::lay_out(std::span<const l3d_surface_part* const> parts) {
     rows_.resize(next.rows);
 }
 
-void band_list::list_part(const l3d_surface_part& part, place at, l3d_size window) {
+void band_list::list_part(const l3d_surface_part& part, place at, const l3d_pixel_box& window) {
     visit_blocks(part, [&](const grid_cells& cells) {
         band_item& item = items_[at.items++];
         item = {.part = &part, .cells = cells, .rows_at = at.rows};
@@ -132,12 +132,13 @@ void band_list::sort() {
     }
 }
 
-void band_list::share_out(int bands, int rows) {
-    const auto first_band = [rows](const band_item& item) {
-        return static_cast<std::size_t>(item.box.top / rows);
+void band_list::share_out(const l3d_pixel_box& window, int rows) {
+    const int bands = (window.bottom - window.top + rows - 1) / rows;
+    const auto first_band = [&](const band_item& item) {
+        return static_cast<std::size_t>((item.box.top - window.top) / rows);
     };
-    const auto last_band = [rows](const band_item& item) {
-        return static_cast<std::size_t>((item.box.bottom - 1) / rows);
+    const auto last_band = [&](const band_item& item) {
+        return static_cast<std::size_t>((item.box.bottom - 1 - window.top) / rows);
     };
     // Counted one place too far, so that after the sums a band's begin is where its end will be.
     band_begins_.assign(static_cast<std::size_t>(bands) + 2, 0);

@@ -20,8 +20,8 @@ namespace l3d_detail {
 /// as a whole.
 struct band_item {
     const l3d_surface_part* part = nullptr;
-    pixel_box box{};   ///< the pixels it may cover, of those in the window
-    float nearest = 0; ///< no pixel of it has a larger inv_w
+    l3d_pixel_box box{}; ///< the pixels it may cover, of those in the window
+    float nearest = 0;   ///< no pixel of it has a larger inv_w
     grid_cells cells{};
     std::uint32_t triangle_begin = 0, triangle_end = 0; ///< of the part's triangles
     std::uint32_t rows_at = 0;                          ///< where its cells' rows begin in the list
@@ -37,11 +37,11 @@ public:
     /// Triangles in an item: as many as are set up side by side in lanes.
     static constexpr std::uint32_t triangles_in_item = l3d_micro_triangles::lanes;
 
-    /// Makes the lists for bands of `rows` rows. Expects: rows >= 1.
-    void make(std::span<const l3d_surface_part* const> parts, l3d_size window, int rows,
+    /// Makes the lists for bands of `rows` rows of the window. Expects: rows >= 1.
+    void make(std::span<const l3d_surface_part* const> parts, const l3d_pixel_box& window, int rows,
               l3d_workers& workers);
 
-    /// Of bands from the top.
+    /// Of bands from the window's top.
     std::span<const std::uint32_t> items(int band) const {
         const auto at = static_cast<std::size_t>(band);
         return {in_bands_.data() + band_begins_[at], band_begins_[at + 1] - band_begins_[at]};
@@ -61,9 +61,9 @@ private:
     };
 
     void lay_out(std::span<const l3d_surface_part* const> parts);
-    void list_part(const l3d_surface_part& part, place at, l3d_size window);
+    void list_part(const l3d_surface_part& part, place at, const l3d_pixel_box& window);
     void sort();
-    void share_out(int bands, int rows);
+    void share_out(const l3d_pixel_box& window, int rows);
 
     std::vector<place> places_;
     std::vector<band_item> items_;

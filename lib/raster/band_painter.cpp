@@ -15,11 +15,11 @@ void band_painter::reserve_as(const band_painter& other) {
 
 void band_painter::draw(const band_frame& frame, const fill_band& band, const band_list& list,
                         std::span<const std::uint32_t> items, coarse_depth& coarse) {
-    const pixel_box here{0, band.top, band.width, band.bottom};
+    const l3d_pixel_box here{0, band.top, band.width, band.bottom};
     scalar_.begin(band, frame.shading);
     for (const std::uint32_t index : items) {
         const band_item& item = list.item(index);
-        const pixel_box box = item.box.intersected(here);
+        const l3d_pixel_box box = item.box.intersected(here);
         if (frame.leaves_out_hidden && coarse.hidden(box, item.nearest, band))
             continue;
         coarse.open(box, band);

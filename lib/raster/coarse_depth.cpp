@@ -16,14 +16,14 @@
 namespace l3d_detail {
 
 /// The tiles that pixels lie in.
-inline pixel_box tiles_of(const pixel_box& pixels) {
+inline l3d_pixel_box tiles_of(const l3d_pixel_box& pixels) {
     constexpr auto width = depth_tile::width, height = depth_tile::height;
     return {pixels.left / width, pixels.top / height, (pixels.right + width - 1) / width,
             (pixels.bottom + height - 1) / height};
 }
 
-inline pixel_box tiles_of(const fill_band& band) {
-    return tiles_of(pixel_box{0, band.top, band.width, band.bottom});
+inline l3d_pixel_box tiles_of(const fill_band& band) {
+    return tiles_of(l3d_pixel_box{0, band.top, band.width, band.bottom});
 }
 
 /// The pixels of some tiles in a row; at the right and lower end of the picture they are smaller.
@@ -92,8 +92,8 @@ void clear(const tile_pixels& p, const fill_band& band) {
             std::fill_n(to, p.width, 0.0f);
 }
 
-void open(tile_table& table, const pixel_box& box, const fill_band& band) {
-    const pixel_box tiles = tiles_of(box);
+void open(tile_table& table, const l3d_pixel_box& box, const fill_band& band) {
+    const l3d_pixel_box tiles = tiles_of(box);
     for (std::int32_t row = tiles.top; row < tiles.bottom; ++row) {
         std::uint64_t* const drawn = &table.drawn[row_at(row, table.words)];
         std::uint64_t* const newer = &table.newer[row_at(row, table.words)];
@@ -112,7 +112,7 @@ void open(tile_table& table, const pixel_box& box, const fill_band& band) {
 /// that have not.
 template <class Visit>
 void visit_runs(const tile_table& table, const fill_band& band, bool drawn, const Visit& visit) {
-    const pixel_box tiles = tiles_of(band);
+    const l3d_pixel_box tiles = tiles_of(band);
     const std::uint64_t flip = drawn ? 0 : ~std::uint64_t{0};
     for (std::int32_t row = tiles.top; row < tiles.bottom; ++row)
         visit_bits(0, tiles.right, [&](std::size_t word, std::uint64_t bits) {
@@ -180,8 +180,8 @@ float find(std::int32_t column, std::int32_t row, const fill_band& band, float l
     return farthest;
 }
 
-bool hidden(tile_table& table, const pixel_box& box, float nearest, const fill_band& band) {
-    const pixel_box tiles = tiles_of(box);
+bool hidden(tile_table& table, const l3d_pixel_box& box, float nearest, const fill_band& band) {
+    const l3d_pixel_box tiles = tiles_of(box);
     for (std::int32_t row = tiles.top; row < tiles.bottom; ++row) {
         const std::uint64_t* const drawn = &table.drawn[row_at(row, table.words)];
         if (!visit_bits(tiles.left, tiles.right, [&](std::size_t word, std::uint64_t bits) {
@@ -204,7 +204,7 @@ bool hidden(tile_table& table, const pixel_box& box, float nearest, const fill_b
 }
 
 void refresh(tile_table& table, const fill_band& band) {
-    const pixel_box tiles = tiles_of(band);
+    const l3d_pixel_box tiles = tiles_of(band);
     for (std::int32_t row = tiles.top; row < tiles.bottom; ++row)
         for (std::size_t word = 0; word < table.words; ++word) {
             std::uint64_t& newer = table.newer[row_at(row, table.words) + word];
@@ -232,7 +232,7 @@ L3D_SIMD_TABLE(refresh);
 L3D_SIMD_TABLE(covered);
 
 void coarse_depth::resize(l3d_size size) {
-    const pixel_box tiles = tiles_of(whole(size));
+    const l3d_pixel_box tiles = tiles_of(l3d_whole(size));
     table_.columns = static_cast<std::size_t>(tiles.right);
     table_.words = (table_.columns + 63) / 64;
     const auto rows = static_cast<std::size_t>(tiles.bottom);
@@ -249,7 +249,7 @@ void coarse_depth::clear_words(const fill_band& band) const {
 }
 
 void coarse_depth::forget(std::int32_t top, std::int32_t bottom) {
-    const pixel_box rows = tiles_of(pixel_box{0, top, 0, bottom});
+    const l3d_pixel_box rows = tiles_of(l3d_pixel_box{0, top, 0, bottom});
     const auto forget_rows = [&](auto& numbers, std::size_t pitch) {
         std::fill(numbers.data() + row_at(rows.top, pitch),
                   numbers.data() + row_at(rows.bottom, pitch), 0);
@@ -259,7 +259,7 @@ void coarse_depth::forget(std::int32_t top, std::int32_t bottom) {
     forget_rows(table_.newer, table_.words);
 }
 
-void coarse_depth::open(const pixel_box& box, const fill_band& band) {
+void coarse_depth::open(const l3d_pixel_box& box, const fill_band& band) {
     L3D_SIMD_CALL(open)(table_, box, band);
 }
 
@@ -267,12 +267,12 @@ void coarse_depth::open_others(const fill_band& band) {
     L3D_SIMD_CALL(open_others)(table_, band);
 }
 
-bool coarse_depth::hidden(const pixel_box& box, float nearest, const fill_band& band) {
+bool coarse_depth::hidden(const l3d_pixel_box& box, float nearest, const fill_band& band) {
     return L3D_SIMD_CALL(hidden)(table_, box, nearest, band);
 }
 
-bool coarse_depth::hidden(const pixel_box& box, float nearest) const {
-    const pixel_box tiles = tiles_of(box);
+bool coarse_depth::hidden(const l3d_pixel_box& box, float nearest) const {
+    const l3d_pixel_box tiles = tiles_of(box);
     for (std::int32_t row = tiles.top; row < tiles.bottom; ++row) {
         const float* const farthest = table_.farthest.data() + row_at(row, table_.columns);
         if (std::any_of(farthest + tiles.left, farthest + tiles.right,

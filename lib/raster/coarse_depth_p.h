@@ -44,17 +44,17 @@ public:
     void forget(std::int32_t top, std::int32_t bottom);
 
     /// Something will be drawn in the box: sets the depths of its tiles to 0 unless that was done.
-    void open(const pixel_box& box, const fill_band& band);
+    void open(const l3d_pixel_box& box, const fill_band& band);
 
     /// All depths of the band will be looked at: sets those of other tiles to 0, too.
     void open_others(const fill_band& band);
 
     /// Whether nothing in the box that is no nearer than `nearest` would be seen.
     /// Cost:    for a tile that may hide it, one to eight cache lines of depths.
-    bool hidden(const pixel_box& box, float nearest, const fill_band& band);
+    bool hidden(const l3d_pixel_box& box, float nearest, const fill_band& band);
 
     /// The same from what is known already.
-    bool hidden(const pixel_box& box, float nearest) const;
+    bool hidden(const l3d_pixel_box& box, float nearest) const;
 
     /// Finds out about all tiles of the band that something came to.
     void refresh(const fill_band& band);

@@ -37,6 +37,8 @@ struct l3d_shading {
     /// From the eye through the picture's top left corner, and what a pixel to the right and one
     /// down add to that. World space, any length.
     std::array<float, 3> ray{0, 0, -1}, ray_right{}, ray_down{};
+
+    friend bool operator==(const l3d_shading&, const l3d_shading&) = default;
 };
 
 /// What one frame cost.
@@ -81,6 +83,21 @@ public:
         do_begin(target, depth, shading, untouched);
     }
 
+    /// Whether begin_part may be called: not where a picture is kept elsewhere and comes whole.
+    bool draws_parts() const { return do_draws_parts(); }
+
+    /// Starts a frame that draws a part of a picture anew: what is outside of it stays as it is.
+    ///
+    /// Inside, the pixels are the same bits as if the frame were drawn whole. Polygons that touch
+    /// no pixel of the part need not be handed in. What is counted is of the part, or near it.
+    /// Expects: as begin; draws_parts(); the part is not empty and lies in the picture. Depth has
+    /// no
+    ///          meaning after the frame.
+    void begin_part(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
+                    const l3d_pixel_box& part) {
+        do_begin_part(target, depth, shading, part);
+    }
+
     /// Fills the quads and triangles of the parts. Convex quads are covered as such, folded ones
     /// as four triangles around their projective centre. It is fastest if the first parts are
     /// mostly the nearest.
@@ -105,6 +122,9 @@ public:
 
 private:
     virtual void do_begin(l3d_pixels, l3d_depth_buffer*, const l3d_shading&, bool untouched) = 0;
+    virtual bool do_draws_parts() const { return false; }
+    virtual void do_begin_part(l3d_pixels, l3d_depth_buffer*, const l3d_shading&,
+                               const l3d_pixel_box&) {}
     virtual void do_draw(std::span<const l3d_surface_part* const>) = 0;
     virtual bool do_hidden(const l3d_subpixel_box&, float) const { return false; }
     virtual void do_finish() = 0;

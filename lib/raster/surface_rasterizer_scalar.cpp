@@ -18,11 +18,22 @@ void l3d_surface_rasterizer_scalar::do_begin(l3d_pixels target, l3d_depth_buffer
     for (int y = 0; y < target.height; ++y)
         std::ranges::fill(target.row(y), 0u);
     shading_ = shading;
+    part_ = {};
     depth_ = depth;
     counts_ = {};
     filler_.begin({target.words, target.stride, depth->data(), depth->pitch(), target.width, 0,
                    target.height},
                   shading_);
+}
+
+void l3d_surface_rasterizer_scalar::do_begin_part(l3d_pixels target, l3d_depth_buffer* depth,
+                                                  const l3d_shading& shading,
+                                                  const l3d_pixel_box& part) {
+    assert(!part.empty() && part.intersected(l3d_whole(target.size())) == part);
+    own_picture_ = l3d_image(target.size(), target.width);
+    do_begin(own_picture_.pixels(), depth, shading, false);
+    part_ = part;
+    part_target_ = target;
 }
 
 void l3d_surface_rasterizer_scalar::do_draw(std::span<const l3d_surface_part* const> parts) {
@@ -34,6 +45,9 @@ void l3d_surface_rasterizer_scalar::do_draw(std::span<const l3d_surface_part* co
 }
 
 void l3d_surface_rasterizer_scalar::do_finish() {
+    for (int row = part_.top; row < part_.bottom; ++row)
+        std::copy_n(own_picture_.pixels().row(row).data() + part_.left, part_.right - part_.left,
+                    part_target_.row(row).data() + part_.left);
     counts_.samples = filler_.counts().samples;
     counts_.written = filler_.counts().written;
     counts_.covered = l3d_covered(*depth_);

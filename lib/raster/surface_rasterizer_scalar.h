@@ -5,6 +5,7 @@
 
 #include "raster/band_scalar_p.h"
 #include "raster/surface_rasterizer.h"
+#include "tool_2d/image.h"
 
 /// The slow twin of l3d_surface_rasterizer_sw: draws parts in the order in which they come, into
 /// the whole picture at once.
@@ -16,6 +17,9 @@ class l3d_surface_rasterizer_scalar final : public l3d_surface_rasterizer {
 private:
     void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
                   bool untouched) override;
+    bool do_draws_parts() const override { return true; }
+    void do_begin_part(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
+                       const l3d_pixel_box& part) override;
     void do_draw(std::span<const l3d_surface_part* const> parts) override;
     void do_finish() override;
     const l3d_surface_counts& do_counts() const override { return counts_; }
@@ -23,6 +27,9 @@ private:
     l3d_detail::band_scalar filler_;
     l3d_shading shading_;
     l3d_depth_buffer own_depth_;
+    l3d_image own_picture_; ///< in which parts of pictures are drawn
+    l3d_pixel_box part_;    ///< that goes from there to part_target_; may be empty
+    l3d_pixels part_target_;
     const l3d_depth_buffer* depth_ = nullptr;
     l3d_surface_counts counts_;
 };

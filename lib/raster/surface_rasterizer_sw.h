@@ -9,6 +9,10 @@
 #include <cstddef>
 #include <memory>
 
+namespace l3d_detail {
+struct fill_band;
+}
+
 /// How the work is divided. The picture does not depend on it.
 struct l3d_band_settings {
     int rows = 0; ///< of pixels in a band, a multiple of 8; 0: such that a band fits the cache
@@ -31,6 +35,9 @@ public:
 private:
     void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
                   bool untouched) override;
+    bool do_draws_parts() const override { return true; }
+    void do_begin_part(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
+                       const l3d_pixel_box& part) override;
     void do_draw(std::span<const l3d_surface_part* const> parts) override;
     bool do_hidden(const l3d_subpixel_box& box, float nearest_inv_w) const override;
     void do_finish() override;
@@ -38,12 +45,17 @@ private:
 
     struct work_space;
 
+    void start(l3d_depth_buffer* depth, const l3d_shading& shading);
+    void clear_words(const l3d_detail::fill_band& band);
     void draw_band(int index, std::size_t worker);
 
     l3d_workers& workers_;
     l3d_band_settings settings_;
     std::unique_ptr<work_space> work_;
     l3d_pixels target_;
+    l3d_pixel_box window_; ///< what is drawn of the target, in whole tiles
+    l3d_pixel_box part_;   ///< what of it goes from the work space to part_target_; may be empty
+    l3d_pixels part_target_;
     l3d_depth_buffer* depth_ = nullptr;
     int rows_ = 0;           ///< of a band
     bool drawn_ = false;     ///< something of this frame; picture and depth are cleared then

@@ -3,6 +3,7 @@
 #ifndef L3D_TOOL_2D_PIXELS_H
 #define L3D_TOOL_2D_PIXELS_H
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -34,6 +35,40 @@ struct l3d_pixels {
         assert(y >= 0 && y < height);
         return {words + y * stride, static_cast<std::size_t>(width)};
     }
+
+    /// The same words of the same memory.
+    friend bool operator==(const l3d_pixels&, const l3d_pixels&) = default;
 };
+
+/// A rectangle of a picture: columns [left, right) of rows [top, bottom).
+struct l3d_pixel_box {
+    std::int32_t left = 0, top = 0, right = 0, bottom = 0;
+
+    bool empty() const { return left >= right || top >= bottom; }
+
+    std::int64_t area() const {
+        return empty() ? 0 : (std::int64_t{right} - left) * (std::int64_t{bottom} - top);
+    }
+
+    l3d_pixel_box intersected(const l3d_pixel_box& other) const {
+        return {std::max(left, other.left), std::max(top, other.top), std::min(right, other.right),
+                std::min(bottom, other.bottom)};
+    }
+
+    /// The smallest that holds both.
+    l3d_pixel_box united(const l3d_pixel_box& other) const {
+        if (empty() || other.empty())
+            return empty() ? other : *this;
+        return {std::min(left, other.left), std::min(top, other.top), std::max(right, other.right),
+                std::max(bottom, other.bottom)};
+    }
+
+    friend bool operator==(const l3d_pixel_box&, const l3d_pixel_box&) = default;
+};
+
+/// All of a picture.
+inline l3d_pixel_box l3d_whole(l3d_size size) {
+    return {0, 0, size.width, size.height};
+}
 
 #endif
