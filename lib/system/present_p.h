@@ -11,9 +11,9 @@
 
 namespace l3d_detail {
 
-/// Draws and shows a picture if there is a reason to: the pixels are stale, or the pipeline says
-/// so. Hands the pixels to the writer in any case: a numbered sequence has a file for every frame.
-/// Returns whether there was a reason.
+/// Draws a picture if there is a reason to: the pixels are stale, or the pipeline says so. Shows
+/// what that changed. Hands the pixels to the writer in any case: a numbered sequence has a file
+/// for every frame. Returns whether there was a reason.
 ///
 /// Errors:  as l3d_frame_writer::frame.
 inline bool present(l3d_pipeline& pipeline, l3d_screen& screen, l3d_frame_writer& writer,
@@ -23,8 +23,10 @@ inline bool present(l3d_pipeline& pipeline, l3d_screen& screen, l3d_frame_writer
     if (drawn)
         pipeline.draw_event();
     const auto start = clock::now();
-    if (drawn)
+    if (stale)
         screen.show();
+    else if (drawn)
+        screen.show(pipeline.changed());
     const auto shown = clock::now();
     writer.frame(screen.pixels());
     const auto written = clock::now();

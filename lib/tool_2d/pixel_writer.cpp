@@ -211,13 +211,24 @@ void pixel_writer::write_row(std::span<const std::uint32_t> words, int y, int na
         replicate_(bytes, native_width, scale_);
 }
 
-void pixel_writer::write(const l3d_pixels& picture, l3d_size native, std::uint8_t* bytes,
-                         std::ptrdiff_t bytes_per_line) const {
+l3d_pixel_box pixel_writer::writable_part(const l3d_pixel_box& part, l3d_size size) {
+    l3d_pixel_box wider = part;
+    wider.left = part.left / dither_side * dither_side;
+    wider.right = std::min(size.width, (part.right + dither_side - 1) / dither_side * dither_side);
+    return wider;
+}
+
+void pixel_writer::write(const l3d_pixels& picture, const l3d_pixel_box& part, l3d_size native,
+                         std::uint8_t* bytes, std::ptrdiff_t bytes_per_line) const {
+    assert(writable_part(part, picture.size()) == part);
+    const l3d_pixel_box box = native_part(part, native);
+    const int width = box.right - box.left;
     const auto row_bytes =
-        static_cast<std::size_t>(native.width) * static_cast<std::size_t>(info_.bytes_per_pixel());
-    for (int y = 0; y < native.height; ++y) {
+        static_cast<std::size_t>(width) * static_cast<std::size_t>(info_.bytes_per_pixel());
+    bytes += box.top * bytes_per_line + std::ptrdiff_t{box.left} * info_.bytes_per_pixel();
+    for (int y = box.top; y < box.bottom; ++y) {
         if (y % scale_ == 0)
-            write_row(picture.row(y / scale_), y / scale_, native.width, bytes);
+            write_row(l3d_row(picture, y / scale_, part), y / scale_, width, bytes);
         else
             std::memcpy(bytes, bytes - bytes_per_line, row_bytes);
         bytes += bytes_per_line;

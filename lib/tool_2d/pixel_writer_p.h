@@ -39,15 +39,25 @@ public:
 
     int scale() const { return scale_; }
 
-    /// Writes one native row of those that show row y of a picture; they are all alike.
-    /// Shape:   native_width pixels; words.size() is native_width / scale, rounded up.
+    /// Writes one native row of those that show row y of a picture; they are all alike. It may
+    /// begin where a part does that writable_part has widened. Shape:   native_width pixels;
+    /// words.size() is native_width / scale, rounded up.
     void write_row(std::span<const std::uint32_t> words, int y, int native_width,
                    std::uint8_t* bytes) const;
 
-    /// Writes all native rows of a picture.
-    /// Shape:   native.height rows, each bytes_per_line after the one above it.
-    void write(const l3d_pixels& picture, l3d_size native, std::uint8_t* bytes,
-               std::ptrdiff_t bytes_per_line) const;
+    /// The part, so much wider that dithering finds its columns.
+    static l3d_pixel_box writable_part(const l3d_pixel_box& part, l3d_size size);
+
+    /// The native pixels that show a part.
+    l3d_pixel_box native_part(const l3d_pixel_box& part, l3d_size native) const {
+        return part.scaled(scale_).intersected(l3d_whole(native));
+    }
+
+    /// Writes the native rows of a part of a picture to where they are in those of the whole.
+    /// Shape:   `bytes` has native.height rows, each bytes_per_line after the one above it.
+    /// Expects: a part that writable_part has widened.
+    void write(const l3d_pixels& picture, const l3d_pixel_box& part, l3d_size native,
+               std::uint8_t* bytes, std::ptrdiff_t bytes_per_line) const;
 
 private:
     /// For each channel value 64 i + n: on a square of 8 x 8, n pixels show level i + 1, the others

@@ -63,12 +63,23 @@ struct l3d_pixel_box {
                 std::max(bottom, other.bottom)};
     }
 
+    /// Where each pixel is a square of scale x scale.
+    l3d_pixel_box scaled(int scale) const {
+        return {scale * left, scale * top, scale * right, scale * bottom};
+    }
+
     friend bool operator==(const l3d_pixel_box&, const l3d_pixel_box&) = default;
 };
 
 /// All of a picture.
 inline l3d_pixel_box l3d_whole(l3d_size size) {
     return {0, 0, size.width, size.height};
+}
+
+/// What a box has of row y. Expects: both lie in the picture.
+inline std::span<std::uint32_t> l3d_row(const l3d_pixels& pixels, int y, const l3d_pixel_box& box) {
+    return pixels.row(y).subspan(static_cast<std::size_t>(box.left),
+                                 static_cast<std::size_t>(box.right - box.left));
 }
 
 #endif

@@ -24,7 +24,15 @@ public:
     const l3d_screen_info& info() const { return do_info(); }
 
     /// Makes the pixels visible.
-    void show() { do_show(); }
+    void show() { do_show(l3d_whole(pixels().size())); }
+
+    /// Makes the pixels of a part visible; nobody sees what changed beside it. Nothing need be
+    /// done if no pixel is in it.
+    void show(const l3d_pixel_box& part) {
+        const l3d_pixel_box inside = part.intersected(l3d_whole(pixels().size()));
+        if (!inside.empty())
+            do_show(inside);
+    }
 
     /// Whether a picture that was shown still waits to get to the display: another would only
     /// take its place.
@@ -51,7 +59,8 @@ public:
 private:
     virtual l3d_pixels do_pixels() = 0;
     virtual const l3d_screen_info& do_info() const = 0;
-    virtual void do_show() = 0;
+    /// Expects: the part is not empty and lies in the picture.
+    virtual void do_show(const l3d_pixel_box& part) = 0;
     virtual bool do_is_busy() const { return false; }
     virtual bool do_is_window() const { return false; }
     virtual double do_usual_fps() const { return 60; }

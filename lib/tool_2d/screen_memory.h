@@ -18,7 +18,7 @@ public:
 private:
     l3d_pixels do_pixels() override { return image_.pixels(); }
     const l3d_screen_info& do_info() const override { return info_; }
-    void do_show() override {}
+    void do_show(const l3d_pixel_box&) override {}
     std::string do_describe() const override;
     bool do_next_event(l3d_event&) override { return false; }
     void do_wait(std::chrono::nanoseconds) override {}

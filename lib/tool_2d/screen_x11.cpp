@@ -52,8 +52,8 @@ public:
 private:
     l3d_pixels do_pixels() override { return picture_.pixels(); }
     const l3d_screen_info& do_info() const override { return window_->info(); }
-    void do_show() override;
-    bool do_is_busy() const override { return put_is_due_; }
+    void do_show(const l3d_pixel_box& part) override;
+    bool do_is_busy() const override { return !due_.empty(); }
     bool do_is_window() const override { return true; }
     double do_usual_fps() const override;
     void do_set_fullscreen(bool on) override { fullscreen_.set(on); }
@@ -82,7 +82,8 @@ private:
     std::string no_shm_; ///< why memory is not shared; empty: it is
     std::string remark_;
     std::unique_ptr<x11_image> image_;
-    bool put_is_due_ = false;     ///< a picture is to be put once there is a buffer for it
+    l3d_pixel_box due_;           ///< is to be put once there is a buffer for it
+    bool is_forgotten_ = true;    ///< nobody knows what the window shows: all is to be put
     bool sync_is_due_ = false;    ///< a picture was put, and perhaps waits to be sent
     bool window_is_gone_ = false; ///< another program destroyed it
     bool lost_is_told_ = false;
@@ -127,25 +128,28 @@ bool l3d_screen_x11::replaced_failed_image() {
         return false;
     }
     stop_sharing(why);
-    put_is_due_ = true;
+    due_ = l3d_whole(picture_.pixels().size());
+    is_forgotten_ = true;
     return true;
 }
 
-void l3d_screen_x11::do_show() {
-    put_is_due_ = true;
+void l3d_screen_x11::do_show(const l3d_pixel_box& part) {
+    due_ = due_.united(part);
     const auto deadline = steady_clock::now() + longest_put;
     do {
         read_events(deadline);
-    } while (put_is_due_ && sleep(deadline));
+    } while (!due_.empty() && sleep(deadline));
 }
 
 void l3d_screen_x11::put_if_due(steady_clock::time_point deadline) {
-    if (!put_is_due_ || !image_->is_free())
+    if (due_.empty() || !image_->is_free())
         return;
-    put_is_due_ = false;
+    const l3d_pixel_box part = std::exchange(due_, {});
     if (window_->connection().lost() || window_is_gone_)
         return;
-    image_->put(picture_.pixels(), deadline);
+    const l3d_pixels picture = picture_.pixels();
+    image_->put(picture, std::exchange(is_forgotten_, false) ? l3d_whole(picture.size()) : part,
+                deadline);
     sync_is_due_ = true;
 }
 
@@ -182,8 +186,10 @@ void l3d_screen_x11::take_events(steady_clock::time_point put_deadline) {
 }
 
 void l3d_screen_x11::take(XEvent& event) {
-    if (event.type == Expose)
+    if (event.type == Expose) {
         image_->forget_shown();
+        is_forgotten_ = true;
+    }
     if (event.type == DestroyNotify)
         window_is_gone_ = true;
     sync_.take(event);
@@ -225,7 +231,9 @@ bool l3d_screen_x11::resized_to(l3d_size size) {
     } catch (const std::bad_alloc&) {
         return false; // The old picture goes on, in a part of the window.
     }
-    put_is_due_ = sync_is_due_ = false;
+    due_ = {};
+    is_forgotten_ = true;
+    sync_is_due_ = false;
     return true;
 }
 

@@ -26,11 +26,15 @@ public:
     /// not read yet must not pile up.
     bool is_free() const { return do_is_free(); }
 
-    /// Sends the picture, and asks the server for an event once it has it. What Xlib still
-    /// buffers goes out when events are next asked for. The words may change afterwards.
-    /// Expects: is_free(); a picture of the size this was made for.
-    /// Cost:    waits for a slow connection until the deadline, and copies what is left.
-    void put(const l3d_pixels& picture, time_point deadline) { do_put(picture, deadline); }
+    /// Sends a part of the picture, and asks the server for an event once it has it. What Xlib
+    /// still buffers goes out when events are next asked for. The words may change afterwards.
+    /// Expects: is_free(); a picture of the size this was made for, the same as in the put before
+    ///          but for the part, which is not empty and all of it the first time.
+    /// Cost:    in proportion to the part. Waits for a slow connection until the deadline, and
+    ///          copies what is left.
+    void put(const l3d_pixels& picture, const l3d_pixel_box& part, time_point deadline) {
+        do_put(picture, part, deadline);
+    }
 
     /// Goes on with what put could not do without blocking, and asks after an answer that is
     /// overdue. To be called now and then before events are read.
@@ -58,7 +62,8 @@ public:
 
 private:
     virtual bool do_is_free() const = 0;
-    virtual void do_put(const l3d_pixels& picture, time_point deadline) = 0;
+    virtual void do_put(const l3d_pixels& picture, const l3d_pixel_box& part,
+                        time_point deadline) = 0;
     virtual void do_look_after() = 0;
     virtual bool do_is_sending() const { return false; }
     virtual bool do_is_idle() const = 0;
@@ -69,7 +74,7 @@ private:
 };
 
 /// The picture travels over the connection, in the display's own pixels. Over a network only
-/// those rows travel that differ from what was sent before.
+/// those rows of the part travel that differ from what was sent before.
 /// Shape:   `size` in pixel words; the window's own pixels are scale() times as many.
 /// Errors:  std::bad_alloc.
 /// Lives:   the window outlives the image.

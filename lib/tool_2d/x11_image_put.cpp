@@ -38,49 +38,62 @@ private:
     bool do_is_idle() const override { return !is_sending() && !echo_.is_awaited(); }
     bool do_is_sending() const override { return is_sending_; }
 
-    void do_put(const l3d_pixels& picture, time_point deadline) override {
+    void do_put(const l3d_pixels& picture, const l3d_pixel_box& part,
+                time_point deadline) override {
         assert(ximage_->width == picture.width * writer_.scale() &&
                ximage_->height == picture.height * writer_.scale());
         const bool is_copied = !is_local_ || !writer_.is_identity();
         assert(is_copied || picture.stride * 4 == ximage_->bytes_per_line);
+        const l3d_pixel_box written = pixel_writer::writable_part(part, picture.size());
+        const l3d_size native{ximage_->width, ximage_->height};
+        box_ = writer_.native_part(written, native);
         if (!is_local_)
-            update(picture);
+            update(picture, written);
         else if (is_copied)
-            writer_.write(picture, {ximage_->width, ximage_->height}, bytes_.data(),
-                          ximage_->bytes_per_line);
+            writer_.write(picture, written, native, bytes_.data(), ximage_->bytes_per_line);
         if (is_local_)
             stale_.assign(stale_.size(), true);
         ximage_->data = is_copied ? reinterpret_cast<char*>(bytes_.data())
                                   : reinterpret_cast<char*>(picture.words);
-        next_row_ = 0;
+        next_row_ = box_.top;
         is_sending_ = std::ranges::find(stale_, true) != stale_.end();
         send(deadline);
         if (!is_copied)
             keep_rest();
     }
 
-    /// Writes those rows that differ from what was sent before, and notes their bands.
-    void update(const l3d_pixels& picture) {
+    /// Writes those rows of the part that differ from what was sent before, and notes their bands.
+    void update(const l3d_pixels& picture, const l3d_pixel_box& part) {
         stale_.assign(stale_.size(), std::exchange(is_forgotten_, false));
-        auto* kept = bytes_.data();
-        for (int y = 0; y < ximage_->height; ++y) {
+        const std::size_t size = part_of_row();
+        auto* kept = bytes_.data() + place_of_part(box_.top);
+        for (int y = box_.top; y < box_.bottom; ++y) {
             const int word_row = y / writer_.scale();
-            writer_.write_row(picture.row(word_row), word_row, ximage_->width, row_.data());
-            if (std::memcmp(kept, row_.data(), row_.size()) != 0) {
-                std::ranges::copy(row_, kept);
+            writer_.write_row(l3d_row(picture, word_row, part), word_row, box_.right - box_.left,
+                              row_.data());
+            if (std::memcmp(kept, row_.data(), size) != 0) {
+                std::copy_n(row_.data(), size, kept);
                 stale_[static_cast<std::size_t>(y / band_height)] = true;
             }
-            kept += row_.size();
+            kept += ximage_row_size(*ximage_);
         }
+    }
+
+    std::size_t bytes_of(int pixels) const {
+        return static_cast<std::size_t>(pixels * ximage_->bits_per_pixel / 8);
+    }
+    std::size_t part_of_row() const { return bytes_of(box_.right - box_.left); }
+    std::size_t place_of_part(int row) const {
+        return static_cast<std::size_t>(row) * ximage_row_size(*ximage_) + bytes_of(box_.left);
     }
 
     bool is_stale(int row) const { return stale_[static_cast<std::size_t>(row / band_height)]; }
 
     /// The end of the stale rows from next_row_ on, as many as go at once.
     int end_of_piece() const {
-        const auto most = std::max(
-            1, static_cast<int>(window_.connection().writable_size() / ximage_row_size(*ximage_)));
-        const int end = std::min(ximage_->height, next_row_ + most);
+        const auto most =
+            std::max(1, static_cast<int>(window_.connection().writable_size() / part_of_row()));
+        const int end = std::min(box_.bottom, next_row_ + most);
         int row = next_row_ + 1;
         while (row < end && is_stale(row))
             ++row;
@@ -91,11 +104,11 @@ private:
     /// request would block right after a large one.
     void send(time_point deadline) {
         while (is_sending()) {
-            while (next_row_ < ximage_->height && !is_stale(next_row_))
+            while (next_row_ < box_.bottom && !is_stale(next_row_))
                 ++next_row_;
             if (!window_.connection().wait_writable(deadline))
                 return;
-            if (next_row_ < ximage_->height)
+            if (next_row_ < box_.bottom)
                 send_piece();
             else
                 ask();
@@ -104,8 +117,8 @@ private:
 
     void send_piece() {
         const int end = end_of_piece();
-        XPutImage(window_.display(), window_.id(), window_.graphics(), ximage_.get(), 0, next_row_,
-                  0, next_row_, static_cast<unsigned>(ximage_->width),
+        XPutImage(window_.display(), window_.id(), window_.graphics(), ximage_.get(), box_.left,
+                  next_row_, box_.left, next_row_, static_cast<unsigned>(box_.right - box_.left),
                   static_cast<unsigned>(end - next_row_));
         next_row_ = end;
     }
@@ -120,7 +133,8 @@ private:
         if (!is_sending())
             return;
         const auto sent = static_cast<std::size_t>(next_row_) * ximage_row_size(*ximage_);
-        std::memcpy(bytes_.data() + sent, ximage_->data + sent, bytes_.size() - sent);
+        const auto end = static_cast<std::size_t>(box_.bottom) * ximage_row_size(*ximage_);
+        std::memcpy(bytes_.data() + sent, ximage_->data + sent, end - sent);
         ximage_->data = reinterpret_cast<char*>(bytes_.data());
     }
 
@@ -139,6 +153,7 @@ private:
     std::vector<std::uint8_t> bytes_; ///< what is to be sent; over a network also what was
     std::vector<std::uint8_t> row_;   ///< what may become part of it
     std::vector<bool> stale_;         ///< bands that differ from what the window shows
+    l3d_pixel_box box_;               ///< what is sent of the display's own pixels
     int next_row_ = 0;                ///< above it all is sent
     bool is_sending_ = false;         ///< pieces, or the question at the end
     x11_echo echo_;

@@ -153,7 +153,7 @@ void image_timer::put(const l3d_pixels& picture) {
     auto& s = *state_;
     constexpr std::chrono::seconds long_enough{10};
     const auto deadline = steady_clock::now() + long_enough;
-    s.image->put(picture, deadline);
+    s.image->put(picture, l3d_whole(picture.size()), deadline);
     for (;;) {
         while (XPending(s.window->display()) > 0) {
             XEvent event;

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Frames that draw only what changed: the same bits as frames drawn whole, and no more work.
-#include "pipeline/pipeline_afd.h"
+#include "still_studio.h"
 
-#include "geom/teapot.h"
-#include "raster/rasterizer_factory_sw.h"
 #include "raster/surface_rasterizer_scalar.h"
-#include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>
 
@@ -13,21 +10,12 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
-#include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace {
 
-constexpr l3d_size odd{203, 149};
-
-std::unique_ptr<l3d_screen> memory_screen(l3d_size size) {
-    l3d_screen_request request;
-    request.size = size;
-    l3d_service refusal;
-    return l3d_screen_factory_memory().create(request, refusal);
-}
+using namespace still_tests;
 
 /// The slow twin fills the surfaces.
 class scalar_factory final : public l3d_rasterizer_factory {
@@ -37,110 +25,6 @@ class scalar_factory final : public l3d_rasterizer_factory {
     std::unique_ptr<l3d_surface_rasterizer> do_create_surface(l3d_workers&) const override {
         return std::make_unique<l3d_surface_rasterizer_scalar>();
     }
-};
-
-class tester final : public l3d_pipeline_afd {
-public:
-    tester(l3d_patch_scene scene, const l3d_camera& camera, const l3d_afd_settings& settings,
-           const l3d_rasterizer_factory& factory = l3d_rasterizer_factory_sw(), l3d_size size = odd)
-        : l3d_pipeline_afd(memory_screen(size), factory, std::move(scene), camera, settings) {}
-
-    using l3d_pipeline_afd::camera;
-    using l3d_pipeline_afd::pixels;
-    using l3d_pipeline_afd::redraw;
-    using l3d_pipeline_afd::settings;
-    using l3d_pipeline_afd::world;
-
-    int text_at = 0; ///< where a line is drawn on top; 0: nowhere
-
-    std::vector<std::uint32_t> words() {
-        std::vector<std::uint32_t> result;
-        for (int y = 0; y < screen().pixels().height; ++y) {
-            const auto row = screen().pixels().row(y);
-            result.insert(result.end(), row.begin(), row.end());
-        }
-        return result;
-    }
-
-private:
-    void draw_overlay() override {
-        if (text_at > 0)
-            rasterizer().draw_line(text_at, 3, 150, 100, 0x00123456);
-    }
-};
-
-l3d_patch_model teapot_model() {
-    std::string why;
-    return *l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot", why);
-}
-
-using random_numbers = std::mt19937_64;
-
-double unit(random_numbers& random) {
-    return std::uniform_real_distribution<double>(-1, 1)(random);
-}
-
-/// Patches of any form around the origin.
-l3d_patch_model wild_model(random_numbers& random, int patches) {
-    std::vector<l3d_patch_model::patch> result(static_cast<std::size_t>(patches));
-    for (auto& patch : result) {
-        const l3d_vector<double, 3> at(unit(random), unit(random), unit(random));
-        for (auto& point : patch.points)
-            point = at + l3d_vector<double, 3>(unit(random), unit(random), unit(random)) * 0.6;
-    }
-    return l3d_patch_model(std::move(result));
-}
-
-/// Models, an eye, and settings.
-struct studio {
-    explicit studio(std::uint64_t seed)
-        : random(seed), models{wild_model(random, 1), wild_model(random, 7), teapot_model()} {
-        camera.eye = {1.5 + unit(random), 2 * unit(random), 9 + unit(random)};
-        camera.target = {0.2, -0.1, 0.3};
-        camera.fov = 25 + 20 * (1 + unit(random));
-        const int count = 1 + static_cast<int>(random() % 12);
-        for (int i = 0; i < count; ++i)
-            scene.add(any_model(), any_place());
-        settings.tolerance = std::vector{0.1, 0.25, 0.5, 2.0, 11.0}[random() % 5];
-        settings.shade = std::vector{l3d_shade::lambert, l3d_shade::lambert, l3d_shade::gouraud,
-                                     l3d_shade::flat, l3d_shade::normals}[random() % 5];
-    }
-
-    const l3d_patch_model& any_model() { return models[random() % models.size()]; }
-
-    /// Mostly in the picture, some beside it, behind the eye or across the near plane.
-    l3d_matrix<double> any_place() {
-        l3d_matrix<double> m =
-            l3d_translation<double>(5 * unit(random), 4 * unit(random), 9 * unit(random)) *
-            l3d_rotation<double>({unit(random), unit(random), 1.1}, 3 * unit(random));
-        const double size = std::exp2(2 * unit(random) - 2);
-        for (int row = 0; row < 3; ++row)
-            for (int column = 0; column < 3; ++column)
-                m(row, column) *= size;
-        return m;
-    }
-
-    /// Moves some instances: a little, or anywhere.
-    void move(tester& program) {
-        const std::size_t count = program.world().instances().size();
-        const std::size_t moves = 1 + random() % std::min<std::size_t>(count, 3);
-        for (std::size_t i = 0; i < moves; ++i) {
-            const std::size_t index = random() % count;
-            const l3d_matrix<double> old = program.world().instances()[index].placement();
-            if (random() % 4 == 0)
-                program.world().place(index, any_model(), any_place());
-            else
-                program.world().place(
-                    index,
-                    l3d_translation<double>(0.1 * unit(random), 0.1 * unit(random), 0.0) * old);
-        }
-    }
-
-    random_numbers random;
-    std::vector<l3d_patch_model> models;
-    l3d_patch_scene scene;
-    l3d_camera camera;
-    l3d_afd_settings settings;
 };
 
 struct tally {
@@ -168,8 +52,7 @@ template <class Factory> tally compare(std::uint64_t seed, int frames, int threa
         int off = 0;
         for (std::size_t i = 0; i < a.size(); ++i)
             off += a[i] != b[i];
-        EXPECT_EQ(off, 0) << "seed " << seed << ", frame " << frame << ", "
-                          << static_cast<int>(s.settings.shade) << " tol " << s.settings.tolerance;
+        EXPECT_EQ(off, 0) << "seed " << seed << ", frame " << frame;
         // Fewer are one batch: then a frame drawn whole dices no patch that it need not.
         if (fresh.report().patches <= 128) {
             EXPECT_GE(program.report().dice.bound_px, fresh.report().dice.bound_px);
@@ -181,7 +64,7 @@ template <class Factory> tally compare(std::uint64_t seed, int frames, int threa
 TEST(still_picture, is_the_same_bits_as_drawn_whole) {
     for (const int threads : {1, 2}) {
         tally all;
-        for (std::uint64_t seed = 0; seed < 400; ++seed) {
+        for (std::uint64_t seed = 0; seed < 200; ++seed) {
             const tally t = compare<l3d_rasterizer_factory_sw>(seed, 8, threads);
             all.frames += t.frames;
             all.parts += t.parts;
@@ -190,6 +73,163 @@ TEST(still_picture, is_the_same_bits_as_drawn_whole) {
         std::printf("%d frames: %d drew a part, %d nothing\n", all.frames, all.parts, all.still);
         EXPECT_GT(all.parts, all.frames / 2);
     }
+}
+
+/// Two teapots, one of which may be moved, and a few pixels between them.
+struct pair_of_teapots {
+    pair_of_teapots() {
+        camera.eye = {0.3, 1.2, 12};
+        camera.target = {0, 1, 0};
+        scene.add(teapot, l3d_translation<double>(-2.6, 0, 0));
+        scene.add(teapot, right(0));
+    }
+
+    static l3d_matrix<double> right(int step) {
+        l3d_matrix<double> m = l3d_translation<double>(2.4 + 0.05 * step, 0.1, 0);
+        for (int i = 0; i < 3; ++i)
+            m(i, i) = 0.3;
+        return m;
+    }
+
+    l3d_patch_model teapot = teapot_model();
+    l3d_patch_scene scene;
+    l3d_camera camera;
+    l3d_afd_settings settings;
+};
+
+std::vector<std::uint32_t> drawn_whole(tester& program, l3d_size size = odd) {
+    tester fresh(program.world(), program.camera(), program.settings(), l3d_rasterizer_factory_sw(),
+                 size);
+    fresh.text_at = program.text_at;
+    fresh.draw_event();
+    return fresh.words();
+}
+
+void expect_kept(const tester& program, const l3d_frame_report& first) {
+    const l3d_frame_report report = program.report();
+    EXPECT_TRUE(program.changed().empty());
+    EXPECT_EQ(report.surface.quads, 0);
+    EXPECT_EQ(report.surface.samples, 0);
+    EXPECT_EQ(report.surface.written, 0);
+    EXPECT_EQ(report.dice.drawn, 0);
+    EXPECT_EQ(report.dice.samples, 0);
+    EXPECT_EQ(report.dice.unchanged, first.patches);
+    EXPECT_EQ(report.dice.bound_px, first.dice.bound_px);
+    EXPECT_EQ(report.pixels_kept, odd.width * odd.height);
+    EXPECT_EQ(report.hash, first.hash);
+}
+
+TEST(still_picture, costs_no_drawing) {
+    const pair_of_teapots s;
+    tester program(s.scene, s.camera, s.settings);
+    program.draw_event();
+    EXPECT_EQ(program.changed(), l3d_whole(odd));
+    const l3d_frame_report first = program.report();
+    EXPECT_GT(first.surface.written, 1000);
+    for (int frame = 0; frame < 100; ++frame) {
+        if (frame % 2 == 0)
+            program.redraw();
+        if (frame % 3 == 0) // where it is already
+            program.world().place(1, pair_of_teapots::right(0));
+        EXPECT_EQ(program.needs_redraw(), frame % 2 == 0);
+        program.draw_event();
+        expect_kept(program, first);
+    }
+    EXPECT_NE(program.report().json().find(R"("left_out":["unchanged"])"), std::string::npos);
+    EXPECT_NE(program.report().explanation().find("56 of 56 patches (unchanged)"),
+              std::string::npos);
+}
+
+TEST(still_picture, is_drawn_where_something_moved) {
+    const pair_of_teapots s;
+    tester program(s.scene, s.camera, s.settings);
+    program.draw_event();
+    const l3d_frame_report first = program.report();
+    for (int step = 1; step < 12; ++step) {
+        program.world().place(1, pair_of_teapots::right(step));
+        EXPECT_TRUE(program.needs_redraw());
+        program.draw_event();
+        EXPECT_FALSE(program.needs_redraw());
+        const l3d_frame_report report = program.report();
+        EXPECT_LT(program.changed().area(), odd.width * odd.height / 10);
+        EXPECT_EQ(report.pixels_kept + program.changed().area(), odd.width * odd.height);
+        EXPECT_EQ(report.dice.unchanged, 28);
+        EXPECT_LT(report.surface.quads, first.surface.quads / 2);
+        EXPECT_EQ(program.words(), drawn_whole(program)) << step;
+    }
+}
+
+TEST(still_picture, is_drawn_whole_if_all_is_kept_or_depth_is_asked_for) {
+    for (const bool depth : {false, true}) {
+        pair_of_teapots s;
+        s.settings.depth = depth;
+        s.settings.keep_all = !depth;
+        tester program(s.scene, s.camera, s.settings);
+        for (int step = 0; step < 4; ++step) {
+            program.world().place(1, pair_of_teapots::right(step / 2));
+            program.draw_event();
+            const bool still = depth && step % 2 == 1;
+            EXPECT_EQ(program.report().pixels_kept, still ? odd.width * odd.height : 0) << step;
+        }
+    }
+}
+
+TEST(still_picture, is_drawn_beneath_what_comes_and_goes_on_top) {
+    const pair_of_teapots s;
+    tester program(s.scene, s.camera, s.settings);
+    random_numbers random(5);
+    for (int frame = 0; frame < 60; ++frame) {
+        program.text_at = random() % 3 == 0 ? 1 + static_cast<int>(random() % 90) : 0;
+        program.redraw();
+        if (random() % 3 == 0)
+            program.world().place(1, pair_of_teapots::right(frame));
+        if (random() % 7 == 0)
+            program.settings().net = !program.settings().net;
+        if (random() % 7 == 0)
+            program.settings().wireframe = !program.settings().wireframe;
+        program.draw_event();
+        ASSERT_EQ(program.words(), drawn_whole(program)) << frame;
+    }
+}
+
+TEST(still_picture, is_drawn_whole_where_others_wrote_or_its_size_changed) {
+    const pair_of_teapots s;
+    tester program(s.scene, s.camera, s.settings);
+    program.draw_event();
+    program.pixels().row(7)[11] = 0x00abcdef;
+    program.draw_event();
+    EXPECT_EQ(program.report().pixels_kept, 0);
+    EXPECT_EQ(program.words(), drawn_whole(program));
+    for (const l3d_size size : {l3d_size{130, 200}, odd}) {
+        program.resize(size);
+        EXPECT_TRUE(program.needs_redraw());
+        program.draw_event();
+        EXPECT_EQ(program.changed(), l3d_whole(size));
+        EXPECT_EQ(program.words(), drawn_whole(program, size));
+    }
+}
+
+TEST(still_picture, follows_camera_settings_and_what_comes_and_goes) {
+    pair_of_teapots s;
+    tester program(s.scene, s.camera, s.settings);
+    const auto differs = [&](const char* what) {
+        program.draw_event();
+        EXPECT_EQ(program.report().pixels_kept, 0) << what;
+        EXPECT_EQ(program.words(), drawn_whole(program)) << what;
+    };
+    differs("first");
+    program.camera().orbit(0.01, 0);
+    differs("camera");
+    program.settings().shade = l3d_shade::flat;
+    differs("shade");
+    program.settings().light = {1, 0.2, 0.3};
+    differs("light");
+    program.settings().tolerance = 1;
+    differs("tolerance");
+    program.world().add(s.teapot, l3d_translation<double>(0, 2, 0));
+    differs("a model more");
+    program.world().clear();
+    differs("none");
 }
 
 TEST(still_picture, is_the_same_bits_by_the_slow_twin) {

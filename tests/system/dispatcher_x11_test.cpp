@@ -79,6 +79,17 @@ TEST(dispatcher_x11, draws_only_what_is_needed) {
     EXPECT_GE(run.screen.waits, 2); // after each idle frame, even without a limit
 }
 
+TEST(dispatcher_x11, shows_only_what_changed) {
+    for (const l3d_pixel_box changes : {l3d_pixel_box{3, 4, 9, 7}, l3d_pixel_box{}}) {
+        window_run run(frames(100));
+        run.pipeline.changes = changes;
+        run.dispatcher.start();
+        EXPECT_EQ(count_of(run.log, "draw"), 100);
+        EXPECT_EQ(count_of(run.log, "show"), 1) << "the first picture is all new";
+        EXPECT_EQ(count_of(run.log, "show part"), changes.empty() ? 0 : 99);
+    }
+}
+
 TEST(dispatcher_x11, sleeps_between_frames_and_never_long) {
     window_run run(frames(2, 4));
     run.dispatcher.start();

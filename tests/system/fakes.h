@@ -11,6 +11,7 @@
 #include <chrono>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -34,7 +35,8 @@ inline l3d_event make_key(int key) {
     return event;
 }
 
-/// A screen whose events the test prepares. Logs "show", "fullscreen" and "window again".
+/// A screen whose events the test prepares. Logs "show", "show part", "fullscreen" and "window
+/// again".
 class fake_screen final : public l3d_screen {
 public:
     explicit fake_screen(call_log& log) : log_(log) {}
@@ -51,7 +53,9 @@ public:
 private:
     l3d_pixels do_pixels() override { return image_.pixels(); }
     const l3d_screen_info& do_info() const override { return info_; }
-    void do_show() override { log_.push_back("show"); }
+    void do_show(const l3d_pixel_box& part) override {
+        log_.push_back(part == l3d_whole(image_.pixels().size()) ? "show" : "show part");
+    }
     std::string do_describe() const override { return "fake"; }
     bool do_is_busy() const override { return busy; }
     bool do_is_window() const override { return window; }
@@ -94,7 +98,8 @@ class fake_pipeline final : public l3d_pipeline {
 public:
     fake_pipeline(call_log& log, l3d_screen& screen) : log_(log), screen_(screen) {}
 
-    bool lazy = false; ///< never needs to be redrawn
+    bool lazy = false;                    ///< never needs to be redrawn
+    std::optional<l3d_pixel_box> changes; ///< in every frame; else all
     std::vector<double> steps;
     std::vector<l3d_frame_times> times;
     std::function<void(int update)> on_update = [](int) {};
@@ -118,6 +123,7 @@ public:
         log_.push_back("draw");
         screen_.pixels().row(3)[5] = ++drawn_;
     }
+    l3d_pixel_box changed() const override { return changes.value_or(l3d_pipeline::changed()); }
     bool needs_redraw() const override { return !lazy; }
     void frame_event(const l3d_frame_times& frame) override {
         log_.push_back("frame");

@@ -173,7 +173,9 @@ TEST(pixel_writer, is_its_slow_twin) {
         const std::ptrdiff_t bytes_per_line =
             native.width * info.bytes_per_pixel() + layouts.below(9);
         bytes written(static_cast<std::size_t>(bytes_per_line * native.height), untouched);
-        pixel_writer(info, scale).write(picture.pixels(), native, written.data(), bytes_per_line);
+        pixel_writer(info, scale)
+            .write(picture.pixels(), l3d_whole(picture.pixels().size()), native, written.data(),
+                   bytes_per_line);
         ASSERT_EQ(written, expected_bytes(info, picture.pixels(), native, scale, bytes_per_line))
             << info.describe() << ", " << native.width << "x" << native.height << " at scale "
             << scale << ", layout " << i;
@@ -189,12 +191,46 @@ TEST(pixel_writer, rows_do_not_depend_on_others) {
         std::ranges::fill(picture.pixels().row(y), 0x476B93U + static_cast<std::uint32_t>(y));
     const pixel_writer writer(info, 3);
     bytes whole(38UL * 32), row(38);
-    writer.write(picture.pixels(), {38, 32}, whole.data(), 38);
+    writer.write(picture.pixels(), l3d_whole({38, 32}), {38, 32}, whole.data(), 38);
     auto there = whole.end();
     for (int y = 31; y >= 0; --y) {
         there -= 38;
         writer.write_row(picture.pixels().row(y / 3), y / 3, 38, row.data());
         EXPECT_TRUE(std::equal(row.begin(), row.end(), there)) << y;
+    }
+}
+
+/// Whatever is written of a picture, and in whatever order, it is the same where it was written.
+TEST(pixel_writer, parts_are_those_of_the_whole) {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    random_layouts layouts(seed);
+    for (int i = 0; i < 1000; ++i) {
+        const auto info = i % 3 == 0 ? layouts.palette() : layouts.masks();
+        const int scale = 1 + layouts.below(3);
+        const l3d_size size{1 + layouts.below(41), 1 + layouts.below(23)};
+        const l3d_size native{size.width * scale, size.height * scale};
+        l3d_image picture(size, size.width + layouts.below(3));
+        for (int y = 0; y < size.height; ++y)
+            std::ranges::generate(picture.pixels().row(y),
+                                  [&] { return layouts.random() & 0xFFFFFF; });
+        const int left = layouts.below(size.width), top = layouts.below(size.height);
+        const l3d_pixel_box part =
+            pixel_writer::writable_part({left, top, left + 1 + layouts.below(size.width - left),
+                                         top + 1 + layouts.below(size.height - top)},
+                                        size);
+        const std::ptrdiff_t line = native.width * info.bytes_per_pixel() + layouts.below(9);
+        bytes written(static_cast<std::size_t>(line * native.height), untouched);
+        pixel_writer(info, scale).write(picture.pixels(), part, native, written.data(), line);
+        auto expected = expected_bytes(info, picture.pixels(), native, scale, line);
+        for (int y = 0; y < native.height; ++y)
+            for (int at = 0; at < line; ++at) {
+                const int x = at / info.bytes_per_pixel() / scale;
+                if (x < part.left || x >= part.right || y / scale < part.top ||
+                    y / scale >= part.bottom)
+                    expected[static_cast<std::size_t>(y * line + at)] = untouched;
+            }
+        ASSERT_EQ(written, expected) << info.describe() << " at scale " << scale << ", " << i;
     }
 }
 

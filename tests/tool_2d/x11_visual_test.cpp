@@ -133,7 +133,9 @@ int wrong_pixels_after_put(const x11_window& window, const l3d_pixels& picture) 
                      static_cast<unsigned>(picture.height), layout.scanline_pad, 0);
     std::vector<std::uint8_t> bytes(static_cast<std::size_t>(image->bytes_per_line) *
                                     static_cast<std::size_t>(picture.height));
-    pixel_writer(window.info()).write(picture, picture.size(), bytes.data(), image->bytes_per_line);
+    pixel_writer(window.info())
+        .write(picture, l3d_whole(picture.size()), picture.size(), bytes.data(),
+               image->bytes_per_line);
     image->data = reinterpret_cast<char*>(bytes.data());
     XPutImage(window.display(), window.id(), window.graphics(), image, 0, 0, 0, 0,
               static_cast<unsigned>(picture.width), static_cast<unsigned>(picture.height));
