@@ -11,7 +11,6 @@
 #include <array>
 #include <cassert>
 #include <chrono>
-#include <utility>
 
 namespace l3d_detail {
 namespace {
@@ -31,7 +30,6 @@ struct shared_buffer {
     std::size_t offset = 0;
     unsigned long put = 0; ///< number of the request that made it the server's; 0: it is ours
     steady_clock::time_point put_time{};
-    l3d_pixel_box stale; ///< of the picture: was put since this buffer's turn, by another one
 };
 
 /// The words are copied, since the program may draw into them while the server reads.
@@ -55,20 +53,12 @@ private:
         return std::ranges::count(buffers_, 0UL, &shared_buffer::put) == buffer_count;
     }
 
-    /// Of the free buffers the one that needs least: all have missed what others took.
-    shared_buffer& least_stale() {
-        return *std::ranges::min_element(buffers_, {}, [](const shared_buffer& buffer) {
-            return std::pair(buffer.put != 0, buffer.stale.area());
-        });
-    }
-
+    /// Of a buffer no more is read than was just written: beside the part, it may be out of date.
     void do_put(const l3d_pixels& picture, const l3d_pixel_box& part, time_point) override {
         const l3d_size native{ximage_->width, ximage_->height};
-        for (auto& buffer : buffers_)
-            buffer.stale = buffer.stale.united(pixel_writer::writable_part(part, picture.size()));
-        auto& buffer = least_stale();
+        auto& buffer = *std::ranges::find(buffers_, 0UL, &shared_buffer::put);
         auto* const bytes = segment_->bytes() + buffer.offset;
-        writer_.write(picture, std::exchange(buffer.stale, {}), native, bytes,
+        writer_.write(picture, pixel_writer::writable_part(part, picture.size()), native, bytes,
                       ximage_->bytes_per_line);
         ximage_->data = reinterpret_cast<char*>(bytes);
         buffer.put = NextRequest(window_.display());

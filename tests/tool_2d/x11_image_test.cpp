@@ -267,7 +267,7 @@ l3d_pixel_box changed_part(const l3d_pixels& pixels, std::mt19937& random) {
     return part;
 }
 
-/// Buffers of shared memory take turns, and each misses what the other took.
+/// Buffers of shared memory take turns, and each has missed what the other took.
 TEST(x11_image, parts_make_the_picture) {
     const unsigned seed = std::random_device{}();
     SCOPED_TRACE("seed " + std::to_string(seed));
