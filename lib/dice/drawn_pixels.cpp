@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_add_drawn_pixels: boxes in the picture, rounded outwards.
+// l3d_drawn_pixels: boxes in the picture, rounded outwards.
 #include "dice/drawn_pixels.h"
 
 #include "dice/scene_culling_p.h"
@@ -23,20 +23,21 @@ l3d_pixel_box pixels_of(const l3d_image_box& box, const l3d_dice_view& view) {
 
 } // namespace
 
-void l3d_add_drawn_pixels(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
-                          const l3d_dice_view& view, std::vector<l3d_pixel_box>& result) {
+l3d_pixel_box l3d_drawn_pixels(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
+                               const l3d_dice_view& view, std::int64_t enough) {
+    l3d_pixel_box result;
     l3d_detail::culled_boxes culled;
-    for (std::size_t first = 0; first < boxes.count(); first += l3d_box_lanes::lanes) {
+    for (std::size_t first = 0; first < boxes.count() && result.area() <= enough;
+         first += l3d_box_lanes::lanes) {
         l3d_detail::cull_boxes(boxes, first, to_image, view, view.margin(), culled);
         const std::size_t here = std::min(l3d_box_lanes::lanes, boxes.count() - first);
         for (std::size_t i = 0; i < here; ++i) {
             if (culled.most[i] <= view.near || culled.least[i] >= view.far || culled.inside[i] < 0)
                 continue;
-            const l3d_pixel_box pixels = culled.least[i] > view.near
-                                             ? pixels_of(drawn_box_of(culled, i, view), view)
-                                             : l3d_whole(view.size);
-            if (!pixels.empty())
-                result.push_back(pixels);
+            result = result.united(culled.least[i] > view.near
+                                       ? pixels_of(drawn_box_of(culled, i, view), view)
+                                       : l3d_whole(view.size));
         }
     }
+    return result;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_add_drawn_pixels: which pixels may show what is in a box.
+// l3d_drawn_pixels: which pixels may show what is in some boxes.
 #ifndef L3D_DICE_DRAWN_PIXELS_H
 #define L3D_DICE_DRAWN_PIXELS_H
 
@@ -8,15 +8,17 @@
 #include "dice/dice_view.h"
 #include "tool_2d/pixels.h"
 
-#include <vector>
+#include <cstdint>
+#include <limits>
 
-/// Adds, for each box that may be seen, the pixels that may be covered by what is drawn of patches
-/// in it: wherever vertices are snapped, balanced or off. All of the picture for a box that reaches
-/// the near plane.
+/// The box of the pixels that may be covered by what is drawn of patches in boxes: wherever
+/// vertices are snapped, balanced or off. All of the picture if a box reaches the near plane.
 ///
+/// Once it is more than `enough` pixels, no more boxes are looked at.
 /// Shape:   to_image takes the boxes' space to (x, y, -, w) in the view's units.
 /// Cost:    l3d_detail::cull_boxes.
-void l3d_add_drawn_pixels(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
-                          const l3d_dice_view& view, std::vector<l3d_pixel_box>& result);
+l3d_pixel_box l3d_drawn_pixels(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
+                               const l3d_dice_view& view,
+                               std::int64_t enough = std::numeric_limits<std::int64_t>::max());
 
 #endif

@@ -20,9 +20,6 @@ namespace {
 
 using l3d_detail::stopwatch;
 
-/// A part that is more than one in so many of the picture's pixels costs as much as all.
-constexpr int most_of_picture = 2;
-
 constexpr std::uint32_t wire_color = 0x0080d0ff, net_color = 0x00ff9030;
 
 const l3d_camera& checked(const l3d_camera& camera, l3d_size size,
@@ -124,7 +121,8 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
 }
 
 /// Nothing where the picture is right as it is. All of it where something that is drawn on top
-/// may have to go: nobody knows where that is.
+/// may have to go, since nobody knows where that is, and from three quarters on, where a part costs
+/// nearly as much (docs/SPEED.md).
 l3d_pixel_box l3d_pipeline_afd::part_to_draw(const basis& now) {
     const l3d_pixel_box whole = l3d_whole(now.target.size());
     if (settings_.keep_all || is_foreign_ || scene_.is_rebuilt() || now != basis_)
@@ -137,22 +135,20 @@ l3d_pixel_box l3d_pipeline_afd::part_to_draw(const basis& now) {
         return {};
     if (settings_.depth || !method_->draws_parts())
         return whole;
-    const l3d_pixel_box part = part_that_moved();
-    return part.area() * most_of_picture > whole.area() ? whole : part;
+    return part_that_moved(whole.area() / 4 * 3);
 }
 
-/// Around all that was placed anew, where it was and where it is.
-l3d_pixel_box l3d_pipeline_afd::part_that_moved() {
-    moved_to_.clear();
-    for (const std::size_t index : scene_.moved())
-        moved_to_.add(scene_.instances()[index].box());
-    moved_.clear();
-    l3d_add_drawn_pixels(scene_.moved_from(), transform_.matrix(), view_, moved_);
-    l3d_add_drawn_pixels(moved_to_, transform_.matrix(), view_, moved_);
-    l3d_pixel_box part;
-    for (const l3d_pixel_box& box : moved_)
-        part = part.united(box);
-    return part;
+/// Around all that was placed anew, where it was and where it is; more than `most` is all.
+l3d_pixel_box l3d_pipeline_afd::part_that_moved(std::int64_t most) {
+    const l3d_matrix<double>& to_image = transform_.matrix();
+    l3d_pixel_box part = l3d_drawn_pixels(scene_.moved_from(), to_image, view_, most);
+    if (part.area() <= most) {
+        moved_to_.clear();
+        for (const std::size_t index : scene_.moved())
+            moved_to_.add(scene_.instances()[index].box());
+        part = part.united(l3d_drawn_pixels(moved_to_, to_image, view_, most));
+    }
+    return part.area() <= most ? part : l3d_whole(view_.size);
 }
 
 /// The bound stays that of what is in the picture.

@@ -17,9 +17,9 @@
 #include "raster/workers.h"
 #include "tool_2d/screen.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
-#include <vector>
 
 /// How a scene is to be drawn.
 struct l3d_afd_settings {
@@ -121,7 +121,7 @@ private:
     }
     basis begin_frame();
     l3d_pixel_box part_to_draw(const basis& now);
-    l3d_pixel_box part_that_moved();
+    l3d_pixel_box part_that_moved(std::int64_t most);
     void keep_picture();
     void fill_surfaces(const basis& now, const l3d_pixel_box& part, l3d_stage_times& times);
     void draw_on_top();
@@ -144,8 +144,7 @@ private:
     bool is_drawing_ = false;
     basis basis_; ///< of the picture that is in the pixels
     l3d_pixel_box changed_;
-    l3d_box_lanes moved_to_;           ///< kept for their memory
-    std::vector<l3d_pixel_box> moved_; ///<
+    l3d_box_lanes moved_to_; ///< kept for its memory
 
     l3d_image_transform transform_;
     l3d_dice_view view_;

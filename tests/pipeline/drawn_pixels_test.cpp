@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_add_drawn_pixels: nothing is drawn beside what it names.
+// l3d_drawn_pixels: nothing is drawn beside what it names.
 #include "still_studio.h"
 
 #include "dice/drawn_pixels.h"
@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <vector>
 
 namespace {
 
@@ -28,11 +27,8 @@ TEST(drawn_pixels, are_all_that_is_drawn) {
         program.draw_event();
 
         const l3d_image_transform to_image(s.camera, odd, alone);
-        std::vector<l3d_pixel_box> boxes;
-        l3d_add_drawn_pixels(alone.boxes(), to_image.matrix(), to_image.view(s.settings.tolerance),
-                             boxes);
-        ASSERT_LE(boxes.size(), 1u);
-        const l3d_pixel_box box = boxes.empty() ? l3d_pixel_box{} : boxes[0];
+        const l3d_pixel_box box =
+            l3d_drawn_pixels(alone.boxes(), to_image.matrix(), to_image.view(s.settings.tolerance));
         int outside = 0, inside = 0;
         for (int y = 0; y < odd.height; ++y)
             for (int x = 0; x < odd.width; ++x) {
