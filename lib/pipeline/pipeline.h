@@ -56,6 +56,10 @@ public:
     /// The picture that draw_event drew has been shown and stored.
     virtual void frame_event(const l3d_frame_times& times) { static_cast<void>(times); }
 
+    /// Nobody wants the picture of this frame, which update_event was called for. True if it need
+    /// not be drawn, since later pictures do not depend on it; else it is drawn all the same.
+    virtual bool skip_event() { return false; }
+
     /// Whether anything would look different if draw_event were called now. The dispatcher
     /// neither draws nor shows while this is false and no event came.
     virtual bool needs_redraw() const { return true; }

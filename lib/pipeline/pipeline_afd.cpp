@@ -5,6 +5,7 @@
 #include "dice/camera_shading.h"
 #include "dice/drawn_pixels.h"
 #include "dice/edge_polyline.h"
+#include "dice/frame_dicer.h"
 #include "dice/placed_net.h"
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/wire_lines_p.h"
@@ -56,12 +57,14 @@ l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
       imp_(rasterizers.create_2d(screen_->pixels())), rasterizer_(*imp_),
       method_(l3d_create_method(settings.method, rasterizers, workers_)), scene_(std::move(scene)),
       camera_(checked(camera, screen_->pixels().size(), settings)), settings_(settings),
-      wire_dicer_(workers_) {
+      wire_dicer_(std::make_unique<l3d_frame_dicer<l3d_real>>(workers_)) {
     report_.frame = -1;
     report_.method = settings.method.name();
     report_.real = l3d_real_name();
     report_.threads = settings.threads;
 }
+
+l3d_pipeline_afd::~l3d_pipeline_afd() = default;
 
 void l3d_pipeline_afd::resize_event(l3d_size) {
     imp_->set_target(screen_->pixels());
@@ -195,12 +198,12 @@ void l3d_pipeline_afd::draw_wireframe() {
         depth_.clear();
     }
     wire_culling_.begin(scene_, transform_.matrix(), view_);
-    wire_dicer_.begin(view_);
+    wire_dicer_->begin(view_);
     l3d_detail::wire_lines lines(rasterizer_, wire_color);
     for (auto batch = wire_culling_.next(nothing_is_hidden); !batch.empty();
          batch = wire_culling_.next(nothing_is_hidden))
-        lines.draw(wire_dicer_.dice(scene_, wire_culling_, batch));
-    report_.dice = wire_dicer_.counts();
+        lines.draw(wire_dicer_->dice(scene_, wire_culling_, batch));
+    report_.dice = wire_dicer_->counts();
     report_.dice.add(wire_culling_.counts());
     report_.surface = {};
     report_.pixels_kept = 0;

@@ -5,7 +5,6 @@
 
 #include "geom/real.h"
 #include "dice/camera.h"
-#include "dice/frame_dicer.h"
 #include "pipeline/frame_report.h"
 #include "dice/image_transform.h"
 #include "pipeline/method_choice.h"
@@ -20,6 +19,8 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+
+template <class T> class l3d_frame_dicer;
 
 /// How a scene is to be drawn.
 struct l3d_afd_settings {
@@ -57,6 +58,7 @@ public:
     l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen, const l3d_rasterizer_factory& rasterizers,
                      l3d_patch_scene scene, const l3d_camera& camera,
                      const l3d_afd_settings& settings);
+    ~l3d_pipeline_afd() override;
 
     /// Expects: its pixels are written to in draw_overlay only, since what is empty in two frames
     ///          on end is not cleared twice.
@@ -71,6 +73,10 @@ public:
     void resize_event(l3d_size size) override;
     void draw_event() override;
     void frame_event(const l3d_frame_times& times) override;
+    bool skip_event() override {
+        ++report_.frame;
+        return true;
+    }
     l3d_pixel_box changed() const override { return changed_; }
     bool needs_redraw() const override { return stale_ || scene_.is_changed(); }
 
@@ -149,7 +155,7 @@ private:
     l3d_image_transform transform_;
     l3d_dice_view view_;
     l3d_scene_culling wire_culling_;
-    l3d_frame_dicer<l3d_real> wire_dicer_;
+    std::unique_ptr<l3d_frame_dicer<l3d_real>> wire_dicer_;
     l3d_frame_report report_;
 };
 

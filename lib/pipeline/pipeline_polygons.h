@@ -57,6 +57,10 @@ public:
     void update_event(double seconds) override;
     void draw_event() override;
     void frame_event(const l3d_frame_times& times) override;
+    bool skip_event() override {
+        ++report_.frame;
+        return true;
+    }
     bool needs_redraw() const override { return stale_; }
 
 protected:

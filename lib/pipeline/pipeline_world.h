@@ -23,6 +23,7 @@ public:
     void key_event(int key) override;
     void resize_event(l3d_size size) override;
     void update_event(double seconds) override;
+    bool skip_event() override { return true; }
 
 private:
     bool turn_key(int key);

@@ -5,6 +5,7 @@
 #include "geom/model_file.h"
 #include "geom/teapot.h"
 #include "system/number_text.h"
+#include "system/places.h"
 #include "system/text_file.h"
 
 #include <algorithm>
@@ -45,7 +46,8 @@ void check_place(const char* option, const std::array<double, 3>& place) {
 
 l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--model", model_file_,
-                "model to draw, see docs/FORMATS.md; without it, the teapot", "FILE");
+                "model to draw: a file, or the name of one of l3d's own; without it, the teapot",
+                "FILE");
     options.add("--method", method_, "how surfaces are drawn: " + l3d_method_choice::all_names(),
                 "NAME");
     // Vertices lie on a grid of 1/256 pixel, which is already off by sqrt(2)/512 = 0.0028.
@@ -64,9 +66,7 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--net", settings_.net, "the control nets on top");
     options.add("--turntable", turntable_, "degrees that the eye turns from frame to frame", -360.0,
                 360.0);
-    settings_.threads =
-        std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, most_threads_unasked);
-    options.add("--threads", settings_.threads,
+    options.add("--threads", threads_,
                 "threads to draw with; unasked, as many as processors, at most " +
                     std::to_string(most_threads_unasked) + "; the picture is the same for any",
                 1, 1024);
@@ -104,6 +104,8 @@ l3d_camera l3d_afd_options::camera() const {
 
 l3d_afd_settings l3d_afd_options::settings() const {
     l3d_afd_settings result = settings_;
+    const int processors = static_cast<int>(std::thread::hardware_concurrency());
+    result.threads = threads_.value_or(std::clamp(processors, 1, most_threads_unasked));
     std::string why;
     const auto method = l3d_method_choice::from_name(method_, why);
     if (!method)
@@ -128,7 +130,8 @@ l3d_patch_model l3d_afd_options::model() const {
             throw l3d_error(l3d_exit::bad_input, why);
         return *std::move(teapot);
     }
-    const auto file = l3d_read_model(l3d_read_text_file(model_file_), model_file_, why);
+    const auto file =
+        l3d_read_model(l3d_read_text_file(l3d_data_file(model_file_)), model_file_, why);
     if (!file)
         throw l3d_error(l3d_exit::bad_input, why);
     const std::string polygons = std::to_string(file->mesh.faces()) + " polygons";

@@ -9,6 +9,7 @@
 #include "system/options.h"
 
 #include <array>
+#include <optional>
 #include <string>
 
 /// Options for model, method, accuracy, camera and shading, added to a program's own.
@@ -59,6 +60,7 @@ private:
     double turntable_ = 0;
     std::string depth_output_, report_;
     bool explain_ = false;
+    std::optional<int> threads_;
 };
 
 #endif

@@ -31,6 +31,10 @@ l3d_exit l3d_dispatcher_script::do_start(l3d_pipeline& pipeline, l3d_screen& scr
         if (pipeline.done || result != l3d_exit::well)
             break;
         pipeline.update_event(settings_.step());
+        if (l3d_detail::only_passes(frame, settings_, writer_)) {
+            stale = l3d_detail::skip(pipeline, writer_, stale);
+            continue;
+        }
         l3d_detail::present(pipeline, screen, writer_, stale);
         l3d_detail::pass_on_remark(screen, settings_.program);
         stale = false;

@@ -108,6 +108,11 @@ void l3d_dispatcher_x11::loop::make_frame(steady_clock::time_point now) {
     pipeline_.update_event(settings_.fixed_step ? settings_.step()
                                                 : seconds_between(last_update_, now));
     last_update_ = now;
+    if (l3d_detail::only_passes(frames_, settings_, writer_)) {
+        stale_ = l3d_detail::skip(pipeline_, writer_, stale_);
+        ++frames_;
+        return;
+    }
     const bool drawn = !is_unseen() && l3d_detail::present(pipeline_, screen_, writer_, stale_);
     if (drawn)
         stale_ = exposed_ = false;

@@ -11,6 +11,13 @@ struct l3d_frame_settings {
     /// Units: frames; 0: until the pipeline is done (with a window), one (without a display).
     int frames = 0;
 
+    /// The first of these whose picture is wanted; those before only pass. Expects: less than
+    /// `frames`, or 0.
+    int first_frame = 0;
+
+    /// Whether a frame whose file is there already only passes, too.
+    bool resume = false;
+
     /// Units: frames per second; 0: as many as can be made; empty: what the screen is good for.
     std::optional<double> fps;
 

@@ -76,6 +76,11 @@ std::string l3d_frame_writer::numbered_name() const {
     return before_ + number + after_;
 }
 
+bool l3d_frame_writer::has_frame() const {
+    std::error_code ignored;
+    return is_numbered() && std::filesystem::exists(numbered_name(), ignored);
+}
+
 void l3d_frame_writer::frame(const l3d_pixels& pixels) {
     if (kind_ == kind::numbered) {
         l3d_write_image(numbered_name(), pixels);

@@ -21,6 +21,14 @@ public:
     /// Takes a finished frame. Errors: l3d_error(failure) that names the file.
     void frame(const l3d_pixels& pixels);
 
+    /// Takes no picture of this frame.
+    void skip_frame() { ++next_number_; }
+
+    bool is_numbered() const { return kind_ == kind::numbered; }
+
+    /// Whether this frame's file is there. A file has its name only when it is complete.
+    bool has_frame() const;
+
     /// Takes the last picture once more, when no other will follow. Errors: as frame().
     void finish(const l3d_pixels& pixels);
 

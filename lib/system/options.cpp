@@ -114,9 +114,7 @@ void l3d_options::add_common(l3d_size default_size) {
     add_number(app, "--scale", common_.scale, "",
                "side of a pixel in the window, in the display's pixels (by itself from Xft.dpi)",
                "NUMBER", 1, l3d_largest_scale);
-    add("--frames", common_.frames,
-        "stop after so many frames, in fixed steps of time; 0: go on (without a display: 1)", 0,
-        std::numeric_limits<int>::max());
+    add_batch();
     add_number(app, "--fps", common_.fps, "",
                "frames per second; 0: no limit (by itself 60, or 15 on a remote display)", "NUMBER",
                0.0, 1000.0);
@@ -131,6 +129,26 @@ void l3d_options::add_common(l3d_size default_size) {
     add("--verbose", common_.verbose, "tell what was chosen");
 }
 
+/// Frames that one of many processes makes of a sequence, perhaps for the second time.
+void l3d_options::add_batch() {
+    const auto read = [this](const std::string& text) {
+        std::array<int, 2> range{};
+        const bool is_range = text.find(':') != std::string::npos;
+        const bool read_it =
+            is_range ? l3d_read_numbers(text, ':', range) : l3d_read_number(text, range[1]);
+        if (!read_it || range[0] < 0 || range[1] < range[0] || (is_range && range[0] == range[1]))
+            refuse("--frames", text, "a number of frames, nor A:B with A less than B");
+        common_.first_frame = range[0];
+        common_.frames = range[1];
+    };
+    add_text(parser_->app, "--frames",
+             "stop after so many frames, in fixed steps of time; 0: go on (without a display: 1); "
+             "A:B: only those from number A to B - 1, each as it is in the whole sequence",
+             "N|A:B", "0", read);
+    add("--resume", common_.resume,
+        "leave out frames whose file is there; with a numbered --output");
+}
+
 void l3d_options::add(const std::string& name, double& value, const std::string& help, double least,
                       double most) {
     add_number(parser_->app, name, value, l3d_number_text(value), help, "NUMBER", least, most);
@@ -139,6 +157,11 @@ void l3d_options::add(const std::string& name, double& value, const std::string&
 void l3d_options::add(const std::string& name, int& value, const std::string& help, int least,
                       int most) {
     add_number(parser_->app, name, value, l3d_number_text(value), help, "NUMBER", least, most);
+}
+
+void l3d_options::add(const std::string& name, std::optional<int>& value, const std::string& help,
+                      int least, int most) {
+    add_number(parser_->app, name, value, "", help, "NUMBER", least, most);
 }
 
 void l3d_options::add(const std::string& name, std::string& value, const std::string& help,
@@ -219,6 +242,9 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
     if (const auto unknown = parser_->app.remaining(); !unknown.empty())
         throw l3d_error(l3d_exit::usage, "unknown option '" + unknown.front() + "' (see --help)");
     const l3d_frame_writer complains_now_rather_than_after_a_question(common_.output);
+    if (common_.resume && !complains_now_rather_than_after_a_question.is_numbered())
+        throw l3d_error(l3d_exit::usage,
+                        "--resume: needs a numbered --output, as in frame%04d.png");
     return true;
 }
 
@@ -228,6 +254,8 @@ l3d_screen_request l3d_options::screen_request() const {
 
 l3d_frame_settings l3d_options::frame_settings() const {
     return {.frames = common_.frames,
+            .first_frame = common_.first_frame,
+            .resume = common_.resume,
             .fps = common_.fps,
             .fixed_step = common_.frames > 0,
             .output = common_.output,

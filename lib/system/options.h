@@ -32,7 +32,9 @@ struct l3d_common_options {
     bool verbose = false;
     l3d_size size{};
     int scale = 0; ///< 0: not given
+    int first_frame = 0;
     int frames = 0;
+    bool resume = false;
     std::optional<double> fps;
     std::uint64_t seed = 1;
     std::string output;
@@ -58,6 +60,10 @@ public:
     void add(const std::string& name, double& value, const std::string& help, double least,
              double most);
     void add(const std::string& name, int& value, const std::string& help, int least, int most);
+
+    /// The same where the default is found out later, if at all.
+    void add(const std::string& name, std::optional<int>& value, const std::string& help, int least,
+             int most);
 
     /// Any text but the empty one; `kind` (FILE, say) is what --help calls it.
     void add(const std::string& name, std::string& value, const std::string& help,
@@ -109,6 +115,7 @@ private:
                    const std::vector<std::string>& words, std::size_t preset,
                    std::function<void(std::size_t)> chosen);
     void add_common(l3d_size default_size);
+    void add_batch();
 
     std::string program_;
     l3d_common_options common_;

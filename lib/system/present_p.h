@@ -4,6 +4,7 @@
 #define L3D_SYSTEM_PRESENT_P_H
 
 #include "pipeline/pipeline.h"
+#include "system/frame_settings.h"
 #include "system/frame_writer.h"
 #include "tool_2d/screen.h"
 
@@ -34,6 +35,22 @@ inline bool present(l3d_pipeline& pipeline, l3d_screen& screen, l3d_frame_writer
         pipeline.frame_event({std::chrono::duration<double>(shown - start).count(),
                               std::chrono::duration<double>(written - shown).count()});
     return drawn;
+}
+
+/// Whether frame number `frame`, which the writer comes to now, only passes.
+inline bool only_passes(int frame, const l3d_frame_settings& settings,
+                        const l3d_frame_writer& writer) {
+    return frame < settings.first_frame || (settings.resume && writer.has_frame());
+}
+
+/// Lets a frame pass whose picture is not wanted. Returns whether the pixels are stale now.
+inline bool skip(l3d_pipeline& pipeline, l3d_frame_writer& writer, bool stale) {
+    writer.skip_frame();
+    if (pipeline.skip_event())
+        return true;
+    if (stale || pipeline.needs_redraw())
+        pipeline.draw_event();
+    return false;
 }
 
 } // namespace l3d_detail

@@ -142,6 +142,44 @@ TEST(dispatcher_script, writes_frames) {
     EXPECT_GT(run.pipeline.times[1].write, 0);
 }
 
+TEST(dispatcher_script, frames_before_the_first_only_pass) {
+    const temporary_folder folder;
+    for (const bool skips : {true, false}) {
+        l3d_frame_settings settings = frames(5);
+        settings.first_frame = 3;
+        settings.output = folder.file("f%d.png");
+        script_run run(settings);
+        run.pipeline.skips = skips;
+        run.pipeline.lazy = true;
+        run.dispatcher.start();
+        EXPECT_EQ(run.pipeline.steps.size(), 5u);
+        EXPECT_EQ(count_of(run.log, "skip"), 3);
+        EXPECT_EQ(count_of(run.log, "draw"), 1) << "once, be it before or in frame 3";
+        EXPECT_EQ(run.log[2], skips ? "update" : "draw");
+        EXPECT_EQ(count_of(run.log, "show"), skips ? 1 : 0);
+        EXPECT_EQ(folder.count(), 2);
+        EXPECT_TRUE(folder.holds("f3.png") && folder.holds("f4.png"));
+    }
+}
+
+TEST(dispatcher_script, resuming_makes_what_is_missing) {
+    const temporary_folder folder;
+    l3d_frame_settings settings = frames(4);
+    settings.output = folder.file("f%d.png");
+    settings.resume = true;
+    for (const char* present : {"f1.png", "f3.png"}) {
+        l3d_image stranger({3, 2}, 3);
+        l3d_write_png(folder.file(present), stranger.pixels());
+    }
+    script_run run(settings);
+    run.pipeline.skips = true;
+    run.dispatcher.start();
+    EXPECT_EQ(folder.count(), 4);
+    EXPECT_EQ(l3d_read_png(folder.file("f1.png")).pixels().width, 3) << "not written again";
+    EXPECT_EQ(l3d_read_png(folder.file("f2.png")).pixels().row(3)[5], 2u);
+    EXPECT_EQ(count_of(run.log, "update"), 4);
+}
+
 TEST(dispatcher_script, last_frame_is_drawn_even_if_none_was_due) {
     const temporary_folder folder;
     l3d_frame_settings settings = frames(3);

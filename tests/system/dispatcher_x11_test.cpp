@@ -51,6 +51,17 @@ TEST(dispatcher_x11, expose_shows_without_drawing) {
     EXPECT_EQ(run.log, (call_log{"update", "draw", "show", "frame", "show", "update"}));
 }
 
+TEST(dispatcher_x11, frames_before_the_first_pass_at_once) {
+    l3d_frame_settings settings = frames(4, 1);
+    settings.first_frame = 3;
+    window_run run(settings);
+    run.pipeline.skips = true;
+    run.dispatcher.start();
+    EXPECT_EQ(run.log, (call_log{"update", "skip", "update", "skip", "update", "skip", "update",
+                                 "draw", "show", "frame"}));
+    EXPECT_EQ(run.screen.waits, 0);
+}
+
 TEST(dispatcher_x11, expose_before_the_first_frame_shows_nothing_unfinished) {
     window_run run(frames(1));
     run.screen.pending.push_back(make_event(l3d_event_type::expose));

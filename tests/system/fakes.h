@@ -99,6 +99,7 @@ public:
     fake_pipeline(call_log& log, l3d_screen& screen) : log_(log), screen_(screen) {}
 
     bool lazy = false;                    ///< never needs to be redrawn
+    bool skips = false;                   ///< its pictures do not depend on each other
     std::optional<l3d_pixel_box> changes; ///< in every frame; else all
     std::vector<double> steps;
     std::vector<l3d_frame_times> times;
@@ -124,6 +125,10 @@ public:
         screen_.pixels().row(3)[5] = ++drawn_;
     }
     l3d_pixel_box changed() const override { return changes.value_or(l3d_pipeline::changed()); }
+    bool skip_event() override {
+        log_.push_back("skip");
+        return skips;
+    }
     bool needs_redraw() const override { return !lazy; }
     void frame_event(const l3d_frame_times& frame) override {
         log_.push_back("frame");

@@ -62,6 +62,20 @@ TEST(frame_writer, numbers_count_from_nought) {
     EXPECT_EQ(folder.count(), 6);
 }
 
+TEST(frame_writer, skipped_frames_have_their_numbers) {
+    const temporary_folder folder;
+    l3d_frame_writer writer(folder.file("f%d.png"));
+    writer.skip_frame();
+    EXPECT_FALSE(writer.has_frame());
+    writer.frame(picture(0x010203).pixels());
+    EXPECT_EQ(corner_of(folder.file("f1.png")), 0x010203u);
+    l3d_frame_writer again(folder.file("f%d.png"));
+    EXPECT_FALSE(again.has_frame());
+    again.skip_frame();
+    EXPECT_TRUE(again.has_frame());
+    EXPECT_FALSE(l3d_frame_writer(folder.file("f1.png")).has_frame()) << "not numbered";
+}
+
 TEST(frame_writer, number_wider_than_its_field) {
     const temporary_folder folder;
     l3d_frame_writer writer(folder.file("%01d.ppm"));

@@ -72,6 +72,18 @@ TEST(options, reads_every_kind) {
     EXPECT_EQ(settings.output, "-");
 }
 
+TEST(options, reads_a_part_of_a_sequence) {
+    program tester;
+    EXPECT_TRUE(tester.parse({"--frames", "7:19", "--output", "a%d.png", "--resume"}));
+    const l3d_frame_settings settings = tester.options.frame_settings();
+    EXPECT_EQ(settings.first_frame, 7);
+    EXPECT_EQ(settings.frames, 19);
+    EXPECT_TRUE(settings.fixed_step && settings.resume);
+    EXPECT_TRUE(tester.parse({"--frames", "7:19", "--frames", "5"}));
+    EXPECT_EQ(tester.options.frame_settings().first_frame, 0);
+    EXPECT_EQ(tester.options.frame_settings().frames, 5);
+}
+
 TEST(options, tells_the_screen_size_name_and_scale) {
     program tester;
     EXPECT_TRUE(tester.parse({"--size", "321x97", "--scale", "3"}));
@@ -146,8 +158,15 @@ INSTANTIATE_TEST_SUITE_P(
         refusal{{"--frames", "2147483648"}, "--frames", "'2147483648'"},
         refusal{{"--frames", "1.5"}, "--frames", "'1.5'"},
         refusal{{"--frames", "0x10"}, "--frames", "'0x10'"},
-        refusal{{"--fps", "nan"}, "--fps", "'nan'"}, refusal{{"--fps", "inf"}, "--fps", "'inf'"},
-        refusal{{"--fps", "-1"}, "--fps", "'-1'"}, refusal{{"--fps", "1e999"}, "--fps", "'1e999'"},
+        refusal{{"--frames", "3:3"}, "--frames", "'3:3'"},
+        refusal{{"--frames", "5:3"}, "--frames", "'5:3'"},
+        refusal{{"--frames", "-2:3"}, "--frames", "'-2:3'"},
+        refusal{{"--frames", "3:"}, "--frames", "'3:'"},
+        refusal{{"--frames", "1:2:3"}, "--frames", "'1:2:3'"},
+        refusal{{"--resume", "--output", "a.png"}, "--resume", "%"},
+        refusal{{"--resume"}, "--resume", "%"}, refusal{{"--fps", "nan"}, "--fps", "'nan'"},
+        refusal{{"--fps", "inf"}, "--fps", "'inf'"}, refusal{{"--fps", "-1"}, "--fps", "'-1'"},
+        refusal{{"--fps", "1e999"}, "--fps", "'1e999'"},
         refusal{{"--fps", "60fps"}, "--fps", "'60fps'"}, refusal{{"--fps", ""}, "--fps", "''"},
         refusal{{"--scale", "0"}, "--scale", "'0'"}, refusal{{"--scale", "9"}, "--scale", "'9'"},
         refusal{{"--seed", "-1"}, "--seed", "'-1'"},
