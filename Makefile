@@ -56,6 +56,9 @@ WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(WERROR) \
             $(if $(findstring clang,$(compiler)),,-Wno-restrict)
 FLAGS     = -std=c++20 $(WARNINGS) -ffp-contract=off -fno-math-errno -pthread \
             $(flags_$(REAL)) $(flags_$(MODE)) -DL3D_VERSION=$(VERSION) -Ilib -I$(OUT) $(CPPFLAGS) $(CXXFLAGS)
+# What the shared library is made of serves the static one, too: without interposition the code is
+# that of -fPIE, which programs get anyway, and one compilation is enough.
+FLAGS_lib := -fPIC -fno-semantic-interposition -fvisibility-inlines-hidden
 LINK      = $(CXX) $(FLAGS) -Wl,--as-needed $(LDFLAGS)
 
 # ---- what there is ------------------------------------------------------------------------------
@@ -79,7 +82,12 @@ $(foreach a,$(apps),$(eval objects_apps/$(a) := $(call objects,$(wildcard apps/$
 
 tested    := $(foreach l,$(LAYERS) reference,$(if $(objects_tests/$(l)),$(l)))
 plugins   := $(wildcard apps/*/plugins/*.cpp tests/*/plugins/*.cpp)
-PLUGINS   := $(patsubst %.cpp,$(OUT)/plugins/%.so,$(notdir $(plugins))) $(OUT)/plugins/spaceship.obj
+# A variant's bin, lib/l3d and share/l3d lie as they are installed.
+plugged    = $(patsubst %.cpp,$(OUT)/lib/l3d/%.so,$(notdir $(1)))
+PLUGINS   := $(call plugged,$(plugins))
+TEST_PLUGINS := $(call plugged,$(filter tests/%,$(plugins)))
+data      := $(wildcard data/*) apps/vidflat/plugins/spaceship.obj
+DATA      := $(addprefix $(OUT)/share/l3d/,$(notdir $(data)))
 
 ARCHIVES  := $(call archives,$(LAYERS))
 APPS      := $(apps:%=$(OUT)/bin/%)
@@ -120,7 +128,7 @@ say   = $(if $(V),,@printf '  %-5s %s\n' $(1) $(2:$(OUT)/%=%))
 again = $(MAKE) $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc 2>/dev/null || echo 2))
 judge = rm -f $(1); $(again) -k $(1) || true; awk -f tests/lint/summary.awk $(1)
 
-all: $(APPS) $(PLUGINS) $(ARCHIVES) ## build the library and the programs (the default)
+all: $(APPS) $(PLUGINS) $(DATA) $(ARCHIVES) ## build the library and the programs (the default)
 
 run: ## build, then show the teapot: in a window, or as a PNG where there is no display
 	@$(again) $(OUT)/bin/teapot_afd
@@ -157,10 +165,10 @@ tidy: packages-tidy ## clang-tidy, warnings are errors
 format: packages-lint ## clang-format every file in place
 	$(Q)$(CLANG_FORMAT) -i $(FORMATTED)
 
-golden: $(APPS) $(PLUGINS) ## store the pictures' hashes that tests/x11/programs_test.py compares with
+golden: $(APPS) $(PLUGINS) $(DATA) ## store the pictures' hashes that tests/x11/programs_test.py compares with
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/programs_test.py --write
 
-pictures: $(APPS) $(PLUGINS) ## docs/pictures/programs.png: what every program shows, one row of the table each
+pictures: $(APPS) $(PLUGINS) $(DATA) ## docs/pictures/programs.png: what every program shows, one row of the table each
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/contact_sheet.py docs/pictures/programs.png
 
 bench: packages-bench ## build and run the benchmarks
@@ -192,7 +200,7 @@ clean: ## remove everything made
 
 help: ## this list
 	@awk -F':.*## ' '/^[a-z$$].*:.*## /{sub(/^\$$\(CHECKS\)/, "$(CHECKS)", $$1); \
-	    printf "  %-14s %s\n", $$1, $$2}' Makefile
+	    printf "  %-14s %s\n", $$1, $$2}' $(filter-out %.d,$(MAKEFILE_LIST))
 	@echo "  REAL=float|double|fixed MODE=release|debug|asan|tsan|cov|fuzz CXX=g++|clang++ V=1"
 
 # ---- rules --------------------------------------------------------------------------------------
@@ -200,13 +208,14 @@ help: ## this list
 # A file that changes only when its text does: what depends on it is remade when flags or lists do.
 remember = @mkdir -p $(@D); echo '$(strip $(1))' | cmp -s - $@ || echo '$(strip $(1))' > $@
 $(OUT)/flags: FORCE
-	$(call remember,$(LINK))
+	$(call remember,$(LINK) $(FLAGS_lib))
 $(OUT)/list/%: FORCE
 	$(call remember,$(objects_$*))
 
 $(OUT)/%.o: %.cpp $(OUT)/flags | packages-build
 	$(call say,C++,$@)
-	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(if $(filter tests/% apps/%,$<),-Itests) -MD -MP -c $< -o $@
+	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(if $(filter lib/%,$<),$(FLAGS_lib)) $(if $(filter tests/% apps/%,$<),-Itests) \
+	    -MD -MP -c $< -o $@
 
 # A text file as a C++ string literal, to be included.
 $(OUT)/%.inc: %
@@ -224,12 +233,13 @@ $(APPS): $(OUT)/bin/%: $$(objects_apps/$$*) \
 	$(Q)mkdir -p $(@D); $(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -o $@
 
 # A plug-in is loaded, not linked: it may be built otherwise than the library, here by itself.
-$(foreach p,$(plugins),$(eval $(OUT)/plugins/$(notdir $(p:.cpp=.so)): $(p)))
-$(filter %.so,$(PLUGINS)): $(OUT)/flags | packages-build
+$(foreach p,$(plugins),$(eval $(call plugged,$(p)): $(p)))
+$(PLUGINS): $(OUT)/flags | packages-build
 	$(call say,PLUG,$@)
 	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) -fPIC -shared -MD -MP $(filter %.cpp,$^) -o $@
 
-$(OUT)/plugins/%.obj: apps/vidflat/plugins/%.obj
+$(foreach d,$(data),$(eval $(OUT)/share/l3d/$(notdir $(d)): $(d)))
+$(DATA):
 	$(Q)mkdir -p $(@D); cp $< $@
 
 $(TESTERS): $(OUT)/tests/%_tests: $$(objects_tests/$$*) $$(call archives,$$(call may_use,$$*)) \
@@ -271,9 +281,9 @@ $(OUT)/log/raster-stress.log: $(OUT)/tests/raster_tests FORCE
 	$(call logged,timeout --foreground $(TEST_TIMEOUT) $< --gtest_color=no \
 	    --gtest_also_run_disabled_tests --gtest_filter='*DISABLED_*')
 
-$(OUT)/log/system.log: $(PLUGINS)
+$(OUT)/log/system.log: $(PLUGINS) $(DATA)
 
-$(OUT)/log/x11/%.log: tests/x11/% $(APPS) $(PLUGINS) FORCE
+$(OUT)/log/x11/%.log: tests/x11/% $(APPS) $(PLUGINS) $(DATA) FORCE
 	$(call say,TEST,$<)
 	$(call logged,PYTHONDONTWRITEBYTECODE=1 L3D_BIN=$(abspath $(OUT)/bin) \
 	    timeout --foreground $(TEST_TIMEOUT) $<)
@@ -312,4 +322,6 @@ $(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o
 	$(call say,TIDY,$<)
 	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ -Wno-unknown-warning-option $(FLAGS) $(if $(filter tests/% apps/%,$<),-Itests) && touch $@
 
--include $(wildcard $(OBJECTS:.o=.d) $(patsubst %.so,%.d,$(filter %.so,$(PLUGINS))) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))
+include packaging/install.mk
+
+-include $(wildcard $(OBJECTS:.o=.d) $(PLUGINS:.so=.d) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))

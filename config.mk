@@ -2,10 +2,13 @@
 # config.mk: everything a user may want to change; each value can also be given to make.
 
 VERSION := 0.1.0
+RELEASED := November 21, 2026
+ABI     := 0#      of the shared library: counted up when a program has to be compiled anew
 PREFIX  ?= /usr/local
 
 REAL  ?= float#    the scalar l3d_real: float, double or fixed
 MODE  ?= release#  release, debug, asan (with UBSan), tsan, cov or fuzz
+REALS ?= float fixed#  what `make install` installs libraries of
 BUILD ?= build#    where everything made goes, a folder per variant
 
 ifneq ($(filter default undefined,$(origin CXX)),)
@@ -27,8 +30,10 @@ PACKAGES_build  := g++:$(CXX) libglm-dev:glm/glm.hpp libpng-dev:png.h libx11-dev
     libhwy-dev:hwy/highway.h
 PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool \
     x11-xkb-utils:setxkbmap x11-utils:xprop \
-    libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so \
+    parallel:parallel libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so \
     libboost-dev:boost/multiprecision/cpp_bin_float.hpp
+PACKAGES_install := pkgconf:pkg-config mandoc:mandoc parallel:parallel
+PACKAGES_package := debhelper:dh lintian:lintian
 PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
 PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
 PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h

@@ -3,6 +3,7 @@
 #include "geom/polygon_shapes.h"
 #include "geom/random.h"
 #include "pipeline/pipeline_world.h"
+#include "system/places.h"
 #include "system/plugin_loader.h"
 #include "system/program.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // vidflat: a model from a file of Videoscape's, as Blender writes it, by way of a plug-in.
 #include "pipeline/pipeline_world.h"
+#include "system/places.h"
 #include "system/plugin_loader.h"
 #include "system/program.h"
 
@@ -27,7 +28,7 @@ public:
 int main(int argc, char** argv) {
     l3d_program program("vidflat", std::string("A model from a file.\n") + l3d_world_keys,
                         {400, 300});
-    std::string folder = l3d_plugin_folder(), plugin = folder + "/videoscape.so";
+    std::string folder = l3d_data_folder(), plugin = l3d_plugin_folder() + "/videoscape.so";
     std::string parameters = "0 0 0 1 0 0 0 1 0 0 0 1 spaceship.obj";
     program.options().add("--plugin", plugin, "what reads the model, a shared library", "FILE");
     program.options().add("--parameters", parameters,

@@ -3,19 +3,16 @@
 #ifndef L3D_RASTER_RASTERIZER_FACTORY_SW_H
 #define L3D_RASTER_RASTERIZER_FACTORY_SW_H
 
-#include "raster/rasterizer_2d_sw.h"
 #include "raster/rasterizer_factory.h"
-#include "raster/surface_rasterizer_sw.h"
 
 /// Serves every screen, since all of them have their pixels in memory.
 class l3d_rasterizer_factory_sw final : public l3d_rasterizer_factory {
 private:
-    std::unique_ptr<l3d_rasterizer_2d_imp> do_create_2d(l3d_pixels target) const override {
-        return std::make_unique<l3d_rasterizer_2d_sw_imp>(target);
-    }
-    std::unique_ptr<l3d_surface_rasterizer> do_create_surface(l3d_workers& workers) const override {
-        return std::make_unique<l3d_surface_rasterizer_sw>(workers);
-    }
+    /// Errors:  none.
+    std::unique_ptr<l3d_rasterizer_2d_imp> do_create_2d(l3d_pixels target) const override;
+
+    /// Errors:  none.
+    std::unique_ptr<l3d_surface_rasterizer> do_create_surface(l3d_workers& workers) const override;
 };
 
 #endif

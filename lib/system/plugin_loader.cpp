@@ -231,9 +231,3 @@ l3d_plugin_loader::load(const std::string& file, const std::string& parameters, 
     object->plug(std::move(behaviour));
     return object;
 }
-
-std::string l3d_plugin_folder() {
-    std::error_code unknown;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
-    return unknown ? "plugins" : (program.parent_path().parent_path() / "plugins").string();
-}

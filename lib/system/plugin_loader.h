@@ -37,7 +37,4 @@ private:
     l3d_random random_;
 };
 
-/// Where `make` puts plug-ins: the folder plugins beside that of the running program.
-std::string l3d_plugin_folder();
-
 #endif

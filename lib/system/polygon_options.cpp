@@ -4,6 +4,7 @@
 
 #include "geom/model_file.h"
 #include "pipeline/patch_tessellation.h"
+#include "system/places.h"
 #include "system/text_file.h"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ l3d_polygon_model l3d_polygon_options::model() const {
     l3d_polygon_mesh mesh;
     bool has_patches = true;
     if (const std::string& name = shared_.model_file(); !name.empty()) {
-        auto file = l3d_read_model(l3d_read_text_file(name), name, why);
+        auto file = l3d_read_model(l3d_read_text_file(l3d_data_file(name)), name, why);
         if (!file)
             throw l3d_error(l3d_exit::bad_input, why);
         for (const std::string& note : file->notes)

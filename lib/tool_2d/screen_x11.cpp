@@ -296,28 +296,24 @@ std::unique_ptr<l3d_screen> open_screen(std::unique_ptr<x11_connection> connecti
 
 } // namespace
 
-namespace l3d_detail {
+l3d_screen_factory_x11::l3d_screen_factory_x11() = default;
+l3d_screen_factory_x11::~l3d_screen_factory_x11() = default;
 
-x11_screen_factory::x11_screen_factory() = default;
-x11_screen_factory::~x11_screen_factory() = default;
-
-void x11_screen_factory::keep(std::unique_ptr<x11_connection> connection) const {
+void l3d_screen_factory_x11::keep(std::unique_ptr<x11_connection> connection) const {
     kept_ = std::move(connection);
 }
 
-void x11_screen_factory::do_release() const {
+void l3d_screen_factory_x11::do_release() const {
     kept_.reset();
 }
 
-std::unique_ptr<x11_connection> x11_screen_factory::connect(std::string& why) const {
+std::unique_ptr<x11_connection> l3d_screen_factory_x11::connect(std::string& why) const {
     auto kept = std::exchange(kept_, nullptr);
     const char* const name = std::getenv("DISPLAY");
     if (kept && name != nullptr && kept->name() == name)
         return kept;
     return x11_connection::open(why);
 }
-
-} // namespace l3d_detail
 
 l3d_service l3d_screen_factory_ximage::do_service() const {
     l3d_service service;

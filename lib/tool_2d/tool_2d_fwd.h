@@ -33,6 +33,7 @@ class l3d_screen_memory;
 class l3d_screen_factory_memory;
 
 // screen_x11.h: a window
+class l3d_screen_factory_x11;
 class l3d_screen_factory_ximage;
 class l3d_screen_factory_xshm;
 

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Folders, found from the program's own.
+#include "system/places.h"
+
+#include <filesystem>
+
+#ifndef L3D_PREFIX
+#define L3D_PREFIX "/usr/local"
+#endif
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string folder(const char* below) {
+    std::error_code unknown;
+    const fs::path beside =
+        fs::read_symlink("/proc/self/exe", unknown).parent_path().parent_path() / below;
+    return fs::is_directory(beside, unknown) ? beside : fs::path(L3D_PREFIX) / below;
+}
+
+} // namespace
+
+std::string l3d_plugin_folder() {
+    return folder("lib/l3d");
+}
+
+std::string l3d_data_folder() {
+    return folder("share/l3d");
+}
+
+std::string l3d_data_file(const std::string& name) {
+    std::error_code unknown;
+    const fs::path ours = fs::path(l3d_data_folder()) / name;
+    const bool is_ours = !fs::exists(name, unknown) && !fs::path(name).has_parent_path() &&
+                         fs::is_regular_file(ours, unknown);
+    return is_ours ? ours.string() : name;
+}

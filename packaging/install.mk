@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: MIT
+# What others get of l3d: libraries, headers, programs, pages, data; and how it is packed.
+
+# The number type is part of the library's name: what is built for another must not find this one.
+NAME_float  := l3d
+NAME_double := l3d-double
+NAME_fixed  := l3d-fixed
+NAME        := $(NAME_$(REAL))
+STATIC      := $(OUT)/lib$(NAME).a
+SHARED      := $(OUT)/lib$(NAME).so.$(VERSION)
+SONAME      := lib$(NAME).so.$(ABI)
+PUBLIC       = $(shell awk -f packaging/public_headers.awk $(HEADERS))
+# The book's programs have names that others have, too: objcopy is binutils', hello GNU's.
+PLAIN       := teapot_afd modelview drawdot
+installed    = $(strip $(patsubst %,l3d-%,$(filter-out $(PLAIN),$(1))) $(filter $(PLAIN),$(1)))
+PAGES       := $(patsubst %,$(OUT)/man/%.1,$(call installed,$(apps)))
+
+BINDIR     ?= $(PREFIX)/bin
+LIBDIR     ?= $(PREFIX)/lib
+INCLUDEDIR ?= $(PREFIX)/include
+SHAREDIR   ?= $(PREFIX)/share
+# Where programs look, from their own place: ../lib/l3d, whatever LIBDIR is.
+PLUGINDIR  := $(PREFIX)/lib/l3d
+
+.PHONY: install install-programs install-library uninstall installcheck dist package
+
+libraries: $(STATIC) $(SHARED)
+
+install: install-programs ## PREFIX=/usr/local DESTDIR=: libraries (REALS="float fixed"), headers, programs, pages
+	@set -e; for real in $(REALS); do $(again) REAL=$$real install-library; done
+
+put = install -d $(DESTDIR)$(2) && install -m $(1) $(3) $(DESTDIR)$(2)
+
+install-programs: $(APPS) $(PLUGINS) $(DATA) $(PAGES)
+	$(Q)install -d $(DESTDIR)$(BINDIR)
+	$(Q)$(foreach a,$(apps),install -m 755 $(OUT)/bin/$(a) \
+	    $(DESTDIR)$(BINDIR)/$(call installed,$(a)) &&) true
+	$(Q)$(call put,644,$(PLUGINDIR),$(filter-out $(TEST_PLUGINS),$(PLUGINS)))
+	$(Q)$(call put,644,$(SHAREDIR)/l3d,$(DATA))
+	$(Q)$(call put,644,$(SHAREDIR)/man/man1,$(PAGES))
+	$(Q)$(call put,644,$(SHAREDIR)/man/man7,docs/l3d.7)
+
+install-library: $(STATIC) $(SHARED) $(OUT)/$(NAME).pc
+	$(Q)$(call put,644,$(LIBDIR),$(STATIC) $(SHARED))
+	$(Q)ln -sf $(notdir $(SHARED)) $(DESTDIR)$(LIBDIR)/$(SONAME)
+	$(Q)ln -sf $(SONAME) $(DESTDIR)$(LIBDIR)/lib$(NAME).so
+	$(Q)$(call put,644,$(LIBDIR)/pkgconfig,$(OUT)/$(NAME).pc)
+	$(Q)for header in $(PUBLIC); do \
+	    install -D -m 644 lib/$$header $(DESTDIR)$(INCLUDEDIR)/l3d/$$header || exit; done
+
+uninstall: ## remove what install has put there, given the same PREFIX and DESTDIR
+	rm -rf $(addprefix $(DESTDIR),$(INCLUDEDIR)/l3d $(PLUGINDIR) $(SHAREDIR)/l3d)
+	rm -f $(patsubst %,$(DESTDIR)$(BINDIR)/%,$(call installed,$(apps))) \
+	    $(patsubst $(OUT)/man/%,$(DESTDIR)$(SHAREDIR)/man/man1/%,$(PAGES)) \
+	    $(DESTDIR)$(SHAREDIR)/man/man7/l3d.7
+	rm -f $(foreach r,float double fixed,$(addprefix $(DESTDIR)$(LIBDIR)/,lib$(NAME_$(r)).a \
+	    lib$(NAME_$(r)).so lib$(NAME_$(r)).so.* pkgconfig/$(NAME_$(r)).pc))
+
+installcheck: packages-install ## install into an empty place; build and run the examples with nothing else
+	@$(call judge,$(OUT)/log/installcheck.log)
+
+dist: ## build/l3d-VERSION.tar.gz: what git holds, the same bytes every time
+	@packaging/dist.sh $(VERSION) $(BUILD)
+
+package: packages-package dist ## Debian packages into build/debian, judged by lintian
+	@packaging/debian.sh $(VERSION) $(BUILD)
+
+# ---- rules --------------------------------------------------------------------------------------
+
+objects_library := $(foreach l,$(LAYERS),$(objects_$(l)))
+
+$(STATIC): $(objects_library) $(OUT)/list/library
+	$(call say,AR,$@)
+	$(Q)rm -f $@; ar rcs $@ $(filter %.o,$^)
+
+$(OUT)/exports.map: $(objects_library) $(OUT)/list/library packaging/exports.awk
+	$(Q)nm -g --defined-only -f posix $(filter %.o,$^) | awk -f packaging/exports.awk > $@
+
+$(SHARED): $(objects_library) $(OUT)/exports.map
+	$(call say,LINK,$@)
+	$(Q)$(LINK) -shared -Wl,-soname,$(SONAME) -Wl,--version-script=$(OUT)/exports.map \
+	    -Wl,-z,defs -Wl,-Bsymbolic-functions $(filter %.o,$^) $(call links,$(LAYERS)) -o $@
+
+$(OUT)/place: FORCE
+	$(call remember,$(PREFIX) $(LIBDIR) $(INCLUDEDIR))
+
+# pkg-config moves what lies in the prefix with it, if it is named so.
+below_prefix = $(patsubst $(PREFIX)/%,$${prefix}/%,$(1))
+$(OUT)/$(NAME).pc: packaging/l3d.pc.in $(OUT)/place $(OUT)/flags
+	$(Q)sed -e 's|@prefix@|$(PREFIX)|; s|@libdir@|$(call below_prefix,$(LIBDIR))|' \
+	    -e 's|@includedir@|$(call below_prefix,$(INCLUDEDIR))|' \
+	    -e 's|@name@|$(NAME)|; s|@real@|$(REAL)|; s|@version@|$(VERSION)|' \
+	    -e 's|@define@|$(flags_$(REAL))|; s|@links@|$(strip $(call links,$(LAYERS)))|' $< > $@
+
+page = $(Q)mkdir -p $(@D); $< --help | \
+    awk -f packaging/man_page.awk -v program=$(basename $(@F)) -v date='$(RELEASED)' > $@
+$(OUT)/man/l3d-%.1: $(OUT)/bin/% packaging/man_page.awk
+	$(page)
+$(OUT)/man/%.1: $(OUT)/bin/% packaging/man_page.awk
+	$(page)
+
+# Where installed programs and the shared library look for data, if not beside themselves.
+$(OUT)/lib/system/places.o: $(OUT)/place
+$(OUT)/lib/system/places.o: private CPPFLAGS += -DL3D_PREFIX='"$(PREFIX)"'
+
+$(OUT)/log/installcheck.log: FORCE
+	$(call say,TEST,installcheck)
+	$(call logged,MAKE="$(again)" tests/install/install_test.sh $(OUT)/install)

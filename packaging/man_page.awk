@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: MIT
+# man_page.awk: a page in section 1 from what a program says with --help, so that options have their
+# texts in one place. Given: program, date.
+
+# Prints text so that roff reads nothing into it, each sentence on lines of its own.
+function text(words,    count, word, i, line) {
+    gsub(/\\/, "\\e", words)
+    gsub(/-/, "\\-", words)
+    count = split(words, word, " ")
+    for (i = 1; i <= count; ++i) {
+        if (length(line) + length(word[i]) >= 79 || line ~ /\.$/) {
+            print line
+            line = ""
+        }
+        if (line == "" && word[i] ~ /^[.']/)
+            word[i] = "\\&" word[i]
+        line = line (line == "" ? "" : " ") word[i]
+    }
+    print line
+}
+
+# "-h,--help" as macros.
+function flags(names,    i, count, name) {
+    count = split(names, name, ",")
+    for (i = 1; i <= count; ++i) {
+        sub(/^-/, "", name[i])
+        gsub(/-/, "\\-", name[i])
+        printf "%sFl %s", (i > 1 ? " , " : ""), name[i]
+    }
+}
+
+# "NUMBER=0.25", a kind and what is taken unasked.
+function option(names, kind,    usual) {
+    printf ".It "
+    flags(names)
+    usual = kind
+    if (sub(/=.*/, "", kind))
+        sub(/^[^=]*=/, "", usual)
+    else
+        usual = ""
+    gsub(/-/, "\\-", usual)
+    print (kind == "" ? "" : " Ar " kind) (usual == "" ? "" : " Pq " usual)
+}
+
+function head(first) {
+    first = purpose
+    sub(/\. .*|\.$/, "", first)
+    print ".\\\" Made from what the program says with --help."
+    print ".Dd " date
+    print ".Dt " toupper(program) " 1"
+    print ".Os"
+    print ".Sh NAME\n.Nm " program
+    print ".Nd " tolower(substr(first, 1, 1)) substr(first, 2)
+    print ".Sh SYNOPSIS\n.Nm\n.Op Ar option ...\n.Sh DESCRIPTION"
+    text(purpose)
+    print ".Sh OPTIONS\n.Bl -tag -width Ds"
+}
+
+/^Usage: / { head(); next }
+/^Options:$/ { part = "options"; next }
+/^Environment: / {
+    print ".El\n.Sh ENVIRONMENT"
+    part = "environment"
+    sub(/^Environment: /, "")
+}
+$0 == "" { next }
+
+part == "" { purpose = purpose (purpose == "" ? "" : " ") $0 }
+
+# Two spaces before an option, many before a text that has a line of its own.
+part == "options" {
+    if (match($0, /^  -[^ ]+/)) {
+        names = $1
+        rest = substr($0, RSTART + RLENGTH)
+        kind = ""
+        if (rest ~ /^ [^ ]/) {
+            kind = $2
+            sub(/^ [^ ]+/, "", rest)
+        }
+        option(names, kind)
+        $0 = rest
+    }
+    sub(/^ +/, "")
+    if ($0 != "")
+        text($0)
+}
+
+part == "environment" { text($0) }
+
+END {
+    print ".Sh EXIT STATUS"
+    text("0 well, 1 failure, 2 wrong usage, 3 no display, 4 no usable back-end, " \
+         "5 bad input file, 6 display lost.")
+    print ".Sh SEE ALSO\n.Xr l3d 7"
+}
