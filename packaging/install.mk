@@ -103,6 +103,12 @@ $(OUT)/man/%.1: $(OUT)/bin/% packaging/man_page.awk
 $(OUT)/lib/system/places.o: $(OUT)/place
 $(OUT)/lib/system/places.o: private CPPFLAGS += -DL3D_PREFIX='"$(PREFIX)"'
 
-$(OUT)/log/installcheck.log: FORCE
+# The library of the other numbers is the only thing that is still to be built then.
+STAGE := $(OUT)/stage
+$(OUT)/log/installcheck.log: $(APPS) $(PLUGINS) $(DATA) $(PAGES) $(STATIC) $(SHARED) $(OUT)/$(NAME).pc FORCE
 	$(call say,TEST,installcheck)
-	$(call logged,MAKE="$(again)" tests/install/install_test.sh $(OUT)/install)
+	$(Q)rm -rf $(STAGE)
+	+$(call logged,(set -e; $(MAKE) install DESTDIR=$(abspath $(STAGE)) REALS="float fixed"; \
+	    CXX="$(CXX)" PYTHONDONTWRITEBYTECODE=1 tests/install/installed_test.py $(STAGE)$(PREFIX); \
+	    $(MAKE) uninstall DESTDIR=$(abspath $(STAGE)); \
+	    test -z "$$(find $(STAGE) ! -type d)"; echo ok install.uninstall))

@@ -53,12 +53,15 @@ public:
 int main(int argc, char** argv) {
     l3d_program program("fltsim", std::string("A flight among pyramids.\n") + l3d_world_keys,
                         {640, 400});
-    std::string plugin = l3d_plugin_folder() + "/pyramid.so";
-    program.options().add("--plugin", plugin, "one object more, by a shared library", "FILE");
+    std::string plugin;
+    program.options().add("--plugin", plugin,
+                          "one object more, by a shared library; without it, l3d's pyramid.so",
+                          "FILE");
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         auto canvas = program.create_canvas();
-        fltsim_world world(canvas.screen->pixels().size(), program.seed(), plugin);
+        fltsim_world world(canvas.screen->pixels().size(), program.seed(),
+                           plugin.empty() ? l3d_plugin_folder() + "/pyramid.so" : plugin);
         l3d_pipeline_world pipeline(std::move(canvas), world);
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         return dispatcher->start();                    // step 5

@@ -28,19 +28,25 @@ public:
 int main(int argc, char** argv) {
     l3d_program program("vidflat", std::string("A model from a file.\n") + l3d_world_keys,
                         {400, 300});
-    std::string folder = l3d_data_folder(), plugin = l3d_plugin_folder() + "/videoscape.so";
+    std::string folder, plugin;
     std::string parameters = "0 0 0 1 0 0 0 1 0 0 0 1 spaceship.obj";
-    program.options().add("--plugin", plugin, "what reads the model, a shared library", "FILE");
+    program.options().add("--plugin", plugin,
+                          "what reads the model, a shared library; without it, l3d's videoscape.so",
+                          "FILE");
     program.options().add("--parameters", parameters,
                           "what it is told: x y z, three axes as the columns of nine numbers, a "
                           "Videoscape file",
                           "TEXT");
-    program.options().add("--folder", folder, "where that file is", "FOLDER");
+    program.options().add("--folder", folder, "where that file is; without it, among l3d's own",
+                          "FOLDER");
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         auto canvas = program.create_canvas();
-        const l3d_plugin_loader loader("vidflat", program.seed(), folder);
-        vidflat_world world(canvas.screen->pixels().size(), loader, plugin, parameters);
+        const l3d_plugin_loader loader("vidflat", program.seed(),
+                                       folder.empty() ? l3d_data_folder() : folder);
+        vidflat_world world(canvas.screen->pixels().size(), loader,
+                            plugin.empty() ? l3d_plugin_folder() + "/videoscape.so" : plugin,
+                            parameters);
         l3d_pipeline_world pipeline(std::move(canvas), world);
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         return dispatcher->start();                    // step 5

@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_PIPELINE_H
 #define L3D_PIPELINE_PIPELINE_H
 
+#include "geom/real.h" // whoever compiles a pipeline links with the library of the same numbers
 #include "tool_2d/event.h"
 #include "tool_2d/pixels.h"
 

@@ -27,12 +27,12 @@ struct l3d_afd_settings {
     double tolerance = 0.25;                     ///< largest image error allowed, in pixels
     l3d_shade shade = l3d_shade::lambert;        ///< of the filled surface
     l3d_vector<double, 3> light{0.4, 0.8, 0.45}; ///< towards the light, world space, any length
-    bool wireframe = false;   ///< the lines of the adaptive grid instead of the filled surface
-    bool net = false;         ///< the control nets on top
-    bool keep_all = false;    ///< leave nothing out (for comparison)
-    bool depth = false;       ///< keep the distance of each pixel, for depth()
-    int threads = 1;          ///< that draw; constant from the first frame on
-    l3d_method_choice method; ///< that fills surfaces; constant from the first frame on
+    bool wireframe = false;     ///< the lines of the adaptive grid instead of the filled surface
+    bool net = false;           ///< the control nets on top
+    bool keep_all = false;      ///< leave nothing out (for comparison)
+    bool depth = false;         ///< keep the distance of each pixel, for depth()
+    int threads = 1;            ///< that draw; constant from the first frame on
+    l3d_method_choice method{}; ///< that fills surfaces; constant from the first frame on
 };
 
 /// Largest width and height of a picture: corners are then within half of l3d_guard_band.

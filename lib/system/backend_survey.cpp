@@ -11,8 +11,8 @@
 
 namespace {
 
-/// Width of the column of names, with two spaces to the next.
-constexpr int name_column = 8;
+/// Least width of the column of names; a space separates it from the next.
+constexpr int name_column = 7;
 
 std::string without_blanks_around(const std::string& text) {
     const char* const blanks = " \t\r";
@@ -23,7 +23,7 @@ std::string without_blanks_around(const std::string& text) {
 }
 
 void put_name(std::ostream& out, const std::string& name) {
-    out << std::left << std::setw(name_column) << name;
+    out << std::left << std::setw(name_column) << name << ' ';
 }
 
 } // namespace

@@ -1,0 +1,16 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# debian.sh VERSION FOLDER: source and binary packages from FOLDER/l3d-VERSION.tar.gz into
+# FOLDER/debian, and what lintian says of them. A warning or an error fails.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+cd "$2"
+rm -rf debian
+mkdir debian
+cd debian
+cp "../l3d-$1.tar.gz" "l3d_$1.orig.tar.gz"
+tar xf "l3d_$1.orig.tar.gz"
+cp -r "$here/debian" "l3d-$1/"
+(cd "l3d-$1" && dpkg-buildpackage -us -uc > ../build.log 2>&1) || { tail -40 build.log; exit 1; }
+ls ./*.deb
+lintian --fail-on error,warning --info ./*.changes

@@ -1,0 +1,287 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What `make install` has put into the folder that is named, moved elsewhere, is all one needs: the
+examples of docs/TUTORIAL.md and apps/drawdot are built with it, linked in every way, and run."""
+
+import concurrent.futures
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+
+INSTALLED = pathlib.Path(sys.argv[1]).resolve()
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+MOVED = pathlib.Path(tempfile.mkdtemp(prefix="l3d_moved_"))
+os.environ["L3D_BIN"] = str(MOVED / "bin")
+sys.path.insert(0, str(ROOT / "tests" / "x11"))
+
+import pty_screen
+from harness import Checks, expect, expect_equal, read_png
+
+TUTORIAL = (ROOT / "docs" / "TUTORIAL.md").read_text()
+REALS = {"float": "l3d", "fixed": "l3d-fixed"}
+WAYS = ("shared", "static")
+MOST_LINES = {"dot.cpp": 25, "spin.cpp": 40, "terminal.h": 120}
+WORKERS = os.cpu_count()
+
+
+def environment():
+    kept = {name: value for name, value in os.environ.items()
+            if not name.startswith("L3D_") and name != "DISPLAY"}
+    # A file that pkg-config finds elsewhere than its prefix says has been moved with its prefix.
+    return {**kept, "PKG_CONFIG_PATH": str(MOVED / "lib" / "pkgconfig"),
+            "PATH": "%s:%s" % (MOVED / "tools", os.environ["PATH"]),
+            "LD_LIBRARY_PATH": str(MOVED / "lib")}
+
+
+def run(command, folder, status=0):
+    done = subprocess.run(command, cwd=folder, env=environment(), shell=isinstance(command, str),
+                          stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300)
+    if status is not None:
+        expect_equal(done.returncode, status, "%s: %s" % (command, done.stderr))
+    return done
+
+
+# ---- the tutorial -------------------------------------------------------------------------------
+
+
+def blocks():
+    """The files that the tutorial prints, by the names in their first lines."""
+    found = re.findall(r"^```cpp\n(// ([\w.]+): .*?)^```", TUTORIAL, re.M | re.S)
+    return {name: text for text, name in found}
+
+
+def shown(beginning):
+    """The indented command lines that begin so."""
+    return [line.strip() for line in TUTORIAL.splitlines() if line.startswith("    " + beginning)]
+
+
+def build_line(way):
+    lines = shown("c++ ")
+    expect_equal(len(lines), 2, "lines that build:")
+    return lines[way == "static"]
+
+
+def sources(folder):
+    for name, text in blocks().items():
+        (folder / name).write_text(text)
+    run(re.search(r"^```sh\n(.*?)^```", TUTORIAL, re.M | re.S)[1], folder)
+    shutil.copy(ROOT / "apps" / "drawdot" / "main.cpp", folder / "drawdot.cpp")
+    return sorted(path.stem for path in folder.glob("*.cpp"))
+
+
+def for_real(line, real):
+    return line if real == "float" else line.replace(" l3d", " l3d-fixed").replace(
+        "-ll3d/-l:libl3d.a", "-ll3d-fixed/-l:libl3d-fixed.a")
+
+
+def compile_one(folder, name, real):
+    """The tutorial's line up to an object, which both ways of linking share."""
+    line = build_line("shared").replace("dot.cpp -o dot", "-Wall -Wextra -Werror -MD -c %s.cpp -o %s.%s.o" %
+                                        (name, name, real))
+    run(for_real(line, real), folder)
+    used = (folder / ("%s.%s.d" % (name, real))).read_text().replace("\\\n", " ").split()
+    inside = [file for file in used if file.startswith(str(ROOT) + "/")]
+    expect_equal(inside, [], "files of the source tree:")
+
+
+def link_one(folder, name, real, way):
+    target = "%s/%s" % (place(folder, real, way).name, name)
+    run(for_real(build_line(way).replace("dot.cpp -o dot", "%s.%s.o -o %s" % (name, real, target)),
+                 real), folder)
+
+
+def place(folder, real, way):
+    made = folder / ("%s-%s" % (real, way))
+    made.mkdir(exist_ok=True)
+    return made
+
+
+# ---- what is installed --------------------------------------------------------------------------
+
+
+def library_exports_ours_only(name):
+    library = MOVED / "lib" / ("lib%s.so" % name)
+    dynamic = run(["readelf", "-d", str(library)], MOVED).stdout
+    expect("Library soname: [lib%s.so.0]" % name in dynamic, "SONAME", dynamic)
+    expect("RPATH" not in dynamic and "RUNPATH" not in dynamic, dynamic)
+    symbols = run(["nm", "-D", "--defined-only", "-f", "posix", str(library)], MOVED).stdout
+    names = [line.split()[0] for line in symbols.splitlines()]
+    ours = re.compile(r"(_Z(T[VIST]|GV|Thn?\d+_)?N?K?\d+)?l3d_")
+    expect(len(names) > 500, "only %d exported" % len(names))
+    expect_equal([name for name in names if not ours.match(name)], [])
+    expect_equal([name for name in names if "10l3d_detail" in name[:20]], [])
+
+
+def headers_are_public_and_alone():
+    headers = sorted(path for path in (MOVED / "include" / "l3d").rglob("*") if path.is_file())
+    expect(len(headers) > 100, "only %d headers" % len(headers))
+    private = [path.name for path in headers if path.name.endswith(("_p.h", "-inl.h"))]
+    expect_equal(private, [])
+    lines = "".join('#include "%s"\n' % path.relative_to(MOVED / "include" / "l3d") for path in headers)
+    with tempfile.TemporaryDirectory() as folder:
+        pathlib.Path(folder, "all.cpp").write_text(lines)
+        run("c++ -std=c++20 -Wall -Wextra -Werror -fsyntax-only all.cpp $(pkg-config --cflags l3d)", folder)
+
+
+def nothing_names_the_source_tree():
+    needles = [str(ROOT).encode(), str(INSTALLED).encode()]
+    found = [path.name for path in MOVED.rglob("*") if path.is_file() and not path.is_symlink()
+             and any(needle in path.read_bytes() for needle in needles)]
+    expect_equal(found, [])
+
+
+def page_fits(program):
+    page = MOVED / "share" / "man" / "man1" / (program.name + ".1")
+    lint = run(["mandoc", "-Tlint", str(page)], MOVED, None).stdout
+    expect_equal([line for line in lint.splitlines() if "Xr l3d 7" not in line], [])
+    text = run([str(program), "--help"], MOVED).stdout
+    told = re.findall(r"^  (-\S+)", text, re.M)
+    listed = [line[4:].split(" Ar ")[0].split(" Pq ")[0].replace("Fl ", "-").replace(r"\-", "-")
+              .replace(" , ", ",") for line in page.read_text().splitlines() if line.startswith(".It ")]
+    expect(len(told) > 5, text)
+    expect_equal(listed, told)
+
+
+def overview_fits():
+    page = MOVED / "share" / "man" / "man7" / "l3d.7"
+    lint = run(["mandoc", "-Tlint", str(page)], MOVED, None).stdout
+    expect_equal([line for line in lint.splitlines() if "referenced manual not found" not in line], [])
+    named = set(re.findall(r"Xr ([\w-]+) 1\b", page.read_text())) - {"pkg-config"}
+    expect_equal(named, {path.name for path in (MOVED / "bin").iterdir()})
+
+
+def programs_find_their_files():
+    with tempfile.TemporaryDirectory() as folder:
+        for command in ("modelview --model torus.off --pipeline zsort", "l3d-vidflat", "l3d-fltsim",
+                        "teapot_afd --model teapot_bottom.bpt"):
+            run("%s/bin/%s --no-input --backend memory --size 97x61 --output a.png" % (MOVED, command), folder)
+            colors = {color for row in read_png(folder + "/a.png") for color in row}
+            expect(len(colors) > 1, command, "drew nothing")
+
+
+# ---- what was built -----------------------------------------------------------------------------
+
+
+def page_and_a_half(name):
+    expect(blocks()[name].count("\n") <= MOST_LINES[name], "lines of", name)
+
+
+def refuses_the_other(folder, name):
+    line = build_line("shared").replace("dot.cpp -o dot", "%s.float.o -o none" % name)
+    done = run(for_real(line, "fixed"), folder, None)
+    expect(done.returncode != 0 and "l3d_built_with_float_real" in done.stderr, done.stderr)
+
+
+def runs_as_told(made):
+    for line in shown("./"):
+        if "--backend terminal" not in line and "--list" not in line:
+            run(line, made)
+    dot = read_png(made / "dot.png")
+    expect_equal([x for x, color in enumerate(dot[100]) if color == 0x00FF80], list(range(1, 101)), "dot at")
+    spin = read_png(made / "spin.png")
+    grey = sum(color & 255 == color >> 16 and color != 0 for row in spin for color in row)
+    expect(30000 < grey < 200000 and 0xFFE080 in spin[8], "a teapot of", grey, "pixels")
+    sail = read_png(made / "sail.png")
+    expect(6000 < sum(color != 0 for row in sail for color in row) < 60000, "the sail")
+    drawing_is_the_picture(made)
+
+
+def drawing_is_the_picture(made):
+    """Shapes of the SVG file, filled by a rule of our own, are the picture."""
+    wanted = read_png(made / "star.png")
+    shapes = [([[tuple(map(float, corner.split())) for corner in re.split("L", outline)]
+                for outline in re.split("M", path) if outline], int(color, 16))
+              for path, color in re.findall(r'd="(M[^Z]+)Z".*?="#(\w{6})"', (made / "drawing.svg").read_text())]
+    expect(len(shapes) > 10, "shapes")
+
+    def color_at(x, y):
+        for outlines, color in reversed(shapes):
+            crossings = 0
+            for outline in outlines:
+                for (x0, y0), (x1, y1) in zip(outline, outline[1:] + outline[:1]):
+                    if (y0 > y) != (y1 > y) and x0 + (y - y0) * (x1 - x0) / (y1 - y0) > x:
+                        crossings += 1
+            if crossings % 2:
+                return color
+        return 0
+
+    # Pixels are sampled at whole coordinates, which the edges of letters go through: a little off.
+    off = sum(color_at(x + 1e-3, y + 2e-3) != wanted[y][x] for y in range(120) for x in range(120))
+    expect(off <= 8, off, "pixels differ")
+
+
+def terminal_shows(made):
+    commands = [line.split() for line in shown("./terminal_spin")]
+    listed = run(commands[0], made).stdout
+    expect("terminal  no   standard input and output are no terminal" in listed, listed)
+    more = ["--no-input", "--frames", "3"]
+    status, picture = pty_screen.picture(commands[1] + more, made, environment(), 61, 20)
+    expect_equal(status, 0)
+    run("./terminal_spin %s --size 61x40 --backend memory --output same.png" % shlex.join(more), made)
+    expect(picture == read_png(made / "same.png"), "another picture than in memory")
+    expect_equal(pty_screen.picture(commands[1], made, environment(), 61, 20, b"x q")[0], 0, "after q:")
+
+
+def drawdot_draws(made):
+    run("./drawdot --no-input --backend memory --size 53x31 --frames 20 --output d.png", made)
+    row = read_png(made / "d.png")[0]
+    expect_equal([x for x, color in enumerate(row) if color == 0x00FF80], list(range(21)))
+
+
+def same_either_way(folder, real):
+    for name in ("spin.png", "sail.png"):
+        shared, static = ((place(folder, real, way) / name).read_bytes() for way in WAYS)
+        expect(shared == static, name, "differs")
+
+
+def main():
+    checks = Checks()
+    for name in REALS.values():
+        checks.run("install.%s.exports" % name, library_exports_ours_only, name)
+    for check in (headers_are_public_and_alone, nothing_names_the_source_tree, overview_fits,
+                  programs_find_their_files):
+        checks.run("install." + check.__name__, check)
+    for program in sorted((MOVED / "bin").iterdir()):
+        checks.run("install.page." + program.name, page_fits, program)
+    for name in MOST_LINES:
+        checks.run("tutorial.%s.length" % name, page_and_a_half, name)
+    folder = MOVED / "examples"
+    folder.mkdir()
+    names = sources(folder)
+    with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
+        compiled = {(name, real): pool.submit(compile_one, folder, name, real)
+                    for name in names for real in REALS}
+    for (name, real), made in compiled.items():
+        checks.run("tutorial.%s.%s.compiles" % (name, real), made.result)
+    for real in REALS:
+        for way in WAYS:
+            label = "tutorial.%s.%s." % (real, way)
+            made = place(folder, real, way)
+            for name in names:
+                checks.run(label + name + ".links", link_one, folder, name, real, way)
+            for check in (runs_as_told, terminal_shows, drawdot_draws):
+                checks.run(label + check.__name__, check, made)
+        checks.run("tutorial.%s.same_either_way" % real, same_either_way, folder, real)
+    for name in names:
+        checks.run("tutorial.%s.refuses_the_other" % name, refuses_the_other, folder, name)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    try:
+        shutil.copytree(INSTALLED, MOVED, symlinks=True, dirs_exist_ok=True)
+        tools = MOVED / "tools"
+        tools.mkdir()
+        # The tutorial's lines name neither the compiler of this run nor where things were moved to.
+        for name, line in (("c++", os.environ.get("CXX", "c++")),
+                           ("pkg-config", shutil.which("pkg-config") + " --define-prefix")):
+            (tools / name).write_text('#!/bin/sh\nexec %s "$@"\n' % line)
+            (tools / name).chmod(0o755)
+        main()
+    finally:
+        shutil.rmtree(MOVED, ignore_errors=True)
