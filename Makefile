@@ -107,10 +107,11 @@ LONE      := $(HEADERS:%=$(OUT)/%.ok)
 
 # A check writes a log; summary.awk judges any set of logs.
 CHECKS    := format-check headers layers errors-doc fail
-LINT_LOGS := $(CHECKS:%=$(OUT)/log/%.log)
+LINT_LOGS := $(CHECKS:%=$(OUT)/log/%.log) $(OUT)/log/x11/docs_test.py.log $(OUT)/log/tidy.log
 STRESS_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log) $(OUT)/log/raster-stress.log
 TEST_LOGS := $(tested:%=$(OUT)/log/%.log) $(SCRIPTS:tests/%=$(OUT)/log/%.log) \
-             $(OUT)/log/stability.log $(OUT)/log/layers.log $(OUT)/log/fail.log $(if $(filter stress,$(WITH)),$(STRESS_LOGS))
+             $(OUT)/log/stability.log $(OUT)/log/layers.log $(OUT)/log/fail.log $(if $(filter stress,$(WITH)),$(STRESS_LOGS)) \
+             $(if $(filter install,$(WITH)),$(OUT)/log/installcheck.log)
 
 # ---- targets ------------------------------------------------------------------------------------
 
@@ -136,7 +137,7 @@ run: ## build, then show the teapot: in a window, or as a PNG where there is no 
 	    $(OUT)/bin/teapot_afd --no-input --backend memory --output $(OUT)/teapot.png && \
 	    echo $(OUT)/teapot.png; fi
 
-test: packages-test ## build and run every test; ends with "N passed, N failed"
+test: packages-test $(if $(filter install,$(WITH)),packages-install) ## build and run every test; ends with "N passed, N failed"
 	@$(call judge,$(TEST_LOGS))
 
 stress: packages-test ## what takes minutes: servers that die at every request, a million shapes; also: make test WITH=stress
@@ -153,7 +154,7 @@ stability: packages-stability ## 600 cases made to break it, and a million rando
 matrix: packages-test packages-matrix ## every test: each scalar, plain and sanitized, both compilers
 	@MAKE="$(again)" tests/lint/matrix.sh $(BUILD)/matrix
 
-lint: packages-lint packages-test ## every check of the source, that is:
+lint: packages-lint packages-test packages-tidy ## the documents' commands, clang-tidy, and:
 	@$(call judge,$(LINT_LOGS))
 
 $(CHECKS): packages-lint packages-test ## one check alone
@@ -168,12 +169,16 @@ format: packages-lint ## clang-format every file in place
 golden: $(APPS) $(PLUGINS) $(DATA) ## store the pictures' hashes that tests/x11/programs_test.py compares with
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/programs_test.py --write
 
-pictures: $(APPS) $(PLUGINS) $(DATA) ## docs/pictures/programs.png: what every program shows, one row of the table each
+pictures: packages-report $(APPS) $(PLUGINS) $(DATA) ## the documents' pictures that are no report's
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/contact_sheet.py docs/pictures/programs.png
+	$(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --output docs/pictures/teapot.png
+	$(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --wireframe --net --output docs/pictures/steps.png
+	gnuplot docs/report/peers.gp
 
 bench: packages-bench ## build and run the benchmarks
-	@$(again) $(BENCHES)
+	@$(again) $(BENCHES) $(APPS)
 	@set -e; for bench in $(BENCHES); do $$bench $(ARGS); done
+	@L3D_BIN=$(abspath $(OUT)/bin) tests/bench/start_up.py
 
 report: packages-report $(OUT)/bin/teapot_afd ## error against time, all methods, into docs/report; QUICK=1: a small one
 	@$(OUT)/bin/teapot_afd --no-input --error-report $(if $(QUICK),$(OUT)/report --quick,docs/report)
@@ -192,7 +197,7 @@ packages-test packages-lint packages-tidy packages-bench packages-matrix package
 packages-%:
 	@CXX="$(CXX)" tests/lint/packages.sh $(PACKAGES_$*)
 
-hooks: ## run `make lint` before every commit
+hooks: ## run the quicker of these checks before every commit
 	git config core.hooksPath .githooks
 
 clean: ## remove everything made
@@ -313,6 +318,9 @@ $(OUT)/log/layers.log: $(OBJECTS) $(LONE) $(call archives,$(TOP_DOWN)) FORCE
 
 $(OUT)/log/errors-doc.log: FORCE
 	$(call logged,awk -f tests/lint/errors_doc.awk $(HEADERS) && echo ok errors-doc)
+
+$(OUT)/log/tidy.log: FORCE
+	$(call logged,$(MAKE) tidy && echo ok tidy)
 
 $(OUT)/log/fail.log: FORCE | packages-build
 	$(call say,FAIL,tests/fail)

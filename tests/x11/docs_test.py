@@ -1,10 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Every program command that README.md shows runs as it is printed, and makes what it names."""
+"""Every command that a document shows runs as it is printed, and makes what it names; links lead to
+files, and the figures that README.md sums up are those of the tables. (What docs/TUTORIAL.md shows is
+the matter of tests/install.)"""
 
+import collections
+import csv
 import os
 import pathlib
 import re
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -12,22 +17,30 @@ import tempfile
 BIN = pathlib.Path(os.environ["L3D_BIN"]).resolve()
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SHOWN_BIN = "build/float-release/bin"
+DOCUMENTS = ["README.md", *sorted(str(path.relative_to(ROOT)) for folder in ("docs", "packaging")
+                                  for path in (ROOT / folder).rglob("*.md"))]
 
 
 def commands(text):
-    """The indented lines that start a program of ours."""
+    """The indented lines that start a program of ours, by themselves or through another."""
     return [line.strip() for line in text.splitlines()
-            if line.startswith("    " + SHOWN_BIN + "/")]
+            if re.match("    (parallel )?" + SHOWN_BIN + "/", line)]
+
+
+def make_commands(text):
+    """What make is told to do, in lines of its own or within text."""
+    return sorted(set(re.findall(r"^    (make .*)$", text, re.M) + re.findall(r"`(make [^`]*)`", text)))
 
 
 def links(text):
     """Relative targets of links and pictures."""
-    return [target for target in re.findall(r"\]\(([^)#]+)\)", text) if "://" not in target]
+    prose = re.sub(r"^```.*?^```", "", text, flags=re.M | re.S)
+    return [target for target in re.findall(r"\]\(([^)#]+)\)", prose) if "://" not in target]
 
 
 def outputs(command):
     """Files that a command is told to write; a numbered name stands for its first file."""
-    return [name.replace("%02d", "00")
+    return [re.sub(r"%0(.)d", lambda field: "0" * int(field[1]), name)
             for name in re.findall(r"--(?:output|report|depth-output) (\S+)", command)]
 
 
@@ -44,11 +57,43 @@ def run(command, folder):
     return None
 
 
+def is_made(command):
+    """Whether make knows what it is told to do; doing it all again is not a test's business."""
+    plain = {k: v for k, v in os.environ.items() if not k.startswith("MAKE") and k != "MFLAGS"}
+    done = subprocess.run(command.replace("make ", "make -n ", 1), shell=True, cwd=ROOT, env=plain,
+                          timeout=120, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    return None if done.returncode == 0 else done.stderr.strip().replace("\n", " | ")
+
+
+def peers(ours, peer):
+    """How many times as long the peer takes with the mesh that serves it best."""
+    ratios = collections.defaultdict(list)
+    with open(ROOT / "docs" / "report" / "peers.csv", newline="") as file:
+        for row in csv.DictReader(file):
+            case = tuple(row[name] for name in ("threads", "view", "width", "error_px"))
+            ratios[case].append(float(row[peer + "_ms"]) / float(row[ours]))
+    best = [min(of_meshes) for of_meshes in ratios.values()]
+    return f"{min(best):.1f} to {max(best):.1f}, median {statistics.median(best):.1f}"
+
+
+def figures(text):
+    """What README.md says of its peers, and what it should."""
+    wanted = ["| %s | %s |" % (name, " | ".join(peers(ours, column) for ours in (
+        "l3d_ms", "l3d_gouraud_ms"))) for name, column in (("llvmpipe", "llvmpipe"), ("Embree", "embree"))]
+    return [line for line in wanted if line not in text]
+
+
 def main():
     failed = 0
-    for document in ("README.md", "ARCHITECTURE.md", "docs/NUMERICS.md", "docs/SPEED.md",
-                     "docs/DISPLAYS.md", "docs/BOOK.md", "docs/POLYGONS.md"):
+    missing = figures((ROOT / "README.md").read_text())
+    print(f"not ok docs README.md: peers {missing}" if missing else "ok docs README.md: peers")
+    failed += bool(missing)
+    for document in DOCUMENTS:
         text = (ROOT / document).read_text()
+        for command in make_commands(text):
+            why = is_made(command)
+            print(f"not ok docs {document}: {command} {why}" if why else f"ok docs {document}: {command}")
+            failed += bool(why)
         found = commands(text)
         if document == "README.md" and not found:
             print("not ok docs README.md shows no command")
