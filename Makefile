@@ -170,7 +170,7 @@ golden: $(APPS) $(PLUGINS) $(DATA) ## store the pictures' hashes that tests/x11/
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/programs_test.py --write
 
 pictures: packages-report $(APPS) $(PLUGINS) $(DATA) ## the documents' pictures that are no report's
-	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/contact_sheet.py docs/pictures/programs.png
+	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/contact_sheet.py docs/pictures
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --output docs/pictures/teapot.png
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --wireframe --net --output docs/pictures/steps.png
 	gnuplot docs/report/peers.gp

@@ -108,7 +108,7 @@ STAGE := $(OUT)/stage
 $(OUT)/log/installcheck.log: $(APPS) $(PLUGINS) $(DATA) $(PAGES) $(STATIC) $(SHARED) $(OUT)/$(NAME).pc FORCE
 	$(call say,TEST,installcheck)
 	$(Q)rm -rf $(STAGE)
-	$(call logged,(set -e; $(MAKE) install DESTDIR=$(abspath $(STAGE)) REALS="float fixed"; \
+	$(call logged,(set -e; $(again) install DESTDIR=$(abspath $(STAGE)) REALS="float fixed"; \
 	    CXX="$(CXX)" PYTHONDONTWRITEBYTECODE=1 tests/install/installed_test.py $(STAGE)$(PREFIX); \
 	    $(MAKE) uninstall DESTDIR=$(abspath $(STAGE)); \
 	    test -z "$$(find $(STAGE) ! -type d)"; echo ok install.uninstall))

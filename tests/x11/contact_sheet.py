@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""One picture of all programs, in the order of tests/golden/programs.txt: each draws its own tile."""
+"""Pictures made of many, drawn by the programs themselves, into the folder that is named:
+programs.png has all programs in the order of tests/golden/programs.txt, polygons.png three models as
+lines and surfaces."""
 
 import os
 import struct
@@ -11,32 +13,44 @@ import harness
 from harness import environment, expect_equal, folder, run
 from programs_test import FRAMES, table
 
-TILE = (240, 180)
-GAP = 6
 COLUMNS = 4
 PAPER = 0x404040
+MODELS = ("thing.asc", "ball.asc", "torus.off")
+STYLES = (["--wireframe", "--all-faces"], ["--hidden-lines"], ["--shade", "flat"],
+          ["--shade", "lambert"])
 
 
-def tile(row):
-    """What the program shows at the end of the frames that the test compares."""
-    program = harness.Program(row.name, TILE)
+def tile(size, name, *arguments):
+    program = harness.Program(name, size)
     with folder() as path:
         file = os.path.join(path, "tile.png")
-        options = ["--backend", "memory", "--frames", str(FRAMES), "--output", file]
-        command = program.command(*row.arguments, *options)
-        expect_equal(run(command, environment())[0], 0, row.title)
+        command = program.command(*arguments, "--backend", "memory", "--output", file)
+        expect_equal(run(command, environment())[0], 0, command)
         return harness.read_png(file)
 
 
-def sheet(tiles):
-    width, height = TILE
+def programs():
+    """What each shows at the end of the frames that the test compares."""
+    rows = {row.title: row for row in table() if not row.is_console}
+    return [tile((240, 180), row.name, *row.arguments, "--frames", str(FRAMES))
+            for row in rows.values()]
+
+
+def polygons():
+    upright = ["--pipeline", "zsort", "--up", "0,0,1"]
+    return [tile((320, 240), "modelview", "--model", model, *upright, *style)
+            for model in MODELS for style in STYLES]
+
+
+def sheet(tiles, gap):
+    width, height = len(tiles[0][0]), len(tiles[0])
     lines = -(-len(tiles) // COLUMNS)
     picture = [
-        [PAPER] * (COLUMNS * (width + GAP) + GAP) for _ in range(lines * (height + GAP) + GAP)
+        [PAPER] * (COLUMNS * (width + gap) + gap) for _ in range(lines * (height + gap) + gap)
     ]
     for i, rows in enumerate(tiles):
-        left = GAP + i % COLUMNS * (width + GAP)
-        top = GAP + i // COLUMNS * (height + GAP)
+        left = gap + i % COLUMNS * (width + gap)
+        top = gap + i // COLUMNS * (height + gap)
         for y, row in enumerate(rows):
             picture[top + y][left : left + width] = row
     return picture
@@ -55,5 +69,5 @@ def write_png(path, picture):
 
 
 if __name__ == "__main__":
-    one_of_each = {row.title: row for row in table() if not row.is_console}
-    write_png(sys.argv[1], sheet([tile(row) for row in one_of_each.values()]))
+    write_png(os.path.join(sys.argv[1], "programs.png"), sheet(programs(), 6))
+    write_png(os.path.join(sys.argv[1], "polygons.png"), sheet(polygons(), 0))
