@@ -8,7 +8,7 @@ import subprocess
 import harness
 from harness import Checks, expect, expect_equal
 
-LAYERS = ("geom", "tool_2d", "raster", "pipeline", "system")
+LAYERS = ("geom", "tool_2d", "raster", "dice", "pipeline", "system")
 ENDS_A_PROGRAM = {"exit", "_exit", "_Exit", "quick_exit", "abort"}
 
 
