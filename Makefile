@@ -169,10 +169,11 @@ format: packages-lint ## clang-format every file in place
 golden: $(APPS) $(PLUGINS) $(DATA) ## store the pictures' hashes that tests/x11/programs_test.py compares with
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/programs_test.py --write
 
-pictures: packages-report $(APPS) $(PLUGINS) $(DATA) ## the documents' pictures that are no report's
+pictures: packages-report packages-bench $(APPS) $(PLUGINS) $(DATA) $(OUT)/tests/bench/fixed_failure_bench ## the documents' pictures that are no report's
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/contact_sheet.py docs/pictures
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --output docs/pictures/teapot.png
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --wireframe --net --output docs/pictures/steps.png
+	$(OUT)/tests/bench/fixed_failure_bench docs/pictures/fixed_16_16.png
 	gnuplot docs/report/peers.gp
 
 bench: packages-bench ## build and run the benchmarks
