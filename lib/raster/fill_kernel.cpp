@@ -30,6 +30,35 @@ HWY_INLINE hn::Mask<D> meets(D d, const V (&v)[4], std::int32_t begin, std::int3
                   hn::Min(first_centre_of(d, most), hn::Set(d, end)));
 }
 
+/// The lanes of a mask in their order, four bits each, of up to eight lanes.
+struct lane_lists {
+    std::uint32_t of[256] = {};
+
+    constexpr lane_lists() {
+        for (std::uint32_t mask = 0; mask < 256; ++mask)
+            for (std::uint32_t lane = 0, found = 0; lane < 8; ++lane)
+                if (mask >> lane & 1)
+                    of[mask] |= lane << 4 * found++;
+    }
+};
+constexpr lane_lists lists_of_lanes;
+
+/// Indices that bring the lanes of a mask to the front, in their order. One list for many vectors
+/// costs less than to compress each, above all where the instruction set has no compression.
+template <class D> HWY_INLINE hn::Vec<D> lanes_kept(D d, hn::Mask<D> mask) {
+    constexpr std::size_t listed = 8;
+    if constexpr (hn::MaxLanes(D()) > listed) {
+        return hn::Compress(hn::Iota(d, 0), mask);
+    } else {
+        const hn::RebindToUnsigned<D> du;
+        std::uint8_t bits[8] = {};
+        hn::StoreMaskBits(d, mask, bits);
+        const auto list = hn::Set(du, lists_of_lanes.of[bits[0]]);
+        const auto lanes_of = hn::Shr(list, hn::ShiftLeft<2>(hn::Iota(du, 0)));
+        return hn::BitCast(d, hn::And(lanes_of, hn::Set(du, hn::MaxLanes(D()) - 1)));
+    }
+}
+
 /// Keeps those polygons that may cover a pixel, and fills them when there are enough.
 ///
 /// Shape: Light makes their greys: lambert_lanes or grey_lanes.
@@ -98,9 +127,10 @@ private:
             return;
         const std::size_t to = queue_.count;
         const bool all = found == count;
+        const auto kept = hn::IndicesFromVec(d, lanes_kept(d, live));
         const auto put = [&](vec v, std::int32_t* place) HWY_ATTR {
             if (!all)
-                v = hn::Compress(v, live);
+                v = hn::TableLookupLanes(v, kept);
             hn::StoreU(v, d, place + to);
         };
         for (std::size_t k = 0; k < 4; ++k) {
