@@ -12,14 +12,18 @@
 /// What a frame's dicing did, and which patches were left out, as control nets or the boxes around
 /// them prove. What is `clipped` are grids.
 struct l3d_dice_counts : l3d_seen_counts {
-    std::int64_t behind = 0;    ///< patches left out: behind the near plane
-    std::int64_t beyond = 0;    ///< patches left out: beyond the far plane
-    std::int64_t hidden = 0;    ///< patches left out: behind what had been drawn before
-    std::int64_t unchanged = 0; ///< patches left out: beside the part that was drawn anew
-    std::int64_t pieces = 0;    ///< grids made; more than `drawn` if patches had to be cut
-    std::int64_t samples = 0;   ///< vertices evaluated
-    std::int64_t failures = 0;  ///< pixels left out as an iteration came to no rest
-    double bound_px = 0;        ///< certified image error of all that was drawn
+    std::int64_t behind = 0;      ///< patches left out: behind the near plane
+    std::int64_t beyond = 0;      ///< patches left out: beyond the far plane
+    std::int64_t hidden = 0;      ///< patches left out: behind what had been drawn before
+    std::int64_t unchanged = 0;   ///< patches left out: beside the part that was drawn anew
+    std::int64_t backfacing = 0;  ///< patches left out: nothing but their back is turned to the eye
+    std::int64_t back_blocks = 0; ///< blocks of patches that were drawn, left out for the same
+    std::int64_t back_quads = 0;  ///< quads of these blocks
+    std::int64_t as_points = 0;   ///< of those drawn, as a point each, without dicing
+    std::int64_t pieces = 0;      ///< grids made; more than `drawn` if patches had to be cut
+    std::int64_t samples = 0;     ///< vertices evaluated
+    std::int64_t failures = 0;    ///< pixels left out as an iteration came to no rest
+    double bound_px = 0;          ///< certified image error of all that was drawn
 
     /// Both together: of other patches.
     void add(const l3d_dice_counts& other) {
@@ -28,6 +32,10 @@ struct l3d_dice_counts : l3d_seen_counts {
         beyond += other.beyond;
         hidden += other.hidden;
         unchanged += other.unchanged;
+        backfacing += other.backfacing;
+        back_blocks += other.back_blocks;
+        back_quads += other.back_quads;
+        as_points += other.as_points;
         pieces += other.pieces;
         samples += other.samples;
         failures += other.failures;

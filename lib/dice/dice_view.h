@@ -27,7 +27,8 @@ struct l3d_dice_view {
     double depth_scale = 1; ///< scaled w / distance along the view axis
     double error_xy = 0;    ///< of a transformed control point
     double error_w = 0;
-    bool keep_all = false; ///< leave nothing out that could be left out
+    bool keep_all = false;  ///< leave nothing out that could be left out
+    bool one_sided = false; ///< nobody wants to see the back of dS/du x dS/dv
 
     friend bool operator==(const l3d_dice_view&, const l3d_dice_view&) = default;
 

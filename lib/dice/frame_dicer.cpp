@@ -3,6 +3,8 @@
 #include "dice/frame_dicer.h"
 
 #include "dice/placed_net.h"
+#include "dice/point_patch.h"
+#include "dice/seen_from.h"
 #include "dice/visibility.h"
 
 #include <algorithm>
@@ -15,6 +17,26 @@ std::uint32_t error_color(double bound, double tolerance) {
     const auto red = static_cast<std::uint32_t>(255 * std::min(1.0, 2 * part));
     const auto green = static_cast<std::uint32_t>(255 * std::min(1.0, 2 - 2 * part));
     return red << 16 | green << 8;
+}
+
+l3d_vector<double, 4> as_direction(const l3d_vector<double, 3>& v) {
+    return {v[0], v[1], v[2], 0.0};
+}
+
+/// The blocks of `backs`, counted, if they are the grid's own.
+unsigned counted_backs(const l3d_surface_part& part, unsigned backs, l3d_dice_counts& counts) {
+    constexpr int across = l3d_block_starts::most_blocks;
+    if (backs == 0 || part.block_rows.blocks != across)
+        return 0;
+    const auto& rows = part.block_rows.first;
+    const auto& columns = part.block_columns.first;
+    for (std::size_t i = 0; i < l3d_facing_cones::blocks; ++i)
+        if (backs >> i & 1) {
+            ++counts.back_blocks;
+            counts.back_quads += (rows[i / across + 1] - rows[i / across]) *
+                                 (columns[i % across + 1] - columns[i % across]);
+        }
+    return backs;
 }
 
 } // namespace
@@ -44,10 +66,20 @@ l3d_frame_dicer<T>::dice(const l3d_patch_scene& scene, const l3d_scene_culling& 
         slots_[i].clear();
         if (!view_.keep_all && l3d_left_out(net, view_, space.counts))
             return;
+        if (const auto point = view_.keep_all ? std::nullopt : l3d_point_place_of(net, view_)) {
+            const auto n = instance.normal_matrix() * as_direction(normals.evaluate(0.5, 0.5));
+            l3d_draw_point(*point, net, {n[0], n[1], n[2]}, view_, slots_[i], space.counts);
+            return;
+        }
+        const unsigned backs = backs_of(instance, culling.matrix(p), p.patch);
+        if (backs == l3d_facing_cones::all) {
+            ++space.counts.backfacing;
+            return;
+        }
         if (instance.turns_normals())
-            dice_patch(net, normals.turned(instance.normal_matrix()), slots_[i], space);
+            dice_patch(net, normals.turned(instance.normal_matrix()), backs, slots_[i], space);
         else
-            dice_patch(net, normals, slots_[i], space);
+            dice_patch(net, normals, backs, slots_[i], space);
     });
     parts_.clear();
     for (const l3d_diced_pieces& slot : std::span(slots_).first(batch.size()))
@@ -68,9 +100,26 @@ template <class T> void l3d_frame_dicer<T>::share_memory_sizes() {
         space.reserve_as(first);
 }
 
+/// The blocks of a patch that need not be drawn as only their back is turned to the eye: those of a
+/// body that stands wholly in front of the near plane, so that its front hides them, or of anything
+/// if nobody wants to see backs.
+template <class T>
+unsigned l3d_frame_dicer<T>::backs_of(const l3d_patch_instance& instance,
+                                      const l3d_matrix<double>& to_image, std::size_t patch) const {
+    const l3d_patch_model& model = instance.model();
+    if (view_.keep_all || (!view_.one_sided && model.orientation() == 0))
+        return 0;
+    if (!view_.one_sided && !(l3d_least_w_of(model, to_image) - view_.error_w > view_.near))
+        return 0;
+    const double side = model.orientation() < 0 ? -1 : 1;
+    const auto eye = l3d_eye_of(to_image);
+    return eye ? model.facing(patch).away_from(*eye, side) : 0;
+}
+
 template <class T>
 void l3d_frame_dicer<T>::dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals,
-                                    l3d_diced_pieces& out, worker_space& space) const {
+                                    unsigned backs, l3d_diced_pieces& out,
+                                    worker_space& space) const {
     space.edges.build(net, view_);
     const bool diced =
         way_ == l3d_dice_way::lanes &&
@@ -80,8 +129,10 @@ void l3d_frame_dicer<T>::dice_patch(const l3d_image_patch& net, const l3d_normal
             out.give_back();
         space.general.dice(net, normals, view_, space.edges, out, space.counts);
     }
-    for (l3d_diced_piece& piece : out.used())
+    for (l3d_diced_piece& piece : out.used()) {
         piece.part.error_color = error_color(piece.bound, view_.tolerance);
+        piece.part.unseen = diced ? counted_backs(piece.part, backs, space.counts) : 0;
+    }
 }
 
 template class l3d_frame_dicer<float>;

@@ -67,7 +67,9 @@ private:
     };
 
     void share_memory_sizes();
-    void dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals,
+    unsigned backs_of(const l3d_patch_instance& instance, const l3d_matrix<double>& to_image,
+                      std::size_t patch) const;
+    void dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals, unsigned backs,
                     l3d_diced_pieces& out, worker_space& space) const;
 
     l3d_workers& workers_;

@@ -2,6 +2,8 @@
 // l3d_patch_model: bounds and normal nets, once per model.
 #include "dice/patch_model.h"
 
+#include "dice/closed_body.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -26,6 +28,7 @@ l3d_patch_model::l3d_patch_model(std::vector<patch> patches) : patches_(std::mov
     normals_.reserve(patches_.size());
     for (const patch& p : patches_) {
         normals_.emplace_back(p);
+        facing_.emplace_back(p, normals_.back());
         const auto [least, most] = p.bounds();
         boxes_.add(upright_box(least, most));
         if (normals_.size() == 1) {
@@ -37,6 +40,7 @@ l3d_patch_model::l3d_patch_model(std::vector<patch> patches) : patches_(std::mov
             most_[i] = std::max(most_[i], most[i]);
         }
     }
+    orientation_ = l3d_orientation_of(patches_, facing_);
 }
 
 std::optional<l3d_patch_model> l3d_patch_model::checked(std::vector<patch> patches,

@@ -7,6 +7,7 @@
 #include "geom/normal_net.h"
 #include "geom/patch_file.h"
 #include "dice/box_lanes.h"
+#include "dice/facing_cones.h"
 
 #include <optional>
 #include <span>
@@ -44,6 +45,10 @@ public:
 
     std::span<const patch> patches() const { return patches_; }
     const l3d_normal_net& normals(std::size_t index) const { return normals_[index]; }
+    const l3d_facing_cones& facing(std::size_t index) const { return facing_[index]; }
+
+    /// Whether it is proven to be a body, and where its normals point: l3d_orientation_of.
+    int orientation() const { return orientation_; }
 
     /// The box of all control points.
     const vector& least() const { return least_; }
@@ -55,6 +60,8 @@ public:
 private:
     std::vector<patch> patches_;
     std::vector<l3d_normal_net> normals_;
+    std::vector<l3d_facing_cones> facing_;
+    int orientation_ = 0;
     vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
     l3d_box_lanes boxes_;
 };

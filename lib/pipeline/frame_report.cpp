@@ -2,14 +2,16 @@
 // l3d_frame_report: as JSON and in words.
 #include "pipeline/frame_report.h"
 
+#include "dice/facing_cones.h"
 #include "pipeline/report_json_p.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace {
 
-std::array<l3d_detail::left_out, 6> reasons_of(const l3d_dice_counts& dice) {
+std::array<l3d_detail::left_out, 7> reasons_of(const l3d_dice_counts& dice) {
     return {{
         {"offscreen",
          "their control nets, and with them the patches, lie beyond one side of the window",
@@ -21,6 +23,10 @@ std::array<l3d_detail::left_out, 6> reasons_of(const l3d_dice_counts& dice) {
          dice.hidden},
         {"unchanged", "they touch no pixel in which anything changed since the last frame",
          dice.unchanged},
+        {"backfacing",
+         "their cones of normals point away from the eye, and their backs are not wanted or belong "
+         "to a closed body with the eye outside",
+         dice.backfacing},
     }};
 }
 
@@ -43,19 +49,48 @@ std::string l3d_frame_report::json() const {
                   {{"all", patches},
                    {"drawn", dice.drawn},
                    {"left_out", l3d_detail::counts_json(reasons)},
+                   {"points", dice.as_points},
+                   {"back_blocks", dice.back_blocks},
+                   {"back_quads", dice.back_quads},
                    {"pieces", dice.pieces},
                    {"clipped", dice.clipped}}},
                  {"samples", dice.samples},
                  {"failures", dice.failures},
                  {"quads", surface.quads},
+                 {"shaded_by_plane", surface.by_plane},
+                 {"shade_bound", surface.shade_bound()},
                  {"pixels_kept", pixels_kept},
                  {"error_bound_px", number_or_null(dice.bound_px)}});
     l3d_detail::add_tail(line, *this, reasons);
     return line.dump();
 }
 
+/// What was left out of patches that were drawn.
+std::string l3d_frame_report::left_out_in_part() const {
+    std::string text;
+    if (dice.back_blocks > 0)
+        text += "left out " + std::to_string(dice.back_blocks) + " of " +
+                std::to_string(l3d_facing_cones::blocks * static_cast<std::uint64_t>(dice.drawn)) +
+                " blocks of the others, " + std::to_string(dice.back_quads) +
+                " quads (backfacing): for the same reason\n";
+    if (dice.as_points > 0)
+        text += "left out dicing of " + std::to_string(dice.as_points) +
+                " patches, drawn as points: their hulls are no wider than the tolerance\n";
+    if (surface.by_plane > 0)
+        text += "left out the unit normal of each pixel in " + std::to_string(surface.by_plane) +
+                " quads and triangles: the length of the interpolated one changes a grey by less "
+                "than a level in them\n";
+    return text;
+}
+
 std::string l3d_frame_report::explanation() const {
-    std::string text = l3d_detail::explained(reasons_of(dice), patches, "patches");
+    const auto reasons = reasons_of(dice);
+    const bool whole_patches =
+        std::any_of(reasons.begin(), reasons.end(), [](const auto& r) { return r.count > 0; });
+    const std::string parts = left_out_in_part();
+    std::string text = parts;
+    if (whole_patches || parts.empty())
+        text = l3d_detail::explained(reasons, patches, "patches") + parts;
     if (pixels_kept > 0)
         text += "kept " + std::to_string(pixels_kept) + " of " +
                 std::to_string(l3d_whole(size).area()) +

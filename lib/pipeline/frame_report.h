@@ -29,6 +29,9 @@ struct l3d_frame_report : l3d_common_report {
 
     /// What this frame did not need, and the test that proved it, a line each.
     std::string explanation() const;
+
+private:
+    std::string left_out_in_part() const;
 };
 
 #endif

@@ -114,13 +114,12 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     transform_ = l3d_image_transform(camera_, target.size(), scene_);
     view_ = transform_.view(settings_.tolerance);
     view_.keep_all = settings_.keep_all;
-    return {target,
-            transform_.matrix(),
-            view_,
-            l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light),
-            settings_.wireframe,
-            settings_.net,
-            settings_.depth};
+    view_.one_sided = settings_.one_sided;
+    l3d_shading shading =
+        l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
+    shading.keep_all = settings_.keep_all;
+    return {target,        transform_.matrix(), view_, shading, settings_.wireframe,
+            settings_.net, settings_.depth};
 }
 
 /// Nothing where the picture is right as it is. All of it where something that is drawn on top

@@ -11,38 +11,60 @@ namespace l3d_detail {
 
 namespace {
 
-/// Two and two blocks side by side as one.
-l3d_block_starts paired(const l3d_block_starts& starts) {
-    l3d_block_starts pairs;
-    pairs.blocks = (starts.blocks + 1) / 2;
-    for (int i = 0; i <= pairs.blocks; ++i)
-        pairs.first[static_cast<std::size_t>(i)] =
-            starts.first[static_cast<std::size_t>(std::min(2 * i, starts.blocks))];
-    return pairs;
-}
-
 [[maybe_unused]] bool covers(const l3d_block_starts& starts, int quads) {
     return quads == 0 || starts.first[static_cast<std::size_t>(starts.blocks)] == quads;
 }
 
+/// Rows or columns of blocks, `count` of them from `first` on.
+struct block_range {
+    int first, count;
+
+    int cells_begin(const l3d_block_starts& of) const {
+        return of.first[static_cast<std::size_t>(first)];
+    }
+    int cells_end(const l3d_block_starts& of) const {
+        return of.first[static_cast<std::size_t>(first + count)];
+    }
+};
+
+/// The blocks of a range as bits of l3d_surface_part::unseen.
+unsigned bits_of(block_range rows, block_range columns) {
+    const unsigned in_row = ((1u << columns.count) - 1) << columns.first;
+    unsigned bits = 0;
+    for (int row = rows.first; row < rows.first + rows.count; ++row)
+        bits |= in_row << l3d_block_starts::most_blocks * row;
+    return bits;
+}
+
 /// Calls visit(cells) for every item's share of a grid: a block, or up to 2 x 2 of them while that
-/// is fewer than 64 quads. As many cost as much as the tests of an item save.
+/// is fewer than 64 quads. As many cost as much as the tests of an item save. Blocks that nobody
+/// sees are left out; those beside them are then items of their own.
 template <class Visit> void visit_blocks(const l3d_surface_part& part, const Visit& visit) {
     constexpr int few = 64;
+    const l3d_block_starts &rows = part.block_rows, &columns = part.block_columns;
     const grid_cells all = all_cells(part.grid);
     const int quads = all.row_end * all.column_end;
-    l3d_block_starts rows = part.block_rows, columns = part.block_columns;
-    if (quads < few * rows.blocks * columns.blocks)
-        columns = paired(columns);
-    if (quads < few * rows.blocks * columns.blocks)
-        rows = paired(rows);
-    for (std::size_t r = 0; r < static_cast<std::size_t>(rows.blocks); ++r)
-        for (std::size_t c = 0; c < static_cast<std::size_t>(columns.blocks); ++c) {
-            const grid_cells cells{rows.first[r], std::min(rows.first[r + 1], all.row_end),
-                                   columns.first[c],
-                                   std::min(columns.first[c + 1], all.column_end)};
-            if (cells.row_begin < cells.row_end && cells.column_begin < cells.column_end)
-                visit(cells);
+    const int pair_c = quads < few * rows.blocks * columns.blocks ? 2 : 1;
+    const int pair_r = quads < few * rows.blocks * ((columns.blocks + pair_c - 1) / pair_c) ? 2 : 1;
+    const auto visit_range = [&](block_range r, block_range c) {
+        const grid_cells cells{r.cells_begin(rows), std::min(r.cells_end(rows), all.row_end),
+                               c.cells_begin(columns),
+                               std::min(c.cells_end(columns), all.column_end)};
+        if (cells.row_begin < cells.row_end && cells.column_begin < cells.column_end)
+            visit(cells);
+    };
+    for (int r = 0; r < rows.blocks; r += pair_r)
+        for (int c = 0; c < columns.blocks; c += pair_c) {
+            const block_range some_rows{r, std::min(pair_r, rows.blocks - r)};
+            const block_range some_columns{c, std::min(pair_c, columns.blocks - c)};
+            if ((part.unseen & bits_of(some_rows, some_columns)) == 0) {
+                visit_range(some_rows, some_columns);
+                continue;
+            }
+            for (int row = r; row < r + some_rows.count; ++row)
+                for (int column = c; column < c + some_columns.count; ++column)
+                    if ((part.unseen & bits_of({row, 1}, {column, 1})) == 0)
+                        visit_range({row, 1}, {column, 1});
         }
 }
 

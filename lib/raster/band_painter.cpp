@@ -28,8 +28,7 @@ void band_painter::draw(const band_frame& frame, const fill_band& band, const ba
     }
     if (frame.by_lanes)
         draw_rest(frame, band);
-    by_scalar_.samples += scalar_.counts().samples;
-    by_scalar_.written += scalar_.counts().written;
+    by_scalar_.add(scalar_.counts());
 }
 
 void band_painter::draw_triangles(const band_frame& frame, const fill_band& band,
@@ -77,8 +76,9 @@ void band_painter::draw_rest(const band_frame& frame, const fill_band& band) {
 }
 
 fill_counts band_painter::take_counts() {
-    const fill_counts lanes = std::exchange(by_lanes_, {}), scalar = std::exchange(by_scalar_, {});
-    return {lanes.samples + scalar.samples, lanes.written + scalar.written};
+    fill_counts all = std::exchange(by_lanes_, {});
+    all.add(std::exchange(by_scalar_, {}));
+    return all;
 }
 
 } // namespace l3d_detail

@@ -31,7 +31,8 @@ public:
 
     /// A plane through four corners that are not in one plane runs past their greys near a corner,
     /// and is held to them.
-    HWY_INLINE void set_up(const l3d_shading&, const lane_places& at, fill_table& table) {
+    HWY_INLINE void set_up(const l3d_shading&, const lane_places& at, fill_table& table,
+                           fill_counts&) {
         const floats d;
         plane_ = at.frame.plane(grey_);
         hn::Store(plane_.along(at.column_s, at.column_t), d, table.lit_x);

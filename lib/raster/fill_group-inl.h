@@ -35,9 +35,8 @@ public:
         if (highest == 0)
             return false;
         places_.fits = fits;
-        places_.piece = hn::Eq(load(to.queue.name + at), set(fill_queue::piece));
         planes(to.queue, at, table);
-        light_.set_up(to.shading, places_, table);
+        light_.set_up(to.shading, places_, table, to.counts);
         rows(to, height, highest, table);
         return true;
     }
@@ -86,6 +85,7 @@ private:
     /// Which polygons are filled here. The others are written down, whole or in pieces.
     HWY_INLINE int_mask classify(const fill_target& to, std::size_t at, int_mask candidates) {
         light_.load(to.queue, at);
+        places_.piece = hn::Eq(load(to.queue.name + at), set(fill_queue::piece));
         along1_x_ = hn::Sub(x_[2], x_[0]);
         along1_y_ = hn::Sub(y_[2], y_[0]);
         along2_x_ = hn::Sub(x_[3], x_[1]);
@@ -107,6 +107,8 @@ private:
             hn::Add(hn::Abs(hn::Sub(turn_a_, turn_c)), hn::Abs(hn::Sub(turn_b_, turn_d_)));
         const int_mask is_quad = hn::Not(hn::Lt(load(to.queue.name + at), zero));
         const int_mask skewed = hn::And(is_quad, hn::Gt(skew, hn::ShiftRight<1>(hn::Abs(area2_))));
+        places_.triangle = hn::Not(is_quad);
+        skew_ = skew;
         const int_mask unfit = light_.with_unfit(hn::Or(large_, slivers_at_the_edge(to, at)));
         const int_mask others = hn::Or(unfit, hn::Or(folded, skewed));
         candidates = hn::AndNot(hn::AndNot(large_, level), candidates);
@@ -151,6 +153,7 @@ private:
         const floats d;
         lane_frame& frame = places_.frame;
         frame.inverse = hn::Div(set(1.0f), to_float(area2_));
+        places_.uneven = hn::Mul(hn::Abs(frame.inverse), hn::Mul(set(0.25f), to_float(skew_)));
         // m - a = (ab + ac + ad) / 4, ad = ab + bd, and ab x bd = turn_a, ac x ab = -turn_b,
         // ac x ad = turn_d
         const float_vec half = hn::Mul(frame.inverse, set(0.5f));
@@ -233,7 +236,7 @@ private:
     int_vec from_column_, to_column_, from_row_, to_row_; ///< in the band; from (column_, row_)
     int_mask live_, large_;
     int_vec turn_a_, turn_b_, turn_d_; ///< cross products of the sides that meet in a corner
-    int_vec along1_x_, along1_y_, along2_x_, along2_y_, area2_;
+    int_vec along1_x_, along1_y_, along2_x_, along2_y_, area2_, skew_;
     lane_places places_;
     lane_plane inv_w_;
     Light light_;

@@ -39,6 +39,16 @@ inline bool fill_shades(l3d_shade mode) {
 struct fill_counts {
     std::int64_t samples = 0; ///< pixel centres tested against the depth buffer
     std::int64_t written = 0; ///< of those, nearer than what was there
+
+    /// Polygons, each in every band, whose light is a plane instead of that of a unit normal in
+    /// each pixel.
+    std::int64_t by_plane = 0;
+
+    void add(const fill_counts& other) {
+        samples += other.samples;
+        written += other.written;
+        by_plane += other.by_plane;
+    }
 };
 
 /// Polygons that the lanes do not take: larger than 64 pixels, or, for lambert, of too different

@@ -141,8 +141,30 @@ struct lane_parabola {
     HWY_INLINE float_vec at(float_vec s1, float_vec t1) const {
         const float_vec along_s = hn::Add(s, hn::Add(hn::Mul(s1, ss), hn::Mul(t1, st)));
         const float_vec along_t = hn::Add(t, hn::Mul(t1, tt));
-        return hn::Add(hn::Add(base, hn::Mul(s1, along_s)), hn::Mul(t1, along_t));
+        return hn::Add(base, hn::Add(hn::Mul(s1, along_s), hn::Mul(t1, along_t)));
     }
+
+    /// What a step by (ds, dt) adds: the part that depends on the place, and that of the step's
+    /// square.
+    HWY_INLINE lane_plane slope(float_vec ds, float_vec dt) const {
+        const float_vec half_s = half_slope(ss, ds, dt), half_t = half_slope(tt, dt, ds);
+        return {hn::Add(hn::Mul(s, ds), hn::Mul(t, dt)), hn::Add(half_s, half_s),
+                hn::Add(half_t, half_t)};
+    }
+    HWY_INLINE float_vec square(float_vec ds, float_vec dt) const {
+        return hn::Add(hn::Mul(half_slope(ss, ds, dt), ds), hn::Mul(half_slope(tt, dt, ds), dt));
+    }
+
+private:
+    HWY_INLINE float_vec half_slope(float_vec own, float_vec step, float_vec other) const {
+        return hn::Add(hn::Mul(own, step), hn::Mul(hn::Mul(hn::Set(floats(), 0.5f), st), other));
+    }
+};
+
+/// base + y y1 + z z1 + yy y1^2 + yz y1 z1 + zz z1^2, where (y1, z1) is the way from the mean of a
+/// polygon's corners, in parts of its two differences.
+struct mean_parabola {
+    float_vec base, y, z, yy, yz, zz;
 };
 
 /// A polygon's two differences, from corner a to c and from b to d. They span 2 of its area; a
@@ -158,6 +180,19 @@ struct lane_frame {
         const float_vec base = hn::Sub(mean, hn::Add(hn::Mul(mean_s, d1), hn::Mul(mean_t, d2)));
         return {base, hn::Mul(d1, inverse), hn::Mul(d2, inverse)};
     }
+
+    HWY_INLINE lane_parabola parabola(const mean_parabola& p) const {
+        const float_vec yy = hn::Mul(p.yy, mean_s), zz = hn::Mul(p.zz, mean_t);
+        const float_vec y = hn::Sub(p.y, hn::Add(yy, hn::Mul(p.yz, mean_t)));
+        const float_vec z = hn::Sub(p.z, zz);
+        const float_vec square = hn::Mul(inverse, inverse);
+        return {hn::Sub(p.base, hn::Add(hn::Mul(mean_s, y), hn::Mul(mean_t, z))),
+                hn::Mul(inverse, hn::Sub(y, yy)),
+                hn::Mul(inverse, hn::Sub(hn::Sub(z, zz), hn::Mul(p.yz, mean_s))),
+                hn::Mul(square, p.yy),
+                hn::Mul(square, p.yz),
+                hn::Mul(square, p.zz)};
+    }
 };
 
 /// What the light of a group's polygons depends on beside their normals or greys.
@@ -166,6 +201,8 @@ struct lane_places {
     lane_frame frame;
     float_vec column_s, column_t; ///< what a column adds to s and t
     int_mask fits, piece;         ///< which are filled here, which come from a quad in pieces
+    int_mask triangle;            ///< which have their last corner twice
+    float_vec uneven; ///< how far the middles of a quad's diagonals are apart, in parts of these
 };
 
 HWY_INLINE float_vec square_of(float_vec v) {

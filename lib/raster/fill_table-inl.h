@@ -40,14 +40,10 @@ constexpr std::size_t lanes = hn::MaxLanes(ints());
 static_assert(lanes <= fill_queue::widest_vector);
 
 /// How a pixel's grey comes from `lit`, which is a plane over the polygon.
-///
-/// From `flat` on it is a cosine times 229.5. These go from the cheapest to the dearest; with a
-/// dearer way the polygons of a cheaper one get the same bits.
 enum class fill_shape {
     grey,   ///< is the grey level, but between darkest and brightest
-    flat,   ///< is the cosine
-    bent,   ///< times bend, a parabola along a row
-    twisted ///< times (unit2 bend + unit1) bend + unit0, and turned round where facing < 0
+    flat,   ///< is the cosine times 229.5
+    twisted ///< the same times 1 / sqrt(bend), and turned round where facing < 0
 };
 
 /// The first run of a row of each polygon. Numbers are those of the run's first pixel; `_x` is what
@@ -71,7 +67,7 @@ struct fill_table {
     alignas(64) float inv_w_x[lanes], lit_x[lanes], farthest[lanes], nearest[lanes];
     alignas(64) float darkest[lanes], brightest[lanes];
     alignas(64) float bend_xx[lanes], facing_x[lanes];
-    alignas(64) float unit0[lanes], unit1[lanes], unit2[lanes];
+    alignas(64) std::int32_t twisted[lanes]; ///< not 0: it is; others are flat
 };
 
 } // namespace

@@ -26,6 +26,7 @@ struct l3d_surface_part {
     l3d_micro_grid grid;
     l3d_block_starts block_rows, block_columns;
     l3d_micro_triangles triangles;
+    unsigned unseen = 0; ///< bit 4 * row + column: a block of the grid that nobody need draw
     std::uint32_t error_color = 0; ///< of everything in it, in mode `error`. A pixel word
 };
 

@@ -38,6 +38,8 @@ struct l3d_shading {
     /// down add to that. World space, any length.
     std::array<float, 3> ray{0, 0, -1}, ray_right{}, ray_down{};
 
+    bool keep_all = false; ///< lambert: every pixel's own unit normal, also where less would do
+
     friend bool operator==(const l3d_shading&, const l3d_shading&) = default;
 };
 
@@ -49,6 +51,13 @@ struct l3d_surface_counts {
     std::int64_t samples = 0;
     std::int64_t written = 0; ///< of those, nearer than what was there
     std::int64_t covered = 0; ///< pixels in which something is
+
+    /// Polygons, each as often as it was set up, whose light is a plane instead of that of a unit
+    /// normal in each pixel.
+    std::int64_t by_plane = 0;
+
+    /// How far greys may be, because of that, from those of `keep_all`. Units: levels.
+    double shade_bound() const { return by_plane > 0 ? 1.0 : 0.0; }
 };
 
 /// A rectangle of the picture. Units: 1/256 pixel from its top left corner, ends included.

@@ -130,6 +130,7 @@ void l3d_surface_rasterizer_sw::do_draw(std::span<const l3d_surface_part* const>
         const fill_counts counts = painter.take_counts();
         counts_.samples += counts.samples;
         counts_.written += counts.written;
+        counts_.by_plane += counts.by_plane;
     }
 }
 

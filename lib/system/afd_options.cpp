@@ -74,6 +74,8 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                 "write the last frame's distances along the view axis (.pfm)", "FILE");
     options.add("--report", report_, "write one line of JSON per frame; - is the standard output",
                 "FILE");
+    options.add("--one-sided", settings_.one_sided,
+                "leave out surfaces whose back is turned to the eye");
     options.add("--explain", explain_, "tell what the last frame did not need, and why");
     options.add("--keep-all", settings_.keep_all, "leave nothing out");
 }

@@ -53,7 +53,7 @@ cost measured(const l3d_patch_scene& scene, l3d_size size, double tolerance, int
     const std::uint64_t hash = one.hash();
     result.report = one.report();
     const l3d_dice_counts& d = result.report.dice;
-    if (d.drawn + d.offscreen + d.behind + d.beyond + d.subpixel + d.hidden !=
+    if (d.drawn + d.offscreen + d.behind + d.beyond + d.subpixel + d.hidden + d.backfacing !=
         result.report.patches)
         fail("patches are lost");
     for (int i = 0; i < frames; ++i) {

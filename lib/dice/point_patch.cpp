@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// l3d_point_place_of, l3d_draw_point: one triangle around a pixel's centre.
+#include "dice/point_patch.h"
+
+#include "dice/normal_columns.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace {
+
+/// Corners about the centre, in sub-pixels: the smallest triangle of whole numbers that has it
+/// inside.
+constexpr std::array<std::array<std::int32_t, 2>, 3> corners{{{-1, -1}, {1, -1}, {0, 1}}};
+constexpr double extent = 1.5 / l3d_subpixel_one;
+
+/// Whether two points are plainly farther apart in the picture than `limit`; without a division,
+/// as most patches are refused by this.
+bool far_apart(const l3d_image_point& a, const l3d_image_point& b, double limit) {
+    const double reach = limit * a[2] * b[2];
+    return std::abs(a[0] * b[2] - b[0] * a[2]) > reach ||
+           std::abs(a[1] * b[2] - b[1] * a[2]) > reach;
+}
+
+/// The index of the only pixel whose centre lies between two places, even if snapping moved them.
+std::optional<std::int32_t> only_centre(double low, double high, double corner) {
+    constexpr double slack = 1.0 / l3d_subpixel_one;
+    const double first = std::ceil(low - corner - slack - 0.5);
+    if (first != std::floor(high - corner + slack - 0.5))
+        return std::nullopt;
+    return static_cast<std::int32_t>(first);
+}
+
+} // namespace
+
+std::optional<l3d_point_place> l3d_point_place_of(const l3d_image_patch& net,
+                                                  const l3d_dice_view& view) {
+    if (far_apart(net.at(0, 0), net.at(3, 3), view.tolerance) ||
+        far_apart(net.at(0, 3), net.at(3, 0), view.tolerance))
+        return std::nullopt;
+    const l3d_depth_range depth = l3d_depth_range_of(net.points);
+    if (depth.least <= view.near || depth.most >= view.far ||
+        depth.most - depth.least > view.depth_budget(depth.least))
+        return std::nullopt;
+    const l3d_image_box box = l3d_image_box_of(net.points);
+    const double transformed =
+        l3d_vertex_error(view.error_xy, view.error_w, box.reach(), depth.least);
+    const double bound = std::hypot(box.width(), box.height()) + extent + transformed;
+    if (!(bound <= std::min(view.tolerance, 1.0)))
+        return std::nullopt;
+    const auto column = only_centre(box.left, box.right, view.window().left);
+    const auto row = only_centre(box.top, box.bottom, view.window().top);
+    if (!column || !row)
+        return std::nullopt;
+    return l3d_point_place{*column * l3d_subpixel_one + l3d_subpixel_one / 2,
+                           *row * l3d_subpixel_one + l3d_subpixel_one / 2, bound};
+}
+
+void l3d_draw_point(const l3d_point_place& place, const l3d_image_patch& net,
+                    const l3d_normal_net::vector& normal, const l3d_dice_view& view,
+                    l3d_diced_pieces& out, l3d_dice_counts& counts) {
+    constexpr double middle = 0.5;
+    l3d_diced_piece& piece = out.next();
+    const double w = net.evaluate(middle, middle)[2];
+    const std::array<float, 3> unit = l3d_unit_normal(normal);
+    std::array<l3d_dice_vertex, 3> triangle;
+    for (std::size_t i = 0; i < triangle.size(); ++i) {
+        triangle[i].vertex = {place.x + corners[i][0],
+                              place.y + corners[i][1],
+                              static_cast<float>(view.depth_scale / w),
+                              {unit[0], unit[1], unit[2]}};
+        triangle[i].u = triangle[i].v = middle;
+    }
+    piece.add_triangle(triangle[0], triangle[1], triangle[2]);
+    piece.bound = place.bound;
+    counts.bound_px = std::max(counts.bound_px, place.bound);
+    ++counts.drawn;
+    ++counts.as_points;
+    ++counts.pieces;
+    ++counts.samples;
+}

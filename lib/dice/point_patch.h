@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Patches that are smaller than what may be wrong by: drawn as points.
+#ifndef L3D_DICE_POINT_PATCH_H
+#define L3D_DICE_POINT_PATCH_H
+
+#include "dice/dice_counts.h"
+#include "dice/dice_view.h"
+#include "dice/diced_pieces.h"
+#include "geom/normal_net.h"
+
+#include <cstdint>
+#include <optional>
+
+/// The one pixel's centre that can be covered by a patch whose hull is no wider than the tolerance.
+struct l3d_point_place {
+    std::int32_t x = 0, y = 0; ///< of the centre, in 1/256 pixel from the picture's corner
+    double bound = 0;          ///< how far any point of the patch is from what is drawn; in pixels
+};
+
+/// Whether a patch may be drawn as a point, and where: if the box of its net, with the point's own
+/// extent, is within the tolerance, holds one pixel's centre, and is nearly as far everywhere.
+///
+/// Whatever centre the patch covers is in that box, so no gap opens; and no centre that is covered
+/// instead is farther from any of its points than the box is wide.
+std::optional<l3d_point_place> l3d_point_place_of(const l3d_image_patch& net,
+                                                  const l3d_dice_view& view);
+
+/// Draws it with depth and normal of its middle. Shape: a normal of any length, in the world.
+void l3d_draw_point(const l3d_point_place& place, const l3d_image_patch& net,
+                    const l3d_normal_net::vector& normal, const l3d_dice_view& view,
+                    l3d_diced_pieces& out, l3d_dice_counts& counts);
+
+#endif
