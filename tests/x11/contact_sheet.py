@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Pictures made of many, drawn by the programs themselves, into the folder that is named:
 programs.png has all programs in the order of tests/golden/programs.txt, polygons.png three models as
-lines and surfaces."""
+lines and surfaces, eight_bits.png the teapot on displays of 8 bits."""
 
 import os
 import struct
@@ -10,10 +10,10 @@ import sys
 import zlib
 
 import harness
-from harness import environment, expect_equal, folder, run
+from harness import Shown, environment, expect_equal, folder, memory_picture, run, wait_for, x_server
 from programs_test import FRAMES, table
+from visual_test import CLASSES, FARTHEST, is_close
 
-COLUMNS = 4
 PAPER = 0x404040
 MODELS = ("thing.asc", "ball.asc", "torus.off")
 STYLES = (["--wireframe", "--all-faces"], ["--hidden-lines"], ["--shade", "flat"],
@@ -42,15 +42,31 @@ def polygons():
             for model in MODELS for style in STYLES]
 
 
-def sheet(tiles, gap):
+def window_of_8_bits(name):
+    """What the window shows, in the colours that the display gives its pixels."""
+    teapot = harness.Program("teapot_afd", (320, 200))
+    with x_server("-screen", "0", "400x300x8", "-cc", str(CLASSES.index(name))) as server:
+        with Shown(teapot, server, "--backend", "ximage") as it:
+            _, _, _, map_of = it.eyes.visual(it.window)
+            wanted = memory_picture(teapot)
+            pixels = lambda: it.eyes.pixels(it.window, *teapot.size)
+            wait_for(lambda: is_close(pixels(), map_of, wanted, FARTHEST[name]), "a picture")
+            return [[map_of[pixel] for pixel in row] for row in pixels()]
+
+
+def eight_bits():
+    return [window_of_8_bits(name) for name in CLASSES]
+
+
+def sheet(tiles, columns, gap):
     width, height = len(tiles[0][0]), len(tiles[0])
-    lines = -(-len(tiles) // COLUMNS)
+    lines = -(-len(tiles) // columns)
     picture = [
-        [PAPER] * (COLUMNS * (width + gap) + gap) for _ in range(lines * (height + gap) + gap)
+        [PAPER] * (columns * (width + gap) + gap) for _ in range(lines * (height + gap) + gap)
     ]
     for i, rows in enumerate(tiles):
-        left = gap + i % COLUMNS * (width + gap)
-        top = gap + i // COLUMNS * (height + gap)
+        left = gap + i % columns * (width + gap)
+        top = gap + i // columns * (height + gap)
         for y, row in enumerate(rows):
             picture[top + y][left : left + width] = row
     return picture
@@ -69,5 +85,6 @@ def write_png(path, picture):
 
 
 if __name__ == "__main__":
-    write_png(os.path.join(sys.argv[1], "programs.png"), sheet(programs(), 6))
-    write_png(os.path.join(sys.argv[1], "polygons.png"), sheet(polygons(), 0))
+    for name, tiles, columns, gap in (("programs", programs(), 4, 6), ("polygons", polygons(), 4, 0),
+                                      ("eight_bits", eight_bits(), 3, 6)):
+        write_png(os.path.join(sys.argv[1], name + ".png"), sheet(tiles, columns, gap))
