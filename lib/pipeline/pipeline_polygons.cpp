@@ -102,9 +102,9 @@ std::vector<l3d_viewer_row> l3d_pipeline_polygons::own_rows() {
     for (int axis = 0; axis < 3; ++axis)
         for (const auto& [key, degrees] :
              {std::pair('x' + axis, key_degrees), std::pair('X' + axis, -key_degrees)})
-            turn.actions.emplace_back(key, [this, axis, degrees] {
+            turn.actions.emplace_back(key, [this, axis, by = degrees] {
                 double& angle = settings_.rotation[axis];
-                angle = std::remainder(angle + degrees, 360.0);
+                angle = std::remainder(angle + by, 360.0);
             });
     const auto shade = [this] {
         const auto& next = l3d_shade_names[after(settings_.shade, shade_count)];
