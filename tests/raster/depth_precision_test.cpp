@@ -68,7 +68,8 @@ TEST(depth_precision, stored_depth_is_within_its_bound) {
     l3d_surface_rasterizer_sw lanes(workers);
     double worst = 0, worst_in_lanes = 0;
     for (int i = 0; i < 1500; ++i) {
-        const triangle t = random_triangle(random, std::array{100.0, 1000.0, 1e6}[i % 3]);
+        const triangle t = random_triangle(
+            random, std::array{100.0, 1000.0, 1e6}[static_cast<std::size_t>(i % 3)]);
         const auto [far, near] = std::minmax({t.v[0].inv_w, t.v[1].inv_w, t.v[2].inv_w});
         const double bound = 0x1p-22 * double(near);
         const double in_lanes = bound + 1e-5 * (double(near) - far);
