@@ -176,6 +176,17 @@ HWY_ATTR seen_norm norm_of(const l3d_image_box& seen, const centred_net& net) {
             hn::Set(d, static_cast<float>(diagonal / 2))};
 }
 
+/// The norm of each of `Count` differences, whose components lie side by side.
+template <std::size_t Count>
+HWY_ATTR HWY_INLINE void norms_of(const float (&at)[3][Count], const seen_norm& norm,
+                                  float (&image)[Count]) {
+    const floats d;
+    for (std::size_t i = 0; i < Count; i += hn::Lanes(d)) {
+        const auto x = hn::Load(d, at[0] + i), y = hn::Load(d, at[1] + i);
+        hn::Store(norm(x, y, hn::Load(d, at[2] + i)), d, image + i);
+    }
+}
+
 /// Mixed third and fourth differences of a net, side by side.
 struct mixed_differences {
     static constexpr std::size_t uuv = 0, uvv = 6, uuvv = 12, end = 16;
@@ -208,16 +219,11 @@ HWY_ATTR void bound_mixed(const l3d_dice_view& view, lane_bounds& out) {
     const l3d_image_box box = view.margin().intersected(view.drawn_box(out.hull));
     if (box.empty())
         return;
-    const floats d;
-    const seen_norm norm = norm_of(box, out.net);
     const double scale = 1 / out.most_w;
     using differences = mixed_differences;
     const differences of(out.net, scale);
     alignas(64) float image[differences::end];
-    for (std::size_t i = 0; i < differences::end; i += hn::Lanes(d))
-        hn::Store(
-            norm(hn::Load(d, of.at[0] + i), hn::Load(d, of.at[1] + i), hn::Load(d, of.at[2] + i)),
-            d, image + i);
+    norms_of(of.at, norm_of(box, out.net), image);
     const auto bound = [&](std::size_t from, std::size_t to, double factor) {
         const auto largest = static_cast<double>(*std::max_element(image + from, image + to));
         return factor / (out.least_w * scale) * static_cast<double>(relative) *
@@ -288,17 +294,11 @@ HWY_ATTR void bound_whole(const l3d_dice_view& view, lane_bounds& out) {
     needs.visible = !box.empty();
     if (!needs.visible)
         return;
-    const floats d;
-    const seen_norm norm = norm_of(box, out.net);
     const double scale = 1 / out.most_w;
     using differences = net_differences;
     const differences of(out.net, scale);
-    alignas(64) float image[differences::room], depth[differences::room];
-    for (std::size_t i = 0; i < differences::room; i += hn::Lanes(d)) {
-        const auto dw = hn::Load(d, of.at[2] + i);
-        hn::Store(norm(hn::Load(d, of.at[0] + i), hn::Load(d, of.at[1] + i), dw), d, image + i);
-        hn::Store(hn::Abs(dw), d, depth + i);
-    }
+    alignas(64) float image[differences::room];
+    norms_of(of.at, norm_of(box, out.net), image);
     const double low_w = out.least_w * scale;
     const auto bound = [&](const float* numbers, std::size_t from, std::size_t to, double factor,
                            double rounding) {
@@ -314,6 +314,9 @@ HWY_ATTR void bound_whole(const l3d_dice_view& view, lane_bounds& out) {
     if (!needs.keeps_depth)
         return;
     const auto of_w = static_cast<double>(depth_rounding);
+    float depth[differences::end];
+    std::transform(of.at[2], of.at[2] + differences::end, depth,
+                   [](float dw) { return std::abs(dw); });
     needs.depth_uu[0] = bound(depth, differences::along_u, differences::along_v, 8 * six, of_w);
     needs.depth_vv[0] = bound(depth, differences::along_v, differences::mixed, 8 * six, of_w);
     needs.depth_uv[0] = bound(depth, differences::mixed, differences::end, 8 * nine, of_w);

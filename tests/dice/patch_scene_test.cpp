@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Placed models: their boxes, their normals, and nets in lanes.
-#include "geom/teapot.h"
 #include "dice/patch_scene.h"
+#include "teapot_studio.h"
 #include "dice/placed_net.h"
 #include "raster/simd_target.h"
 
@@ -13,12 +13,9 @@
 
 namespace {
 
-using vector = l3d_patch_scene::vector;
+using dice_tests::teapot_model;
 
-l3d_patch_model teapot_model() {
-    std::string why;
-    return *l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot", why);
-}
+using vector = l3d_patch_scene::vector;
 
 /// Affine, of any orientation, slanted, and turned inside out half of the time.
 l3d_matrix<double> random_placement(std::mt19937_64& random, double far) {

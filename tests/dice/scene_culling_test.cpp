@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What culling leaves out is not seen, what it hands out comes nearest first.
-#include "geom/teapot.h"
 #include "dice/camera.h"
+#include "teapot_studio.h"
 #include "dice/scene_culling.h"
 #include "dice/scene_culling_p.h"
 #include "raster/simd_target.h"
@@ -21,16 +21,14 @@
 
 namespace {
 
+using dice_tests::teapot_model;
+
 using vector = l3d_patch_scene::vector;
 
 constexpr l3d_size odd{317, 241};
 
 l3d_camera oblique() {
-    l3d_camera camera;
-    camera.eye = {2.5, 3.1, 6.3};
-    camera.target = {0.4, 0.2, -0.3};
-    camera.up = {0.1, 1.0, 0.05};
-    camera.fov = 41;
+    l3d_camera camera = dice_tests::oblique_camera();
     camera.near = 0.2;
     camera.far = 300;
     return camera;
@@ -42,11 +40,6 @@ l3d_dice_view view_of(const l3d_camera& camera, l3d_size size) {
     view.near = camera.near;
     view.far = camera.far;
     return view;
-}
-
-l3d_patch_model teapot_model() {
-    std::string why;
-    return *l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot", why);
 }
 
 /// Patches of all sizes, some flat as a line.

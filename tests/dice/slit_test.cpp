@@ -102,15 +102,24 @@ l3d_image_curve random_edge(random_numbers& random) {
     return edge;
 }
 
+/// An edge, how it is looked at, and its polyline.
+struct seen_edge {
+    seen_edge(random_numbers& random, double low, double high)
+        : edge(random_edge(random)), view(view_with(random.of_any_size(low, high))) {
+        line.build(edge, view);
+    }
+
+    l3d_image_curve edge;
+    l3d_dice_view view;
+    l3d_edge_polyline line;
+};
+
 TEST(slit, along_a_whole_side_is_that_of_any_row) {
     std::size_t triangles = 0;
     for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         random_numbers random(seed);
-        const l3d_image_curve edge = random_edge(random);
-        const l3d_dice_view view = view_with(random.of_any_size(0.3, 3));
-        l3d_edge_polyline line;
-        line.build(edge, view);
+        const auto [edge, view, line] = seen_edge(random, 0.3, 3);
         ASSERT_GT(line.strips().blocks, 0);
         steps strips(random.between(0, 1) < 0.3 ? 1 : 4);
         for (int& n : strips)
@@ -133,10 +142,7 @@ TEST(slit, is_empty_where_the_row_has_the_steps_of_the_edge) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         random_numbers random(seed);
-        const l3d_image_curve edge = random_edge(random);
-        const l3d_dice_view view = view_with(random.of_any_size(0.3, 3));
-        l3d_edge_polyline line;
-        line.build(edge, view);
+        const auto [edge, view, line] = seen_edge(random, 0.3, 3);
         steps strips;
         for (int s = 0; s < line.strips().blocks; ++s)
             strips.push_back(line.strips().first[static_cast<std::size_t>(s) + 1] -
@@ -172,10 +178,7 @@ TEST(slit, triangles_add_up_to_the_area_between_row_and_edge) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         random_numbers random(seed);
-        const l3d_image_curve edge = random_edge(random);
-        const l3d_dice_view view = view_with(1);
-        l3d_edge_polyline line;
-        line.build(edge, view);
+        const auto [edge, view, line] = seen_edge(random, 1, 1);
         l3d_diced_piece piece = piece_along(edge, {1, 2, 3, 1}, seed % 4, 0, 1, view, random);
         // Moves the row far off, so that no triangle is small; the ends stay.
         l3d_micro_grid& grid = piece.part.grid;

@@ -28,99 +28,96 @@ std::int64_t pixels_to_fill(std::int64_t usual) {
     return more ? std::atoll(more) / 3 : sanitized ? usual / 8 : usual;
 }
 
-TYPED_TEST(watertight, random_tilings_cover_every_pixel) {
-    std::int64_t pixels = 0, uncovered = 0, pieces = 0, patches = 0;
+/// A k x k tiling of a picture, how it is looked at, and how exactly it is drawn.
+struct tiling_case {
+    l3d_size size;
+    int k = 1;
+    double fold = 0, depth = 0, tolerance = 1;
+    reference::camera tiled_for = oblique, seen_by = oblique;
+};
+
+/// Size of a picture.
+l3d_size any_size(random_numbers& random) {
+    const int width = static_cast<int>(random.between(150, 500));
+    return {width, static_cast<int>(random.between(120, 400))};
+}
+
+/// Draws the tilings of seeds 1, 2, ... that `any_case` makes until enough pixels are filled, and
+/// expects none to be left out.
+template <class Number, class Any>
+l3d_dice_counts fill(const char* name, std::int64_t enough, const Any& any_case) {
+    l3d_dice_counts sum;
+    std::int64_t pixels = 0, uncovered = 0;
     std::uint64_t seed = 1;
-    for (const std::int64_t enough = pixels_to_fill(7'000'000); pixels < enough; ++seed) {
+    for (; pixels < enough; ++seed) {
         random_numbers random(seed);
-        const l3d_size size{static_cast<int>(random.between(150, 500)),
-                            static_cast<int>(random.between(120, 400))};
-        const int k = static_cast<int>(random.of_any_size(1, 12.99));
-        const double fold = random.between(0, 2), depth = random.between(0, 4);
-        const double tolerance = random.of_any_size(0.05, 4);
-        const scene s(random_tiling(seed, k, fold, depth, oblique, {size.width, size.height}),
-                      oblique, size);
-        picture drawn(size);
-        const l3d_dice_counts counts = dice<TypeParam>(s, tolerance, drawn);
+        const tiling_case c = any_case(random);
+        const scene s(
+            random_tiling(seed, c.k, c.fold, c.depth, c.tiled_for, {c.size.width, c.size.height}),
+            c.seen_by, c.size);
+        picture drawn(c.size);
+        const l3d_dice_counts counts = dice<Number>(s, c.tolerance, drawn);
         EXPECT_EQ(drawn.uncovered(), 0)
-            << "seed " << seed << ": " << k << " x " << k << " patches, fold " << fold << ", depth "
-            << depth << ", tolerance " << tolerance;
-        pixels += std::int64_t{size.width} * size.height;
+            << name << ", seed " << seed << ": " << c.k << " x " << c.k << " patches, fold "
+            << c.fold << ", depth " << c.depth << ", fov " << c.seen_by.fov_degrees
+            << ", tolerance " << c.tolerance;
+        pixels += std::int64_t{c.size.width} * c.size.height;
         uncovered += drawn.uncovered();
-        pieces += counts.pieces;
-        patches += counts.drawn;
+        sum.pieces += counts.pieces;
+        sum.drawn += counts.drawn;
+        sum.clipped += counts.clipped;
     }
-    std::printf("%-6s tilings: %ld of %ld pixels uncovered; %ld patches in %ld pieces, seeds 1 to "
-                "%ld\n",
-                name_of<TypeParam>(), static_cast<long>(uncovered), static_cast<long>(pixels),
-                static_cast<long>(patches), static_cast<long>(pieces), static_cast<long>(seed - 1));
+    std::printf("%-6s %s: %ld of %ld pixels uncovered; %ld patches in %ld pieces, %ld clipped, "
+                "seeds 1 to %ld\n",
+                name_of<Number>(), name, static_cast<long>(uncovered), static_cast<long>(pixels),
+                static_cast<long>(sum.drawn), static_cast<long>(sum.pieces),
+                static_cast<long>(sum.clipped), static_cast<long>(seed - 1));
+    return sum;
+}
+
+TYPED_TEST(watertight, random_tilings_cover_every_pixel) {
+    fill<TypeParam>("tilings", pixels_to_fill(7'000'000), [](random_numbers& random) {
+        tiling_case c{any_size(random)};
+        c.k = static_cast<int>(random.of_any_size(1, 12.99));
+        c.fold = random.between(0, 2);
+        c.depth = random.between(0, 4);
+        c.tolerance = random.of_any_size(0.05, 4);
+        return c;
+    });
 }
 
 /// The middle of a tiling seen through a long lens: patches reach far beyond the window, some need
 /// cutting where their neighbours do not.
 TYPED_TEST(watertight, zoomed_tilings_whose_patches_are_cut_cover_every_pixel) {
-    std::int64_t pixels = 0, uncovered = 0, pieces = 0, patches = 0, clipped = 0;
-    std::uint64_t seed = 1;
-    for (const std::int64_t enough = pixels_to_fill(4'000'000); pixels < enough; ++seed) {
-        random_numbers random(seed);
-        const l3d_size size{static_cast<int>(random.between(150, 500)),
-                            static_cast<int>(random.between(120, 400))};
-        reference::camera wide_angle = oblique, zoomed = oblique;
-        wide_angle.fov_degrees = 70;
-        zoomed.fov_degrees = random.of_any_size(0.02, 30);
-        const int k = static_cast<int>(random.of_any_size(1, 8.99));
-        const double fold = random.between(0, 1.5), depth = random.between(0, 4);
-        const double tolerance = random.of_any_size(0.02, 4);
-        const scene s(random_tiling(seed, k, fold, depth, wide_angle, {size.width, size.height}),
-                      zoomed, size);
-        picture drawn(size);
-        const l3d_dice_counts counts = dice<TypeParam>(s, tolerance, drawn);
-        EXPECT_EQ(drawn.uncovered(), 0)
-            << "seed " << seed << ": " << k << " x " << k << " patches, fold " << fold << ", depth "
-            << depth << ", fov " << zoomed.fov_degrees << ", tolerance " << tolerance;
-        pixels += std::int64_t{size.width} * size.height;
-        uncovered += drawn.uncovered();
-        pieces += counts.pieces;
-        clipped += counts.clipped;
-        patches += counts.drawn;
-    }
+    const auto zoomed = [](random_numbers& random) {
+        tiling_case c{any_size(random)};
+        c.tiled_for.fov_degrees = 70;
+        c.seen_by.fov_degrees = random.of_any_size(0.02, 30);
+        c.k = static_cast<int>(random.of_any_size(1, 8.99));
+        c.fold = random.between(0, 1.5);
+        c.depth = random.between(0, 4);
+        c.tolerance = random.of_any_size(0.02, 4);
+        return c;
+    };
+    const l3d_dice_counts sum =
+        fill<TypeParam>("zoomed tilings", pixels_to_fill(4'000'000), zoomed);
     if (!sanitized) { // too few tilings to count on one that is cut
-        EXPECT_GT(pieces, patches);
+        EXPECT_GT(sum.pieces, sum.drawn);
     }
-    std::printf("%-6s zoomed tilings: %ld of %ld pixels uncovered; %ld patches in %ld pieces, %ld "
-                "clipped, seeds 1 to %ld\n",
-                name_of<TypeParam>(), static_cast<long>(uncovered), static_cast<long>(pixels),
-                static_cast<long>(patches), static_cast<long>(pieces), static_cast<long>(clipped),
-                static_cast<long>(seed - 1));
 }
 
 /// Finer than vertices can be placed, so that patches need more than 32 steps a strip.
 TYPED_TEST(watertight, tilings_cut_again_and_again_cover_every_pixel) {
-    std::int64_t pixels = 0, uncovered = 0, pieces = 0, patches = 0;
-    std::uint64_t seed = 1;
-    for (const std::int64_t enough = pixels_to_fill(1'000'000); pixels < enough; ++seed) {
-        random_numbers random(seed);
-        const l3d_size size{static_cast<int>(random.between(150, 500)),
-                            static_cast<int>(random.between(120, 400))};
-        const int k = static_cast<int>(random.between(1, 3.99));
-        const double tolerance = random.of_any_size(0.0005, 0.005);
-        const scene s(random_tiling(seed, k, random.between(0, 2), random.between(0, 4), oblique,
-                                    {size.width, size.height}),
-                      oblique, size);
-        picture drawn(size);
-        const l3d_dice_counts counts = dice<TypeParam>(s, tolerance, drawn);
-        EXPECT_EQ(drawn.uncovered(), 0)
-            << "seed " << seed << ": " << k << " x " << k << " patches, tolerance " << tolerance;
-        pixels += std::int64_t{size.width} * size.height;
-        uncovered += drawn.uncovered();
-        pieces += counts.pieces;
-        patches += counts.drawn;
-    }
-    EXPECT_GT(pieces, 3 * patches);
-    std::printf("%-6s cut tilings: %ld of %ld pixels uncovered; %ld patches in %ld pieces, seeds 1 "
-                "to %ld\n",
-                name_of<TypeParam>(), static_cast<long>(uncovered), static_cast<long>(pixels),
-                static_cast<long>(patches), static_cast<long>(pieces), static_cast<long>(seed - 1));
+    const auto fine = [](random_numbers& random) {
+        tiling_case c{any_size(random)};
+        c.k = static_cast<int>(random.between(1, 3.99));
+        c.tolerance = random.of_any_size(0.0005, 0.005);
+        c.fold = random.between(0, 2);
+        c.depth = random.between(0, 4);
+        return c;
+    };
+    const l3d_dice_counts sum = fill<TypeParam>("cut tilings", pixels_to_fill(1'000'000), fine);
+    EXPECT_GT(sum.pieces, 3 * sum.drawn);
 }
 
 /// k x k patches over |x|, |z| <= 40 with control points moved within the plane y = 0, and up and

@@ -10,6 +10,7 @@
 #include "raster/simd_target.h"
 #include "raster/surface_rasterizer_scalar.h"
 #include "reference/views.h"
+#include "words_of.h"
 #include "dice/scene.h"
 #include "tool_2d/screen_memory.h"
 
@@ -59,14 +60,7 @@ public:
         draw_event();
     }
 
-    std::vector<std::uint32_t> words() {
-        std::vector<std::uint32_t> result;
-        for (int y = 0; y < screen().pixels().height; ++y) {
-            const auto row = screen().pixels().row(y);
-            result.insert(result.end(), row.begin(), row.end());
-        }
-        return result;
-    }
+    std::vector<std::uint32_t> words() { return words_of(screen().pixels()); }
 
 private:
     static std::unique_ptr<l3d_screen> memory_screen(l3d_size size) {

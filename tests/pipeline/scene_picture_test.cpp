@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pictures of scenes: nothing that would be seen is left out, and placed models look placed.
-#include "geom/teapot.h"
 #include "pipeline/pipeline_afd.h"
+#include "dice/teapot_studio.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "tool_2d/screen_memory.h"
 
@@ -17,21 +17,10 @@
 
 namespace {
 
+using dice_tests::oblique_camera;
+using dice_tests::teapot_model;
+
 constexpr l3d_size odd{317, 241};
-
-l3d_camera oblique() {
-    l3d_camera camera;
-    camera.eye = {2.5, 3.1, 6.3};
-    camera.target = {0.4, 0.2, -0.3};
-    camera.up = {0.1, 1.0, 0.05};
-    camera.fov = 41;
-    return camera;
-}
-
-l3d_patch_model teapot_model() {
-    std::string why;
-    return *l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot", why);
-}
 
 std::unique_ptr<l3d_screen> memory_screen() {
     l3d_screen_request request;
@@ -46,7 +35,7 @@ struct picture {
 };
 
 picture drawn(const l3d_patch_scene& scene, const l3d_afd_settings& settings) {
-    l3d_pipeline_afd pipeline(memory_screen(), l3d_rasterizer_factory_sw(), scene, oblique(),
+    l3d_pipeline_afd pipeline(memory_screen(), l3d_rasterizer_factory_sw(), scene, oblique_camera(),
                               settings);
     pipeline.draw_event();
     picture result{{}, pipeline.report()};
@@ -91,7 +80,7 @@ l3d_matrix<double> slanted(std::mt19937_64& random) {
 l3d_patch_scene crowd(const l3d_patch_model& model, int count) {
     std::mt19937_64 random(90125);
     std::uniform_real_distribution<double> unit(-1, 1);
-    const l3d_camera camera = oblique();
+    const l3d_camera camera = oblique_camera();
     const l3d_camera::frame axes = camera.axes();
     l3d_patch_scene scene;
     for (int i = 0; i < count; ++i) {

@@ -3,11 +3,12 @@
 #ifndef L3D_TESTS_PIPELINE_STILL_STUDIO_H
 #define L3D_TESTS_PIPELINE_STILL_STUDIO_H
 
-#include "geom/teapot.h"
+#include "dice/teapot_studio.h"
 #include "pipeline/pipeline_afd.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "tool_2d/image.h"
 #include "tool_2d/screen.h"
+#include "words_of.h"
 
 #include <algorithm>
 #include <chrono>
@@ -20,6 +21,8 @@
 #include <vector>
 
 namespace still_tests {
+
+using dice_tests::teapot_model;
 
 inline constexpr l3d_size odd{203, 149};
 
@@ -62,14 +65,7 @@ public:
         resize_event(size);
     }
 
-    std::vector<std::uint32_t> words() {
-        std::vector<std::uint32_t> result;
-        for (int y = 0; y < screen().pixels().height; ++y) {
-            const auto row = screen().pixels().row(y);
-            result.insert(result.end(), row.begin(), row.end());
-        }
-        return result;
-    }
+    std::vector<std::uint32_t> words() { return words_of(screen().pixels()); }
 
 private:
     void draw_overlay() override {
@@ -77,11 +73,6 @@ private:
             rasterizer().draw_line(text_at, 3, 150, 100, 0x00123456);
     }
 };
-
-inline l3d_patch_model teapot_model() {
-    std::string why;
-    return *l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot", why);
-}
 
 using random_numbers = std::mt19937_64;
 
