@@ -39,9 +39,9 @@ measured measure_ours(const l3d_patch_model& model, const bench_cell& cell, doub
 }
 
 /// The largest tolerance that does. The error does not grow evenly with it, so all are tried, a
-/// half per cent apart, from above: the bound is never twice what is measured.
+/// per cent apart, from above: the bound is never twice what is measured.
 void plan_ours(const l3d_patch_model& model, bench_cell& cell) {
-    for (double tolerance = 2 * cell.error; tolerance > cell.error / 2; tolerance /= 1.005) {
+    for (double tolerance = 2 * cell.error; tolerance > cell.error / 2; tolerance /= 1.01) {
         const measured m = measure_ours(model, cell, tolerance);
         if (m.error > cell.error)
             continue;
