@@ -38,6 +38,8 @@ std::string name_of(const l3d_event& event) {
         return "Expose";
     case l3d_event_type::hide:
         return "VisibilityNotify hidden";
+    case l3d_event_type::reveal:
+        return "VisibilityNotify seen";
     case l3d_event_type::close:
         return "ClientMessage WM_DELETE_WINDOW";
     case l3d_event_type::fullscreen:

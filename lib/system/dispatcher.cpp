@@ -35,6 +35,7 @@ void l3d_dispatcher::deliver(const l3d_event& event, l3d_pipeline& pipeline) {
     case l3d_event_type::key_release:
     case l3d_event_type::expose:
     case l3d_event_type::hide:
+    case l3d_event_type::reveal:
     case l3d_event_type::fullscreen:
     case l3d_event_type::display_lost:
         break;

@@ -74,6 +74,9 @@ void l3d_dispatcher_x11::loop::take(const l3d_event& event) {
     case l3d_event_type::hide:
         hidden_ = true;
         break;
+    case l3d_event_type::reveal:
+        hidden_ = false;
+        break;
     case l3d_event_type::fullscreen:
         screen_.set_fullscreen(!screen_.is_fullscreen());
         break;
@@ -98,7 +101,7 @@ void l3d_dispatcher_x11::loop::take_events() {
 }
 
 void l3d_dispatcher_x11::loop::show_again() {
-    if (!exposed_ || stale_)
+    if (!exposed_ || hidden_ || stale_)
         return;
     screen_.show();
     exposed_ = false;

@@ -32,8 +32,9 @@ enum class l3d_event_type {
     pointer_motion,
     wheel,
     resize,
-    expose,     ///< the window has to be shown again, or is on the screen again
-    hide,       ///< nothing of the window can be seen until the next expose
+    expose,     ///< part of the window can be seen and lost its picture: it has to be shown again
+    hide,       ///< nothing of the window can be seen until the next expose or reveal
+    reveal,     ///< part of the window can be seen again; if it lost its picture, expose follows
     fullscreen, ///< the user wants the whole display, or no longer: F11, Alt+Enter
     close,      ///< the user wants the end, or somebody destroyed the window
     display_lost,

@@ -132,7 +132,7 @@ void x11_events::take(XEvent& event) {
         if (event.xvisibility.state == VisibilityFullyObscured)
             hide();
         else if (hidden_)
-            expose();
+            reveal();
         return;
     case MapNotify:
         mapped_ = true;
@@ -168,12 +168,19 @@ void x11_events::push_instead_of(std::initializer_list<l3d_event_type> types,
 
 void x11_events::hide() {
     hidden_ = true;
-    push_instead_of({l3d_event_type::expose, l3d_event_type::hide}, {.type = l3d_event_type::hide});
+    push_instead_of({l3d_event_type::hide, l3d_event_type::reveal}, {.type = l3d_event_type::hide});
+}
+
+/// A server that keeps what is covered does not ask for it.
+void x11_events::reveal() {
+    hidden_ = false;
+    push_instead_of({l3d_event_type::hide, l3d_event_type::reveal},
+                    {.type = l3d_event_type::reveal});
 }
 
 void x11_events::expose() {
     hidden_ = false;
-    push_instead_of({l3d_event_type::expose, l3d_event_type::hide},
+    push_instead_of({l3d_event_type::expose, l3d_event_type::hide, l3d_event_type::reveal},
                     {.type = l3d_event_type::expose});
 }
 

@@ -15,8 +15,8 @@ namespace l3d_detail {
 /// Translates the events of one window and keeps them until they are asked for.
 ///
 /// What only the latest value of matters is kept once: the size, whether the window can be seen,
-/// and the pointer's place until something else happens. Every key that is told pressed is told
-/// released, by the time the window loses the keyboard at the latest.
+/// that it lost its picture, and the pointer's place until something else happens. Every key that
+/// is told pressed is told released, by the time the window loses the keyboard at the latest.
 class x11_events {
 public:
     explicit x11_events(const x11_window& window) : window_(window) {}
@@ -39,6 +39,7 @@ private:
     void push(const l3d_event& event) { queue_.push_back(event); }
     void push_instead_of(std::initializer_list<l3d_event_type> types, const l3d_event& event);
     void hide();
+    void reveal();
     void expose();
     void take_press(XKeyEvent& event);
     void take_release(const XKeyEvent& event);

@@ -151,6 +151,27 @@ TEST(dispatcher_x11, hidden_windows_are_neither_drawn_nor_shown) {
                                  "frame", "update", "draw", "show", "frame"}));
 }
 
+TEST(dispatcher_x11, what_can_be_seen_again_is_shown_again_only_if_it_was_lost) {
+    for (const bool is_lost : {false, true}) {
+        window_run run(frames(0, 500));
+        run.pipeline.lazy = true;
+        run.pipeline.on_update = [&](int update) {
+            if (update == 2 && is_lost) // and covered before anybody came to it
+                run.screen.pending.push_back(make_event(l3d_event_type::expose));
+            if (update == 2)
+                run.screen.pending.push_back(make_event(l3d_event_type::hide));
+            if (update == 3)
+                run.screen.pending.push_back(make_event(l3d_event_type::reveal));
+            run.pipeline.done = update == 4;
+        };
+        run.dispatcher.start();
+        call_log wanted{"update", "draw", "show", "frame", "update", "update", "show", "update"};
+        if (!is_lost)
+            wanted.erase(wanted.end() - 2);
+        EXPECT_EQ(run.log, wanted) << is_lost;
+    }
+}
+
 TEST(dispatcher_x11, pictures_that_wait_for_the_display_are_not_drawn_over) {
     window_run run(frames(0, 500));
     run.pipeline.on_update = [&](int update) {

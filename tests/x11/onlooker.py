@@ -152,6 +152,11 @@ class Onlooker:
         self.x.XSendEvent(self.display, ctypes.c_ulong(window), False, 0, ctypes.byref(event))
         self.x.XSync(self.display, False)
 
+    def expose(self, window, x, y, width, height):
+        """Has the server say that this part of a window is to be drawn again."""
+        self.x.XClearArea(self.display, ctypes.c_ulong(window), x, y, width, height, True)
+        self.x.XSync(self.display, False)
+
     @contextlib.contextmanager
     def cover(self, width, height):
         """A window over the top left of the screen, for a while."""

@@ -2,14 +2,15 @@
 # SPDX-License-Identifier: MIT
 """When pictures travel, and how much of them: pace, a network, a storm of sizes."""
 
+import collections
 import os
 import signal
 import statistics
 import time
 
 import harness
-from display_test import MOVING, PICTURES, TEAPOT, is_quiet, pictures, resident_bytes
-from harness import Checks, Shown, expect, expect_equal, wait_for, x_server, xdotool
+from display_test import MOVING, PICTURES, PUTS, TEAPOT, is_quiet, pictures, resident_bytes
+from harness import Checks, Shown, environment, expect, expect_equal, wait_for, x_server, xdotool
 from x_proxy import Proxy
 
 PERIOD = 1 / 60
@@ -74,6 +75,52 @@ def sends_only_what_changed():
             expect(0 < sent < 4 * width * height / 20, "bytes", sent)
 
 
+def sends_nothing_while_it_stands_still(backend, reach, frames=100):
+    """A run of a hundred frames more has no request more than that of one frame."""
+    with x_server() as server:
+        first, all_frames = (requests_of_a_run(server, backend, reach, count)
+                             for count in (1, 1 + frames))
+    expect_equal(all_frames - first, collections.Counter(), "more than the first frame's")
+    expect_equal(sum(all_frames[name] for name in PICTURES), PUTS[backend], "pictures")
+
+
+def requests_of_a_run(server, backend, reach, frames):
+    """How many there were of each name, from the first to the goodbye."""
+    with Proxy(server.display) as proxy, harness.folder() as path:
+        command = TEAPOT.command("--backend", backend, "--frames", str(frames), "--fps", "200",
+                                 "--output", "%d.png")
+        done = harness.run(command, environment(getattr(proxy, reach)), cwd=path)
+        expect_equal(done, (0, b"", ""))
+        expect_equal(len(os.listdir(path)), frames, "frames that passed")
+        return collections.Counter(proxy.mark().requests)
+
+
+def puts_all_of_it_again(backend, reach):
+    """Whatever part of a window was uncovered, one picture of the whole follows, the same."""
+    width, height = TEAPOT.size
+    with x_server() as server, Proxy(server.display) as proxy:
+        with Shown(TEAPOT, server, "--backend", backend, display=getattr(proxy, reach)) as it:
+            wait_for(lambda: pictures(proxy.mark()) >= PUTS[backend] and is_quiet(proxy),
+                     "the first picture")
+            before = it.picture()
+            expect(harness.has_picture(before), "nothing is shown")
+            for what, harm in (
+                ("a corner", lambda: cover_for_a_while(it, proxy, width // 2, height - 7)),
+                ("all", lambda: cover_for_a_while(it, proxy, 800, 600)),
+                ("one pixel", lambda: it.eyes.expose(it.window, width - 3, 5, 1, 1)),
+            ):
+                mark = proxy.mark()
+                harm()
+                wait_for(lambda: (proxy.mark() - mark).boxes and is_quiet(proxy), "the repair")
+                expect_equal((proxy.mark() - mark).boxes, [(0, 0, width, height)], what)
+                expect(it.picture() == before, what, "another picture")
+
+
+def cover_for_a_while(it, proxy, width, height):
+    with it.eyes.cover(width, height):
+        expect(is_quiet(proxy), "requests about what is covered")
+
+
 def weathers_a_storm_of_sizes(backend, count=300):
     """The picture has the last size, and memory did not grow with their number."""
     last = (233, 144)
@@ -104,6 +151,10 @@ def main():
     for backend in ("ximage", "xshm"):
         for check in (keeps_its_pace, goes_slowly_over_a_network, weathers_a_storm_of_sizes):
             checks.run("wire.%s.%s" % (backend, check.__name__), check, backend)
+    for backend, reach in (("ximage", "display"), ("ximage", "tcp_display"), ("xshm", "display")):
+        for check in (sends_nothing_while_it_stands_still, puts_all_of_it_again):
+            name = "wire.%s.%s.%s" % (backend, reach, check.__name__)
+            checks.run(name, check, backend, reach)
     checks.run("wire.sends_only_what_changed", sends_only_what_changed)
     checks.finish()
 

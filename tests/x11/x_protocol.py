@@ -57,6 +57,18 @@ def request_name(request, extensions):
     return "%s.%d" % (extension, minor)
 
 
+def picture_box(name, request, order):
+    """Left, top, width and height of what the request puts into a window; None if it is another."""
+    if name == "PutImage":
+        body = 4 if struct.unpack_from(order + "H", request, 2)[0] else 8
+        width, height, left, top = struct.unpack_from(order + "HHhh", request, body + 8)
+    elif name == SHM + ".PutImage":
+        width, height, left, top = struct.unpack_from(order + "HHhh", request, 20)
+    else:
+        return None
+    return left, top, width, height
+
+
 # ---- messages -----------------------------------------------------------------------------------
 
 

@@ -52,17 +52,23 @@ class Traffic:
     requests: list = field(default_factory=list)  # names in order
     times: list = field(default_factory=list)  # of the requests, in seconds
     replied: list = field(default_factory=list)  # those that had a reply: round trips
+    boxes: list = field(default_factory=list)  # of pictures: left, top, width, height
     bytes_up: int = 0
     bytes_down: int = 0
 
     def copy(self):
         return replace(
-            self, requests=self.requests[:], times=self.times[:], replied=self.replied[:]
+            self,
+            requests=self.requests[:],
+            times=self.times[:],
+            replied=self.replied[:],
+            boxes=self.boxes[:],
         )
 
-    def add_request(self, name, size):
+    def add_request(self, name, size, box):
         self.requests.append(name)
         self.times.append(time.monotonic())
+        self.boxes.extend([box] if box else [])
         self.bytes_up += size
 
     def add_answer(self, replied, size):
@@ -74,6 +80,7 @@ class Traffic:
             self.requests[len(earlier.requests) :],
             self.times[len(earlier.times) :],
             self.replied[len(earlier.replied) :],
+            self.boxes[len(earlier.boxes) :],
             self.bytes_up - earlier.bytes_up,
             self.bytes_down - earlier.bytes_down,
         )
@@ -142,9 +149,10 @@ class Connection:
     def pass_request(self, request):
         name = x11.request_name(request, self.extensions)
         sent, change = self.changed(name, request)
-        self.traffic.add_request(name, len(request))
+        noted = name, len(request), x11.picture_box(name, request, self.order)
+        self.traffic.add_request(*noted)
         self.asked[len(self.traffic.requests) & 0xFFFF] = name, change
-        is_last = self.proxy.note(name, len(request))
+        is_last = self.proxy.note(*noted)
         self.up.write(sent)
         if is_last:
             self.proxy.die()
@@ -335,11 +343,11 @@ class Proxy:
             connection.close()
         self.running.set()
 
-    def note(self, name, size):
+    def note(self, name, size, box):
         """Counts a request that is about to pass. Returns whether the display dies of it; then,
         and when all freezes, nothing comes back any more."""
         with self.lock:
-            self.traffic.add_request(name, size)
+            self.traffic.add_request(name, size, box)
             count = len(self.traffic.requests)
         if count in (self.faults.die_after, self.faults.freeze_after):
             self.running.clear()
