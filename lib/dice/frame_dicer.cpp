@@ -2,22 +2,13 @@
 // l3d_frame_dicer: a slot for each patch, a work space for each worker.
 #include "dice/frame_dicer.h"
 
+#include "dice/error_color.h"
 #include "dice/placed_net.h"
 #include "dice/point_patch.h"
 #include "dice/seen_from.h"
 #include "dice/visibility.h"
 
-#include <algorithm>
-
 namespace {
-
-/// Green where the bound is small, over yellow, to red where it is all of the tolerance.
-std::uint32_t error_color(double bound, double tolerance) {
-    const double part = std::clamp(bound / tolerance, 0.0, 1.0);
-    const auto red = static_cast<std::uint32_t>(255 * std::min(1.0, 2 * part));
-    const auto green = static_cast<std::uint32_t>(255 * std::min(1.0, 2 - 2 * part));
-    return red << 16 | green << 8;
-}
 
 l3d_vector<double, 4> as_direction(const l3d_vector<double, 3>& v) {
     return {v[0], v[1], v[2], 0.0};
@@ -130,7 +121,7 @@ void l3d_frame_dicer<T>::dice_patch(const l3d_image_patch& net, const l3d_normal
         space.general.dice(net, normals, view_, space.edges, out, space.counts);
     }
     for (l3d_diced_piece& piece : out.used()) {
-        piece.part.error_color = error_color(piece.bound, view_.tolerance);
+        piece.part.error_color = l3d_error_color(piece.bound, view_.tolerance);
         piece.part.unseen = diced ? counted_backs(piece.part, backs, space.counts) : 0;
     }
 }

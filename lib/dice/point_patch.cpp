@@ -2,6 +2,7 @@
 // l3d_point_place_of, l3d_draw_point: one triangle around a pixel's centre.
 #include "dice/point_patch.h"
 
+#include "dice/error_color.h"
 #include "dice/normal_columns.h"
 
 #include <algorithm>
@@ -74,6 +75,7 @@ void l3d_draw_point(const l3d_point_place& place, const l3d_image_patch& net,
     }
     piece.add_triangle(triangle[0], triangle[1], triangle[2]);
     piece.bound = place.bound;
+    piece.part.error_color = l3d_error_color(place.bound, view.tolerance);
     counts.bound_px = std::max(counts.bound_px, place.bound);
     ++counts.drawn;
     ++counts.as_points;

@@ -28,21 +28,22 @@ namespace {
 struct method_row {
     const char* name;
     l3d_method method;
+    bool has_bound;
     int usual = 0, least = 0, most = 0;
 };
 
 /// 1024 x 1024 quads of fd are 2^20 for each patch; of 1024 cells along each axis a teapot fills 4
 /// million in 600 MB of bricks.
 constexpr std::array<method_row, 9> rows{{
-    {"afd", l3d_method::afd},
-    {"fd", l3d_method::fd, 0, 1, 1024},
-    {"isocurves", l3d_method::isocurves},
-    {"subdivision", l3d_method::subdivision},
-    {"tessellation", l3d_method::tessellation, 16, 1, l3d_most_facets},
-    {"micropolygons", l3d_method::micropolygons},
-    {"scanline", l3d_method::scanline},
-    {"voxels", l3d_method::voxels, 256, 8, 1024},
-    {"mesa", l3d_method::mesa},
+    {"afd", l3d_method::afd, true},
+    {"fd", l3d_method::fd, true, 0, 1, 1024},
+    {"isocurves", l3d_method::isocurves, false},
+    {"subdivision", l3d_method::subdivision, true},
+    {"tessellation", l3d_method::tessellation, true, 16, 1, l3d_most_facets},
+    {"micropolygons", l3d_method::micropolygons, true},
+    {"scanline", l3d_method::scanline, false},
+    {"voxels", l3d_method::voxels, false, 256, 8, 1024},
+    {"mesa", l3d_method::mesa, false},
 }};
 
 const method_row& row_of(l3d_method method) {
@@ -109,6 +110,18 @@ std::string l3d_method_choice::all_names() {
     std::string names;
     for (const method_row& row : rows)
         names += std::string(names.empty() ? "" : ", ") + row.name + (row.most > 0 ? "[:N]" : "");
+    return names;
+}
+
+bool l3d_method_choice::has_bound() const {
+    return row_of(method).has_bound;
+}
+
+std::string l3d_method_choice::names_with_bound() {
+    std::string names;
+    for (const method_row& row : rows)
+        if (row.has_bound)
+            names += (names.empty() ? "" : ", ") + std::string(row.name);
     return names;
 }
 

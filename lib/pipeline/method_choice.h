@@ -42,6 +42,12 @@ struct l3d_method_choice {
 
     /// All names, with ":N" where a number may follow, separated by ", ".
     static std::string all_names();
+
+    /// Whether frames have a certified bound of their error, which mode `error` shows.
+    bool has_bound() const;
+
+    /// Names of the methods that have one, separated by ", ".
+    static std::string names_with_bound();
 };
 
 /// Never null.

@@ -49,12 +49,10 @@ const mesa_target::program_text smooth_surfaces{.vertex = R"(#version 120
             vec3 shaded = vec3(0.1 + 0.9 * clamp(dot(light, unit), 0.0, 1.0));
             if (shade == 3)
                 shaded = 0.5 * (unit + 1.0);
-            if (shade == 4)
-                shaded = vec3(1.0, 0.0, 0.0);
             gl_FragColor = vec4(floor(255.0 * clamp(shaded, 0.0, 1.0) + 0.5) / 255.0, 0.0);
         })",
                                                 .attributes = {"position", "normal"}};
-static_assert(static_cast<int>(l3d_shade::normals) == 3 && static_cast<int>(l3d_shade::error) == 4);
+static_assert(static_cast<int>(l3d_shade::normals) == 3);
 
 struct vertex {
     float position[3], normal[3];

@@ -2,6 +2,7 @@
 // l3d_method_patches: culling, and clipping for those who do not clip.
 #include "pipeline/method_patches.h"
 
+#include "dice/error_color.h"
 #include "dice/placed_net.h"
 #include "dice/visibility.h"
 
@@ -57,4 +58,6 @@ void l3d_method_patches::dice_one(const l3d_method_frame& frame, const l3d_place
         space.edges.build(patch.net, frame.view);
         space.clipping.dice(patch.net, patch.normals, frame.view, space.edges, out, space.counts);
     }
+    for (l3d_diced_piece& piece : out.used())
+        piece.part.error_color = l3d_error_color(piece.bound, frame.view.tolerance);
 }

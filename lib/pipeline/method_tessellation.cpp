@@ -3,6 +3,7 @@
 #include "pipeline/method_tessellation.h"
 
 #include "dice/drawn_error.h"
+#include "dice/error_color.h"
 #include "dice/placed_net.h"
 #include "dice/visibility.h"
 #include "pipeline/method_patches.h"
@@ -24,17 +25,30 @@ vector moved(const l3d_matrix<double>& by, const vector& v, double w) {
     return {h[0], h[1], h[2]};
 }
 
-l3d_polygon_mesh mesh_of(const l3d_patch_scene& scene, int n) {
-    l3d_polygon_mesh all;
+l3d_patch_mesh mesh_of(const l3d_patch_scene& scene, int n) {
+    l3d_patch_mesh all;
     for (const l3d_patch_instance& instance : scene.instances()) {
-        l3d_polygon_mesh one = l3d_tessellated(instance.model(), n);
-        for (vector& v : one.vertices)
+        l3d_patch_mesh one = l3d_tessellated(instance.model(), n);
+        for (vector& v : one.mesh.vertices)
             v = moved(instance.placement(), v, 1);
-        for (vector& normal : one.vertex_normals)
+        for (vector& normal : one.mesh.vertex_normals)
             normal = moved(instance.normal_matrix(), normal, 0);
-        all.append(one);
+        for (const std::size_t end : one.face_ends)
+            all.face_ends.push_back(all.mesh.faces() + end);
+        all.mesh.append(one.mesh);
     }
     return all;
+}
+
+/// The number of each instance's first patch, of all in the scene.
+std::vector<std::size_t> first_patches_of(const l3d_patch_scene& scene) {
+    std::vector<std::size_t> firsts;
+    std::size_t first = 0;
+    for (const l3d_patch_instance& instance : scene.instances()) {
+        firsts.push_back(first);
+        first += instance.model().patches().size();
+    }
+    return firsts;
 }
 
 /// The camera with the planes that the frame has, in its own units.
@@ -73,7 +87,7 @@ double l3d_tessellation_bound(const l3d_image_patch& net, const l3d_dice_view& v
 }
 
 /// The same proofs and the bound as for all methods: what is drawn of a patch that is left out
-/// here, polygons leave out one by one.
+/// here, polygons leave out one by one. In mode `error` a patch is a part, of its bound's colour.
 void l3d_method_tessellation::count_patches(const l3d_method_frame& frame) {
     const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
     counts_ = {};
@@ -89,8 +103,11 @@ void l3d_method_tessellation::count_patches(const l3d_method_frame& frame) {
             ++counts_.drawn;
             ++counts_.pieces;
             counts_.clipped += !l3d_needs_no_clipping(net, frame.view);
-            counts_.bound_px =
-                std::max(counts_.bound_px, l3d_tessellation_bound(net, frame.view, n_));
+            const double bound = l3d_tessellation_bound(net, frame.view, n_);
+            counts_.bound_px = std::max(counts_.bound_px, bound);
+            if (frame.shading.mode == l3d_shade::error)
+                polygons_.set_error_color(first_patches_[placed.instance] + placed.patch,
+                                          l3d_error_color(bound, frame.view.tolerance));
         }
     counts_.add(culling_.counts());
     counts_.samples = static_cast<std::int64_t>(model_.mesh().vertices.size());
@@ -99,14 +116,19 @@ void l3d_method_tessellation::count_patches(const l3d_method_frame& frame) {
 void l3d_method_tessellation::do_draw(const l3d_method_frame& frame, l3d_stage_times& times) {
     const stopwatch placing;
     if (!made_of_.holds(frame.scene)) {
-        model_ = l3d_polygon_model(mesh_of(frame.scene, n_));
+        l3d_patch_mesh made = mesh_of(frame.scene, n_);
+        model_ = l3d_polygon_model(std::move(made.mesh));
+        face_ends_ = std::move(made.face_ends);
+        first_patches_ = first_patches_of(frame.scene);
         made_of_.remember(frame.scene);
     }
-    count_patches(frame);
     const l3d_polygon_view view(camera_of(frame), frame.view.size, l3d_projection::perspective,
                                 l3d_identity<double>());
     constexpr bool cull = false; // surfaces are two-sided
-    polygons_.make(model_, view, cull, frame.shading.mode != l3d_shade::flat, workers_);
+    const auto ends = frame.shading.mode == l3d_shade::error ? std::span(face_ends_)
+                                                             : std::span<const std::size_t>();
+    polygons_.make(model_, view, cull, frame.shading.mode != l3d_shade::flat, workers_, ends);
+    count_patches(frame);
     times.dice += placing.milliseconds();
 
     const stopwatch filling;

@@ -11,7 +11,9 @@
 #include "raster/rasterizer_factory.h"
 #include "raster/workers.h"
 
+#include <cstddef>
 #include <memory>
+#include <vector>
 
 /// A certified bound of the image error of n by n quads of two triangles, whose corners are exact
 /// points of the patch, placed in double and snapped. Units: pixels.
@@ -47,7 +49,9 @@ private:
     l3d_workers& workers_;
     std::unique_ptr<l3d_surface_rasterizer> surface_;
     l3d_scene_memory made_of_;
-    l3d_polygon_model model_; ///< of the whole scene, in the world
+    l3d_polygon_model model_;                ///< of the whole scene, in the world
+    std::vector<std::size_t> face_ends_;     ///< of that model's patches
+    std::vector<std::size_t> first_patches_; ///< their numbers, by instance
     l3d_polygon_frame polygons_;
     l3d_scene_culling culling_;
     l3d_dice_counts counts_;

@@ -104,9 +104,10 @@ private:
 
 } // namespace
 
-l3d_polygon_mesh l3d_tessellated(const l3d_patch_model& model, int n) {
+l3d_patch_mesh l3d_tessellated(const l3d_patch_model& model, int n) {
     assert(n >= 1);
-    l3d_polygon_mesh mesh;
+    l3d_patch_mesh result;
+    l3d_polygon_mesh& mesh = result.mesh;
     vertex_store vertices(mesh);
     const auto side = static_cast<std::size_t>(n) + 1;
     std::vector<std::uint32_t> grid(side * side);
@@ -131,7 +132,8 @@ l3d_polygon_mesh l3d_tessellated(const l3d_patch_model& model, int n) {
                 add(at[0], at[1], at[side + 1]);
                 add(at[0], at[side + 1], at[side]);
             }
+        result.face_ends.push_back(mesh.faces());
     }
     turn_to_faces(mesh);
-    return mesh;
+    return result;
 }

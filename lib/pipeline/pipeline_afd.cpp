@@ -47,6 +47,9 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
         return "light: no direction";
     if (settings.threads < 1)
         return "threads: " + std::to_string(settings.threads) + " is not positive";
+    if (settings.shade == l3d_shade::error && !settings.method.has_bound())
+        return "shade: error shows a bound of the error, and " + settings.method.name() +
+               " has none";
     return camera.complaint();
 }
 

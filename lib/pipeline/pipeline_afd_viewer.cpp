@@ -20,14 +20,8 @@ constexpr double least_tolerance = 1.0 / 64, largest_tolerance = 64;
 
 std::vector<l3d_viewer_row> l3d_pipeline_afd_viewer::own_rows() {
     const auto finer = [this] { scale_tolerance(0.5); };
-    const auto next_shade = [this] {
-        const std::size_t next =
-            (static_cast<std::size_t>(settings().shade) + 1) % l3d_shade_names.size();
-        settings().shade = l3d_shade_names[next].second;
-        controls_.say(std::string("shading: ") + l3d_shade_names[next].first);
-    };
     return {{"+ -", "detail", {{'+', finer}, {'=', finer}, {'-', [this] { scale_tolerance(2); }}}},
-            {"c", "shading", {{'c', next_shade}}},
+            {"c", "shading", {{'c', [this] { take_next_shade(); }}}},
             {"w", "wireframe", {{'w', [this] { switch_wireframe(); }}}},
             {"n", "control nets", {{'n', [this] { settings().net = !settings().net; }}}}};
 }
@@ -36,6 +30,18 @@ void l3d_pipeline_afd_viewer::scale_tolerance(double factor) {
     settings().tolerance =
         std::clamp(settings().tolerance * factor, least_tolerance, largest_tolerance);
     controls_.say(formatted("error at most %.3g pixels", settings().tolerance));
+}
+
+/// Without `error`, the last one, where there is no bound to be shown.
+void l3d_pipeline_afd_viewer::take_next_shade() {
+    static_assert(l3d_shade_names.back().second == l3d_shade::error);
+    const std::size_t count = l3d_shade_names.size() - !settings().method.has_bound();
+    const auto& next = l3d_shade_names[(static_cast<std::size_t>(settings().shade) + 1) % count];
+    settings().shade = next.second;
+    controls_.say(std::string("shading: ") + next.first +
+                  (next.second == l3d_shade::error
+                       ? formatted(", green 0 to red %.3g px", settings().tolerance)
+                       : ""));
 }
 
 /// The lines are the steps of one method, and no picture of what another one does.

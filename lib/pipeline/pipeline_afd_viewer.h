@@ -25,6 +25,7 @@ protected:
 private:
     std::vector<l3d_viewer_row> own_rows();
     void scale_tolerance(double factor);
+    void take_next_shade();
     void switch_wireframe();
 
     l3d_viewer_controls controls_{*this, screen(), camera(), own_rows()};

@@ -8,6 +8,7 @@
 #include "raster/simd_target.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -25,7 +26,7 @@ constexpr std::array<std::pair<l3d_polygon_style, const char*>, 3> styles{
      {l3d_polygon_style::wireframe, "wireframe"},
      {l3d_polygon_style::hidden_lines, "hidden lines removed"}}};
 
-/// Those of l3d_shade_names before `error`, which shades nothing here.
+/// Those of l3d_shade_names before `error`: polygons have no bounds.
 constexpr std::size_t shade_count = l3d_shade_names.size() - 1;
 
 template <class Enum> constexpr std::size_t after(Enum value, std::size_t count) {
@@ -86,6 +87,7 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
         report.time_ms.raster = drawing.milliseconds();
         return;
     }
+    assert(settings_.shade != l3d_shade::error);
     const bool smooth = settings_.shade != l3d_shade::flat;
     frame_.make(model_, view, settings_.cull, smooth, workers_);
     report.polygons = frame_.counts();

@@ -39,8 +39,8 @@ struct l3d_polygon_settings {
 
 /// Draws a model of polygons; a subclass says who is in front of whom.
 ///
-/// Has the controls that its help overlay lists. Mode `error` shades nothing here: all is white.
-/// Expects: a valid camera; light not zero; threads >= 1.
+/// Has the controls that its help overlay lists.
+/// Expects: a valid camera; light not zero; threads >= 1; no shade `error`, as there are no bounds.
 /// Lives:   owns screen, rasterizers and workers; borrows the model.
 class l3d_pipeline_polygons : public l3d_pipeline {
 public:

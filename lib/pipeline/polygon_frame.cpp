@@ -57,8 +57,9 @@ l3d_dice_view window_of(const l3d_polygon_view& view) {
 } // namespace
 
 void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_view& view,
-                             bool cull, bool smooth, l3d_workers& workers) {
-    const frame_input in{model, view, window_of(view), cull, smooth};
+                             bool cull, bool smooth, l3d_workers& workers,
+                             std::span<const std::size_t> ends) {
+    const frame_input in{model, view, window_of(view), cull, smooth, ends};
     const double middle = placed(view.matrix(), model.centre())[2];
     const double radius = std::max(model.radius(), 1e-300) * (1 + 1e-9);
     depth_step_ = -0.5 / radius;
@@ -74,7 +75,7 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
         const std::size_t begin = static_cast<std::size_t>(i) * chunk_triangles;
         place_vertices(in, begin, std::min(begin + chunk_triangles, vertices));
     });
-    const std::size_t count = chunks_of(triangles);
+    const std::size_t count = ends.empty() ? chunks_of(triangles) : ends.size();
     if (chunks_.size() < count)
         chunks_.resize(count);
     workers.for_each(static_cast<int>(count),
@@ -110,9 +111,13 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
     to.sides.clear();
     to.counts = {};
     const auto all = in.model.triangles();
-    const std::size_t begin = index * chunk_triangles;
-    const auto mine = all.subspan(begin, std::min(chunk_triangles, all.size() - begin));
-    for (const l3d_model_triangle& triangle : mine) {
+    std::size_t begin = index * chunk_triangles;
+    std::size_t end = std::min(begin + chunk_triangles, all.size());
+    if (!in.ends.empty()) {
+        begin = index > 0 ? in.ends[index - 1] : 0;
+        end = in.ends[index];
+    }
+    for (const l3d_model_triangle& triangle : all.subspan(begin, end - begin)) {
         const auto& face = in.model.face_normals()[triangle.face];
         const bool from_behind =
             !(in.view.faces_eye(l3d_converted<double>(face),

@@ -40,9 +40,15 @@ struct l3d_polygon_counts : l3d_seen_counts {
 class l3d_polygon_frame {
 public:
     /// `cull` leaves out faces seen from behind; `smooth` takes the vertices' normals, else all of
-    /// a face have its own.
+    /// a face have its own. Part i holds the model's triangles from `ends[i - 1]` up to `ends[i]`;
+    /// without ends, parts are of a size that suits the workers.
     void make(const l3d_polygon_model& model, const l3d_polygon_view& view, bool cull, bool smooth,
-              l3d_workers& workers);
+              l3d_workers& workers, std::span<const std::size_t> ends = {});
+
+    /// What mode `error` shows of a part.
+    void set_error_color(std::size_t part, std::uint32_t word) {
+        chunks_[part].part.error_color = word;
+    }
 
     /// Triangles ready for a rasterizer; no grids.
     /// Lives:   until the next make.
@@ -55,7 +61,7 @@ public:
     const l3d_polygon_counts& counts() const { return counts_; }
 
 private:
-    /// So many triangles of the model are one item of work, and one part.
+    /// Unasked, so many triangles of the model are one item of work, and one part.
     static constexpr std::size_t chunk_triangles = 4096;
 
     struct chunk {
@@ -70,6 +76,7 @@ private:
         const l3d_polygon_view& view;
         l3d_dice_view window;
         bool cull, smooth;
+        std::span<const std::size_t> ends;
     };
 
     void place_vertices(const frame_input& in, std::size_t begin, std::size_t end);

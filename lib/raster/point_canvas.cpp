@@ -4,6 +4,8 @@
 
 #include "raster/surface_shader_p.h"
 
+#include <cassert>
+
 void l3d_point_canvas::put(int x, int y, float inv_w, const std::array<float, 3>& normal) {
     constexpr std::int32_t half = l3d_subpixel_one / 2;
     const l3d_micro_vertex vertex{x * l3d_subpixel_one + half,
@@ -19,13 +21,7 @@ void l3d_point_canvas::put(int x, int y, float inv_w, const std::array<float, 3>
 }
 
 std::uint32_t l3d_point_canvas::word_of(const float (&normal)[4]) const {
-    constexpr std::uint32_t red = 0x00ff0000;
-    switch (shading_.mode) {
-    case l3d_shade::normals:
-        return l3d_detail::normals_shader(shading_).word(normal);
-    case l3d_shade::error:
-        return red;
-    default:
-        return l3d_detail::lambert_shader(shading_).word(normal);
-    }
+    assert(shading_.mode != l3d_shade::error);
+    return shading_.mode == l3d_shade::normals ? l3d_detail::normals_shader(shading_).word(normal)
+                                               : l3d_detail::lambert_shader(shading_).word(normal);
 }

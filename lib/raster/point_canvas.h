@@ -12,13 +12,13 @@
 #include <cstdint>
 
 /// For methods whose result is not polygons but pixels. There are no vertices and no polygons in
-/// it, so `gouraud` and `flat` look like `lambert`, and `error`, of which points know nothing, is
-/// red.
+/// it, so `gouraud` and `flat` look like `lambert`.
 ///
 /// Lives: borrows picture and depth from begin on.
 class l3d_point_canvas {
 public:
-    /// Draws on top of what is there. Expects: target and depth of one size.
+    /// Draws on top of what is there.
+    /// Expects: target and depth of one size; not mode `error`, of which points know nothing.
     void begin(l3d_pixels target, l3d_depth_buffer& depth, const l3d_shading& shading) {
         target_ = target;
         depth_ = &depth;

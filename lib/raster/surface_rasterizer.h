@@ -18,7 +18,7 @@ enum class l3d_shade {
     gouraud, ///< the same grey level per vertex, interpolated
     flat,    ///< one grey level per quad, from the mean of its normals
     normals, ///< red, green, blue = round(255 (n + 1) / 2)
-    error,   ///< one colour per part, its `error_color`
+    error,   ///< one colour per part, its `error_color`: what is known of its error
 };
 
 /// How users call them, in the order of their values.

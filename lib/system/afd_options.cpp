@@ -59,8 +59,11 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--fov", fov_, "vertical field of view in degrees", 0.001, 179.9);
     options.add("--near", near_, "nearest distance that is drawn", l3d_least_distance, largest);
     options.add("--far", far_, "farthest distance that is drawn", least_positive, largest);
-    options.add_choice<l3d_shade>("--shade", settings_.shade, "how the surface is coloured",
-                                  {l3d_shade_names.begin(), l3d_shade_names.end()});
+    options.add_choice<l3d_shade>(
+        "--shade", settings_.shade,
+        "how the surface is coloured; error: by the bound of each piece's error, from green, "
+        "none, to red, the tolerance or more",
+        {l3d_shade_names.begin(), l3d_shade_names.end()});
     options.add("--light", light_, "direction towards the light");
     options.add("--wireframe", settings_.wireframe, "the adaptive steps as lines");
     options.add("--net", settings_.net, "the control nets on top");
@@ -116,6 +119,11 @@ l3d_afd_settings l3d_afd_options::settings() const {
     if (result.wireframe && method->method != l3d_method::afd)
         throw l3d_error(l3d_exit::usage,
                         "--wireframe: shows the steps of afd, not of --method " + method->name());
+    if (result.shade == l3d_shade::error && !method->has_bound())
+        throw l3d_error(l3d_exit::usage,
+                        "--shade: error shows a bound of the error, and --method " +
+                            method->name() + " has none; " + l3d_method_choice::names_with_bound() +
+                            " have one");
     result.depth = !depth_output_.empty();
     result.light = vector_of(light_);
     const double length = l3d_length(result.light);

@@ -24,7 +24,8 @@ public:
     /// Errors: l3d_error(usage) that names the option if the values do not make a camera.
     l3d_camera camera() const;
 
-    /// Errors: l3d_error(usage) for a light of no direction, or an unknown method.
+    /// Errors: l3d_error(usage) for a light of no direction, an unknown method, or one that has not
+    ///         what is to be shown.
     l3d_afd_settings settings() const;
 
     /// The model asked for, or the teapot; notes on what is skipped go to stderr.

@@ -66,7 +66,7 @@ l3d_polygon_model l3d_polygon_options::model() const {
             throw l3d_error(l3d_exit::bad_input, name + ": no polygons and no patches");
     }
     if (has_patches)
-        mesh.append(l3d_tessellated(shared_.model(), facets_));
+        mesh.append(l3d_tessellated(shared_.model(), facets_).mesh);
     return l3d_polygon_model(std::move(mesh), to_origin_);
 }
 
@@ -91,6 +91,9 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
     if (shared.depth)
         throw l3d_error(l3d_exit::usage,
                         "--depth-output: only --pipeline afd keeps the distances for it");
+    if (shared.shade == l3d_shade::error)
+        throw l3d_error(l3d_exit::usage,
+                        "--shade: only --pipeline afd has the bound that error shows");
     l3d_polygon_settings settings;
     settings.style = hidden_lines_      ? l3d_polygon_style::hidden_lines
                      : shared.wireframe ? l3d_polygon_style::wireframe

@@ -88,6 +88,8 @@ TEST(method_picture, is_like_the_exact_one) {
         EXPECT_LE(depth, expected.depth) << expected.method;
         EXPECT_LE(holes, expected.holes) << expected.method;
         EXPECT_EQ(std::isfinite(report.dice.bound_px), expected.certified) << expected.method;
+        EXPECT_EQ(settings_of(expected.method, 1).method.has_bound(), expected.certified)
+            << expected.method;
         EXPECT_EQ(report.dice.failures, 0) << expected.method;
         EXPECT_EQ(report.method, expected.method);
     }

@@ -25,7 +25,7 @@ namespace {
 l3d_diced_piece drawn_triangles(const scene& s, std::size_t patch, const l3d_dice_view& view,
                                 int n) {
     const scene alone({s.patches[patch]}, s.eye, s.size);
-    l3d_polygon_mesh mesh = l3d_tessellated(alone.model, n);
+    l3d_polygon_mesh mesh = l3d_tessellated(alone.model, n).mesh;
     const auto side = static_cast<std::size_t>(n) + 1;
     l3d_diced_piece piece;
     piece.keep_parameters = true;

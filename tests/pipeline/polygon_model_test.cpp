@@ -109,7 +109,7 @@ TEST(polygon_model, tessellated_patches_share_their_boundaries) {
     const auto teapot = l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);
     ASSERT_TRUE(teapot) << why;
     for (const int n : {1, 3, 8}) {
-        const l3d_polygon_mesh mesh = l3d_tessellated(*teapot, n);
+        const l3d_polygon_mesh mesh = l3d_tessellated(*teapot, n).mesh;
         EXPECT_TRUE(mesh.is_valid());
         // By place: at a crease two vertices share it, each with the normal of one side.
         using place = std::array<double, 3>;
@@ -144,7 +144,7 @@ TEST(polygon_model, tessellated_patches_have_normals_of_their_own_side) {
     std::string why;
     const auto teapot = l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);
     ASSERT_TRUE(teapot) << why;
-    const l3d_polygon_model model(l3d_tessellated(*teapot, 8));
+    const l3d_polygon_model model(l3d_tessellated(*teapot, 8).mesh);
     double wrong = 0;
     for (const l3d_model_triangle& triangle : model.triangles()) {
         const auto& [a, b, c] = triangle.corners;

@@ -222,6 +222,30 @@ def refuses_wrong_values():
             expect_equal(said.count("\n"), 1, said)
 
 
+def shows_the_error_where_it_is_bounded():
+    """With other methods, --shade error is refused by a line that names those that have a bound."""
+    bounded = ("afd", "fd", "subdivision", "tessellation", "micropolygons")
+    with folder() as path:
+        for method in bounded:
+            done = memory("--shade", "error", "--method", method, "--output", "o.png", cwd=path)
+            expect_equal(done, (0, b"", ""), method)
+            rows = harness.read_png(os.path.join(path, "o.png"))
+            drawn = {pixel for row in rows for pixel in row if pixel}
+            expect(drawn and all(max(p >> 16, p >> 8 & 255) == 255 and p & 255 == 0 for p in drawn),
+                   method, "colours", drawn)
+        for method in ("isocurves", "scanline", "voxels", "mesa"):
+            status, out, said = memory("--shade", "error", "--method", method, cwd=path)
+            expect_equal((status, out, said.count("\n")), (2, b"", 1), method)
+            wanted = "--shade: error ", "--method " + method, ", ".join(bounded)
+            expect(all(words in said for words in wanted), said)
+        modelview = Program("modelview", TEAPOT.size)
+        for pipeline in ("zsort", "zbuffer", "mesa"):
+            command = modelview.command("--backend", "memory", "--shade", "error", "--pipeline")
+            status, out, said = run([*command, pipeline], environment(), cwd=path)
+            expect_equal((status, out, said.count("\n")), (2, b"", 1), pipeline)
+            expect(said.startswith("modelview: --shade: only --pipeline afd "), said)
+
+
 class Window:
     """The program in a window, and what is in it."""
 
@@ -286,8 +310,8 @@ def main():
         draws_the_same_patches_from_every_format, reports_every_frame,
         reports_to_the_standard_output, reports_into_an_open_file,
         modelview_reports_as_well, writes_distances,
-        repeats_itself, explains_what_it_left_out, refuses_wrong_values, obeys_its_keys,
-        obeys_the_mouse,
+        repeats_itself, explains_what_it_left_out, refuses_wrong_values,
+        shows_the_error_where_it_is_bounded, obeys_its_keys, obeys_the_mouse,
     ):
         checks.run("teapot " + check.__name__, check)
     checks.finish()

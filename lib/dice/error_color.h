@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// l3d_error_color: what mode `error` shows.
+#ifndef L3D_DICE_ERROR_COLOR_H
+#define L3D_DICE_ERROR_COLOR_H
+
+#include <algorithm>
+#include <cstdint>
+
+/// The pixel word for what is drawn with a certified error: green where that is nothing, over
+/// yellow at half of the tolerance, to red at all of it and beyond.
+///
+/// Units:   both in pixels, or in anything else.
+/// Expects: neither is NaN; the tolerance is positive and finite.
+inline std::uint32_t l3d_error_color(double bound, double tolerance) {
+    const double part = std::clamp(bound / tolerance, 0.0, 1.0);
+    const auto red = static_cast<std::uint32_t>(255 * std::min(1.0, 2 * part));
+    const auto green = static_cast<std::uint32_t>(255 * std::min(1.0, 2 - 2 * part));
+    return red << 16 | green << 8;
+}
+
+#endif
