@@ -30,6 +30,7 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
     if (keep_depth)
         frame.depth.resize(frame.view.size);
     l3d_depth_buffer* const depth = keep_depth ? &frame.depth : nullptr;
+    surface_->count_pixels(frame.counts_pixels);
     if (frame.is_part())
         surface_->begin_part(frame.target, depth, frame.shading, frame.part);
     else

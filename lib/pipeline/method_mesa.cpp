@@ -194,6 +194,9 @@ void method_mesa::set_placement(const l3d_method_frame& frame, const l3d_patch_i
 
 void method_mesa::read_back(const l3d_method_frame& frame) {
     target_.download(frame.target);
+    surface_counts_.covered = l3d_surface_counts::none_counted;
+    if (!frame.wants_depth && !frame.counts_pixels)
+        return;
     l3d_depth_buffer& depth = frame.wants_depth ? frame.depth : own_depth_;
     depth.resize(frame.view.size);
     target_.download(depth);
@@ -202,7 +205,7 @@ void method_mesa::read_back(const l3d_method_frame& frame) {
     for (int y = 0; y < frame.view.size.height; ++y)
         for (float& inv_w : depth.row(y))
             inv_w *= scale;
-    surface_counts_.covered = l3d_covered(depth);
+    surface_counts_.covered = covered_of(frame, depth);
 }
 
 void method_mesa::do_draw(const l3d_method_frame& frame, l3d_stage_times& times) {

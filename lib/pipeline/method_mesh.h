@@ -47,6 +47,7 @@ private:
         const l3d_detail::stopwatch filling;
         if (frame.wants_depth)
             frame.depth.resize(frame.view.size);
+        surface_->count_pixels(frame.counts_pixels);
         surface_->begin(frame.target, frame.wants_depth ? &frame.depth : nullptr, frame.shading,
                         frame.untouched);
         surface_->draw(parts);

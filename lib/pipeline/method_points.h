@@ -38,6 +38,7 @@ private:
 
         const l3d_detail::stopwatch filling;
         frame.depth.resize(frame.view.size);
+        surface_->count_pixels(false);
         surface_->begin(frame.target, &frame.depth, frame.shading);
         surface_->draw(parts);
         surface_->finish();
@@ -48,7 +49,7 @@ private:
         surface_counts_ = surface_->counts();
         surface_counts_.samples += canvas_.counts().samples;
         surface_counts_.written += canvas_.counts().written;
-        surface_counts_.covered = l3d_covered(frame.depth);
+        surface_counts_.covered = covered_of(frame, frame.depth);
         times.raster += filling.milliseconds();
     }
     const l3d_dice_counts& do_counts() const override { return counts_; }

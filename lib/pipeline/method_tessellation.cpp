@@ -134,6 +134,7 @@ void l3d_method_tessellation::do_draw(const l3d_method_frame& frame, l3d_stage_t
     const stopwatch filling;
     if (frame.wants_depth)
         frame.depth.resize(frame.view.size);
+    surface_->count_pixels(frame.counts_pixels);
     surface_->begin(frame.target, frame.wants_depth ? &frame.depth : nullptr, frame.shading,
                     frame.untouched);
     surface_->draw(polygons_.parts());

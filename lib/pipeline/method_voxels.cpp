@@ -129,7 +129,7 @@ void l3d_method_voxels::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
         surface_counts_.samples += canvas.counts().samples;
         surface_counts_.written += canvas.counts().written;
     }
-    surface_counts_.covered = l3d_covered(frame.depth);
+    surface_counts_.covered = covered_of(frame, frame.depth);
     times.raster += looking.milliseconds();
 }
 

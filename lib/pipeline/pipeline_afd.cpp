@@ -170,8 +170,9 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_box& part
                                      l3d_stage_times& times) {
     if (settings_.depth)
         depth_.resize(view_.size);
-    const l3d_method_frame frame{scene_,     camera_, transform_.matrix(), view_,      now.shading,
-                                 now.target, depth_,  settings_.depth,     untouched_, part};
+    const l3d_method_frame frame{
+        scene_,          camera_,    transform_.matrix(),    view_, now.shading, now.target, depth_,
+        settings_.depth, untouched_, settings_.count_pixels, part};
     method_->draw(frame, times);
     untouched_ = true;
     const double kept_bound = frame.is_part() ? report_.dice.bound_px : 0;

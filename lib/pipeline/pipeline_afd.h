@@ -32,6 +32,7 @@ struct l3d_afd_settings {
     bool keep_all = false;      ///< leave nothing out (for comparison)
     bool one_sided = false;     ///< leave out what turns its back, dS/du x dS/dv away from the eye
     bool depth = false;         ///< keep the distance of each pixel, for depth()
+    bool count_pixels = false;  ///< report how many are covered
     int threads = 1;            ///< that draw; constant from the first frame on
     l3d_method_choice method{}; ///< that fills surfaces; constant from the first frame on
 };

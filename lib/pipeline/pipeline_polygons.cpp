@@ -91,7 +91,8 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
     const bool smooth = settings_.shade != l3d_shade::flat;
     frame_.make(model_, view, settings_.cull, smooth, workers_);
     report.polygons = frame_.counts();
-    const scene what{target, frame_, view.shading(settings_.shade, settings_.light)};
+    const scene what{target, frame_, view.shading(settings_.shade, settings_.light),
+                     settings_.count_pixels};
     report.time_ms.place = placing.milliseconds();
     if (settings_.style == l3d_polygon_style::solid)
         draw_solid(what, report);

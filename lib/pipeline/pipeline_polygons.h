@@ -34,6 +34,7 @@ struct l3d_polygon_settings {
     l3d_vector<double, 3> rotation{0.0, 0.0,
                                    0.0}; ///< degrees about x, y, z, round the box's middle
     bool cull = true;                    ///< faces seen from behind are left out
+    bool count_pixels = false;           ///< report how many are covered
     int threads = 1;                     ///< constant from the first frame on
 };
 
@@ -69,6 +70,7 @@ protected:
         l3d_pixels target;
         const l3d_polygon_frame& frame;
         l3d_shading shading;
+        bool count_pixels; ///< as in the settings
     };
 
     /// Errors:  as l3d_rasterizer_factory::create_2d.

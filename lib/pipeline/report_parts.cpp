@@ -32,7 +32,7 @@ void add_times(json& times, const l3d_common_times& more) {
 void add_tail(json& line, const l3d_common_report& report, std::span<const left_out> reasons) {
     line["pixels_tested"] = report.surface.samples;
     line["pixels_written"] = report.surface.written;
-    if (report.surface.covered > 0 || report.surface.written == 0) // the painter does not know
+    if (report.surface.covered != l3d_surface_counts::none_counted)
         line["pixels_covered"] = report.surface.covered;
     json& names = line["left_out"] = json::array();
     for (const left_out& reason : reasons)

@@ -25,8 +25,9 @@ struct l3d_method_frame {
     const l3d_shading& shading;
     l3d_pixels target;
     l3d_depth_buffer& depth;
-    bool wants_depth; ///< else the method may leave the depth buffer as it is
-    bool untouched;   ///< nobody wrote to the target since the last frame's end
+    bool wants_depth;   ///< else the method may leave the depth buffer as it is
+    bool untouched;     ///< nobody wrote to the target since the last frame's end
+    bool counts_pixels; ///< somebody wants to know how many are covered
 
     /// What is drawn of the picture, the rest stays as it is: all of it, or a part if the method
     /// draws parts and nobody wants depth.
@@ -57,6 +58,12 @@ public:
     /// Of the last frame.
     const l3d_dice_counts& counts() const { return do_counts(); }
     const l3d_surface_counts& surface_counts() const { return do_surface_counts(); }
+
+protected:
+    /// What `covered` is to be, given the depth of all that was drawn.
+    static std::int64_t covered_of(const l3d_method_frame& frame, const l3d_depth_buffer& depth) {
+        return frame.counts_pixels ? l3d_covered(depth) : l3d_surface_counts::none_counted;
+    }
 
 private:
     virtual bool do_draws_parts() const { return false; }

@@ -179,6 +179,7 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
     counts_ = {};
     counts_.quads = static_cast<std::int64_t>(pieces.size());
     counts_.samples = counts_.written = work_->to.written;
+    counts_.covered = l3d_surface_counts::none_counted;
 }
 
 void l3d_painter::paint_lines(l3d_pixels target, std::span<const l3d_painter_triangle> triangles,
@@ -194,4 +195,5 @@ void l3d_painter::paint_lines(l3d_pixels target, std::span<const l3d_painter_tri
     counts_ = {};
     counts_.quads = static_cast<std::int64_t>(pieces.size());
     counts_.samples = counts_.written = work_->to.written;
+    counts_.covered = l3d_surface_counts::none_counted;
 }

@@ -50,7 +50,9 @@ struct l3d_surface_counts {
     /// seen to be hidden, depends on how the work was divided, but not among how many threads.
     std::int64_t samples = 0;
     std::int64_t written = 0; ///< of those, nearer than what was there
-    std::int64_t covered = 0; ///< pixels in which something is
+    std::int64_t covered = 0; ///< pixels in which something is; none_counted if nobody wants it
+
+    static constexpr std::int64_t none_counted = -1;
 
     /// Polygons, each as often as it was set up, whose light is a plane instead of that of a unit
     /// normal in each pixel.
@@ -92,6 +94,11 @@ public:
         do_begin(target, depth, shading, untouched);
     }
 
+    /// Whether frames that are begun from now on count covered pixels; at first they do. That takes
+    /// some 2 % of a frame. With GL, `samples` and `written` are counted only then, too, for each
+    /// is drawing all once more.
+    void count_pixels(bool wanted) { counts_pixels_ = wanted; }
+
     /// Whether begin_part may be called: not where a picture is kept elsewhere and comes whole.
     bool draws_parts() const { return do_draws_parts(); }
 
@@ -129,6 +136,9 @@ public:
     /// What has been drawn between begin and the last finish.
     const l3d_surface_counts& counts() const { return do_counts(); }
 
+protected:
+    bool counts_pixels() const { return counts_pixels_; }
+
 private:
     virtual void do_begin(l3d_pixels, l3d_depth_buffer*, const l3d_shading&, bool untouched) = 0;
     virtual bool do_draws_parts() const { return false; }
@@ -138,6 +148,8 @@ private:
     virtual bool do_hidden(const l3d_subpixel_box&, float) const { return false; }
     virtual void do_finish() = 0;
     virtual const l3d_surface_counts& do_counts() const = 0;
+
+    bool counts_pixels_ = true;
 };
 
 #endif

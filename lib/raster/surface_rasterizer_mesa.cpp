@@ -105,8 +105,6 @@ void l3d_surface_rasterizer_mesa::do_begin(l3d_pixels target, l3d_depth_buffer* 
     assert(!depth || target.size() == depth->size());
     target_ = target;
     depth_ = depth ? depth : &own_depth_;
-    if (!depth)
-        own_depth_.resize(target.size());
     shading_ = shading;
     counts_ = {};
     batch_.clear();
@@ -118,8 +116,12 @@ void l3d_surface_rasterizer_mesa::do_begin(l3d_pixels target, l3d_depth_buffer* 
         gl.Uniform2f(gl_target_.uniform("middle"), static_cast<float>(gl_target_.middle_x()),
                      static_cast<float>(gl_target_.middle_y()));
     }
-    if (!fits_)
+    if (!depth && (counts_pixels() || !fits_))
+        own_depth_.resize(target.size());
+    if (!fits_) {
+        cpu_.count_pixels(counts_pixels());
         return cpu_.begin(target, depth_, shading);
+    }
     gl.Uniform1i(gl_target_.uniform("shade"), static_cast<int>(shading.mode));
     for (const auto& [name, value] :
          {std::pair{"light", &shading.light}, std::pair{"ray", &shading.ray},
@@ -193,22 +195,27 @@ void l3d_surface_rasterizer_mesa::flush() {
     gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(vertex), batch_[0].position);
     gl.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(vertex), batch_[0].normal);
 
-    gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    gl.DepthMask(GL_FALSE);
-    gl.DepthFunc(GL_ALWAYS);
-    counts_.samples += draw_counted();
-    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl.DepthMask(GL_TRUE);
+    if (counts_pixels()) {
+        gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        gl.DepthMask(GL_FALSE);
+        gl.DepthFunc(GL_ALWAYS);
+        counts_.samples += draw();
+        gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        gl.DepthMask(GL_TRUE);
+    }
     gl.DepthFunc(GL_GREATER); // the first of equals stays
-    counts_.written += draw_counted();
+    counts_.written += draw();
     batch_.clear();
 }
 
-/// Draws the batch; returns how many samples passed the depth test.
-std::int64_t l3d_surface_rasterizer_mesa::draw_counted() {
+/// Draws the batch; returns how many samples passed the depth test, if they are counted.
+std::int64_t l3d_surface_rasterizer_mesa::draw() {
     const mesa_gl& gl = gl_target_.gl();
-    gl.BeginQuery(GL_SAMPLES_PASSED, query_);
+    if (counts_pixels())
+        gl.BeginQuery(GL_SAMPLES_PASSED, query_);
     gl.DrawArrays(GL_TRIANGLES, 0, static_cast<int>(batch_.size()));
+    if (!counts_pixels())
+        return 0;
     gl.EndQuery(GL_SAMPLES_PASSED);
     unsigned passed = 0;
     gl.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &passed);
@@ -220,8 +227,9 @@ void l3d_surface_rasterizer_mesa::do_finish() {
         return cpu_.finish();
     flush();
     gl_target_.download(target_);
-    gl_target_.download(*depth_);
-    counts_.covered = l3d_covered(*depth_);
+    if (depth_ != &own_depth_ || counts_pixels())
+        gl_target_.download(*depth_);
+    counts_.covered = counts_pixels() ? l3d_covered(*depth_) : l3d_surface_counts::none_counted;
 }
 
 const l3d_surface_counts& l3d_surface_rasterizer_mesa::do_counts() const {

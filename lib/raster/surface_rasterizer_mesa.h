@@ -18,7 +18,8 @@
 /// within 8192 pixels of the middle of the picture; what reaches further is clipped there, rounded.
 /// A picture larger than GL's largest is left to the CPU.
 /// Units:   as l3d_surface_rasterizer_scalar, and inv_w from 2^-94 to 2^32.
-/// Cost:    drawing gathers; every batch is drawn twice, once only to count its samples.
+/// Cost:    drawing gathers; every batch is drawn twice if pixels are counted, once only for its
+///          samples.
 class l3d_surface_rasterizer_mesa final : public l3d_surface_rasterizer {
 public:
     /// Errors:  l3d_error(no_backend) if this GL does not compile the shaders.
@@ -40,11 +41,11 @@ private:
     void add_quad(const std::array<l3d_micro_vertex, 4>& corners);
     void add(std::span<const l3d_micro_vertex> convex);
     void flush();
-    std::int64_t draw_counted();
+    std::int64_t draw();
 
     l3d_detail::mesa_target gl_target_;
     l3d_pixels target_;
-    l3d_depth_buffer own_depth_; ///< where nobody wants it but to count what is covered
+    l3d_depth_buffer own_depth_; ///< where nobody wants it but to count what is covered, if that
     l3d_depth_buffer* depth_ = nullptr;
     l3d_shading shading_;
     l3d_surface_counts counts_;

@@ -50,5 +50,5 @@ void l3d_surface_rasterizer_scalar::do_finish() {
                     part_target_.row(row).data() + part_.left);
     counts_.samples = filler_.counts().samples;
     counts_.written = filler_.counts().written;
-    counts_.covered = l3d_covered(*depth_);
+    counts_.covered = counts_pixels() ? l3d_covered(*depth_) : l3d_surface_counts::none_counted;
 }

@@ -157,7 +157,8 @@ void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
         coarse.open_others(band);
     if (depth_)
         coarse.refresh(band); // `hidden` may be asked by many, so it finds nothing itself
-    work_->covered[static_cast<std::size_t>(index)] = coarse.covered(band);
+    if (counts_pixels())
+        work_->covered[static_cast<std::size_t>(index)] = coarse.covered(band);
 }
 
 void l3d_surface_rasterizer_sw::clear_words(const fill_band& band) {
@@ -180,5 +181,7 @@ void l3d_surface_rasterizer_sw::do_finish() {
         std::copy_n(target_.row(row).data() + part_.left, part_.right - part_.left,
                     part_target_.row(row).data() + part_.left);
     finished_ = true;
-    counts_.covered = std::reduce(work_->covered.begin(), work_->covered.end(), std::int64_t{0});
+    counts_.covered =
+        counts_pixels() ? std::reduce(work_->covered.begin(), work_->covered.end(), std::int64_t{0})
+                        : l3d_surface_counts::none_counted;
 }

@@ -109,6 +109,7 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
     }
     settings.rotation = {rotation_[0], rotation_[1], rotation_[2]};
     settings.cull = !all_faces_;
+    settings.count_pixels = shared.count_pixels;
     settings.threads = shared.threads;
     return settings;
 }

@@ -159,7 +159,8 @@ bool bench(bool cull) {
         const double sorted = sorted_only_ms(model, cull, frames);
         // Grey by lanes may be a level off; where two depths tie, either may be seen.
         const long wrong = differing(by_order, by_depth, 1);
-        const long covered = by_depth.last.surface.covered;
+        const long covered =
+            std::ssize(by_depth.picture) - std::ranges::count(by_depth.picture, 0u);
         good = good && wrong * 1000 <= covered && covered > size.width * size.height / 20;
         std::printf("%8.0f %8lld | %8.3f %8.3f %8.3f %8.3f %8.3f | %8.3f | %8.3f | %6lld %6lld "
                     "%8ld %8.1f\n",

@@ -190,6 +190,27 @@ TEST(pipeline_afd, keeps_an_empty_depth_of_a_wireframe) {
     EXPECT_EQ(l3d_covered(program.depth()), 0);
 }
 
+/// Counting reads every pixel's depth, so it is left out unless somebody reports it.
+TEST(pipeline_afd, counts_covered_pixels_only_for_who_asks) {
+    for (const char* method : {"afd", "fd", "tessellation", "scanline", "voxels:32", "mesa"}) {
+        SCOPED_TRACE(method);
+        l3d_afd_settings settings = settings_of(0.5, 1);
+        std::string why;
+        settings.method = l3d_method_choice::from_name(method, why).value();
+        settings.depth = settings.count_pixels = true;
+        const scene s = teapot(reference::project_view("full"), picture_size);
+        tester counted(s, settings);
+        settings.depth = settings.count_pixels = false;
+        tester quiet(s, settings);
+        for (tester* const program : {&counted, &quiet})
+            program->draw_event();
+        EXPECT_GT(counted.report().surface.covered, 1000);
+        EXPECT_EQ(counted.report().surface.covered, l3d_covered(counted.depth()));
+        EXPECT_EQ(quiet.report().surface.covered, l3d_surface_counts::none_counted);
+        EXPECT_EQ(quiet.words(), counted.words());
+    }
+}
+
 /// Frames follow each other as in a program: the eye goes round, things come and go.
 void change(tester& program, int frame) {
     program.camera().orbit(frame % 5 == 4 ? 1.5 : 0.1, frame % 7 == 6 ? 0.3 : 0);

@@ -136,6 +136,26 @@ TEST_P(mesa_surface, CoverageOfEveryPolygonIsExact) {
     EXPECT_GT(drawn, 500);
 }
 
+/// Without counting everything is drawn once instead of twice, to the same picture.
+TEST_P(mesa_surface, DrawsTheSameWhetherPixelsAreCountedOrNot) {
+    random_polygons random(seed, by_gl.size);
+    std::vector<reference::corners> scene;
+    for (int n = 0; n < 50; ++n)
+        if (const reference::corners v = random.next(); in_reach(v))
+            scene.push_back(v);
+    for (const bool counted : {true, false}) {
+        gl.count_pixels(counted);
+        begin(l3d_shade::error);
+        for (const reference::corners& v : scene)
+            draw(v);
+        finish();
+        EXPECT_EQ(compare(by_cpu, by_gl).coverage, 0);
+        EXPECT_EQ(gl.counts().covered,
+                  counted ? cpu.counts().covered : l3d_surface_counts::none_counted);
+        EXPECT_EQ(gl.counts().samples, counted ? cpu.counts().samples : 0);
+    }
+}
+
 /// A wavy sheet, seen from its front in one half and from its back in the other.
 l3d_micro_grid sheet(l3d_size size) {
     l3d_micro_grid g;
