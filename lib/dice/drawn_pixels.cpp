@@ -23,9 +23,8 @@ l3d_pixel_box pixels_of(const l3d_image_box& box, const l3d_dice_view& view) {
 
 } // namespace
 
-l3d_pixel_box l3d_drawn_pixels(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
-                               const l3d_dice_view& view, std::int64_t enough) {
-    l3d_pixel_box result;
+void l3d_drawn_pixels(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
+                      const l3d_dice_view& view, l3d_pixel_boxes& result, std::int64_t enough) {
     l3d_detail::culled_boxes culled;
     for (std::size_t first = 0; first < boxes.count() && result.area() <= enough;
          first += l3d_box_lanes::lanes) {
@@ -34,10 +33,8 @@ l3d_pixel_box l3d_drawn_pixels(const l3d_box_lanes& boxes, const l3d_matrix<doub
         for (std::size_t i = 0; i < here; ++i) {
             if (culled.most[i] <= view.near || culled.least[i] >= view.far || culled.inside[i] < 0)
                 continue;
-            result = result.united(culled.least[i] > view.near
-                                       ? pixels_of(drawn_box_of(culled, i, view), view)
-                                       : l3d_whole(view.size));
+            result.add(culled.least[i] > view.near ? pixels_of(drawn_box_of(culled, i, view), view)
+                                                   : l3d_whole(view.size));
         }
     }
-    return result;
 }

@@ -6,19 +6,19 @@
 #include "geom/matrix.h"
 #include "dice/box_lanes.h"
 #include "dice/dice_view.h"
-#include "tool_2d/pixels.h"
+#include "tool_2d/pixel_boxes.h"
 
 #include <cstdint>
 #include <limits>
 
-/// The box of the pixels that may be covered by what is drawn of patches in boxes: wherever
-/// vertices are snapped, balanced or off. All of the picture if a box reaches the near plane.
+/// Adds the pixels that may be covered by what is drawn of patches in boxes: wherever vertices are
+/// snapped, balanced or off. All of the picture if a box reaches the near plane.
 ///
-/// Once it is more than `enough` pixels, no more boxes are looked at.
+/// Once there are more than `enough` pixels, no more boxes are looked at.
 /// Shape:   to_image takes the boxes' space to (x, y, -, w) in the view's units.
 /// Cost:    l3d_detail::cull_boxes.
-l3d_pixel_box l3d_drawn_pixels(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
-                               const l3d_dice_view& view,
-                               std::int64_t enough = std::numeric_limits<std::int64_t>::max());
+void l3d_drawn_pixels(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
+                      const l3d_dice_view& view, l3d_pixel_boxes& result,
+                      std::int64_t enough = std::numeric_limits<std::int64_t>::max());
 
 #endif

@@ -31,14 +31,13 @@ l3d_image_box box_of(const culled_boxes& boxes, std::size_t i) {
 
 /// The count of those that are left out for the same reason as box i; null if it may be seen.
 std::int64_t* reason_to_leave_out(const culled_boxes& boxes, std::size_t i,
-                                  const l3d_dice_view& view, bool is_part,
-                                  l3d_dice_counts& counts) {
+                                  const l3d_dice_view& view, l3d_dice_counts& counts) {
     if (boxes.most[i] <= view.near)
         return &counts.behind;
     if (boxes.least[i] >= view.far)
         return &counts.beyond;
     if (boxes.inside[i] < 0)
-        return is_part ? &counts.unchanged : &counts.offscreen;
+        return &counts.offscreen;
     if (boxes.least[i] > view.near && l3d_holds_no_centre(box_of(boxes, i), view))
         return &counts.subpixel;
     return nullptr;
@@ -114,7 +113,7 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
 }
 
 /// Calls see(box, extent) for each box that may be seen, leave_out(box, count of the reason) for
-/// the others.
+/// the others. Of a part there is one reason for all: nothing of them is in it.
 template <class See, class LeaveOut>
 void l3d_scene_culling::look_at(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
                                 See see, LeaveOut leave_out) {
@@ -124,11 +123,11 @@ void l3d_scene_culling::look_at(const l3d_box_lanes& boxes, const l3d_matrix<dou
         const std::size_t here = std::min(l3d_box_lanes::lanes, boxes.count() - first);
         for (std::size_t i = 0; i < here; ++i) {
             std::int64_t* const reason =
-                view_.keep_all ? nullptr : reason_to_leave_out(culled, i, view_, is_part_, counts_);
+                view_.keep_all ? nullptr : reason_to_leave_out(culled, i, view_, counts_);
             if (reason == nullptr)
                 see(first + i, extent_of(culled, i));
             else
-                leave_out(first + i, *reason);
+                leave_out(first + i, is_part_ ? counts_.unchanged : *reason);
         }
     }
 }

@@ -80,13 +80,14 @@ void l3d_pipeline_afd::draw_event() {
     l3d_stage_times times;
     is_drawing_ = true;
     const basis now = begin_frame();
-    changed_ = part_to_draw(now);
+    const l3d_pixel_boxes parts = parts_to_draw(now);
+    changed_ = parts.around();
     if (changed_.empty())
         keep_picture();
     else if (settings_.wireframe)
         draw_wireframe();
     else
-        fill_surfaces(now, changed_, times);
+        fill_surfaces(now, parts, times);
 
     const stopwatch overlaying;
     if (stale_ || !changed_.empty())
@@ -128,8 +129,8 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
 /// Nothing where the picture is right as it is. All of it where something that is drawn on top
 /// may have to go, since nobody knows where that is, and from three quarters on, where a part costs
 /// nearly as much (docs/SPEED.md).
-l3d_pixel_box l3d_pipeline_afd::part_to_draw(const basis& now) {
-    const l3d_pixel_box whole = l3d_whole(now.target.size());
+l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
+    const l3d_pixel_boxes whole(l3d_whole(now.target.size()));
     if (settings_.keep_all || is_foreign_ || scene_.is_rebuilt() || now != basis_)
         return whole;
     if (!stale_ && !scene_.is_changed())
@@ -140,20 +141,21 @@ l3d_pixel_box l3d_pipeline_afd::part_to_draw(const basis& now) {
         return {};
     if (settings_.depth || !method_->draws_parts())
         return whole;
-    return part_that_moved(whole.area() / 4 * 3);
+    return parts_that_moved(whole.area() / 4 * 3);
 }
 
-/// Around all that was placed anew, where it was and where it is; more than `most` is all.
-l3d_pixel_box l3d_pipeline_afd::part_that_moved(std::int64_t most) {
+/// Around what was placed anew, where it was and where it is; more than `most` is all.
+l3d_pixel_boxes l3d_pipeline_afd::parts_that_moved(std::int64_t most) {
     const l3d_matrix<double>& to_image = transform_.matrix();
-    l3d_pixel_box part = l3d_drawn_pixels(scene_.moved_from(), to_image, view_, most);
-    if (part.area() <= most) {
+    l3d_pixel_boxes parts;
+    l3d_drawn_pixels(scene_.moved_from(), to_image, view_, parts, most);
+    if (parts.area() <= most) {
         moved_to_.clear();
         for (const std::size_t index : scene_.moved())
             moved_to_.add(scene_.instances()[index].box());
-        part = part.united(l3d_drawn_pixels(moved_to_, to_image, view_, most));
+        l3d_drawn_pixels(moved_to_, to_image, view_, parts, most);
     }
-    return part.area() <= most ? part : l3d_whole(view_.size);
+    return parts.area() <= most ? parts : l3d_pixel_boxes(l3d_whole(view_.size));
 }
 
 /// The bound stays that of what is in the picture.
@@ -166,20 +168,29 @@ void l3d_pipeline_afd::keep_picture() {
     report_.pixels_kept = l3d_whole(view_.size).area();
 }
 
-void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_box& part,
+void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& parts,
                                      l3d_stage_times& times) {
     if (settings_.depth)
         depth_.resize(view_.size);
-    const l3d_method_frame frame{
-        scene_,          camera_,    transform_.matrix(),    view_, now.shading, now.target, depth_,
-        settings_.depth, untouched_, settings_.count_pixels, part};
-    method_->draw(frame, times);
+    report_.pixels_kept = l3d_whole(view_.size).area() - parts.area();
+    const double kept_bound = report_.pixels_kept > 0 ? report_.dice.bound_px : 0;
+    report_.dice = {};
+    report_.surface = {};
+    for (const l3d_pixel_box& part : parts.boxes()) {
+        const l3d_method_frame frame{
+            scene_,     camera_, transform_.matrix(), view_,      now.shading,
+            now.target, depth_,  settings_.depth,     untouched_, settings_.count_pixels,
+            part};
+        method_->draw(frame, times);
+        report_.dice.add(method_->counts());
+        report_.surface.add(method_->surface_counts());
+    }
     untouched_ = true;
-    const double kept_bound = frame.is_part() ? report_.dice.bound_px : 0;
-    report_.dice = method_->counts();
     report_.dice.bound_px = std::max(report_.dice.bound_px, kept_bound);
-    report_.surface = method_->surface_counts();
-    report_.pixels_kept = l3d_whole(view_.size).area() - part.area();
+    // Each part had all patches before it. Those that reach into several are counted in each.
+    const auto more = static_cast<std::int64_t>(parts.boxes().size()) - 1;
+    report_.dice.unchanged =
+        std::max(std::int64_t{0}, report_.dice.unchanged - more * scene_.patch_count());
 }
 
 void l3d_pipeline_afd::draw_on_top() {

@@ -14,6 +14,7 @@
 #include "pipeline/surface_method.h"
 #include "raster/rasterizer_factory.h"
 #include "raster/workers.h"
+#include "tool_2d/pixel_boxes.h"
 #include "tool_2d/screen.h"
 
 #include <cstdint>
@@ -49,7 +50,7 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
 ///
 /// A program that only wants the picture uses it as it is; one with keys or things of its own to
 /// draw is a subclass that changes camera() and settings() and calls draw_event.
-/// A frame draws only what the last one did not: nothing if nothing changed, and the part of the
+/// A frame draws only what the last one did not: nothing if nothing changed, and the parts of the
 /// picture where instances were or are if only these were placed anew and nothing is drawn on top.
 /// Expects: camera and settings of which l3d_afd_complaint has nothing to say, in every frame.
 /// Lives:   owns screen, workers and rasterizers, borrows the models of the scene.
@@ -128,10 +129,10 @@ private:
         is_foreign_ = is_foreign_ || !is_drawing_;
     }
     basis begin_frame();
-    l3d_pixel_box part_to_draw(const basis& now);
-    l3d_pixel_box part_that_moved(std::int64_t most);
+    l3d_pixel_boxes parts_to_draw(const basis& now);
+    l3d_pixel_boxes parts_that_moved(std::int64_t most);
     void keep_picture();
-    void fill_surfaces(const basis& now, const l3d_pixel_box& part, l3d_stage_times& times);
+    void fill_surfaces(const basis& now, const l3d_pixel_boxes& parts, l3d_stage_times& times);
     void draw_on_top();
     void draw_wireframe();
     void draw_nets();

@@ -58,6 +58,15 @@ struct l3d_surface_counts {
     /// normal in each pixel.
     std::int64_t by_plane = 0;
 
+    /// Both together: of other parts of the picture.
+    void add(const l3d_surface_counts& other) {
+        quads += other.quads;
+        samples += other.samples;
+        written += other.written;
+        covered = other.covered == none_counted ? none_counted : covered + other.covered;
+        by_plane += other.by_plane;
+    }
+
     /// How far greys may be, because of that, from those of `keep_all`. Units: levels.
     double shade_bound() const { return by_plane > 0 ? 1.0 : 0.0; }
 };

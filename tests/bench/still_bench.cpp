@@ -137,6 +137,44 @@ void print_moving(const l3d_patch_model& model, const l3d_camera& camera, int th
     }
 }
 
+/// Two before the crowd move, in opposite corners: what is between them is the crowd's.
+void print_corners(const l3d_patch_model& model, const l3d_camera& camera) {
+    constexpr int still = 1000;
+    l3d_afd_settings settings;
+    settings.tolerance = 0.5;
+    l3d_patch_scene scene = crowd(model, camera, still);
+    const l3d_camera::frame axes = camera.axes();
+    const auto at = [&](double side, double scale, int frame) {
+        const auto off = (axes.right * 8.0 + axes.up * 6.0) * side;
+        return l3d_translation<double>(off[0], off[1], off[2]) * in_front(camera, scale, frame);
+    };
+    scene.add(model, at(-1, 1, 0));
+    scene.add(model, at(1, 1, 0));
+    program all(scene, camera, settings);
+    const double whole = milliseconds(all, [&](int) { all.forget_picture(); });
+    std::printf("\ntwo move in opposite corners; drawn whole %.3f ms\n%8s %9s %9s %9s\n", whole,
+                "around", "drawn, %", "ms", "of all, %");
+    for (const double scale : {0.05, 0.1, 0.2, 0.4, 0.8}) {
+        const auto move = [&](program& p, int frame) {
+            p.world().place(still, at(-1, scale, frame));
+            p.world().place(still + 1, at(1, scale, frame));
+        };
+        move(all, frames);
+        all.forget_picture();
+        all.draw_event();
+        const double part = milliseconds(all, [&](int frame) { move(all, frame); });
+        const l3d_pixel_box box = all.changed();
+        program fresh(all.world(), camera, settings);
+        fresh.draw_event();
+        if (fresh.report().hash != all.report().hash)
+            fail("a part of a picture is another picture");
+        const auto pixels = static_cast<double>(l3d_whole(size).area());
+        const double drawn = 1 - static_cast<double>(all.report().pixels_kept) / pixels;
+        std::printf("%3dx%-4d %9.2f %9.3f %9.2f\n", box.right - box.left, box.bottom - box.top,
+                    100 * drawn, part, 100 * part / whole);
+    }
+}
+
 /// Where everything moves, what finding that out costs: a frame whose camera moved, too, does not
 /// ask.
 void print_all_moving(const l3d_patch_model& model, const l3d_camera& camera) {
@@ -179,6 +217,7 @@ int main() {
     const l3d_camera camera;
     for (const int threads : {1, 2})
         print_moving(*model, camera, threads);
+    print_corners(*model, camera);
     print_all_moving(*model, camera);
     return EXIT_SUCCESS;
 }

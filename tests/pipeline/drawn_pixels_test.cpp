@@ -27,8 +27,10 @@ TEST(drawn_pixels, are_all_that_is_drawn) {
         program.draw_event();
 
         const l3d_image_transform to_image(s.camera, odd, alone);
-        const l3d_pixel_box box =
-            l3d_drawn_pixels(alone.boxes(), to_image.matrix(), to_image.view(s.settings.tolerance));
+        l3d_pixel_boxes boxes; // of one model there is one
+        l3d_drawn_pixels(alone.boxes(), to_image.matrix(), to_image.view(s.settings.tolerance),
+                         boxes);
+        const l3d_pixel_box box = boxes.around();
         int outside = 0, inside = 0;
         for (int y = 0; y < odd.height; ++y)
             for (int x = 0; x < odd.width; ++x) {
