@@ -8,6 +8,7 @@
 #include "tool_2d/pixels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 /// Whether a net is small: those smaller than 24 pixels in both directions are not divided into
@@ -16,6 +17,28 @@
 inline bool l3d_is_small(const l3d_image_box& hull) {
     return hull.width() < 24 && hull.height() < 24;
 }
+
+/// Whether two points are plainly farther apart in the picture than so many pixels, along x (0) or
+/// y (1). Without a division, for questions that most patches answer alike.
+/// Expects: both before the eye.
+inline bool l3d_far_apart(const l3d_image_point& a, const l3d_image_point& b, int along,
+                          double pixels) {
+    return std::abs(a[along] * b[2] - b[along] * a[2]) > pixels * a[2] * b[2];
+}
+
+/// Which patches, and parts of them, are done although they need not be. Only who measures or
+/// judges a rule has a use for that.
+struct l3d_kept_patches {
+    bool outside = false;    ///< such that nothing of them lies in the picture
+    bool centreless = false; ///< such that cover no pixel's centre
+    bool hidden = false;     ///< such that lie behind what is drawn
+    bool backs = false;      ///< whose back alone is turned to the eye
+    bool dicing = false;     ///< of what a point may stand for
+
+    static constexpr l3d_kept_patches all() { return {true, true, true, true, true}; }
+
+    friend bool operator==(const l3d_kept_patches&, const l3d_kept_patches&) = default;
+};
 
 /// The picture and the accuracy asked for; constant for a frame.
 ///
@@ -27,7 +50,7 @@ struct l3d_dice_view {
     double depth_scale = 1; ///< scaled w / distance along the view axis
     double error_xy = 0;    ///< of a transformed control point
     double error_w = 0;
-    bool keep_all = false;  ///< leave nothing out that could be left out
+    l3d_kept_patches keep;
     bool one_sided = false; ///< nobody wants to see the back of dS/du x dS/dv
 
     friend bool operator==(const l3d_dice_view&, const l3d_dice_view&) = default;

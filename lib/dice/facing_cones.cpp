@@ -44,40 +44,35 @@ square_net<Order> quarter_of(square_net<Order> net, std::size_t quarter, bool al
 
 } // namespace
 
-struct l3d_facing_cones::ball_and_cone {
-    vector centre{0.0, 0.0, 0.0}, axis{0.0, 0.0, 0.0};
-    double radius = 0, sine = 2;
+void l3d_facing_cones::ball_and_cone::hold_points(std::span<const vector> points) {
+    vector least = points[0], most = points[0];
+    for (const vector& p : points)
+        for (int k = 0; k < 3; ++k) {
+            least[k] = std::min(least[k], p[k]);
+            most[k] = std::max(most[k], p[k]);
+        }
+    centre = (least + most) * 0.5;
+    for (const vector& p : points)
+        radius = std::max(radius, l3d_length(p - centre));
+}
 
-    void hold_points(std::span<const vector> points) {
-        vector least = points[0], most = points[0];
-        for (const vector& p : points)
-            for (int k = 0; k < 3; ++k) {
-                least[k] = std::min(least[k], p[k]);
-                most[k] = std::max(most[k], p[k]);
-            }
-        centre = (least + most) * 0.5;
-        for (const vector& p : points)
-            radius = std::max(radius, l3d_length(p - centre));
-    }
-
-    /// The cone of the coefficients holds all that they are positive weights of, if it is narrower
-    /// than a half-space.
-    void hold_normals(std::span<const vector> normals) {
-        vector sum{0.0, 0.0, 0.0};
-        for (const vector& n : normals)
-            sum += n;
-        const double length = l3d_length(sum);
-        if (!(length > no_direction))
-            return;
-        axis = sum * (1 / length);
-        double least_cosine = 1;
-        for (const vector& n : normals)
-            if (const double of_n = l3d_length(n); of_n > no_direction)
-                least_cosine = std::min(least_cosine, l3d_dot(n, axis) / of_n);
-        if (least_cosine > 0)
-            sine = std::sqrt(std::max(0.0, 1 - least_cosine * least_cosine)) + slack;
-    }
-};
+/// The cone of the coefficients holds all that they are positive weights of, if it is narrower
+/// than a half-space.
+void l3d_facing_cones::ball_and_cone::hold_normals(std::span<const vector> normals) {
+    vector sum{0.0, 0.0, 0.0};
+    for (const vector& n : normals)
+        sum += n;
+    const double length = l3d_length(sum);
+    if (!(length > no_direction))
+        return;
+    axis = sum * (1 / length);
+    double least_cosine = 1;
+    for (const vector& n : normals)
+        if (const double of_n = l3d_length(n); of_n > no_direction)
+            least_cosine = std::min(least_cosine, l3d_dot(n, axis) / of_n);
+    if (least_cosine > 0)
+        sine = std::sqrt(std::max(0.0, 1 - least_cosine * least_cosine)) + slack;
+}
 
 l3d_facing_cones::l3d_facing_cones(const l3d_bezier_patch<double, 3>& patch,
                                    const l3d_normal_net& normals) {
@@ -85,6 +80,8 @@ l3d_facing_cones::l3d_facing_cones(const l3d_bezier_patch<double, 3>& patch,
     for (int r = 0; r < 6; ++r)
         for (int c = 0; c < 6; ++c)
             of_normals[l3d_normal_net::index(r, c)] = normals.at(r, c);
+    whole_.hold_points(patch.points);
+    whole_.hold_normals(of_normals);
     for (std::size_t row = 0; row < 4; ++row) {
         const square_net<4> points = quarter_of<4>(patch.points, row, false);
         const square_net<6> directions = quarter_of<6>(of_normals, row, false);
@@ -110,7 +107,13 @@ void l3d_facing_cones::set(std::size_t block, const ball_and_cone& of) {
 /// the centre less the radius. A vector that makes a cosine greater than the cone's sine with the
 /// axis is within a right angle of all the cone.
 unsigned l3d_facing_cones::away_from(const vector& from, double side) const {
-    const double reach = slack * l3d_length(from);
+    const double reach = slack * (std::abs(from[0]) + std::abs(from[1]) + std::abs(from[2]));
+    // Of the whole patch by squares: a root would be half of the work.
+    const vector way = whole_.centre - from;
+    const double along_whole = side * l3d_dot(way, whole_.axis), sine = whole_.sine + slack;
+    const double clear = std::abs(along_whole) - whole_.radius * (1 + sine) - reach;
+    if (clear > 0 && clear * clear > sine * sine * l3d_dot(way, way))
+        return along_whole > 0 ? all : 0;
     std::array<std::uint8_t, blocks> is_away;
     for (std::size_t i = 0; i < blocks; ++i) {
         const double x = centre_[0][i] - from[0], y = centre_[1][i] - from[1],

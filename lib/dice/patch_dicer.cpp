@@ -70,7 +70,7 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of) const -> planne
 
 /// Draws a piece, or lets it wait for being cut.
 template <class T> void l3d_patch_dicer<T>::take(const piece& p, task& of) {
-    if ((!of.view.keep_all || p.depth > 0) &&
+    if ((!of.view.keep.outside || p.depth > 0) &&
         l3d_outside(p.net.points, of.view.margin(), of.view.near, of.view.far))
         return drawer_.close_hidden(p, of.out.next());
     const planned how = plan_of(p, of);

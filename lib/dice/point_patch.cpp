@@ -16,12 +16,8 @@ namespace {
 constexpr std::array<std::array<std::int32_t, 2>, 3> corners{{{-1, -1}, {1, -1}, {0, 1}}};
 constexpr double extent = 1.5 / l3d_subpixel_one;
 
-/// Whether two points are plainly farther apart in the picture than `limit`; without a division,
-/// as most patches are refused by this.
 bool far_apart(const l3d_image_point& a, const l3d_image_point& b, double limit) {
-    const double reach = limit * a[2] * b[2];
-    return std::abs(a[0] * b[2] - b[0] * a[2]) > reach ||
-           std::abs(a[1] * b[2] - b[1] * a[2]) > reach;
+    return l3d_far_apart(a, b, 0, limit) || l3d_far_apart(a, b, 1, limit);
 }
 
 /// The index of the only pixel whose centre lies between two places, even if snapping moved them.

@@ -31,14 +31,17 @@ l3d_image_box box_of(const culled_boxes& boxes, std::size_t i) {
 
 /// The count of those that are left out for the same reason as box i; null if it may be seen.
 std::int64_t* reason_to_leave_out(const culled_boxes& boxes, std::size_t i,
-                                  const l3d_dice_view& view, l3d_dice_counts& counts) {
-    if (boxes.most[i] <= view.near)
-        return &counts.behind;
-    if (boxes.least[i] >= view.far)
-        return &counts.beyond;
-    if (boxes.inside[i] < 0)
-        return &counts.offscreen;
-    if (boxes.least[i] > view.near && l3d_holds_no_centre(box_of(boxes, i), view))
+                                   const l3d_dice_view& view, l3d_dice_counts& counts) {
+    if (!view.keep.outside) {
+        if (boxes.most[i] <= view.near)
+            return &counts.behind;
+        if (boxes.least[i] >= view.far)
+            return &counts.beyond;
+        if (boxes.inside[i] < 0)
+            return &counts.offscreen;
+    }
+    if (!view.keep.centreless && boxes.least[i] > view.near &&
+        l3d_holds_no_centre(box_of(boxes, i), view))
         return &counts.subpixel;
     return nullptr;
 }
@@ -103,7 +106,7 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
     // What a walk adds to the error of w: 2^-19 is more than the 6.4e-7 of 32.32 numbers.
     const double error_w = view_.error_w + 0x1p-19;
     if (boxes.least[i] <= view_.near + 2 * error_w ||
-        boxes.most[i] > most_depth_ratio * boxes.least[i] || view_.keep_all)
+        boxes.most[i] > most_depth_ratio * boxes.least[i] || view_.keep.hidden)
         return where;
     const double balance =
         l3d_is_small(box_of(boxes, i)) ? 0 : balance_of_w(boxes.least[i], boxes.most[i]);
@@ -122,8 +125,7 @@ void l3d_scene_culling::look_at(const l3d_box_lanes& boxes, const l3d_matrix<dou
         l3d_detail::cull_boxes(boxes, first, to_image, view_, margin_, culled);
         const std::size_t here = std::min(l3d_box_lanes::lanes, boxes.count() - first);
         for (std::size_t i = 0; i < here; ++i) {
-            std::int64_t* const reason =
-                view_.keep_all ? nullptr : reason_to_leave_out(culled, i, view_, counts_);
+            std::int64_t* const reason = reason_to_leave_out(culled, i, view_, counts_);
             if (reason == nullptr)
                 see(first + i, extent_of(culled, i));
             else

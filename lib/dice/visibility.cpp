@@ -6,17 +6,28 @@
 
 namespace {
 
+/// Corners that are so far apart both ways spare most patches the box of their net.
+bool is_wider_than_a_pixel(const l3d_image_patch& net) {
+    const auto is_wider = [&](int along) {
+        return l3d_far_apart(net.at(0, 0), net.at(3, 3), along, 1) ||
+               l3d_far_apart(net.at(0, 3), net.at(3, 0), along, 1);
+    };
+    return is_wider(0) && is_wider(1);
+}
+
 /// The count of patches that are left out for the same reason as this one; null if it may be seen.
 std::int64_t* reason(const l3d_image_patch& net, const l3d_dice_view& view,
                      l3d_dice_counts& counts) {
     const l3d_depth_range depth = l3d_depth_range_of(net.points);
-    if (depth.most <= view.near)
-        return &counts.behind;
-    if (depth.least >= view.far)
-        return &counts.beyond;
-    if (l3d_outside(net.points, view.margin(), view.near, view.far))
-        return &counts.offscreen;
-    if (depth.least <= view.near)
+    if (!view.keep.outside) {
+        if (depth.most <= view.near)
+            return &counts.behind;
+        if (depth.least >= view.far)
+            return &counts.beyond;
+        if (l3d_outside(net.points, view.margin(), view.near, view.far))
+            return &counts.offscreen;
+    }
+    if (depth.least <= view.near || view.keep.centreless || is_wider_than_a_pixel(net))
         return nullptr;
     return l3d_holds_no_centre(l3d_image_box_of(net.points), view) ? &counts.subpixel : nullptr;
 }

@@ -10,8 +10,8 @@
 /// snapping moves it by half a sub-pixel.
 bool l3d_holds_no_centre(const l3d_image_box& hull, const l3d_dice_view& view);
 
-/// Whether a patch need not be diced, as its net shows that it covers no pixel's centre; the reason
-/// is counted. Expects: !view.keep_all.
+/// Whether a patch need not be diced, as its net shows that it covers no pixel's centre, and is not
+/// to be kept; the reason is counted.
 bool l3d_left_out(const l3d_image_patch& net, const l3d_dice_view& view, l3d_dice_counts& counts);
 
 #endif

@@ -92,8 +92,11 @@ bool l3d_outside(std::span<const point> net, const l3d_image_box& box, double ne
         below = below && p[1] > box.bottom * p[2];
         behind = behind && p[2] <= near;
         beyond = beyond && p[2] >= far;
+        // Most nets that are asked about have their first point in the picture.
+        if (!(left || right || above || below || behind || beyond))
+            return false;
     }
-    return left || right || above || below || behind || beyond;
+    return true;
 }
 
 l3d_second_bounds l3d_second_bounds_of(const l3d_image_patch& patch, const l3d_image_box& visible,

@@ -49,7 +49,7 @@ void l3d_method_patches::dice_one(const l3d_method_frame& frame, const l3d_place
         l3d_placed_net(culling_.matrix(placed), model.patches()[placed.patch]),
         instance.turns_normals() ? model.normals(placed.patch).turned(instance.normal_matrix())
                                  : model.normals(placed.patch)};
-    if (!frame.view.keep_all && l3d_left_out(patch.net, frame.view, space.counts))
+    if (l3d_left_out(patch.net, frame.view, space.counts))
         return;
     if (l3d_needs_no_clipping(patch.net, frame.view)) {
         ++space.counts.drawn;

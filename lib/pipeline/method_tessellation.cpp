@@ -98,7 +98,7 @@ void l3d_method_tessellation::count_patches(const l3d_method_frame& frame) {
             const l3d_patch_model& model = frame.scene.instances()[placed.instance].model();
             const l3d_image_patch net =
                 l3d_placed_net(culling_.matrix(placed), model.patches()[placed.patch]);
-            if (!frame.view.keep_all && l3d_left_out(net, frame.view, counts_))
+            if (l3d_left_out(net, frame.view, counts_))
                 continue;
             ++counts_.drawn;
             ++counts_.pieces;

@@ -117,11 +117,11 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     const l3d_pixels target = screen_->pixels();
     transform_ = l3d_image_transform(camera_, target.size(), scene_);
     view_ = transform_.view(settings_.tolerance);
-    view_.keep_all = settings_.keep_all;
+    view_.keep = settings_.keep;
     view_.one_sided = settings_.one_sided;
     l3d_shading shading =
         l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
-    shading.keep_all = settings_.keep_all;
+    shading.keep_unit_normals = settings_.keep.unit_normals;
     return {target,        transform_.matrix(), view_, shading, settings_.wireframe,
             settings_.net, settings_.depth};
 }
@@ -131,7 +131,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
 /// nearly as much (docs/SPEED.md).
 l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
     const l3d_pixel_boxes whole(l3d_whole(now.target.size()));
-    if (settings_.keep_all || is_foreign_ || scene_.is_rebuilt() || now != basis_)
+    if (settings_.keep.drawing || is_foreign_ || scene_.is_rebuilt() || now != basis_)
         return whole;
     if (!stale_ && !scene_.is_changed())
         return {};

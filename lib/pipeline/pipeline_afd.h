@@ -23,6 +23,15 @@
 
 template <class T> class l3d_frame_dicer;
 
+/// What a frame does although it need not; the picture is the same, or as good. Only who compares
+/// has a use for that.
+struct l3d_kept_work : l3d_kept_patches {
+    bool unit_normals = false; ///< lambert: in each pixel, also where less would do
+    bool drawing = false;      ///< of what the last frame drew
+
+    static constexpr l3d_kept_work all() { return {l3d_kept_patches::all(), true, true}; }
+};
+
 /// How a scene is to be drawn.
 struct l3d_afd_settings {
     double tolerance = 0.25;                     ///< largest image error allowed, in pixels
@@ -30,8 +39,9 @@ struct l3d_afd_settings {
     l3d_vector<double, 3> light{0.4, 0.8, 0.45}; ///< towards the light, world space, any length
     bool wireframe = false;     ///< the lines of the adaptive grid instead of the filled surface
     bool net = false;           ///< the control nets on top
-    bool keep_all = false;      ///< leave nothing out (for comparison)
+    l3d_kept_work keep;         ///< although it could be left out
     bool one_sided = false;     ///< leave out what turns its back, dS/du x dS/dv away from the eye
+                                ///< before it is placed: a mirrored model shows the same side
     bool depth = false;         ///< keep the distance of each pixel, for depth()
     bool count_pixels = false;  ///< report how many are covered
     int threads = 1;            ///< that draw; constant from the first frame on

@@ -83,8 +83,9 @@ public:
         // A piece's centre has a shorter normal than its corners.
         const auto unfit =
             hn::Or(hn::Or(mixed, hn::RebindMask(d, at.piece)), hn::Gt(spread_, set(flat_spread)));
-        const float_vec most_error = set(shading.keep_all ? -1.0f : flat_error);
-        const auto flat = hn::AndNot(unfit, hn::Le(error_of_plane(lit, at), most_error));
+        const auto flat = shading.keep_unit_normals
+                              ? hn::FirstN(d, 0)
+                              : hn::AndNot(unfit, hn::Le(error_of_plane(lit, at), set(flat_error)));
         const int_mask twisted = hn::AndNot(mask_of(flat), at.fits);
         const int_mask planes = hn::And(mask_of(flat), at.fits);
         counts.by_plane += static_cast<std::int64_t>(hn::CountTrue(ints(), planes));

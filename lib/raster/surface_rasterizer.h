@@ -38,7 +38,7 @@ struct l3d_shading {
     /// down add to that. World space, any length.
     std::array<float, 3> ray{0, 0, -1}, ray_right{}, ray_down{};
 
-    bool keep_all = false; ///< lambert: every pixel's own unit normal, also where less would do
+    bool keep_unit_normals = false; ///< lambert: every pixel's own, also where less would do
 
     friend bool operator==(const l3d_shading&, const l3d_shading&) = default;
 };
@@ -67,7 +67,7 @@ struct l3d_surface_counts {
         by_plane += other.by_plane;
     }
 
-    /// How far greys may be, because of that, from those of `keep_all`. Units: levels.
+    /// How far greys may be, because of that, from those of `keep_unit_normals`. Units: levels.
     double shade_bound() const { return by_plane > 0 ? 1.0 : 0.0; }
 };
 

@@ -80,7 +80,7 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--one-sided", settings_.one_sided,
                 "leave out surfaces whose back is turned to the eye");
     options.add("--explain", explain_, "tell what the last frame did not need, and why");
-    options.add("--keep-all", settings_.keep_all, "leave nothing out");
+    options.add("--keep-all", keep_all_, "leave nothing out");
 }
 
 bool l3d_afd_options::shows_the_usual() const {
@@ -126,6 +126,8 @@ l3d_afd_settings l3d_afd_options::settings() const {
                             method->name() + " has none; " + l3d_method_choice::names_with_bound() +
                             " have one");
     result.depth = !depth_output_.empty();
+    if (keep_all_)
+        result.keep = l3d_kept_work::all();
     result.light = vector_of(light_);
     const double length = l3d_length(result.light);
     if (!(length > 0 && length < largest))

@@ -60,7 +60,7 @@ private:
     l3d_afd_settings settings_;
     double turntable_ = 0;
     std::string depth_output_, report_;
-    bool explain_ = false;
+    bool explain_ = false, keep_all_ = false;
     std::optional<int> threads_;
 };
 

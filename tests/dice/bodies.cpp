@@ -39,6 +39,78 @@ std::pair<double, double> on_circle(int i) {
     return {at(i), at(i - 3)};
 }
 
+/// Halves along u. Reversed edges get the same points reversed, bit for bit.
+std::array<patch, 2> halves(const patch& whole) {
+    std::array<patch, 2> result;
+    const auto middle = [](const vec3& a, const vec3& b) -> vec3 {
+        return {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
+    };
+    for (std::size_t row = 0; row < 16; row += 4) {
+        const vec3* const p = &whole.points[row];
+        const vec3 a = middle(p[0], p[1]), b = middle(p[1], p[2]), c = middle(p[2], p[3]);
+        const vec3 ab = middle(a, b), bc = middle(b, c), all = middle(ab, bc);
+        const std::array<vec3, 7> line{p[0], a, ab, all, bc, c, p[3]};
+        for (std::size_t i = 0; i < 4; ++i) {
+            result[0].points[row + i] = line[i];
+            result[1].points[row + i] = line[i + 3];
+        }
+    }
+    return result;
+}
+
+patch transposed(const patch& p) {
+    patch result;
+    for (std::size_t i = 0; i < 16; ++i)
+        result.points[4 * (i % 4) + i / 4] = p.points[i];
+    return result;
+}
+
+/// Each patch as four.
+std::vector<patch> quartered(const std::vector<patch>& patches) {
+    std::vector<patch> result;
+    for (const patch& whole : patches)
+        for (const patch& half : halves(whole))
+            for (const patch& quarter : halves(transposed(half)))
+                result.push_back(transposed(quarter));
+    return result;
+}
+
+/// What is the same function of each point keeps common edges common.
+template <class Move> std::vector<patch> moved(std::vector<patch> patches, Move move) {
+    for (patch& p : patches)
+        for (vec3& point : p.points)
+            point = move(point);
+    return patches;
+}
+
+std::vector<patch> waved(std::vector<patch> patches, reference::random_numbers& random,
+                         double height) {
+    std::array<double, 12> wave;
+    for (double& number : wave)
+        number = random.between(-2, 2);
+    const double twist = random.between(-1, 1);
+    return moved(std::move(patches), [&](const vec3& p) -> vec3 {
+        const auto at = [&](std::size_t i) {
+            return height *
+                   std::sin(wave[i] * p.x + wave[i + 1] * p.y + wave[i + 2] * p.z + wave[i + 3]);
+        };
+        const double x = p.x + at(0), y = p.y + at(4), z = p.z + at(8);
+        const double cosine = std::cos(twist * p.y), sine = std::sin(twist * p.y);
+        return {cosine * x - sine * z, y, sine * x + cosine * z};
+    });
+}
+
+std::vector<patch> with_arms(std::vector<patch> patches, reference::random_numbers& random) {
+    const auto arms = static_cast<double>(3 + random.below(5));
+    const double depth = random.between(0.05, 0.45), phase = random.between(0, 7);
+    const double thickness = random.between(0.2, 1);
+    return moved(std::move(patches), [&](const vec3& p) -> vec3 {
+        const double out = std::hypot(p.x, p.z) / std::hypot(p.x, p.y, p.z);
+        const double reach = 1 + depth * out * std::cos(arms * std::atan2(p.z, p.x) + phase);
+        return {reach * p.x, thickness * p.y, reach * p.z};
+    });
+}
+
 } // namespace
 
 std::vector<patch> ball() {
@@ -74,6 +146,47 @@ std::vector<patch> ring(double radius, double thickness) {
                 }
         }
     return result;
+}
+
+std::vector<patch> globe() {
+    std::vector<patch> result;
+    for (int around = 0; around < 12; around += 3)
+        for (const int south : {-3, 0}) {
+            patch& piece = result.emplace_back();
+            for (int row = 0; row < 4; ++row)
+                for (int column = 0; column < 4; ++column) {
+                    const auto [x, z] = on_circle(around + row);
+                    const auto [out, up] = on_circle(south + column + 12);
+                    piece.points[static_cast<std::size_t>(4 * row + column)] = {out * x, up,
+                                                                                out * z};
+                }
+        }
+    return result;
+}
+
+std::vector<patch> random_body(reference::random_numbers& random, body_kind kind) {
+    switch (kind) {
+    case body_kind::bent:
+        return waved(ball(), random, random.between(0, 0.3));
+    case body_kind::flattened: {
+        const double thickness = random.of_any_size(0.05, 1);
+        return moved(waved(globe(), random, random.between(0, 0.1)), [&](const vec3& p) -> vec3 {
+            return {p.x, thickness * p.y, p.z};
+        });
+    }
+    case body_kind::toroidal:
+        return waved(ring(1.2, random.between(0.1, 0.7)), random, random.between(0, 0.2));
+    case body_kind::starfish:
+        break;
+    }
+    return with_arms(quartered(ball()), random);
+}
+
+std::vector<patch> placed(std::vector<patch> patches, const l3d_matrix<double>& placement) {
+    return moved(std::move(patches), [&](const vec3& p) -> vec3 {
+        const auto there = placement * l3d_vector<double, 4>(p.x, p.y, p.z, 1.0);
+        return {there[0], there[1], there[2]};
+    });
 }
 
 std::vector<patch> inside_out(std::vector<patch> patches) {

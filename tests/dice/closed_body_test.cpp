@@ -111,7 +111,7 @@ TEST(closed_body, has_the_same_outline_without_its_back) {
                 const reference::exact_region region(s.patches, s.eye, s.picture());
                 picture drawn(size, s.camera), whole(size, s.camera);
                 const l3d_dice_counts counts = dice<float>(s, tolerance, drawn);
-                dice<float>(s, tolerance, whole, true);
+                dice<float>(s, tolerance, whole, l3d_kept_patches::all());
                 const reference::measurement m =
                     reference::measure(drawn.distances(), exact, region);
                 std::printf("%ld patches, %ld blocks left out; extra %.4f, missing %.4f of %.4f "

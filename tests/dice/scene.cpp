@@ -2,6 +2,8 @@
 // Scenes, in the types of the library and of the reference.
 #include "scene.h"
 
+#include "bodies.h"
+
 #include <utility>
 
 namespace dice_tests {
@@ -34,6 +36,11 @@ l3d_patch_model model_of(const std::vector<reference::patch>& surfaces) {
 scene::scene(std::vector<reference::patch> surfaces, const reference::camera& view, l3d_size of)
     : patches(std::move(surfaces)), eye(view), size(of), model(model_of(patches)),
       camera(camera_of(view)) {}
+
+scene::scene(const std::vector<reference::patch>& of_model, const l3d_matrix<double>& where,
+             const reference::camera& view, l3d_size of)
+    : patches(placed(of_model, where)), eye(view), size(of), model(model_of(of_model)),
+      placement(where), camera(camera_of(view)) {}
 
 scene teapot(const reference::view& view, l3d_size size) {
     return {reference::load_bpt_plain("data/teapot.bpt"), view.eye, size};

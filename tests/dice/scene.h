@@ -56,10 +56,15 @@ template <class T> constexpr const char* name_of() {
 struct scene {
     scene(std::vector<reference::patch> surfaces, const reference::camera& view, l3d_size of);
 
+    /// The same picture of a model that is placed there.
+    scene(const std::vector<reference::patch>& of_model, const l3d_matrix<double>& placement,
+          const reference::camera& view, l3d_size of);
+
     std::vector<reference::patch> patches;
     reference::camera eye;
     l3d_size size;
     l3d_patch_model model;
+    l3d_matrix<double> placement = l3d_identity<double>(); ///< of the model
     l3d_camera camera;
 
     reference::picture_size picture() const { return {size.width, size.height}; }
@@ -74,12 +79,14 @@ public:
     /// Dices a whole scene, nearest patches first; calls sink(i, pieces, frame_bound) with the
     /// pieces of patch i.
     template <class Sink>
-    l3d_dice_counts dice(const scene& s, double tolerance, Sink sink, bool keep_all = false) {
+    l3d_dice_counts dice(const scene& s, double tolerance, Sink sink, l3d_kept_patches keep = {},
+                         bool one_sided = false) {
         world_.clear();
-        world_.add(s.model);
+        world_.add(s.model, s.placement);
         const l3d_image_transform to_image(s.camera, s.size, world_);
         l3d_dice_view view = to_image.view(tolerance);
-        view.keep_all = keep_all;
+        view.keep = keep;
+        view.one_sided = one_sided;
         culling_.begin(world_, to_image.matrix(), view);
         dicer_.begin(view);
         const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
@@ -108,10 +115,10 @@ using diced = std::span<const l3d_diced_piece>;
 
 /// Hands every patch's pieces to sink.draw(pieces, frame_bound).
 template <class T, class Sink>
-l3d_dice_counts dice(const scene& s, double tolerance, Sink& sink, bool keep_all = false) {
+l3d_dice_counts dice(const scene& s, double tolerance, Sink& sink, l3d_kept_patches keep = {}) {
     return scene_dicer<T>().dice(
         s, tolerance, [&](std::size_t, diced pieces, double bound) { sink.draw(pieces, bound); },
-        keep_all);
+        keep);
 }
 
 } // namespace dice_tests

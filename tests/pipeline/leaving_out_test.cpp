@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Pictures with and without all that can be left out: the same, or within what the frame reports.
 #include "../dice/bodies.h"
-#include "../dice/scene.h"
+#include "drawn_picture.h"
 
-#include "pipeline/pipeline_afd.h"
-#include "raster/rasterizer_factory_sw.h"
 #include "reference/random_patches.h"
-#include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>
 
@@ -14,33 +11,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
 #include <random>
 #include <vector>
 
 namespace {
 
 using dice_tests::scene;
-
-struct picture {
-    std::vector<std::uint32_t> words;
-    l3d_frame_report report;
-};
-
-picture drawn(const scene& s, const l3d_patch_scene& world, const l3d_afd_settings& settings) {
-    l3d_screen_request request;
-    request.size = s.size;
-    l3d_service refusal;
-    l3d_pipeline_afd pipeline(l3d_screen_factory_memory().create(request, refusal),
-                              l3d_rasterizer_factory_sw(), world, s.camera, settings);
-    pipeline.draw_event();
-    picture result{{}, pipeline.report()};
-    for (int y = 0; y < s.size.height; ++y) {
-        const auto row = pipeline.screen().pixels().row(y);
-        result.words.insert(result.words.end(), row.begin(), row.end());
-    }
-    return result;
-}
+using pipeline_tests::drawn;
+using pipeline_tests::picture;
 
 struct comparison {
     picture less, all;
@@ -50,7 +28,7 @@ struct comparison {
 
     comparison(const scene& s, const l3d_patch_scene& world, l3d_afd_settings settings)
         : less(drawn(s, world, settings)) {
-        settings.keep_all = true;
+        settings.keep = l3d_kept_work::all();
         all = drawn(s, world, settings);
         for (int y = 0; y < s.size.height; ++y)
             for (int x = 0; x < s.size.width; ++x) {

@@ -99,7 +99,7 @@ TEST(scene_picture, is_the_same_with_and_without_what_is_left_out) {
     settings.tolerance = 0.1;
     settings.shade = l3d_shade::gouraud; // of which nothing is left out that changes a level
     const picture quick = drawn(scene, settings);
-    settings.keep_all = true;
+    settings.keep = l3d_kept_work::all();
     const picture whole = drawn(scene, settings);
     const l3d_dice_counts& counts = quick.report.dice;
     EXPECT_GT(counts.hidden, 2000);

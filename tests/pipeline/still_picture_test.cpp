@@ -209,7 +209,8 @@ TEST(still_picture, is_drawn_whole_if_all_is_kept_or_depth_is_asked_for) {
     for (const bool depth : {false, true}) {
         pair_of_teapots s;
         s.settings.depth = depth;
-        s.settings.keep_all = !depth;
+        if (!depth)
+            s.settings.keep = l3d_kept_work::all();
         tester program(s.scene, s.camera, s.settings);
         for (int step = 0; step < 4; ++step) {
             program.world().place(1, pair_of_teapots::right(step / 2));
