@@ -92,7 +92,8 @@ DATA      := $(addprefix $(OUT)/share/l3d/,$(notdir $(data)))
 ARCHIVES  := $(call archives,$(LAYERS))
 APPS      := $(apps:%=$(OUT)/bin/%)
 TESTERS   := $(tested:%=$(OUT)/tests/%_tests)
-objects_bench := $(call objects,$(filter-out %_bench.cpp,$(wildcard tests/bench/*.cpp)))
+objects_bench := $(call objects,$(filter-out %_bench.cpp,$(wildcard tests/bench/*.cpp)) \
+                     tests/dice/bodies.cpp tests/dice/scene.cpp)
 objects_stability := $(call objects,$(wildcard tests/stability/*.cpp))
 STABILITY := $(OUT)/tests/stability/stability
 BENCHES   := $(patsubst %.cpp,$(OUT)/%,$(wildcard tests/bench/*_bench.cpp))

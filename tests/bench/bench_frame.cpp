@@ -9,13 +9,6 @@
 
 namespace {
 
-std::unique_ptr<l3d_screen> memory_screen(l3d_size size) {
-    l3d_screen_request request;
-    request.size = size;
-    l3d_service refusal;
-    return l3d_screen_factory_memory().create(request, refusal);
-}
-
 l3d_afd_settings settings(double tolerance, int threads, l3d_shade shade) {
     l3d_afd_settings result;
     result.tolerance = tolerance;
@@ -26,9 +19,16 @@ l3d_afd_settings settings(double tolerance, int threads, l3d_shade shade) {
 
 } // namespace
 
+std::unique_ptr<l3d_screen> bench_screen(l3d_size size) {
+    l3d_screen_request request;
+    request.size = size;
+    l3d_service refusal;
+    return l3d_screen_factory_memory().create(request, refusal);
+}
+
 bench_frame::bench_frame(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size,
                          double tolerance, int threads, l3d_shade shade)
-    : camera_(camera), pipeline_(memory_screen(size), l3d_rasterizer_factory_sw(), scene, camera,
+    : camera_(camera), pipeline_(bench_screen(size), l3d_rasterizer_factory_sw(), scene, camera,
                                  settings(tolerance, threads, shade)) {}
 
 double bench_frame::draw() {

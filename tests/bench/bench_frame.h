@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 
 struct bench_view {
     const char* name;
@@ -18,6 +19,9 @@ inline const std::array<bench_view, 3> bench_views{{
     {"closeup", {{1.2, 2.6, 4.4}, {-0.3, 1.5, 0.0}, {0.0, 1.0, 0.0}, 45, 0.1, 1e13}},
     {"top", {{1.5, 7.5, 3.0}, {0.2, 1.2, 0.0}, {0.0, 1.0, 0.0}, 35, 0.1, 1e13}},
 }};
+
+/// A picture in memory.
+std::unique_ptr<l3d_screen> bench_screen(l3d_size size);
 
 /// One scene, drawn again and again into memory; from model and camera to finished pixels.
 class bench_frame {

@@ -2,11 +2,11 @@
 // What a frame costs of which little or nothing changed: a thousand teapots stand still, one moves.
 //
 // The baseline is the same frame drawn whole; the pictures must be the same bits.
+#include "bench/bench_frame.h"
 #include "geom/teapot.h"
 #include "pipeline/pipeline_afd.h"
 #include "processor_time.h"
 #include "raster/rasterizer_factory_sw.h"
-#include "tool_2d/screen_memory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,18 +27,11 @@ constexpr int frames = 41;
     std::exit(EXIT_FAILURE);
 }
 
-std::unique_ptr<l3d_screen> memory_screen() {
-    l3d_screen_request request;
-    request.size = size;
-    l3d_service refusal;
-    return l3d_screen_factory_memory().create(request, refusal);
-}
-
 class program final : public l3d_pipeline_afd {
 public:
     program(l3d_patch_scene scene, const l3d_camera& camera, const l3d_afd_settings& settings)
-        : l3d_pipeline_afd(memory_screen(), l3d_rasterizer_factory_sw(), std::move(scene), camera,
-                           settings) {}
+        : l3d_pipeline_afd(bench_screen(size), l3d_rasterizer_factory_sw(), std::move(scene),
+                           camera, settings) {}
 
     using l3d_pipeline_afd::redraw;
     using l3d_pipeline_afd::world;

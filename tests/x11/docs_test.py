@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Every command that a document shows runs as it is printed, and makes what it names; links lead to
-files, and the figures that README.md sums up are those of the tables. (What docs/TUTORIAL.md shows is
+files, and the figures that documents sum up are those of the tables. (What docs/TUTORIAL.md shows is
 the matter of tests/install.)"""
 
 import collections
@@ -106,11 +106,24 @@ def figures(text):
     return [line for line in wanted if line not in text]
 
 
+def left_out(text):
+    """The rows that docs/NUMERICS.md should have of what rules gain and cost, and has not."""
+    rows = []
+    with open(ROOT / "docs" / "report" / "leaving_out.csv", newline="") as file:
+        for row in csv.DictReader(file):
+            found = f"{row['left_out']} {row['unit']}" if row["left_out"] != "0" else "nothing"
+            low, percent, high = (f"{float(row[name]):.1f}" for name in (
+                "percent_low", "percent", "percent_high"))
+            rows.append(f"| {row['rule']} | {row['scene']} | {found} | {percent} ({low} to {high}) |")
+    return [line for line in rows if line not in text] if rows else ["the table is empty"]
+
+
 def main():
     failed = 0
-    missing = figures((ROOT / "README.md").read_text())
-    print(f"not ok docs README.md: figures {missing}" if missing else "ok docs README.md: figures")
-    failed += bool(missing)
+    for document, missing_in in (("README.md", figures), ("docs/NUMERICS.md", left_out)):
+        missing = missing_in((ROOT / document).read_text())
+        print(f"not ok docs {document}: figures {missing}" if missing else f"ok docs {document}: figures")
+        failed += bool(missing)
     for document in DOCUMENTS:
         text = (ROOT / document).read_text()
         for command in make_commands(text):
