@@ -31,7 +31,7 @@ l3d_image_box box_of(const culled_boxes& boxes, std::size_t i) {
 
 /// The count of those that are left out for the same reason as box i; null if it may be seen.
 std::int64_t* reason_to_leave_out(const culled_boxes& boxes, std::size_t i,
-                                   const l3d_dice_view& view, l3d_dice_counts& counts) {
+                                  const l3d_dice_view& view, l3d_dice_counts& counts) {
     if (!view.keep.outside) {
         if (boxes.most[i] <= view.near)
             return &counts.behind;
