@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <map>
 #include <spawn.h>
+#include <string_view>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -29,9 +30,9 @@ struct diagram {
 constexpr double least_shown = 1e-13;
 
 /// Told apart from each other and from the white behind them; gnuplot has only eight of its own.
-constexpr std::array<const char*, 17> colors{"#000000", "#d62728", "#1f77b4", "#2ca02c", "#ff7f0e",
-                                             "#9467bd", "#8c564b", "#17becf", "#e377c2", "#7f7f7f",
-                                             "#bcbd22", "#00429d", "#93003a", "#5a7d00"};
+constexpr auto colors = std::to_array<std::string_view>(
+    {"#000000", "#d62728", "#1f77b4", "#2ca02c", "#ff7f0e", "#9467bd", "#8c564b", "#17becf",
+     "#e377c2", "#7f7f7f", "#bcbd22", "#00429d", "#93003a", "#5a7d00"});
 
 std::string number(double value) {
     std::array<char, 32> text{};

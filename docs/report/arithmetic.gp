@@ -176,29 +176,29 @@ set xlabel 'steps without a restart'
 set ylabel 'largest round-off in pixels'
 set terminal svg size 900,560 dynamic background rgb 'white'
 set output 'arithmetic.svg'
-plot $line0 using 1:2 with linespoints lw 2 pt 5 lc 1 title '16.16', \
-     $line1 using 1:2 with lines dt 2 lw 1 lc 1 notitle, \
-     $line2 using 1:2 with linespoints lw 2 pt 6 lc 2 title '32-bit block', \
-     $line3 using 1:2 with lines dt 2 lw 1 lc 2 notitle, \
-     $line4 using 1:2 with linespoints lw 2 pt 7 lc 3 title '32-bit graded', \
-     $line5 using 1:2 with lines dt 2 lw 1 lc 3 notitle, \
-     $line6 using 1:2 with linespoints lw 2 pt 8 lc 4 title '32.32', \
-     $line7 using 1:2 with lines dt 2 lw 1 lc 4 notitle, \
-     $line8 using 1:2 with linespoints lw 2 pt 9 lc 5 title 'float', \
-     $line9 using 1:2 with lines dt 2 lw 1 lc 5 notitle, \
-     $line10 using 1:2 with linespoints lw 2 pt 10 lc 6 title 'double', \
-     $line11 using 1:2 with lines dt 2 lw 1 lc 6 notitle
+plot $line0 using 1:2 with linespoints lw 1.5 pt 4 lc rgb '#000000' title '16.16', \
+     $line1 using 1:2 with lines dt 2 lw 1 lc rgb '#000000' notitle, \
+     $line2 using 1:2 with linespoints lw 1.5 pt 5 lc rgb '#d62728' title '32-bit block', \
+     $line3 using 1:2 with lines dt 2 lw 1 lc rgb '#d62728' notitle, \
+     $line4 using 1:2 with linespoints lw 1.5 pt 6 lc rgb '#1f77b4' title '32-bit graded', \
+     $line5 using 1:2 with lines dt 2 lw 1 lc rgb '#1f77b4' notitle, \
+     $line6 using 1:2 with linespoints lw 1.5 pt 7 lc rgb '#2ca02c' title '32.32', \
+     $line7 using 1:2 with lines dt 2 lw 1 lc rgb '#2ca02c' notitle, \
+     $line8 using 1:2 with linespoints lw 1.5 pt 8 lc rgb '#ff7f0e' title 'float', \
+     $line9 using 1:2 with lines dt 2 lw 1 lc rgb '#ff7f0e' notitle, \
+     $line10 using 1:2 with linespoints lw 1.5 pt 9 lc rgb '#9467bd' title 'double', \
+     $line11 using 1:2 with lines dt 2 lw 1 lc rgb '#9467bd' notitle
 set terminal png size 1100,680
 set output 'arithmetic.png'
-plot $line0 using 1:2 with linespoints lw 2 pt 5 lc 1 title '16.16', \
-     $line1 using 1:2 with lines dt 2 lw 1 lc 1 notitle, \
-     $line2 using 1:2 with linespoints lw 2 pt 6 lc 2 title '32-bit block', \
-     $line3 using 1:2 with lines dt 2 lw 1 lc 2 notitle, \
-     $line4 using 1:2 with linespoints lw 2 pt 7 lc 3 title '32-bit graded', \
-     $line5 using 1:2 with lines dt 2 lw 1 lc 3 notitle, \
-     $line6 using 1:2 with linespoints lw 2 pt 8 lc 4 title '32.32', \
-     $line7 using 1:2 with lines dt 2 lw 1 lc 4 notitle, \
-     $line8 using 1:2 with linespoints lw 2 pt 9 lc 5 title 'float', \
-     $line9 using 1:2 with lines dt 2 lw 1 lc 5 notitle, \
-     $line10 using 1:2 with linespoints lw 2 pt 10 lc 6 title 'double', \
-     $line11 using 1:2 with lines dt 2 lw 1 lc 6 notitle
+plot $line0 using 1:2 with linespoints lw 1.5 pt 4 lc rgb '#000000' title '16.16', \
+     $line1 using 1:2 with lines dt 2 lw 1 lc rgb '#000000' notitle, \
+     $line2 using 1:2 with linespoints lw 1.5 pt 5 lc rgb '#d62728' title '32-bit block', \
+     $line3 using 1:2 with lines dt 2 lw 1 lc rgb '#d62728' notitle, \
+     $line4 using 1:2 with linespoints lw 1.5 pt 6 lc rgb '#1f77b4' title '32-bit graded', \
+     $line5 using 1:2 with lines dt 2 lw 1 lc rgb '#1f77b4' notitle, \
+     $line6 using 1:2 with linespoints lw 1.5 pt 7 lc rgb '#2ca02c' title '32.32', \
+     $line7 using 1:2 with lines dt 2 lw 1 lc rgb '#2ca02c' notitle, \
+     $line8 using 1:2 with linespoints lw 1.5 pt 8 lc rgb '#ff7f0e' title 'float', \
+     $line9 using 1:2 with lines dt 2 lw 1 lc rgb '#ff7f0e' notitle, \
+     $line10 using 1:2 with linespoints lw 1.5 pt 9 lc rgb '#9467bd' title 'double', \
+     $line11 using 1:2 with lines dt 2 lw 1 lc rgb '#9467bd' notitle

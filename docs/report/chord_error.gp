@@ -30,9 +30,9 @@ set xlabel 'steps'
 set ylabel 'largest error in pixels'
 set terminal svg size 900,560 dynamic background rgb 'white'
 set output 'chord_error.svg'
-plot $line0 using 1:2 with linespoints lw 2 pt 5 lc 1 title 'measured', \
-     $line1 using 1:2 with lines dt 2 lw 1 lc 1 notitle
+plot $line0 using 1:2 with linespoints lw 1.5 pt 4 lc rgb '#000000' title 'measured', \
+     $line1 using 1:2 with lines dt 2 lw 1 lc rgb '#000000' notitle
 set terminal png size 1100,680
 set output 'chord_error.png'
-plot $line0 using 1:2 with linespoints lw 2 pt 5 lc 1 title 'measured', \
-     $line1 using 1:2 with lines dt 2 lw 1 lc 1 notitle
+plot $line0 using 1:2 with linespoints lw 1.5 pt 4 lc rgb '#000000' title 'measured', \
+     $line1 using 1:2 with lines dt 2 lw 1 lc rgb '#000000' notitle

@@ -1,37 +1,37 @@
 # gnuplot error_by_steps.gp
 $line0 << end
-4 6.67864
-8 1.74228
-16 0.42955
-32 0.107122
-64 0.0267959
-128 0.00681561
+4 11.3714
+8 2.79597
+16 0.689664
+32 0.171902
+64 0.0430182
+128 0.0108321
 end
 $line1 << end
-4 6.85579
-8 1.71395
-16 0.428487
-32 0.107122
-64 0.0267804
-128 0.0066951
+4 11.0018
+8 2.75044
+16 0.687609
+32 0.171902
+64 0.0429756
+128 0.0107439
 end
 $line2 << end
-4 23.1896
-8 1.74223
-16 0.42955
-32 0.377462
-64 3.86599
-128 22.324
-256 93.0587
+4 37.3502
+8 2.79541
+16 0.689567
+32 1.05394
+64 6.35375
+128 39.8757
+256 148.715
 end
 $line3 << end
-4 24.1575
-8 6.03938
-16 1.50985
-32 0.377462
-64 0.0943654
-128 0.0235913
-256 0.00589784
+4 67.4523
+8 16.8631
+16 4.21577
+32 1.05394
+64 0.263485
+128 0.0658714
+256 0.0164678
 end
 set logscale xy
 set grid xtics ytics lc rgb '#dddddd'
@@ -42,13 +42,13 @@ set xlabel 'n, quads along a patch'
 set ylabel 'error in pixels'
 set terminal svg size 900,560 dynamic background rgb 'white'
 set output 'error_by_steps.svg'
-plot $line0 using 1:2 with linespoints lw 2 pt 5 lc 1 title 'tessellation', \
-     $line1 using 1:2 with lines dt 2 lw 1 lc 1 notitle, \
-     $line2 using 1:2 with linespoints lw 2 pt 6 lc 2 title 'fd 16.16', \
-     $line3 using 1:2 with lines dt 2 lw 1 lc 2 notitle
+plot $line0 using 1:2 with linespoints lw 1.5 pt 4 lc rgb '#000000' title 'tessellation', \
+     $line1 using 1:2 with lines dt 2 lw 1 lc rgb '#000000' notitle, \
+     $line2 using 1:2 with linespoints lw 1.5 pt 5 lc rgb '#d62728' title 'fd 16.16', \
+     $line3 using 1:2 with lines dt 2 lw 1 lc rgb '#d62728' notitle
 set terminal png size 1100,680
 set output 'error_by_steps.png'
-plot $line0 using 1:2 with linespoints lw 2 pt 5 lc 1 title 'tessellation', \
-     $line1 using 1:2 with lines dt 2 lw 1 lc 1 notitle, \
-     $line2 using 1:2 with linespoints lw 2 pt 6 lc 2 title 'fd 16.16', \
-     $line3 using 1:2 with lines dt 2 lw 1 lc 2 notitle
+plot $line0 using 1:2 with linespoints lw 1.5 pt 4 lc rgb '#000000' title 'tessellation', \
+     $line1 using 1:2 with lines dt 2 lw 1 lc rgb '#000000' notitle, \
+     $line2 using 1:2 with linespoints lw 1.5 pt 5 lc rgb '#d62728' title 'fd 16.16', \
+     $line3 using 1:2 with lines dt 2 lw 1 lc rgb '#d62728' notitle

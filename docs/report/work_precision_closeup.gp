@@ -1,58 +1,58 @@
 # gnuplot work_precision_closeup.gp
 $line0 << end
-0.829496 1.52244
-1.17202 0.87302
-1.51919 0.601399
-2.30413 0.34015
-3.81719 0.115057
-4.86467 0.0582072
-15.7476 0.0174543
+1.24367 1.21419
+1.25829 0.750256
+1.365 0.422038
+1.63461 0.325597
+2.26504 0.0998977
+3.59653 0.0384794
+19.5664 0.0138091
 end
 $line1 << end
-1.53984 0.369113
-2.62889 0.720536
-3.08903 0.183308
-3.64802 0.0706866
-6.26207 0.0321072
+1.89187 0.756619
+2.35707 0.37363
+3.60486 0.184142
+6.26991 0.0696761
+10.4036 0.0318449
 end
 $line2 << end
-7.43603 1.35638
-14.6282 1.19216
-24.4293 0.340099
-67.2182 0.0952289
-136.218 0.076925
+11.9587 1.91979
+19.911 0.563065
+35.1562 0.483516
+93.3579 0.138657
+207.926 0.11893
 end
 $line3 << end
-1.09125 0.845324
-1.52646 3.38228
-2.59632 13.2824
-2.93303 0.209729
-5.5068 0.0524142
-16.187 0.0131461
+2.25999 1.35662
+4.90003 5.42291
+5.38554 21.4237
+5.50757 0.336906
+15.6957 0.0840904
+71.2103 0.0210578
 end
 $line4 << end
-139.251 0.00563508
+464.302 0.0124757
 end
 $line5 << end
-175.797 0.610069
+472.228 0.666606
 end
 $line6 << end
-212.691 0.165678
-215.059 0.00755545
-237.431 0.0295408
+548.815 0.0282719
+556.676 0.00602633
+558.639 0.148282
 end
 $line7 << end
-121.919 145.572
-154.51 115.329
-194.677 25.6098
-222.916 3.51813
+350.234 189.491
+358.448 235.141
+427.738 93.2477
+585.157 23.1294
 end
 $line8 << end
-23.6401 0.209187
-36.2769 0.133581
-80.32 0.0590906
-96.7122 0.0246768
-197.743 0.0124882
+39.0276 0.265111
+54.3955 0.126281
+84.9422 0.0653536
+161.166 0.0245933
+269.614 0.0124597
 end
 set logscale xy
 set grid xtics ytics lc rgb '#dddddd'
@@ -63,23 +63,23 @@ set xlabel 'milliseconds a frame, one thread'
 set ylabel 'error in pixels: outlines, and depth but for a thousandth'
 set terminal svg size 900,560 dynamic background rgb 'white'
 set output 'work_precision_closeup.svg'
-plot $line0 using 1:2 with linespoints lw 2 pt 5 lc 1 title 'afd float', \
-     $line1 using 1:2 with linespoints lw 2 pt 6 lc 2 title 'fd float', \
-     $line2 using 1:2 with linespoints lw 2 pt 7 lc 3 title 'subdivision', \
-     $line3 using 1:2 with linespoints lw 2 pt 8 lc 4 title 'tessellation', \
-     $line4 using 1:2 with linespoints lw 2 pt 9 lc 5 title 'micropolygons', \
-     $line5 using 1:2 with linespoints lw 2 pt 10 lc 6 title 'isocurves', \
-     $line6 using 1:2 with linespoints lw 2 pt 11 lc 7 title 'scanline', \
-     $line7 using 1:2 with linespoints lw 2 pt 12 lc 8 title 'voxels', \
-     $line8 using 1:2 with linespoints lw 2 pt 13 lc 9 title 'mesa'
+plot $line0 using 1:2 with linespoints lw 3 pt 4 lc rgb '#000000' title 'afd float', \
+     $line1 using 1:2 with linespoints lw 1.5 pt 5 lc rgb '#d62728' title 'fd float', \
+     $line2 using 1:2 with linespoints lw 1.5 pt 6 lc rgb '#1f77b4' title 'subdivision', \
+     $line3 using 1:2 with linespoints lw 1.5 pt 7 lc rgb '#2ca02c' title 'tessellation', \
+     $line4 using 1:2 with linespoints lw 1.5 pt 8 lc rgb '#ff7f0e' title 'micropolygons', \
+     $line5 using 1:2 with linespoints lw 1.5 pt 9 lc rgb '#9467bd' title 'isocurves', \
+     $line6 using 1:2 with linespoints lw 1.5 pt 10 lc rgb '#8c564b' title 'scanline', \
+     $line7 using 1:2 with linespoints lw 1.5 pt 11 lc rgb '#17becf' title 'voxels', \
+     $line8 using 1:2 with linespoints lw 1.5 pt 12 lc rgb '#e377c2' title 'mesa'
 set terminal png size 1100,680
 set output 'work_precision_closeup.png'
-plot $line0 using 1:2 with linespoints lw 2 pt 5 lc 1 title 'afd float', \
-     $line1 using 1:2 with linespoints lw 2 pt 6 lc 2 title 'fd float', \
-     $line2 using 1:2 with linespoints lw 2 pt 7 lc 3 title 'subdivision', \
-     $line3 using 1:2 with linespoints lw 2 pt 8 lc 4 title 'tessellation', \
-     $line4 using 1:2 with linespoints lw 2 pt 9 lc 5 title 'micropolygons', \
-     $line5 using 1:2 with linespoints lw 2 pt 10 lc 6 title 'isocurves', \
-     $line6 using 1:2 with linespoints lw 2 pt 11 lc 7 title 'scanline', \
-     $line7 using 1:2 with linespoints lw 2 pt 12 lc 8 title 'voxels', \
-     $line8 using 1:2 with linespoints lw 2 pt 13 lc 9 title 'mesa'
+plot $line0 using 1:2 with linespoints lw 3 pt 4 lc rgb '#000000' title 'afd float', \
+     $line1 using 1:2 with linespoints lw 1.5 pt 5 lc rgb '#d62728' title 'fd float', \
+     $line2 using 1:2 with linespoints lw 1.5 pt 6 lc rgb '#1f77b4' title 'subdivision', \
+     $line3 using 1:2 with linespoints lw 1.5 pt 7 lc rgb '#2ca02c' title 'tessellation', \
+     $line4 using 1:2 with linespoints lw 1.5 pt 8 lc rgb '#ff7f0e' title 'micropolygons', \
+     $line5 using 1:2 with linespoints lw 1.5 pt 9 lc rgb '#9467bd' title 'isocurves', \
+     $line6 using 1:2 with linespoints lw 1.5 pt 10 lc rgb '#8c564b' title 'scanline', \
+     $line7 using 1:2 with linespoints lw 1.5 pt 11 lc rgb '#17becf' title 'voxels', \
+     $line8 using 1:2 with linespoints lw 1.5 pt 12 lc rgb '#e377c2' title 'mesa'

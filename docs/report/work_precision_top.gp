@@ -1,58 +1,58 @@
 # gnuplot work_precision_top.gp
 $line0 << end
-1.7896 1.46852
-1.86256 0.363904
-2.00131 0.682628
-2.32991 0.169783
-2.84391 0.0750855
-3.95946 0.0331011
-15.0221 0.00984005
+1.6151 0.617284
+1.77931 0.326505
+2.01293 1.34803
+2.16628 0.158452
+3.37504 0.061362
+5.27835 0.0265615
+25.9948 0.00869496
 end
 $line1 << end
-2.36344 0.559202
-2.97928 0.279142
-3.86303 0.142586
-6.39837 0.0612906
-7.89375 0.0248696
+2.23387 0.584503
+3.29456 0.277576
+4.23897 0.140128
+6.84737 0.054365
+12.3312 0.0243117
 end
 $line2 << end
-12.2322 0.799078
-16.1594 0.383177
-41.7932 0.200605
-103.871 0.149247
-165.001 0.0500867
+14.3322 1.03517
+28.1817 0.338743
+51.416 0.28859
+117.151 0.0845193
+337.11 0.0643735
 end
 $line3 << end
-1.67047 1.91997
-2.05233 179.118
-3.03398 0.375676
-3.05077 0.0998575
-8.8797 0.0250351
-24.2942 0.00640111
+3.73318 0.633176
+4.2692 3.09648
+7.32596 292.912
+7.76246 0.163274
+22.0894 0.0416272
+83.2314 0.0103566
 end
 $line4 << end
-145.919 0.0104437
+437.933 0.00987873
 end
 $line5 << end
-97.6557 0.642879
+245.523 0.650576
 end
 $line6 << end
-205.443 0.144054
-217.802 0.00660891
-220.401 0.0320063
+466.162 0.0362423
+477.813 0.155623
+569.673 0.00688986
 end
 $line7 << end
-131.721 179.659
-136.346 187.634
-188.588 175.001
-287.298 89.2556
+305.304 300.459
+373.277 288.533
+475.762 283.488
+683.058 254.327
 end
 $line8 << end
-35.0336 0.185848
-40.6675 0.0803076
-49.5966 0.0457017
-109.109 0.0180498
-150.138 0.0098695
+74.5303 0.164349
+94.3251 0.0874581
+139.138 0.0479253
+219.956 0.0190697
+349.802 0.0107562
 end
 set logscale xy
 set grid xtics ytics lc rgb '#dddddd'
@@ -63,23 +63,23 @@ set xlabel 'milliseconds a frame, one thread'
 set ylabel 'error in pixels: outlines, and depth but for a thousandth'
 set terminal svg size 900,560 dynamic background rgb 'white'
 set output 'work_precision_top.svg'
-plot $line0 using 1:2 with linespoints lw 2 pt 5 lc 1 title 'afd float', \
-     $line1 using 1:2 with linespoints lw 2 pt 6 lc 2 title 'fd float', \
-     $line2 using 1:2 with linespoints lw 2 pt 7 lc 3 title 'subdivision', \
-     $line3 using 1:2 with linespoints lw 2 pt 8 lc 4 title 'tessellation', \
-     $line4 using 1:2 with linespoints lw 2 pt 9 lc 5 title 'micropolygons', \
-     $line5 using 1:2 with linespoints lw 2 pt 10 lc 6 title 'isocurves', \
-     $line6 using 1:2 with linespoints lw 2 pt 11 lc 7 title 'scanline', \
-     $line7 using 1:2 with linespoints lw 2 pt 12 lc 8 title 'voxels', \
-     $line8 using 1:2 with linespoints lw 2 pt 13 lc 9 title 'mesa'
+plot $line0 using 1:2 with linespoints lw 3 pt 4 lc rgb '#000000' title 'afd float', \
+     $line1 using 1:2 with linespoints lw 1.5 pt 5 lc rgb '#d62728' title 'fd float', \
+     $line2 using 1:2 with linespoints lw 1.5 pt 6 lc rgb '#1f77b4' title 'subdivision', \
+     $line3 using 1:2 with linespoints lw 1.5 pt 7 lc rgb '#2ca02c' title 'tessellation', \
+     $line4 using 1:2 with linespoints lw 1.5 pt 8 lc rgb '#ff7f0e' title 'micropolygons', \
+     $line5 using 1:2 with linespoints lw 1.5 pt 9 lc rgb '#9467bd' title 'isocurves', \
+     $line6 using 1:2 with linespoints lw 1.5 pt 10 lc rgb '#8c564b' title 'scanline', \
+     $line7 using 1:2 with linespoints lw 1.5 pt 11 lc rgb '#17becf' title 'voxels', \
+     $line8 using 1:2 with linespoints lw 1.5 pt 12 lc rgb '#e377c2' title 'mesa'
 set terminal png size 1100,680
 set output 'work_precision_top.png'
-plot $line0 using 1:2 with linespoints lw 2 pt 5 lc 1 title 'afd float', \
-     $line1 using 1:2 with linespoints lw 2 pt 6 lc 2 title 'fd float', \
-     $line2 using 1:2 with linespoints lw 2 pt 7 lc 3 title 'subdivision', \
-     $line3 using 1:2 with linespoints lw 2 pt 8 lc 4 title 'tessellation', \
-     $line4 using 1:2 with linespoints lw 2 pt 9 lc 5 title 'micropolygons', \
-     $line5 using 1:2 with linespoints lw 2 pt 10 lc 6 title 'isocurves', \
-     $line6 using 1:2 with linespoints lw 2 pt 11 lc 7 title 'scanline', \
-     $line7 using 1:2 with linespoints lw 2 pt 12 lc 8 title 'voxels', \
-     $line8 using 1:2 with linespoints lw 2 pt 13 lc 9 title 'mesa'
+plot $line0 using 1:2 with linespoints lw 3 pt 4 lc rgb '#000000' title 'afd float', \
+     $line1 using 1:2 with linespoints lw 1.5 pt 5 lc rgb '#d62728' title 'fd float', \
+     $line2 using 1:2 with linespoints lw 1.5 pt 6 lc rgb '#1f77b4' title 'subdivision', \
+     $line3 using 1:2 with linespoints lw 1.5 pt 7 lc rgb '#2ca02c' title 'tessellation', \
+     $line4 using 1:2 with linespoints lw 1.5 pt 8 lc rgb '#ff7f0e' title 'micropolygons', \
+     $line5 using 1:2 with linespoints lw 1.5 pt 9 lc rgb '#9467bd' title 'isocurves', \
+     $line6 using 1:2 with linespoints lw 1.5 pt 10 lc rgb '#8c564b' title 'scanline', \
+     $line7 using 1:2 with linespoints lw 1.5 pt 11 lc rgb '#17becf' title 'voxels', \
+     $line8 using 1:2 with linespoints lw 1.5 pt 12 lc rgb '#e377c2' title 'mesa'
