@@ -75,8 +75,8 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                 1, 1024);
     options.add("--depth-output", depth_output_,
                 "write the last frame's distances along the view axis (.pfm)", "FILE");
-    options.add("--report", report_, "write one line of JSON per frame; - is the standard output",
-                "FILE");
+    options.add("--report", report_,
+                "write one line of JSON per frame that is drawn; - is the standard output", "FILE");
     options.add("--one-sided", settings_.one_sided,
                 "leave out surfaces whose back is turned to the eye");
     options.add("--explain", explain_, "tell what the last frame did not need, and why");
