@@ -39,7 +39,7 @@ struct l3d_afd_settings {
     l3d_vector<double, 3> light{0.4, 0.8, 0.45}; ///< towards the light, world space, any length
     bool wireframe = false;     ///< the lines of the adaptive grid instead of the filled surface
     bool net = false;           ///< the control nets on top
-    l3d_kept_work keep;         ///< although it could be left out
+    l3d_kept_work keep{};       ///< although it could be left out
     bool one_sided = false;     ///< leave out what turns its back, dS/du x dS/dv away from the eye
                                 ///< before it is placed: a mirrored model shows the same side
     bool depth = false;         ///< keep the distance of each pixel, for depth()
