@@ -100,13 +100,14 @@ public:
     ///          else wrote to the target's words since then, should it be the same target.
     void begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
                bool untouched = false) {
+        counts_pixels_ = counting_wanted_;
         do_begin(target, depth, shading, untouched);
     }
 
     /// Whether frames that are begun from now on count covered pixels; at first they do. That takes
     /// some 2 % of a frame. With GL, `samples` and `written` are counted only then, too, for each
     /// is drawing all once more.
-    void count_pixels(bool wanted) { counts_pixels_ = wanted; }
+    void count_pixels(bool wanted) { counting_wanted_ = wanted; }
 
     /// Whether begin_part may be called: not where a picture is kept elsewhere and comes whole.
     bool draws_parts() const { return do_draws_parts(); }
@@ -116,10 +117,10 @@ public:
     /// Inside, the pixels are the same bits as if the frame were drawn whole. Polygons that touch
     /// no pixel of the part need not be handed in. What is counted is of the part, or near it.
     /// Expects: as begin; draws_parts(); the part is not empty and lies in the picture. Depth has
-    /// no
-    ///          meaning after the frame.
+    ///          no meaning after the frame.
     void begin_part(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
                     const l3d_pixel_box& part) {
+        counts_pixels_ = counting_wanted_;
         do_begin_part(target, depth, shading, part);
     }
 
@@ -146,6 +147,7 @@ public:
     const l3d_surface_counts& counts() const { return do_counts(); }
 
 protected:
+    /// Of the frame that was begun last.
     bool counts_pixels() const { return counts_pixels_; }
 
 private:
@@ -158,7 +160,7 @@ private:
     virtual void do_finish() = 0;
     virtual const l3d_surface_counts& do_counts() const = 0;
 
-    bool counts_pixels_ = true;
+    bool counting_wanted_ = true, counts_pixels_ = true;
 };
 
 #endif

@@ -93,6 +93,21 @@ l3d_matrix<double> in_front(const l3d_camera& camera, double scale, int frame) {
     return m;
 }
 
+/// What a frame takes in which `move(program, frame)` moves things, and that its picture is right.
+template <class Move>
+double milliseconds_of_moves(program& all, const l3d_camera& camera,
+                             const l3d_afd_settings& settings, const Move& move) {
+    move(all, frames);
+    all.forget_picture();
+    all.draw_event();
+    const double result = milliseconds(all, [&](int frame) { move(all, frame); });
+    program fresh(all.world(), camera, settings);
+    fresh.draw_event();
+    if (fresh.report().hash != all.report().hash)
+        fail("a part of a picture is another picture");
+    return result;
+}
+
 void print_moving(const l3d_patch_model& model, const l3d_camera& camera, int threads) {
     constexpr int still = 1000;
     l3d_afd_settings settings;
@@ -114,15 +129,8 @@ void print_moving(const l3d_patch_model& model, const l3d_camera& camera, int th
         const auto move = [&](program& p, int frame) {
             p.world().place(still, in_front(camera, scale, frame));
         };
-        move(all, frames);
-        all.forget_picture();
-        all.draw_event();
-        const double part = milliseconds(all, [&](int frame) { move(all, frame); });
+        const double part = milliseconds_of_moves(all, camera, settings, move);
         const l3d_pixel_box box = all.changed();
-        program fresh(all.world(), camera, settings);
-        fresh.draw_event();
-        if (fresh.report().hash != all.report().hash)
-            fail("a part of a picture is another picture");
         std::printf(
             "%3dx%-4d %9.2f %9lld %9.3f %9.2f\n", box.right - box.left, box.bottom - box.top,
             100.0 * static_cast<double>(box.area()) / static_cast<double>(l3d_whole(size).area()),
@@ -152,15 +160,8 @@ void print_corners(const l3d_patch_model& model, const l3d_camera& camera) {
             p.world().place(still, at(-1, scale, frame));
             p.world().place(still + 1, at(1, scale, frame));
         };
-        move(all, frames);
-        all.forget_picture();
-        all.draw_event();
-        const double part = milliseconds(all, [&](int frame) { move(all, frame); });
+        const double part = milliseconds_of_moves(all, camera, settings, move);
         const l3d_pixel_box box = all.changed();
-        program fresh(all.world(), camera, settings);
-        fresh.draw_event();
-        if (fresh.report().hash != all.report().hash)
-            fail("a part of a picture is another picture");
         const auto pixels = static_cast<double>(l3d_whole(size).area());
         const double drawn = 1 - static_cast<double>(all.report().pixels_kept) / pixels;
         std::printf("%3dx%-4d %9.2f %9.3f %9.2f\n", box.right - box.left, box.bottom - box.top,

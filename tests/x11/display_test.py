@@ -65,8 +65,8 @@ def expect_death(command, proxy, number, opening):
 
 # ---- rest ---------------------------------------------------------------------------------------
 
-# Of the processor, while nothing is shown: a look at the clock sixty times a second takes half a
-# per cent of a slow one, a loop that does not sleep all of it.
+# Of the processor, while nothing is shown: five hundred updates a second, as --fps asks for here,
+# take half a per cent of a slow one, a loop that does not sleep all of it.
 RESTING = 0.02
 
 
