@@ -197,15 +197,18 @@ TEST(pipeline_afd, counts_covered_pixels_only_for_who_asks) {
         l3d_afd_settings settings = settings_of(0.5, 1);
         std::string why;
         settings.method = l3d_method_choice::from_name(method, why).value();
-        settings.depth = settings.count_pixels = true;
+        settings.count_pixels = settings.depth = true;
         const scene s = teapot(reference::project_view("full"), picture_size);
+        tester with_depth(s, settings);
+        settings.depth = false;
         tester counted(s, settings);
-        settings.depth = settings.count_pixels = false;
+        settings.count_pixels = false;
         tester quiet(s, settings);
-        for (tester* const program : {&counted, &quiet})
+        for (tester* const program : {&with_depth, &counted, &quiet})
             program->draw_event();
         EXPECT_GT(counted.report().surface.covered, 1000);
-        EXPECT_EQ(counted.report().surface.covered, l3d_covered(counted.depth()));
+        EXPECT_EQ(counted.report().surface.covered, l3d_covered(with_depth.depth()));
+        EXPECT_EQ(with_depth.report().surface.covered, counted.report().surface.covered);
         EXPECT_EQ(quiet.report().surface.covered, l3d_surface_counts::none_counted);
         EXPECT_EQ(quiet.words(), counted.words());
     }

@@ -143,17 +143,34 @@ TEST_P(mesa_surface, DrawsTheSameWhetherPixelsAreCountedOrNot) {
     for (int n = 0; n < 50; ++n)
         if (const reference::corners v = random.next(); in_reach(v))
             scene.push_back(v);
-    for (const bool counted : {true, false}) {
+    const auto draw_scene = [&](bool counted) {
         gl.count_pixels(counted);
-        begin(l3d_shade::error);
+        begin(l3d_shade::lambert);
         for (const reference::corners& v : scene)
             draw(v);
         finish();
-        EXPECT_EQ(compare(by_cpu, by_gl).coverage, 0);
+        const l3d_surface_counts cpu_counts = cpu.counts();
         EXPECT_EQ(gl.counts().covered,
-                  counted ? cpu.counts().covered : l3d_surface_counts::none_counted);
-        EXPECT_EQ(gl.counts().samples, counted ? cpu.counts().samples : 0);
-    }
+                  counted ? cpu_counts.covered : l3d_surface_counts::none_counted);
+        EXPECT_EQ(gl.counts().samples, counted ? cpu_counts.samples : 0);
+        return by_gl;
+    };
+    picture quiet = draw_scene(false);
+    picture counted = draw_scene(true);
+    const difference d = compare(counted, quiet);
+    EXPECT_GT(gl.counts().quads, 10);
+    EXPECT_EQ(d.coverage, 0);
+    EXPECT_EQ(d.depth, 0);
+    EXPECT_EQ(d.level[0], by_gl.size.width * by_gl.size.height);
+    EXPECT_EQ(compare(counted, by_cpu).coverage, 0);
+
+    // Without a depth that is given there is one of its own.
+    gl.count_pixels(true);
+    gl.begin(by_gl.pixels(), nullptr, {l3d_shade::lambert, light});
+    for (const reference::corners& v : scene)
+        draw_part(gl, part_of(v, 0));
+    gl.finish();
+    EXPECT_EQ(gl.counts().covered, cpu.counts().covered);
 }
 
 /// A wavy sheet, seen from its front in one half and from its back in the other.
