@@ -12,8 +12,9 @@
 
 /// Pieces in the order in which they were diced, kept for their memory.
 ///
-/// Cost: allocates only when there are more, or larger ones, than ever before.
-class l3d_diced_pieces {
+/// Shape: begins two cache lines, as others are written by other workers.
+/// Cost:  allocates only when there are more, or larger ones, than ever before.
+class alignas(128) l3d_diced_pieces {
 public:
     l3d_diced_pieces() = default;
 

@@ -8,6 +8,8 @@
 #include "dice/seen_from.h"
 #include "dice/visibility.h"
 
+#include <algorithm>
+
 namespace {
 
 l3d_vector<double, 4> as_direction(const l3d_vector<double, 3>& v) {
@@ -46,33 +48,11 @@ l3d_frame_dicer<T>::dice(const l3d_patch_scene& scene, const l3d_scene_culling& 
                                           : l3d_diced_pieces());
     for (worker_space& space : each_worker_)
         space.counts = {};
-    workers_.for_each(static_cast<int>(batch.size()), [&](int item, int worker) {
-        const auto i = static_cast<std::size_t>(item);
-        const l3d_placed_patch& p = batch[i];
-        const l3d_patch_instance& instance = scene.instances()[p.instance];
-        const l3d_normal_net& normals = instance.model().normals(p.patch);
-        // Cones lie far from all else of a patch: the first is here by the time that it is asked.
-        __builtin_prefetch(&instance.model().facing(p.patch));
-        const l3d_image_patch net =
-            l3d_placed_net(culling.matrix(p), instance.model().patches()[p.patch]);
-        worker_space& space = each_worker_[static_cast<std::size_t>(worker)];
+    order_by_height(batch);
+    workers_.for_each_beside(static_cast<int>(batch.size()), [&](int item, int worker) {
+        const std::size_t i = by_height_[static_cast<std::size_t>(item)].slot;
         slots_[i].clear();
-        if (l3d_left_out(net, view_, space.counts))
-            return;
-        if (const auto point = view_.keep.dicing ? std::nullopt : l3d_point_place_of(net, view_)) {
-            const auto n = instance.normal_matrix() * as_direction(normals.evaluate(0.5, 0.5));
-            l3d_draw_point(*point, net, {n[0], n[1], n[2]}, view_, slots_[i], space.counts);
-            return;
-        }
-        const unsigned backs = backs_of(instance, culling.matrix(p), p.patch);
-        if (backs == l3d_facing_cones::all) {
-            ++space.counts.backfacing;
-            return;
-        }
-        if (instance.turns_normals())
-            dice_patch(net, normals.turned(instance.normal_matrix()), backs, slots_[i], space);
-        else
-            dice_patch(net, normals, backs, slots_[i], space);
+        dice_slot(i, scene, culling, batch[i], each_worker_[static_cast<std::size_t>(worker)]);
     });
     parts_.clear();
     for (const l3d_diced_pieces& slot : std::span(slots_).first(batch.size()))
@@ -82,6 +62,45 @@ l3d_frame_dicer<T>::dice(const l3d_patch_scene& scene, const l3d_scene_culling& 
         counts_.add(space.counts);
     share_memory_sizes();
     return parts_;
+}
+
+/// Patches beside each other in the picture lie beside each other in the row that workers share,
+/// as bands do, so that who has diced a patch fills most of it. Alone, nobody minds.
+template <class T>
+void l3d_frame_dicer<T>::order_by_height(std::span<const l3d_placed_patch> batch) {
+    by_height_.clear();
+    for (const l3d_placed_patch& p : batch)
+        by_height_.push_back({p.middle, static_cast<std::uint32_t>(by_height_.size())});
+    if (workers_.count() > 1)
+        std::sort(by_height_.begin(), by_height_.end());
+}
+
+template <class T>
+void l3d_frame_dicer<T>::dice_slot(std::size_t i, const l3d_patch_scene& scene,
+                                   const l3d_scene_culling& culling, const l3d_placed_patch& p,
+                                   worker_space& space) {
+    const l3d_patch_instance& instance = scene.instances()[p.instance];
+    const l3d_normal_net& normals = instance.model().normals(p.patch);
+    // Cones lie far from all else of a patch: the first is here by the time that it is asked.
+    __builtin_prefetch(&instance.model().facing(p.patch));
+    const l3d_image_patch net =
+        l3d_placed_net(culling.matrix(p), instance.model().patches()[p.patch]);
+    if (l3d_left_out(net, view_, space.counts))
+        return;
+    if (const auto point = view_.keep.dicing ? std::nullopt : l3d_point_place_of(net, view_)) {
+        const auto n = instance.normal_matrix() * as_direction(normals.evaluate(0.5, 0.5));
+        l3d_draw_point(*point, net, {n[0], n[1], n[2]}, view_, slots_[i], space.counts);
+        return;
+    }
+    const unsigned backs = backs_of(instance, culling.matrix(p), p.patch);
+    if (backs == l3d_facing_cones::all) {
+        ++space.counts.backfacing;
+        return;
+    }
+    if (instance.turns_normals())
+        dice_patch(net, normals.turned(instance.normal_matrix()), backs, slots_[i], space);
+    else
+        dice_patch(net, normals, backs, slots_[i], space);
 }
 
 /// Which worker meets a patch is chance, so each is prepared for all that any has met.

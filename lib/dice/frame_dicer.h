@@ -12,7 +12,9 @@
 #include "dice/scene_culling.h"
 #include "raster/workers.h"
 
+#include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -54,7 +56,8 @@ public:
     const l3d_dice_counts& counts() const { return counts_; }
 
 private:
-    struct worker_space {
+    /// Shape: two cache lines begin with it, so that workers do not take each other's.
+    struct alignas(128) worker_space {
         l3d_lane_dicer<T> lanes;
         l3d_patch_dicer<T> general;
         l3d_edge_polylines edges;
@@ -66,6 +69,9 @@ private:
         }
     };
 
+    void order_by_height(std::span<const l3d_placed_patch> batch);
+    void dice_slot(std::size_t i, const l3d_patch_scene& scene, const l3d_scene_culling& culling,
+                   const l3d_placed_patch& p, worker_space& space);
     void share_memory_sizes();
     unsigned backs_of(const l3d_patch_instance& instance, const l3d_matrix<double>& to_image,
                       std::size_t patch) const;
@@ -80,6 +86,13 @@ private:
     std::vector<worker_space> each_worker_;
     std::vector<l3d_diced_pieces> slots_; ///< one for each patch of a batch
     std::vector<const l3d_surface_part*> parts_;
+
+    struct placed {
+        std::int32_t row;
+        std::uint32_t slot;
+        auto operator<=>(const placed&) const = default;
+    };
+    std::vector<placed> by_height_; ///< the patches of a batch, from the picture's top down
 };
 
 #endif

@@ -209,7 +209,8 @@ void l3d_scene_culling::take_from_line(std::size_t count, hidden_call hidden, co
         if (is_hidden(p.where, hidden, context))
             ++counts_.hidden;
         else
-            batch_.push_back({p.instance, p.patch, p.matrix, p.where.nearest_w});
+            batch_.push_back({p.instance, p.patch, p.matrix, p.where.nearest_w,
+                              (p.where.box.top + p.where.box.bottom) / 2 / l3d_subpixel_one});
     }
     sorted_ -= count;
     left_ -= static_cast<std::int64_t>(count);

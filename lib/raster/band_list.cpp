@@ -81,8 +81,9 @@ void place_item(band_item& item, const polygon_bounds& bounds, const l3d_pixel_b
 void band_list::make(std::span<const l3d_surface_part* const> parts, const l3d_pixel_box& window,
                      int rows, l3d_workers& workers) {
     lay_out(parts);
-    workers.for_each(static_cast<int>(parts.size()), [&](int i, int) {
-        const auto at = static_cast<std::size_t>(i);
+    order_by_height(parts, workers.count());
+    workers.for_each_beside(static_cast<int>(parts.size()), [&](int i, int) {
+        const std::size_t at = by_height_[static_cast<std::size_t>(i)].part;
         list_part(*parts[at], places_[at], window);
     });
     sort();
@@ -108,6 +109,18 @@ void band_list::lay_out(std::span<const l3d_surface_part* const> parts) {
     }
     items_.resize(next.items);
     rows_.resize(next.rows);
+}
+
+/// A part is listed by who fills most of it, the workers' bands being one below the other.
+void band_list::order_by_height(std::span<const l3d_surface_part* const> parts, int workers) {
+    by_height_.clear();
+    for (const l3d_surface_part* part : parts) {
+        const auto& y = part->grid.y;
+        by_height_.push_back(
+            {y.empty() ? 0 : y[y.size() / 2], static_cast<std::uint32_t>(by_height_.size())});
+    }
+    if (workers > 1)
+        std::sort(by_height_.begin(), by_height_.end());
 }
 
 void band_list::list_part(const l3d_surface_part& part, place at, const l3d_pixel_box& window) {

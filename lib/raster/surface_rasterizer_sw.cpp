@@ -43,8 +43,7 @@ struct l3d_surface_rasterizer_sw::work_space {
     coarse_depth coarse;
     std::vector<band_painter> painters;          ///< one for each worker
     std::vector<l3d_depth_buffer> worker_depths; ///< of a band, if nobody wants it afterwards
-    std::vector<int> order;                      ///< of the bands, heaviest first
-    std::vector<std::int64_t> covered;           ///< in each band
+    std::vector<std::int64_t> covered;           ///< in each band, if that is counted
     l3d_image picture;                           ///< in which parts of pictures are drawn
 };
 
@@ -99,7 +98,6 @@ void l3d_surface_rasterizer_sw::start(l3d_depth_buffer* depth, const l3d_shading
     work_->coarse.resize(target_.size());
     const int bands = (size.height + rows_ - 1) / rows_;
     work_->covered.assign(static_cast<std::size_t>(bands), 0);
-    work_->order.resize(static_cast<std::size_t>(bands));
     if (!depth)
         for (l3d_depth_buffer& worker_depth : work_->worker_depths)
             worker_depth.resize({target_.width, rows_});
@@ -110,16 +108,10 @@ void l3d_surface_rasterizer_sw::do_draw(std::span<const l3d_surface_part* const>
     const band_list& list = work_->list;
     work_->list.make(parts, window_, rows_, workers_);
 
-    std::vector<int>& order = work_->order;
-    std::iota(order.begin(), order.end(), 0);
-    std::ranges::sort(order, [&](int a, int b) {
-        const std::size_t of_a = list.items(a).size(), of_b = list.items(b).size();
-        return of_a != of_b ? of_a > of_b : a < b;
-    });
     for (band_painter& painter : work_->painters)
         painter.reserve(rows_);
-    workers_.for_each(static_cast<int>(order.size()), [&](int i, int worker) {
-        draw_band(order[static_cast<std::size_t>(i)], static_cast<std::size_t>(worker));
+    workers_.for_each_beside(static_cast<int>(work_->covered.size()), [&](int band, int worker) {
+        draw_band(band, static_cast<std::size_t>(worker));
     });
 
     drawn_ = true;

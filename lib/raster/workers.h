@@ -27,16 +27,28 @@ public:
     /// same worker.
     /// Expects: work does not throw. Not called from within work.
     template <std::invocable<int, int> Work> void for_each(int items, Work&& work) {
-        run(
-            items,
-            [](void* context, int item, int worker) {
-                (*static_cast<std::remove_reference_t<Work>*>(context))(item, worker);
-            },
-            const_cast<void*>(static_cast<const void*>(std::addressof(work))));
+        run(items, call_of<Work>, context_of(work));
+    }
+
+    /// The same for items in a row, of which neighbours use the same memory, and in no order: each
+    /// worker begins at a place of its own and goes on beside it, so that most items meet the same
+    /// worker whenever such a row is worked on, and what they use in the caches of its core.
+    template <std::invocable<int, int> Work> void for_each_beside(int items, Work&& work) {
+        run_beside(items, call_of<Work>, context_of(work));
     }
 
 private:
-    void run(int items, void (*call)(void*, int, int), void* context);
+    using item_call = void (*)(void* context, int item, int worker);
+
+    template <class Work> static void call_of(void* context, int item, int worker) {
+        (*static_cast<std::remove_reference_t<Work>*>(context))(item, worker);
+    }
+    template <class Work> static void* context_of(Work& work) {
+        return const_cast<void*>(static_cast<const void*>(std::addressof(work)));
+    }
+
+    void run(int items, item_call call, void* context);
+    void run_beside(int items, item_call call, void* context);
 
     struct threads;
     int count_;
