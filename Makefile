@@ -59,6 +59,8 @@ FLAGS     = -std=c++20 $(WARNINGS) -ffp-contract=off -fno-math-errno -pthread \
 # What the shared library is made of serves the static one, too: without interposition the code is
 # that of -fPIE, which programs get anyway, and one compilation is enough.
 FLAGS_lib := -fPIC -fno-semantic-interposition -fvisibility-inlines-hidden
+# Tests are compiled once for each time they run: less is more, but for those who judge pictures.
+FLAGS_tests := $(if $(filter release,$(MODE)),-O1)
 LINK      = $(CXX) $(FLAGS) -Wl,--as-needed $(LDFLAGS)
 
 # ---- what there is ------------------------------------------------------------------------------
@@ -105,14 +107,17 @@ SOURCES   := $(sort $(wildcard lib/*/*.cpp apps/*/*.cpp tests/*/*.cpp))
 FORMATTED := $(SOURCES) $(HEADERS) $(plugins) $(sort $(wildcard apps/*/*.h tests/*.h tests/*/*.h))
 OBJECTS   := $(call objects,$(filter-out tests/fail/% tests/bench/% tests/fuzz/%,$(SOURCES)))
 LONE      := $(HEADERS:%=$(OUT)/%.ok)
+INCLUDES  := $(HEADERS:%=$(OUT)/%.d)
 
 # A check writes a log; summary.awk judges any set of logs.
 CHECKS    := format-check headers layers errors-doc fail
 LINT_LOGS := $(CHECKS:%=$(OUT)/log/%.log) $(OUT)/log/x11/docs_test.py.log $(OUT)/log/tidy.log
 STRESS_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log) $(OUT)/log/raster-stress.log
-TEST_LOGS := $(tested:%=$(OUT)/log/%.log) $(SCRIPTS:tests/%=$(OUT)/log/%.log) \
-             $(OUT)/log/stability.log $(OUT)/log/layers.log $(OUT)/log/fail.log $(if $(filter stress,$(WITH)),$(STRESS_LOGS)) \
-             $(if $(filter install,$(WITH)),$(OUT)/log/installcheck.log)
+# What takes longest is begun first.
+TEST_LOGS := $(if $(filter install,$(WITH)),$(OUT)/log/installcheck.log) \
+             $(if $(filter stress,$(WITH)),$(STRESS_LOGS)) $(tested:%=$(OUT)/log/%.log) \
+             $(SCRIPTS:tests/%=$(OUT)/log/%.log) $(OUT)/log/stability.log $(OUT)/log/layers.log \
+             $(OUT)/log/fail.log
 
 # ---- targets ------------------------------------------------------------------------------------
 
@@ -215,13 +220,14 @@ help: ## this list
 # A file that changes only when its text does: what depends on it is remade when flags or lists do.
 remember = @mkdir -p $(@D); echo '$(strip $(1))' | cmp -s - $@ || echo '$(strip $(1))' > $@
 $(OUT)/flags: FORCE
-	$(call remember,$(LINK) $(FLAGS_lib))
+	$(call remember,$(LINK) $(FLAGS_lib) $(FLAGS_tests))
 $(OUT)/list/%: FORCE
 	$(call remember,$(objects_$*))
 
 $(OUT)/%.o: %.cpp $(OUT)/flags | packages-build
 	$(call say,C++,$@)
 	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(if $(filter lib/%,$<),$(FLAGS_lib)) $(if $(filter tests/% apps/%,$<),-Itests) \
+	    $(if $(filter %_test.cpp,$<),$(FLAGS_tests)) \
 	    -MD -MP -c $< -o $@
 
 # A text file as a C++ string literal, to be included.
@@ -307,16 +313,19 @@ $(OUT)/%.h.ok: %.h $(OUT)/flags | packages-build
 
 include_law = awk -f tests/lint/layers.awk -v out=$(OUT)/ \
     -v law="$(foreach l,$(LAYERS) reference stability apps,$(l): $(uses_$(l));)" \
-    -v with_reference="$(tests_with_reference:%=tests/%) $(apps_with_reference:%=apps/%)" $(OBJECTS:.o=.d) $(LONE:=.d)
+    -v with_reference="$(tests_with_reference:%=tests/%) $(apps_with_reference:%=apps/%)" $(OBJECTS:.o=.d) $(INCLUDES)
 # Archives are lazy, so a whole one is linked: a call that climbs is an undefined symbol.
 link_law = echo 'int main() {}' | $(LINK) -x c++ - -x none -o $(OUT)/link_law \
     -Wl,--whole-archive $(OUT)/libl3d_$(1).a -Wl,--no-whole-archive \
     $(call archives,$(uses_$(1))) $(call links,$(1) $(uses_$(1))) && \
     echo ok link $(1) || { echo not ok link $(1); worst=1; }
-$(OUT)/log/layers.log: $(OBJECTS) $(LONE) $(call archives,$(TOP_DOWN)) FORCE
+$(OUT)/log/layers.log: $(OBJECTS) $(INCLUDES) $(call archives,$(TOP_DOWN)) FORCE
 	$(call say,LAW,layers)
 	$(call logged,worst=0; $(include_law) || worst=1; \
 	    $(foreach l,$(LAYERS) reference,$(call link_law,$(l));) (exit $$worst))
+
+$(OUT)/%.h.d: %.h $(OUT)/flags | packages-build
+	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) -MM -MP -MF $@ -MT $@ -x c++ $<
 
 $(OUT)/log/errors-doc.log: FORCE
 	$(call logged,awk -f tests/lint/errors_doc.awk $(HEADERS) && echo ok errors-doc)
@@ -334,4 +343,4 @@ $(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o
 
 include packaging/install.mk
 
--include $(wildcard $(OBJECTS:.o=.d) $(PLUGINS:.so=.d) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))
+-include $(wildcard $(OBJECTS:.o=.d) $(INCLUDES) $(PLUGINS:.so=.d) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))

@@ -27,7 +27,7 @@ PLUGINDIR  := $(PREFIX)/lib/l3d
 libraries: $(STATIC) $(SHARED)
 
 install: install-programs ## PREFIX=/usr/local DESTDIR=: libraries (REALS="float fixed"), headers, programs, pages
-	@set -e; for real in $(REALS); do $(again) REAL=$$real install-library; done
+	+@set -e; for real in $(REALS); do $(again) REAL=$$real install-library; done
 
 put = install -d $(DESTDIR)$(2) && install -m $(1) $(3) $(DESTDIR)$(2)
 
@@ -103,12 +103,13 @@ $(OUT)/man/%.1: $(OUT)/bin/% packaging/man_page.awk
 $(OUT)/lib/system/places.o: $(OUT)/place
 $(OUT)/lib/system/places.o: private CPPFLAGS += -DL3D_PREFIX='"$(PREFIX)"'
 
-# The library of the other numbers is the only thing that is still to be built then.
+# The library of the other numbers is the only thing that is still to be built then, by as many
+# processes as there are to spare: `+` hands them down.
 STAGE := $(OUT)/stage
 $(OUT)/log/installcheck.log: $(APPS) $(PLUGINS) $(DATA) $(PAGES) $(STATIC) $(SHARED) $(OUT)/$(NAME).pc FORCE
 	$(call say,TEST,installcheck)
 	$(Q)rm -rf $(STAGE)
-	$(call logged,(set -e; $(again) install DESTDIR=$(abspath $(STAGE)) REALS="float fixed"; \
+	+$(call logged,(set -e; $(again) install DESTDIR=$(abspath $(STAGE)) REALS="float fixed"; \
 	    CXX="$(CXX)" PYTHONDONTWRITEBYTECODE=1 tests/install/installed_test.py $(STAGE)$(PREFIX); \
 	    $(MAKE) uninstall DESTDIR=$(abspath $(STAGE)); \
 	    test -z "$$(find $(STAGE) ! -type d)"; echo ok install.uninstall))
