@@ -113,7 +113,9 @@ INCLUDES  := $(HEADERS:%=$(OUT)/%.d)
 CHECKS    := format-check headers layers errors-doc fail
 LINT_LOGS := $(CHECKS:%=$(OUT)/log/%.log) $(OUT)/log/x11/docs_test.py.log $(OUT)/log/tidy.log
 STRESS_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log) $(OUT)/log/raster-stress.log
-# What takes longest is begun first.
+# What is tested is made before anything is run, and what runs longest is begun first.
+TESTED     = $(TESTERS) $(STABILITY) $(APPS) $(PLUGINS) $(DATA) \
+             $(if $(filter install,$(WITH)),$(PAGES) $(STATIC) $(SHARED))
 TEST_LOGS := $(if $(filter install,$(WITH)),$(OUT)/log/installcheck.log) \
              $(if $(filter stress,$(WITH)),$(STRESS_LOGS)) $(tested:%=$(OUT)/log/%.log) \
              $(SCRIPTS:tests/%=$(OUT)/log/%.log) $(OUT)/log/stability.log $(OUT)/log/layers.log \
@@ -144,6 +146,7 @@ run: ## build, then show the teapot: in a window, or as a PNG where there is no 
 	    echo $(OUT)/teapot.png; fi
 
 test: packages-test $(if $(filter install,$(WITH)),packages-install) ## build and run every test; ends with "N passed, N failed"
+	@$(again) -k $(TESTED) || true
 	@$(call judge,$(TEST_LOGS))
 
 stress: packages-test ## what takes minutes: servers that die at every request, a million shapes; also: make test WITH=stress
