@@ -8,8 +8,6 @@
 #include "dice/seen_from.h"
 #include "dice/visibility.h"
 
-#include <algorithm>
-
 namespace {
 
 l3d_vector<double, 4> as_direction(const l3d_vector<double, 3>& v) {
@@ -48,9 +46,12 @@ l3d_frame_dicer<T>::dice(const l3d_patch_scene& scene, const l3d_scene_culling& 
                                           : l3d_diced_pieces());
     for (worker_space& space : each_worker_)
         space.counts = {};
-    order_by_height(batch);
+    by_height_.clear();
+    for (const l3d_placed_patch& p : batch)
+        by_height_.add(p.middle);
+    by_height_.sort_for(workers_);
     workers_.for_each_beside(static_cast<int>(batch.size()), [&](int item, int worker) {
-        const std::size_t i = by_height_[static_cast<std::size_t>(item)].slot;
+        const std::size_t i = by_height_[item];
         slots_[i].clear();
         dice_slot(i, scene, culling, batch[i], each_worker_[static_cast<std::size_t>(worker)]);
     });
@@ -62,17 +63,6 @@ l3d_frame_dicer<T>::dice(const l3d_patch_scene& scene, const l3d_scene_culling& 
         counts_.add(space.counts);
     share_memory_sizes();
     return parts_;
-}
-
-/// Patches beside each other in the picture lie beside each other in the row that workers share,
-/// as bands do, so that who has diced a patch fills most of it. Alone, nobody minds.
-template <class T>
-void l3d_frame_dicer<T>::order_by_height(std::span<const l3d_placed_patch> batch) {
-    by_height_.clear();
-    for (const l3d_placed_patch& p : batch)
-        by_height_.push_back({p.middle, static_cast<std::uint32_t>(by_height_.size())});
-    if (workers_.count() > 1)
-        std::sort(by_height_.begin(), by_height_.end());
 }
 
 template <class T>

@@ -10,11 +10,10 @@
 #include "dice/lane_dicer.h"
 #include "dice/patch_dicer.h"
 #include "dice/scene_culling.h"
+#include "raster/height_order_p.h"
 #include "raster/workers.h"
 
-#include <compare>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -69,7 +68,6 @@ private:
         }
     };
 
-    void order_by_height(std::span<const l3d_placed_patch> batch);
     void dice_slot(std::size_t i, const l3d_patch_scene& scene, const l3d_scene_culling& culling,
                    const l3d_placed_patch& p, worker_space& space);
     void share_memory_sizes();
@@ -86,13 +84,7 @@ private:
     std::vector<worker_space> each_worker_;
     std::vector<l3d_diced_pieces> slots_; ///< one for each patch of a batch
     std::vector<const l3d_surface_part*> parts_;
-
-    struct placed {
-        std::int32_t row;
-        std::uint32_t slot;
-        auto operator<=>(const placed&) const = default;
-    };
-    std::vector<placed> by_height_; ///< the patches of a batch, from the picture's top down
+    l3d_detail::height_order by_height_; ///< the patches of a batch
 };
 
 #endif

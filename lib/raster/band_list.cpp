@@ -81,24 +81,28 @@ void place_item(band_item& item, const polygon_bounds& bounds, const l3d_pixel_b
 void band_list::make(std::span<const l3d_surface_part* const> parts, const l3d_pixel_box& window,
                      int rows, l3d_workers& workers) {
     lay_out(parts);
-    order_by_height(parts, workers.count());
+    by_height_.sort_for(workers);
     workers.for_each_beside(static_cast<int>(parts.size()), [&](int i, int) {
-        const std::size_t at = by_height_[static_cast<std::size_t>(i)].part;
+        const std::size_t at = by_height_[i];
         list_part(*parts[at], places_[at], window);
     });
     sort();
     share_out(window, rows);
 }
 
-/// Gives every part its place among the items, so that they can be made in any order.
+/// Gives every part its place among the items, so that they can be made in any order. A vertex
+/// from the middle of a grid says well enough where the part is.
 void band_list::lay_out(std::span<const l3d_surface_part* const> parts) {
     places_.clear();
+    by_height_.clear();
     polygons_ = 0;
     place next{0, 0};
     for (const l3d_surface_part* part : parts) {
         assert(covers(part->block_rows, all_cells(part->grid).row_end) &&
                covers(part->block_columns, all_cells(part->grid).column_end));
         places_.push_back(next);
+        const auto& y = part->grid.y;
+        by_height_.add(y.empty() ? 0 : y[y.size() / 2]);
         visit_blocks(*part, [&](const grid_cells& cells) {
             ++next.items;
             next.rows += static_cast<std::uint32_t>(cells.row_end - cells.row_begin);
@@ -109,18 +113,6 @@ void band_list::lay_out(std::span<const l3d_surface_part* const> parts) {
     }
     items_.resize(next.items);
     rows_.resize(next.rows);
-}
-
-/// A part is listed by who fills most of it, the workers' bands being one below the other.
-void band_list::order_by_height(std::span<const l3d_surface_part* const> parts, int workers) {
-    by_height_.clear();
-    for (const l3d_surface_part* part : parts) {
-        const auto& y = part->grid.y;
-        by_height_.push_back(
-            {y.empty() ? 0 : y[y.size() / 2], static_cast<std::uint32_t>(by_height_.size())});
-    }
-    if (workers > 1)
-        std::sort(by_height_.begin(), by_height_.end());
 }
 
 void band_list::list_part(const l3d_surface_part& part, place at, const l3d_pixel_box& window) {

@@ -5,11 +5,11 @@
 
 #include "raster/band_cells_p.h"
 #include "raster/band_lanes_p.h"
+#include "raster/height_order_p.h"
 #include "raster/pixel_box_p.h"
 #include "raster/surface_part.h"
 #include "raster/workers.h"
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -62,19 +62,12 @@ private:
     };
 
     void lay_out(std::span<const l3d_surface_part* const> parts);
-    void order_by_height(std::span<const l3d_surface_part* const> parts, int workers);
     void list_part(const l3d_surface_part& part, place at, const l3d_pixel_box& window);
     void sort();
     void share_out(const l3d_pixel_box& window, int rows);
 
-    struct placed_part {
-        std::int32_t y;
-        std::uint32_t part;
-        auto operator<=>(const placed_part&) const = default;
-    };
-
     std::vector<place> places_;
-    std::vector<placed_part> by_height_; ///< the parts, from the picture's top down
+    height_order by_height_; ///< the parts
     std::vector<band_item> items_;
     std::vector<band_rows> rows_;
     std::int64_t polygons_ = 0;
