@@ -133,9 +133,11 @@ MAKEFLAGS += -rR --no-print-directory
 
 Q    := $(if $(V),,@)
 say   = $(if $(V),,@printf '  %-5s %s\n' $(1) $(2:$(OUT)/%=%))
-# Both cores, unless the user said how many.
-again = $(MAKE) $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc 2>/dev/null || echo 2))
-judge = rm -f $(1); $(again) -k $(1) || true; awk -f tests/lint/summary.awk $(1)
+# As many processes as processors, unless the user said how many; one more for checks, many of which
+# wait for somebody.
+jobs  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell expr $$(nproc 2>/dev/null || echo 2) + $(1)))
+again = $(MAKE) $(call jobs,0)
+judge = rm -f $(1); $(MAKE) $(call jobs,1) -k $(1) || true; awk -f tests/lint/summary.awk $(1)
 
 all: $(APPS) $(PLUGINS) $(DATA) $(ARCHIVES) ## build the library and the programs (the default)
 
