@@ -17,8 +17,8 @@
 
 namespace l3d_detail {
 
-/// A block of a part's grid, or some of its triangles: what is tested for being hidden, and filled,
-/// as a whole.
+/// Some blocks of a part's grid, or some of its triangles: what is tested for being hidden, and
+/// filled, as a whole.
 struct band_item {
     const l3d_surface_part* part = nullptr;
     l3d_pixel_box box{}; ///< the pixels it may cover, of those in the window

@@ -25,29 +25,23 @@ class alignas(128) item_range {
 public:
     void set(int begin, int end) { ends_.store(packed(begin, end), std::memory_order_relaxed); }
 
-    std::optional<int> take_first() {
-        return take([](int begin, int) { return begin; }, 1, 0);
-    }
-    std::optional<int> take_last() {
-        return take([](int, int end) { return end - 1; }, 0, 1);
+    /// The first or the last one; none if all are taken.
+    std::optional<int> take(bool first) {
+        std::uint64_t ends = ends_.load(std::memory_order_relaxed);
+        for (;;) {
+            const int begin = static_cast<int>(ends >> 32), end = static_cast<int>(ends);
+            if (begin >= end)
+                return std::nullopt;
+            const std::uint64_t left = first ? packed(begin + 1, end) : packed(begin, end - 1);
+            if (ends_.compare_exchange_weak(ends, left, std::memory_order_relaxed))
+                return first ? begin : end - 1;
+        }
     }
 
 private:
     static std::uint64_t packed(int begin, int end) {
         return std::uint64_t{static_cast<std::uint32_t>(begin)} << 32 |
                static_cast<std::uint32_t>(end);
-    }
-
-    template <class Which> std::optional<int> take(const Which& which, int first, int last) {
-        std::uint64_t ends = ends_.load(std::memory_order_relaxed);
-        for (;;) {
-            const int begin = static_cast<int>(ends >> 32), end = static_cast<int>(ends);
-            if (begin >= end)
-                return std::nullopt;
-            if (ends_.compare_exchange_weak(ends, packed(begin + first, end - last),
-                                            std::memory_order_relaxed))
-                return which(begin, end);
-        }
     }
 
     std::atomic<std::uint64_t> ends_{0};
@@ -111,7 +105,7 @@ void l3d_workers::run_beside(int items, item_call call, void* context) {
             const int owner = (worker + away) % count_;
             item_range& range = ranges[static_cast<std::size_t>(owner)];
             const bool first = (2 * owner < count_) == (away == 0);
-            while (const auto item = first ? range.take_first() : range.take_last())
+            while (const auto item = range.take(first))
                 call(context, *item, worker);
         }
     });

@@ -56,15 +56,15 @@ function check(unit, path,    other, name) {
 }
 
 # The target of a rule names the unit: build/<variant>/lib/geom/real.o is lib/geom/real.cpp.
-index($1, out) == 1 && $1 ~ /\.(o|ok|h\.d):$/ {
+index($1, out) == 1 && $1 ~ /\.(o|h\.d):$/ {
     unit = substr($1, length(out) + 1)
     sub(/\.o:$/, ".cpp", unit)
-    sub(/\.(ok|d):$/, "", unit)
+    sub(/\.d:$/, "", unit)
     ++units
 }
 
 # Rules without prerequisites come from -MP.
-$1 ~ /:$/ && $1 !~ /\.(o|ok|h\.d):$/ { next }
+$1 ~ /:$/ && $1 !~ /\.(o|h\.d):$/ { next }
 
 {
     for (i = 1; i <= NF; ++i)

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array all_counts{1, 2, 3, 8};
 
 struct tally {
-    explicit tally(int items, int count)
+    tally(int items, int count)
         : done(static_cast<std::size_t>(items)), busy(static_cast<std::size_t>(count)) {}
 
     void operator()(int item, int worker) {
