@@ -35,13 +35,13 @@ public:
                            fill_counts&) {
         const floats d;
         plane_ = at.frame.plane(grey_);
-        hn::Store(plane_.along(at.column_s, at.column_t), d, table.lit_x);
-        hn::Store(least_of(grey_), d, table.darkest);
-        hn::Store(most_of(grey_), d, table.brightest);
+        hn::Store(plane_.along(at.column_s, at.column_t), d, table.lit_x.of);
+        hn::Store(least_of(grey_), d, table.darkest.of);
+        hn::Store(most_of(grey_), d, table.brightest.of);
     }
 
-    HWY_INLINE void put(float_vec s, float_vec t, fill_row& row) const {
-        hn::Store(plane_.at(s, t), floats(), row.lit);
+    HWY_INLINE void put(float_vec s, float_vec t, fill_table& table, std::int32_t row) const {
+        hn::Store(plane_.at(s, t), floats(), table.rows[row].lit.of);
     }
 
     HWY_INLINE std::int64_t fill(const fill_band& band, const fill_table& table) const {

@@ -68,6 +68,7 @@ private:
         from_row_ = hn::Max(zero, hn::Sub(set(band.top), row_));
         to_row_ = hn::Sub(hn::Min(first_centre_of(ints(), most_y), set(band.bottom)), row_);
         live_ = hn::And(hn::Lt(from_column_, to_column_), hn::Lt(from_row_, to_row_));
+        at_edge_ = hn::Gt(hn::Add(column_, to_column_), set(band.width - run + 1));
         const int_vec extent = hn::Max(hn::Sub(most_x, least_x), hn::Sub(most_y, least_y));
         large_ = hn::Gt(extent, set(most_pixels * pixel - 1));
         for (int i = 0; i < 4; ++i) {
@@ -121,9 +122,8 @@ private:
     /// Polygons so thin that left of them, where a run begins that would not fit the picture,
     /// numbers are some hundred times the corners'. Pieces of quads are left as they are.
     HWY_INLINE int_mask slivers_at_the_edge(const fill_target& to, std::size_t at) const {
-        const int_mask at_edge = hn::Gt(hn::Add(column_, to_column_), set(to.band.width - run + 1));
-        if (hn::AllFalse(ints(), at_edge))
-            return at_edge;
+        if (hn::AllFalse(ints(), at_edge_))
+            return at_edge_;
         const float_vec square1 =
             hn::Add(square_of(to_float(along1_x_)), square_of(to_float(along1_y_)));
         const float_vec square2 =
@@ -131,7 +131,7 @@ private:
         const float_vec limit = hn::Mul(to_float(area2_), set(sliver_ratio));
         const auto thin = hn::Gt(hn::Mul(square1, square2), square_of(limit));
         const int_mask piece = hn::Eq(load(to.queue.name + at), set(fill_queue::piece));
-        return hn::AndNot(piece, hn::And(at_edge, hn::RebindMask(ints(), thin)));
+        return hn::AndNot(piece, hn::And(at_edge_, hn::RebindMask(ints(), thin)));
     }
 
     HWY_INLINE int_vec turn(int before, int i, int next) const {
@@ -165,38 +165,40 @@ private:
         float_vec inv_w[4];
         for (int i = 0; i < 4; ++i)
             inv_w[i] = load_float(queue.corner[i][2] + at);
-        hn::Store(least_of(inv_w), d, table.farthest);
-        hn::Store(most_of(inv_w), d, table.nearest);
+        hn::Store(least_of(inv_w), d, table.farthest.of);
+        hn::Store(most_of(inv_w), d, table.nearest.of);
         inv_w_ = frame.plane(inv_w);
-        hn::Store(inv_w_.along(places_.column_s, places_.column_t), d, table.inv_w_x);
+        hn::Store(inv_w_.along(places_.column_s, places_.column_t), d, table.inv_w_x.of);
     }
 
     HWY_INLINE void rows(const fill_target& to, int_vec height, std::int32_t highest,
                          fill_table& table) {
         const ints d;
         const floats df;
-        const int_vec zero = hn::Zero(d), one = set(1);
-        const int_mask clockwise = hn::Gt(area2_, zero);
+        const int_mask clockwise = hn::Gt(area2_, hn::Zero(d));
         lane_edge edges[4];
         for (int i = 0; i < 4; ++i)
             edges[i].set(x_[i], y_[i], x_[(i + 1) % 4], y_[(i + 1) % 4], clockwise, from_row_);
 
-        const auto word_pitch = static_cast<std::int32_t>(to.band.word_pitch);
-        const auto depth_pitch = static_cast<std::int32_t>(to.band.depth_pitch);
         const int_vec row = hn::Sub(hn::Add(row_, from_row_), set(to.band.top));
-        int_vec word_at = hn::Add(column_, hn::Mul(row, set(word_pitch)));
-        int_vec depth_at = hn::Add(column_, hn::Mul(row, set(depth_pitch)));
-        const int_vec last_begin = hn::Sub(set(to.band.width - run), column_);
+        const auto first_of_row = [&](std::ptrdiff_t pitch) HWY_ATTR {
+            return hn::Add(column_, hn::Mul(row, set(static_cast<std::int32_t>(pitch))));
+        };
+        hn::Store(first_of_row(to.band.word_pitch), d, table.word_at.of);
+        hn::Store(first_of_row(to.band.depth_pitch), d, table.depth_at.of);
 
         const int_vec down = hn::Sub(hn::ShiftLeft<l3d_subpixel_bits>(from_row_), y_[0]);
-        int_vec row_s = hn::Sub(hn::Sub(zero, hn::Mul(x_[0], along2_y_)), hn::Mul(down, along2_x_));
+        int_vec row_s = hn::Neg(hn::Add(hn::Mul(x_[0], along2_y_), hn::Mul(down, along2_x_)));
         int_vec row_t = hn::Add(hn::Mul(down, along1_x_), hn::Mul(x_[0], along1_y_));
         const int_vec down_s = hn::ShiftLeft<l3d_subpixel_bits>(along2_x_);
         const int_vec down_t = hn::ShiftLeft<l3d_subpixel_bits>(along1_x_);
         const int_vec column_s = hn::ShiftLeft<l3d_subpixel_bits>(along2_y_);
         const int_vec column_t = hn::ShiftLeft<l3d_subpixel_bits>(along1_y_);
 
-        int_vec samples = zero, longest = zero;
+        const int_vec last_begin =
+            hn::Min(hn::Sub(set(to.band.width - run), column_), hn::Sub(to_column_, set(1)));
+        int_vec samples = hn::Zero(d);
+        int_vec longest = hn::IfThenElseZero(at_edge_, set(most_pixels + 1));
         for (std::int32_t k = 0; k < highest; ++k) {
             fill_row& row_k = table.rows[k];
             int_vec from = from_column_, end = to_column_;
@@ -204,30 +206,25 @@ private:
                 edge.limit(from, end);
                 edge.step();
             }
+            const int_mask below = hn::Lt(set(k), height);
+            const int_vec pixels =
+                hn::IfThenElseZero(below, hn::Max(hn::Sub(end, from), hn::Zero(d)));
             const int_vec begin = hn::Min(from, last_begin);
-            const int_mask any = hn::And(hn::Lt(set(k), height), hn::Lt(from, end));
-            const int_vec first = hn::IfThenElseZero(any, hn::Sub(from, begin)); // a shift below
-            const int_vec last = hn::IfThenElseZero(any, hn::Sub(end, begin));
-            const int_vec run_end = hn::Min(last, set(run));
-            hn::Store(hn::Add(word_at, begin), d, row_k.word_at);
-            hn::Store(hn::Add(depth_at, begin), d, row_k.depth_at);
-            hn::Store(last, d, row_k.last);
-            hn::Store(hn::IfThenElseZero(any, hn::Sub(hn::Shl(one, run_end), hn::Shl(one, first))),
-                      d, row_k.mask);
-            longest = hn::Max(longest, last);
-            samples = hn::Add(samples, hn::IfThenElseZero(any, hn::Sub(end, from)));
+            hn::Store(from, d, row_k.from.of);
+            hn::Store(pixels, d, row_k.pixels.of);
+            hn::Store(begin, d, row_k.begin.of);
+            longest = hn::Max(longest, pixels);
+            samples = hn::Add(samples, pixels);
 
             const float_vec s = to_float(hn::Add(row_s, hn::Mul(begin, column_s)));
             const float_vec t = to_float(hn::Sub(row_t, hn::Mul(begin, column_t)));
-            hn::Store(inv_w_.at(s, t), df, row_k.inv_w);
-            light_.put(s, t, row_k);
-            word_at = hn::Add(word_at, set(word_pitch));
-            depth_at = hn::Add(depth_at, set(depth_pitch));
+            hn::Store(inv_w_.at(s, t), df, row_k.inv_w.of);
+            light_.put(s, t, table, k);
             row_s = hn::Sub(row_s, down_s);
             row_t = hn::Add(row_t, down_t);
         }
-        hn::Store(longest, d, table.longest);
-        hn::Store(hn::IfThenElseZero(hn::Gt(samples, zero), height), d, table.height);
+        hn::Store(longest, d, table.longest.of);
+        hn::Store(hn::IfThenElseZero(hn::Gt(samples, hn::Zero(d)), height), d, table.height.of);
         to.counts.samples += hn::GetLane(hn::SumOfLanes(d, samples));
     }
 
@@ -235,6 +232,7 @@ private:
     int_vec column_, row_;
     int_vec from_column_, to_column_, from_row_, to_row_; ///< in the band; from (column_, row_)
     int_mask live_, large_;
+    int_mask at_edge_;                 ///< a row may begin where a run does not fit the picture
     int_vec turn_a_, turn_b_, turn_d_; ///< cross products of the sides that meet in a corner
     int_vec along1_x_, along1_y_, along2_x_, along2_y_, area2_, skew_;
     lane_places places_;

@@ -97,21 +97,22 @@ public:
         for (float_vec& l : lit)
             l = hn::Mul(l, scale);
         lit_ = at.frame.plane(lit);
-        hn::Store(lit_.along(at.column_s, at.column_t), d, table.lit_x);
+        hn::Store(lit_.along(at.column_s, at.column_t), d, table.lit_x.of);
         if (shape_ == fill_shape::flat)
             return;
-        hn::Store(hn::IfThenElseZero(twisted, set(1)), ints(), table.twisted);
+        hn::Store(hn::IfThenElseZero(twisted, set(1)), ints(), table.twisted.of);
         bend(at, table);
         face(mixed, away, at, table);
     }
 
-    HWY_INLINE void put(float_vec s, float_vec t, fill_row& row) const {
+    HWY_INLINE void put(float_vec s, float_vec t, fill_table& table, std::int32_t row) const {
         const floats d;
-        hn::Store(lit_.at(s, t), d, row.lit);
+        hn::Store(lit_.at(s, t), d, table.rows[row].lit.of);
         if (shape_ == fill_shape::twisted) {
-            hn::Store(bend_.at(s, t), d, row.bend);
-            hn::Store(bend_x_.at(s, t), d, row.bend_x);
-            hn::Store(facing_.at(s, t), d, row.facing);
+            fill_row_twisted& twisted = table.twisted_rows[row];
+            hn::Store(bend_.at(s, t), d, twisted.bend.of);
+            hn::Store(bend_x_.at(s, t), d, twisted.bend_x.of);
+            hn::Store(facing_.at(s, t), d, twisted.facing.of);
         }
     }
 
@@ -149,7 +150,7 @@ private:
             facing_.first = hn::IfThenElseZero(mixed, hn::Neg(plane.first));
             facing_.second = hn::IfThenElseZero(mixed, hn::Neg(plane.second));
         }
-        hn::Store(facing_.along(at.column_s, at.column_t), d, table.facing_x);
+        hn::Store(facing_.along(at.column_s, at.column_t), d, table.facing_x.of);
     }
 
     /// The square of the interpolated normal's length as a parabola over the polygon.
@@ -169,7 +170,7 @@ private:
                                    hn::Mul(second, half), square1_, hn::Add(product, product),
                                    square2_});
         bend_x_ = bend_.slope(at.column_s, at.column_t);
-        hn::Store(bend_.square(at.column_s, at.column_t), d, table.bend_xx);
+        hn::Store(bend_.square(at.column_s, at.column_t), d, table.bend_xx.of);
     }
 
     float_vec normal_[3][4], spread_;

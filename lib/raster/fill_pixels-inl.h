@@ -17,8 +17,8 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// 0, 1, 2 ... 15: the columns of a run.
-alignas(64) constexpr float run_columns[run] = {0, 1, 2,  3,  4,  5,  6,  7,
-                                                8, 9, 10, 11, 12, 13, 14, 15};
+alignas(64) constexpr std::int32_t run_columns[run] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                       8, 9, 10, 11, 12, 13, 14, 15};
 
 /// Three bytes like the lowest one of each sum.
 template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> three_bytes(D, hn::Vec<D> sum) {
@@ -62,14 +62,39 @@ template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> cosine_words(D d,
 /// 0.07 grey levels.
 constexpr float unit_parabola[3] = {2.0041274f, -1.5196685f, 0.5155188f};
 
+/// Stores those lanes of a vector that `mask` has; the others may be read and written back: before
+/// AVX-512, a processor has no masked store or, as AMD's, one of 18 and more micro-operations. They
+/// are chosen as floats, because g++ 12 puts a comparison before a choice among integers.
+template <class D>
+HWY_INLINE void store_where(hn::Mask<hn::RebindToFloat<D>> mask, hn::Vec<D> value, D d,
+                            hn::TFromD<D>* to) {
+#if HWY_TARGET <= HWY_AVX3
+    hn::BlendedStore(value, hn::RebindMask(d, mask), d, to);
+#else
+    const hn::RebindToFloat<D> df;
+    const auto there = hn::BitCast(df, hn::LoadU(d, to));
+    hn::StoreU(hn::BitCast(d, hn::IfThenElse(mask, hn::BitCast(df, value), there)), d, to);
+#endif
+}
+
+/// Adds 1 where `mask` is.
+template <class D> HWY_INLINE hn::Vec<D> one_more_where(hn::Mask<D> mask, hn::Vec<D> count, D d) {
+#if HWY_TARGET <= HWY_AVX3
+    return hn::IfThenElse(mask, hn::Add(count, hn::Set(d, 1)), count);
+#else
+    return hn::Sub(count, hn::VecFromMask(d, mask));
+#endif
+}
+
 /// One polygon of a table, `Pixels` of a row at a time.
 template <class D, std::int32_t Pixels, fill_shape Shape> class fill_polygon {
 public:
-    /// Pixels written, by lanes; and words.
-    using count_vec = hn::Vec<hn::RebindToUnsigned<D>>;
+    using int_tag = hn::RebindToSigned<D>;
+    using count_vec = hn::Vec<int_tag>; ///< pixels written, by lanes
 
     HWY_INLINE fill_polygon(const fill_band& band, const fill_table& table, std::size_t i)
-        : words_(band.words), depths_(band.depths), table_(table), i_(i) {
+        : words_(band.words), depths_(band.depths), pitch_{band.word_pitch, band.depth_pitch},
+          table_(table), i_(i) {
         const D d;
         farthest_ = hn::Set(d, table.farthest[i]);
         nearest_ = hn::Set(d, table.nearest[i]);
@@ -78,7 +103,8 @@ public:
             brightest_ = hn::Set(d, table.brightest[i]);
         }
         for (std::size_t v = 0; v < vectors; ++v) {
-            const vec x = hn::Load(d, run_columns + v * width);
+            columns_[v] = hn::Load(int_tag(), run_columns + v * width);
+            const vec x = hn::ConvertTo(d, columns_[v]);
             inv_w_x_[v] = hn::Mul(hn::Set(d, table.inv_w_x[i]), x);
             lit_x_[v] = hn::Mul(hn::Set(d, table.lit_x[i]), x);
             if constexpr (is_twisted) {
@@ -89,21 +115,37 @@ public:
         }
     }
 
-    /// The first run of each row.
+    /// Expects: no row is longer than a run, or at the edge.
     HWY_INLINE void fill(count_vec& written) const {
-        const fill_row* const end = table_.rows + table_.height[i_];
-        for (const fill_row* row = table_.rows; row != end; ++row)
-            first_run(*row, written);
+        for_rows([&](const fill_row& row, const run_place& at) HWY_ATTR {
+            one_run(first_start(row), at, written, columns_below(row.pixels[i_]));
+        });
     }
 
-    /// All runs of each row.
+    /// All runs of each row. Expects: none is at the edge.
     HWY_INLINE void fill_wide(count_vec& written) const {
-        const fill_row* const end = table_.rows + table_.height[i_];
-        for (const fill_row* row = table_.rows; row != end; ++row) {
-            first_run(*row, written);
-            for (std::int32_t done = Pixels; done < row->last[i_]; done += Pixels)
-                later_run(*row, done, written);
-        }
+        for_rows([&](const fill_row& row, const run_place& at) HWY_ATTR {
+            const std::int32_t pixels = row.pixels[i_];
+            for (std::int32_t done = 0; done < pixels; done += Pixels)
+                one_run(start_at(row, done), at.moved_by(done), written,
+                        columns_below(pixels - done));
+        });
+    }
+
+    /// The same at the edge: the last run ends where the row does, so that it fits the picture if
+    /// the row does, or else where the picture does.
+    HWY_INLINE void fill_at_edge(count_vec& written) const {
+        for_rows([&](const fill_row& row, const run_place& at) HWY_ATTR {
+            if (row.pixels[i_] == 0)
+                return;
+            std::int32_t done = row.from[i_] - row.begin[i_];
+            const std::int32_t end = done + row.pixels[i_];
+            for (std::int32_t next = Pixels; done < end; done = next, next += Pixels) {
+                const std::int32_t begin = std::max(std::min(next, end) - Pixels, 0);
+                one_run(start_at(row, begin), at.moved_by(begin), written,
+                        columns_in(done - begin, end - begin));
+            }
+        });
     }
 
 private:
@@ -117,61 +159,92 @@ private:
         vec inv_w, lit, bend, bend_x, facing;
     };
 
-    HWY_INLINE void first_run(const fill_row& row, count_vec& written) const {
+    /// Where a pixel is in the band.
+    struct run_place {
+        std::ptrdiff_t word, depth;
+
+        HWY_INLINE run_place moved_by(std::int32_t columns) const {
+            return {word + columns, depth + columns};
+        }
+    };
+
+    /// Calls action(row, place of its first run) for each row.
+    template <class Action> HWY_INLINE void for_rows(const Action& action) const {
+        run_place at{table_.word_at[i_], table_.depth_at[i_]};
+        const fill_row* const end = table_.rows + table_.height[i_];
+        for (const fill_row* row = table_.rows; row != end; ++row) {
+            action(*row, at.moved_by(row->begin[i_]));
+            at.word += pitch_.word;
+            at.depth += pitch_.depth;
+        }
+    }
+
+    HWY_INLINE const fill_row_twisted& twisted_of(const fill_row& row) const {
+        return table_.twisted_rows[&row - table_.rows];
+    }
+
+    HWY_INLINE run_start first_start(const fill_row& row) const {
         const D d;
         run_start start{hn::Set(d, row.inv_w[i_]), hn::Set(d, row.lit[i_]), {}, {}, {}};
         if constexpr (is_twisted) {
-            start.bend = hn::Set(d, row.bend[i_]);
-            start.bend_x = hn::Set(d, row.bend_x[i_]);
-            start.facing = hn::Set(d, row.facing[i_]);
+            const fill_row_twisted& twisted = twisted_of(row);
+            start.bend = hn::Set(d, twisted.bend[i_]);
+            start.bend_x = hn::Set(d, twisted.bend_x[i_]);
+            start.facing = hn::Set(d, twisted.facing[i_]);
         }
-        one_run(start, row.mask[i_], words_ + row.word_at[i_], depths_ + row.depth_at[i_], written);
+        return start;
     }
 
-    /// The last run ends where the row does, so that it fits the picture if the row does.
-    HWY_INLINE void later_run(const fill_row& row, std::int32_t done, count_vec& written) const {
+    HWY_INLINE run_start start_at(const fill_row& row, std::int32_t column) const {
         const D d;
-        const std::int32_t start = std::min(done, row.last[i_] - Pixels);
-        const auto x = static_cast<float>(start);
+        const auto x = static_cast<float>(column);
         run_start there;
         there.inv_w = hn::Set(d, row.inv_w[i_] + x * table_.inv_w_x[i_]);
         there.lit = hn::Set(d, row.lit[i_] + x * table_.lit_x[i_]);
         if constexpr (is_twisted) {
+            const fill_row_twisted& twisted = twisted_of(row);
             const float xx = x * table_.bend_xx[i_];
-            there.bend = hn::Set(d, row.bend[i_] + x * (row.bend_x[i_] + xx));
-            there.bend_x = hn::Set(d, row.bend_x[i_] + 2.0f * xx);
-            there.facing = hn::Set(d, row.facing[i_] + x * table_.facing_x[i_]);
+            there.bend = hn::Set(d, twisted.bend[i_] + x * (twisted.bend_x[i_] + xx));
+            there.bend_x = hn::Set(d, twisted.bend_x[i_] + 2.0f * xx);
+            there.facing = hn::Set(d, twisted.facing[i_] + x * table_.facing_x[i_]);
         }
-        const std::int32_t mask = ((1 << Pixels) - 1) & ~((1 << (done - start)) - 1);
-        one_run(there, mask, words_ + row.word_at[i_] + start, depths_ + row.depth_at[i_] + start,
-                written);
+        return there;
     }
 
-    HWY_INLINE void one_run(const run_start& start, std::int32_t mask, std::uint32_t* to_words,
-                            float* to_depths, count_vec& written) const {
+    /// Of a run's vectors, the columns below `end`.
+    HWY_INLINE auto columns_below(std::int32_t end) const {
+        return [this, end = hn::Set(int_tag(), end)](std::size_t v)
+                   HWY_ATTR { return hn::Lt(columns_[v], end); };
+    }
+    HWY_INLINE auto columns_in(std::int32_t first, std::int32_t end) const {
+        return [below = columns_below(first), in = columns_below(end)](std::size_t v)
+                   HWY_ATTR { return hn::AndNot(below(v), in(v)); };
+    }
+
+    template <class Covered>
+    HWY_INLINE void one_run(const run_start& start, const run_place& at, count_vec& written,
+                            const Covered& covered) const {
         for (std::size_t v = 0; v < vectors; ++v)
-            one_vector(start, v, static_cast<std::uint32_t>(mask) >> v * width,
-                       to_words + v * width, to_depths + v * width, written);
+            one_vector(start, v, covered(v), words_ + at.word + v * width,
+                       depths_ + at.depth + v * width, written);
     }
 
-    HWY_INLINE void one_vector(const run_start& start, std::size_t v, std::uint32_t bits,
+    HWY_INLINE void one_vector(const run_start& start, std::size_t v, hn::Mask<int_tag> covered,
                                std::uint32_t* to_words, float* to_depths,
                                count_vec& written) const {
         const D d;
-        const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits),
-                                       static_cast<std::uint8_t>(bits >> 8)};
-        const auto covered = hn::LoadMaskBits(d, bytes);
         const vec inv_w = hn::IfThenElseZero(
-            covered, hn::Min(hn::Max(hn::Add(start.inv_w, inv_w_x_[v]), farthest_), nearest_));
-        const auto seen = hn::Gt(inv_w, hn::LoadU(d, to_depths));
-        hn::BlendedStore(inv_w, seen, d, to_depths);
-        const hn::RebindToUnsigned<D> dw;
-        hn::BlendedStore(words_of(start, v), hn::RebindMask(dw, seen), dw, to_words);
-        const auto seen_words = hn::RebindMask(dw, seen);
-        written = hn::IfThenElse(seen_words, hn::Add(written, hn::Set(dw, 1u)), written);
+            hn::RebindMask(d, covered),
+            hn::Min(hn::Max(hn::Add(start.inv_w, inv_w_x_[v]), farthest_), nearest_));
+        const vec there = hn::LoadU(d, to_depths);
+        const auto seen = hn::Gt(inv_w, there);
+        hn::StoreU(hn::Max(inv_w, there), d, to_depths);
+        store_where(seen, words_of(start, v), hn::RebindToUnsigned<D>(), to_words);
+        written = one_more_where(hn::RebindMask(int_tag(), seen), written, int_tag());
     }
 
-    HWY_INLINE count_vec words_of(const run_start& start, std::size_t v) const {
+    HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> words_of(const run_start& start,
+                                                         std::size_t v) const {
         const D d;
         vec lit = hn::Add(start.lit, lit_x_[v]);
         if constexpr (is_grey)
@@ -187,10 +260,12 @@ private:
         return cosine_words(d, lit);
     }
 
-    std::uint32_t* words_;
+    std::uint32_t* words_; ///< of the band, copied: what is stored might be the band's own members
     float* depths_;
+    run_place pitch_;
     const fill_table& table_;
     std::size_t i_;
+    count_vec columns_[vectors];
     vec inv_w_x_[vectors], lit_x_[vectors], farthest_, nearest_;
     vec darkest_, brightest_;
     vec x_[vectors], bend_xx_[vectors], facing_x_[vectors];
@@ -202,32 +277,34 @@ private:
 class fill_polygons {
 public:
     HWY_INLINE fill_polygons(const fill_band& band, const fill_table& table)
-        : band_(band), table_(table), written_(hn::Zero(words())),
-          half_written_(hn::Zero(half_words())) {}
+        : band_(band), table_(table), written_(hn::Zero(ints())),
+          half_written_(hn::Zero(half_ints())) {}
 
     template <fill_shape Shape> HWY_INLINE void fill(std::size_t i) {
         if (table_.longest[i] <= half)
             fill_polygon<half_floats, half, Shape>(band_, table_, i).fill(half_written_);
         else if (table_.longest[i] <= run)
             fill_polygon<floats, run, Shape>(band_, table_, i).fill(written_);
-        else
+        else if (table_.longest[i] <= most_pixels)
             fill_polygon<floats, run, Shape>(band_, table_, i).fill_wide(written_);
+        else
+            fill_polygon<floats, run, Shape>(band_, table_, i).fill_at_edge(written_);
     }
 
     HWY_INLINE std::int64_t written() const {
-        return std::int64_t{hn::GetLane(hn::SumOfLanes(words(), written_))} +
-               hn::GetLane(hn::SumOfLanes(half_words(), half_written_));
+        return std::int64_t{hn::GetLane(hn::SumOfLanes(ints(), written_))} +
+               hn::GetLane(hn::SumOfLanes(half_ints(), half_written_));
     }
 
 private:
     static constexpr std::int32_t half = run / 2;
     using half_floats = hn::CappedTag<float, half>;
-    using half_words = hn::RebindToUnsigned<half_floats>;
+    using half_ints = hn::RebindToSigned<half_floats>;
 
     const fill_band& band_;
     const fill_table& table_;
-    hn::Vec<words> written_;
-    hn::Vec<half_words> half_written_;
+    int_vec written_;
+    hn::Vec<half_ints> half_written_;
 };
 
 /// Fills the polygons of a table, in their order. Returns how many pixels were written.

@@ -79,7 +79,8 @@ HWY_INLINE void divide(int_vec n, int_vec d, float_vec inverse, int_vec& quotien
 struct lane_edge {
     int_vec column, column_step;
     int_vec room, room_step, whole; ///< the remainder, counted down from whole - 1
-    int_mask left, right;
+    int_vec left;   ///< all bits set if columns left of the edge are outside, else none
+    int_vec beyond; ///< 0 if those right of it are, else more than any column
 
     /// Units: corners from the centre of pixel (0, 0). Expects: |corners| <= 2^14 + 2^8.
     HWY_INLINE void set(int_vec ax, int_vec ay, int_vec bx, int_vec by, int_mask clockwise,
@@ -87,8 +88,9 @@ struct lane_edge {
         const ints d;
         const int_mask down = hn::Lt(ay, by);
         const int_mask level = hn::Eq(ay, by);
-        right = hn::AndNot(level, hn::Not(hn::Xor(down, clockwise)));
-        left = hn::AndNot(level, hn::Xor(down, clockwise));
+        const int_mask is_left = hn::AndNot(level, hn::Xor(down, clockwise));
+        left = hn::VecFromMask(d, is_left);
+        beyond = hn::IfThenElseZero(hn::Or(is_left, level), hn::Set(d, 1 << 24));
         const int_vec ux = blend(down, ax, bx), uy = hn::Min(ay, by);
         const int_vec dx = hn::Sub(blend(down, bx, ax), ux);
         const int_vec dy = hn::Max(hn::Sub(hn::Max(ay, by), uy), hn::Set(d, 1));
@@ -107,17 +109,17 @@ struct lane_edge {
         room_step = hn::ShiftLeft<l3d_subpixel_bits>(rest);
     }
 
+    /// Expects: from not negative.
     HWY_INLINE void limit(int_vec& from, int_vec& to) const {
-        from = blend(left, hn::Max(from, column), from);
-        to = blend(right, hn::Min(to, column), to);
+        from = hn::Max(from, hn::And(left, column));
+        to = hn::Min(to, hn::Add(beyond, column));
     }
 
     HWY_INLINE void step() {
         room = hn::Sub(room, room_step);
-        column = hn::Add(column, column_step);
-        const int_mask over = hn::Lt(room, hn::Zero(ints()));
-        room = blend(over, hn::Add(room, whole), room);
-        column = blend(over, hn::Add(column, hn::Set(ints(), 1)), column);
+        const int_vec over = hn::BroadcastSignBit(room); // -1 if it is
+        room = hn::Add(room, hn::And(over, whole));
+        column = hn::Sub(hn::Add(column, column_step), over);
     }
 };
 

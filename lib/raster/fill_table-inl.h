@@ -29,7 +29,6 @@ static_assert(run <= fill_least_width);
 constexpr std::int32_t most_pixels = 64;
 
 using ints = hn::CappedTag<std::int32_t, 16>;
-using words = hn::RebindToUnsigned<ints>;
 using floats = hn::RebindToFloat<ints>;
 using int_vec = hn::Vec<ints>;
 using float_vec = hn::Vec<floats>;
@@ -46,14 +45,24 @@ enum class fill_shape {
     twisted ///< the same times 1 / sqrt(bend), and turned round where facing < 0
 };
 
-/// The first run of a row of each polygon. Numbers are those of the run's first pixel; `_x` is what
-/// a column adds.
+/// A number of each polygon.
+template <class T> struct alignas(lanes * sizeof(T)) lane_array {
+    T of[lanes];
+
+    HWY_INLINE T operator[](std::size_t i) const { return of[i]; }
+};
+
+/// A row of each polygon. Columns are counted from the polygon's first one. Numbers are those of
+/// the pixel at `begin`; `_x` is what a column adds.
 struct fill_row {
-    alignas(64) std::int32_t word_at[lanes], depth_at[lanes];
-    alignas(64) std::int32_t mask[lanes]; ///< covered pixels
-    alignas(64) std::int32_t last[lanes]; ///< where the row ends, from the run's first pixel on
-    alignas(64) float inv_w[lanes], lit[lanes];
-    alignas(64) float bend[lanes], bend_x[lanes], facing[lanes];
+    lane_array<std::int32_t> from, pixels; ///< which are covered
+    lane_array<std::int32_t> begin;        ///< of the first run: `from`, unless that is at the edge
+    lane_array<float> inv_w, lit;
+};
+
+/// What else twisted ones need of a row.
+struct fill_row_twisted {
+    lane_array<float> bend, bend_x, facing;
 };
 
 /// What the pixel loops need; of the arrays for greys, what the shape does.
@@ -61,13 +70,15 @@ struct fill_row {
 /// A run begins at its row's first covered pixel, or further left where it would not fit the
 /// picture.
 struct fill_table {
+    lane_array<std::int32_t> word_at, depth_at; ///< of column 0 of the first row
+    lane_array<std::int32_t> height;            ///< rows; 0 if there is none to fill
+    lane_array<std::int32_t> longest;           ///< pixels of a row; > most_pixels at the edge
+    lane_array<float> inv_w_x, lit_x, farthest, nearest;
+    lane_array<float> darkest, brightest;
+    lane_array<float> bend_xx, facing_x;
+    lane_array<std::int32_t> twisted; ///< not 0: it is; others are flat
     fill_row rows[most_pixels + 1];
-    alignas(64) std::int32_t height[lanes];  ///< rows; 0 if there is nothing to fill
-    alignas(64) std::int32_t longest[lanes]; ///< `last` of the longest row
-    alignas(64) float inv_w_x[lanes], lit_x[lanes], farthest[lanes], nearest[lanes];
-    alignas(64) float darkest[lanes], brightest[lanes];
-    alignas(64) float bend_xx[lanes], facing_x[lanes];
-    alignas(64) std::int32_t twisted[lanes]; ///< not 0: it is; others are flat
+    fill_row_twisted twisted_rows[most_pixels + 1];
 };
 
 } // namespace
