@@ -7,21 +7,24 @@
 #include "bench/mesa_peer.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <stdexcept>
 
 namespace {
 
-/// Frames that are drawn but not counted, frames of a trial, frames of a timing.
-constexpr int warm_up = 2, trial_frames = 5, frames = 31;
+/// Frames that are drawn but not counted, frames of a trial, frames of clearing.
+constexpr int warm_up = 2, trial_frames = 5, clearing_frames = 31;
+
+/// A side's frames in a turn beside its first, and turns. The first finds the caches full of
+/// another's data and workers asleep, which an animation's next frame does not.
+constexpr int frames_of_turn = 4, turns = 9;
 
 /// A picture within a pixel of the truth differs along outlines alone. Share of covered pixels.
 constexpr double most_different = 0.01;
 
-frame_times summary(std::vector<double> ms) {
+double median(std::vector<double> ms) {
     std::ranges::sort(ms);
-    return {ms[ms.size() / 2], ms.front()};
+    return ms[ms.size() / 2];
 }
 
 template <class Action> double milliseconds(Action action) {
@@ -36,8 +39,26 @@ template <class Action> double median_of(int count, Action action) {
     for (int i = 0; i < warm_up + count; ++i)
         if (const double ms = milliseconds(action); i >= warm_up)
             times.push_back(ms);
-    return summary(times).median;
+    return median(times);
 }
+
+/// The times of a side's frames.
+class side_times {
+public:
+    /// draw() returns a frame's milliseconds.
+    template <class Draw> void take_turn(Draw draw) {
+        first_.push_back(draw());
+        for (int i = 0; i < frames_of_turn; ++i)
+            later_.push_back(draw());
+    }
+
+    frame_times summary() const {
+        return {median(later_), std::ranges::min(later_), median(first_)};
+    }
+
+private:
+    std::vector<double> first_, later_;
+};
 
 std::unique_ptr<mesa_peer> open_mesa() {
     std::string why;
@@ -154,18 +175,17 @@ public:
         bench_frame lambert(scene_, camera, cell.size, cell.our_tolerance, threads_);
         bench_frame gouraud(scene_, camera, cell.size, cell.our_tolerance, threads_,
                             l3d_shade::gouraud);
-        std::array<std::vector<double>, 4> ms;
-        for (int i = 0; i < warm_up + frames; ++i) {
-            const std::array<double, 4> frame{lambert.draw(), gouraud.draw(),
-                                              milliseconds([&] { mesa_->draw(); }),
-                                              milliseconds([&] { embree_->draw(workers_); })};
-            for (std::size_t side = 0; i >= warm_up && side < frame.size(); ++side)
-                ms[side].push_back(frame[side]);
+        side_times ours_lambert, ours_gouraud, mesa, embree;
+        for (int turn = 0; turn < turns; ++turn) {
+            ours_lambert.take_turn([&] { return lambert.draw(); });
+            ours_gouraud.take_turn([&] { return gouraud.draw(); });
+            mesa.take_turn([&] { return milliseconds([&] { mesa_->draw(); }); });
+            embree.take_turn([&] { return milliseconds([&] { embree_->draw(workers_); }); });
         }
-        times.lambert = summary(ms[0]);
-        times.gouraud = summary(ms[1]);
-        times.mesa = summary(ms[2]);
-        times.embree = summary(ms[3]);
+        times.lambert = ours_lambert.summary();
+        times.gouraud = ours_gouraud.summary();
+        times.mesa = mesa.summary();
+        times.embree = embree.summary();
 
         lambert.hash();
         gouraud.hash();
@@ -214,11 +234,11 @@ private:
 };
 
 /// A cell's numbers, as they come through a pipe.
-constexpr std::size_t numbers_of_a_cell = 12;
+constexpr std::size_t numbers_of_a_cell = 16;
 
 void write(const cell_times& t, std::vector<double>& numbers) {
     for (const frame_times& times : {t.lambert, t.gouraud, t.mesa, t.embree})
-        numbers.insert(numbers.end(), {times.median, times.least});
+        numbers.insert(numbers.end(), {times.median, times.least, times.first});
     for (const long count : {t.mesa_differs, t.embree_differs, t.covered, t.culled})
         numbers.push_back(static_cast<double>(count));
 }
@@ -228,6 +248,7 @@ void read(std::span<const double, numbers_of_a_cell> numbers, cell_times& t) {
     for (frame_times* const times : {&t.lambert, &t.gouraud, &t.mesa, &t.embree}) {
         times->median = numbers[next++];
         times->least = numbers[next++];
+        times->first = numbers[next++];
     }
     for (long* const count : {&t.mesa_differs, &t.embree_differs, &t.covered, &t.culled})
         *count = static_cast<long>(numbers[next++]);
@@ -267,7 +288,7 @@ std::vector<cell_times> compare(const l3d_patch_model& model, std::span<const be
 double clearing_ms(l3d_size size) {
     const auto count = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     std::vector<std::uint32_t> color(count, 1), depth(count, 1);
-    const double ms = median_of(frames, [&] {
+    const double ms = median_of(clearing_frames, [&] {
         std::ranges::fill(color, 0u);
         std::ranges::fill(depth, 0u);
     });

@@ -20,8 +20,9 @@ struct peer_choice {
 
 /// Of many frames. Units: milliseconds.
 struct frame_times {
-    double median = 0;
-    double least = 0; ///< where others use the machine too, this one is the truer
+    double median = 0; ///< of frames that follow one of the same side, as an animation's do
+    double least = 0;  ///< of those; where others use the machine too, this one is the truer
+    double first = 0;  ///< median of those that follow another side's
 };
 
 /// What was measured in a cell.
@@ -37,9 +38,9 @@ struct cell_times {
 /// Compares on `threads` threads a side, cell by cell.
 ///
 /// First each peer tries its meshes and, for llvmpipe, numbers of workers; with its best it is then
-/// timed in turn with both shadings of ours, frame by frame. llvmpipe reads its number of workers
-/// once in a process, so all this happens in children. Errors:  std::runtime_error if a peer is not
-/// there, or a picture is wrong.
+/// timed in turn with both shadings of ours, a few frames each. llvmpipe reads its number of
+/// workers once in a process, so all this happens in children.
+/// Errors: std::runtime_error if a peer is not there, or a picture is wrong.
 std::vector<cell_times> compare(const l3d_patch_model& model, std::span<const bench_cell> cells,
                                 int threads);
 

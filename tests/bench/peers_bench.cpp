@@ -2,13 +2,13 @@
 // l3d against Mesa's llvmpipe and against Embree at equal measured error, one thread against one
 // and two against two.
 //
-// All draw the same view into memory, in turn, and medians are compared. A cell of the table is a
-// view, a size and an error in pixels: ours gets the largest tolerance with which what it draws is
-// within that error of the exact surface, the peers get triangle meshes that are within it too,
-// made beforehand for this very view, without what is outside of the window, in static buffers,
-// with the shading baked into the vertices: adaptive ones, and the same thinned out for as long as
-// the error allows. Ours starts each frame from the patches and shades each pixel (lambert) or, as
-// the peers do, each vertex (gouraud).
+// All draw the same view into memory, a few frames in turn, and medians are compared. A cell of the
+// table is a view, a size and an error in pixels: ours gets the largest tolerance with which what
+// it draws is within that error of the exact surface, the peers get triangle meshes that are within
+// it too, made beforehand for this very view, without what is outside of the window, in static
+// buffers, with the shading baked into the vertices: adaptive ones, and the same thinned out for as
+// long as the error allows. Ours starts each frame from the patches and shades each pixel (lambert)
+// or, as the peers do, each vertex (gouraud).
 #include "bench/bench_cell.h"
 #include "bench/peer_timing.h"
 #include "geom/teapot.h"
@@ -76,17 +76,18 @@ void print_row(const bench_cell& cell, const cell_times& times) {
 
 void print_ratios(const char* peer, const char* shade, std::span<const cell_times> times,
                   frame_times cell_times::*theirs, frame_times cell_times::*ours) {
-    std::vector<double> medians, least;
-    for (const cell_times& t : times) {
-        medians.push_back(ratio(t.*theirs, t.*ours));
-        least.push_back((t.*theirs).least / (t.*ours).least);
-    }
-    std::ranges::sort(medians);
-    std::ranges::sort(least);
-    std::printf("%-8s to %s: least %.2f, median %.2f; of the fastest frames: least %.2f, median "
-                "%.2f\n",
-                peer, shade, medians.front(), medians[medians.size() / 2], least.front(),
-                least[least.size() / 2]);
+    const auto print_some = [&](const char* which, double frame_times::*number) {
+        std::vector<double> ratios;
+        for (const cell_times& t : times)
+            ratios.push_back((t.*theirs).*number / ((t.*ours).*number));
+        std::ranges::sort(ratios);
+        std::printf("%s least %.2f, median %.2f", which, ratios.front(), ratios[ratios.size() / 2]);
+    };
+    std::printf("%-8s to %s:", peer, shade);
+    print_some("", &frame_times::median);
+    print_some("; of the fastest frames:", &frame_times::least);
+    print_some("; of the first of each turn:", &frame_times::first);
+    std::printf("\n");
 }
 
 /// The table of one kind of mesh and one number of threads.
@@ -152,7 +153,7 @@ void run(const options& wanted) {
 
     double load = 0;
     getloadavg(&load, 1);
-    std::printf("l3d %s against %s; medians of frames in turn; load before: %.1f\n",
+    std::printf("l3d %s against %s; medians of frames, a few in turn; load before: %.1f\n",
                 l3d_real_name(), peer_names().c_str(), load);
     constexpr std::array errors{0.5, 0.25, 0.1};
     const auto planned = planned_cells(*model, sizes, errors);
