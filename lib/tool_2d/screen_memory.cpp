@@ -4,18 +4,7 @@
 
 #include <new>
 
-namespace {
-
-// One cache line of 64 bytes. At least one word of padding is always there.
-constexpr int words_per_line = 16;
-
-std::ptrdiff_t padded_stride(int width) {
-    return (static_cast<std::ptrdiff_t>(width) / words_per_line + 1) * words_per_line;
-}
-
-} // namespace
-
-l3d_screen_memory::l3d_screen_memory(l3d_size size) : image_(size, padded_stride(size.width)) {
+l3d_screen_memory::l3d_screen_memory(l3d_size size) : image_(size, l3d_padded_stride(size.width)) {
     assert(size.width >= 1 && size.height >= 1);
 }
 

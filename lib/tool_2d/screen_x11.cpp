@@ -44,7 +44,7 @@ public:
     /// Errors:  std::bad_alloc.
     l3d_screen_x11(std::unique_ptr<x11_window> window, l3d_size size, std::string no_shm)
         : window_(std::move(window)), events_(*window_), sync_(*window_), fullscreen_(*window_),
-          picture_(size, size.width), no_shm_(std::move(no_shm)), image_(make_image(size)) {}
+          no_shm_(std::move(no_shm)), image_(make_image(size)), picture_(make_picture(size)) {}
 
     /// Puts the window on the screen and waits until the server wants it drawn.
     void open();
@@ -71,6 +71,7 @@ private:
     bool sleep(steady_clock::time_point deadline) const;
     bool resized_to(l3d_size size);
     std::unique_ptr<x11_image> make_image(l3d_size size);
+    l3d_image make_picture(l3d_size size) const;
     void stop_sharing(const std::string& why);
     bool replaced_failed_image();
 
@@ -78,10 +79,10 @@ private:
     x11_events events_;
     x11_sync sync_;
     x11_fullscreen fullscreen_;
-    l3d_image picture_;
     std::string no_shm_; ///< why memory is not shared; empty: it is
     std::string remark_;
     std::unique_ptr<x11_image> image_;
+    l3d_image picture_;
     l3d_pixel_box due_;           ///< is to be put once there is a buffer for it
     bool is_forgotten_ = true;    ///< nobody knows what the window shows: all is to be put
     bool sync_is_due_ = false;    ///< a picture was put, and perhaps waits to be sent
@@ -108,6 +109,12 @@ std::unique_ptr<x11_image> l3d_screen_x11::make_image(l3d_size size) {
         stop_sharing(why);
     }
     return make_x11_image_put(*window_, size);
+}
+
+/// To shared memory a picture is copied, from whatever stride; over the connection it may go as it
+/// lies, if that is as Xlib has it.
+l3d_image l3d_screen_x11::make_picture(l3d_size size) const {
+    return {size, no_shm_.empty() ? l3d_padded_stride(size.width) : size.width};
 }
 
 void l3d_screen_x11::stop_sharing(const std::string& why) {
@@ -226,7 +233,7 @@ bool l3d_screen_x11::resized_to(l3d_size size) {
     }
     try {
         auto image = make_image(size);
-        picture_ = l3d_image(size, size.width);
+        picture_ = make_picture(size);
         image_ = std::move(image);
     } catch (const std::bad_alloc&) {
         return false; // The old picture goes on, in a part of the window.
