@@ -80,12 +80,12 @@ void place_item(band_item& item, const polygon_bounds& bounds, const l3d_pixel_b
 } // namespace
 
 void band_list::make(std::span<const l3d_surface_part* const> parts, const l3d_pixel_box& window,
-                     int rows, l3d_workers& workers) {
-    lay_out(parts);
+                     int rows, const l3d_shading* vertex_light, l3d_workers& workers) {
+    lay_out(parts, vertex_light != nullptr);
     by_height_.sort_for(workers);
     workers.for_each_beside(static_cast<int>(parts.size()), [&](int i, int) {
         const std::size_t at = by_height_[i];
-        list_part(*parts[at], places_[at], window);
+        list_part(*parts[at], places_[at], window, vertex_light);
     });
     sort();
     share_out(window, rows);
@@ -93,11 +93,11 @@ void band_list::make(std::span<const l3d_surface_part* const> parts, const l3d_p
 
 /// Gives every part its place among the items, so that they can be made in any order. A vertex
 /// from the middle of a grid says well enough where the part is.
-void band_list::lay_out(std::span<const l3d_surface_part* const> parts) {
+void band_list::lay_out(std::span<const l3d_surface_part* const> parts, bool with_levels) {
     places_.clear();
     by_height_.clear();
     polygons_ = 0;
-    place next{0, 0};
+    place next{0, 0, 0};
     for (const l3d_surface_part* part : parts) {
         assert(covers(part->block_rows, all_cells(part->grid).row_end) &&
                covers(part->block_columns, all_cells(part->grid).column_end));
@@ -110,16 +110,22 @@ void band_list::lay_out(std::span<const l3d_surface_part* const> parts) {
         });
         const auto triangles = static_cast<std::uint32_t>(part->triangles.count);
         next.items += (triangles + triangles_in_item - 1) / triangles_in_item;
+        if (with_levels)
+            next.levels += static_cast<std::uint32_t>(part->grid.x.size());
         polygons_ += l3d_detail::polygons(*part);
     }
     items_.resize(next.items);
     rows_.resize(next.rows);
+    levels_.resize(next.levels);
 }
 
-void band_list::list_part(const l3d_surface_part& part, place at, const l3d_pixel_box& window) {
+void band_list::list_part(const l3d_surface_part& part, place at, const l3d_pixel_box& window,
+                          const l3d_shading* vertex_light) {
+    if (vertex_light)
+        light_vertices(*vertex_light, part.grid, levels_.data() + at.levels);
     visit_blocks(part, [&](const grid_cells& cells) {
         band_item& item = items_[at.items++];
-        item = {.part = &part, .cells = cells, .rows_at = at.rows};
+        item = {.part = &part, .cells = cells, .rows_at = at.rows, .levels_at = at.levels};
         place_item(item, bounds_of(part.grid, cells, rows_.data() + at.rows), window);
         at.rows += static_cast<std::uint32_t>(cells.row_end - cells.row_begin);
     });

@@ -5,6 +5,7 @@
 
 #include "raster/band_cells_p.h"
 #include "raster/band_lanes_p.h"
+#include "raster/fill_kernel_p.h"
 #include "raster/height_order_p.h"
 #include "raster/pixel_box_p.h"
 #include "raster/surface_part.h"
@@ -26,6 +27,7 @@ struct band_item {
     grid_cells cells{};
     std::uint32_t triangle_begin = 0, triangle_end = 0; ///< of the part's triangles
     std::uint32_t rows_at = 0;                          ///< where its cells' rows begin in the list
+    std::uint32_t levels_at = 0; ///< where its grid's vertices begin in the list
 };
 
 /// Items, sorted front to back, and which bands they touch.
@@ -38,9 +40,10 @@ public:
     /// Triangles in an item: as many as are set up side by side in lanes.
     static constexpr std::uint32_t triangles_in_item = l3d_micro_triangles::lanes;
 
-    /// Makes the lists for bands of `rows` rows of the window. Expects: rows >= 1.
+    /// Makes the lists for bands of `rows` rows of the window, and the vertices' grey levels if the
+    /// shading is for lanes that want them, else null. Expects: rows >= 1.
     void make(std::span<const l3d_surface_part* const> parts, const l3d_pixel_box& window, int rows,
-              l3d_workers& workers);
+              const l3d_shading* vertex_light, l3d_workers& workers);
 
     /// Of bands from the window's top.
     std::span<const std::uint32_t> items(int band) const {
@@ -53,16 +56,21 @@ public:
     /// The pixel rows of each of an item's rows of quads.
     const band_rows* rows(const band_item& item) const { return rows_.data() + item.rows_at; }
 
+    fill_grid grid(const band_item& item) const {
+        return {item.part->grid, levels_.data() + item.levels_at};
+    }
+
     /// Quads and triangles of all parts.
     std::int64_t polygons() const { return polygons_; }
 
 private:
     struct place {
-        std::uint32_t items, rows; ///< where those of a part begin
+        std::uint32_t items, rows, levels; ///< where those of a part begin
     };
 
-    void lay_out(std::span<const l3d_surface_part* const> parts);
-    void list_part(const l3d_surface_part& part, place at, const l3d_pixel_box& window);
+    void lay_out(std::span<const l3d_surface_part* const> parts, bool with_levels);
+    void list_part(const l3d_surface_part& part, place at, const l3d_pixel_box& window,
+                   const l3d_shading* vertex_light);
     void sort();
     void share_out(const l3d_pixel_box& window, int rows);
 
@@ -70,6 +78,7 @@ private:
     height_order by_height_; ///< the parts
     std::vector<band_item> items_;
     std::vector<band_rows> rows_;
+    std::vector<float> levels_; ///< each part's like its grid's arrays
     std::int64_t polygons_ = 0;
 
     struct sort_key {

@@ -56,14 +56,14 @@ void band_painter::draw_cells(const band_frame& frame, const fill_band& band, co
         while (run.row_end < item.cells.row_end && !outside(run.row_end))
             ++run.row_end;
         if (run.row_begin < run.row_end)
-            draw_run(frame, band, item, run);
+            draw_run(frame, band, list, item, run);
     }
 }
 
-void band_painter::draw_run(const band_frame& frame, const fill_band& band, const band_item& item,
-                            const grid_cells& cells) {
+void band_painter::draw_run(const band_frame& frame, const fill_band& band, const band_list& list,
+                            const band_item& item, const grid_cells& cells) {
     if (frame.by_lanes)
-        fill_quads(by_lanes(frame, band), item.part->grid, cells.row_begin, cells.row_end,
+        fill_quads(by_lanes(frame, band), list.grid(item), cells.row_begin, cells.row_end,
                    cells.column_begin, cells.column_end);
     else
         scalar_.fill(*item.part, cells);

@@ -42,8 +42,8 @@ private:
     void draw_triangles(const band_frame& frame, const fill_band& band, const band_item& item);
     void draw_cells(const band_frame& frame, const fill_band& band, const band_list& list,
                     const band_item& item);
-    void draw_run(const band_frame& frame, const fill_band& band, const band_item& item,
-                  const grid_cells& cells);
+    void draw_run(const band_frame& frame, const fill_band& band, const band_list& list,
+                  const band_item& item, const grid_cells& cells);
     void draw_rest(const band_frame& frame, const fill_band& band);
     fill_target by_lanes(const band_frame& frame, const fill_band& band) {
         return {band, frame.shading, queue_, by_lanes_, rest_};

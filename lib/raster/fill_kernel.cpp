@@ -199,14 +199,14 @@ private:
 };
 
 template <class Lights>
-HWY_INLINE void quads_by(const fill_target& to, const l3d_micro_grid& grid, int row_begin,
-                         int row_end, int column, std::size_t count) {
+HWY_INLINE void quads_by(const fill_target& to, const fill_grid& of, int row_begin, int row_end,
+                         int column, std::size_t count) {
     using stream = fill_stream<typename Lights::lanes_type>;
     stream out(to);
-    Lights lights(to);
+    const l3d_micro_grid& grid = of.vertices;
+    const Lights lights(to, of.levels);
     const vertex_arrays vertices(grid);
     const corner_arrays corners{vertices, vertices, vertices, vertices};
-    lights.start(vertices, grid.index(row_begin, column), count);
     for (int row = row_begin; row < row_end; ++row) {
         const std::size_t p00 = grid.index(row, column), p01 = grid.index(row + 1, column);
         const corner_places at{p00, p00 + 1, p01 + 1, p01};
@@ -221,7 +221,7 @@ HWY_INLINE void triangles_by(const fill_target& to, const l3d_micro_triangles& t
     const vertex_arrays last(triangles.corners[2]);
     const corner_arrays corners{vertex_arrays(triangles.corners[0]),
                                 vertex_arrays(triangles.corners[1]), last, last};
-    Lights lights(to);
+    const Lights lights(to, nullptr);
     fill_stream<typename Lights::lanes_type>(to).take({corners,
                                                        {first, first, first, first},
                                                        lights.triangles(corners, first, count),
@@ -231,8 +231,16 @@ HWY_INLINE void triangles_by(const fill_target& to, const l3d_micro_triangles& t
                                                        -1});
 }
 
+void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, float* levels) {
+    const vertex_arrays vertices(grid);
+    for (int row = 0; row < grid.rows; ++row) {
+        const std::size_t at = grid.index(row, 0);
+        make_levels(shading, vertices, at, static_cast<std::size_t>(grid.columns), levels + at);
+    }
+}
+
 /// Runs of columns that there is room for the greys of.
-void fill_quads(const fill_target& to, const l3d_micro_grid& grid, int row_begin, int row_end,
+void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int row_end,
                 int column_begin, int column_end) {
     constexpr int run_of_quads = fill_queue::run;
     for (int column = column_begin; column < column_end; column += run_of_quads) {
@@ -275,11 +283,16 @@ HWY_AFTER_NAMESPACE();
 
 namespace l3d_detail {
 
+L3D_SIMD_TABLE(light_vertices);
 L3D_SIMD_TABLE(fill_quads);
 L3D_SIMD_TABLE(fill_triangles);
 L3D_SIMD_TABLE(fill_finish);
 
-void fill_quads(const fill_target& to, const l3d_micro_grid& grid, int row_begin, int row_end,
+void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, float* levels) {
+    L3D_SIMD_CALL(light_vertices)(shading, grid, levels);
+}
+
+void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int row_end,
                 int column_begin, int column_end) {
     assert(to.band.width >= fill_least_width);
     if (row_begin < row_end && column_begin < column_end)

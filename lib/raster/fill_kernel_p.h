@@ -115,6 +115,16 @@ struct fill_target {
     fill_rest& rest;
 };
 
+/// A grid and, for gouraud, the grey levels of its vertices, from light_vertices.
+struct fill_grid {
+    const l3d_micro_grid& vertices;
+    const float* levels;
+};
+
+/// The grey level of every vertex, as gouraud interpolates it. Shape: levels like the grid's
+/// arrays.
+void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, float* levels);
+
 /// Fills the quads of a grid whose first corner is in rows [row_begin, row_end) and columns
 /// [column_begin, column_end), now or later: at the latest in fill_finish.
 ///
@@ -124,7 +134,7 @@ struct fill_target {
 /// Expects: fill_shades(mode); 0 <= row_begin, row_end < grid.rows, and so for columns; normals of
 /// unit length, or
 ///          zero; inv_w > 0. Band and shading are the same until fill_finish, and grids stay.
-void fill_quads(const fill_target& to, const l3d_micro_grid& grid, int row_begin, int row_end,
+void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int row_end,
                 int column_begin, int column_end);
 
 /// Fills triangles [first, last); otherwise like fill_quads.

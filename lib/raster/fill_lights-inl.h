@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
@@ -97,9 +96,8 @@ class normal_lights {
 public:
     using lanes_type = lambert_lanes;
 
-    HWY_INLINE explicit normal_lights(const fill_target&) {}
+    HWY_INLINE normal_lights(const fill_target&, const float*) {}
 
-    HWY_INLINE void start(const vertex_arrays&, std::size_t, std::size_t) {}
     HWY_INLINE light_arrays<3> quads(const corner_arrays& v, const corner_places& at,
                                      std::size_t) const {
         return {{v[0].normal, v[1].normal, v[2].normal, v[3].normal}, at};
@@ -110,48 +108,39 @@ public:
     }
 };
 
-/// Gouraud: every vertex's level, made once for a row of vertices.
+/// The grey levels of `count` vertices from `at` on.
+HWY_INLINE void make_levels(const l3d_shading& shading, const vertex_arrays& v, std::size_t at,
+                            std::size_t count, float* levels) {
+    for_vectors(count, v.size - at, [&](auto inside, std::size_t i) HWY_ATTR {
+        lane_normals n;
+        n.load<inside()>(v, at + i, shading);
+        hn::StoreU(level_of(lit_of(shading, n.normal), n.away), floats(), levels + i);
+    });
+}
+
+/// Gouraud: every vertex's level; a grid's were made before.
 class vertex_lights {
 public:
     using lanes_type = grey_lanes;
 
-    HWY_INLINE explicit vertex_lights(const fill_target& to)
-        : shading_(to.shading), third_(to.queue.greys[2]), above_(to.queue.greys[0]),
-          below_(to.queue.greys[1]) {}
+    HWY_INLINE vertex_lights(const fill_target& to, const float* of_grid)
+        : to_(to), of_grid_(of_grid) {}
 
-    /// Before the first row of `count` quads: the vertices above it.
-    HWY_INLINE void start(const vertex_arrays& v, std::size_t at, std::size_t count) {
-        make(v, at, count + 1, below_);
-    }
-    /// Expects: rows in their order.
-    HWY_INLINE light_arrays<1> quads(const corner_arrays& v, const corner_places& at,
-                                     std::size_t count) {
-        std::swap(above_, below_);
-        make(v[3], at[3], count + 1, below_);
-        return {{{{above_}, {above_}, {below_}, {below_}}}, {0, 1, 1, 0}};
+    HWY_INLINE light_arrays<1> quads(const corner_arrays&, const corner_places& at,
+                                     std::size_t) const {
+        return {{{{of_grid_}, {of_grid_}, {of_grid_}, {of_grid_}}}, at};
     }
     HWY_INLINE light_arrays<1> triangles(const corner_arrays& v, std::size_t first,
                                          std::size_t count) const {
-        make(v[0], first, count, above_);
-        make(v[1], first, count, below_);
-        make(v[2], first, count, third_);
-        return {{{{above_}, {below_}, {third_}, {third_}}}, {}};
+        auto& levels = to_.queue.greys;
+        for (std::size_t k = 0; k < 3; ++k)
+            make_levels(to_.shading, v[k], first, count, levels[k]);
+        return {{{{levels[0]}, {levels[1]}, {levels[2]}, {levels[2]}}}, {}};
     }
 
 private:
-    HWY_INLINE void make(const vertex_arrays& v, std::size_t at, std::size_t count,
-                         float* levels) const {
-        for_vectors(count, v.size - at, [&](auto inside, std::size_t i) HWY_ATTR {
-            lane_normals n;
-            n.load<inside()>(v, at + i, shading_);
-            hn::Store(level_of(lit_of(shading_, n.normal), n.away), floats(), levels + i);
-        });
-    }
-
-    const l3d_shading& shading_;
-    float* third_;
-    float* above_;
-    float* below_;
+    const fill_target& to_;
+    const float* of_grid_;
 };
 
 /// Flat: every polygon's level, from the sum of its normals, at all its corners.
@@ -159,10 +148,9 @@ class polygon_lights {
 public:
     using lanes_type = grey_lanes;
 
-    HWY_INLINE explicit polygon_lights(const fill_target& to)
+    HWY_INLINE polygon_lights(const fill_target& to, const float*)
         : shading_(to.shading), levels_(to.queue.greys[0]) {}
 
-    HWY_INLINE void start(const vertex_arrays&, std::size_t, std::size_t) {}
     HWY_INLINE light_arrays<1> quads(const corner_arrays& v, const corner_places& at,
                                      std::size_t count) const {
         return make<4>(v, at, count);

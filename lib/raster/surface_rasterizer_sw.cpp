@@ -106,7 +106,9 @@ void l3d_surface_rasterizer_sw::start(l3d_depth_buffer* depth, const l3d_shading
 void l3d_surface_rasterizer_sw::do_draw(std::span<const l3d_surface_part* const> parts) {
     assert(depth_ || !drawn_);
     const band_list& list = work_->list;
-    work_->list.make(parts, window_, rows_, workers_);
+    const band_frame& frame = work_->frame;
+    const bool with_levels = frame.by_lanes && frame.shading.mode == l3d_shade::gouraud;
+    work_->list.make(parts, window_, rows_, with_levels ? &frame.shading : nullptr, workers_);
 
     for (band_painter& painter : work_->painters)
         painter.reserve(rows_);

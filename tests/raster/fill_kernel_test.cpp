@@ -61,9 +61,17 @@ struct filled {
         }
     }
 
+    /// Lives: until the next one.
+    fill_grid lit(const l3d_micro_grid& grid) {
+        levels.resize(grid.x.size());
+        light_vertices(shading, grid, levels.data());
+        return {grid, levels.data()};
+    }
+
     void draw(const l3d_micro_grid& grid, int rows = 1 << 20) {
+        const fill_grid of = lit(grid);
         in_bands(std::min(rows, size.height), [&](const fill_target& target) {
-            fill_quads(target, grid, 0, grid.rows - 1, 0, grid.columns - 1);
+            fill_quads(target, of, 0, grid.rows - 1, 0, grid.columns - 1);
         });
     }
 
@@ -93,6 +101,7 @@ struct filled {
     std::vector<std::uint32_t> words;
     std::vector<float> depths;
     l3d_shading shading;
+    std::vector<float> levels;
     fill_queue queue;
     fill_counts counts;
     fill_rest rest;
@@ -361,13 +370,14 @@ TEST_P(FillKernelMode, FillsPartsOfAGrid) {
         return picture;
     }();
     filled parts(97, 71, GetParam());
+    const fill_grid lit = parts.lit(g);
     parts.in_bands(71, [&](const fill_target& target) {
         for (int row = 0; row + 1 < g.rows; row += 3)
             for (int column = 0; column + 1 < g.columns; column += 5)
-                fill_quads(target, g, row, std::min(row + 3, g.rows - 1), column,
+                fill_quads(target, lit, row, std::min(row + 3, g.rows - 1), column,
                            std::min(column + 5, g.columns - 1));
-        fill_quads(target, g, 1, 1, 0, 1);
-        fill_quads(target, g, 0, 1, 1, 1);
+        fill_quads(target, lit, 1, 1, 0, 1);
+        fill_quads(target, lit, 0, 1, 1, 1);
     });
     EXPECT_EQ(parts.counts.samples, whole.counts.samples);
     EXPECT_EQ(parts.depths, whole.depths);
