@@ -8,6 +8,7 @@
 #endif
 
 #include "raster/fill_table-inl.h"
+#include "raster/store_where-inl.h"
 
 #include <algorithm>
 
@@ -62,28 +63,12 @@ template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> cosine_words(D d,
 /// 0.07 grey levels.
 constexpr float unit_parabola[3] = {2.0041274f, -1.5196685f, 0.5155188f};
 
-/// Stores those lanes of a vector that `mask` has; the others may be read and written back: before
-/// AVX-512, a processor has no masked store or, as AMD's, one of 18 and more micro-operations. They
-/// are chosen as floats, because g++ 12 puts a comparison before a choice among integers.
-template <class D>
-HWY_INLINE void store_where(hn::Mask<hn::RebindToFloat<D>> mask, hn::Vec<D> value, D d,
-                            hn::TFromD<D>* to) {
-#if HWY_TARGET <= HWY_AVX3
-    hn::BlendedStore(value, hn::RebindMask(d, mask), d, to);
-#else
-    const hn::RebindToFloat<D> df;
-    const auto there = hn::BitCast(df, hn::LoadU(d, to));
-    hn::StoreU(hn::BitCast(d, hn::IfThenElse(mask, hn::BitCast(df, value), there)), d, to);
-#endif
-}
-
 /// Adds 1 where `mask` is.
 template <class D> HWY_INLINE hn::Vec<D> one_more_where(hn::Mask<D> mask, hn::Vec<D> count, D d) {
-#if HWY_TARGET <= HWY_AVX3
-    return hn::IfThenElse(mask, hn::Add(count, hn::Set(d, 1)), count);
-#else
-    return hn::Sub(count, hn::VecFromMask(d, mask));
-#endif
+    if constexpr (masked_stores_are_cheap) // there masks are no vectors
+        return hn::IfThenElse(mask, hn::Add(count, hn::Set(d, 1)), count);
+    else
+        return hn::Sub(count, hn::VecFromMask(d, mask));
 }
 
 /// One polygon of a table, `Pixels` of a row at a time.

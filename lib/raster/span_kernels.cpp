@@ -7,6 +7,7 @@
 
 #include "raster/simd_dispatch_p.h"
 #include "raster/span_kernels_p.h"
+#include "raster/store_where-inl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,42 +19,57 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
 constexpr hn::CappedTag<std::uint32_t, 16> words;
 constexpr hn::RebindToSigned<decltype(words)> integers;
 constexpr hn::RebindToFloat<decltype(words)> floats;
 using word_lanes = hn::Vec<decltype(words)>;
 using integer_lanes = hn::Vec<decltype(integers)>;
 
-/// At least one vector: the last one ends where the span does and may overlap the one before.
-HWY_INLINE void fill_span(std::uint32_t* at, std::size_t count, word_lanes color) {
-    const std::size_t lanes = hn::Lanes(words);
-    if (count < lanes)
-        return hn::BlendedStore(color, hn::FirstN(words, count), words, at);
+/// Less than a vector: two halves, which may overlap, or less.
+template <std::size_t Lanes>
+HWY_INLINE void fill_short_span(std::uint32_t* at, std::size_t count, std::uint32_t color) {
+    if constexpr (Lanes == 1) {
+        *at = color;
+    } else {
+        const hn::CappedTag<std::uint32_t, Lanes / 2> half;
+        if (count < Lanes / 2)
+            return fill_short_span<Lanes / 2>(at, count, color);
+        hn::StoreU(hn::Set(half, color), half, at);
+        hn::StoreU(hn::Set(half, color), half, at + count - Lanes / 2);
+    }
+}
+
+/// The last vector ends where the span does and may overlap the one before. Expects: count >= 1.
+HWY_INLINE void fill_span(std::uint32_t* at, std::size_t count, std::uint32_t color) {
+    constexpr std::size_t lanes = hn::MaxLanes(words);
+    const word_lanes colors = hn::Set(words, color);
+    if (count < lanes) {
+        if constexpr (masked_stores_are_cheap)
+            return hn::BlendedStore(colors, hn::FirstN(words, count), words, at);
+        else
+            return fill_short_span<lanes>(at, count, color);
+    }
     for (std::size_t i = 0; i < count - lanes; i += lanes)
-        hn::StoreU(color, words, at + i);
-    hn::StoreU(color, words, at + count - lanes);
+        hn::StoreU(colors, words, at + i);
+    hn::StoreU(colors, words, at + count - lanes);
 }
 
 void fill_rows_in_lanes(const l3d_pixels& target, std::int32_t top, std::span<const scan_ends> rows,
                         std::uint32_t color) {
-    const word_lanes lanes = hn::Set(words, color);
     std::uint32_t* row = target.words + top * target.stride;
     for (const scan_ends& ends : rows) {
         const std::int32_t first = std::max(ends[0], 0), last = std::min(ends[1], target.width);
         if (first < last)
-            fill_span(row + first, static_cast<std::size_t>(last - first), lanes);
+            fill_span(row + first, static_cast<std::size_t>(last - first), color);
         row += target.stride;
     }
 }
 
 void fill_spans_in_lanes(const l3d_pixels& target, std::span<const pixel_span> spans,
                          std::uint32_t color) {
-    const word_lanes lanes = hn::Set(words, color);
     for (const pixel_span& s : spans)
         fill_span(target.words + s.row * target.stride + s.first,
-                  static_cast<std::size_t>(s.last - s.first), lanes);
+                  static_cast<std::size_t>(s.last - s.first), color);
 }
 
 /// A channel of neighbouring columns; no bound is needed, for the numbers leave [0, 255] by less
@@ -163,16 +179,21 @@ bool fill_small_triangle_in_lanes(const l3d_pixels& target,
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(words));
     const std::ptrdiff_t stride = target.stride;
     std::uint32_t* block = target.words + top * stride + left;
+    std::int32_t room = target.width - left;
     for (std::int32_t columns = right - left; columns > 0; columns -= lanes, block += lanes) {
         integer_lanes u = pq.value, v = qr.value, w = rp.value;
         std::uint32_t* at = block;
         for (std::int32_t rows = bottom - top; rows > 0; --rows, at += stride) {
             const auto inside = hn::Gt(hn::Or(hn::Or(u, v), w), hn::Set(integers, -1));
-            hn::BlendedStore(colors, hn::RebindMask(words, inside), words, at);
+            if (HWY_LIKELY(room >= lanes))
+                store_where(hn::RebindMask(floats, inside), colors, words, at);
+            else
+                hn::BlendedStore(colors, hn::RebindMask(words, inside), words, at);
             u = hn::Add(u, pq.per_row);
             v = hn::Add(v, qr.per_row);
             w = hn::Add(w, rp.per_row);
         }
+        room -= lanes;
         if (columns > lanes) {
             pq.step_right();
             qr.step_right();
