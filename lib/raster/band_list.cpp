@@ -116,7 +116,8 @@ void band_list::lay_out(std::span<const l3d_surface_part* const> parts, bool wit
     }
     items_.resize(next.items);
     rows_.resize(next.rows);
-    levels_.resize(next.levels);
+    if (levels_.size() < next.levels)
+        levels_.resize(next.levels);
 }
 
 void band_list::list_part(const l3d_surface_part& part, place at, const l3d_pixel_box& window,

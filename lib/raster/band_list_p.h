@@ -27,7 +27,7 @@ struct band_item {
     grid_cells cells{};
     std::uint32_t triangle_begin = 0, triangle_end = 0; ///< of the part's triangles
     std::uint32_t rows_at = 0;                          ///< where its cells' rows begin in the list
-    std::uint32_t levels_at = 0; ///< where its grid's vertices begin in the list
+    std::uint32_t levels_at = 0; ///< where its vertices' grey levels begin in the list
 };
 
 /// Items, sorted front to back, and which bands they touch.
@@ -56,6 +56,7 @@ public:
     /// The pixel rows of each of an item's rows of quads.
     const band_rows* rows(const band_item& item) const { return rows_.data() + item.rows_at; }
 
+    /// An item's grid. Its levels are there if `make` was given a light.
     fill_grid grid(const band_item& item) const {
         return {item.part->grid, levels_.data() + item.levels_at};
     }

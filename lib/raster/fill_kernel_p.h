@@ -19,7 +19,8 @@ namespace l3d_detail {
 ///
 /// Shape:   words and depths point at column 0 of row `top`. Pitches in elements, >= width.
 /// Expects: width >= fill_least_width; depths not negative, also where nobody has set them yet.
-///          Nothing outside [0, width) x [top, bottom) is touched.
+///          Nothing outside [0, width) x [top, bottom) is touched; inside, what lies beside
+///          polygons may be read and written back, so nobody else writes there meanwhile.
 struct fill_band {
     std::uint32_t* words;
     std::ptrdiff_t word_pitch;
@@ -100,10 +101,10 @@ struct fill_queue {
     /// two are equally near does not depend on how many waited together.
     std::vector<fill_piece> pieces;
 
-    /// Grey levels of a run of polygons' corners, made a run at a time. A whole vector may be read
-    /// from every corner on.
+    /// Grey levels of a run of polygons' corners, made and read a vector at a time.
     static constexpr std::size_t run = 256;
-    alignas(64) float greys[3][run + 2 * widest_vector] = {};
+    static_assert(run % widest_vector == 0);
+    alignas(64) float greys[3][run] = {};
 };
 
 /// Where polygons go, and what is written down of it: counts and rest are added to.

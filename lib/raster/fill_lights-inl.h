@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
@@ -108,7 +109,7 @@ public:
     }
 };
 
-/// The grey levels of `count` vertices from `at` on.
+/// The grey levels of `count` vertices from `at` on. Expects: room for whole vectors.
 HWY_INLINE void make_levels(const l3d_shading& shading, const vertex_arrays& v, std::size_t at,
                             std::size_t count, float* levels) {
     for_vectors(count, v.size - at, [&](auto inside, std::size_t i) HWY_ATTR {

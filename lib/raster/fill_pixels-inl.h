@@ -117,8 +117,7 @@ public:
         });
     }
 
-    /// The same at the edge: the last run ends where the row does, so that it fits the picture if
-    /// the row does, or else where the picture does.
+    /// The same at the edge: what would not fit the picture ends where the row does.
     HWY_INLINE void fill_at_edge(count_vec& written) const {
         for_rows([&](const fill_row& row, const run_place& at) HWY_ATTR {
             if (row.pixels[i_] == 0)
@@ -144,7 +143,7 @@ private:
         vec inv_w, lit, bend, bend_x, facing;
     };
 
-    /// Where a pixel is in the band.
+    /// Where something is in the band, or how far from something else.
     struct run_place {
         std::ptrdiff_t word, depth;
 

@@ -56,7 +56,8 @@ template <class T> struct alignas(lanes * sizeof(T)) lane_array {
 /// the pixel at `begin`; `_x` is what a column adds.
 struct fill_row {
     lane_array<std::int32_t> from, pixels; ///< which are covered
-    lane_array<std::int32_t> begin;        ///< of the first run: `from`, unless that is at the edge
+    lane_array<std::int32_t> begin; ///< of the first run: `from`, unless that is at the edge or
+                                    ///< no pixel is covered; a run fits there
     lane_array<float> inv_w, lit;
 };
 
@@ -67,8 +68,8 @@ struct fill_row_twisted {
 
 /// What the pixel loops need; of the arrays for greys, what the shape does.
 ///
-/// A run begins at its row's first covered pixel, or further left where it would not fit the
-/// picture.
+/// A row's first run begins at its first covered pixel, the others follow. At the edge of the
+/// picture, what would not fit it begins further left.
 struct fill_table {
     lane_array<std::int32_t> word_at, depth_at; ///< of column 0 of the first row
     lane_array<std::int32_t> height;            ///< rows; 0 if there is none to fill

@@ -25,7 +25,7 @@ constexpr hn::RebindToFloat<decltype(words)> floats;
 using word_lanes = hn::Vec<decltype(words)>;
 using integer_lanes = hn::Vec<decltype(integers)>;
 
-/// Less than a vector: two halves, which may overlap, or less.
+/// Two halves of a vector, which may overlap, or less. Expects: 1 <= count < Lanes, or both 1.
 template <std::size_t Lanes>
 HWY_INLINE void fill_short_span(std::uint32_t* at, std::size_t count, std::uint32_t color) {
     if constexpr (Lanes == 1) {
@@ -92,13 +92,15 @@ void shade_spans_in_lanes(const l3d_pixels& target, std::span<const shaded_span>
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(words));
     for (const shaded_span& s : spans) {
         std::uint32_t* row = target.words + s.row * target.stride;
-        std::int32_t x = s.first;
-        for (; x + lanes <= s.last; x += lanes)
+        const std::int32_t last_begin = s.last - lanes;
+        for (std::int32_t x = s.first; x < last_begin; x += lanes)
             hn::StoreU(colors_at(s, x), words, row + x);
-        if (x < s.last)
-            hn::BlendedStore(colors_at(s, x),
-                             hn::FirstN(words, static_cast<std::size_t>(s.last - x)), words,
-                             row + x);
+        if (s.first <= last_begin)
+            hn::StoreU(colors_at(s, last_begin), words, row + last_begin);
+        else
+            hn::BlendedStore(colors_at(s, s.first),
+                             hn::FirstN(words, static_cast<std::size_t>(s.last - s.first)), words,
+                             row + s.first);
     }
 }
 

@@ -20,7 +20,7 @@ namespace l3d_detail {
 void fill_rows(const l3d_pixels& target, std::int32_t top, std::span<const scan_ends> rows,
                std::uint32_t color);
 
-/// Fills spans. Expects: they are in the picture.
+/// Fills spans. Expects: they are in the picture, and not empty.
 void fill_spans(const l3d_pixels& target, std::span<const pixel_span> spans, std::uint32_t color);
 
 /// Fills spans, each pixel in its colour, to nearest. Expects: they are in the picture.

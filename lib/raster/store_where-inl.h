@@ -16,8 +16,8 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Whether some lanes cost no more to store than all. Before AVX-512, a processor has no masked
-/// store or, as AMD's, one of 18 and more micro-operations.
+/// Whether some lanes cost no more to store than all, on every processor that has these
+/// instructions. SSE has no masked store, and AVX2's is 18 and more micro-operations on AMD's.
 #if HWY_TARGET <= HWY_AVX3
 constexpr bool masked_stores_are_cheap = true;
 #else

@@ -77,7 +77,7 @@ void l3d_surface_rasterizer_sw::do_begin_part(l3d_pixels target, l3d_depth_buffe
     assert(!part.empty() && part.intersected(l3d_whole(target.size())) == part);
     l3d_image& picture = work_->picture;
     if (picture.pixels().size() != target.size())
-        picture = l3d_image(target.size(), target.width);
+        picture = l3d_image(target.size(), l3d_padded_stride(target.width));
     untouched_ = false;
     target_ = picture.pixels();
     window_ = in_whole_tiles(part, target.size());

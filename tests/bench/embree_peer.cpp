@@ -101,7 +101,7 @@ std::unique_ptr<embree_peer> embree_peer::open(std::string& why) {
 void embree_peer::prepare(const peer_mesh& mesh, const l3d_camera& camera, l3d_size size) {
     scene& s = *scene_;
     s.directions = directions_of(camera, size);
-    picture_ = l3d_image(size, size.width);
+    picture_ = l3d_image(size, l3d_padded_stride(size.width));
 
     rtcReleaseScene(s.handle);
     s.handle = rtcNewScene(s.device);

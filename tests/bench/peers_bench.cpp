@@ -116,8 +116,10 @@ void write_csv(std::FILE* file, std::span<const bench_cell> cells,
                      t.gouraud.least);
         std::fprintf(file, "%s,%zu,%g,%d,%g,%g,", mesa.kind.c_str(), mesa.triangles(), mesa.error,
                      t.mesa_way.mesa_threads, t.mesa.median, t.mesa.least);
-        std::fprintf(file, "%s,%zu,%g,%g\n", embree.kind.c_str(), embree.triangles(),
+        std::fprintf(file, "%s,%zu,%g,%g,", embree.kind.c_str(), embree.triangles(),
                      t.embree.median, t.embree.least);
+        std::fprintf(file, "%g,%g,%g,%g\n", t.lambert.first, t.gouraud.first, t.mesa.first,
+                     t.embree.first);
     }
 }
 
@@ -125,12 +127,13 @@ std::FILE* open_csv(const std::string& path) {
     std::FILE* const file = std::fopen(path.c_str(), "w");
     if (!file)
         throw std::runtime_error("cannot write " + path);
-    std::fputs("threads,view,width,height,error_px,l3d_tolerance,l3d_bound,l3d_error,l3d_ms,"
-               "l3d_least_ms,l3d_gouraud_ms,l3d_gouraud_least_ms,llvmpipe_mesh,llvmpipe_triangles,"
-               "llvmpipe_error,llvmpipe_workers,"
-               "llvmpipe_ms,llvmpipe_least_ms,embree_mesh,embree_triangles,embree_ms,"
-               "embree_least_ms\n",
-               file);
+    std::fputs(
+        "threads,view,width,height,error_px,l3d_tolerance,l3d_bound,l3d_error,l3d_ms,"
+        "l3d_least_ms,l3d_gouraud_ms,l3d_gouraud_least_ms,llvmpipe_mesh,llvmpipe_triangles,"
+        "llvmpipe_error,llvmpipe_workers,"
+        "llvmpipe_ms,llvmpipe_least_ms,embree_mesh,embree_triangles,embree_ms,"
+        "embree_least_ms,l3d_first_ms,l3d_gouraud_first_ms,llvmpipe_first_ms,embree_first_ms\n",
+        file);
     return file;
 }
 

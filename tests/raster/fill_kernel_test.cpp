@@ -30,7 +30,7 @@ l3d_shading tilted(l3d_shade mode) {
 /// Picture and depth with guards around every row, filled band by band.
 struct filled {
     static constexpr std::uint32_t guard = 0xdeadbeef;
-    static constexpr float depth_guard = 12345;
+    static constexpr float depth_guard = -1; ///< anything is nearer, even what covers nothing
     static constexpr int word_gap = 3, depth_gap = 5;
 
     filled(int width, int height, l3d_shade mode) : size{width, height}, shading(tilted(mode)) {

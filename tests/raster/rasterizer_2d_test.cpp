@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Points, lines and polygons: the book's reference values, exact rules, and awkward coordinates.
 #include "raster/rasterizer_factory_sw.h"
+#include "raster/simd_target.h"
+#include "raster/span_kernels_p.h"
 
 #include "raster/canvas_2d.h"
 #include "raster/slow_2d.h"
@@ -13,6 +15,7 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -324,6 +327,40 @@ TEST(Imp, DrawsIntoTheTargetOfTheLastResize) {
     EXPECT_EQ(second.back(), color);
     EXPECT_EQ(second[90], color); // (0, 10)
     EXPECT_EQ(std::ranges::count(first, 0u), 30);
+}
+
+/// The picture's memory ends where it does, which a sanitizer sees.
+TEST(small_triangles, are_the_same_where_the_picture_ends) {
+    constexpr int width = 37, height = 23, room = 64;
+    std::mt19937 random(20260702);
+    std::uniform_real_distribution<double> x(0, width), y(0, height);
+    std::uniform_int_distribution<int> corner(0, 3);
+    const auto at_end = [&](double value, double end) { return corner(random) ? value : end; };
+    std::vector<std::array<l3d_point_2d, 3>> triangles(500);
+    for (auto& triangle : triangles)
+        for (l3d_point_2d& p : triangle)
+            p = {at_end(x(random), width), at_end(y(random), height)};
+    for (const std::string& target : l3d_simd_targets()) {
+        l3d_set_simd_target(target);
+        std::vector<std::uint32_t> exact(width * height), roomy((width + room) * height);
+        std::uint32_t tint = 0;
+        for (const auto& triangle : triangles) {
+            const std::array<double, 2> ends{width, height};
+            ++tint;
+            const bool is_small = l3d_detail::fill_small_triangle(
+                {exact.data(), width, height, width}, triangle, ends, tint);
+            ASSERT_EQ(l3d_detail::fill_small_triangle(
+                          {roomy.data(), width + room, height, width + room}, triangle, ends, tint),
+                      is_small);
+        }
+        EXPECT_GT(std::ranges::count_if(exact, [](auto word) { return word != 0; }), 500);
+        for (int row = 0; row < height; ++row) {
+            const auto* const words = roomy.data() + row * (width + room);
+            ASSERT_TRUE(std::equal(words, words + width, exact.data() + row * width)) << target;
+            ASSERT_EQ(std::count(words + width, words + width + room, 0u), room) << target;
+        }
+    }
+    l3d_set_simd_target("");
 }
 
 } // namespace
