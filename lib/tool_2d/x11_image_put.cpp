@@ -42,8 +42,8 @@ private:
                 time_point deadline) override {
         assert(ximage_->width == picture.width * writer_.scale() &&
                ximage_->height == picture.height * writer_.scale());
-        const bool is_copied = !is_local_ || !writer_.is_identity() ||
-                               picture.stride * 4 != ximage_->bytes_per_line;
+        const bool is_copied =
+            !is_local_ || !writer_.is_identity() || picture.stride * 4 != ximage_->bytes_per_line;
         const l3d_pixel_box written = pixel_writer::writable_part(part, picture.size());
         const l3d_size native{ximage_->width, ximage_->height};
         box_ = writer_.native_part(written, native);
