@@ -2,6 +2,7 @@
 // What --diagnose tells of an X11 display.
 #include "tool_2d/x11_diagnosis_p.h"
 
+#include "tool_2d/x11_extension_p.h"
 #include "tool_2d/x11_shm_segment_p.h"
 #include "tool_2d/x11_visual_p.h"
 
@@ -47,7 +48,7 @@ l3d_probe probe_manager(const x11_connection& connection) {
 l3d_probe probe_extension(const x11_connection& connection) {
     int major = 0, minor = 0, pixmaps = 0;
     // Asked for the version of what is not there, Xlib would print a line of its own.
-    if (XShmQueryExtension(connection.display()) != 0 &&
+    if (ask_for_extension([&] { return XShmQueryExtension(connection.display()); }) != 0 &&
         XShmQueryVersion(connection.display(), &major, &minor, &pixmaps) != 0)
         return {"MIT-SHM",
                 "version " + std::to_string(major) + "." + std::to_string(minor),

@@ -2,10 +2,10 @@
 // x11_shm_segment: System V memory, and the proof that two programs see the same.
 #include "tool_2d/x11_shm_segment_p.h"
 
+#include "tool_2d/x11_extension_p.h"
 #include "tool_2d/x11_ximage_p.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
@@ -42,18 +42,6 @@ std::string kernel_reason(const char* call) {
     return std::string(call) + ": " + std::generic_category().message(errno);
 }
 
-[[gnu::noinline]] void clear_stack_below() {
-    std::array<volatile char, 4096> below;
-    std::ranges::fill(below, '\0');
-}
-
-/// If the server dies while it is asked, libX11 takes for its answer what lies on the stack, and
-/// prints a line for each event that the extension then seems to have. Zeros say there is none.
-bool has_shm(const x11_connection& connection) {
-    clear_stack_below();
-    return XShmQueryExtension(connection.display()) != 0;
-}
-
 /// Whether there is no need to try.
 bool is_hopeless(const x11_connection& connection, std::string& why) {
     const char* const refusal = std::getenv("L3D_NO_SHM");
@@ -61,7 +49,7 @@ bool is_hopeless(const x11_connection& connection, std::string& why) {
         why = "L3D_NO_SHM is set";
     else if (!connection.is_local())
         why = "the X server is reached over a network";
-    else if (!has_shm(connection))
+    else if (ask_for_extension([&] { return XShmQueryExtension(connection.display()); }) == 0)
         why = connection.lost() ? x11_server_went_away : "the X server does not have MIT-SHM";
     else
         return false;
