@@ -19,6 +19,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
+namespace hn = hwy::HWY_NAMESPACE;
+
 constexpr hn::CappedTag<std::uint32_t, 16> words;
 constexpr hn::RebindToSigned<decltype(words)> integers;
 constexpr hn::RebindToFloat<decltype(words)> floats;

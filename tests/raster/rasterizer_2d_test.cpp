@@ -334,8 +334,8 @@ TEST(small_triangles, are_the_same_where_the_picture_ends) {
     constexpr int width = 37, height = 23, room = 64;
     std::mt19937 random(20260702);
     std::uniform_real_distribution<double> x(0, width), y(0, height);
-    std::uniform_int_distribution<int> corner(0, 3);
-    const auto at_end = [&](double value, double end) { return corner(random) ? value : end; };
+    std::bernoulli_distribution ends_there(0.25);
+    const auto at_end = [&](double value, double end) { return ends_there(random) ? end : value; };
     std::vector<std::array<l3d_point_2d, 3>> triangles(500);
     for (auto& triangle : triangles)
         for (l3d_point_2d& p : triangle)
