@@ -110,18 +110,19 @@ private:
         const int_mask skewed = hn::And(is_quad, hn::Gt(skew, hn::ShiftRight<1>(hn::Abs(area2_))));
         places_.triangle = hn::Not(is_quad);
         skew_ = skew;
-        const int_mask unfit = light_.with_unfit(hn::Or(large_, slivers_at_the_edge(to, at)));
+        const int_mask unfit = light_.with_unfit(hn::Or(large_, slivers_at_the_edge()));
         const int_mask others = hn::Or(unfit, hn::Or(folded, skewed));
         candidates = hn::AndNot(hn::AndNot(large_, level), candidates);
         const int_mask left_over = hn::And(others, candidates);
         if (!hn::AllFalse(ints(), left_over))
-            put_by(to, at, left_over, light_.fit_in_pieces(hn::Not(unfit)));
+            put_by(to, at, left_over, light_.fit_in_pieces(hn::AndNot(at_edge_, hn::Not(unfit))));
         return hn::AndNot(others, candidates);
     }
 
     /// Polygons so thin that left of them, where a run begins that would not fit the picture,
-    /// numbers are some hundred times the corners'. Pieces of quads are left as they are.
-    HWY_INLINE int_mask slivers_at_the_edge(const fill_target& to, std::size_t at) const {
+    /// numbers are some hundred times the corners'. Pieces of quads are never there: they would be
+    /// thin, so quads at the edge are not cut.
+    HWY_INLINE int_mask slivers_at_the_edge() const {
         if (hn::AllFalse(ints(), at_edge_))
             return at_edge_;
         const float_vec square1 =
@@ -130,8 +131,7 @@ private:
             hn::Add(square_of(to_float(along2_x_)), square_of(to_float(along2_y_)));
         const float_vec limit = hn::Mul(to_float(area2_), set(sliver_ratio));
         const auto thin = hn::Gt(hn::Mul(square1, square2), square_of(limit));
-        const int_mask piece = hn::Eq(load(to.queue.name + at), set(fill_queue::piece));
-        return hn::AndNot(piece, hn::And(at_edge_, hn::RebindMask(ints(), thin)));
+        return hn::And(at_edge_, hn::RebindMask(ints(), thin));
     }
 
     HWY_INLINE int_vec turn(int before, int i, int next) const {

@@ -4,8 +4,8 @@
 #define L3D_TESTS_BENCH_PATCH_MESH_H
 
 #include "bench/seen_patch.h"
+#include "bench/surface_error.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -17,18 +17,13 @@ struct patch_mesh {
     std::vector<mesh_corner> corners;
     std::vector<triangle> triangles;
 
-    /// Calls sample(drawn image point, u, v) for twelve points of a triangle: the lattice of its
-    /// fourths, without the corners.
+    /// Calls sample(drawn image point, u, v) for the lattice of a triangle.
     template <class Sample> void each_sample(const triangle& t, Sample sample) const {
-        constexpr int steps = 4;
         const mesh_corner &a = corners[t[0]], &b = corners[t[1]], &c = corners[t[2]];
-        for (int i = 0; i <= steps; ++i)
-            for (int j = 0; i + j <= steps; ++j) {
-                const double p = i / double{steps}, q = j / double{steps}, r = 1 - p - q;
-                if (std::max({p, q, r}) < 1)
-                    sample(a.image * p + b.image * q + c.image * r, a.u * p + b.u * q + c.u * r,
-                           a.v * p + b.v * q + c.v * r);
-            }
+        for_triangle_lattice([&](double p, double q, double r) {
+            sample(a.image * p + b.image * q + c.image * r, a.u * p + b.u * q + c.u * r,
+                   a.v * p + b.v * q + c.v * r);
+        });
     }
 
     /// The largest error of a triangle's samples, and of all triangles'.

@@ -9,36 +9,14 @@ surface_error::surface_error(const l3d_camera& camera, l3d_size size)
     : matrix_(camera.image_matrix(size)), window_{-size.width / 2.0, -size.height / 2.0,
                                                   size.width / 2.0, size.height / 2.0} {}
 
-l3d_image_point surface_error::exact(const l3d_patch_model::patch& patch, double u,
-                                     double v) const {
-    const auto p = patch.evaluate(u, v);
-    const l3d_vector<double, 4> h = matrix_ * l3d_vector<double, 4>(p[0], p[1], p[2], 1.0);
-    return {h[0], h[1], h[3]};
-}
-
 void surface_error::add_point(const l3d_patch_model::patch& patch, const l3d_image_point& drawn,
                               double u, double v) {
     const double x = drawn[0] / drawn[2], y = drawn[1] / drawn[2];
     if (x < window_.left || x > window_.right || y < window_.top || y > window_.bottom)
         return;
-    const l3d_image_point h = exact(patch, u, v);
-    const double distance = std::hypot(x - h[0] / h[2], y - h[1] / h[2]);
-    largest_ = std::max(largest_, distance);
-    sum_ += distance;
-    ++count_;
-}
-
-void surface_error::add_triangle(const l3d_patch_model::patch& patch, const double (&u)[3],
-                                 const double (&v)[3]) {
-    l3d_image_point p[3];
-    for (int i = 0; i < 3; ++i)
-        p[i] = exact(patch, u[i], v[i]);
-    for (int i = 0; i < 3; ++i) {
-        const int k = (i + 1) % 3;
-        add_point(patch, (p[i] + p[k]) * 0.5, (u[i] + u[k]) / 2, (v[i] + v[k]) / 2);
-    }
-    add_point(patch, (p[0] + p[1] + p[2]) * (1.0 / 3), (u[0] + u[1] + u[2]) / 3,
-              (v[0] + v[1] + v[2]) / 3);
+    const auto p = patch.evaluate(u, v);
+    const l3d_vector<double, 4> h = matrix_ * l3d_vector<double, 4>(p[0], p[1], p[2], 1.0);
+    largest_ = std::max(largest_, std::hypot(x - h[0] / h[3], y - h[1] / h[3]));
 }
 
 namespace {
@@ -59,26 +37,30 @@ void add_grid(surface_error& error, const l3d_patch_model::patch& patch,
             const l3d_image_point p01 = at(r + 1, c), p11 = at(r + 1, c + 1);
             const double* u = &piece.u[static_cast<std::size_t>(c)];
             const double* v = &piece.v[static_cast<std::size_t>(r)];
-            for (const double s : {0.0, 0.5, 1.0})
-                for (const double t : {0.0, 0.5, 1.0})
+            for (int i = 0; i <= error_lattice; ++i)
+                for (int j = 0; j <= error_lattice; ++j) {
+                    const double s = i / double{error_lattice}, t = j / double{error_lattice};
                     error.add_point(
                         patch, (p00 * (1 - s) + p10 * s) * (1 - t) + (p01 * (1 - s) + p11 * s) * t,
                         u[0] + s * (u[1] - u[0]), v[0] + t * (v[1] - v[0]));
+                }
         }
 }
 
 void add_triangles(surface_error& error, const l3d_patch_model::patch& patch,
                    const l3d_diced_piece& piece, const l3d_dice_view& view) {
-    for (std::size_t i = 0; i < piece.part.triangles.count; ++i)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t next = (k + 1) % 3;
-            const auto &a = piece.triangle_uv[k][i], &b = piece.triangle_uv[next][i];
-            error.add_point(patch,
-                            (placed(piece.part.triangles.vertex(i, k), view) +
-                             placed(piece.part.triangles.vertex(i, next), view)) *
-                                0.5,
-                            (a.u + b.u) / 2, (a.v + b.v) / 2);
-        }
+    const auto& triangles = piece.part.triangles;
+    for (std::size_t i = 0; i < triangles.count; ++i) {
+        const l3d_image_point a = placed(triangles.vertex(i, 0), view);
+        const l3d_image_point b = placed(triangles.vertex(i, 1), view);
+        const l3d_image_point c = placed(triangles.vertex(i, 2), view);
+        const auto &at_a = piece.triangle_uv[0][i], &at_b = piece.triangle_uv[1][i];
+        const auto& at_c = piece.triangle_uv[2][i];
+        for_triangle_lattice([&](double p, double q, double r) {
+            error.add_point(patch, a * p + b * q + c * r, at_a.u * p + at_b.u * q + at_c.u * r,
+                            at_a.v * p + at_b.v * q + at_c.v * r);
+        });
+    }
 }
 
 } // namespace

@@ -240,6 +240,35 @@ TEST_P(FillKernelMode, DrawsRandomPolygonsLikeTheTwin) {
     EXPECT_GT(samples, 75000);
 }
 
+/// A run that does not fit the picture begins left of the polygon, there a thin one's numbers are
+/// far from the corners': that must not be seen, of its pieces neither.
+TEST_P(FillKernelMode, DrawsThinFoldedQuadsAtTheEdgeLikeTheTwin) {
+    const l3d_size size{61, 31};
+    unit_polygons polygons(size);
+    std::int64_t taken = 0, left_over = 0;
+    for (int n = 0; n < 4000; ++n) {
+        random_polygons& random = polygons.random();
+        reference::corners v(4);
+        const int centre = 256 * random.number(30, size.width - 1) + 128,
+                  y = random.number(0, 6000);
+        for (l3d_micro_vertex& corner : v) {
+            corner = {centre + random.number(-3, 3),
+                      y + random.number(0, 1500),
+                      random.real(0.5f, 1),
+                      {0.3f, random.real(-0.2f, 0.2f), 0.9f}};
+            normalize(corner);
+        }
+        filled picture(size.width, size.height, GetParam());
+        picture.draw(part_of(v).grid);
+        compare(picture, v);
+        if (HasFatalFailure())
+            FAIL() << "polygon " << n;
+        (picture.rest.quads.empty() ? taken : left_over) += 1;
+    }
+    EXPECT_GT(taken, 1000);
+    EXPECT_GT(left_over, 500);
+}
+
 /// Grids from smooth to folded, of any shape, some corners on pixel centres; and loose triangles.
 struct random_scene {
     explicit random_scene(unsigned number) : random(seed + number, {97, 71}) {
