@@ -32,7 +32,7 @@ struct band_item {
 
 /// Items, sorted front to back, and which bands they touch.
 ///
-/// The order is by the nearest vertex, to a part in 2^16, then by the place in the list of parts.
+/// The order is by the nearest vertex, to a part in 2^8, then by the place in the list of parts.
 /// It does not depend on the bands nor on the number of workers.
 /// Lives: borrows the parts. Keeps its memory from frame to frame.
 class band_list {

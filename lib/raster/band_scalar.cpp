@@ -12,13 +12,6 @@ namespace l3d_detail {
 
 namespace {
 
-l3d_micro_vertex vertex_at(const l3d_micro_grid& grid, std::size_t i) {
-    return {grid.x[i],
-            grid.y[i],
-            grid.inv_w[i],
-            {grid.normal[0][i], grid.normal[1][i], grid.normal[2][i]}};
-}
-
 /// Whether no pixel centre of [begin, end) lies between the least and the greatest of four numbers.
 bool misses(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d, std::int32_t begin,
             std::int32_t end) {
@@ -36,8 +29,7 @@ void fill_cell(surface_fill<Shader>& fill, const fill_band& band, const l3d_micr
     if (misses(grid.x[p00], grid.x[p10], grid.x[p11], grid.x[p01], 0, band.width) ||
         misses(grid.y[p00], grid.y[p10], grid.y[p11], grid.y[p01], band.top, band.bottom))
         return;
-    fill.quad(
-        {vertex_at(grid, p00), vertex_at(grid, p10), vertex_at(grid, p11), vertex_at(grid, p01)});
+    fill.quad({grid.vertex(p00), grid.vertex(p10), grid.vertex(p11), grid.vertex(p01)});
 }
 
 template <class Shader>

@@ -133,8 +133,8 @@ void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, floa
 /// within 1e-5 of the corners' range, grey within one level. The same bits whatever the processor
 /// and however a picture is divided into bands.
 /// Expects: fill_shades(mode); 0 <= row_begin, row_end < grid.rows, and so for columns; normals of
-/// unit length, or
-///          zero; inv_w > 0. Band and shading are the same until fill_finish, and grids stay.
+///          unit length, or zero; inv_w > 0. Band and shading are the same until fill_finish, and
+///          grids stay.
 void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int row_end,
                 int column_begin, int column_end);
 

@@ -9,7 +9,7 @@
 
 namespace l3d_detail {
 
-/// Queues the pieces of a folded or skew quad, cut as surface_fill does; or puts a polygon to the
+/// Queues the pieces of a folded or skew quad, cut as by surface_fill; or puts a polygon to the
 /// rest. Expects: polygon i of the queue is folded or skew if `in_pieces` and it is a quad.
 void fill_put_by(const fill_target& to, std::size_t i, bool in_pieces);
 

@@ -56,8 +56,8 @@ struct l3d_micro_grid {
                static_cast<std::size_t>(column);
     }
 
-    l3d_micro_vertex vertex(int row, int column) const {
-        const std::size_t i = index(row, column);
+    l3d_micro_vertex vertex(int row, int column) const { return vertex(index(row, column)); }
+    l3d_micro_vertex vertex(std::size_t i) const {
         return {x[i], y[i], inv_w[i], {normal[0][i], normal[1][i], normal[2][i]}};
     }
 };

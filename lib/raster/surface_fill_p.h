@@ -4,21 +4,16 @@
 #define L3D_RASTER_SURFACE_FILL_P_H
 
 #include "raster/attribute_plane_p.h"
-#include "raster/projective_centre_p.h"
+#include "raster/quad_cut_p.h"
 #include "raster/surface_target_p.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 
 namespace l3d_detail {
-
-inline scan_point position(const l3d_micro_vertex& vertex) {
-    return {vertex.x, vertex.y};
-}
 
 /// Fills polygons with one shader, known at compile time.
 ///
@@ -27,30 +22,13 @@ template <class Shader> class surface_fill {
 public:
     surface_fill(surface_target& target, const Shader& shader) : target_(target), shader_(shader) {}
 
-    /// Shape: corners p00 p10 p11 p01 of a grid cell.
-    void quad(const std::array<l3d_micro_vertex, 4>& v) {
-        const auto [a, b, c, d] = v;
-        const scan_point ab = position(b) - position(a), bc = position(c) - position(b);
-        const scan_point cd = position(d) - position(c), da = position(a) - position(d);
-        const std::int64_t at_a = cross(da, ab), at_b = cross(ab, bc);
-        const std::int64_t at_c = cross(bc, cd), at_d = cross(cd, da);
-        const std::int64_t area2 = at_a + at_c;
-        const bool turns_right = at_a >= 0 && at_b >= 0 && at_c >= 0 && at_d >= 0;
-        const bool turns_left = at_a <= 0 && at_b <= 0 && at_c <= 0 && at_d <= 0;
-        if (turns_right && turns_left)
-            return; // all on one line: covers nothing
-        if (!(turns_right || turns_left) || area2 == 0)
-            return folded(v);
-        // A plane of the corners' numbers is taken where the diagonals' middles are. The farther
-        // these are apart, the farther it runs past the corners' numbers: by their range times
-        // skew / area2 / 4, here at most an eighth.
-        const std::int64_t skew = std::abs(at_a - at_c) + std::abs(at_b - at_d);
-        if (2 * skew <= std::abs(area2))
-            return convex(v, area2);
-        if (std::min(std::abs(at_a), std::abs(at_c)) > std::min(std::abs(at_b), std::abs(at_d)))
-            halves(v[1], v[2], v[3], v[0]);
-        else
-            halves(v[0], v[1], v[2], v[3]);
+    void quad(const quad_corners& v) {
+        const quad_turns turns(v);
+        if (turns.level())
+            return;
+        if (!turns.folded() && !turns.skew())
+            return convex(v, turns.area2());
+        cut_quad(v, turns, [this](const auto& piece) { triangle(piece); });
     }
 
     void triangle(const std::array<l3d_micro_vertex, 3>& v) {
@@ -64,19 +42,6 @@ private:
     static constexpr std::size_t count = 1 + Shader::components;
     using planes = attribute_planes<count>;
     using numbers = typename planes::numbers;
-
-    /// Fills a quad as two triangles with the diagonal a c.
-    void halves(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c,
-                const l3d_micro_vertex& d) {
-        triangle({a, b, c});
-        triangle({a, c, d});
-    }
-
-    void folded(const std::array<l3d_micro_vertex, 4>& v) {
-        const l3d_micro_vertex centre = projective_centre(v);
-        for (std::size_t i = 0; i < v.size(); ++i)
-            triangle({v[i], v[(i + 1) % v.size()], centre});
-    }
 
     template <std::size_t Corners>
     void convex(const std::array<l3d_micro_vertex, Corners>& v, std::int64_t area2) {

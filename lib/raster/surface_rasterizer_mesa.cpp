@@ -3,7 +3,7 @@
 #include "raster/surface_rasterizer_mesa.h"
 
 #include "raster/band_cells_p.h"
-#include "raster/projective_centre_p.h"
+#include "raster/quad_cut_p.h"
 
 #include <algorithm>
 #include <array>
@@ -70,19 +70,6 @@ static_assert(static_cast<int>(l3d_shade::gouraud) == 1 &&
 
 /// Vertices that are gathered before GL gets them: 24 bytes each, 1.2 MB.
 constexpr std::size_t full_batch = std::size_t{3} << 14;
-
-/// Whether a quad turns left at one corner and right at another.
-bool is_folded(const std::array<l3d_micro_vertex, 4>& v) {
-    bool left = false, right = false;
-    for (std::size_t i = 0; i < v.size(); ++i) {
-        const l3d_micro_vertex &a = v[i], &b = v[(i + 1) % 4], &c = v[(i + 2) % 4];
-        const std::int64_t turn =
-            std::int64_t{b.x - a.x} * (c.y - b.y) - std::int64_t{b.y - a.y} * (c.x - b.x);
-        left |= turn < 0;
-        right |= turn > 0;
-    }
-    return left && right;
-}
 
 l3d_micro_vertex mean_normal(std::span<const l3d_micro_vertex> polygon, l3d_micro_vertex corner) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -151,11 +138,10 @@ void l3d_surface_rasterizer_mesa::add_part(const l3d_surface_part& part) {
 }
 
 void l3d_surface_rasterizer_mesa::add_quad(const std::array<l3d_micro_vertex, 4>& corners) {
-    if (!is_folded(corners))
-        return add(corners);
-    const l3d_micro_vertex centre = projective_centre(corners);
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        add(std::array{corners[i], corners[(i + 1) % corners.size()], centre});
+    if (quad_turns(corners).folded())
+        cut_folded(corners, [this](const auto& piece) { add(piece); });
+    else
+        add(corners);
 }
 
 void l3d_surface_rasterizer_mesa::add(std::span<const l3d_micro_vertex> convex) {

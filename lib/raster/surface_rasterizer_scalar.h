@@ -12,7 +12,8 @@
 ///
 /// Units:   normals of 1e-18 to 1e18 in length; a zero normal gets the ambient grey, and the middle
 ///          grey in mode `normals`.
-/// Cost:    allocates in begin only, when the picture is larger than any before.
+/// Cost:    allocates in begin, when the picture is larger than any before, and in begin_part, when
+///          its size is another.
 class l3d_surface_rasterizer_scalar final : public l3d_surface_rasterizer {
 private:
     void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,

@@ -15,14 +15,14 @@ namespace {
 
 using namespace l3d_detail;
 
-/// So that colour and depth of a band take half a megabyte, a quarter of the second level cache of
-/// a core of 2020 and all of one of 2012, and there are 16 bands that workers can share.
+/// So that workers have a dozen bands to share, and colour and depth of none take more than half a
+/// megabyte: what a core of 2020 has as second level cache, or half of it.
 /// Not more of them for more workers: what is counted would depend on it.
 int rows_of_band(l3d_size size) {
-    constexpr int bytes = 512 << 10, bytes_of_pixel = 4 + 4, least_bands = 12;
+    constexpr int most_bytes = 512 << 10, bytes_of_pixel = 4 + 4, bands_wanted = 12;
     constexpr int tile = depth_tile::height;
-    const int fitting = bytes / bytes_of_pixel / std::max(size.width, 1) / tile * tile;
-    const int sharing = (size.height + least_bands * tile - 1) / (least_bands * tile) * tile;
+    const int fitting = most_bytes / bytes_of_pixel / std::max(size.width, 1) / tile * tile;
+    const int sharing = (size.height + bands_wanted * tile - 1) / (bands_wanted * tile) * tile;
     return std::max(std::min(fitting, sharing), tile);
 }
 
