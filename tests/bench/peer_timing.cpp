@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace {
@@ -19,8 +20,10 @@ constexpr int warm_up = 2, trial_frames = 5, clearing_frames = 31;
 /// another's data and workers asleep, which an animation's next frame does not.
 constexpr int frames_of_turn = 5, turns = 7;
 
-/// A picture within a pixel of the truth differs along outlines alone. Share of covered pixels.
-constexpr double most_different = 0.01;
+/// A picture within a pixel of the truth differs along outlines alone: share of covered pixels. Its
+/// greys, interpolated between other vertices, are that many levels apart elsewhere.
+constexpr double most_different = 0.02;
+constexpr int most_levels_apart = 32;
 
 double median(std::vector<double> ms) {
     std::ranges::sort(ms);
@@ -138,24 +141,29 @@ std::vector<peer_choice> best_of_embree(std::span<const bench_cell> cells, int t
     return best;
 }
 
-/// Pixels that are covered in one of two pictures; nothing that is covered is black.
+/// Pixels that are covered in one of two pictures only, or `levels` apart; nothing that is covered
+/// is black.
 template <class Ours, class Theirs>
-long differences(l3d_size size, const Ours& ours, const Theirs& theirs) {
+long differences(l3d_size size, const Ours& ours, const Theirs& theirs, int levels) {
     long count = 0;
     for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x)
-            count += (ours(x, y) != 0) != (theirs(x, y) != 0);
+        for (int x = 0; x < size.width; ++x) {
+            const int a = ours(x, y), b = theirs(x, y);
+            count += (a != 0) != (b != 0) || std::abs(a - b) > levels;
+        }
     return count;
 }
 
-auto words_of(const l3d_pixels& pixels) {
-    return [pixels](int x, int y) { return pixels.row(y)[static_cast<std::size_t>(x)]; };
+auto greys_of(const l3d_pixels& pixels) {
+    return [pixels](int x, int y) {
+        return static_cast<int>(pixels.row(y)[static_cast<std::size_t>(x)] & 0xff);
+    };
 }
 
-auto bytes_of(const std::vector<std::uint8_t>& bytes, int width) {
+auto greys_of(const std::vector<std::uint8_t>& bytes, int width) {
     return [&bytes, width](int x, int y) {
-        return bytes[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                     static_cast<std::size_t>(x)];
+        return int{bytes[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                         static_cast<std::size_t>(x)]};
     };
 }
 
@@ -189,13 +197,16 @@ public:
 
         lambert.hash();
         gouraud.hash();
-        const auto our_words = words_of(lambert.pixels());
-        if (differences(cell.size, our_words, words_of(gouraud.pixels())) != 0)
+        const auto ours = greys_of(gouraud.pixels());
+        const auto black = [](int, int) { return 0; };
+        constexpr int any = 255;
+        if (differences(cell.size, ours, greys_of(lambert.pixels()), any) != 0)
             throw std::runtime_error("our shadings cover different pixels");
-        times.covered = differences(cell.size, our_words, [](int, int) { return 0; });
-        times.mesa_differs =
-            differences(cell.size, our_words, bytes_of(mesa_->picture(), cell.size.width));
-        times.embree_differs = differences(cell.size, our_words, words_of(embree_->picture()));
+        times.covered = differences(cell.size, ours, black, any);
+        times.mesa_differs = differences(
+            cell.size, ours, greys_of(mesa_->picture(), cell.size.width), most_levels_apart);
+        times.embree_differs =
+            differences(cell.size, ours, greys_of(embree_->picture()), most_levels_apart);
         for (const long different : {times.mesa_differs, times.embree_differs})
             if (static_cast<double>(different) >
                 most_different * static_cast<double>(times.covered))

@@ -30,7 +30,7 @@ struct cell_times {
     peer_choice mesa_way, embree_way;
     frame_times lambert, gouraud; ///< ours: a unit normal in every pixel, a grey at every vertex
     frame_times mesa, embree;     ///< a grey at every vertex
-    long mesa_differs = 0, embree_differs = 0; ///< pixels that only one of us covers
+    long mesa_differs = 0, embree_differs = 0; ///< pixels that do not look alike
     long covered = 0;                          ///< pixels that ours covers
     long culled = 0; ///< pixels that llvmpipe would lose if it culled the side that loses least
 };
