@@ -12,9 +12,10 @@
 
 namespace {
 
+/// A packet is a tile of pixels so wide.
 constexpr int tile = 4;
-constexpr int rays = tile * tile;
-static_assert(rays == 16, "a packet is a tile");
+
+template <class Packet> constexpr int rays_of = sizeof(Packet::ray.dir_x) / sizeof(float);
 
 /// Packets a call: a twentieth faster than one by one.
 constexpr int stream = 16;
@@ -47,7 +48,10 @@ ray_directions directions_of(const l3d_camera& camera, l3d_size size) {
 #define PEER_CLONES
 #endif
 
-PEER_CLONES void aim(const ray_directions& d, int left, int top, RTCRayHit16& packet) {
+template <class Packet>
+[[gnu::always_inline]] inline void aim_packet(const ray_directions& d, int left, int top,
+                                              Packet& packet) {
+    constexpr int rays = rays_of<Packet>;
     float* const dir[3] = {packet.ray.dir_x, packet.ray.dir_y, packet.ray.dir_z};
     for (std::size_t k = 0; k < 3; ++k)
         for (int i = 0; i < rays; ++i)
@@ -59,15 +63,36 @@ PEER_CLONES void aim(const ray_directions& d, int left, int top, RTCRayHit16& pa
     }
 }
 
-PEER_CLONES void shade(const RTCHit16& hit, const float* grey, const float* along_u,
-                       const float* along_v, std::uint32_t* words) {
-    for (int i = 0; i < rays; ++i) {
+PEER_CLONES void aim(const ray_directions& d, int left, int top, RTCRayHit8& packet) {
+    aim_packet(d, left, top, packet);
+}
+PEER_CLONES void aim(const ray_directions& d, int left, int top, RTCRayHit16& packet) {
+    aim_packet(d, left, top, packet);
+}
+
+/// Greys of a mesh's triangles: at a corner, and their changes along both parameters.
+struct triangle_greys {
+    const float *grey, *along_u, *along_v;
+};
+
+template <class Packet>
+[[gnu::always_inline]] inline void shade_packet(const Packet& packet, const triangle_greys& of,
+                                                std::uint32_t* words) {
+    const auto& hit = packet.hit;
+    for (int i = 0; i < rays_of<Packet>; ++i) {
         const bool is_hit = hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
         const std::uint32_t t = is_hit ? hit.primID[i] : 0;
-        const float level = grey[t] + hit.u[i] * along_u[t] + hit.v[i] * along_v[t];
+        const float level = of.grey[t] + hit.u[i] * of.along_u[t] + hit.v[i] * of.along_v[t];
         words[i] =
             is_hit ? static_cast<std::uint32_t>(static_cast<int>(level + 0.5f)) * 0x010101u : 0;
     }
+}
+
+PEER_CLONES void shade(const RTCRayHit8& packet, const triangle_greys& of, std::uint32_t* words) {
+    shade_packet(packet, of, words);
+}
+PEER_CLONES void shade(const RTCRayHit16& packet, const triangle_greys& of, std::uint32_t* words) {
+    shade_packet(packet, of, words);
 }
 
 } // namespace
@@ -98,7 +123,9 @@ std::unique_ptr<embree_peer> embree_peer::open(std::string& why) {
     return std::unique_ptr<embree_peer>(new embree_peer(std::make_unique<scene>(device)));
 }
 
-void embree_peer::prepare(const peer_mesh& mesh, const l3d_camera& camera, l3d_size size) {
+void embree_peer::prepare(const peer_mesh& mesh, const l3d_camera& camera, l3d_size size,
+                          int rays) {
+    rays_ = rays;
     scene& s = *scene_;
     s.directions = directions_of(camera, size);
     picture_ = l3d_image(size, l3d_padded_stride(size.width));
@@ -132,35 +159,41 @@ void embree_peer::prepare(const peer_mesh& mesh, const l3d_camera& camera, l3d_s
 }
 
 void embree_peer::draw(l3d_workers& workers) {
-    workers.for_each(picture_.pixels().height / tile,
-                     [this](int item, int) { draw_row(item * tile); });
+    const int tall = rays_ / tile;
+    workers.for_each(picture_.pixels().height / tall, [this, tall](int item, int) {
+        if (rays_ == rays_of<RTCRayHit8>)
+            draw_row<RTCRayHit8>(item * tall);
+        else
+            draw_row<RTCRayHit16>(item * tall);
+    });
 }
 
-void embree_peer::draw_row(int top) {
+template <class Packet> void embree_peer::draw_row(int top) {
+    constexpr int rays = rays_of<Packet>;
     const l3d_pixels pixels = picture_.pixels();
     const ray_directions& d = scene_->directions;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
 
-    RTCRayHit16 first{};
+    Packet first{};
     std::fill_n(first.ray.org_x, rays, d.eye[0]);
     std::fill_n(first.ray.org_y, rays, d.eye[1]);
     std::fill_n(first.ray.org_z, rays, d.eye[2]);
     std::fill_n(first.ray.mask, rays, ~0u);
-    alignas(RTCRayHit16) std::array<RTCRayHit16, stream> packets;
+    std::array<Packet, stream> packets;
     packets.fill(first);
+    const triangle_greys greys{grey_.data(), along_u_.data(), along_v_.data()};
     std::array<std::uint32_t, rays> words;
     for (int left = 0; left < pixels.width; left += tile * stream) {
         const int count = std::min(stream, (pixels.width - left) / tile);
         for (int i = 0; i < count; ++i)
             aim(d, left + i * tile, top, packets[static_cast<std::size_t>(i)]);
         rtcIntersectNM(scene_->handle, &context, reinterpret_cast<RTCRayHitN*>(packets.data()),
-                       rays, static_cast<unsigned>(count), sizeof(RTCRayHit16));
+                       rays, static_cast<unsigned>(count), sizeof(Packet));
         for (int i = 0; i < count; ++i) {
-            shade(packets[static_cast<std::size_t>(i)].hit, grey_.data(), along_u_.data(),
-                  along_v_.data(), words.data());
-            for (int r = 0; r < tile; ++r)
+            shade(packets[static_cast<std::size_t>(i)], greys, words.data());
+            for (int r = 0; r < rays / tile; ++r)
                 std::copy_n(words.begin() + r * tile, tile,
                             pixels.row(top + r).begin() + left + i * tile);
         }

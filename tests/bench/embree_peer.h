@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-/// A scene built once at high quality, seen by streams of coherent packets of 16 rays, 4 x 4 pixels
-/// each, with the grey of each vertex interpolated.
+/// A scene built once at high quality, seen by streams of coherent packets of rays, 4 x 2 or 4 x 4
+/// pixels each, with the grey of each vertex interpolated.
 class embree_peer {
 public:
     /// Errors: null, with one line in `why`, if there is no device.
@@ -22,8 +22,8 @@ public:
 
     std::string name() const;
 
-    /// Expects: width and height are multiples of 4.
-    void prepare(const peer_mesh& mesh, const l3d_camera& camera, l3d_size size);
+    /// Expects: width and height are multiples of 4; packets of 8 or 16 rays.
+    void prepare(const peer_mesh& mesh, const l3d_camera& camera, l3d_size size, int rays);
 
     /// Every pixel of the picture, from rays through pixel centres.
     void draw(l3d_workers& workers);
@@ -33,11 +33,12 @@ public:
 private:
     struct scene;
     explicit embree_peer(std::unique_ptr<scene> made);
-    void draw_row(int top);
+    template <class Packet> void draw_row(int top);
 
     std::unique_ptr<scene> scene_;
     std::vector<float> grey_, along_u_, along_v_; ///< of each triangle: at its corner, and changes
     l3d_image picture_{{4, 4}, 4};
+    int rays_ = 16;
 };
 
 #endif

@@ -127,17 +127,21 @@ std::vector<peer_choice> best_of_mesa(std::span<const bench_cell> cells, int thr
 
 std::vector<peer_choice> best_of_embree(std::span<const bench_cell> cells, int threads) {
     std::vector<peer_choice> best(cells.size());
-    choose(cells, peer_choice(), best, [&] {
-        const auto peer = open_embree();
-        l3d_workers workers(threads);
-        std::vector<double> ms;
-        for (const bench_cell& cell : cells)
-            for (const peer_mesh& mesh : cell.meshes) {
-                peer->prepare(mesh, cell.view->camera, cell.size);
-                ms.push_back(median_of(trial_frames, [&] { peer->draw(workers); }));
-            }
-        return ms;
-    });
+    for (const int rays : {8, 16}) {
+        peer_choice way;
+        way.embree_rays = rays;
+        choose(cells, way, best, [&] {
+            const auto peer = open_embree();
+            l3d_workers workers(threads);
+            std::vector<double> ms;
+            for (const bench_cell& cell : cells)
+                for (const peer_mesh& mesh : cell.meshes) {
+                    peer->prepare(mesh, cell.view->camera, cell.size, rays);
+                    ms.push_back(median_of(trial_frames, [&] { peer->draw(workers); }));
+                }
+            return ms;
+        });
+    }
     return best;
 }
 
@@ -178,7 +182,8 @@ public:
         const auto& camera = cell.view->camera;
         const auto culling = harmless_culling(mesh, cell, times.culled);
         mesa_->prepare(mesh, camera, cell.size, culling);
-        embree_->prepare(cell.meshes[times.embree_way.mesh], camera, cell.size);
+        embree_->prepare(cell.meshes[times.embree_way.mesh], camera, cell.size,
+                         times.embree_way.embree_rays);
 
         bench_frame lambert(scene_, camera, cell.size, cell.our_tolerance, threads_);
         bench_frame gouraud(scene_, camera, cell.size, cell.our_tolerance, threads_,

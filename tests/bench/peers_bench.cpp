@@ -49,13 +49,13 @@ double ratio(const frame_times& theirs, const frame_times& ours) {
 }
 
 void print_head(int threads) {
-    std::printf("\n%d thread%s\n%-23s | %-35s | %-57s | %-42s |\n", threads,
+    std::printf("\n%d thread%s\n%-23s | %-35s | %-57s | %-47s |\n", threads,
                 threads == 1 ? "" : "s", "", "l3d: lambert, gouraud",
                 "llvmpipe; ratio to lambert, to gouraud", "Embree; ratio to lambert, to gouraud");
     std::printf("%-7s %9s %5s | %5s %5s %5s %8s %8s | %-8s %6s %5s %7s %8s %8s %8s | "
-                "%-8s %6s %8s %8s %8s | %s\n",
+                "%-8s %6s %4s %8s %8s %8s | %s\n",
                 "view", "size", "px", "tol", "bound", "error", "ms", "ms", "mesh", "tris", "error",
-                "workers", "ms", "ratio", "ratio", "mesh", "tris", "ms", "ratio", "ratio",
+                "workers", "ms", "ratio", "ratio", "mesh", "tris", "rays", "ms", "ratio", "ratio",
                 "pixels differ");
 }
 
@@ -68,10 +68,10 @@ void print_row(const bench_cell& cell, const cell_times& times) {
     std::printf("%-8s %6zu %5.3f %7d %8.3f %8.2f %8.2f | ", mesa.kind.c_str(), mesa.triangles(),
                 mesa.error, times.mesa_way.mesa_threads, times.mesa.median,
                 ratio(times.mesa, times.lambert), ratio(times.mesa, times.gouraud));
-    std::printf("%-8s %6zu %8.3f %8.2f %8.2f | %ld %ld of %ld\n", embree.kind.c_str(),
-                embree.triangles(), times.embree.median, ratio(times.embree, times.lambert),
-                ratio(times.embree, times.gouraud), times.mesa_differs, times.embree_differs,
-                times.covered);
+    std::printf("%-8s %6zu %4d %8.3f %8.2f %8.2f | %ld %ld of %ld\n", embree.kind.c_str(),
+                embree.triangles(), times.embree_way.embree_rays, times.embree.median,
+                ratio(times.embree, times.lambert), ratio(times.embree, times.gouraud),
+                times.mesa_differs, times.embree_differs, times.covered);
 }
 
 void print_ratios(const char* peer, const char* shade, std::span<const cell_times> times,
@@ -118,8 +118,8 @@ void write_csv(std::FILE* file, std::span<const bench_cell> cells,
                      t.mesa_way.mesa_threads, t.mesa.median, t.mesa.least);
         std::fprintf(file, "%s,%zu,%g,%g,", embree.kind.c_str(), embree.triangles(),
                      t.embree.median, t.embree.least);
-        std::fprintf(file, "%g,%g,%g,%g\n", t.lambert.first, t.gouraud.first, t.mesa.first,
-                     t.embree.first);
+        std::fprintf(file, "%g,%g,%g,%g,%d\n", t.lambert.first, t.gouraud.first, t.mesa.first,
+                     t.embree.first, t.embree_way.embree_rays);
     }
 }
 
@@ -132,7 +132,8 @@ std::FILE* open_csv(const std::string& path) {
         "l3d_least_ms,l3d_gouraud_ms,l3d_gouraud_least_ms,llvmpipe_mesh,llvmpipe_triangles,"
         "llvmpipe_error,llvmpipe_workers,"
         "llvmpipe_ms,llvmpipe_least_ms,embree_mesh,embree_triangles,embree_ms,"
-        "embree_least_ms,l3d_first_ms,l3d_gouraud_first_ms,llvmpipe_first_ms,embree_first_ms\n",
+        "embree_least_ms,l3d_first_ms,l3d_gouraud_first_ms,llvmpipe_first_ms,embree_first_ms,"
+        "embree_rays\n",
         file);
     return file;
 }
