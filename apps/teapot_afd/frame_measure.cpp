@@ -52,11 +52,11 @@ class trembling_pipeline final : public l3d_pipeline_afd {
 public:
     using l3d_pipeline_afd::l3d_pipeline_afd;
 
-    /// A tenth of a millionth of the distance: no picture shows it, no frame equals another.
+    /// Tenths of a millionth of the distance: no picture shows it, no frame equals another.
     void tremble(const l3d_camera& at, int frame) {
         constexpr double tremor = 1e-7;
         camera() = at;
-        camera().eye = at.eye + (at.eye - at.target) * (tremor * (frame % 64));
+        camera().eye = at.eye + (at.eye - at.target) * (tremor * frame);
     }
 };
 

@@ -63,6 +63,9 @@ struct l3d_dice_view {
         return std::max({tolerance - vertex_error, tolerance / 4, finest});
     }
 
+    /// How far balanced vertices (l3d_balance) may lie beside the surface: no budget is larger.
+    double most_moved() const { return chord_budget(0); }
+
     /// What walking may add to a vertex' error, else it is evaluated. Slits along edges, which get
     /// half their budget for balanced chords, may be off by 1 / (16 l3d_balance) = 0.73 of it; with
     /// an eighth for walking, that is within the tolerance while all else takes less than a half.
@@ -76,10 +79,10 @@ struct l3d_dice_view {
     /// (l3d_vertex_accuracy counts on it), else what drawn_w allows.
     double depth_budget(double least) const { return least > near ? least / 8 : near / 2; }
 
-    /// What is drawn of a net whose exact points are in `hull`: balanced vertices (l3d_balance), of
-    /// nets that are not small, may lie the tolerance beside it.
+    /// What is drawn of a net whose exact points are in `hull`: vertices of nets that are not small
+    /// may lie beside it.
     l3d_image_box drawn_box(const l3d_image_box& hull) const {
-        return l3d_is_small(hull) ? hull : hull.grown(tolerance);
+        return l3d_is_small(hull) ? hull : hull.grown(most_moved());
     }
 
     l3d_image_box window() const {
@@ -92,12 +95,12 @@ struct l3d_dice_view {
         return {x + part.left, y + part.top, x + part.right, y + part.bottom};
     }
 
-    /// The window and a pixel and the tolerance around it: what is outside this touches no pixel
-    /// centre, whatever the snapping to sub-pixels and wherever balanced vertices lie.
+    /// The window, a pixel around it and what vertices are moved by: what is outside this touches
+    /// no pixel centre, whatever the snapping to sub-pixels and wherever balanced vertices lie.
     l3d_image_box margin() const { return margin(window()); }
 
     /// The same of a part of the picture.
-    l3d_image_box margin(const l3d_image_box& part) const { return part.grown(1 + tolerance); }
+    l3d_image_box margin(const l3d_image_box& part) const { return part.grown(1 + most_moved()); }
 
     /// Position of the picture's centre in 1/256 pixel; a half pixel is 128, so this is exact.
     std::int32_t centre_x() const { return size.width * (l3d_subpixel_one / 2); }

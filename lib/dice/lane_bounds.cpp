@@ -32,8 +32,9 @@ using doubles = hn::CappedTag<double, points>;
 /// operations add relative to it is in `relative`.
 constexpr float difference_rounding = 170 * 0x1p-24F, relative = 1 + 8 * 0x1p-23F;
 
-/// The same of third and fourth differences of a whole net: made in doubles, rounded once, each to
-/// at most 16 and seen, as above, at most 4 times.
+/// The same of third and fourth differences of a whole net: made in doubles and rounded once. In
+/// these units those of x and y are at most 16, those of w, which is positive, 8: seen, sqrt(2)
+/// times 16 + 8 for their own rounding, 8 for that of X0 d w, 8 for that of X0: 57.
 constexpr float mixed_rounding = 64 * 0x1p-24F;
 
 /// The same of w alone.
@@ -112,9 +113,9 @@ double reach_of(const lane_bounds& of) {
 }
 
 /// Image boxes in which width and height add up to less than this need bounds of depth too: see
-/// l3d_needs_of; a budget is at most the tolerance, and 2.83 > 2 sqrt(2).
+/// l3d_needs_of; 2.83 > 2 sqrt(2).
 double depth_matters_below(const l3d_dice_view& view, bool balanced) {
-    return (balanced ? 1 / l3d_balance : 8) * 2.83 * view.tolerance;
+    return (balanced ? 1 / l3d_balance : 8) * 2.83 * view.chord_budget(0);
 }
 
 /// Needs of the blocks in lanes `lane` on, given what is seen at most, about the net's centre.
@@ -217,6 +218,7 @@ struct mixed_differences {
 /// What balanced vertices add: bounds for steps of the blocks, from the whole net.
 HWY_ATTR void bound_mixed(const l3d_dice_view& view, lane_bounds& out) {
     const l3d_image_box box = view.margin().intersected(view.drawn_box(out.hull));
+    out.needs.uuv = out.needs.uvv = out.needs.uuvv = 0;
     if (box.empty())
         return;
     const double scale = 1 / out.most_w;
@@ -254,7 +256,7 @@ HWY_ATTR void bound_blocks(const l3d_dice_view& view, lane_bounds& out) {
     out.needs.balanced = true;
     for (std::size_t lane = 0; lane < points; lane += hn::Lanes(floats()))
         bound_lanes(blocks, lane, window, static_cast<float>(reach_of(out)),
-                    static_cast<float>(view.tolerance),
+                    static_cast<float>(view.most_moved()),
                     static_cast<float>(depth_matters_below(view, true)), out.needs);
     bound_mixed(view, out);
 }

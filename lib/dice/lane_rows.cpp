@@ -168,7 +168,9 @@ HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Nu
     const hn::Rebind<float, decltype(df)> ds;
     const auto to_pixels =
         hn::Set(df, static_cast<real>(l3d_subpixel_one * walk.register_w / walk.register_xy));
-    const auto to_depth = hn::Set(ds, static_cast<float>(walk.register_w) * walk.depth_scale);
+    // Two factors, for their product may not fit a float where what it makes of 1 / w does.
+    const auto to_units = hn::Set(ds, static_cast<float>(walk.register_w));
+    const auto to_depth = hn::Set(ds, walk.depth_scale);
     const auto origin_x = hn::Set(di, walk.origin_x), origin_y = hn::Set(di, walk.origin_y);
     const auto one = hn::Set(df, real(1));
     std::size_t to = column + i;
@@ -180,7 +182,8 @@ HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Nu
         const auto py = snapped(df, hn::Mul(as_float(d, y), scaled));
         hn::StoreU(hn::Add(px, origin_x), di, grid.x.data() + to);
         hn::StoreU(hn::Add(py, origin_y), di, grid.y.data() + to);
-        hn::StoreU(hn::Mul(as_single(df, inverse), to_depth), ds, grid.inv_w.data() + to);
+        const auto inv_w = hn::Mul(as_single(df, inverse), to_units);
+        hn::StoreU(hn::Mul(inv_w, to_depth), ds, grid.inv_w.data() + to);
         to += static_cast<std::size_t>(grid.pitch);
     };
     const auto emit_point = [&](int b) HWY_ATTR {

@@ -100,13 +100,16 @@ void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, tas
         }
         most /= 2;
     } while (most > 0 && samples_of(how.plan) > samples);
-    // Errors of what is not balanced fall with the square of the steps, at the least. What crosses
-    // the near plane may be anywhere if its depth is off.
+    // Errors of what is not balanced fall with the square of the steps, at the least; so does that
+    // of w, with which errors of vertices are seen larger: 1.25 ratio^2 is more than the
+    // 1 + ratio^2 / 8 + 1 / 8 that it comes to. What crosses the near plane may be anywhere if its
+    // depth is off.
     if (ratio > 1) {
         if (how.plan.balanced)
             how.plan.chord_error /= 8 * l3d_balance;
         how.plan.balanced = false;
         how.plan.chord_error *= whole ? ratio * ratio : std::numeric_limits<double>::infinity();
+        how.vertex_error *= ratio * ratio;
     }
     draw(p, how, of);
 }

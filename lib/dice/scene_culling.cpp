@@ -110,8 +110,11 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
         return where;
     const double balance =
         l3d_is_small(box_of(boxes, i)) ? 0 : balance_of_w(boxes.least[i], boxes.most[i]);
+    const l3d_image_box seen = drawn_box_of(boxes, i, view_).intersected(view_.margin());
+    if (seen.empty()) // kept all the same
+        return where;
     where.inv_w = inv_w_above(boxes.least[i], error_w + balance, view_.depth_scale);
-    where.box = subpixels(drawn_box_of(boxes, i, view_).intersected(view_.margin()), view_);
+    where.box = subpixels(seen, view_);
     return where;
 }
 

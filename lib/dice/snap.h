@@ -38,7 +38,8 @@ template <std::floating_point T> l3d_snapped l3d_snap(T x, T y, T w) {
 }
 
 /// The same in fixed point: one exact quotient, rounded once.
-/// Expects: also |x| and |y| below 2^(bits - 1 - 8) raw, as the image transform makes sure.
+/// Expects: also |x| and |y| below 2^(bits - 1 - 8) raw, as the guard band and the image
+///          transform's scale make sure.
 template <class S, int F, l3d_overflow O>
 l3d_snapped l3d_snap(l3d_fixed<S, F, O> x, l3d_fixed<S, F, O> y, l3d_fixed<S, F, O> w) {
     const auto divided = [&](l3d_fixed<S, F, O> value) {

@@ -33,7 +33,7 @@ void add_need(l3d_block_needs& needs, std::size_t i, const l3d_image_patch& bloc
     l3d_image_box box = view.margin();
     if (in_front) {
         const l3d_image_box hull = l3d_image_box_of(block.points);
-        box = box.intersected(needs.balanced ? hull.grown(view.tolerance) : hull);
+        box = box.intersected(needs.balanced ? hull.grown(view.most_moved()) : hull);
     }
     if (box.empty())
         return;
@@ -66,7 +66,7 @@ void add_need(l3d_block_needs& needs, std::size_t i, const l3d_image_patch& bloc
 /// Third and fourth derivatives of a net, as its quarters' steps see them.
 void add_mixed(l3d_block_needs& needs, const l3d_image_patch& net, const l3d_dice_view& view) {
     const l3d_image_box box =
-        view.margin().intersected(l3d_image_box_of(net.points).grown(view.tolerance));
+        view.margin().intersected(l3d_image_box_of(net.points).grown(view.most_moved()));
     if (box.empty())
         return;
     const l3d_mixed_bounds mixed =

@@ -242,8 +242,8 @@ private:
         return hn::IfThenZeroElse(nothing, error);
     }
 
-    /// Of w, in budgets. Balanced or not: with n >= 2, uuvv <= 24 min(uu, vv), uuv <= 6 uu and uvv
-    /// <= 6 vv, all that balance adds is within the 1/8 that it saves from.
+    /// Of w, in budgets. Balanced or not: with n >= 2, all that balance adds is within the 1/8 that
+    /// it saves from. NUMERICS, section 3.
     HWY_INLINE lane_vec depth_errors(direction d, std::size_t strip, std::size_t lane) const {
         const strip_numbers s = numbers_of(d, strip, lane);
         const lane_vec own = hn::Mul(depth_[d].in(d, strip, lane), hn::Mul(s.own_step, s.own_step));

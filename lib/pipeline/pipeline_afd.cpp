@@ -23,12 +23,12 @@ using l3d_detail::stopwatch;
 
 constexpr std::uint32_t wire_color = 0x0080d0ff, net_color = 0x00ff9030;
 
-const l3d_camera& checked(const l3d_camera& camera, l3d_size size,
-                          const l3d_afd_settings& settings) {
+const l3d_afd_settings& checked(const l3d_afd_settings& settings, const l3d_camera& camera,
+                                l3d_size size) {
     const std::string why = l3d_afd_complaint(camera, size, settings);
     if (!why.empty())
         throw l3d_error(l3d_exit::failure, why);
-    return camera;
+    return settings;
 }
 
 } // namespace
@@ -56,10 +56,11 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
 l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
                                    const l3d_rasterizer_factory& rasterizers, l3d_patch_scene scene,
                                    const l3d_camera& camera, const l3d_afd_settings& settings)
-    : screen_(std::move(screen)), workers_(settings.threads),
+    : screen_(std::move(screen)),
+      workers_(checked(settings, camera, screen_->pixels().size()).threads),
       imp_(rasterizers.create_2d(screen_->pixels())), rasterizer_(*imp_),
       method_(l3d_create_method(settings.method, rasterizers, workers_)), scene_(std::move(scene)),
-      camera_(checked(camera, screen_->pixels().size(), settings)), settings_(settings),
+      camera_(camera), settings_(settings),
       wire_dicer_(std::make_unique<l3d_frame_dicer<l3d_real>>(workers_)) {
     report_.frame = -1;
     report_.method = settings.method.name();

@@ -7,6 +7,7 @@
 #include "bench/mesa_peer.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <stdexcept>
@@ -94,54 +95,71 @@ std::vector<peer_choice> mesa_ways(int threads) {
     return ways;
 }
 
-/// Tries every mesh of every cell, in one child; trial() returns the milliseconds of each.
-template <class Trial>
-void choose(std::span<const bench_cell> cells, peer_choice way, std::vector<peer_choice>& best,
-            Trial trial) {
-    const std::vector<double> ms = in_child(setting_of(way), [&] { return trial(); });
-    std::size_t next = 0;
+/// A cell's mesh, drawn in some way.
+struct trial {
+    std::size_t cell;
+    peer_choice way;
+};
+
+/// Every mesh of every cell, in each of some ways side by side: what disturbs one disturbs all.
+std::vector<trial> trials_of(std::span<const bench_cell> cells, std::span<const peer_choice> ways) {
+    std::vector<trial> trials;
     for (std::size_t i = 0; i < cells.size(); ++i)
-        for (std::size_t mesh = 0; mesh < cells[i].meshes.size(); ++mesh) {
-            way.mesh = mesh;
-            way.ms = ms.at(next++);
-            if (best[i].ms == 0 || way.ms < best[i].ms)
-                best[i] = way;
-        }
+        for (std::size_t mesh = 0; mesh < cells[i].meshes.size(); ++mesh)
+            for (const peer_choice& way : ways)
+                trials.emplace_back(i, way).way.mesh = mesh;
+    return trials;
 }
 
+/// Makes all trials in one child, and keeps the best of each cell. draw(trial) returns
+/// milliseconds.
+template <class Draw>
+void choose(const child_setting& setting, std::vector<trial> trials, std::vector<peer_choice>& best,
+            Draw draw) {
+    const std::vector<double> ms = in_child(setting, [&] {
+        std::vector<double> result;
+        draw(trials, result);
+        return result;
+    });
+    for (std::size_t k = 0; k < trials.size(); ++k) {
+        peer_choice& known = best[trials[k].cell];
+        trials[k].way.ms = ms.at(k);
+        if (known.ms == 0 || trials[k].way.ms < known.ms)
+            known = trials[k].way;
+    }
+}
+
+/// llvmpipe reads its number of workers once in a process.
 std::vector<peer_choice> best_of_mesa(std::span<const bench_cell> cells, int threads) {
     std::vector<peer_choice> best(cells.size());
     for (const peer_choice& way : mesa_ways(threads))
-        choose(cells, way, best, [&] {
-            const auto peer = open_mesa();
-            std::vector<double> ms;
-            for (const bench_cell& cell : cells)
-                for (const peer_mesh& mesh : cell.meshes) {
-                    peer->prepare(mesh, cell.view->camera, cell.size, mesa_peer::culling::none);
-                    ms.push_back(median_of(trial_frames, [&] { peer->draw(); }));
-                }
-            return ms;
-        });
+        choose(setting_of(way), trials_of(cells, {&way, 1}), best,
+               [&](std::span<const trial> trials, std::vector<double>& ms) {
+                   const auto peer = open_mesa();
+                   for (const trial& t : trials) {
+                       const bench_cell& cell = cells[t.cell];
+                       peer->prepare(cell.meshes[t.way.mesh], cell.view->camera, cell.size,
+                                     mesa_peer::culling::none);
+                       ms.push_back(median_of(trial_frames, [&] { peer->draw(); }));
+                   }
+               });
     return best;
 }
 
 std::vector<peer_choice> best_of_embree(std::span<const bench_cell> cells, int threads) {
     std::vector<peer_choice> best(cells.size());
-    for (const int rays : {8, 16}) {
-        peer_choice way;
-        way.embree_rays = rays;
-        choose(cells, way, best, [&] {
-            const auto peer = open_embree();
-            l3d_workers workers(threads);
-            std::vector<double> ms;
-            for (const bench_cell& cell : cells)
-                for (const peer_mesh& mesh : cell.meshes) {
-                    peer->prepare(mesh, cell.view->camera, cell.size, rays);
-                    ms.push_back(median_of(trial_frames, [&] { peer->draw(workers); }));
-                }
-            return ms;
-        });
-    }
+    const std::array<peer_choice, 2> ways{{{.embree_rays = 8}, {.embree_rays = 16}}};
+    choose({}, trials_of(cells, ways), best,
+           [&](std::span<const trial> trials, std::vector<double>& ms) {
+               const auto peer = open_embree();
+               l3d_workers workers(threads);
+               for (const trial& t : trials) {
+                   const bench_cell& cell = cells[t.cell];
+                   peer->prepare(cell.meshes[t.way.mesh], cell.view->camera, cell.size,
+                                 t.way.embree_rays);
+                   ms.push_back(median_of(trial_frames, [&] { peer->draw(workers); }));
+               }
+           });
     return best;
 }
 

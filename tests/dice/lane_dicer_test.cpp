@@ -200,6 +200,39 @@ TYPED_TEST(lane_dicer, places_vertices_where_exact_evaluation_does) {
     std::printf("%-6s worst distance %.4f sub-pixels\n", name_of<TypeParam>(), worst);
 }
 
+TYPED_TEST(lane_dicer, holds_depths_of_scenes_of_any_size) {
+    for (const double size : {1e-28, 1e-22, 1e9})
+        for (const double tolerance : {0.02, 0.5}) { // with registers of 64 and of 32 bits
+            const auto sized = [size](reference::vec3 p) {
+                return reference::vec3{p.x * size, p.y * size, p.z * size};
+            };
+            reference::camera eye = oblique;
+            eye.eye = sized(eye.eye);
+            eye.target = sized(eye.target);
+            eye.near *= size;
+            auto patches = random_scene(1, reference::patch_kind::moderate, 20).patches;
+            for (reference::patch& patch : patches)
+                for (reference::vec3& p : patch.points)
+                    p = sized(p);
+            const scene s(patches, eye, odd);
+            const l3d_dice_view view = transform_of(s).view(tolerance);
+            std::int64_t vertices = 0;
+            ordinary_patches<TypeParam> all;
+            all.dice(s, tolerance,
+                     [&](std::size_t i, const l3d_image_patch& net, const l3d_diced_piece& piece) {
+                         const l3d_micro_grid& grid = piece.part.grid;
+                         const balanced_places place(piece);
+                         for (int r = 0; r < grid.rows; ++r)
+                             for (int c = 0; c < grid.columns; ++c, ++vertices)
+                                 ASSERT_NEAR(static_cast<double>(grid.vertex(r, c).inv_w) *
+                                                 place(net, piece, r, c)[2] / view.depth_scale,
+                                             1, 2e-5)
+                                     << size << " patch " << i;
+                     });
+            EXPECT_GT(vertices, 1000) << size;
+        }
+}
+
 TYPED_TEST(lane_dicer, has_unit_normals_of_the_slow_twin_or_none) {
     double worst = 0;
     std::int64_t compared = 0, missing = 0;

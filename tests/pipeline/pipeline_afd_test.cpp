@@ -12,6 +12,7 @@
 #include "reference/views.h"
 #include "words_of.h"
 #include "dice/scene.h"
+#include "tool_2d/error.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>
@@ -109,6 +110,18 @@ struct crowd {
     l3d_patch_scene world;
     l3d_camera camera;
 };
+
+TEST(pipeline_afd, refuses_settings_before_it_uses_them) {
+    const scene s = dice_tests::teapot(reference::project_view("full"), picture_size);
+    for (const int threads : {0, -1})
+        try {
+            tester refused(s, settings_of(0.25, threads));
+            ADD_FAILURE() << threads << " threads";
+        } catch (const l3d_error& error) {
+            EXPECT_EQ(std::string(error.what()),
+                      "threads: " + std::to_string(threads) + " is not positive");
+        }
+}
 
 TEST(pipeline_afd, draws_the_same_bits_with_any_number_of_threads) {
     for (const reference::view& view : reference::project_views()) {
