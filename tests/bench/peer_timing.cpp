@@ -111,16 +111,12 @@ std::vector<trial> trials_of(std::span<const bench_cell> cells, std::span<const 
     return trials;
 }
 
-/// Makes all trials in one child, and keeps the best of each cell. draw(trial) returns
-/// milliseconds.
+/// Makes all trials in one child, and keeps the best of each cell. draw(trials) returns the
+/// milliseconds of each.
 template <class Draw>
 void choose(const child_setting& setting, std::vector<trial> trials, std::vector<peer_choice>& best,
             Draw draw) {
-    const std::vector<double> ms = in_child(setting, [&] {
-        std::vector<double> result;
-        draw(trials, result);
-        return result;
-    });
+    const std::vector<double> ms = in_child(setting, [&] { return draw(trials); });
     for (std::size_t k = 0; k < trials.size(); ++k) {
         peer_choice& known = best[trials[k].cell];
         trials[k].way.ms = ms.at(k);
@@ -134,14 +130,16 @@ std::vector<peer_choice> best_of_mesa(std::span<const bench_cell> cells, int thr
     std::vector<peer_choice> best(cells.size());
     for (const peer_choice& way : mesa_ways(threads))
         choose(setting_of(way), trials_of(cells, {&way, 1}), best,
-               [&](std::span<const trial> trials, std::vector<double>& ms) {
+               [&](std::span<const trial> trials) {
                    const auto peer = open_mesa();
+                   std::vector<double> ms;
                    for (const trial& t : trials) {
                        const bench_cell& cell = cells[t.cell];
                        peer->prepare(cell.meshes[t.way.mesh], cell.view->camera, cell.size,
                                      mesa_peer::culling::none);
                        ms.push_back(median_of(trial_frames, [&] { peer->draw(); }));
                    }
+                   return ms;
                });
     return best;
 }
@@ -149,17 +147,17 @@ std::vector<peer_choice> best_of_mesa(std::span<const bench_cell> cells, int thr
 std::vector<peer_choice> best_of_embree(std::span<const bench_cell> cells, int threads) {
     std::vector<peer_choice> best(cells.size());
     const std::array<peer_choice, 2> ways{{{.embree_rays = 8}, {.embree_rays = 16}}};
-    choose({}, trials_of(cells, ways), best,
-           [&](std::span<const trial> trials, std::vector<double>& ms) {
-               const auto peer = open_embree();
-               l3d_workers workers(threads);
-               for (const trial& t : trials) {
-                   const bench_cell& cell = cells[t.cell];
-                   peer->prepare(cell.meshes[t.way.mesh], cell.view->camera, cell.size,
-                                 t.way.embree_rays);
-                   ms.push_back(median_of(trial_frames, [&] { peer->draw(workers); }));
-               }
-           });
+    choose({}, trials_of(cells, ways), best, [&](std::span<const trial> trials) {
+        const auto peer = open_embree();
+        l3d_workers workers(threads);
+        std::vector<double> ms;
+        for (const trial& t : trials) {
+            const bench_cell& cell = cells[t.cell];
+            peer->prepare(cell.meshes[t.way.mesh], cell.view->camera, cell.size, t.way.embree_rays);
+            ms.push_back(median_of(trial_frames, [&] { peer->draw(workers); }));
+        }
+        return ms;
+    });
     return best;
 }
 

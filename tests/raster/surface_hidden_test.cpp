@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -128,4 +129,5 @@ TEST(SurfaceHidden, NearestComesFirst) {
     EXPECT_EQ(picture.rasterizer.counts().written, picture.rasterizer.counts().samples);
     EXPECT_EQ(picture.rasterizer.counts().quads, 20);
 }
+
 } // namespace
