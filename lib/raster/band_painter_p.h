@@ -46,7 +46,7 @@ private:
                   const band_item& item, const grid_cells& cells);
     void draw_rest(const band_frame& frame, const fill_band& band);
     fill_target by_lanes(const band_frame& frame, const fill_band& band) {
-        return {band, frame.shading, queue_, by_lanes_, rest_};
+        return {band, frame.shading, queue_, by_lanes_, rest_, frame.leaves_out_hidden};
     }
 
     band_scalar scalar_;

@@ -28,8 +28,12 @@ public:
     HWY_INLINE bool set_up(const fill_target& to, std::size_t at, std::size_t valid,
                            fill_table& table) {
         const ints d;
+        const int_mask seen = hn::Gt(load(to.queue.seen + at), hn::Zero(d));
+        const int_mask wanted = hn::And(seen, hn::FirstN(d, valid));
+        if (hn::AllFalse(d, wanted))
+            return false;
         place(to.band, to.queue, at);
-        const int_mask fits = classify(to, at, hn::And(live_, hn::FirstN(d, valid)));
+        const int_mask fits = classify(to, at, hn::And(live_, wanted));
         const int_vec height = hn::IfThenElseZero(fits, hn::Sub(to_row_, from_row_));
         const std::int32_t highest = hn::GetLane(hn::MaxOfLanes(d, height));
         if (highest == 0)
@@ -49,33 +53,25 @@ public:
 private:
     /// The part of each polygon's box that is in the band, and corners relative to the box.
     HWY_INLINE void place(const fill_band& band, const fill_queue& queue, std::size_t at) {
-        for (int i = 0; i < 4; ++i) {
-            x_[i] = load(queue.corner[i][0] + at);
-            y_[i] = load(queue.corner[i][1] + at);
-        }
-        int_vec least_x = x_[0], least_y = y_[0], most_x = x_[0], most_y = y_[0];
-        for (int i = 1; i < 4; ++i) {
-            least_x = hn::Min(least_x, x_[i]);
-            least_y = hn::Min(least_y, y_[i]);
-            most_x = hn::Max(most_x, x_[i]);
-            most_y = hn::Max(most_y, y_[i]);
-        }
+        const lane_corners corners(queue, at);
         const int_vec zero = hn::Zero(ints());
-        column_ = first_centre_of(ints(), least_x);
-        row_ = first_centre_of(ints(), least_y);
+        column_ = first_centre_of(ints(), corners.left);
+        row_ = first_centre_of(ints(), corners.top);
         from_column_ = hn::Max(zero, hn::Sub(zero, column_));
-        to_column_ = hn::Sub(hn::Min(first_centre_of(ints(), most_x), set(band.width)), column_);
+        to_column_ =
+            hn::Sub(hn::Min(first_centre_of(ints(), corners.right), set(band.width)), column_);
         from_row_ = hn::Max(zero, hn::Sub(set(band.top), row_));
-        to_row_ = hn::Sub(hn::Min(first_centre_of(ints(), most_y), set(band.bottom)), row_);
+        to_row_ = hn::Sub(hn::Min(first_centre_of(ints(), corners.bottom), set(band.bottom)), row_);
         live_ = hn::And(hn::Lt(from_column_, to_column_), hn::Lt(from_row_, to_row_));
         at_edge_ = hn::Gt(hn::Add(column_, to_column_), set(band.width - run + 1));
-        const int_vec extent = hn::Max(hn::Sub(most_x, least_x), hn::Sub(most_y, least_y));
+        const int_vec extent =
+            hn::Max(hn::Sub(corners.right, corners.left), hn::Sub(corners.bottom, corners.top));
         large_ = hn::Gt(extent, set(most_pixels * pixel - 1));
         for (int i = 0; i < 4; ++i) {
-            places_.x[i] = x_[i];
-            places_.y[i] = y_[i];
-            x_[i] = hn::Sub(x_[i], centre_of(column_));
-            y_[i] = hn::Sub(y_[i], centre_of(row_));
+            places_.x[i] = corners.x[i];
+            places_.y[i] = corners.y[i];
+            x_[i] = hn::Sub(corners.x[i], centre_of(column_));
+            y_[i] = hn::Sub(corners.y[i], centre_of(row_));
         }
     }
 

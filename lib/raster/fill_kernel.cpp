@@ -10,6 +10,7 @@
 #include "raster/simd_dispatch_p.h"
 
 #include "raster/fill_group-inl.h"
+#include "raster/fill_hidden-inl.h"
 #include "raster/fill_lights-inl.h"
 
 #include <algorithm>
@@ -89,7 +90,7 @@ public:
         fill_rest_of_queue();
         for (const auto& piece : queue_.pieces) {
             add(piece);
-            if (queue_.count == lanes)
+            if (queue_.count == fill_queue::widest_vector)
                 fill_rest_of_queue();
         }
         queue_.pieces.clear();
@@ -167,6 +168,7 @@ private:
     /// front.
     HWY_NOINLINE void fill_enough() {
         static_assert(fill_queue::enough % lanes == 0);
+        find_seen(fill_queue::enough);
         for (std::size_t at = 0; at < fill_queue::enough; at += lanes)
             fill(at, lanes);
         const auto to_front = [](auto* array) {
@@ -181,9 +183,16 @@ private:
     }
 
     void fill_rest_of_queue() {
+        find_seen(queue_.count);
         for (std::size_t at = 0; at < queue_.count; at += lanes)
             fill(at, std::min(lanes, queue_.count - at));
         queue_.count = 0;
+    }
+
+    HWY_INLINE void find_seen(std::size_t count) {
+        std::fill_n(queue_.seen, count, 1);
+        if (target_.leaves_out_hidden)
+            clear_hidden(target_.band, queue_, count);
     }
 
     HWY_NOINLINE void fill(std::size_t at, std::size_t count) {

@@ -95,6 +95,7 @@ struct fill_queue {
     static constexpr std::int32_t piece = std::numeric_limits<std::int32_t>::min();
 
     alignas(64) std::array<const void*, room> source; ///< the grid or triangles it comes from
+    alignas(64) std::int32_t seen[room]; ///< 0: hidden; found out when the polygon is to be filled
     std::size_t count = 0;
 
     /// Folded and skew quads in pieces: filled when all others are, so that what comes first where
@@ -114,6 +115,7 @@ struct fill_target {
     fill_queue& queue;
     fill_counts& counts;
     fill_rest& rest;
+    bool leaves_out_hidden = true; ///< polygons behind what is there; `samples` then lacks theirs
 };
 
 /// A grid and, for gouraud, the grey levels of its vertices, from light_vertices.

@@ -17,10 +17,6 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// 0, 1, 2 ... 15: the columns of a run.
-alignas(64) constexpr std::int32_t run_columns[run] = {0, 1, 2,  3,  4,  5,  6,  7,
-                                                       8, 9, 10, 11, 12, 13, 14, 15};
-
 /// Three bytes like the lowest one of each sum.
 template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> three_bytes(D, hn::Vec<D> sum) {
     const hn::RebindToUnsigned<D> dw;

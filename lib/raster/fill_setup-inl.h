@@ -211,13 +211,30 @@ HWY_INLINE float_vec square_of(float_vec v) {
     return hn::Mul(v, v);
 }
 
-HWY_INLINE float_vec least_of(const float_vec (&v)[4]) {
+template <class V> HWY_INLINE V least_of(const V (&v)[4]) {
     return hn::Min(hn::Min(hn::Min(v[0], v[1]), v[2]), v[3]);
 }
 
-HWY_INLINE float_vec most_of(const float_vec (&v)[4]) {
+template <class V> HWY_INLINE V most_of(const V (&v)[4]) {
     return hn::Max(hn::Max(hn::Max(v[0], v[1]), v[2]), v[3]);
 }
+
+/// The corners of a vector of polygons in a queue, in sub-pixels, and the box around them.
+struct lane_corners {
+    int_vec x[4], y[4];
+    int_vec left, top, right, bottom;
+
+    HWY_INLINE lane_corners(const fill_queue& queue, std::size_t at) {
+        for (int i = 0; i < 4; ++i) {
+            x[i] = load(queue.corner[i][0] + at);
+            y[i] = load(queue.corner[i][1] + at);
+        }
+        left = least_of(x);
+        top = least_of(y);
+        right = most_of(x);
+        bottom = most_of(y);
+    }
+};
 
 /// The cosine of the light on a unit normal.
 HWY_INLINE float_vec lit_of(const l3d_shading& shading, const float_vec (&normal)[3]) {

@@ -25,6 +25,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr std::int32_t run = 16;
 static_assert(run <= fill_least_width);
 
+/// 0, 1, 2 ... 15: the columns of a run.
+alignas(64) constexpr std::int32_t run_columns[run] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                       8, 9, 10, 11, 12, 13, 14, 15};
+
 /// Larger polygons are not for the lanes, so they have at most so many rows and columns + 1.
 constexpr std::int32_t most_pixels = 64;
 

@@ -55,7 +55,7 @@ struct filled {
                                  size.width,
                                  top,
                                  std::min(top + rows, size.height)};
-            const fill_target target{band, shading, queue, counts, rest};
+            const fill_target target{band, shading, queue, counts, rest, leaves_out_hidden};
             fill(target);
             fill_finish(target);
         }
@@ -105,6 +105,7 @@ struct filled {
     fill_queue queue;
     fill_counts counts;
     fill_rest rest;
+    bool leaves_out_hidden = false;
 };
 
 void normalize(l3d_micro_vertex& v) {

@@ -119,6 +119,53 @@ TEST(SurfaceHidden, HiddenIsWhatIsNoNearerThanAllOfItsTiles) {
     EXPECT_FALSE(picture.rasterizer.hidden(box(20, 20, 30, 30), 0.25f)) << "another frame";
 }
 
+/// Quads of 8 x 8 whole pixels, facing the eye, as one item.
+l3d_surface_part tiled(int left, int top, int columns, int rows, float inv_w) {
+    l3d_micro_grid grid;
+    grid.resize(columns + 1, rows + 1);
+    for (int row = 0; row <= rows; ++row)
+        for (int column = 0; column <= columns; ++column)
+            surface_picture::set(
+                grid, row, column,
+                {256 * (left + 8 * column), 256 * (top + 8 * row), inv_w, {0, 0, 1}});
+    return part_of(grid);
+}
+
+TEST(SurfaceHidden, QuadsBehindOthersAreLeftOutOneByOne) {
+    constexpr int wall = 68 * 68, beside = 80 * 68; // pixels; the rest is left of, or above them
+    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat})
+        for (const bool leave_out : {false, true}) {
+            surface_picture picture(scene_size.width, scene_size.height, 1,
+                                    {.rows = 32, .leave_out_hidden = leave_out});
+            picture.begin(mode);
+            draw_part(picture.rasterizer, tiled(-12, -12, 10, 10, 0.5f));
+            draw_part(picture.rasterizer, tiled(-12, -12, 20, 10, 0.25f));
+            picture.rasterizer.finish();
+            EXPECT_EQ(picture.rasterizer.counts().written, wall + beside);
+            EXPECT_EQ(picture.rasterizer.counts().samples, wall + beside + (leave_out ? 0 : wall));
+        }
+}
+
+TEST(SurfaceHidden, AQuadIsHiddenOnlyByAllOfItsBox) {
+    for (const int hole : {0, 7, 8 * 4 + 3, 56, 63}) // a pixel of the box that nothing is in
+        for (const float farther : {0.25f, 0.5f, std::nextafter(0.5f, 1.0f)}) {
+            surface_parts wall;
+            for (int i = 0; i < 64; ++i) {
+                const int x = 40 + i % 8, y = 40 + i / 8;
+                if (i != hole)
+                    wall.push_back(rectangle(x, y, x + 1, y + 1, 0.5f));
+            }
+            surface_picture picture(scene_size.width, scene_size.height, 1);
+            picture.begin(l3d_shade::gouraud);
+            picture.rasterizer.draw(pointers(wall));
+            draw_part(picture.rasterizer, tiled(40, 40, 1, 1, farther));
+            picture.rasterizer.finish();
+            EXPECT_EQ(picture.rasterizer.counts().written, farther > 0.5f ? 63 + 64 : 64) << hole;
+            EXPECT_EQ(picture.rasterizer.counts().samples, 63 + 64) << hole;
+            EXPECT_EQ(picture.inv_w(40 + hole % 8, 40 + hole / 8), farther) << hole;
+        }
+}
+
 TEST(SurfaceHidden, NearestComesFirst) {
     surface_parts pile; // farthest first, one per cent apart, of whole tiles
     for (int i = 0; i < 20; ++i)
