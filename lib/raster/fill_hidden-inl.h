@@ -9,6 +9,7 @@
 
 #include "raster/fill_setup-inl.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -51,7 +52,9 @@ HWY_INLINE bool all_nearer(const float* depths, std::ptrdiff_t pitch, std::int32
 /// at the right edge of the picture, where a run would not fit, is not asked about.
 class hidden_lanes {
 public:
-    HWY_INLINE hidden_lanes(const fill_band& band, const fill_queue& queue, std::size_t at)
+    /// Expects: room for a vector of polygons in the queue from `at` on, the first `valid` in use.
+    HWY_INLINE hidden_lanes(const fill_band& band, const fill_queue& queue, std::size_t at,
+                            std::size_t valid)
         : band_(band) {
         const lane_corners corners(queue, at);
         const int_vec left = hn::Max(first_centre_of(ints(), corners.left), set(0));
@@ -67,7 +70,7 @@ public:
         nearest_ = most_of(inv_w);
         const int_mask fits = hn::Lt(right, set(band.width - run + 2));
         const int_mask filled = hn::And(hn::Gt(columns_, set(0)), hn::Gt(rows_, set(0)));
-        asked_ = hn::And(fits, filled);
+        asked_ = hn::And(hn::FirstN(ints(), valid), hn::And(fits, filled));
     }
 
     /// Clears those of `seen` that are hidden. Most that are not show it in the middle of their
@@ -109,7 +112,7 @@ private:
 /// Clears `seen` of those of a queue's first polygons that are hidden.
 HWY_INLINE void clear_hidden(const fill_band& band, fill_queue& queue, std::size_t count) {
     for (std::size_t at = 0; at < count; at += lanes)
-        hidden_lanes(band, queue, at).clear(queue.seen + at);
+        hidden_lanes(band, queue, at, std::min(lanes, count - at)).clear(queue.seen + at);
 }
 
 } // namespace
