@@ -33,7 +33,9 @@ SEED = random.randrange(1 << 32)
 
 def dies_with_its_display(program, backend, numbers):
     """From its first request on: exit code 6, and one line."""
-    command = program.command("--backend", backend, "--fps", "500", *MOVING[program])
+    # In fixed steps of time: else a machine that stalls brings the dot to its border early.
+    fixed = ("--fps", "500", "--frames", "100000")
+    command = program.command("--backend", backend, *fixed, *MOVING[program])
     with x_server() as server:
         last = last_of_opening(server, command)
         for number in numbers:
