@@ -295,10 +295,12 @@ HWY_INLINE std::int64_t fill_pixels(const fill_band& band, const fill_table& tab
     for (std::size_t i = 0; i < lanes; ++i) {
         if (table.height[i] == 0)
             continue;
-        if (Shape == fill_shape::twisted && table.twisted[i] == 0)
-            polygons.fill<fill_shape::flat>(i);
-        else
-            polygons.fill<Shape>(i);
+        if constexpr (Shape == fill_shape::twisted)
+            if (table.twisted[i] == 0) {
+                polygons.fill<fill_shape::flat>(i);
+                continue;
+            }
+        polygons.fill<Shape>(i);
     }
     return polygons.written();
 }
