@@ -131,9 +131,9 @@ void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, floa
 /// Fills the quads of a grid whose first corner is in rows [row_begin, row_end) and columns
 /// [column_begin, column_end), now or later: at the latest in fill_finish.
 ///
-/// The same picture as surface_fill with the mode's shader: coverage and `samples` exactly, depth
-/// within 1e-5 of the corners' range, grey within one level. The same bits whatever the processor
-/// and however a picture is divided into bands.
+/// The same picture as surface_fill with the mode's shader: coverage exactly, and `samples` too
+/// unless what is hidden is left out; depth within 1e-5 of the corners' range, grey within one
+/// level. The same bits whatever the processor and however a picture is divided into bands.
 /// Expects: fill_shades(mode); 0 <= row_begin, row_end < grid.rows, and so for columns; normals of
 ///          unit length, or zero; inv_w > 0. Band and shading are the same until fill_finish, and
 ///          grids stay.

@@ -6,9 +6,9 @@
 #include "raster/workers.h"
 
 #include <algorithm>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace l3d_detail {
@@ -37,7 +37,10 @@ private:
     struct place {
         std::int32_t y;
         std::uint32_t index;
-        auto operator<=>(const place&) const = default;
+
+        bool operator<(const place& other) const {
+            return std::tie(y, index) < std::tie(other.y, other.index);
+        }
     };
 
     std::vector<place> places_;
