@@ -19,11 +19,12 @@ namespace {
 struct block_range {
     int first, count;
 
+    int end() const { return first + count; }
     int cells_begin(const l3d_block_starts& of) const {
         return of.first[static_cast<std::size_t>(first)];
     }
     int cells_end(const l3d_block_starts& of) const {
-        return of.first[static_cast<std::size_t>(first + count)];
+        return of.first[static_cast<std::size_t>(end())];
     }
 };
 
@@ -31,7 +32,7 @@ struct block_range {
 unsigned bits_of(block_range rows, block_range columns) {
     const unsigned in_row = ((1u << columns.count) - 1) << columns.first;
     unsigned bits = 0;
-    for (int row = rows.first; row < rows.first + rows.count; ++row)
+    for (int row = rows.first; row < rows.end(); ++row)
         bits |= in_row << l3d_block_starts::most_blocks * row;
     return bits;
 }
