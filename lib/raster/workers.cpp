@@ -8,7 +8,6 @@
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <cstddef>
@@ -50,13 +49,16 @@ private:
 } // namespace
 
 struct l3d_workers::threads {
-    explicit threads(int count)
-        : allowed(tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(std::max(count, tbb::info::default_concurrency()))),
-          arena(count), ranges(static_cast<std::size_t>(count)) {}
+    explicit threads(int count) : arena(count), ranges(static_cast<std::size_t>(count)) {}
 
     /// Calls work(worker) by each thread that comes.
     template <class Work> void run(int count, const Work& work) {
+        // The whole process has no more threads than processors unless told otherwise, and of all
+        // who tell at a time it obeys the least: no longer than for the work, then.
+        std::optional<tbb::global_control> more;
+        if (count > tbb::info::default_concurrency())
+            more.emplace(tbb::global_control::max_allowed_parallelism,
+                         static_cast<std::size_t>(count));
         arena.execute([&] {
             tbb::parallel_for(
                 0, count, [&](int) { work(tbb::this_task_arena::current_thread_index()); },
@@ -64,7 +66,6 @@ struct l3d_workers::threads {
         });
     }
 
-    tbb::global_control allowed; ///< else there are no more threads than processors
     tbb::task_arena arena;
     std::vector<item_range> ranges; ///< one for each worker
 };

@@ -5,6 +5,7 @@
 #include "bench/child_process.h"
 #include "bench/embree_peer.h"
 #include "bench/mesa_peer.h"
+#include "raster/simd_target.h"
 
 #include <algorithm>
 #include <array>
@@ -81,17 +82,33 @@ std::unique_ptr<embree_peer> open_embree() {
 }
 
 child_setting setting_of(const peer_choice& choice) {
-    return {{{"LP_NUM_THREADS", std::to_string(choice.mesa_threads)}}, choice.one_processor};
+    return {{{"LP_NUM_THREADS", std::to_string(choice.mesa_threads)},
+             {"LP_NATIVE_VECTOR_WIDTH", std::to_string(choice.mesa_bits)}},
+            choice.one_processor};
+}
+
+bool is_of(const peer_choice& choice, const peer_choice& way) {
+    return choice.mesa_threads == way.mesa_threads && choice.mesa_bits == way.mesa_bits;
+}
+
+/// Left to itself, llvmpipe uses vectors of 256 bits where the processor has 512, too.
+std::vector<int> mesa_widths() {
+    const std::string best = l3d_simd_targets().front();
+    if (best == "AVX3")
+        return {256, 512};
+    return {best == "AVX2" ? 256 : 128};
 }
 
 /// llvmpipe's ways to use so many processors.
 std::vector<peer_choice> mesa_ways(int threads) {
     std::vector<peer_choice> ways;
-    for (const int workers : {threads - 1, threads}) {
-        peer_choice& way = ways.emplace_back();
-        way.mesa_threads = workers;
-        way.one_processor = threads == 1 && workers > 0;
-    }
+    for (const int workers : {threads - 1, threads})
+        for (const int bits : mesa_widths()) {
+            peer_choice& way = ways.emplace_back();
+            way.mesa_threads = workers;
+            way.mesa_bits = bits;
+            way.one_processor = threads == 1 && workers > 0;
+        }
     return ways;
 }
 
@@ -125,7 +142,7 @@ void choose(const child_setting& setting, std::vector<trial> trials, std::vector
     }
 }
 
-/// llvmpipe reads its number of workers once in a process.
+/// llvmpipe reads its settings once in a process.
 std::vector<peer_choice> best_of_mesa(std::span<const bench_cell> cells, int threads) {
     std::vector<peer_choice> best(cells.size());
     for (const peer_choice& way : mesa_ways(threads))
@@ -299,7 +316,7 @@ std::vector<cell_times> compare(const l3d_patch_model& model, std::span<const be
     for (const peer_choice& way : mesa_ways(threads)) {
         std::vector<std::size_t> chosen;
         for (std::size_t i = 0; i < cells.size(); ++i)
-            if (mesa[i].mesa_threads == way.mesa_threads)
+            if (is_of(mesa[i], way))
                 chosen.push_back(i);
         const std::vector<double> numbers = in_child(setting_of(way), [&] {
             cell_timer timer(model, threads);

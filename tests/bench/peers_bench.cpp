@@ -49,14 +49,14 @@ double ratio(const frame_times& theirs, const frame_times& ours) {
 }
 
 void print_head(int threads) {
-    std::printf("\n%d thread%s\n%-23s | %-35s | %-57s | %-47s |\n", threads,
+    std::printf("\n%d thread%s\n%-23s | %-35s | %-62s | %-47s |\n", threads,
                 threads == 1 ? "" : "s", "", "l3d: lambert, gouraud",
                 "llvmpipe; ratio to lambert, to gouraud", "Embree; ratio to lambert, to gouraud");
-    std::printf("%-7s %9s %5s | %5s %5s %5s %8s %8s | %-8s %6s %5s %7s %8s %8s %8s | "
+    std::printf("%-7s %9s %5s | %5s %5s %5s %8s %8s | %-8s %6s %5s %7s %4s %8s %8s %8s | "
                 "%-8s %6s %4s %8s %8s %8s | %s\n",
                 "view", "size", "px", "tol", "bound", "error", "ms", "ms", "mesh", "tris", "error",
-                "workers", "ms", "ratio", "ratio", "mesh", "tris", "rays", "ms", "ratio", "ratio",
-                "pixels differ");
+                "workers", "bits", "ms", "ratio", "ratio", "mesh", "tris", "rays", "ms", "ratio",
+                "ratio", "pixels differ");
 }
 
 void print_row(const bench_cell& cell, const cell_times& times) {
@@ -65,9 +65,10 @@ void print_row(const bench_cell& cell, const cell_times& times) {
     std::printf("%-7s %4dx%-4d %5.2f | %5.3f %5.3f %5.3f %8.3f %8.3f | ", cell.view->name,
                 cell.size.width, cell.size.height, cell.error, cell.our_tolerance, cell.our_bound,
                 cell.our_error, times.lambert.median, times.gouraud.median);
-    std::printf("%-8s %6zu %5.3f %7d %8.3f %8.2f %8.2f | ", mesa.kind.c_str(), mesa.triangles(),
-                mesa.error, times.mesa_way.mesa_threads, times.mesa.median,
-                ratio(times.mesa, times.lambert), ratio(times.mesa, times.gouraud));
+    std::printf("%-8s %6zu %5.3f %7d %4d %8.3f %8.2f %8.2f | ", mesa.kind.c_str(), mesa.triangles(),
+                mesa.error, times.mesa_way.mesa_threads, times.mesa_way.mesa_bits,
+                times.mesa.median, ratio(times.mesa, times.lambert),
+                ratio(times.mesa, times.gouraud));
     std::printf("%-8s %6zu %4d %8.3f %8.2f %8.2f | %ld %ld of %ld\n", embree.kind.c_str(),
                 embree.triangles(), times.embree_way.embree_rays, times.embree.median,
                 ratio(times.embree, times.lambert), ratio(times.embree, times.gouraud),
@@ -118,8 +119,8 @@ void write_csv(std::FILE* file, std::span<const bench_cell> cells,
                      t.mesa_way.mesa_threads, t.mesa.median, t.mesa.least);
         std::fprintf(file, "%s,%zu,%g,%g,", embree.kind.c_str(), embree.triangles(),
                      t.embree.median, t.embree.least);
-        std::fprintf(file, "%g,%g,%g,%g,%d\n", t.lambert.first, t.gouraud.first, t.mesa.first,
-                     t.embree.first, t.embree_way.embree_rays);
+        std::fprintf(file, "%g,%g,%g,%g,%d,%d\n", t.lambert.first, t.gouraud.first, t.mesa.first,
+                     t.embree.first, t.embree_way.embree_rays, t.mesa_way.mesa_bits);
     }
 }
 
@@ -133,7 +134,7 @@ std::FILE* open_csv(const std::string& path) {
         "llvmpipe_error,llvmpipe_workers,"
         "llvmpipe_ms,llvmpipe_least_ms,embree_mesh,embree_triangles,embree_ms,"
         "embree_least_ms,l3d_first_ms,l3d_gouraud_first_ms,llvmpipe_first_ms,embree_first_ms,"
-        "embree_rays\n",
+        "embree_rays,llvmpipe_bits\n",
         file);
     return file;
 }

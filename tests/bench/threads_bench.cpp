@@ -22,6 +22,8 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdio>
+#include <deque>
+#include <span>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -29,7 +31,8 @@
 
 namespace {
 
-constexpr int warm_up = 5, frames = 201;
+/// The first frame of a turn, which finds another's data in the caches, is drawn beside them.
+constexpr int frames_of_turn = 5, turns = 41;
 constexpr l3d_size size{1024, 768};
 constexpr double tolerance = 0.25;
 
@@ -58,23 +61,76 @@ std::string study_text(std::size_t view, std::string_view vectors, int threads) 
     return text.data();
 }
 
+/// A way to draw a view.
+struct draw_way {
+    int threads = 1;
+    std::string vectors; ///< a SIMD target; empty for the best
+};
+
 struct measured {
     double median_ms = 0, slow_ms = 0; ///< slow: 95 of 100 frames are faster
     double work_ms = 0;                ///< processor time a frame, of all threads
     std::uint64_t hash = 0;
 };
 
-measured measure(const l3d_patch_model& model, const l3d_camera& camera, int threads) {
-    bench_frame frame(model, camera, size, tolerance, threads);
-    for (int i = 0; i < warm_up; ++i)
-        frame.draw();
-    std::vector<double> times;
-    const double before = processor_seconds();
-    for (int i = 0; i < frames; ++i)
-        times.push_back(frame.draw());
-    const double work = processor_seconds() - before;
-    std::sort(times.begin(), times.end());
-    return {times[frames / 2], times[frames * 95 / 100], 1000 * work / frames, frame.hash()};
+/// A view, drawn in several ways, and a clear.
+struct compared {
+    std::vector<measured> ways;
+    double clear_ms = 0;
+};
+
+double quantile(std::vector<double> numbers, std::size_t percent) {
+    std::ranges::sort(numbers);
+    return numbers[numbers.size() * percent / 100];
+}
+
+/// Frames of one way.
+class way_timer {
+public:
+    way_timer(const l3d_patch_model& model, const l3d_camera& camera, const draw_way& way)
+        : frame_(model, camera, size, tolerance, way.threads), vectors_(way.vectors) {}
+
+    void take_turn() {
+        l3d_set_simd_target(vectors_);
+        frame_.draw();
+        const double before = processor_seconds();
+        for (int i = 0; i < frames_of_turn; ++i)
+            ms_.push_back(frame_.draw());
+        work_s_ += processor_seconds() - before;
+    }
+
+    measured result() {
+        l3d_set_simd_target(vectors_);
+        constexpr double ms_per_s = 1000;
+        return {quantile(ms_, 50), quantile(ms_, 95),
+                ms_per_s * work_s_ / static_cast<double>(ms_.size()), frame_.hash()};
+    }
+
+private:
+    bench_frame frame_;
+    std::string vectors_;
+    std::vector<double> ms_;
+    double work_s_ = 0;
+};
+
+/// All ways in turn: what disturbs one disturbs all.
+compared measure(const l3d_patch_model& model, const l3d_camera& camera,
+                 std::span<const draw_way> ways) {
+    std::deque<way_timer> timers;
+    for (const draw_way& way : ways)
+        timers.emplace_back(model, camera, way);
+    std::vector<double> clears;
+    for (int turn = 0; turn < turns; ++turn) {
+        clears.push_back(clearing_ms(size));
+        for (way_timer& timer : timers)
+            timer.take_turn();
+    }
+    compared all;
+    for (way_timer& timer : timers)
+        all.ways.push_back(timer.result());
+    all.clear_ms = quantile(clears, 50);
+    l3d_set_simd_target("");
+    return all;
 }
 
 /// Processes that do nothing but keep processors busy.
@@ -102,56 +158,59 @@ private:
 };
 
 /// Returns whether all numbers of threads draw the same.
-bool print_threads(const l3d_patch_model& model, double clear) {
+bool print_threads(const l3d_patch_model& model) {
+    constexpr std::array numbers{1, 2, 3, 8};
+    std::vector<draw_way> ways;
+    for (const int threads : numbers)
+        ways.push_back({.threads = threads, .vectors = {}});
     bool same = true;
     std::printf("%-8s %7s | %8s %8s %9s %8s %8s | %s\n", "view", "threads", "ms", "speed-up",
                 "work ms", "clears", "study", "hash");
     for (std::size_t v = 0; v < bench_views.size(); ++v) {
-        const bench_view& view = bench_views[v];
-        const measured alone = measure(model, view.camera, 1);
-        for (const int threads : {1, 2, 3, 8}) {
-            const measured m = threads == 1 ? alone : measure(model, view.camera, threads);
-            std::printf("%-8s %7d | %8.3f %8.2f %9.3f %8.1f %8s | %016" PRIx64 "\n", view.name,
-                        threads, m.median_ms, alone.median_ms / m.median_ms, m.work_ms,
-                        m.median_ms / clear, study_text(v, l3d_simd_target(), threads).c_str(),
-                        m.hash);
-            same = same && m.hash == alone.hash;
+        const auto [all, clear] = measure(model, bench_views[v].camera, ways);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const measured& m = all[i];
+            std::printf("%-8s %7d | %8.3f %8.2f %9.3f %8.1f %8s | %016" PRIx64 "\n",
+                        bench_views[v].name, numbers[i], m.median_ms,
+                        all.front().median_ms / m.median_ms, m.work_ms, m.median_ms / clear,
+                        study_text(v, l3d_simd_target(), numbers[i]).c_str(), m.hash);
+            same = same && m.hash == all.front().hash;
         }
     }
     return same;
 }
 
 /// Returns whether all sets of instructions draw the same.
-bool print_vectors(const l3d_patch_model& model, double clear) {
+bool print_vectors(const l3d_patch_model& model) {
+    std::vector<draw_way> ways;
+    for (const std::string& target : l3d_simd_targets())
+        ways.push_back({.threads = 1, .vectors = target});
     bool same = true;
     std::printf("\n%-8s %-9s | %8s %8s %8s | %s\n", "view", "vectors", "ms", "clears", "study",
                 "hash");
     for (std::size_t v = 0; v < bench_views.size(); ++v) {
-        const bench_view& view = bench_views[v];
-        std::uint64_t hash = 0;
-        for (const std::string& target : l3d_simd_targets()) {
-            l3d_set_simd_target(target);
-            const measured m = measure(model, view.camera, 1);
-            if (hash == 0)
-                hash = m.hash;
-            std::printf("%-8s %-9s | %8.3f %8.1f %8s | %016" PRIx64 "\n", view.name, target.c_str(),
-                        m.median_ms, m.median_ms / clear, study_text(v, target, 1).c_str(), m.hash);
-            same = same && m.hash == hash;
+        const auto [all, clear] = measure(model, bench_views[v].camera, ways);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const measured& m = all[i];
+            std::printf("%-8s %-9s | %8.3f %8.1f %8s | %016" PRIx64 "\n", bench_views[v].name,
+                        ways[i].vectors.c_str(), m.median_ms, m.median_ms / clear,
+                        study_text(v, ways[i].vectors, 1).c_str(), m.hash);
+            same = same && m.hash == all.front().hash;
         }
-        l3d_set_simd_target("");
     }
     return same;
 }
 
 void print_beside_others(const l3d_patch_model& model) {
+    const std::vector<draw_way> ways{{.threads = 1, .vectors = {}}, {.threads = 2, .vectors = {}}};
     std::printf("\ncloseup beside other processes that never rest\n%8s %7s | %8s %8s\n", "beside",
                 "threads", "ms", "95 % ms");
     for (const unsigned beside : {0u, 1u, std::thread::hardware_concurrency()}) {
         const busy_neighbours neighbours(beside);
-        for (const int threads : {1, 2}) {
-            const measured m = measure(model, bench_views[1].camera, threads);
-            std::printf("%8u %7d | %8.3f %8.3f\n", beside, threads, m.median_ms, m.slow_ms);
-        }
+        const auto all = measure(model, bench_views[1].camera, ways).ways;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            std::printf("%8u %7d | %8.3f %8.3f\n", beside, ways[i].threads, all[i].median_ms,
+                        all[i].slow_ms);
     }
 }
 
@@ -164,11 +223,12 @@ int main() {
         std::fprintf(stderr, "threads_bench: %s\n", why.c_str());
         return 1;
     }
-    const double clear = clearing_ms(size);
-    std::printf("1024x768, tolerance %.2f, l3d_real %s; medians of %d frames; a clear: %.3f ms\n\n",
-                tolerance, l3d_real_name(), frames, clear);
-    const bool threads_agree = print_threads(*model, clear);
-    const bool vectors_agree = print_vectors(*model, clear);
+    std::printf("1024x768, tolerance %.2f, l3d_real %s; medians of %d frames, %d in turn; a clear: "
+                "%.3f ms\n\n",
+                tolerance, l3d_real_name(), turns * frames_of_turn, frames_of_turn,
+                clearing_ms(size));
+    const bool threads_agree = print_threads(*model);
+    const bool vectors_agree = print_vectors(*model);
     print_beside_others(*model);
     if (!threads_agree || !vectors_agree)
         std::fprintf(stderr, "threads_bench: the pictures differ\n");

@@ -57,11 +57,13 @@ TEST(workers, alone_work_in_order) {
     EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 0, 1, 2}));
 }
 
-/// Nobody goes on before all have begun.
+/// Nobody goes on before all have begun; that there are fewer elsewhere holds no one back.
 TEST(workers, begin_at_the_outer_ends_of_a_row) {
-    for (const int count : {2, 4}) {
+    l3d_workers two(2), three(3), four(4);
+    for (l3d_workers* const each_set : {&two, &three, &four}) {
+        l3d_workers& workers = *each_set;
+        const int count = workers.count();
         constexpr int each = 5;
-        l3d_workers workers(count);
         std::vector<int> first(static_cast<std::size_t>(count), -1);
         std::atomic<int> begun{0};
         workers.for_each_beside(each * count, [&](int item, int worker) {
