@@ -40,8 +40,8 @@ public:
     int scale() const { return scale_; }
 
     /// Writes one native row of those that show row y of a picture; they are all alike. It may
-    /// begin where a part does that writable_part has widened. Shape:   native_width pixels;
-    /// words.size() is native_width / scale, rounded up.
+    /// begin where a part does that writable_part has widened.
+    /// Shape:   native_width pixels; words.size() is native_width / scale, rounded up.
     void write_row(std::span<const std::uint32_t> words, int y, int native_width,
                    std::uint8_t* bytes) const;
 

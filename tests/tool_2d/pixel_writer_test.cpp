@@ -186,12 +186,13 @@ TEST(pixel_writer, is_its_slow_twin) {
 TEST(pixel_writer, rows_do_not_depend_on_others) {
     const l3d_palette palette{6, 1, 1, {9, 8, 7, 6, 5, 4}};
     const l3d_screen_info info(l3d_pixel_layout{8, 8, 0, 0, 0, std::endian::little, 32}, palette);
-    l3d_image picture({13, 11}, 17);
-    for (int y = 0; y < 11; ++y)
+    constexpr l3d_size size{13, 11};
+    l3d_image picture(size, 17);
+    for (int y = 0; y < size.height; ++y)
         std::ranges::fill(picture.pixels().row(y), 0x476B93U + static_cast<std::uint32_t>(y));
     const pixel_writer writer(info, 3);
     bytes whole(38UL * 32), row(38);
-    writer.write(picture.pixels(), l3d_whole({38, 32}), {38, 32}, whole.data(), 38);
+    writer.write(picture.pixels(), l3d_whole(size), {38, 32}, whole.data(), 38);
     auto there = whole.end();
     for (int y = 31; y >= 0; --y) {
         there -= 38;

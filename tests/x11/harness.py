@@ -127,15 +127,15 @@ def started(command, env, **options):
         process.communicate()
 
 
-def ended(process):
+def ended(process, patience=PATIENCE):
     """Waits for the end; returns exit status, standard output and messages."""
-    out, messages = process.communicate(timeout=PATIENCE)
+    out, messages = process.communicate(timeout=patience)
     return process.returncode, out, messages.decode()
 
 
-def run(command, env, **options):
+def run(command, env, patience=PATIENCE, **options):
     with started(command, env, **options) as process:
-        return ended(process)
+        return ended(process, patience)
 
 
 # ---- the X server and what happens in it --------------------------------------------------------

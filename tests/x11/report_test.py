@@ -16,9 +16,13 @@ DIAGRAMS = ("work_precision_full", "work_precision_closeup", "work_precision_top
             "error_by_steps", "chord_error", "arithmetic")
 
 
+# Seconds. It draws with every method at every tolerance, which sanitizers make twenty times as long.
+PATIENCE = 20 * harness.PATIENCE
+
+
 def report(path, program, *more, env=None):
     command = program.command("--error-report", path, "--quick", *more)
-    return run(command, env or environment())
+    return run(command, env or environment(), PATIENCE)
 
 
 def is_whole(program):
