@@ -8,7 +8,7 @@ set xlabel "milliseconds a frame, one thread, 1024 x 768"
 set ylabel "error in pixels, at most"
 set grid lc rgb "#dddddd"
 set key outside right top
-set xrange [0.5:100]
+set xrange [0.3:30]
 set yrange [0.05:1]
 set ytics ("0.1" 0.1, "0.25" 0.25, "0.5" 0.5)
 set title "the teapot, view full"
