@@ -213,7 +213,7 @@ TYPED_TEST(polygon_2d, row_24_corner_cases) {
     // The window inside the polygon: its four corners, clockwise.
     auto covered = clipped({{-500, -300}, {700, -250}, {50, 900}});
     ASSERT_EQ(covered.size(), 4u);
-    std::ranges::rotate(covered, std::ranges::find(covered, window[0]));
+    std::rotate(covered.begin(), std::ranges::find(covered, window[0]), covered.end());
     EXPECT_TRUE(std::ranges::equal(covered, window));
     // All inside, two corners on an edge: as it was.
     EXPECT_EQ(clipped({{10, 30}, {60, 50}, {10, 70}}).size(), 3u);

@@ -168,10 +168,11 @@ void add_weights(collection& to, const studio& in, const char* group) {
             {"random", [&](double, double) { return ten_to(random.between(-e, e)); }},
         };
         for (const auto& [name, weight_of] : patterns)
-            to.add(in, group, power(name, exponent), in.patch([&](double u, double v) {
-                return seen_point{0.1 + 0.7 * u + 0.1 * v * v, 0.1 + 0.1 * u * u + 0.7 * v,
-                                  weight_of(u, v)};
-            }));
+            to.add(in, group, power(name, exponent),
+                   in.patch([&weight_of = weight_of](double u, double v) {
+                       return seen_point{0.1 + 0.7 * u + 0.1 * v * v, 0.1 + 0.1 * u * u + 0.7 * v,
+                                         weight_of(u, v)};
+                   }));
     }
 }
 
