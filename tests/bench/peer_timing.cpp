@@ -123,8 +123,10 @@ std::vector<trial> trials_of(std::span<const bench_cell> cells, std::span<const 
     std::vector<trial> trials;
     for (std::size_t i = 0; i < cells.size(); ++i)
         for (std::size_t mesh = 0; mesh < cells[i].meshes.size(); ++mesh)
-            for (const peer_choice& way : ways)
-                trials.emplace_back(i, way).way.mesh = mesh;
+            for (peer_choice way : ways) {
+                way.mesh = mesh;
+                trials.push_back({i, way});
+            }
     return trials;
 }
 

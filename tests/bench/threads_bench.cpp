@@ -161,6 +161,7 @@ private:
 bool print_threads(const l3d_patch_model& model) {
     constexpr std::array numbers{1, 2, 3, 8};
     std::vector<draw_way> ways;
+    ways.reserve(numbers.size());
     for (const int threads : numbers)
         ways.push_back({.threads = threads, .vectors = {}});
     bool same = true;
