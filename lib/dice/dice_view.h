@@ -71,6 +71,13 @@ struct l3d_dice_view {
     /// an eighth for walking, that is within the tolerance while all else takes less than a half.
     double walk_allowance() const { return tolerance / 8; }
 
+    /// The same where vertices err by `exact` already: no more than an eighth of what is left, for
+    /// quads grow by what it takes, nor so much that a quarter of the tolerance is not left.
+    double walk_allowance(double exact) const {
+        const double left = tolerance - exact;
+        return std::max(0.0, std::min(left / 8, left - tolerance / 4));
+    }
+
     /// The least exact w where something is drawn of a net whose least w is `least`: steps are
     /// chosen so that where a chord is in front of the near plane, the exact w is over half of it.
     double drawn_w(double least) const { return std::max(least, near / 2); }

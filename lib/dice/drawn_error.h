@@ -41,6 +41,10 @@ struct l3d_vertex_accuracy {
     /// the exact w is at least half of the interpolated one.
     static constexpr double in_front = 1.25, crossing = 2;
 
+    /// What drawn_error is less where no folded quad is drawn, whose centre is rounded to
+    /// sub-pixels once more: in slits.
+    static double of_centre() { return in_front * l3d_snap_error<double>(0); }
+
     /// The image error that comes on top of the chord error, for points drawn inside the window.
     ///
     /// Let corner i have homogeneous errors e_i, be drawn off its place X_i by d_i, with its

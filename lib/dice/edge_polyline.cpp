@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace {
 
@@ -39,11 +40,16 @@ double points_error(const l3d_image_curve& curve, const l3d_image_box& seen, boo
                                          : l3d_vertex_accuracy::crossing);
 }
 
+/// Both ends included.
+std::size_t points_of(const l3d_block_starts& strips) {
+    return static_cast<std::size_t>(strips.first[static_cast<std::size_t>(strips.blocks)]) + 1;
+}
+
 } // namespace
 
 l3d_clip_vertex l3d_edge_polyline::clip_vertex(std::size_t i, const l3d_dice_view& view) const {
     l3d_clip_vertex result;
-    if (strips_.blocks > 0) {
+    if (strips_[0].blocks > 0) {
         // Drawn as it is; only one that meets a corner which rounding put out of range is clipped.
         const double w = view.depth_scale / static_cast<double>(inv_w_[i]);
         result.h = {(x_[i] - view.centre_x()) * w / l3d_subpixel_one,
@@ -99,14 +105,23 @@ void l3d_edge_polyline::build(const l3d_image_curve& edge, const l3d_dice_view& 
     take(strips[0], edge, view);
 }
 
-l3d_detail::edge_strips l3d_edge_polyline::room_for_strips() {
-    if (t_.size() < l3d_detail::edge_strips::room) {
-        t_.resize(l3d_detail::edge_strips::room);
-        x_.resize(l3d_detail::edge_strips::room);
-        y_.resize(l3d_detail::edge_strips::room);
-        inv_w_.resize(l3d_detail::edge_strips::room);
+l3d_detail::edge_strips l3d_edge_polyline::room_for_strips(std::size_t part) {
+    const std::size_t from = part * l3d_detail::edge_strips::room;
+    const std::size_t end = from + l3d_detail::edge_strips::room;
+    if (t_.size() < end) {
+        t_.resize(end);
+        x_.resize(end);
+        y_.resize(end);
+        inv_w_.resize(end);
     }
-    return {t_.data(), x_.data(), y_.data(), inv_w_.data(), {}, 0, 0};
+    return {t_.data() + from,
+            x_.data() + from,
+            y_.data() + from,
+            inv_w_.data() + from,
+            {},
+            0,
+            0,
+            false};
 }
 
 void l3d_edge_polyline::reserve_as(const l3d_edge_polyline& other) {
@@ -120,12 +135,71 @@ void l3d_edge_polyline::reserve_as(const l3d_edge_polyline& other) {
 
 void l3d_edge_polyline::take(const l3d_detail::edge_strips& strips, const l3d_image_curve& edge,
                              const l3d_dice_view& view) {
-    strips_ = strips.strips;
-    if (strips_.blocks == 0)
-        return cut(edge, view);
-    size_ = static_cast<std::size_t>(strips_.first[static_cast<std::size_t>(strips_.blocks)]) + 1;
+    parts_ = 1;
+    strips_[0] = strips.strips;
+    if (strips.strips.blocks == 0) {
+        if (!strips.too_long || !take_parts(edge, view))
+            cut(edge, view);
+        return;
+    }
+    size_ = points_of(strips.strips);
     chord_error_ = strips.chord_error;
     vertex_error_ = strips.vertex_error;
+}
+
+/// In as few parts as will do; whether any number does.
+bool l3d_edge_polyline::take_parts(const l3d_image_curve& edge, const l3d_dice_view& view) {
+    std::array<l3d_image_curve, most_parts> parts{edge};
+    for (std::size_t count = 2; count <= most_parts; count *= 2) {
+        for (std::size_t k = count / 2; k-- > 0;)
+            std::tie(parts[2 * k], parts[2 * k + 1]) = parts[k].split();
+        if (join(std::span(parts).first(count), view))
+            return true;
+    }
+    return false;
+}
+
+/// Makes an edge of its parts, each an edge by itself; false if one of them is too long.
+bool l3d_edge_polyline::join(std::span<const l3d_image_curve> parts, const l3d_dice_view& view) {
+    constexpr std::size_t at_once = l3d_detail::edges_at_once;
+    std::array<l3d_detail::edge_strips, most_parts> strips;
+    room_for_strips(parts.size() - 1);
+    for (std::size_t part = 0; part < parts.size(); part += at_once) {
+        std::array<l3d_image_curve, at_once> some;
+        std::array<l3d_detail::edge_strips, at_once> of_some;
+        for (std::size_t k = 0; k < at_once; ++k) {
+            // Where there are but two, two are made twice.
+            const std::size_t which = std::min(part + k, parts.size() - 1);
+            some[k] = parts[which];
+            of_some[k] = room_for_strips(which);
+        }
+        l3d_detail::make_edge_strips(some, view, of_some);
+        for (std::size_t k = 0; k < at_once && part + k < parts.size(); ++k) {
+            if (of_some[k].strips.blocks == 0)
+                return false;
+            strips[part + k] = of_some[k];
+        }
+    }
+    parts_ = parts.size();
+    size_ = 1;
+    chord_error_ = vertex_error_ = 0;
+    for (std::size_t part = 0; part < parts_; ++part) {
+        const l3d_detail::edge_strips& from = strips[part];
+        // A part begins with the last one's end, the same bits.
+        const std::size_t to = size_ - 1, count = points_of(from.strips);
+        for (std::size_t i = 0; i < count; ++i)
+            t_[to + i] = (static_cast<double>(part) + from.t[i]) / static_cast<double>(parts_);
+        std::copy_n(from.x, count, x_.data() + to);
+        std::copy_n(from.y, count, y_.data() + to);
+        std::copy_n(from.inv_w, count, inv_w_.data() + to);
+        strips_[part] = from.strips;
+        for (int& first : strips_[part].first)
+            first += static_cast<int>(to);
+        size_ = to + count;
+        chord_error_ = std::max(chord_error_, from.chord_error);
+        vertex_error_ = std::max(vertex_error_, from.vertex_error);
+    }
+    return true;
 }
 
 /// Any edge, in as many strips as it takes.

@@ -7,7 +7,9 @@
 #include "dice/near_clip.h"
 #include "raster/surface_part.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -23,7 +25,7 @@ struct edge_strips;
 /// patch: both neighbours compute the same bits, also if one runs along it backwards. Each
 /// neighbour fills the slit between its own boundary row and this polyline.
 /// Shape: points in order of rising t, from 0 to 1, one array per component.
-/// Cost:  at most 32 points a strip; strips halve where that is too coarse. 150 ns an edge of 24
+/// Cost:  at most 32 points a strip; edges halve where that is too coarse. 150 ns an edge of 24
 ///        points, if it needs no clipping and is one of four (AVX-512).
 class l3d_edge_polyline {
 public:
@@ -46,9 +48,30 @@ public:
     /// The point as clipping needs it, without parameters and normal.
     l3d_clip_vertex clip_vertex(std::size_t i, const l3d_dice_view& view) const;
 
-    /// Where the strips begin, if they are one or four of equal length, as a patch's are, and all
-    /// points can be drawn; else 0 blocks.
-    const l3d_block_starts& strips() const { return strips_; }
+    /// Equal parts, 16 at most, of an edge all points of which can be drawn: one, or as many as it
+    /// takes until 32 steps a strip are enough.
+    static constexpr std::size_t most_parts = 16;
+    std::size_t parts() const { return parts_; }
+
+    /// Where the strips of a part begin, one or four of equal length, as a patch's are, counted in
+    /// points of the whole edge; 0 blocks if not all points can be drawn.
+    const l3d_block_starts& strips(std::size_t part = 0) const { return strips_[part]; }
+
+    /// Those of the part from t0 to t1; null if there is none such.
+    const l3d_block_starts* strips_between(double t0, double t1) const {
+        const double part = t0 * static_cast<double>(parts_);
+        return (t1 - t0) * static_cast<double>(parts_) == 1 && part == std::floor(part)
+                   ? &strips_[static_cast<std::size_t>(part)]
+                   : nullptr;
+    }
+
+    /// The last point at t or before.
+    std::size_t point_before(double t) const {
+        if (t >= 1)
+            return size_ - 1;
+        const double* first = t_.data();
+        return static_cast<std::size_t>(std::upper_bound(first, first + size_ - 1, t) - first) - 1;
+    }
 
     /// Certified image error of the visible segments, in pixels: that of chords between exact
     /// points, and what the points' own errors add.
@@ -57,9 +80,11 @@ public:
     double bound() const { return chord_error_ + vertex_error_; }
 
 private:
-    l3d_detail::edge_strips room_for_strips();
+    l3d_detail::edge_strips room_for_strips(std::size_t part = 0);
     void take(const l3d_detail::edge_strips& strips, const l3d_image_curve& edge,
               const l3d_dice_view& view);
+    bool take_parts(const l3d_image_curve& edge, const l3d_dice_view& view);
+    bool join(std::span<const l3d_image_curve> parts, const l3d_dice_view& view);
     void cut(const l3d_image_curve& edge, const l3d_dice_view& view);
     void add_strip(const l3d_image_curve& strip, double t0, double t1, int level,
                    const l3d_dice_view& view);
@@ -75,7 +100,8 @@ private:
     std::vector<l3d_image_point> h_;
     std::vector<unsigned char> drawable_;
 
-    l3d_block_starts strips_;
+    std::size_t parts_ = 1;
+    std::array<l3d_block_starts, most_parts> strips_;
     double chord_error_ = 0, vertex_error_ = 0;
 };
 

@@ -324,6 +324,7 @@ void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
     for (std::size_t e = 0; e < edges_at_once; ++e) {
         edge_strips& out = results[e];
         out.strips = {0, {}};
+        out.too_long = false;
         if (!seen[e].drawable)
             continue;
         const std::size_t strips = seen[e].one_strip ? 1 : most_strips;
@@ -337,7 +338,8 @@ void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
             most = std::max(most, n[s]);
             out.chord_error = std::max(out.chord_error, chord_error.at[lane]);
         }
-        if (most > l3d_most_steps_whole)
+        out.too_long = most > l3d_most_steps_whole;
+        if (out.too_long)
             continue;
         out.vertex_error = seen[e].vertex_error;
         out.strips.blocks = static_cast<int>(strips);

@@ -37,6 +37,7 @@ struct edge_strips {
 
     l3d_block_starts strips; ///< one or four; none if the edge is not of this kind
     double chord_error, vertex_error;
+    bool too_long; ///< every control point can be drawn, but a strip needs more than 32 steps
 };
 
 /// Makes the points of those edges of which every control point can be drawn and that need at most

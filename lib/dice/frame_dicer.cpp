@@ -132,7 +132,8 @@ void l3d_frame_dicer<T>::dice_patch(const l3d_image_patch& net, const l3d_normal
     if (!diced) {
         if (way_ == l3d_dice_way::lanes)
             out.give_back();
-        space.general.dice(net, normals, view_, space.edges, out, space.counts);
+        space.general.dice(net, normals, view_, space.edges, out, space.counts,
+                           way_ == l3d_dice_way::lanes ? &space.lanes : nullptr);
     }
     for (l3d_diced_piece& piece : out.used()) {
         piece.part.error_color = l3d_error_color(piece.bound, view_.tolerance);

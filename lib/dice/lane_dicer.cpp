@@ -81,6 +81,7 @@ template <class T> bool l3d_lane_dicer<T>::judge(const l3d_dice_view& view) {
         return vertex_error_ - exact <= allowance;
     };
     register_xy_ = register_w_ = 1;
+    const double least = view.walk_allowance(exact);
     if constexpr (l3d_is_fixed<T>) {
         const int bits_xy = l3d_block_fraction_bits(most_xy);
         const int bits_w = l3d_block_fraction_bits(most_w);
@@ -95,19 +96,37 @@ template <class T> bool l3d_lane_dicer<T>::judge(const l3d_dice_view& view) {
         };
         // Both x and w are rounded to floats before the division: twice a float's snap error.
         const double snap = 2 * l3d_snap_error<float>(reach) - l3d_snap_error<float>(0);
-        return walked_in(lane_register::fixed_32, 0, snap, view.tolerance / 16) ||
+        return walked_in(lane_register::fixed_32, 0, snap, std::min(view.tolerance / 16, least)) ||
                walked_in(lane_register::fixed_64, 32, l3d_snap_error<double>(reach),
                          view.walk_allowance());
     } else {
-        register_ = sizeof(T) == 4 ? lane_register::float_32 : lane_register::float_64;
-        return judged(walking_error<T>(most_xy, strips), walking_error<T>(most_w, strips),
-                      l3d_snap_error<T>(reach), view.walk_allowance());
+        const auto walked_in = [&]<class Number>(Number, lane_register kind, double allowance) {
+            register_ = kind;
+            return judged(walking_error<Number>(most_xy, strips),
+                          walking_error<Number>(most_w, strips), l3d_snap_error<Number>(reach),
+                          allowance);
+        };
+        return (sizeof(T) == 4 && walked_in(0.0F, lane_register::float_32, least)) ||
+               walked_in(0.0, lane_register::float_64, view.walk_allowance());
     }
 }
 
 template <class T>
-void l3d_lane_dicer<T>::fill_grid(const l3d_normal_net& normals, const l3d_dice_view& view,
-                                  l3d_surface_part& part) {
+const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_image_patch& net, const l3d_dice_view& view,
+                                             double edge_vertex) {
+    l3d_detail::bounds_in_lanes(net, view, bounds_);
+    if (!bounds_.ordinary || !judge(view))
+        return nullptr;
+    row_error_ = std::max(vertex_error_ - l3d_vertex_accuracy::of_centre(), edge_vertex);
+    vertex_error_ = std::max(vertex_error_, edge_vertex);
+    plan_ = l3d_plan_steps(bounds_.needs, view.chord_budget(vertex_error_), l3d_quad_kind::whole);
+    return &plan_;
+}
+
+template <class T>
+void l3d_lane_dicer<T>::fill(const l3d_net_piece& piece, const l3d_normal_net& normals,
+                             const l3d_dice_view& view, l3d_diced_piece& out) {
+    l3d_surface_part& part = out.part;
     u_.fill(plan_.strips, plan_.nu, plan_.balanced);
     v_.fill(plan_.strips, plan_.nv, plan_.balanced);
     part.block_columns = starts_of(plan_, plan_.nu);
@@ -125,7 +144,12 @@ void l3d_lane_dicer<T>::fill_grid(const l3d_normal_net& normals, const l3d_dice_
                                      register_w_,
                                      static_cast<float>(view.depth_scale)};
     l3d_detail::walk_in_lanes(walk, register_, part.grid);
+    u_.place(piece.u0, piece.u1);
+    v_.place(piece.v0, piece.v1);
     l3d_detail::normals_in_lanes(normals, u_, v_, part.grid);
+    out.u.assign(u_.at, u_.at + u_.count);
+    out.v.assign(v_.at, v_.at + v_.count);
+    out.bound = plan_.visible ? plan_.chord_error + vertex_error_ : 0;
 }
 
 template <class T>
@@ -139,24 +163,17 @@ bool l3d_lane_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& n
         edge_chord = std::max(edge_chord, edge.chord_error());
         edge_vertex = std::max(edge_vertex, edge.vertex_error());
     }
-    l3d_detail::bounds_in_lanes(net, view, bounds_);
-    if (!bounds_.ordinary || !judge(view))
-        return false;
-    const double vertex = std::max(vertex_error_, edge_vertex);
-    plan_ = l3d_plan_steps(bounds_.needs, view.chord_budget(vertex), l3d_quad_kind::whole);
-    if (std::max(plan_.most_u(), plan_.most_v()) > l3d_most_steps_whole)
+    if (plan(net, view, edge_vertex) == nullptr ||
+        std::max(plan_.most_u(), plan_.most_v()) > l3d_most_steps_whole)
         return false;
 
-    fill_grid(normals, view, out.part);
-    out.u.assign(u_.at, u_.at + u_.count);
-    out.v.assign(v_.at, v_.at + v_.count);
-    out.bound = plan_.visible ? plan_.chord_error + vertex : 0;
+    fill({net}, normals, view, out);
     for (std::size_t side = 0; side < edges.size(); ++side) {
         l3d_close_side(out, side, edges[side]);
         counts.add_edge(edges[side].size(), edges[side].bound());
     }
     // Slits lie between vertices of the patch and of its edges, each off by its own error.
-    counts.bound_px = std::max({counts.bound_px, out.bound, edge_chord + vertex});
+    counts.bound_px = std::max({counts.bound_px, out.bound, edge_chord + row_error_});
     ++counts.drawn;
     ++counts.pieces;
     counts.samples += static_cast<std::int64_t>(u_.count * v_.count);

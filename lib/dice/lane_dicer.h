@@ -10,11 +10,12 @@
 #include "dice/diced_piece.h"
 #include "dice/edge_polyline.h"
 #include "dice/lane_rows_p.h"
+#include "dice/net_piece.h"
 
 #include <span>
 
-/// Dices patches that need neither clipping nor cutting; the slow twin, which takes all, is
-/// l3d_patch_dicer.
+/// Dices patches, and pieces of patches, that need neither clipping nor cutting; the slow twin,
+/// which takes all, is l3d_patch_dicer.
 ///
 /// Lives: one per worker.
 /// Cost:  no allocation but what `out` needs to be larger than ever before.
@@ -31,19 +32,33 @@ public:
               std::span<const l3d_edge_polyline, 4> edges, l3d_diced_piece& out,
               l3d_dice_counts& counts);
 
+    /// The steps of a patch or piece whose edges' vertices are off by `edge_vertex`; more than 32 a
+    /// strip are too many to be filled.
+    /// Lives:  until the next one is planned.
+    /// Errors: null if it is not ordinary, or cannot be walked exactly enough.
+    const l3d_step_plan* plan(const l3d_image_patch& net, const l3d_dice_view& view,
+                              double edge_vertex);
+
+    /// The grid of what was planned last, its parameters and its bound.
+    /// Expects: at most 32 steps a strip were planned, of the piece's own net.
+    void fill(const l3d_net_piece& piece, const l3d_normal_net& normals, const l3d_dice_view& view,
+              l3d_diced_piece& out);
+
+    /// What rounding of vertices adds to the chord error of slits along the sides of what was
+    /// planned last. Units: pixels.
+    double row_error() const { return row_error_; }
+
 private:
     bool judge(const l3d_dice_view& view);
     double vertex_error(const l3d_dice_view& view, double walk_xy, double walk_w,
                         double snap_error) const;
-    void fill_grid(const l3d_normal_net& normals, const l3d_dice_view& view,
-                   l3d_surface_part& part);
 
     l3d_detail::lane_bounds bounds_;
     l3d_step_plan plan_;
     l3d_detail::lane_parameters u_, v_;
     l3d_detail::lane_register register_ = l3d_detail::lane_register::float_32;
     double register_xy_ = 1, register_w_ = 1;
-    double vertex_error_ = 0;
+    double vertex_error_ = 0, row_error_ = 0;
 };
 
 #endif

@@ -362,6 +362,13 @@ void lane_parameters::fill(int strips, const std::array<int, 4>& steps, bool bal
     std::fill(moved + last, moved + padded(), 0.0);
 }
 
+void lane_parameters::place(double low, double high) {
+    if (low == 0 && high == 1)
+        return;
+    for (std::size_t i = 0; i < padded(); ++i)
+        at[i] = low + (high - low) * at[i];
+}
+
 void walk_in_lanes(const lane_walk& walk, lane_register kind, l3d_micro_grid& grid) {
     switch (kind) {
     case lane_register::float_32:

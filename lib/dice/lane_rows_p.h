@@ -28,6 +28,9 @@ struct lane_parameters {
 
     /// The points i / n of each of the strips; 1 from the last one on. Balanced or not.
     void fill(int strips, const std::array<int, 4>& steps, bool balanced);
+
+    /// From now on those of the stretch from low to high.
+    void place(double low, double high);
 };
 
 /// The kinds of registers in which columns can be walked.

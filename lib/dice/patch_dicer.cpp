@@ -29,7 +29,8 @@ std::int64_t samples_of(const l3d_step_plan& plan) {
 template <class T>
 void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& normals,
                               const l3d_dice_view& view, l3d_edge_polylines& edges,
-                              l3d_diced_pieces& out, l3d_dice_counts& counts) {
+                              l3d_diced_pieces& out, l3d_dice_counts& counts,
+                              l3d_lane_dicer<T>* lanes) {
     ++counts.drawn;
     for (const l3d_edge_polyline& edge : edges.outer())
         counts.add_edge(edge.size(), edge.bound());
@@ -37,7 +38,7 @@ void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& 
     piece whole{{net}, {}};
     for (std::size_t side = 0; side < whole.sides.size(); ++side)
         whole.sides[side].edge = side;
-    task of{view, edges, out, counts, l3d_most_samples};
+    task of{view, normals, edges, out, counts, l3d_most_samples, lanes};
     waiting_.clear();
     take(whole, of);
     for (std::size_t pieces = 1; !waiting_.empty() && pieces < l3d_most_pieces; ++pieces) {
@@ -57,8 +58,12 @@ template <class T>
 auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of) const -> planned {
     planned result{l3d_piece_nets<T>(p.net, of.view), {}};
     result.vertex_error = result.nets.vertex_error();
-    for (const l3d_piece_side& side : p.sides)
-        result.vertex_error = std::max(result.vertex_error, of.edges[side.edge].vertex_error());
+    result.row_error = result.nets.row_error();
+    for (const l3d_piece_side& side : p.sides) {
+        const double of_side = of.edges[side.edge].vertex_error();
+        result.vertex_error = std::max(result.vertex_error, of_side);
+        result.row_error = std::max(result.row_error, of_side);
+    }
     const bool whole = result.nets.whole();
     result.plan = l3d_plan_steps(result.nets.net(), result.nets.blocks(), of.view,
                                  of.view.chord_budget(result.vertex_error),
@@ -73,6 +78,8 @@ template <class T> void l3d_patch_dicer<T>::take(const piece& p, task& of) {
     if ((!of.view.keep.outside || p.depth > 0) &&
         l3d_outside(p.net.points, of.view.margin(), of.view.near, of.view.far))
         return drawer_.close_hidden(p, of.out.next());
+    if (of.lanes != nullptr && take_in_lanes(p, of))
+        return;
     const planned how = plan_of(p, of);
     if (how.excess <= 1 && samples_of(how.plan) <= of.samples_left)
         return draw(p, how, of);
@@ -80,6 +87,30 @@ template <class T> void l3d_patch_dicer<T>::take(const piece& p, task& of) {
         return draw_coarsely(p, of.samples_left, of);
     waiting_.push_back({p, how.excess, how.plan.most_u() >= how.plan.most_v()});
     std::push_heap(waiting_.begin(), waiting_.end());
+}
+
+/// Does the same in lanes; false, with nothing done, if it cannot.
+template <class T> bool l3d_patch_dicer<T>::take_in_lanes(const piece& p, task& of) {
+    double edge_vertex = 0;
+    for (const l3d_piece_side& side : p.sides)
+        edge_vertex = std::max(edge_vertex, of.edges[side.edge].vertex_error());
+    const l3d_step_plan* plan = of.lanes->plan(p.net, of.view, edge_vertex);
+    if (plan == nullptr)
+        return false;
+    const double excess =
+        static_cast<double>(std::max(plan->most_u(), plan->most_v())) / l3d_most_steps_whole;
+    if (excess <= 1 && samples_of(*plan) <= of.samples_left) {
+        l3d_diced_piece& out = of.out.next();
+        of.lanes->fill(p, of.normals, of.view, out);
+        drawer_.close(p, out);
+        count(p, out, of.lanes->row_error(), of);
+        return true;
+    }
+    if (p.depth >= deepest || excess <= 1)
+        return false;
+    waiting_.push_back({p, excess, plan->most_u() >= plan->most_v()});
+    std::push_heap(waiting_.begin(), waiting_.end());
+    return true;
 }
 
 /// With fewer steps than the tolerance asks for.
@@ -110,6 +141,7 @@ void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, tas
         how.plan.balanced = false;
         how.plan.chord_error *= whole ? ratio * ratio : std::numeric_limits<double>::infinity();
         how.vertex_error *= ratio * ratio;
+        how.row_error *= ratio * ratio;
     }
     draw(p, how, of);
 }
@@ -118,13 +150,20 @@ template <class T> void l3d_patch_dicer<T>::draw(const piece& p, const planned& 
     l3d_diced_piece& out = of.out.next();
     drawer_.draw(p, how.nets, how.plan, out);
     out.bound = how.plan.visible ? how.plan.chord_error + how.vertex_error : 0;
+    count(p, out, how.row_error, of);
+    of.counts.clipped += !how.nets.whole();
+}
+
+/// A piece that was drawn, vertices of the slits along its sides being off by row_error.
+template <class T>
+void l3d_patch_dicer<T>::count(const piece& p, const l3d_diced_piece& out, double row_error,
+                               task& of) const {
     double side_error = 0;
     for (const l3d_piece_side& side : p.sides)
         side_error = std::max(side_error, of.edges[side.edge].chord_error());
     // Slits lie between vertices of the piece and of its sides, each off by its own error.
-    of.counts.bound_px = std::max({of.counts.bound_px, out.bound, side_error + how.vertex_error});
+    of.counts.bound_px = std::max({of.counts.bound_px, out.bound, side_error + row_error});
     ++of.counts.pieces;
-    of.counts.clipped += !how.nets.whole();
     const auto samples = static_cast<std::int64_t>(out.u.size() * out.v.size());
     of.counts.samples += samples;
     of.samples_left = std::max(std::int64_t{0}, of.samples_left - samples);

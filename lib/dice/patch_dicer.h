@@ -8,6 +8,7 @@
 #include "dice/dice_view.h"
 #include "dice/diced_pieces.h"
 #include "dice/edge_polylines.h"
+#include "dice/lane_dicer.h"
 #include "dice/piece_drawer.h"
 #include "dice/surface_piece.h"
 
@@ -42,9 +43,10 @@ public:
     /// Adds the patch's pieces to `out`, and to `counts` what it did.
     ///
     /// Expects: `edges` was built of this net and view, and has nothing more than its outer edges;
-    ///          tolerance > 0, near > 0.
+    ///          tolerance > 0, near > 0. With `lanes`, these dice all pieces that they can.
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
-              l3d_edge_polylines& edges, l3d_diced_pieces& out, l3d_dice_counts& counts);
+              l3d_edge_polylines& edges, l3d_diced_pieces& out, l3d_dice_counts& counts,
+              l3d_lane_dicer<T>* lanes = nullptr);
 
     /// From now on, pieces that are no larger than any `other` has had allocate nothing.
     void reserve_as(const l3d_patch_dicer& other) {
@@ -59,7 +61,7 @@ private:
     struct planned {
         l3d_piece_nets<T> nets;
         l3d_step_plan plan;
-        double vertex_error = 0, excess = 0;
+        double vertex_error = 0, row_error = 0, excess = 0;
     };
 
     /// A piece that is still too coarse.
@@ -74,14 +76,18 @@ private:
     /// What stays the same for a patch.
     struct task {
         const l3d_dice_view& view;
+        const l3d_normal_net& normals;
         l3d_edge_polylines& edges;
         l3d_diced_pieces& out;
         l3d_dice_counts& counts;
         std::int64_t samples_left = 0;
+        l3d_lane_dicer<T>* lanes = nullptr;
     };
 
     planned plan_of(const piece& p, const task& of) const;
     void take(const piece& p, task& of);
+    bool take_in_lanes(const piece& p, task& of);
+    void count(const piece& p, const l3d_diced_piece& out, double row_error, task& of) const;
     void draw_coarsely(const piece& p, std::int64_t samples, task& of);
     void draw(const piece& p, const planned& how, task& of);
 

@@ -62,12 +62,19 @@ void l3d_piece_drawer<T>::draw(const piece& p, const l3d_piece_nets<T>& nets,
         evaluate_grid(nets, plan, out);
         copy_evaluated(grid);
     }
+    close(p, out);
+}
+
+template <class T> void l3d_piece_drawer<T>::close(const piece& p, l3d_diced_piece& out) {
+    l3d_micro_grid& grid = out.part.grid;
+    columns_ = grid.columns;
+    rows_ = grid.rows;
     set_grid_corners(p, grid);
     for (std::size_t side = 0; side < p.sides.size(); ++side) {
         const l3d_piece_side& along = p.sides[side];
         const l3d_edge_polyline& edge = (*edges_)[along.edge];
-        if (along.whole() && edge.strips().blocks > 0)
-            l3d_close_side(out, side, edge);
+        if (edge.strips().blocks > 0)
+            l3d_close_side(out, side, edge, along.t0, along.t1);
         else
             fill_slit(
                 p, side, [&](int r, int c) { return grid_vertex(p, grid, r, c); }, out);

@@ -33,6 +33,10 @@ public:
     void draw(const piece& p, const l3d_piece_nets<T>& nets, const l3d_step_plan& plan,
               l3d_diced_piece& out);
 
+    /// What comes after the grid of a piece that needs no clipping: the sides, and the corners
+    /// where everybody has them. Shape: the grid's blocks and out.u, out.v are written.
+    void close(const piece& p, l3d_diced_piece& out);
+
     /// A piece outside the window is not diced, but the slits that start along its sides may
     /// reach inside: they are filled up to its corners.
     void close_hidden(const piece& p, l3d_diced_piece& out);

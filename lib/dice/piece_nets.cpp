@@ -99,7 +99,7 @@ void l3d_piece_nets<T>::judge(l3d_vertex_accuracy accuracy, const l3d_dice_view&
     accuracy.error_w += walking_error<T>(size.w, l3d_most_steps_whole, strips);
     accuracy.snap_error += l3d_snap_error<T>(accuracy.reach) - l3d_snap_error<T>(0);
     const double walking = accuracy.drawn_error(w_ratio);
-    walked_ = walking - vertex_error_ <= view.walk_allowance();
+    walked_ = walking - vertex_error_ <= view.walk_allowance(vertex_error_);
     if (walked_)
         vertex_error_ = walking;
 }

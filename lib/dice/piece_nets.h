@@ -36,6 +36,11 @@ public:
     /// What rounding of the vertices adds to the chord error. Units: pixels.
     double vertex_error() const { return vertex_error_; }
 
+    /// The same in slits along the piece's sides.
+    double row_error() const {
+        return whole_ ? vertex_error_ - l3d_vertex_accuracy::of_centre() : vertex_error_;
+    }
+
 private:
     void cut();
     void judge(l3d_vertex_accuracy accuracy, const l3d_dice_view& view);

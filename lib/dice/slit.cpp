@@ -35,7 +35,8 @@ void add(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vert
 /// A side of a piece's grid as a row of vertices, and the edge it lies along.
 class closing_side {
 public:
-    closing_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge)
+    closing_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge, double t0,
+                 double t1)
         : piece_(piece), grid_(piece.part.grid), edge_(edge), along_u_(side < 2),
           parameters_(along_u_ ? piece.u : piece.v),
           across_(along_u_ ? (side == 1 ? piece.v.back() : piece.v.front())
@@ -43,7 +44,9 @@ public:
           first_(side == 1   ? grid_.index(grid_.rows - 1, 0)
                  : side == 3 ? grid_.index(0, grid_.columns - 1)
                              : 0),
-          step_(along_u_ ? 1 : static_cast<std::size_t>(grid_.pitch)) {}
+          step_(along_u_ ? 1 : static_cast<std::size_t>(grid_.pitch)),
+          per_t_((parameters_.back() - parameters_.front()) / (t1 - t0)),
+          at_zero_(parameters_.front() - per_t_ * t0) {}
 
     /// Puts vertex i where the edge has its point j.
     void take_over(std::size_t i, std::size_t j) {
@@ -55,12 +58,10 @@ public:
 
     /// Adds the triangles between vertices i to i_end and points j to j_end.
     void fill(std::size_t i, std::size_t i_end, std::size_t j, std::size_t j_end) {
-        const double low = parameters_.front(), high = parameters_.back();
         l3d_micro_vertex of_row = vertex(i), of_edge = on_row(j, of_row);
         while (i < i_end || j < j_end) {
             const bool along_row =
-                i < i_end &&
-                (j == j_end || parameters_[i + 1] <= low + (high - low) * edge_.t()[j + 1]);
+                i < i_end && (j == j_end || parameters_[i + 1] <= parameter_of(j + 1));
             const l3d_micro_vertex next = along_row ? vertex(i + 1) : on_row(j + 1, of_row);
             if (!covers_nothing(of_edge, of_row, next)) {
                 piece_.part.triangles.add(of_edge, of_row, next);
@@ -90,11 +91,12 @@ private:
                 {near_by.normal[0], near_by.normal[1], near_by.normal[2]}};
     }
 
+    /// The patch's parameter at a point of the edge.
+    double parameter_of(std::size_t j) const { return at_zero_ + per_t_ * edge_.t()[j]; }
+
     void keep_parameters(std::size_t i, std::size_t j, bool along_row) {
-        const double low = parameters_.front(), high = parameters_.back();
-        const auto of_edge = [&](std::size_t k) { return low + (high - low) * edge_.t()[k]; };
-        const std::array<double, 3> along{of_edge(j), parameters_[i],
-                                          along_row ? parameters_[i + 1] : of_edge(j + 1)};
+        const std::array<double, 3> along{parameter_of(j), parameters_[i],
+                                          along_row ? parameters_[i + 1] : parameter_of(j + 1)};
         for (std::size_t k = 0; k < along.size(); ++k)
             piece_.triangle_uv[k].push_back(along_u_
                                                 ? l3d_diced_piece::parameters{along[k], across_}
@@ -108,6 +110,7 @@ private:
     const std::vector<double>& parameters_;
     double across_;
     std::size_t first_, step_;
+    double per_t_, at_zero_; ///< of parameters along the side by the edge's: whole powers of two
 };
 
 } // namespace
@@ -143,20 +146,27 @@ void l3d_fill_slit(std::span<const l3d_boundary_point> row, const l3d_edge_polyl
     }
 }
 
-void l3d_close_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge) {
-    closing_side row(piece, side, edge);
+void l3d_close_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
+                    double t0, double t1) {
+    closing_side row(piece, side, edge, t0, t1);
     const l3d_block_starts& mine = side < 2 ? piece.part.block_columns : piece.part.block_rows;
-    const l3d_block_starts& its = edge.strips();
     const auto start = [](const l3d_block_starts& starts, int block) {
         return static_cast<std::size_t>(starts.first[static_cast<std::size_t>(block)]);
     };
-    row.take_over(0, 0);
-    row.take_over(start(mine, mine.blocks), start(its, its.blocks));
-    if (mine.blocks != its.blocks)
-        return row.fill(0, start(mine, mine.blocks), 0, start(its, its.blocks));
+    const std::size_t last = start(mine, mine.blocks);
+    const l3d_block_starts* its = edge.strips_between(t0, t1);
+    if (its == nullptr || mine.blocks != its->blocks) {
+        const std::size_t from = edge.point_before(t0), to = edge.point_before(t1);
+        if (edge.t()[from] == t0)
+            row.take_over(0, from);
+        if (edge.t()[to] == t1)
+            row.take_over(last, to);
+        return row.fill(0, last, from, to);
+    }
+    row.take_over(0, start(*its, 0));
     for (int s = 0; s < mine.blocks; ++s) {
         const std::size_t i = start(mine, s), i_end = start(mine, s + 1);
-        const std::size_t j = start(its, s), j_end = start(its, s + 1);
+        const std::size_t j = start(*its, s), j_end = start(*its, s + 1);
         row.take_over(i_end, j_end);
         if (i_end - i != j_end - j)
             row.fill(i, i_end, j, j_end);
