@@ -3,6 +3,7 @@
 #include "raster/band_scalar_p.h"
 
 #include "raster/surface_fill_p.h"
+#include "raster/levels_shader_p.h"
 #include "raster/surface_shader_p.h"
 
 #include <algorithm>
@@ -60,6 +61,8 @@ template <class Draw> void band_scalar::with_shader(std::uint32_t error_color, c
         return draw(surface_fill(target_, normals_shader(*shading_)));
     case l3d_shade::error:
         return draw(surface_fill(target_, constant_shader(error_color)));
+    case l3d_shade::levels:
+        return draw(surface_fill(target_, levels_shader()));
     }
 }
 

@@ -26,7 +26,7 @@ public:
     }
 
     /// Greys may be as unlike as they like.
-    HWY_INLINE int_mask with_unfit(int_mask unfit) const { return unfit; }
+    HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask) const { return unfit; }
     HWY_INLINE int_mask fit_in_pieces(int_mask polygons) const { return polygons; }
 
     /// A plane through four corners that are not in one plane runs past their greys near a corner,

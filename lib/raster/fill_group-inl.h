@@ -106,7 +106,7 @@ private:
         const int_mask skewed = hn::And(is_quad, hn::Gt(skew, hn::ShiftRight<1>(hn::Abs(area2_))));
         places_.triangle = hn::Not(is_quad);
         skew_ = skew;
-        const int_mask unfit = light_.with_unfit(hn::Or(large_, slivers_at_the_edge()));
+        const int_mask unfit = light_.with_unfit(hn::Or(large_, slivers_at_the_edge()), skewed);
         const int_mask others = hn::Or(unfit, hn::Or(folded, skewed));
         candidates = hn::AndNot(hn::AndNot(large_, level), candidates);
         const int_mask left_over = hn::And(others, candidates);

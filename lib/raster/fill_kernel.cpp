@@ -258,6 +258,8 @@ void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int
             quads_by<vertex_lights>(to, grid, row_begin, row_end, column, count);
         else if (to.shading.mode == l3d_shade::flat)
             quads_by<polygon_lights>(to, grid, row_begin, row_end, column, count);
+        else if (to.shading.mode == l3d_shade::levels)
+            quads_by<level_lights>(to, grid, row_begin, row_end, column, count);
         else
             quads_by<normal_lights>(to, grid, row_begin, row_end, column, count);
     }
@@ -271,6 +273,8 @@ void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles,
             triangles_by<vertex_lights>(to, triangles, i, count);
         else if (to.shading.mode == l3d_shade::flat)
             triangles_by<polygon_lights>(to, triangles, i, count);
+        else if (to.shading.mode == l3d_shade::levels)
+            triangles_by<level_lights>(to, triangles, i, count);
         else
             triangles_by<normal_lights>(to, triangles, i, count);
     }
@@ -279,6 +283,8 @@ void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles,
 void fill_finish(const fill_target& to) {
     if (to.shading.mode == l3d_shade::lambert)
         fill_stream<lambert_lanes>(to).finish();
+    else if (to.shading.mode == l3d_shade::levels)
+        fill_stream<level_lanes>(to).finish();
     else
         fill_stream<grey_lanes>(to).finish();
 }

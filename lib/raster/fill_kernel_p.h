@@ -8,6 +8,7 @@
 #include "raster/surface_rasterizer.h"
 
 #include <array>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -34,7 +35,8 @@ inline constexpr std::int32_t fill_least_width = 16;
 
 /// The modes that the lanes can shade.
 inline bool fill_shades(l3d_shade mode) {
-    return mode == l3d_shade::lambert || mode == l3d_shade::gouraud || mode == l3d_shade::flat;
+    return mode == l3d_shade::lambert || mode == l3d_shade::gouraud || mode == l3d_shade::flat ||
+           mode == l3d_shade::levels;
 }
 
 struct fill_counts {
@@ -45,10 +47,14 @@ struct fill_counts {
     /// each pixel.
     std::int64_t by_plane = 0;
 
+    /// Mode `levels`: how far levels are, at most, from those of the same parameters.
+    float level_error = 0;
+
     void add(const fill_counts& other) {
         samples += other.samples;
         written += other.written;
         by_plane += other.by_plane;
+        level_error = std::max(level_error, other.level_error);
     }
 };
 
@@ -79,8 +85,8 @@ using fill_piece = std::array<std::array<std::int32_t, 6>, 3>;
 /// Polygons that wait until a vector of them can be set up together.
 ///
 /// Shape: polygon i is in element i of each array; [corner][component], components being x, y, 1/w
-///        and what the light needs: for lambert the normal, else the grey level. Floats as their
-///        bits. A triangle's last corner is there twice.
+///        and what the light needs: the vertex's three numbers for lambert and levels, else the
+///        grey level. Floats as their bits. A triangle's last corner is there twice.
 /// Lives: of one worker, kept for its memory. Empty between bands.
 struct fill_queue {
     static constexpr std::size_t widest_vector = 16, components = fill_piece::value_type().size();

@@ -59,7 +59,7 @@ public:
     }
 
     /// Adds those whose normals are too unlike.
-    HWY_INLINE int_mask with_unfit(int_mask unfit) const {
+    HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask) const {
         return hn::Or(unfit, mask_of(hn::Gt(spread_, set(smooth_spread))));
     }
     /// Leaves those whose pieces will be fit.

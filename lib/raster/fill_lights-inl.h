@@ -9,6 +9,7 @@
 
 #include "raster/fill_grey-inl.h"
 #include "raster/fill_lambert-inl.h"
+#include "raster/fill_levels-inl.h"
 
 #include <algorithm>
 #include <array>
@@ -92,12 +93,12 @@ struct lane_normals {
     }
 };
 
-/// Lambert: every corner's normal.
-class normal_lights {
+/// Every corner's normal, or its level and what its sides bend by.
+template <class Lanes> class corner_lights {
 public:
-    using lanes_type = lambert_lanes;
+    using lanes_type = Lanes;
 
-    HWY_INLINE normal_lights(const fill_target&, const float*) {}
+    HWY_INLINE corner_lights(const fill_target&, const float*) {}
 
     HWY_INLINE light_arrays<3> quads(const corner_arrays& v, const corner_places& at,
                                      std::size_t) const {
@@ -108,6 +109,9 @@ public:
         return quads(v, {first, first, first, first}, count);
     }
 };
+
+using normal_lights = corner_lights<lambert_lanes>;
+using level_lights = corner_lights<level_lanes>;
 
 /// The grey levels of `count` vertices from `at` on. Expects: room for whole vectors.
 HWY_INLINE void make_levels(const l3d_shading& shading, const vertex_arrays& v, std::size_t at,

@@ -72,7 +72,11 @@ void fill_put_by(const fill_target& to, std::size_t i, bool in_pieces) {
     }
     const quad_corners corners = corners_of(*grid, index);
     piece_maker pieces(to);
-    cut_quad(corners, quad_turns(corners), [&](const auto& piece) { pieces.add(piece); });
+    const auto add = [&](const auto& piece) { pieces.add(piece); };
+    if (to.shading.mode == l3d_shade::levels)
+        cut_folded_levels(corners, add);
+    else
+        cut_quad(corners, quad_turns(corners), add);
 }
 
 } // namespace l3d_detail

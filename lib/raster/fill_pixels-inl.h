@@ -87,7 +87,12 @@ public:
             columns_[v] = hn::Load(int_tag(), run_columns + v * width);
             const vec x = hn::ConvertTo(d, columns_[v]);
             inv_w_x_[v] = hn::Mul(hn::Set(d, table.inv_w_x[i]), x);
-            lit_x_[v] = hn::Mul(hn::Set(d, table.lit_x[i]), x);
+            if constexpr (is_bent) {
+                x_[v] = x;
+                lit_xx_[v] = hn::Mul(hn::Set(d, table.lit_xx[i]), hn::Mul(x, x));
+            } else {
+                lit_x_[v] = hn::Mul(hn::Set(d, table.lit_x[i]), x);
+            }
             if constexpr (is_twisted) {
                 x_[v] = x;
                 bend_xx_[v] = hn::Mul(hn::Set(d, table.bend_xx[i]), hn::Mul(x, x));
@@ -132,11 +137,12 @@ private:
     using vec = hn::Vec<D>;
     static constexpr bool is_grey = Shape == fill_shape::grey;
     static constexpr bool is_twisted = Shape == fill_shape::twisted;
+    static constexpr bool is_bent = Shape == fill_shape::bent;
     static constexpr std::size_t width = hn::MaxLanes(D()), vectors = Pixels / width;
 
     /// Numbers at a run's first pixel, in all lanes.
     struct run_start {
-        vec inv_w, lit, bend, bend_x, facing;
+        vec inv_w, lit, lit_x, bend, bend_x, facing;
     };
 
     /// Where something is in the band, or how far from something else.
@@ -163,9 +169,15 @@ private:
         return table_.twisted_rows[&row - table_.rows];
     }
 
+    HWY_INLINE float bent_of(const fill_row& row) const {
+        return table_.bent_rows[&row - table_.rows][i_];
+    }
+
     HWY_INLINE run_start first_start(const fill_row& row) const {
         const D d;
-        run_start start{hn::Set(d, row.inv_w[i_]), hn::Set(d, row.lit[i_]), {}, {}, {}};
+        run_start start{hn::Set(d, row.inv_w[i_]), hn::Set(d, row.lit[i_]), {}, {}, {}, {}};
+        if constexpr (is_bent)
+            start.lit_x = hn::Set(d, bent_of(row));
         if constexpr (is_twisted) {
             const fill_row_twisted& twisted = twisted_of(row);
             start.bend = hn::Set(d, twisted.bend[i_]);
@@ -180,7 +192,13 @@ private:
         const auto x = static_cast<float>(column);
         run_start there;
         there.inv_w = hn::Set(d, row.inv_w[i_] + x * table_.inv_w_x[i_]);
-        there.lit = hn::Set(d, row.lit[i_] + x * table_.lit_x[i_]);
+        if constexpr (is_bent) {
+            const float slope = bent_of(row), xx = x * table_.lit_xx[i_];
+            there.lit = hn::Set(d, row.lit[i_] + x * (slope + xx));
+            there.lit_x = hn::Set(d, slope + 2.0f * xx);
+        } else {
+            there.lit = hn::Set(d, row.lit[i_] + x * table_.lit_x[i_]);
+        }
         if constexpr (is_twisted) {
             const fill_row_twisted& twisted = twisted_of(row);
             const float xx = x * table_.bend_xx[i_];
@@ -226,6 +244,9 @@ private:
     HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> words_of(const run_start& start,
                                                          std::size_t v) const {
         const D d;
+        if constexpr (is_bent)
+            return cosine_words(
+                d, hn::Add(start.lit, hn::Add(hn::Mul(start.lit_x, x_[v]), lit_xx_[v])));
         vec lit = hn::Add(start.lit, lit_x_[v]);
         if constexpr (is_grey)
             return level_words(d, hn::Min(hn::Max(lit, darkest_), brightest_));
@@ -248,7 +269,7 @@ private:
     count_vec columns_[vectors];
     vec inv_w_x_[vectors], lit_x_[vectors], farthest_, nearest_;
     vec darkest_, brightest_;
-    vec x_[vectors], bend_xx_[vectors], facing_x_[vectors];
+    vec x_[vectors], bend_xx_[vectors], facing_x_[vectors], lit_xx_[vectors];
 };
 
 /// Fills polygons of a table, and counts the pixels that were written.

@@ -44,9 +44,10 @@ static_assert(lanes <= fill_queue::widest_vector);
 
 /// How a pixel's grey comes from `lit`, which is a plane over the polygon.
 enum class fill_shape {
-    grey,   ///< is the grey level, but between darkest and brightest
-    flat,   ///< is the cosine times 229.5
-    twisted ///< the same times 1 / sqrt(bend), and turned round where facing < 0
+    grey,    ///< is the grey level, but between darkest and brightest
+    flat,    ///< is the cosine times 229.5
+    twisted, ///< the same times 1 / sqrt(bend), and turned round where facing < 0
+    bent     ///< is that, and a parabola instead of a plane
 };
 
 /// A number of each polygon.
@@ -81,9 +82,11 @@ struct fill_table {
     lane_array<float> inv_w_x, lit_x, farthest, nearest;
     lane_array<float> darkest, brightest;
     lane_array<float> bend_xx, facing_x;
+    lane_array<float> lit_xx;         ///< of a bent one
     lane_array<std::int32_t> twisted; ///< not 0: it is; others are flat
     fill_row rows[most_pixels + 1];
     fill_row_twisted twisted_rows[most_pixels + 1];
+    lane_array<float> bent_rows[most_pixels + 1]; ///< what the next column adds to `lit`
 };
 
 } // namespace

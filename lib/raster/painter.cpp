@@ -6,6 +6,7 @@
 #include "raster/line_pixels_p.h"
 #include "raster/picture_plane.h"
 #include "raster/scan_polygon_p.h"
+#include "raster/levels_shader_p.h"
 #include "raster/surface_shader_p.h"
 
 #include <algorithm>
@@ -174,6 +175,9 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
         break;
     case l3d_shade::error:
         work_->paint(own_color_shader(), triangles, pieces, cuts);
+        break;
+    case l3d_shade::levels:
+        work_->paint(levels_shader(), triangles, pieces, cuts);
         break;
     }
     counts_ = {};

@@ -89,6 +89,43 @@ template <class Add> void cut_folded(const quad_corners& v, const Add& add) {
         add(std::array{v[i], v[(i + 1) % v.size()], centre});
 }
 
+/// What the middles of a quad's sides are above their ends, in mode l3d_shade::levels, and those of
+/// its diagonals: the level at the parameters' middle is the corners' mean and what both pairs of
+/// opposite sides bend by in the mean.
+struct quad_bends {
+    float ab, ad, bc, dc, ac, bd;
+
+    explicit quad_bends(const quad_corners& v)
+        : ab(v[0].normal[1]), ad(v[0].normal[2]), bc(v[1].normal[2]), dc(v[3].normal[1]) {
+        const float unlike =
+            0.25f * (v[0].normal[0] - v[1].normal[0] + v[2].normal[0] - v[3].normal[0]);
+        ac = both() - unlike;
+        bd = both() + unlike;
+    }
+
+    float both() const { return 0.5f * (ab + dc + ad + bc); }
+};
+
+/// cut_folded in mode l3d_shade::levels. Half a diagonal bends by a quarter of what the whole does.
+template <class Add> void cut_folded_levels(const quad_corners& v, const Add& add) {
+    const quad_bends bends(v);
+    const std::array<float, 4> sides{bends.ab, bends.bc, bends.dc, bends.ad};
+    const std::array<float, 4> to_centre{0.25f * bends.ac, 0.25f * bends.bd, 0.25f * bends.ac,
+                                         0.25f * bends.bd};
+    std::size_t side = 0;
+    cut_folded(v, [&](std::array<l3d_micro_vertex, 3> piece) {
+        auto& [from, to, centre] = piece;
+        from.normal[1] = sides[side];
+        from.normal[2] = to_centre[side];
+        to.normal[1] = 0;
+        to.normal[2] = to_centre[(side + 1) % 4];
+        centre.normal[0] += bends.both();
+        centre.normal[1] = centre.normal[2] = 0;
+        ++side;
+        add(piece);
+    });
+}
+
 /// Calls add(triangle) for those of a quad that is folded or skew.
 template <class Add> void cut_quad(const quad_corners& v, const quad_turns& turns, const Add& add) {
     if (turns.folded())

@@ -15,6 +15,12 @@
 
 namespace l3d_detail {
 
+/// Whether a shader takes levels and bends, and wants to know which quad a piece belongs to.
+template <class Shader>
+concept has_bends = requires(Shader shader, const quad_corners& v) {
+    shader.begin_quad(v);
+};
+
 /// Fills polygons with one shader, known at compile time.
 ///
 /// Lives: borrows the target for one call.
@@ -28,7 +34,16 @@ public:
             return;
         if (!turns.folded() && !turns.skew())
             return convex(v, turns.area2());
-        cut_quad(v, turns, [this](const auto& piece) { triangle(piece); });
+        const auto fill_triangle = [this](const auto& piece) { triangle(piece); };
+        if constexpr (has_bends<Shader>) {
+            if (turns.folded())
+                return cut_folded_levels(v, fill_triangle);
+            shader_.begin_quad(v);
+            cut_quad(v, turns, fill_triangle);
+            shader_.end_quad();
+        } else {
+            cut_quad(v, turns, fill_triangle);
+        }
     }
 
     void triangle(const std::array<l3d_micro_vertex, 3>& v) {
@@ -54,6 +69,8 @@ private:
             return;
 
         shader_.begin_polygon(v);
+        if constexpr (has_bends<Shader>)
+            target_.counts.level_error = std::max(target_.counts.level_error, shader_.error());
         std::array<numbers, Corners> values;
         float farthest = v[0].inv_w, nearest = v[0].inv_w;
         for (std::size_t i = 0; i < Corners; ++i) {

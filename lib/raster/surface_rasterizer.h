@@ -7,6 +7,7 @@
 #include "raster/surface_part.h"
 #include "tool_2d/pixels.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -19,9 +20,13 @@ enum class l3d_shade {
     flat,    ///< one grey level per quad, from the mean of its normals
     normals, ///< red, green, blue = round(255 (n + 1) / 2)
     error,   ///< one colour per part, its `error_color`: what is known of its error
+
+    /// Lambert's grey from levels that were made with the surface: vertices have their level and
+    /// what their sides bend by (l3d_micro_vertex) in place of normals. Not for users to choose.
+    levels,
 };
 
-/// How users call them, in the order of their values.
+/// How users call those that they can choose, in the order of their values.
 inline constexpr std::array<std::pair<const char*, l3d_shade>, 5> l3d_shade_names{
     {{"lambert", l3d_shade::lambert},
      {"gouraud", l3d_shade::gouraud},
@@ -35,7 +40,8 @@ struct l3d_shading {
     std::array<float, 3> light{0, 0, 1}; ///< unit vector towards the light, world space
 
     /// From the eye through the picture's top left corner, and what a pixel to the right and one
-    /// down add to that. World space, any length.
+    /// down add to that. World space, any length. All zero if normals are turned to the eye
+    /// already.
     std::array<float, 3> ray{0, 0, -1}, ray_right{}, ray_down{};
 
     bool keep_unit_normals = false; ///< lambert: every pixel's own, also where less would do
@@ -65,10 +71,12 @@ struct l3d_surface_counts {
         written += other.written;
         covered = other.covered == none_counted ? none_counted : covered + other.covered;
         by_plane += other.by_plane;
+        level_error = std::max(level_error, other.level_error);
     }
 
-    /// How far greys may be, because of that, from those of `keep_unit_normals`. Units: levels.
-    double shade_bound() const { return by_plane > 0 ? 1.0 : 0.0; }
+    /// Mode `levels`: how far a level may be from the one that the corners' levels and bends give
+    /// for the same parameters, in polygons that are not folded. Units: levels.
+    double level_error = 0;
 };
 
 /// A rectangle of the picture. Units: 1/256 pixel from its top left corner, ends included.
@@ -89,6 +97,9 @@ public:
     l3d_surface_rasterizer(const l3d_surface_rasterizer&) = delete;
     l3d_surface_rasterizer& operator=(const l3d_surface_rasterizer&) = delete;
     virtual ~l3d_surface_rasterizer() = default;
+
+    /// Whether mode `levels` may be asked for.
+    bool takes_levels() const { return do_takes_levels(); }
 
     /// Starts a frame: picture and depth are empty, that is 0, from now on. When their memory is
     /// set to 0 is up to who draws, at finish at the latest.
@@ -152,6 +163,7 @@ protected:
 
 private:
     virtual void do_begin(l3d_pixels, l3d_depth_buffer*, const l3d_shading&, bool untouched) = 0;
+    virtual bool do_takes_levels() const { return false; }
     virtual bool do_draws_parts() const { return false; }
     virtual void do_begin_part(l3d_pixels, l3d_depth_buffer*, const l3d_shading&,
                                const l3d_pixel_box&) {}

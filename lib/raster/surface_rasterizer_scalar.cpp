@@ -51,5 +51,6 @@ void l3d_surface_rasterizer_scalar::do_finish() {
                     part_target_.row(row).data() + part_.left);
     counts_.samples = filler_.counts().samples;
     counts_.written = filler_.counts().written;
+    counts_.level_error = double{filler_.counts().level_error};
     counts_.covered = counts_pixels() ? l3d_covered(*depth_) : l3d_surface_counts::none_counted;
 }

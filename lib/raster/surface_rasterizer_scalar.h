@@ -18,6 +18,7 @@ class l3d_surface_rasterizer_scalar final : public l3d_surface_rasterizer {
 private:
     void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
                   bool untouched) override;
+    bool do_takes_levels() const override { return true; }
     bool do_draws_parts() const override { return true; }
     void do_begin_part(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
                        const l3d_pixel_box& part) override;
