@@ -25,6 +25,13 @@ struct l3d_dice_counts : l3d_seen_counts {
     std::int64_t failures = 0;    ///< pixels left out as an iteration came to no rest
     double bound_px = 0;          ///< certified image error of all that was drawn
 
+    /// Certified distance of all that was drawn from the exact surface, along its normal at the
+    /// same parameters. Units: pixels at that depth.
+    double depth_bound_px = 0;
+
+    /// How far greys are from those of the exact surface at the same parameters. Units: levels.
+    double shade_bound = 0;
+
     /// Both together: of other patches.
     void add(const l3d_dice_counts& other) {
         l3d_seen_counts::add(other);
@@ -40,6 +47,8 @@ struct l3d_dice_counts : l3d_seen_counts {
         samples += other.samples;
         failures += other.failures;
         bound_px = std::max(bound_px, other.bound_px);
+        depth_bound_px = std::max(depth_bound_px, other.depth_bound_px);
+        shade_bound = std::max(shade_bound, other.shade_bound);
     }
 
     /// An edge polyline of so many points, and its certified error.

@@ -5,6 +5,7 @@
 
 #include "geom/step_bound.h"
 #include "raster/micro_grid.h"
+#include "raster/surface_rasterizer.h"
 #include "tool_2d/pixels.h"
 
 #include <algorithm>
@@ -52,6 +53,12 @@ struct l3d_dice_view {
     double error_w = 0;
     l3d_kept_patches keep;
     bool one_sided = false; ///< nobody wants to see the back of dS/du x dS/dv
+
+    /// How vertices are lit: in mode `levels` they get levels, else unit normals, turned to the eye
+    /// if there is one.
+    l3d_shading shading{.ray = {0, 0, 0}};
+
+    bool makes_levels() const { return shading.mode == l3d_shade::levels; }
 
     friend bool operator==(const l3d_dice_view&, const l3d_dice_view&) = default;
 

@@ -26,6 +26,7 @@ struct l3d_diced_piece {
     l3d_surface_part part;
     std::vector<double> u, v;
     double bound = 0; ///< certified image error of the grid, in pixels; triangles have the frame's
+    bool has_levels = false; ///< vertices have levels and bends (l3d_micro_vertex), not normals
 
     /// Only written if asked for, by whoever measures.
     bool keep_parameters = false;
@@ -38,6 +39,7 @@ struct l3d_diced_piece {
         u.clear();
         v.clear();
         bound = 0;
+        has_levels = false;
         for (auto& corner : triangle_uv)
             corner.clear();
     }

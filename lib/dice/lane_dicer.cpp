@@ -146,7 +146,11 @@ void l3d_lane_dicer<T>::fill(const l3d_net_piece& piece, const l3d_normal_net& n
     l3d_detail::walk_in_lanes(walk, register_, part.grid);
     u_.place(piece.u0, piece.u1);
     v_.place(piece.v0, piece.v1);
-    l3d_detail::normals_in_lanes(normals, u_, v_, part.grid);
+    out.has_levels = view.makes_levels();
+    if (out.has_levels)
+        l3d_detail::levels_in_lanes(normals, u_, v_, view.shading, numbers_, part.grid);
+    else
+        l3d_detail::normals_in_lanes(normals, u_, v_, view.shading, numbers_, part.grid);
     out.u.assign(u_.at, u_.at + u_.count);
     out.v.assign(v_.at, v_.at + v_.count);
     out.bound = plan_.visible ? plan_.chord_error + vertex_error_ : 0;

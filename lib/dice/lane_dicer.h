@@ -9,6 +9,7 @@
 #include "dice/dice_view.h"
 #include "dice/diced_piece.h"
 #include "dice/edge_polyline.h"
+#include "dice/lane_light_p.h"
 #include "dice/lane_rows_p.h"
 #include "dice/net_piece.h"
 
@@ -59,6 +60,7 @@ private:
     l3d_detail::lane_register register_ = l3d_detail::lane_register::float_32;
     double register_xy_ = 1, register_w_ = 1;
     double vertex_error_ = 0, row_error_ = 0;
+    l3d_detail::vertex_numbers numbers_; ///< kept for its memory
 };
 
 #endif

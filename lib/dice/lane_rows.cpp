@@ -249,89 +249,6 @@ HWY_ATTR void walk_fixed_64(const lane_walk& walk, l3d_micro_grid& grid) {
     walk_columns<std::int64_t>(walk, grid);
 }
 
-/// Values of the Bernstein polynomials of degree 5: [polynomial][parameter].
-struct quintic_weights {
-    static constexpr std::size_t order = 6;
-    alignas(64) float at[order][lane_parameters::room];
-
-    HWY_ATTR explicit quintic_weights(const lane_parameters& parameters) {
-        const doubles d;
-        const hn::Rebind<float, doubles> df;
-        const auto five = hn::Set(d, 5.0), ten = hn::Set(d, 10.0);
-        for (std::size_t i = 0; i < parameters.padded(); i += hn::Lanes(d)) {
-            const auto t = hn::Load(d, parameters.at + i), s = hn::Sub(hn::Set(d, 1.0), t);
-            const auto s2 = hn::Mul(s, s), t2 = hn::Mul(t, t);
-            const auto s4 = hn::Mul(s2, s2), t4 = hn::Mul(t2, t2);
-            const auto st10 = hn::Mul(ten, hn::Mul(s2, t2));
-            hn::Store(hn::DemoteTo(df, hn::Mul(s4, s)), df, at[0] + i);
-            hn::Store(hn::DemoteTo(df, hn::Mul(five, hn::Mul(s4, t))), df, at[1] + i);
-            hn::Store(hn::DemoteTo(df, hn::Mul(st10, s)), df, at[2] + i);
-            hn::Store(hn::DemoteTo(df, hn::Mul(st10, t)), df, at[3] + i);
-            hn::Store(hn::DemoteTo(df, hn::Mul(five, hn::Mul(t4, s))), df, at[4] + i);
-            hn::Store(hn::DemoteTo(df, hn::Mul(t4, t)), df, at[5] + i);
-        }
-    }
-};
-
-using floats = hn::CappedTag<float, lane_columns>;
-using float_lanes = hn::Vec<floats>;
-
-/// Sum of six products.
-HWY_ATTR HWY_INLINE float_lanes weighed(const float_lanes& a0, const float_lanes& a1,
-                                        const float_lanes& a2, const float_lanes& a3,
-                                        const float_lanes& a4, const float_lanes& a5,
-                                        const float_lanes& b0, const float_lanes& b1,
-                                        const float_lanes& b2, const float_lanes& b3,
-                                        const float_lanes& b4, const float_lanes& b5) {
-    const auto low = hn::Add(hn::Add(hn::Mul(a0, b0), hn::Mul(a1, b1)), hn::Mul(a2, b2));
-    const auto high = hn::Add(hn::Add(hn::Mul(a3, b3), hn::Mul(a4, b4)), hn::Mul(a5, b5));
-    return hn::Add(low, high);
-}
-
-/// The net's normals: its columns at each u, then, row by row, at v.
-HWY_ATTR void normals(const l3d_normal_net::float_net& net, const lane_parameters& u,
-                      const lane_parameters& v, l3d_micro_grid& grid) {
-    constexpr std::size_t order = quintic_weights::order;
-    const floats d;
-    const quintic_weights in_u(u), in_v(v);
-    const auto one = hn::Set(d, 1.0F), rounding = hn::Set(d, normal_rounding * normal_rounding);
-    alignas(64) float columns[3][order][lane_columns];
-    for (std::size_t column = 0; column < u.padded(); column += hn::Lanes(d)) {
-        const auto u0 = hn::Load(d, in_u.at[0] + column), u1 = hn::Load(d, in_u.at[1] + column);
-        const auto u2 = hn::Load(d, in_u.at[2] + column), u3 = hn::Load(d, in_u.at[3] + column);
-        const auto u4 = hn::Load(d, in_u.at[4] + column), u5 = hn::Load(d, in_u.at[5] + column);
-        for (std::size_t k = 0; k < 3; ++k)
-            for (std::size_t r = 0; r < order; ++r) {
-                const auto& a = net[k][r];
-                hn::Store(weighed(hn::Set(d, a[0]), hn::Set(d, a[1]), hn::Set(d, a[2]),
-                                  hn::Set(d, a[3]), hn::Set(d, a[4]), hn::Set(d, a[5]), u0, u1, u2,
-                                  u3, u4, u5),
-                          d, columns[k][r]);
-            }
-        std::size_t to = column;
-        for (std::size_t row = 0; row < v.count;
-             ++row, to += static_cast<std::size_t>(grid.pitch)) {
-            const auto& b = in_v.at;
-            const auto v0 = hn::Set(d, b[0][row]), v1 = hn::Set(d, b[1][row]);
-            const auto v2 = hn::Set(d, b[2][row]), v3 = hn::Set(d, b[3][row]);
-            const auto v4 = hn::Set(d, b[4][row]), v5 = hn::Set(d, b[5][row]);
-            const auto component = [&](const float(&a)[order][lane_columns]) HWY_ATTR {
-                return weighed(hn::Load(d, a[0]), hn::Load(d, a[1]), hn::Load(d, a[2]),
-                               hn::Load(d, a[3]), hn::Load(d, a[4]), hn::Load(d, a[5]), v0, v1, v2,
-                               v3, v4, v5);
-            };
-            const auto x = component(columns[0]), y = component(columns[1]);
-            const auto z = component(columns[2]);
-            const auto square = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
-            const auto scale =
-                hn::IfThenElseZero(hn::Gt(square, rounding), hn::Div(one, hn::Sqrt(square)));
-            hn::StoreU(hn::Mul(x, scale), d, grid.normal[0].data() + to);
-            hn::StoreU(hn::Mul(y, scale), d, grid.normal[1].data() + to);
-            hn::StoreU(hn::Mul(z, scale), d, grid.normal[2].data() + to);
-        }
-    }
-}
-
 } // namespace
 } // namespace HWY_NAMESPACE
 } // namespace l3d_detail
@@ -344,7 +261,6 @@ L3D_SIMD_TABLE(walk_float_32);
 L3D_SIMD_TABLE(walk_float_64);
 L3D_SIMD_TABLE(walk_fixed_32);
 L3D_SIMD_TABLE(walk_fixed_64);
-L3D_SIMD_TABLE(normals);
 
 void lane_parameters::fill(int strips, const std::array<int, 4>& steps, bool balanced) {
     const double length = 1.0 / strips; // a power of two
@@ -380,11 +296,6 @@ void walk_in_lanes(const lane_walk& walk, lane_register kind, l3d_micro_grid& gr
     case lane_register::fixed_64:
         return L3D_SIMD_CALL(walk_fixed_64)(walk, grid);
     }
-}
-
-void normals_in_lanes(const l3d_normal_net& net, const lane_parameters& u, const lane_parameters& v,
-                      l3d_micro_grid& grid) {
-    L3D_SIMD_CALL(normals)(net.in_floats(), u, v, grid);
 }
 
 } // namespace l3d_detail

@@ -3,7 +3,6 @@
 #ifndef L3D_DICE_LANE_ROWS_P_H
 #define L3D_DICE_LANE_ROWS_P_H
 
-#include "geom/normal_net.h"
 #include "dice/lane_bounds_p.h"
 #include "raster/micro_grid.h"
 
@@ -25,6 +24,9 @@ struct lane_parameters {
 
     /// Rounded up to whole vectors.
     std::size_t padded() const { return (count + lane_columns - 1) / lane_columns * lane_columns; }
+
+    /// The middle between each and the next; the last one again.
+    lane_parameters middles() const;
 
     /// The points i / n of each of the strips; 1 from the last one on. Balanced or not.
     void fill(int strips, const std::array<int, 4>& steps, bool balanced);
@@ -53,16 +55,6 @@ struct lane_walk {
 /// Expects: the grid's size is that of the parameters; every point is in the guard band.
 /// Cost:    9 additions a column and step, one division and a few products a vertex.
 void walk_in_lanes(const lane_walk& walk, lane_register kind, l3d_micro_grid& grid);
-
-/// A normal shorter than this is nothing but rounding, as in l3d_unit_normal: where the net's own
-/// coefficients vanish, as in the corner of a singular patch, weights of all others are exactly 0.
-inline constexpr float normal_rounding = 0x1p-43F;
-
-/// Writes unit normals, or zero where there is none. The slow twin is l3d_normal_columns.
-/// Errors: before the normal is made a unit vector, some 16 * 2^-24 of the coefficients as they are
-///         weighed there (Bernstein polynomials are positive, so nothing else cancels).
-void normals_in_lanes(const l3d_normal_net& net, const lane_parameters& u, const lane_parameters& v,
-                      l3d_micro_grid& grid);
 
 } // namespace l3d_detail
 

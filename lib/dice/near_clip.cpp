@@ -2,6 +2,8 @@
 // Clipping against near plane, far plane and guard band, in homogeneous coordinates.
 #include "dice/near_clip.h"
 
+#include "dice/grid_light.h"
+
 #include "dice/snap.h"
 
 #include <array>
@@ -37,9 +39,10 @@ bool before(const l3d_image_point& a, const l3d_image_point& b) {
 }
 
 /// The point of edge a b on the plane, the same for b a.
-l3d_clip_vertex crossing(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const plane& cut) {
+l3d_clip_vertex crossing(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const plane& cut,
+                         const l3d_dice_view& view) {
     if (before(b.h, a.h))
-        return crossing(b, a, cut);
+        return crossing(b, a, cut, view);
     const double da = cut.distance(a.h), db = cut.distance(b.h);
     const double t = da / (da - db);
     l3d_clip_vertex result;
@@ -50,10 +53,12 @@ l3d_clip_vertex crossing(const l3d_clip_vertex& a, const l3d_clip_vertex& b, con
     for (int i = 0; i < 3; ++i)
         result.dice.vertex.normal[i] =
             a.dice.vertex.normal[i] * (1 - s) + b.dice.vertex.normal[i] * s;
+    if (!view.makes_levels())
+        l3d_make_unit(result.dice.vertex.normal);
     return result;
 }
 
-polygon cut_by(const polygon& in, const plane& cut) {
+polygon cut_by(const polygon& in, const plane& cut, const l3d_dice_view& view) {
     polygon out;
     for (std::size_t i = 0; i < in.count; ++i) {
         const l3d_clip_vertex& a = in.corners[i];
@@ -62,7 +67,7 @@ polygon cut_by(const polygon& in, const plane& cut) {
         if (a_inside)
             out.add(a);
         if (a_inside != b_inside)
-            out.add(crossing(a, b, cut));
+            out.add(crossing(a, b, cut, view));
     }
     return out;
 }
@@ -107,7 +112,7 @@ void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const
     for (const auto* corner : {&a, &b, &c})
         shape.add(*corner);
     for (const plane& cut : planes) {
-        shape = cut_by(shape, cut);
+        shape = cut_by(shape, cut, view);
         if (shape.count < 3)
             return;
     }

@@ -2,6 +2,7 @@
 // l3d_piece_drawer: walking, evaluating, clipping.
 #include "dice/piece_drawer.h"
 
+#include "dice/grid_light.h"
 #include "dice/snap.h"
 
 #include <algorithm>
@@ -48,6 +49,8 @@ void l3d_piece_drawer<T>::draw(const piece& p, const l3d_piece_nets<T>& nets,
     if (!nets.whole()) {
         evaluate_grid(nets, plan, out);
         set_clip_corners(p);
+        for (l3d_clip_vertex& v : clip_grid_)
+            l3d_light_vertex(view_, v.h, v.dice.vertex.normal);
         add_clipped_quads(out);
         for (std::size_t side = 0; side < p.sides.size(); ++side)
             fill_slit(
@@ -62,6 +65,8 @@ void l3d_piece_drawer<T>::draw(const piece& p, const l3d_piece_nets<T>& nets,
         evaluate_grid(nets, plan, out);
         copy_evaluated(grid);
     }
+    set_grid_corners(p, grid);
+    l3d_light_grid(view_, *normals_, out, light_memory_);
     close(p, out);
 }
 
@@ -270,6 +275,8 @@ void l3d_piece_drawer<T>::fill_slit(const piece& p, std::size_t side, VertexAt v
         l3d_boundary_point& point = boundary_.emplace_back();
         point.t = along.t0 + (along.t1 - along.t0) * fraction;
         point.vertex = along_u ? vertex_at(line, i) : vertex_at(i, line);
+        if (out.has_levels) // what sides bend by is not known of the pieces that clipping makes
+            std::fill_n(point.vertex.dice.vertex.normal + 1, 2, 0.0F);
         point.vertex.dice.u = along_u ? parameters[k] : across;
         point.vertex.dice.v = along_u ? across : parameters[k];
     }
@@ -287,6 +294,7 @@ template <class T> void l3d_piece_drawer<T>::close_hidden(const piece& p, l3d_di
             const l3d_dice_vertex& at = point.vertex.dice;
             const auto normal = l3d_unit_normal(normals_->evaluate(at.u, at.v));
             std::copy(normal.begin(), normal.end(), point.vertex.dice.vertex.normal);
+            l3d_light_vertex(view_, point.vertex.h, point.vertex.dice.vertex.normal);
         }
         l3d_fill_slit(boundary_, (*edges_)[p.sides[s].edge], view_, out);
     }
@@ -300,6 +308,8 @@ template <class T> void l3d_piece_drawer<T>::reserve_as(const l3d_piece_drawer& 
     for (std::size_t k = 0; k < normal_row_.size(); ++k)
         normal_row_[k].reserve(other.normal_row_[k].capacity());
     boundary_.reserve(other.boundary_.capacity());
+    for (std::size_t k = 0; k < light_memory_.size(); ++k)
+        light_memory_[k].reserve(other.light_memory_[k].capacity());
 }
 
 template class l3d_piece_drawer<float>;

@@ -3,6 +3,7 @@
 #include "dice/point_patch.h"
 
 #include "dice/error_color.h"
+#include "dice/grid_light.h"
 #include "dice/normal_columns.h"
 
 #include <algorithm>
@@ -61,12 +62,14 @@ void l3d_draw_point(const l3d_point_place& place, const l3d_image_patch& net,
     l3d_diced_piece& piece = out.next();
     const double w = net.evaluate(middle, middle)[2];
     const std::array<float, 3> unit = l3d_unit_normal(normal);
+    float lit[3] = {unit[0], unit[1], unit[2]};
+    l3d_light_vertex(view, net.evaluate(middle, middle), lit);
     std::array<l3d_dice_vertex, 3> triangle;
     for (std::size_t i = 0; i < triangle.size(); ++i) {
         triangle[i].vertex = {place.x + corners[i][0],
                               place.y + corners[i][1],
                               static_cast<float>(view.depth_scale / w),
-                              {unit[0], unit[1], unit[2]}};
+                              {lit[0], lit[1], lit[2]}};
         triangle[i].u = triangle[i].v = middle;
     }
     piece.add_triangle(triangle[0], triangle[1], triangle[2]);

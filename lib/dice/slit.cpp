@@ -2,6 +2,8 @@
 // l3d_fill_slit, l3d_close_side: merging two polylines along one curve.
 #include "dice/slit.h"
 
+#include "dice/grid_light.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -58,19 +60,19 @@ public:
 
     /// Adds the triangles between vertices i to i_end and points j to j_end.
     void fill(std::size_t i, std::size_t i_end, std::size_t j, std::size_t j_end) {
-        l3d_micro_vertex of_row = vertex(i), of_edge = on_row(j, of_row);
+        l3d_micro_vertex of_row = vertex(i), of_edge = point(j);
         while (i < i_end || j < j_end) {
             const bool along_row =
                 i < i_end && (j == j_end || parameters_[i + 1] <= parameter_of(j + 1));
-            const l3d_micro_vertex next = along_row ? vertex(i + 1) : on_row(j + 1, of_row);
+            const l3d_micro_vertex next = along_row ? vertex(i + 1) : point(j + 1);
             if (!covers_nothing(of_edge, of_row, next)) {
-                piece_.part.triangles.add(of_edge, of_row, next);
-                if (piece_.keep_parameters)
-                    keep_parameters(i, j, along_row);
+                const std::array<double, 3> along{parameter_of(j), parameters_[i],
+                                                  along_row ? parameters_[i + 1]
+                                                            : parameter_of(j + 1)};
+                add({of_edge, of_row, next}, along);
             }
             ++(along_row ? i : j);
             (along_row ? of_row : of_edge) = next;
-            std::copy_n(of_row.normal, 3, of_edge.normal);
         }
     }
 
@@ -83,25 +85,70 @@ private:
                 {grid_.normal[0][at], grid_.normal[1][at], grid_.normal[2][at]}};
     }
 
-    /// A point of the edge as one of this row's surface, with the normal of a vertex near by.
-    l3d_micro_vertex on_row(std::size_t j, const l3d_micro_vertex& near_by) const {
-        return {edge_.x()[j],
-                edge_.y()[j],
-                edge_.inv_w()[j],
-                {near_by.normal[0], near_by.normal[1], near_by.normal[2]}};
+    /// Point j of the edge, without light.
+    l3d_micro_vertex point(std::size_t j) const {
+        return {edge_.x()[j], edge_.y()[j], edge_.inv_w()[j], {}};
+    }
+
+    /// A triangle whose corners are lit as the row is at their parameters.
+    void add(std::array<l3d_micro_vertex, 3> corners, const std::array<double, 3>& along) {
+        if (piece_.has_levels) {
+            const auto bend = [&](std::size_t i, std::size_t k) {
+                return level_at((along[i] + along[k]) / 2) -
+                       (corners[i].normal[0] + corners[k].normal[0]) / 2;
+            };
+            for (std::size_t k = 0; k < corners.size(); ++k)
+                corners[k].normal[0] = level_at(along[k]);
+            corners[0].normal[1] = bend(0, 1);
+            corners[0].normal[2] = bend(0, 2);
+            corners[1].normal[1] = 0;
+            corners[1].normal[2] = bend(1, 2);
+            corners[2].normal[1] = corners[2].normal[2] = 0;
+        } else {
+            for (std::size_t k = 0; k < corners.size(); ++k)
+                set_normal_at(along[k], corners[k].normal);
+        }
+        piece_.part.triangles.add(corners[0], corners[1], corners[2]);
+        if (piece_.keep_parameters)
+            for (std::size_t k = 0; k < along.size(); ++k)
+                piece_.triangle_uv[k].push_back(
+                    along_u_ ? l3d_diced_piece::parameters{along[k], across_}
+                             : l3d_diced_piece::parameters{across_, along[k]});
+    }
+
+    /// Between which vertices of the row a parameter lies, and how far from the first to the next.
+    struct place {
+        std::size_t before, after;
+        float part;
+    };
+    place place_of(double parameter) const {
+        const auto next =
+            std::upper_bound(parameters_.begin() + 1, parameters_.end() - 1, parameter);
+        const double part = (parameter - next[-1]) / (*next - next[-1]);
+        const auto i = static_cast<std::size_t>(next - parameters_.begin());
+        return {first_ + (i - 1) * step_, first_ + i * step_, static_cast<float>(part)};
+    }
+
+    /// The row's level, a parabola between two vertices.
+    float level_at(double parameter) const {
+        const place at = place_of(parameter);
+        const auto& level = grid_.normal[0];
+        const float bend = grid_.normal[along_u_ ? 1 : 2][at.before];
+        return level[at.before] + at.part * (level[at.after] - level[at.before]) +
+               4 * bend * at.part * (1 - at.part);
+    }
+
+    void set_normal_at(double parameter, float (&normal)[3]) const {
+        const place at = place_of(parameter);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto& of = grid_.normal[k];
+            normal[k] = of[at.before] + at.part * (of[at.after] - of[at.before]);
+        }
+        l3d_make_unit(normal);
     }
 
     /// The patch's parameter at a point of the edge.
     double parameter_of(std::size_t j) const { return at_zero_ + per_t_ * edge_.t()[j]; }
-
-    void keep_parameters(std::size_t i, std::size_t j, bool along_row) {
-        const std::array<double, 3> along{parameter_of(j), parameters_[i],
-                                          along_row ? parameters_[i + 1] : parameter_of(j + 1)};
-        for (std::size_t k = 0; k < along.size(); ++k)
-            piece_.triangle_uv[k].push_back(along_u_
-                                                ? l3d_diced_piece::parameters{along[k], across_}
-                                                : l3d_diced_piece::parameters{across_, along[k]});
-    }
 
     l3d_diced_piece& piece_;
     l3d_micro_grid& grid_;
@@ -121,13 +168,21 @@ void l3d_fill_slit(std::span<const l3d_boundary_point> row, const l3d_edge_polyl
     const l3d_dice_vertex &first = row.front().vertex.dice, &last = row.back().vertex.dice;
     const double* t = edge.t();
 
-    // An edge point on this side of the surface: parameters along the row, the row's normal.
-    const auto on_row = [&](std::size_t j, const l3d_boundary_point& near_by) {
+    // An edge point on this side of the surface: parameters and light along the row.
+    const auto on_row = [&](std::size_t j) {
         l3d_clip_vertex v = edge.clip_vertex(j, view);
         const double s = (t[j] - t0) / (t1 - t0);
         v.dice.u = first.u + (last.u - first.u) * s;
         v.dice.v = first.v + (last.v - first.v) * s;
-        std::copy_n(near_by.vertex.dice.vertex.normal, 3, v.dice.vertex.normal);
+        const auto next = std::upper_bound(row.begin() + 1, row.end() - 1, t[j],
+                                           [](double at, const auto& p) { return at < p.t; });
+        const l3d_boundary_point &a = next[-1], &b = *next;
+        const auto part = static_cast<float>(std::clamp((t[j] - a.t) / (b.t - a.t), 0.0, 1.0));
+        const float *from = a.vertex.dice.vertex.normal, *to = b.vertex.dice.vertex.normal;
+        for (std::size_t k = 0; k < 3; ++k)
+            v.dice.vertex.normal[k] = from[k] + part * (to[k] - from[k]);
+        if (!view.makes_levels())
+            l3d_make_unit(v.dice.vertex.normal);
         return v;
     };
 
@@ -136,13 +191,13 @@ void l3d_fill_slit(std::span<const l3d_boundary_point> row, const l3d_edge_polyl
     std::size_t i = 0;
     while (i + 1 < row.size() || (j + 1 < edge.size() && t[j + 1] <= t1)) {
         const l3d_boundary_point& p = row[i];
-        const l3d_clip_vertex q = on_row(j, p);
+        const l3d_clip_vertex q = on_row(j);
         const bool along_row =
             i + 1 < row.size() && (j + 1 == edge.size() || row[i + 1].t <= t[j + 1]);
         if (along_row)
             add(q, p.vertex, row[++i].vertex, view, out);
         else
-            add(q, p.vertex, on_row(++j, p), view, out);
+            add(q, p.vertex, on_row(++j), view, out);
     }
 }
 

@@ -58,9 +58,10 @@ std::string l3d_frame_report::json() const {
                  {"failures", dice.failures},
                  {"quads", surface.quads},
                  {"shaded_by_plane", surface.by_plane},
-                 {"shade_bound", surface.shade_bound()},
+                 {"shade_error_bound", number_or_null(dice.shade_bound)},
                  {"pixels_kept", pixels_kept},
-                 {"error_bound_px", number_or_null(dice.bound_px)}});
+                 {"error_bound_px", number_or_null(dice.bound_px)},
+                 {"depth_error_bound_px", number_or_null(dice.depth_bound_px)}});
     l3d_detail::add_tail(line, *this, reasons);
     return line.dump();
 }

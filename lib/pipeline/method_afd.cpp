@@ -23,18 +23,25 @@ template <class T> std::span<const l3d_placed_patch> l3d_method_afd<T>::next_bat
 template <class T>
 void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& times) {
     const stopwatch placing;
-    culling_.begin(frame.scene, frame.to_image, frame.view, frame.part);
-    dicer_.begin(frame.view);
+    l3d_dice_view view = frame.view;
+    view.shading = frame.shading;
+    if (view.shading.mode == l3d_shade::lambert && surface_->takes_levels())
+        view.shading.mode = l3d_shade::levels;
+    // Normals and levels come turned to the eye.
+    l3d_shading shading = view.shading;
+    shading.ray = shading.ray_right = shading.ray_down = {};
+    culling_.begin(frame.scene, frame.to_image, view, frame.part);
+    dicer_.begin(view);
     std::span<const l3d_placed_patch> batch = next_batch();
     const bool keep_depth = frame.wants_depth || !culling_.is_done();
     if (keep_depth)
-        frame.depth.resize(frame.view.size);
+        frame.depth.resize(view.size);
     l3d_depth_buffer* const depth = keep_depth ? &frame.depth : nullptr;
     surface_->count_pixels(frame.counts_pixels);
     if (frame.is_part())
-        surface_->begin_part(frame.target, depth, frame.shading, frame.part);
+        surface_->begin_part(frame.target, depth, shading, frame.part);
     else
-        surface_->begin(frame.target, depth, frame.shading, frame.untouched);
+        surface_->begin(frame.target, depth, shading, frame.untouched);
     times.transform += placing.milliseconds();
     while (!batch.empty()) {
         const stopwatch dicing;

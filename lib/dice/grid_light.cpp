@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// l3d_light_vertex, l3d_light_grid.
+#include "dice/grid_light.h"
+
+#include "dice/lane_light_p.h"
+#include "dice/normal_columns.h"
+#include "dice/seen_sides.h"
+
+#include <cmath>
+#include <cstddef>
+
+namespace {
+
+using l3d_detail::level_of_cosine;
+
+float level_of(const l3d_shading& shading, const float* normal) {
+    const auto& light = shading.light;
+    return level_of_cosine * (normal[0] * light[0] + normal[1] * light[1] + normal[2] * light[2]);
+}
+
+float level_at(const l3d_shading& shading, const l3d_normal_net& normals, double u, double v) {
+    return level_of(shading, l3d_unit_normal(normals.evaluate(u, v)).data());
+}
+
+/// Levels of the vertices, and in place of normals 1 and 2 those of the middles of sides.
+void put_levels(const l3d_shading& shading, const l3d_normal_net& normals, l3d_diced_piece& piece,
+                std::vector<float>& level) {
+    l3d_micro_grid& grid = piece.part.grid;
+    for (int row = 0; row < grid.rows; ++row)
+        for (int column = 0; column < grid.columns; ++column) {
+            const std::size_t at = grid.index(row, column);
+            const auto r = static_cast<std::size_t>(row), c = static_cast<std::size_t>(column);
+            const double u = piece.u[c], v = piece.v[r];
+            const double u1 = column + 1 < grid.columns ? piece.u[c + 1] : u;
+            const double v1 = row + 1 < grid.rows ? piece.v[r + 1] : v;
+            level[at] = level_at(shading, normals, u, v);
+            grid.normal[1][at] = level_at(shading, normals, (u + u1) / 2, v);
+            grid.normal[2][at] = level_at(shading, normals, u, (v + v1) / 2);
+        }
+}
+
+} // namespace
+
+void l3d_make_unit(float (&normal)[3]) {
+    const float length =
+        std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    if (length > 0)
+        for (float& component : normal)
+            component /= length;
+}
+
+void l3d_light_vertex(const l3d_dice_view& view, const l3d_image_point& h, float (&normal)[3]) {
+    const l3d_shading& shading = view.shading;
+    // The ray that h lies on, times w: linear in h, and so right behind the eye, too.
+    double away = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double right = double{shading.ray_right[k]}, down = double{shading.ray_down[k]};
+        const double centre =
+            double{shading.ray[k]} + view.size.width / 2.0 * right + view.size.height / 2.0 * down;
+        away += double{normal[k]} * (h[2] * centre + h[0] * right + h[1] * down);
+    }
+    const float side = away > 0 ? -1.0F : 1.0F;
+    if (view.makes_levels()) {
+        normal[0] = side * level_of(shading, normal);
+        normal[1] = normal[2] = 0;
+    } else {
+        for (float& component : normal)
+            component *= side;
+    }
+}
+
+void l3d_light_grid(const l3d_dice_view& view, const l3d_normal_net& normals,
+                    l3d_diced_piece& piece, std::array<std::vector<float>, 3>& memory) {
+    l3d_micro_grid& grid = piece.part.grid;
+    piece.has_levels = view.makes_levels();
+    if (!l3d_has_eye(view.shading) && !piece.has_levels)
+        return;
+    for (auto& numbers : memory)
+        if (numbers.size() <= grid.x.size())
+            numbers.resize(grid.x.size() + 1);
+    auto& [away, level, spare] = memory;
+    for (int row = 0; row < grid.rows; ++row)
+        for (int column = 0; column < grid.columns; ++column) {
+            const std::size_t at = grid.index(row, column);
+            const float normal[3] = {grid.normal[0][at], grid.normal[1][at], grid.normal[2][at]};
+            away[at] = l3d_away_from_eye(view.shading, normal,
+                                         static_cast<float>(grid.x[at]) / l3d_subpixel_one,
+                                         static_cast<float>(grid.y[at]) / l3d_subpixel_one);
+        }
+    if (!piece.has_levels)
+        return l3d_turn_normals(away, grid);
+    put_levels(view.shading, normals, piece, level);
+    l3d_turn_levels(away, level, spare, grid);
+}

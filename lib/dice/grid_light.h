@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What vertices are lit by, one after the other: normals turned to the eye, or levels.
+#ifndef L3D_DICE_GRID_LIGHT_H
+#define L3D_DICE_GRID_LIGHT_H
+
+#include "geom/normal_net.h"
+#include "dice/dice_view.h"
+#include "dice/diced_piece.h"
+
+#include <array>
+#include <vector>
+
+/// Brings a normal to unit length; what has none stays as it is.
+void l3d_make_unit(float (&normal)[3]);
+
+/// Turns a vertex's unit normal to the eye, or replaces it by its level without bends.
+///
+/// Shape: h is the vertex before the division; it may be behind the eye.
+void l3d_light_vertex(const l3d_dice_view& view, const l3d_image_point& h, float (&normal)[3]);
+
+/// Turns the normals of a piece's grid to the side that is seen, or replaces them by levels and
+/// bends that are evaluated one by one. The slow twin of l3d_detail::levels_in_lanes.
+///
+/// Expects: the grid's places, unit normals and parameters are there.
+/// Cost:    `memory` is kept from piece to piece.
+void l3d_light_grid(const l3d_dice_view& view, const l3d_normal_net& normals,
+                    l3d_diced_piece& piece, std::array<std::vector<float>, 3>& memory);
+
+#endif

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// l3d_only_side, l3d_choose_sides: outlines found from the change of facing along a grid.
+#include "dice/seen_sides.h"
+
+#include "dice/dice_view.h"
+#include "raster/surface_part.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace {
+
+/// The outline runs somewhere between two vertices, and what sticks out beside it are the quads of
+/// the first one behind it: so many steps behind an outline, at most, the nearer sheet decides.
+constexpr float steps_behind = 1;
+
+/// Where an outline ends, sheets that bend away are seen, and facing hardly changes along the line
+/// of sight: by less than this part of what it changes by to a neighbour.
+constexpr float least_turn = 0.3F;
+
+/// Columns of a grid at most.
+constexpr std::size_t most_columns =
+    std::size_t{l3d_block_starts::most_blocks} * l3d_most_steps_whole + 1;
+
+/// The neighbours of a vertex along one direction of a grid.
+struct neighbours {
+    std::size_t before, after;
+    int steps;
+
+    neighbours(std::size_t at, int i, int count, std::size_t step)
+        : before(i > 0 ? at - step : at), after(i + 1 < count ? at + step : at),
+          steps((i > 0) + (i + 1 < count)) {}
+
+    float largest_change(std::span<const float> of, std::size_t at) const {
+        return std::max(std::abs(of[after] - of[at]), std::abs(of[at] - of[before]));
+    }
+    /// For a step.
+    template <class Numbers> float change(const Numbers& of) const {
+        const auto both = static_cast<float>(of[after] - of[before]);
+        return steps == 2 ? both / 2 : both;
+    }
+};
+
+/// Steps, along u and v, from a vertex of the farther of two sheets to the outline where they meet.
+struct way_to_outline {
+    float u = 0, v = 0;
+
+    explicit operator bool() const { return u != 0 || v != 0; }
+};
+
+/// Along the direction in which the picture does not change at an outline, 1 / w grows towards the
+/// nearer sheet, and facing changes its sign. None if that is not near by.
+way_to_outline outline_before(const l3d_micro_grid& grid, std::span<const float> away,
+                              std::size_t at, const neighbours& u, const neighbours& v) {
+    const float step = std::max(u.largest_change(away, at), v.largest_change(away, at));
+    if (std::abs(away[at]) > 2 * steps_behind * step)
+        return {};
+    const float x_u = u.change(grid.x), x_v = v.change(grid.x);
+    const float y_u = u.change(grid.y), y_v = v.change(grid.y);
+    const bool by_x = std::abs(x_u) + std::abs(x_v) >= std::abs(y_u) + std::abs(y_v);
+    float k_u = by_x ? -x_v : -y_v, k_v = by_x ? x_u : y_u;
+    const float longest = std::max(std::abs(k_u), std::abs(k_v));
+    if (!(longest > 0))
+        return {};
+    const float nearer = u.change(grid.inv_w) * k_u + v.change(grid.inv_w) * k_v;
+    k_u *= std::copysign(1 / longest, nearer);
+    k_v *= std::copysign(1 / longest, nearer);
+    const float turned = u.change(away) * k_u + v.change(away) * k_v;
+    const float steps = -away[at] / turned;
+    if (!(steps > 0 && steps <= steps_behind) || std::abs(turned) < least_turn * step)
+        return {};
+    return {steps * k_u, steps * k_v};
+}
+
+
+/// The side that all of a grid shows; none if it shows both, or nearly does.
+std::optional<float> only_side(const l3d_micro_grid& grid, std::span<const float> away) {
+    float least = away[0], most = least, step = 0;
+    const auto columns = static_cast<std::size_t>(grid.columns);
+    const auto pitch = static_cast<std::size_t>(grid.pitch);
+    for (int row = 0; row < grid.rows; ++row) {
+        const float* const of_row = away.data() + grid.index(row, 0);
+        for (std::size_t i = 0; i < columns; ++i) {
+            least = std::min(least, of_row[i]);
+            most = std::max(most, of_row[i]);
+        }
+        for (std::size_t i = 0; i + 1 < columns; ++i)
+            step = std::max(step, std::abs(of_row[i + 1] - of_row[i]));
+        if (row + 1 < grid.rows)
+            for (std::size_t i = 0; i < columns; ++i)
+                step = std::max(step, std::abs(of_row[i + pitch] - of_row[i]));
+    }
+    if (most <= -2 * steps_behind * step)
+        return 1.0F;
+    if (least > 2 * steps_behind * step)
+        return -1.0F;
+    return std::nullopt;
+}
+
+/// Replaces each number of `away` by 1 or -1, the side that is seen, or by twice that behind an
+/// outline; there `behind(vertex, way, u, v)` is called. All of that two rows late, so that what is
+/// read of neighbours is what it was.
+template <class Behind>
+void choose_sides(const l3d_micro_grid& grid, std::span<float> away, const Behind& behind) {
+    const auto columns = static_cast<std::size_t>(grid.columns);
+    assert(columns <= most_columns);
+    float sides[2][most_columns];
+    const auto put = [&](int row) {
+        std::copy_n(sides[row % 2], columns, &away[grid.index(row, 0)]);
+    };
+    for (int row = 0; row < grid.rows; ++row) {
+        for (int column = 0; column < grid.columns; ++column) {
+            const std::size_t at = grid.index(row, column);
+            const neighbours u(at, column, grid.columns, 1);
+            const neighbours v(at, row, grid.rows, static_cast<std::size_t>(grid.pitch));
+            const float side = away[at] > 0 ? -1.0F : 1.0F;
+            const way_to_outline way = outline_before(grid, away, at, u, v);
+            sides[row % 2][column] = way ? -2 * side : side;
+            if (way)
+                behind(at, way, u, v);
+        }
+        if (row > 0)
+            put(row - 1);
+    }
+    put(grid.rows - 1);
+}
+
+/// For each vertex of the grid.
+template <class Visit> void for_vertices(const l3d_micro_grid& grid, const Visit& visit) {
+    for (int row = 0; row < grid.rows; ++row)
+        for (int column = 0; column < grid.columns; ++column)
+            visit(row, column, grid.index(row, column));
+}
+
+} // namespace
+
+void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid) {
+    const std::optional<float> all = only_side(grid, away);
+    if (all == 1.0F)
+        return;
+    if (!all)
+        choose_sides(grid, away, [](auto&&...) {});
+    for_vertices(grid, [&](int, int, std::size_t at) {
+        for (auto& component : grid.normal)
+            component[at] *= std::copysign(1.0F, all ? *all : away[at]);
+    });
+}
+
+void l3d_turn_levels(std::span<float> away, std::span<float> level, std::span<float> memory,
+                     l3d_micro_grid& grid) {
+    const std::optional<float> all = only_side(grid, away);
+    if (all) {
+        std::fill(away.begin(), away.end(), *all);
+    } else {
+        std::copy(level.begin(), level.end(), memory.begin());
+        choose_sides(grid, away,
+                     [&](std::size_t at, const way_to_outline& way, const neighbours& u,
+                         const neighbours& v) {
+                         level[at] += way.u * u.change(memory) + way.v * v.change(memory);
+                     });
+    }
+    auto &of_vertex = grid.normal[0], &along_u = grid.normal[1], &along_v = grid.normal[2];
+    const auto pitch = static_cast<std::size_t>(grid.pitch);
+    for (int row = 0; row < grid.rows; ++row) {
+        const std::size_t first = grid.index(row, 0);
+        const std::size_t down = row + 1 < grid.rows ? pitch : 0;
+        for (std::size_t at = first; at < first + pitch; ++at) {
+            const auto bend = [&](float middle, std::size_t step) {
+                const float turned = away[at] * (middle - (level[at] + level[at + step]) / 2);
+                return away[at] == away[at + step] && away[at] * away[at] == 1 ? turned : 0.0F;
+            };
+            along_u[at] = bend(along_u[at], 1);
+            along_v[at] = bend(along_v[at], down);
+            of_vertex[at] = std::copysign(1.0F, away[at]) * level[at];
+        }
+    }
+}
