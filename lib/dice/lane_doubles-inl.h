@@ -43,9 +43,6 @@ HWY_ATTR HWY_INLINE void store(number x, double* to) {
 HWY_ATTR HWY_INLINE number largest(number a, number b) {
     return {hn::Max(a.v, b.v)};
 }
-HWY_ATTR HWY_INLINE number least(number a, number b) {
-    return {hn::Min(a.v, b.v)};
-}
 HWY_ATTR HWY_INLINE number magnitude(number a) {
     return {hn::Abs(a.v)};
 }
@@ -72,6 +69,9 @@ struct vector {
 
 HWY_ATTR HWY_INLINE number dot(const vector& a, const vector& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+HWY_ATTR HWY_INLINE number squared(const vector& a) {
+    return dot(a, a);
 }
 
 } // namespace
