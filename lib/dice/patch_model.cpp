@@ -29,6 +29,7 @@ l3d_patch_model::l3d_patch_model(std::vector<patch> patches) : patches_(std::mov
     for (const patch& p : patches_) {
         normals_.emplace_back(p);
         facing_.emplace_back(p, normals_.back());
+        bends_.emplace_back(p, normals_.back());
         const auto [least, most] = p.bounds();
         boxes_.add(upright_box(least, most));
         if (normals_.size() == 1) {

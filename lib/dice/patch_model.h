@@ -8,6 +8,7 @@
 #include "geom/patch_file.h"
 #include "dice/box_lanes.h"
 #include "dice/facing_cones.h"
+#include "dice/surface_bends.h"
 
 #include <optional>
 #include <span>
@@ -46,6 +47,7 @@ public:
     std::span<const patch> patches() const { return patches_; }
     const l3d_normal_net& normals(std::size_t index) const { return normals_[index]; }
     const l3d_facing_cones& facing(std::size_t index) const { return facing_[index]; }
+    const l3d_surface_bends& bends(std::size_t index) const { return bends_[index]; }
 
     /// Whether it is proven to be a body, and where its normals point: l3d_orientation_of.
     int orientation() const { return orientation_; }
@@ -61,6 +63,7 @@ private:
     std::vector<patch> patches_;
     std::vector<l3d_normal_net> normals_;
     std::vector<l3d_facing_cones> facing_;
+    std::vector<l3d_surface_bends> bends_;
     int orientation_ = 0;
     vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
     l3d_box_lanes boxes_;
