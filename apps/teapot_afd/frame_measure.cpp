@@ -64,6 +64,7 @@ void summarize(frame_result& result) {
     for (const float distance : result.errors.outline)
         if (std::isfinite(distance))
             result.outline_px = std::max(result.outline_px, static_cast<double>(distance));
+    result.judged = result.errors.depth_share();
     result.holes = std::count(result.errors.holes.begin(), result.errors.holes.end(), true);
     std::vector<float> known;
     std::copy_if(result.errors.depth.begin(), result.errors.depth.end(), std::back_inserter(known),

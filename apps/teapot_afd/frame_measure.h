@@ -57,6 +57,7 @@ struct frame_result {
     double bound_px = 0;                                   ///< infinite: none
     double outline_px = 0;                                 ///< measured, the largest
     double largest_px = 0, mean_px = 0, percentile_px = 0; ///< of depth; 999 of 1000 are below
+    double judged = 0; ///< part of the covered pixels whose depth was compared
     std::int64_t holes = 0;
     reference::error_map errors; ///< kept for pictures
 

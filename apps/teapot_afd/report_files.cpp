@@ -72,7 +72,9 @@ std::string head(const report_contents& report) {
   shows a surface, how far the pixel's centre is from the exact outline, at most (of pixels spread
   evenly; where the gap behind is a sliver, up to a pixel's size too much). *99.9 %*, *largest* and *mean*:
   where both do, away from outlines, how far the drawn point is from the exact tangent plane, along the
-  line of sight too, which is no error in the picture: so these may be larger than the bound.
+  line of sight too, which is no error in the picture: so these may be larger than the bound;
+  *judged* is the share of the covered pixels in which that is known: all but those whose neighbours show
+  another surface or none.
   *holes* are pixels left empty inside of the surface; they are counted, not measured.
 - *bound* is what the method certifies of every point's place in the picture; none: it cannot.
 - *failures* are pixels in which an iteration came to no rest and which were left out.
@@ -88,16 +90,16 @@ std::string frame_tables(const report_contents& report) {
             view = row.view;
             text += "\n## View " + view + "\n\n![error against time](work_precision_" + view +
                     ".svg)\n\n| method | setting | ms | median | first | bound px | outline px "
-                    "| 99.9 % | largest | mean | holes | failures | points |\n"
-                    "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+                    "| 99.9 % | largest | mean | judged | holes | failures | points |\n"
+                    "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
         }
-        text += formatted("| %s | %s | %.3g | %.3g | %.3g | %s | %.3g | %.3g | %.3g | %.2g | %lld "
-                          "| %lld | %lld |\n",
-                          row.series.c_str(), row.label.c_str(), row.least_ms, row.median_ms,
-                          row.first_ms, bound_text(row.bound_px).c_str(), row.outline_px,
-                          row.percentile_px, row.largest_px, row.mean_px,
-                          static_cast<long long>(row.holes), static_cast<long long>(row.failures),
-                          static_cast<long long>(row.samples));
+        text += formatted(
+            "| %s | %s | %.3g | %.3g | %.3g | %s | %.3g | %.3g | %.3g | %.2g | %.1f %% | %lld "
+            "| %lld | %lld |\n",
+            row.series.c_str(), row.label.c_str(), row.least_ms, row.median_ms, row.first_ms,
+            bound_text(row.bound_px).c_str(), row.outline_px, row.percentile_px, row.largest_px,
+            row.mean_px, 100 * row.judged, static_cast<long long>(row.holes),
+            static_cast<long long>(row.failures), static_cast<long long>(row.samples));
     }
     return text + '\n';
 }
@@ -177,14 +179,15 @@ about one point a pixel *along a curve*: curves half a pixel apart multiply with
 std::string frames_csv(const report_contents& report) {
     std::string text =
         "view,method,setting,least_ms,median_ms,first_ms,frames,outline_px,largest_px,"
-        "percentile_999_px,mean_px,bound_px,holes,failures,points,quads\n";
+        "percentile_999_px,mean_px,judged_share,bound_px,holes,failures,points,quads\n";
     for (const frame_result& r : report.frames)
-        text += formatted("%s,%s,%s,%.6g,%.6g,%.6g,%d,%.6g,%.6g,%.6g,%.6g,%s,%lld,%lld,%lld,%lld\n",
-                          r.view.c_str(), r.series.c_str(), r.label.c_str(), r.least_ms,
-                          r.median_ms, r.first_ms, r.frames, r.outline_px, r.largest_px,
-                          r.percentile_px, r.mean_px, bound_text(r.bound_px).c_str(),
-                          static_cast<long long>(r.holes), static_cast<long long>(r.failures),
-                          static_cast<long long>(r.samples), static_cast<long long>(r.quads));
+        text += formatted(
+            "%s,%s,%s,%.6g,%.6g,%.6g,%d,%.6g,%.6g,%.6g,%.6g,%.6g,%s,%lld,%lld,%lld,%lld\n",
+            r.view.c_str(), r.series.c_str(), r.label.c_str(), r.least_ms, r.median_ms, r.first_ms,
+            r.frames, r.outline_px, r.largest_px, r.percentile_px, r.mean_px, r.judged,
+            bound_text(r.bound_px).c_str(), static_cast<long long>(r.holes),
+            static_cast<long long>(r.failures), static_cast<long long>(r.samples),
+            static_cast<long long>(r.quads));
     return text;
 }
 
@@ -219,6 +222,7 @@ std::string json(const report_contents& report) {
                                     {"largest_px", r.largest_px},
                                     {"percentile_999_px", r.percentile_px},
                                     {"mean_px", r.mean_px},
+                                    {"judged_share", r.judged},
                                     {"bound_px", number_or_null(r.bound_px)},
                                     {"holes", r.holes},
                                     {"failures", r.failures},

@@ -20,6 +20,24 @@ double dot(const long double (&a)[3], const vec3& b) {
     return static_cast<double>(a[0] * b.x + a[1] * b.y + a[2] * b.z);
 }
 
+double dot(const vec3& a, const vec3& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// How a plane lies to the line of sight d through a pixel's centre, d scaled to 1 along the axis.
+struct slant {
+    double toward;           ///< n.d
+    double along_x, along_y; ///< n.right, n.up
+};
+slant slant_of(const vec3& n, const camera_frame& frame, int x, int y) {
+    const double along_x = dot(frame.right, n), along_y = dot(frame.up, n);
+    const double focal = static_cast<double>(frame.focal);
+    return {dot(frame.forward, n) +
+                (x + 0.5 - static_cast<double>(frame.center_x)) / focal * along_x +
+                (static_cast<double>(frame.center_y) - y - 0.5) / focal * along_y,
+            along_x, along_y};
+}
+
 /// The picture, and what the comparison needs to know of a pixel's neighbourhood.
 class comparison {
 public:
@@ -67,13 +85,25 @@ public:
         return covered >= most;
     }
 
-    /// Neither an outline nor a jump of depth within one pixel.
+    /// The pixel and its neighbours show one surface without a jump, whatever the product shows
+    /// there: each of them lies in the middle's tangent plane, and the middle in each of theirs.
+    ///
+    /// One of both is not enough: where the middle is seen nearly edge on, its tangent plane holds
+    /// the line of sight, and with it everything that is far behind; but that, at a jump, has
+    /// another tangent plane.
     bool is_smooth(int x, int y) const {
         const exact_sample& middle = exact_.at(x, y);
         return around(x, y, [&](int i, int j) {
-            return exact_.covered(i, j) && product_covers(i, j) &&
-                   depth_error_px(middle, frame_, i, j, exact_.at(i, j).w) <= jump_px;
+            const exact_sample& other = exact_.at(i, j);
+            return other.covered() &&
+                   tangent_distance_px(middle, x, y, frame_, other, i, j) <= jump_px &&
+                   tangent_distance_px(other, i, j, frame_, middle, x, y) <= jump_px;
         });
+    }
+
+    /// Both cover the pixel, so that depth and grey level can be compared there.
+    bool is_judged(int x, int y) const {
+        return product_covers(x, y) && exact_.covered(x, y) && is_smooth(x, y);
     }
 
 private:
@@ -84,18 +114,25 @@ private:
 
 } // namespace
 
-/// With d the direction through the pixel, scaled to 1 along the axis, the tangent plane at the
-/// exact point of pixel p is met at w = w_p (n.d_p) / (n.d); one pixel sideways changes w focal / w
-/// by -(n.right) / (n.d), and down by (n.up) / (n.d).
+/// The plane through w_p d_p with the normal n is away from the point w_q d_q by n.(w_q d_q - w_p
+/// d_p), and a pixel is w_q / focal wide there. Where d_q meets the plane, at w_p (n.d_p) /
+/// (n.d_q), this is 0, however slanted the plane.
+double tangent_distance_px(const exact_sample& plane, int x, int y, const camera_frame& frame,
+                           const exact_sample& other, int i, int j) {
+    const double off = other.w * slant_of(plane.normal, frame, i, j).toward -
+                       plane.w * slant_of(plane.normal, frame, x, y).toward;
+    const bool has_normal = dot(plane.normal, plane.normal) > 0;
+    return has_normal ? std::abs(off) * static_cast<double>(frame.focal) / other.w
+                      : std::numeric_limits<double>::infinity();
+}
+
+/// The tangent plane's w = w_p (n.d_p) / (n.d): one pixel sideways changes w focal / w by
+/// -(n.right) / (n.d), and down by (n.up) / (n.d).
 double depth_error_px(const exact_sample& exact, const camera_frame& frame, int x, int y,
                       double w) {
-    const double along_x = dot(frame.right, exact.normal), along_y = dot(frame.up, exact.normal);
-    const double focal = static_cast<double>(frame.focal);
-    const double toward = dot(frame.forward, exact.normal) +
-                          (x + 0.5 - static_cast<double>(frame.center_x)) / focal * along_x +
-                          (static_cast<double>(frame.center_y) - y - 0.5) / focal * along_y;
-    return std::abs((w - exact.w) / exact.w * focal * toward) /
-           std::sqrt(toward * toward + along_x * along_x + along_y * along_y);
+    const slant s = slant_of(exact.normal, frame, x, y);
+    return std::abs((w - exact.w) / exact.w * static_cast<double>(frame.focal) * s.toward) /
+           std::sqrt(s.toward * s.toward + s.along_x * s.along_x + s.along_y * s.along_y);
 }
 
 measurement measure(std::span<const float> product_depth, const exact_image& exact,
@@ -121,7 +158,7 @@ measurement measure(std::span<const float> product_depth, const exact_image& exa
                     result.max_missing_distance =
                         std::max(result.max_missing_distance,
                                  region.distance_to_uncovered(x + 0.5, y + 0.5).upper);
-            } else if (is && pictures.is_smooth(x, y)) {
+            } else if (pictures.is_judged(x, y)) {
                 ++result.depth_compared;
                 const double w = exact.at(x, y).w;
                 const double relative = std::abs(pictures.depth(x, y) - w) / w;
@@ -166,8 +203,11 @@ error_map map_errors(std::span<const float> product_depth, const exact_image& ex
     const std::int64_t every = wrong / most_distances + 1;
     std::int64_t count = 0;
     for_pixels([&](std::size_t k, int x, int y, bool is, bool should) {
-        if (is && should && pictures.is_smooth(x, y))
+        result.covered += should;
+        if (pictures.is_judged(x, y)) {
             result.depth[k] = static_cast<float>(pictures.error_px(x, y));
+            ++result.compared;
+        }
         if (is == should || result.holes[k] || count++ % every != 0)
             return;
         result.outline[k] = static_cast<float>(
@@ -187,7 +227,8 @@ shade_difference measure_lambert(std::span<const unsigned char> product_grey,
     shade_difference result;
     for (int y = 0; y < exact.size().height; ++y)
         for (int x = 0; x < exact.size().width; ++x) {
-            if (!pictures.is_smooth(x, y))
+            result.covered += exact.covered(x, y);
+            if (!pictures.is_judged(x, y))
                 continue;
             const std::size_t k =
                 static_cast<std::size_t>(y) * static_cast<std::size_t>(exact.size().width) +

@@ -12,6 +12,12 @@
 
 namespace reference {
 
+/// Part of the pixels that the exact picture covers. The rest is at outlines, jumps, sharp bends
+/// and the picture's border, or is not drawn at all.
+inline double judged_share(std::int64_t compared, std::int64_t covered) {
+    return covered > 0 ? static_cast<double>(compared) / static_cast<double>(covered) : 0;
+}
+
 /// Units: counts in pixels of the picture; distances in pixels; relative = |w - w'| / w'.
 struct measurement {
     std::int64_t covered_product = 0, covered_exact = 0;
@@ -24,10 +30,17 @@ struct measurement {
     bool distances_complete = true;  ///< false if there were more than `most_distances` to find
 
     std::int64_t depth_compared = 0; ///< pixels away from outlines and jumps of depth
+    double depth_share() const { return judged_share(depth_compared, covered_exact); }
     double max_depth_relative = 0, mean_depth_relative = 0;
     double max_depth_px = 0, mean_depth_px = 0; ///< see depth_error_px
     int worst_depth_x = -1, worst_depth_y = -1; ///< where max_depth_px was found
 };
+
+/// How far the exact point of pixel (i, j) is from the tangent plane at that of pixel (x, y).
+/// Units:   pixels at the depth of (i, j); infinite if (x, y) has no normal.
+/// Expects: both covered.
+double tangent_distance_px(const exact_sample& plane, int x, int y, const camera_frame& frame,
+                           const exact_sample& other, int i, int j);
 
 /// The shortest displacement, in pixels, that explains a depth error: the distance of the product's
 /// point from the exact tangent plane, in a space where depth is measured in pixels too
@@ -46,6 +59,8 @@ struct error_map {
     std::vector<float>
         outline;             ///< of a centre that only one of both covers: from the exact outline
     std::vector<bool> holes; ///< not covered, although exactly all around, and by most neighbours
+    std::int64_t covered = 0, compared = 0; ///< pixels: by the exact picture; those with a depth
+    double depth_share() const { return judged_share(compared, covered); }
 };
 
 /// Of centres covered or uncovered falsely, at most some `most_distances` are measured, evenly
@@ -55,9 +70,10 @@ error_map map_errors(std::span<const float> product_depth, const exact_image& ex
 
 /// Differences of grey levels on the pixels that `measure` compares the depth of.
 struct shade_difference {
-    std::int64_t compared = 0;
+    std::int64_t covered = 0, compared = 0; ///< pixels: by the exact picture; of them, judged
     int max = 0;
     double mean = 0, rms = 0;
+    double share() const { return judged_share(compared, covered); }
 };
 /// Shape: product_grey row by row, one byte per pixel; product_depth as for measure.
 shade_difference measure_lambert(std::span<const unsigned char> product_grey,
