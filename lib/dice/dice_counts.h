@@ -21,6 +21,7 @@ struct l3d_dice_counts : l3d_seen_counts {
     std::int64_t back_quads = 0;  ///< quads of these blocks
     std::int64_t as_points = 0;   ///< of those drawn, as a point each, without dicing
     std::int64_t pieces = 0;      ///< grids made; more than `drawn` if patches had to be cut
+    std::int64_t in_lanes = 0;    ///< of these, made by l3d_lane_dicer
     std::int64_t samples = 0;     ///< vertices evaluated
     std::int64_t failures = 0;    ///< pixels left out as an iteration came to no rest
     double bound_px = 0;          ///< certified image error of all that was drawn
@@ -44,6 +45,7 @@ struct l3d_dice_counts : l3d_seen_counts {
         back_quads += other.back_quads;
         as_points += other.as_points;
         pieces += other.pieces;
+        in_lanes += other.in_lanes;
         samples += other.samples;
         failures += other.failures;
         bound_px = std::max(bound_px, other.bound_px);

@@ -8,26 +8,45 @@
 #include "dice/seen_from.h"
 #include "dice/visibility.h"
 
+#include <array>
+#include <cstddef>
+
 namespace {
 
 l3d_vector<double, 4> as_direction(const l3d_vector<double, 3>& v) {
     return {v[0], v[1], v[2], 0.0};
 }
 
-/// The blocks of `backs`, counted, if they are the grid's own.
-unsigned counted_backs(const l3d_surface_part& part, unsigned backs, l3d_dice_counts& counts) {
-    constexpr int across = l3d_block_starts::most_blocks;
-    if (backs == 0 || part.block_rows.blocks != across)
+/// Which of a patch's four blocks in a row or column each of a piece's lies in, the piece being a
+/// part of it by halves.
+std::array<std::size_t, 4> blocks_along(const std::vector<double>& parameters) {
+    const double low = parameters.front(), size = parameters.back() - low;
+    std::array<std::size_t, 4> result;
+    for (std::size_t k = 0; k < result.size(); ++k)
+        result[k] = static_cast<std::size_t>(4 * low + size * (static_cast<double>(k) + 0.5));
+    return result;
+}
+
+/// The piece's blocks that lie in blocks `backs` of its patch, counted, if it has any.
+unsigned counted_backs(const l3d_diced_piece& piece, unsigned backs, l3d_dice_counts& counts) {
+    constexpr std::size_t across = l3d_block_starts::most_blocks;
+    const l3d_surface_part& part = piece.part;
+    if (backs == 0 || part.grid.rows == 0 || part.block_rows.blocks != across)
         return 0;
     const auto& rows = part.block_rows.first;
     const auto& columns = part.block_columns.first;
-    for (std::size_t i = 0; i < l3d_facing_cones::blocks; ++i)
-        if (backs >> i & 1) {
+    const auto in_rows = blocks_along(piece.v), in_columns = blocks_along(piece.u);
+    unsigned result = 0;
+    for (std::size_t i = 0; i < l3d_facing_cones::blocks; ++i) {
+        const std::size_t row = i / across, column = i % across;
+        if (backs >> (across * in_rows[row] + in_columns[column]) & 1) {
+            result |= 1U << i;
             ++counts.back_blocks;
-            counts.back_quads += (rows[i / across + 1] - rows[i / across]) *
-                                 (columns[i % across + 1] - columns[i % across]);
+            counts.back_quads +=
+                (rows[row + 1] - rows[row]) * (columns[column + 1] - columns[column]);
         }
-    return backs;
+    }
+    return result;
 }
 
 } // namespace
@@ -137,7 +156,8 @@ void l3d_frame_dicer<T>::dice_patch(const l3d_image_patch& net, const l3d_normal
     }
     for (l3d_diced_piece& piece : out.used()) {
         piece.part.error_color = l3d_error_color(piece.bound, view_.tolerance);
-        piece.part.unseen = diced ? counted_backs(piece.part, backs, space.counts) : 0;
+        piece.part.unseen =
+            way_ == l3d_dice_way::lanes ? counted_backs(piece, backs, space.counts) : 0;
     }
 }
 

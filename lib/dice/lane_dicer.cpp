@@ -180,6 +180,7 @@ bool l3d_lane_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& n
     counts.bound_px = std::max({counts.bound_px, out.bound, edge_chord + row_error_});
     ++counts.drawn;
     ++counts.pieces;
+    ++counts.in_lanes;
     counts.samples += static_cast<std::int64_t>(u_.count * v_.count);
     return true;
 }

@@ -104,6 +104,7 @@ template <class T> bool l3d_patch_dicer<T>::take_in_lanes(const piece& p, task& 
         of.lanes->fill(p, of.normals, of.view, out);
         drawer_.close(p, out);
         count(p, out, of.lanes->row_error(), of);
+        ++of.counts.in_lanes;
         return true;
     }
     if (p.depth >= deepest || excess <= 1)

@@ -212,9 +212,9 @@ void l3d_close_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_pol
     const l3d_block_starts* its = edge.strips_between(t0, t1);
     if (its == nullptr || mine.blocks != its->blocks) {
         const std::size_t from = edge.point_before(t0), to = edge.point_before(t1);
-        if (edge.t()[from] == t0)
+        if (t0 == 0)
             row.take_over(0, from);
-        if (edge.t()[to] == t1)
+        if (t1 == 1)
             row.take_over(last, to);
         return row.fill(0, last, from, to);
     }

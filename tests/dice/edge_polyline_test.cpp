@@ -173,6 +173,75 @@ TEST(edge_polyline, strips_are_one_or_four_and_hold_the_balanced_points_of_their
     EXPECT_GT(seen[4], 100);
 }
 
+/// The part of a curve from `index` / `count` on, by halves.
+l3d_image_curve part_of(const l3d_image_curve& edge, std::size_t index, std::size_t count) {
+    if (count == 1)
+        return edge;
+    const auto [low, high] = edge.split();
+    return index < count / 2 ? part_of(low, index, count / 2)
+                             : part_of(high, index - count / 2, count / 2);
+}
+
+/// Edges that need more than 32 steps in one of four strips; the same from both ends.
+TEST(edge_polyline, parts_are_edges_of_their_own) {
+    std::array<int, l3d_edge_polyline::most_parts + 1> seen{};
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        random_numbers random(seed);
+        const double size = random.of_any_size(30, 400);
+        l3d_image_curve edge;
+        for (auto& point : edge.points) {
+            const double w = random.between(2, 3);
+            point = {random.between(-size, size) * w, random.between(-size, size) * w, w};
+        }
+        const l3d_dice_view view = view_with(random.of_any_size(0.001, 0.02));
+        l3d_edge_polyline line, back;
+        line.build(edge, view);
+        back.build(edge.reversed(), view);
+        if (line.strips().blocks == 0)
+            continue; // 16 parts are too few
+        const std::size_t parts = line.parts(), last = line.size() - 1;
+        ++seen[parts];
+        ASSERT_EQ(back.parts(), parts);
+        ASSERT_EQ(back.size(), line.size());
+        EXPECT_EQ(line.bound(), back.bound());
+        for (std::size_t i = 0; i <= last; ++i) {
+            ASSERT_TRUE(same_point(line, i, back, last - i, view)) << "point " << i;
+            ASSERT_NEAR(line.t()[i], 1 - back.t()[last - i], 1e-15);
+        }
+        double chord_error = 0;
+        std::size_t from = 0;
+        for (std::size_t k = 0; k < parts; ++k) {
+            l3d_edge_polyline alone;
+            alone.build(part_of(edge, k, parts), view);
+            ASSERT_EQ(alone.parts(), 1u);
+            const l3d_block_starts& strips = line.strips(k);
+            ASSERT_EQ(strips.blocks, alone.strips().blocks);
+            for (std::size_t s = 0; s <= static_cast<std::size_t>(strips.blocks); ++s)
+                EXPECT_EQ(strips.first[s], alone.strips().first[s] + static_cast<int>(from));
+            for (std::size_t i = 0; i < alone.size(); ++i) {
+                ASSERT_TRUE(same_point(line, from + i, alone, i, view));
+                ASSERT_NEAR(line.t()[from + i] * static_cast<double>(parts),
+                            static_cast<double>(k) + alone.t()[i], 1e-14);
+            }
+            // At the parts' ends exactly, where corners of cut patches are.
+            const auto whole = static_cast<double>(parts);
+            EXPECT_EQ(line.t()[from], static_cast<double>(k) / whole);
+            EXPECT_EQ(line.strips_between(static_cast<double>(k) / whole,
+                                          static_cast<double>(k + 1) / whole),
+                      &strips);
+            EXPECT_EQ(line.point_before(static_cast<double>(k) / whole), from);
+            EXPECT_TRUE(is_at(line, from, part_of(edge, k, parts).points[0], view));
+            chord_error = std::max(chord_error, alone.chord_error());
+            from += alone.size() - 1;
+        }
+        EXPECT_EQ(from, last);
+        EXPECT_EQ(line.chord_error(), chord_error);
+    }
+    for (const std::size_t parts : {1, 2, 4, 8})
+        EXPECT_GT(seen[parts], 10) << parts << " parts";
+}
+
 TEST(edge_polyline, runs_from_end_to_end_within_its_bound) {
     double worst = 0;
     for (std::uint64_t seed = 1; seed <= 500; ++seed) {

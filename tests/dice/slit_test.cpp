@@ -58,7 +58,8 @@ l3d_diced_piece piece_along(const l3d_image_curve& edge, const steps& strips, st
     return piece;
 }
 
-std::vector<l3d_boundary_point> boundary_of(const l3d_diced_piece& piece, std::size_t side) {
+std::vector<l3d_boundary_point> boundary_of(const l3d_diced_piece& piece, std::size_t side,
+                                            double t0 = 0, double t1 = 1) {
     const bool along_u = side < 2;
     const auto across = static_cast<int>(side % 2);
     const std::vector<double>& along = along_u ? piece.u : piece.v;
@@ -66,7 +67,7 @@ std::vector<l3d_boundary_point> boundary_of(const l3d_diced_piece& piece, std::s
     for (std::size_t i = 0; i < along.size(); ++i) {
         const auto k = static_cast<int>(i);
         l3d_boundary_point& point = result.emplace_back();
-        point.t = (along[i] - along.front()) / (along.back() - along.front());
+        point.t = t0 + (t1 - t0) * ((along[i] - along.front()) / (along.back() - along.front()));
         point.vertex.drawable = true;
         point.vertex.dice.vertex =
             along_u ? piece.part.grid.vertex(across, k) : piece.part.grid.vertex(k, across);
@@ -74,6 +75,12 @@ std::vector<l3d_boundary_point> boundary_of(const l3d_diced_piece& piece, std::s
         point.vertex.dice.v = along_u ? piece.v[side % 2] : along[i];
     }
     return result;
+}
+
+/// The last row or column of quads along a side ends there.
+int strips_end(const l3d_diced_piece& piece, std::size_t side) {
+    const l3d_block_starts& starts = side < 2 ? piece.part.block_columns : piece.part.block_rows;
+    return starts.first[static_cast<std::size_t>(starts.blocks)];
 }
 
 void expect_same_triangles(const l3d_diced_piece& a, const l3d_diced_piece& b) {
@@ -136,6 +143,63 @@ TEST(slit, along_a_whole_side_is_that_of_any_row) {
         triangles += slow.part.triangles.count;
     }
     EXPECT_GT(triangles, 5000u);
+}
+
+/// Pieces of a patch that was cut lie along stretches of its edges, which may be made of parts,
+/// too.
+TEST(slit, along_a_stretch_is_that_of_any_row) {
+    std::size_t triangles = 0, at_parts = 0, between_points = 0;
+    for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        random_numbers random(seed);
+        const auto [edge, view, line] = seen_edge(random, 0.006, 3);
+        if (line.strips().blocks == 0)
+            continue; // 16 parts are too few
+        const double length = std::exp2(-std::floor(random.between(1, 6.99)));
+        const double t0 = length * std::floor(random.between(0, 0.999) / length), t1 = t0 + length;
+        l3d_image_curve stretch = edge;
+        for (double from = 0, size = 1; size > length;) {
+            size /= 2;
+            const auto halves = stretch.split();
+            stretch = t0 >= from + size ? halves.second : halves.first;
+            from = t0 >= from + size ? from + size : from;
+        }
+        steps strips(random.between(0, 1) < 0.3 ? 1 : 4);
+        for (int& n : strips)
+            n = static_cast<int>(random.of_any_size(1, 32.9));
+        const auto side = static_cast<std::size_t>(random.between(0, 3.99));
+        l3d_diced_piece quick = piece_along(stretch, strips, side, t0, t1, view, random);
+        // Ends are where everybody has them.
+        const bool along_u = side < 2;
+        l3d_micro_grid& grid = quick.part.grid;
+        const auto across = static_cast<int>(side % 2), last = strips_end(quick, side);
+        for (const int at : {0, last}) {
+            const auto h = stretch.points[at == 0 ? 0 : 3];
+            const l3d_micro_vertex v = l3d_canonical_vertex(h, view).dice.vertex;
+            const std::size_t index = along_u ? grid.index(across, at) : grid.index(at, across);
+            grid.x[index] = v.x;
+            grid.y[index] = v.y;
+            grid.inv_w[index] = v.inv_w;
+        }
+        const l3d_diced_piece before = quick;
+        l3d_close_side(quick, side, line, t0, t1);
+        for (const int at : {0, last}) {
+            const std::size_t index = along_u ? grid.index(across, at) : grid.index(at, across);
+            EXPECT_EQ(grid.x[index], before.part.grid.x[index]);
+            EXPECT_EQ(grid.y[index], before.part.grid.y[index]);
+            EXPECT_EQ(grid.inv_w[index], before.part.grid.inv_w[index]);
+        }
+        l3d_diced_piece slow;
+        slow.keep_parameters = true;
+        l3d_fill_slit(boundary_of(quick, side, t0, t1), line, view, slow);
+        expect_same_triangles(quick, slow);
+        triangles += slow.part.triangles.count;
+        at_parts += line.strips_between(t0, t1) != nullptr;
+        between_points += line.t()[line.point_before(t0)] != t0;
+    }
+    EXPECT_GT(triangles, 2000u);
+    EXPECT_GT(at_parts, 20u);
+    EXPECT_GT(between_points, 200u);
 }
 
 TEST(slit, is_empty_where_the_row_has_the_steps_of_the_edge) {
