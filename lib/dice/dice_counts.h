@@ -23,6 +23,7 @@ struct l3d_dice_counts : l3d_seen_counts {
     std::int64_t pieces = 0;      ///< grids made; more than `drawn` if patches had to be cut
     std::int64_t samples = 0;     ///< vertices evaluated
     std::int64_t failures = 0;    ///< pixels left out as an iteration came to no rest
+    double near = 0;              ///< nearest w drawn, if it is not the view's near
     double bound_px = 0;          ///< certified image error of all that was drawn
 
     /// Both together: of other patches.
@@ -39,6 +40,7 @@ struct l3d_dice_counts : l3d_seen_counts {
         pieces += other.pieces;
         samples += other.samples;
         failures += other.failures;
+        near = std::max(near, other.near);
         bound_px = std::max(bound_px, other.bound_px);
     }
 
