@@ -14,13 +14,14 @@
 struct l3d_slanted_box {
     l3d_vector<double, 3> centre{0.0, 0.0, 0.0};
     std::array<l3d_vector<double, 3>, 3> axes{};
+    double reach = 0; ///< bound of the terms that coordinates inside are summed up from, if known
 };
 
 /// Boxes held so that a processor's lanes can each take one.
 ///
 /// Shape: one array per coordinate, box i in element i; the arrays have room for a multiple of
 ///        `lanes`, with numbers in it that mean nothing.
-/// Cost:  12 doubles a box. add allocates only when there are more than ever before.
+/// Cost:  13 doubles a box. add allocates only when there are more than ever before.
 class l3d_box_lanes {
 public:
     static constexpr std::size_t lanes = 16;
@@ -42,6 +43,7 @@ public:
             for (std::size_t k = 0; k < 3; ++k)
                 axes_[k][at][index] = box.axes[k][i];
         }
+        reach_[index] = box.reach;
     }
 
     /// Coordinate i of the centres, from box `first` on.
@@ -52,6 +54,9 @@ public:
         return &axes_[k][i][first];
     }
 
+    /// What is known of their terms, likewise.
+    const double* reach(std::size_t first) const { return &reach_[first]; }
+
 private:
     void grow() {
         const std::size_t size = 2 * count_ + lanes;
@@ -60,11 +65,13 @@ private:
             for (auto& axis : axes_)
                 axis[i].resize(size);
         }
+        reach_.resize(size);
     }
 
     std::size_t count_ = 0;
     std::array<std::vector<double>, 3> centre_;
     std::array<std::array<std::vector<double>, 3>, 3> axes_;
+    std::vector<double> reach_;
 };
 
 #endif

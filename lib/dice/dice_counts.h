@@ -24,6 +24,7 @@ struct l3d_dice_counts : l3d_seen_counts {
     std::int64_t in_lanes = 0;    ///< of these, made by l3d_lane_dicer
     std::int64_t samples = 0;     ///< vertices evaluated
     std::int64_t failures = 0;    ///< pixels left out as an iteration came to no rest
+    double near = 0;              ///< nearest w drawn, if it is not the view's near
     double bound_px = 0;          ///< certified image error of all that was drawn
 
     /// Certified distance of all that was drawn from the exact surface, along its normal at the
@@ -48,6 +49,7 @@ struct l3d_dice_counts : l3d_seen_counts {
         in_lanes += other.in_lanes;
         samples += other.samples;
         failures += other.failures;
+        near = std::max(near, other.near);
         bound_px = std::max(bound_px, other.bound_px);
         depth_bound_px = std::max(depth_bound_px, other.depth_bound_px);
         shade_bound = std::max(shade_bound, other.shade_bound);

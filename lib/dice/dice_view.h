@@ -51,6 +51,12 @@ struct l3d_dice_view {
     double depth_scale = 1; ///< scaled w / distance along the view axis
     double error_xy = 0;    ///< of a transformed control point
     double error_w = 0;
+
+    /// Bound of the terms that the points' coordinates are summed up from, those of the eye among
+    /// them: errors are in proportion to it. 0: that is not known, and errors are what they are.
+    double terms = 0;
+    double eye_terms = 0;   ///< those of the eye
+    double camera_near = 0; ///< near, before errors of w pushed it away; 0: that is near itself
     l3d_kept_patches keep;
     bool one_sided = false; ///< nobody wants to see the back of dS/du x dS/dv
 
@@ -61,6 +67,40 @@ struct l3d_dice_view {
     bool makes_levels() const { return shading.mode == l3d_shade::levels; }
 
     friend bool operator==(const l3d_dice_view&, const l3d_dice_view&) = default;
+
+    /// The same picture, its near plane where the camera's is.
+    l3d_dice_view unlifted() const {
+        l3d_dice_view result = *this;
+        if (camera_near > 0)
+            result.near = camera_near;
+        return result;
+    }
+
+    /// The part of the view's errors that points have whose own terms add up to `reach`.
+    double share_of(double reach) const {
+        return terms > 0 ? std::min((reach + eye_terms) / terms, 1.0) : 1.0;
+    }
+
+    /// The near plane of points that have this share of the errors. Nearer than 32 errors of w, w
+    /// is hardly known any more, and what is divided by it neither.
+    double near_of(double share) const {
+        return std::max(camera_near > 0 ? camera_near : near, 32 * (share * error_w));
+    }
+
+    /// The same picture, as points of this share of the errors need it.
+    l3d_dice_view of_share(double share) const {
+        l3d_dice_view result = *this;
+        result.take_share(*this, share);
+        return result;
+    }
+
+    /// Becomes whole.of_share(share). Expects: all else is that of `whole`.
+    void take_share(const l3d_dice_view& whole, double share) {
+        near = whole.near_of(share);
+        error_xy = whole.error_xy * share;
+        error_w = whole.error_w * share;
+        terms = whole.terms * share;
+    }
 
     /// What the chord error may be where rounding of vertices already takes `vertex_error`. Where
     /// that is most of the tolerance, a quarter is left, and the bound says that it is exceeded;

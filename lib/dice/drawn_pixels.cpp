@@ -26,15 +26,17 @@ l3d_pixel_box pixels_of(const l3d_image_box& box, const l3d_dice_view& view) {
 void l3d_drawn_pixels(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
                       const l3d_dice_view& view, l3d_pixel_boxes& result, std::int64_t enough) {
     l3d_detail::culled_boxes culled;
+    const double near = view.unlifted().near;
     for (std::size_t first = 0; first < boxes.count() && result.area() <= enough;
          first += l3d_box_lanes::lanes) {
-        l3d_detail::cull_boxes(boxes, first, to_image, view, view.margin(), culled);
+        l3d_detail::cull_boxes(boxes, first, to_image, {}, view, view.margin(), culled);
         const std::size_t here = std::min(l3d_box_lanes::lanes, boxes.count() - first);
         for (std::size_t i = 0; i < here; ++i) {
-            if (culled.most[i] <= view.near || culled.least[i] >= view.far || culled.inside[i] < 0)
+            if (culled.most[i] <= near || culled.least[i] >= view.far || culled.inside[i] < 0)
                 continue;
-            result.add(culled.least[i] > view.near ? pixels_of(drawn_box_of(culled, i, view), view)
-                                                   : l3d_whole(view.size));
+            result.add(culled.least[i] > culled.near[i]
+                           ? pixels_of(drawn_box_of(culled, i, view), view)
+                           : l3d_whole(view.size));
         }
     }
 }

@@ -88,21 +88,21 @@ void l3d_edge_polyline::reverse() {
 
 void l3d_edge_polyline::build(std::span<l3d_edge_polyline, 4> lines,
                               const std::array<l3d_image_curve, 4>& edges,
-                              const l3d_dice_view& view) {
+                              const l3d_dice_view& view, const std::array<double, 4>& shares) {
     std::array<l3d_detail::edge_strips, 4> strips;
     for (std::size_t e = 0; e < lines.size(); ++e)
         strips[e] = lines[e].room_for_strips();
-    l3d_detail::make_edge_strips(edges, view, strips);
+    l3d_detail::make_edge_strips(edges, view, shares, strips);
     for (std::size_t e = 0; e < lines.size(); ++e)
-        lines[e].take(strips[e], edges[e], view);
+        lines[e].take(strips[e], edges[e], view, shares[e]);
 }
 
 void l3d_edge_polyline::build(const l3d_image_curve& edge, const l3d_dice_view& view) {
     // The other three write the same numbers to the same places.
     std::array<l3d_detail::edge_strips, 4> strips;
     strips.fill(room_for_strips());
-    l3d_detail::make_edge_strips({edge, edge, edge, edge}, view, strips);
-    take(strips[0], edge, view);
+    l3d_detail::make_edge_strips({edge, edge, edge, edge}, view, {1, 1, 1, 1}, strips);
+    take(strips[0], edge, view, 1);
 }
 
 l3d_detail::edge_strips l3d_edge_polyline::room_for_strips(std::size_t part) {
@@ -134,12 +134,13 @@ void l3d_edge_polyline::reserve_as(const l3d_edge_polyline& other) {
 }
 
 void l3d_edge_polyline::take(const l3d_detail::edge_strips& strips, const l3d_image_curve& edge,
-                             const l3d_dice_view& view) {
+                             const l3d_dice_view& view, double share) {
     parts_ = 1;
     strips_[0] = strips.strips;
     if (strips.strips.blocks == 0) {
-        if (!strips.too_long || !take_parts(edge, view))
-            cut(edge, view);
+        const l3d_dice_view own = view.of_share(share);
+        if (!strips.too_long || !take_parts(edge, own))
+            cut(edge, own);
         return;
     }
     size_ = points_of(strips.strips);
@@ -173,7 +174,7 @@ bool l3d_edge_polyline::join(std::span<const l3d_image_curve> parts, const l3d_d
             some[k] = parts[which];
             of_some[k] = room_for_strips(which);
         }
-        l3d_detail::make_edge_strips(some, view, of_some);
+        l3d_detail::make_edge_strips(some, view, {1, 1, 1, 1}, of_some);
         for (std::size_t k = 0; k < at_once && part + k < parts.size(); ++k) {
             if (of_some[k].strips.blocks == 0)
                 return false;

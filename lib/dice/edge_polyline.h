@@ -29,9 +29,11 @@ struct edge_strips;
 ///        points, if it needs no clipping and is one of four (AVX-512).
 class l3d_edge_polyline {
 public:
-    /// Four edges at once: lines[k] of edges[k].
+    /// Four edges at once: lines[k] of edges[k], whose points have the share shares[k] of the
+    /// view's errors. Expects: the view's near is no farther than that of the least of these.
     static void build(std::span<l3d_edge_polyline, 4> lines,
-                      const std::array<l3d_image_curve, 4>& edges, const l3d_dice_view& view);
+                      const std::array<l3d_image_curve, 4>& edges, const l3d_dice_view& view,
+                      const std::array<double, 4>& shares = {1, 1, 1, 1});
 
     /// One edge; the same points, but slower than a quarter of four.
     void build(const l3d_image_curve& edge, const l3d_dice_view& view);
@@ -82,7 +84,7 @@ public:
 private:
     l3d_detail::edge_strips room_for_strips(std::size_t part = 0);
     void take(const l3d_detail::edge_strips& strips, const l3d_image_curve& edge,
-              const l3d_dice_view& view);
+              const l3d_dice_view& view, double share);
     bool take_parts(const l3d_image_curve& edge, const l3d_dice_view& view);
     bool join(std::span<const l3d_image_curve> parts, const l3d_dice_view& view);
     void cut(const l3d_image_curve& edge, const l3d_dice_view& view);

@@ -19,10 +19,13 @@ class l3d_edge_polylines {
 public:
     static constexpr std::size_t sides = 4;
 
-    /// Builds the four outer edges of a patch, and forgets all others.
-    void build(const l3d_image_patch& net, const l3d_dice_view& view) {
+    /// Builds the four outer edges of a patch, and forgets all others. Edges that patches share
+    /// must have the same share of the view's errors in all of them.
+    void build(const l3d_image_patch& net, const l3d_dice_view& view,
+               const std::array<double, sides>& shares = {1, 1, 1, 1}) {
         l3d_edge_polyline::build(std::span(edges_).first<sides>(),
-                                 {net.row(0), net.row(3), net.column(0), net.column(3)}, view);
+                                 {net.row(0), net.row(3), net.column(0), net.column(3)}, view,
+                                 shares);
         used_ = sides;
     }
 

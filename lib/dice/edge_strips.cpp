@@ -252,18 +252,19 @@ struct edge_view {
 };
 
 /// Whether a point can be drawn, and is by more than rounding of its neighbours can take.
-bool safely_drawable(const l3d_image_point& h, const l3d_dice_view& view) {
+bool safely_drawable(const l3d_image_point& h, double near, const l3d_dice_view& view) {
     constexpr double slack = 0x1p-30;
     const double reach = l3d_guard_band * (1 - slack) * h[2];
-    return h[2] > view.near * (1 + slack) && h[2] < view.far * (1 - slack) &&
-           std::abs(h[0]) <= reach && std::abs(h[1]) <= reach;
+    return h[2] > near * (1 + slack) && h[2] < view.far * (1 - slack) && std::abs(h[0]) <= reach &&
+           std::abs(h[1]) <= reach;
 }
 
-edge_view view_edge(const l3d_image_curve& edge, const l3d_dice_view& view) {
+edge_view view_edge(const l3d_image_curve& edge, double share, const l3d_dice_view& view) {
     edge_view result;
+    const double near = view.near_of(share);
     result.drawable = true;
     for (const l3d_image_point& p : edge.points)
-        result.drawable = result.drawable && safely_drawable(p, view);
+        result.drawable = result.drawable && safely_drawable(p, near, view);
     if (!result.drawable)
         return result;
     result.backwards = runs_backwards(edge);
@@ -279,8 +280,8 @@ edge_view view_edge(const l3d_image_curve& edge, const l3d_dice_view& view) {
         least_w = std::min(least_w, p[2]);
     }
     l3d_vertex_accuracy accuracy;
-    accuracy.error_xy = view.error_xy + l3d_power_form_error(largest_xy);
-    accuracy.error_w = view.error_w + l3d_power_form_error(largest_w);
+    accuracy.error_xy = view.error_xy * share + l3d_power_form_error(largest_xy);
+    accuracy.error_w = view.error_w * share + l3d_power_form_error(largest_w);
     accuracy.w_low = least_w;
     accuracy.seen_reach = seen.reach();
     accuracy.reach = whole.reach();
@@ -292,12 +293,13 @@ edge_view view_edge(const l3d_image_curve& edge, const l3d_dice_view& view) {
 } // namespace
 
 void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
-                      const l3d_dice_view& view, std::array<edge_strips, edges_at_once>& results) {
+                      const l3d_dice_view& view, const std::array<double, edges_at_once>& shares,
+                      std::array<edge_strips, edges_at_once>& results) {
     std::array<edge_view, edges_at_once> seen;
     cubic whole{};
     strip_wishes wishes;
     for (std::size_t e = 0; e < edges_at_once; ++e) {
-        seen[e] = view_edge(edges[e], view);
+        seen[e] = view_edge(edges[e], shares[e], view);
         for (std::size_t i = 0; i < 4; ++i)
             for (std::size_t k = 0; k < 3; ++k)
                 whole[i].at[4 * k + e] =
@@ -370,8 +372,9 @@ namespace l3d_detail {
 L3D_SIMD_TABLE(make_edge_strips);
 
 void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
-                      const l3d_dice_view& view, std::array<edge_strips, edges_at_once>& results) {
-    L3D_SIMD_CALL(make_edge_strips)(edges, view, results);
+                      const l3d_dice_view& view, const std::array<double, edges_at_once>& shares,
+                      std::array<edge_strips, edges_at_once>& results) {
+    L3D_SIMD_CALL(make_edge_strips)(edges, view, shares, results);
 }
 
 } // namespace l3d_detail

@@ -17,6 +17,14 @@ l3d_vector<double, 4> as_direction(const l3d_vector<double, 3>& v) {
     return {v[0], v[1], v[2], 0.0};
 }
 
+/// Whether anything of a net would be nearer than its near plane, but not than the camera's.
+bool is_pushed_away(const l3d_image_patch& net, const l3d_dice_view& view, double camera_near) {
+    if (view.near == camera_near)
+        return false;
+    const l3d_depth_range depth = l3d_depth_range_of(net.points);
+    return depth.least < view.near && depth.most > camera_near;
+}
+
 /// Which of a patch's four blocks in a row or column each of a piece's lies in, the piece being a
 /// part of it by halves.
 std::array<std::size_t, 4> blocks_along(const std::vector<double>& parameters) {
@@ -52,8 +60,11 @@ unsigned counted_backs(const l3d_diced_piece& piece, unsigned backs, l3d_dice_co
 } // namespace
 
 template <class T> void l3d_frame_dicer<T>::begin(const l3d_dice_view& view) {
-    view_ = view;
+    view_ = view.unlifted();
+    for (worker_space& space : each_worker_)
+        space.view = view_;
     counts_ = {};
+    counts_.near = view_.near;
 }
 
 template <class T>
@@ -94,11 +105,16 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const l3d_patch_scene& scene,
     __builtin_prefetch(&instance.model().facing(p.patch));
     const l3d_image_patch net =
         l3d_placed_net(culling.matrix(p), instance.model().patches()[p.patch]);
-    if (l3d_left_out(net, view_, space.counts))
+    const l3d_patch_reach& reach = instance.model().reach(p.patch);
+    const l3d_dice_view& view = space.view;
+    space.view.take_share(view_, view_.share_of(instance.reach(reach.whole)));
+    if (is_pushed_away(net, view, view_.near))
+        space.counts.near = std::max(space.counts.near, view.near);
+    if (l3d_left_out(net, view, space.counts))
         return;
-    if (const auto point = view_.keep.dicing ? std::nullopt : l3d_point_place_of(net, view_)) {
+    if (const auto point = view.keep.dicing ? std::nullopt : l3d_point_place_of(net, view)) {
         const auto n = instance.normal_matrix() * as_direction(normals.evaluate(0.5, 0.5));
-        l3d_draw_point(*point, net, {n[0], n[1], n[2]}, view_, slots_[i], space.counts);
+        l3d_draw_point(*point, net, {n[0], n[1], n[2]}, view, slots_[i], space.counts);
         return;
     }
     const unsigned backs = backs_of(instance, culling.matrix(p), p.patch);
@@ -106,10 +122,15 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const l3d_patch_scene& scene,
         ++space.counts.backfacing;
         return;
     }
+    // An edge has the errors of its own points, which are the same for all patches that share it.
+    std::array<double, l3d_edge_polylines::sides> edge_shares;
+    for (std::size_t e = 0; e < edge_shares.size(); ++e)
+        edge_shares[e] = view_.share_of(instance.reach(reach.edges[e]));
     if (instance.turns_normals())
-        dice_patch(net, normals.turned(instance.normal_matrix()), backs, slots_[i], space);
+        dice_patch(net, normals.turned(instance.normal_matrix()), backs, edge_shares, slots_[i],
+                   space);
     else
-        dice_patch(net, normals, backs, slots_[i], space);
+        dice_patch(net, normals, backs, edge_shares, slots_[i], space);
 }
 
 /// Which worker meets a patch is chance, so each is prepared for all that any has met.
@@ -130,8 +151,10 @@ unsigned l3d_frame_dicer<T>::backs_of(const l3d_patch_instance& instance,
     const l3d_patch_model& model = instance.model();
     if (view_.keep.backs)
         return 0;
+    const double share = view_.share_of(instance.reach());
+    const double error_w = share * view_.error_w, near = view_.near_of(share);
     const bool is_outside =
-        model.orientation() != 0 && l3d_least_w_of(model, to_image) - view_.error_w > view_.near;
+        model.orientation() != 0 && l3d_least_w_of(model, to_image) - error_w > near;
     if (!is_outside && !view_.one_sided)
         return 0;
     // From outside, a body's back is its inside, whichever way its normals point.
@@ -141,17 +164,18 @@ unsigned l3d_frame_dicer<T>::backs_of(const l3d_patch_instance& instance,
 }
 
 template <class T>
-void l3d_frame_dicer<T>::dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals,
-                                    unsigned backs, l3d_diced_pieces& out,
-                                    worker_space& space) const {
-    space.edges.build(net, view_);
+void l3d_frame_dicer<T>::dice_patch(
+    const l3d_image_patch& net, const l3d_normal_net& normals, unsigned backs,
+    const std::array<double, l3d_edge_polylines::sides>& edge_shares, l3d_diced_pieces& out,
+    worker_space& space) const {
+    space.edges.build(net, view_, edge_shares);
     const bool diced =
         way_ == l3d_dice_way::lanes &&
-        space.lanes.dice(net, normals, view_, space.edges.outer(), out.next(), space.counts);
+        space.lanes.dice(net, normals, space.view, space.edges.outer(), out.next(), space.counts);
     if (!diced) {
         if (way_ == l3d_dice_way::lanes)
             out.give_back();
-        space.general.dice(net, normals, view_, space.edges, out, space.counts,
+        space.general.dice(net, normals, space.view, space.edges, out, space.counts,
                            way_ == l3d_dice_way::lanes ? &space.lanes : nullptr);
     }
     for (l3d_diced_piece& piece : out.used()) {

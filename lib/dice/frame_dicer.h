@@ -13,6 +13,7 @@
 #include "raster/height_order_p.h"
 #include "raster/workers.h"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -60,6 +61,7 @@ private:
         l3d_lane_dicer<T> lanes;
         l3d_patch_dicer<T> general;
         l3d_edge_polylines edges;
+        l3d_dice_view view; ///< the frame's, with the errors of the patch that is diced
         l3d_dice_counts counts;
 
         void reserve_as(const worker_space& other) {
@@ -74,12 +76,13 @@ private:
     unsigned backs_of(const l3d_patch_instance& instance, const l3d_matrix<double>& to_image,
                       std::size_t patch) const;
     void dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals, unsigned backs,
+                    const std::array<double, l3d_edge_polylines::sides>& edge_shares,
                     l3d_diced_pieces& out, worker_space& space) const;
 
     l3d_workers& workers_;
     l3d_dice_way way_;
     bool keep_parameters_;
-    l3d_dice_view view_;
+    l3d_dice_view view_; ///< the frame's, its near plane where the camera's is
     l3d_dice_counts counts_;
     std::vector<worker_space> each_worker_;
     std::vector<l3d_diced_pieces> slots_; ///< one for each patch of a batch

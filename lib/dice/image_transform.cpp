@@ -44,26 +44,29 @@ l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size
     // placement multiplied in to 8 more, four products and three sums add at most 8; a patch cut
     // in 50 halvings is rounded at its own size first, not at that of its pieces, at 3 midpoints
     // each.
-    double eye = 0;
     for (int i = 0; i < 3; ++i)
-        eye += std::abs(camera.eye[i]);
+        eye_terms_ += std::abs(camera.eye[i]);
+    terms_ = steady_bound(scene.reach() + eye_terms_);
     constexpr double roundings = (16 + 8 + 8 + 3 * 50) * 0x1p-53;
-    error_w_ = roundings * steady_bound(scene.reach() + eye) * depth_scale_;
+    error_w_ = roundings * terms_ * depth_scale_;
     // The axes to the right and down are turned by the rounding of the line of sight and of the
-    // product with `up`, 4 ulps, over the sine between them.
+    // product with `up`, 4 ulps, over the sine between them. A point's distance from the eye is at
+    // most the sum of its terms and the eye's, so that all errors are in proportion to these.
     constexpr double turning = 4 * 0x1p-53;
-    error_xy_ = focal * (error_w_ + turning / camera.up_sine() * farthest * depth_scale_);
+    error_xy_ = focal * (error_w_ + turning / camera.up_sine() * terms_ * depth_scale_);
 }
 
 l3d_dice_view l3d_image_transform::view(double tolerance) const {
     l3d_dice_view view;
     view.size = size_;
-    // Nearer than that, w is hardly known any more, and what is divided by it neither.
-    view.near = std::max(near_ * depth_scale_, 32 * error_w_);
     view.far = far_ * depth_scale_;
     view.tolerance = tolerance;
     view.depth_scale = depth_scale_;
     view.error_xy = error_xy_;
     view.error_w = error_w_;
+    view.terms = terms_;
+    view.eye_terms = eye_terms_;
+    view.camera_near = near_ * depth_scale_;
+    view.near = view.near_of(1);
     return view;
 }

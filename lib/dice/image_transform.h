@@ -22,7 +22,8 @@ public:
     /// World (x, y, z, 1) to (x, y, -, w).
     const l3d_matrix<double>& matrix() const { return matrix_; }
 
-    /// The picture as dicing needs to know it, in the units of the transformed points. Its near
+    /// The picture as dicing needs to know it, in the units of the transformed points. Its errors
+    /// hold for all points of the scene; l3d_dice_view::of_share tells those of some. Its near
     /// plane is the camera's, or farther where rounding leaves too little of w.
     /// Units: tolerance in pixels.
     l3d_dice_view view(double tolerance) const;
@@ -34,6 +35,7 @@ private:
     double depth_scale_ = 1;
     double error_xy_ = 0;
     double error_w_ = 0;
+    double terms_ = 0, eye_terms_ = 0;
 };
 
 #endif

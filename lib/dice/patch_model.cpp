@@ -22,6 +22,22 @@ l3d_slanted_box upright_box(const vector& least, const vector& most) {
     return box;
 }
 
+/// Of points from, from + step, ... four of them, or all sixteen.
+vector largest_of(const l3d_patch_model::patch& p, std::size_t from, std::size_t step,
+                  std::size_t count) {
+    vector result{0.0, 0.0, 0.0};
+    for (std::size_t i = 0; i < count; ++i)
+        for (int k = 0; k < 3; ++k)
+            result[k] = std::max(result[k], std::abs(p.points[from + i * step][k]));
+    return result;
+}
+
+l3d_patch_reach reach_of(const l3d_patch_model::patch& p) {
+    return {largest_of(p, 0, 1, 16),
+            {largest_of(p, 0, 1, 4), largest_of(p, 12, 1, 4), largest_of(p, 0, 4, 4),
+             largest_of(p, 3, 4, 4)}};
+}
+
 } // namespace
 
 l3d_patch_model::l3d_patch_model(std::vector<patch> patches) : patches_(std::move(patches)) {
@@ -30,6 +46,7 @@ l3d_patch_model::l3d_patch_model(std::vector<patch> patches) : patches_(std::mov
         normals_.emplace_back(p);
         facing_.emplace_back(p, normals_.back());
         bends_.emplace_back(p, normals_.back());
+        reaches_.push_back(reach_of(p));
         const auto [least, most] = p.bounds();
         boxes_.add(upright_box(least, most));
         if (normals_.size() == 1) {

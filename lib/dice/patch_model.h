@@ -10,11 +10,21 @@
 #include "dice/facing_cones.h"
 #include "dice/surface_bends.h"
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+/// The largest coordinates, as magnitudes, of a patch's control points and of those of its edges.
+///
+/// Shape: edges in the order of l3d_edge_polylines.
+struct l3d_patch_reach {
+    l3d_vector<double, 3> whole{0.0, 0.0, 0.0};
+    std::array<l3d_vector<double, 3>, 4> edges{};
+};
 
 /// A set of bicubic patches, each with its exact normal net and its box. In world space, unless a
 /// l3d_patch_scene places them elsewhere.
@@ -48,6 +58,7 @@ public:
     const l3d_normal_net& normals(std::size_t index) const { return normals_[index]; }
     const l3d_facing_cones& facing(std::size_t index) const { return facing_[index]; }
     const l3d_surface_bends& bends(std::size_t index) const { return bends_[index]; }
+    const l3d_patch_reach& reach(std::size_t index) const { return reaches_[index]; }
 
     /// Whether it is proven to be a body, and where its normals point: l3d_orientation_of.
     int orientation() const { return orientation_; }
@@ -64,6 +75,7 @@ private:
     std::vector<l3d_normal_net> normals_;
     std::vector<l3d_facing_cones> facing_;
     std::vector<l3d_surface_bends> bends_;
+    std::vector<l3d_patch_reach> reaches_;
     int orientation_ = 0;
     vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
     l3d_box_lanes boxes_;

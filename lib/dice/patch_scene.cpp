@@ -50,19 +50,6 @@ l3d_matrix<double> cofactors(const l3d_matrix<double>& m) {
     return result;
 }
 
-/// Bound of the sum of the magnitudes of all terms that a placed point's coordinates have.
-double reach_of(const l3d_patch_instance& instance) {
-    double reach = 0;
-    for (int row = 0; row < 3; ++row) {
-        for (int k = 0; k < 3; ++k)
-            reach += std::abs(instance.placement()(row, k)) *
-                     std::max(std::abs(instance.model().least()[k]),
-                              std::abs(instance.model().most()[k]));
-        reach += std::abs(instance.placement()(row, 3));
-    }
-    return reach;
-}
-
 std::int64_t patches_of(const l3d_patch_model& model) {
     return static_cast<std::int64_t>(model.patches().size());
 }
@@ -74,6 +61,11 @@ l3d_patch_instance::l3d_patch_instance(const l3d_patch_model& model,
     : model_(&model), placement_(placement), normal_matrix_(cofactors(placement)),
       turns_normals_(!(normal_matrix_ == l3d_identity<double>())) {
     assert(is_affine(placement));
+    for (int row = 0; row < 3; ++row) {
+        for (int k = 0; k < 3; ++k)
+            terms_[k] += std::abs(placement(row, k));
+        shift_ += std::abs(placement(row, 3));
+    }
 }
 
 l3d_slanted_box l3d_patch_instance::box() const {
@@ -85,7 +77,15 @@ l3d_slanted_box l3d_patch_instance::box() const {
         axis[k] = half[k];
         box.axes[static_cast<std::size_t>(k)] = placed_direction(placement_, axis);
     }
+    box.reach = reach();
     return box;
+}
+
+double l3d_patch_instance::reach() const {
+    vector most{0.0, 0.0, 0.0};
+    for (int k = 0; k < 3; ++k)
+        most[k] = std::max(std::abs(model_->least()[k]), std::abs(model_->most()[k]));
+    return reach(most);
 }
 
 void l3d_patch_scene::add(const l3d_patch_model& model, const l3d_matrix<double>& placement) {
@@ -127,7 +127,7 @@ const l3d_patch_scene::whole& l3d_patch_scene::extent() const {
             extent_.least[i] = is_first ? low : std::min(extent_.least[i], low);
             extent_.most[i] = is_first ? high : std::max(extent_.most[i], high);
         }
-        extent_.reach = std::max(extent_.reach, reach_of(instance));
+        extent_.reach = std::max(extent_.reach, box.reach);
     }
     return extent_;
 }

@@ -117,7 +117,7 @@ void l3d_piece_drawer<T>::walk_rows(const l3d_piece_nets<T>& nets, const l3d_ste
                                     l3d_diced_piece& out) {
     const auto strips = static_cast<std::size_t>(plan.strips);
     l3d_micro_grid& grid = out.part.grid;
-    walker_.resize(out.u.size());
+    walker_.resize(out.u.size(), nets.unit());
     int row = 0;
     const auto emit = [&] {
         const std::size_t at = grid.index(row, 0);

@@ -31,13 +31,25 @@ struct magnitudes {
     }
 };
 
-/// Error of walking n steps in T along one of `strips` equal parts of [0, 1]: differences of
-/// order k shrink by strips^k.
-template <class T> double walking_error(const std::array<double, 4>& size, int n, int strips) {
-    const double s = strips, whole = l3d_balanced_reach;
+/// Error of walking n steps in T along one of `strips` equal parts of [0, 1], in registers that
+/// hold `unit` times the coordinates: differences of order k shrink by strips^k.
+template <class T>
+double walking_error(const std::array<double, 4>& size, double unit, int n, int strips) {
+    const double s = strips, whole = l3d_balanced_reach * unit;
     return l3d_forward_difference_error<T>(n, whole * size[0], whole * size[1] / s,
                                            whole * size[2] / (s * s),
-                                           whole * size[3] / (s * s * s));
+                                           whole * size[3] / (s * s * s)) /
+           unit;
+}
+
+/// The power of two that brings w to at most 2^8 and, within the guard band, x and y to at most
+/// 2^22: of 32.32, which has 31 integer bits, differences of third order may take eight times that.
+/// Expects: 0 < largest_w < 2^200 and so on, as the image transform's scale makes sure.
+template <class T> double register_unit(double largest_w) {
+    if constexpr (l3d_is_fixed<T>)
+        return std::exp2(7 - std::floor(std::log2(largest_w)));
+    else
+        return 1;
 }
 
 } // namespace
@@ -95,8 +107,9 @@ void l3d_piece_nets<T>::judge(l3d_vertex_accuracy accuracy, const l3d_dice_view&
     if (!whole_)
         return;
     const int strips = count_ == 1 ? 1 : l3d_step_plan::most_strips;
-    accuracy.error_xy += walking_error<T>(size.xy, l3d_most_steps_whole, strips);
-    accuracy.error_w += walking_error<T>(size.w, l3d_most_steps_whole, strips);
+    unit_ = register_unit<T>(size.w[0]);
+    accuracy.error_xy += walking_error<T>(size.xy, unit_, l3d_most_steps_whole, strips);
+    accuracy.error_w += walking_error<T>(size.w, unit_, l3d_most_steps_whole, strips);
     accuracy.snap_error += l3d_snap_error<T>(accuracy.reach) - l3d_snap_error<T>(0);
     const double walking = accuracy.drawn_error(w_ratio);
     walked_ = walking - vertex_error_ <= view.walk_allowance(vertex_error_);

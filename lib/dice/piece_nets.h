@@ -33,6 +33,10 @@ public:
     /// err by more than l3d_dice_view::walk_allowance more.
     bool walked() const { return walked_; }
 
+    /// What a walk's registers hold of 1, a power of two. Fixed point gets coordinates that are as
+    /// large as fits, however far all else in the picture is.
+    double unit() const { return unit_; }
+
     /// What rounding of the vertices adds to the chord error. Units: pixels.
     double vertex_error() const { return vertex_error_; }
 
@@ -50,6 +54,7 @@ private:
     std::array<l3d_image_patch, 16> blocks_;
     bool whole_ = false;
     bool walked_ = false;
+    double unit_ = 1;
     double vertex_error_ = 0;
 };
 

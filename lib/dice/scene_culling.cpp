@@ -40,7 +40,7 @@ std::int64_t* reason_to_leave_out(const culled_boxes& boxes, std::size_t i,
         if (boxes.inside[i] < 0)
             return &counts.offscreen;
     }
-    if (!view.keep.centreless && boxes.least[i] > view.near &&
+    if (!view.keep.centreless && boxes.least[i] > boxes.near[i] &&
         l3d_holds_no_centre(box_of(boxes, i), view))
         return &counts.subpixel;
     return nullptr;
@@ -88,7 +88,8 @@ l3d_image_box l3d_detail::drawn_box_of(const culled_boxes& boxes, std::size_t i,
                                        const l3d_dice_view& view) {
     const l3d_image_box exact = box_of(boxes, i);
     const double transformed =
-        l3d_vertex_error(view.error_xy, view.error_w, exact.reach(), boxes.least[i]);
+        l3d_vertex_error(view.error_xy * boxes.share[i], view.error_w * boxes.share[i],
+                         exact.reach(), boxes.least[i]);
     const double vertex_error = transformed + view.walk_allowance() + 1.0 / l3d_subpixel_one;
     return view.drawn_box(exact).grown(vertex_error);
 }
@@ -103,9 +104,8 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
     extent where{static_cast<float>(std::max(view_.near, boxes.least[i])),
                  std::numeric_limits<float>::infinity(),
                  {}};
-    // What a walk adds to the error of w: 2^-19 is more than the 6.4e-7 of 32.32 numbers.
-    const double error_w = view_.error_w + 0x1p-19;
-    if (boxes.least[i] <= view_.near + 2 * error_w ||
+    const double error_w = view_.error_w * boxes.share[i];
+    if (boxes.least[i] <= boxes.near[i] + 2 * error_w ||
         boxes.most[i] > most_depth_ratio * boxes.least[i] || view_.keep.hidden)
         return where;
     const double balance =
@@ -122,10 +122,11 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
 /// the others. Of a part there is one reason for all: nothing of them is in it.
 template <class See, class LeaveOut>
 void l3d_scene_culling::look_at(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
-                                See see, LeaveOut leave_out) {
+                                const l3d_detail::placing_terms& terms, See see,
+                                LeaveOut leave_out) {
     culled_boxes culled;
     for (std::size_t first = 0; first < boxes.count(); first += l3d_box_lanes::lanes) {
-        l3d_detail::cull_boxes(boxes, first, to_image, view_, margin_, culled);
+        l3d_detail::cull_boxes(boxes, first, to_image, terms, view_, margin_, culled);
         const std::size_t here = std::min(l3d_box_lanes::lanes, boxes.count() - first);
         for (std::size_t i = 0; i < here; ++i) {
             std::int64_t* const reason = reason_to_leave_out(culled, i, view_, counts_);
@@ -141,7 +142,7 @@ void l3d_scene_culling::begin(const l3d_patch_scene& scene, const l3d_matrix<dou
                               const l3d_dice_view& view, const l3d_pixel_box& part) {
     scene_ = &scene;
     to_image_ = to_image;
-    view_ = view;
+    view_ = view.unlifted();
     margin_ = view.margin(view.window(part));
     is_part_ = part != l3d_whole(view.size);
     counts_ = {};
@@ -153,7 +154,7 @@ void l3d_scene_culling::begin(const l3d_patch_scene& scene, const l3d_matrix<dou
     batch_size_ = 0;
     left_ = scene.patch_count();
     look_at(
-        scene.boxes(), to_image,
+        scene.boxes(), to_image, {},
         [&](std::size_t i, const extent& where) {
             instance_line_.push_back(ticket_of(where, instances_.size()));
             instances_.push_back({where, static_cast<std::uint32_t>(i)});
@@ -179,7 +180,7 @@ void l3d_scene_culling::open_next_instance(hidden_call hidden, const void* conte
     matrices_.push_back(to_image_ * instance.placement());
     sorted_ = 0;
     look_at(
-        instance.model().boxes(), matrices_.back(),
+        instance.model().boxes(), matrices_.back(), {instance.terms(), instance.shift()},
         [&](std::size_t i, const extent& where) {
             patch_line_.push_back(ticket_of(where, patches_.size()));
             patches_.push_back({where, next.index, static_cast<std::uint32_t>(i), matrix});

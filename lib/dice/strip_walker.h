@@ -20,9 +20,11 @@
 /// Cost:  9 additions a column and step, one reciprocal and two products a vertex.
 template <class T> class l3d_strip_walker {
 public:
+    /// Registers hold `unit` times what they are given: a power of two, 1 for floats.
     /// Cost: allocates only when wider than ever before.
-    void resize(std::size_t columns) {
+    void resize(std::size_t columns, double unit = 1) {
         columns_ = columns;
+        unit_ = unit;
         for (auto& coordinate : registers_)
             for (auto& difference : coordinate)
                 if (difference.size() < columns)
@@ -37,8 +39,8 @@ public:
         for (std::size_t k = 0; k < 3; ++k) {
             const auto i = static_cast<int>(k);
             const auto& p = curve.points;
-            const auto d =
-                l3d_forward_difference<T, 3>::build({p[0][i], p[1][i], p[2][i], p[3][i]}, steps);
+            const auto d = l3d_forward_difference<T, 3>::build(
+                {p[0][i] * unit_, p[1][i] * unit_, p[2][i] * unit_, p[3][i] * unit_}, steps);
             for (std::size_t n = 0; n < 4; ++n)
                 registers_[k][n][c] = d.d[n];
         }
@@ -47,7 +49,7 @@ public:
     /// Puts column c on one point, from which it is not walked on.
     void place(std::size_t c, const l3d_image_point& point) {
         for (std::size_t k = 0; k < 3; ++k)
-            registers_[k][0][c] = l3d_from_double<T>(point[static_cast<int>(k)]);
+            registers_[k][0][c] = l3d_from_double<T>(point[static_cast<int>(k)] * unit_);
     }
 
     /// Writes the current points, projected and snapped to sub-pixels.
@@ -57,7 +59,7 @@ public:
         const T* hy = registers_[1][0].data();
         const T* hw = registers_[2][0].data();
         const std::int32_t centre_x = view.centre_x(), centre_y = view.centre_y();
-        const auto scale = static_cast<float>(view.depth_scale);
+        const auto scale = static_cast<float>(view.depth_scale * unit_);
         for (std::size_t c = 0; c < columns_; ++c) {
             const l3d_snapped s = l3d_snap(hx[c], hy[c], hw[c]);
             x[c] = s.x + centre_x;
@@ -79,6 +81,7 @@ public:
 
 private:
     std::size_t columns_ = 0;
+    double unit_ = 1;
     std::array<std::array<std::vector<T>, 4>, 3> registers_;
 };
 

@@ -104,7 +104,7 @@ void l3d_pipeline_afd::draw_event() {
     report_.simd = l3d_simd_target();
     report_.size = view_.size;
     report_.tolerance_px = settings_.tolerance;
-    report_.near = view_.near / view_.depth_scale;
+    report_.near = (report_.dice.near > 0 ? report_.dice.near : view_.near) / view_.depth_scale;
     report_.patches = scene_.patch_count();
     stale_ = false;
 }
@@ -164,6 +164,7 @@ void l3d_pipeline_afd::keep_picture() {
     l3d_dice_counts counts;
     counts.unchanged = scene_.patch_count();
     counts.bound_px = report_.dice.bound_px;
+    counts.near = report_.dice.near;
     report_.dice = counts;
     report_.surface = {};
     report_.pixels_kept = l3d_whole(view_.size).area();

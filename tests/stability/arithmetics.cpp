@@ -71,7 +71,7 @@ public:
         seconds += processor_seconds();
         result.milliseconds = 1000 * seconds;
         result.counts = counts();
-        result.near = near_;
+        result.near = result.counts.near / depth_scale_;
         result.distances = l3d_distances(depth_);
         return result;
     }
@@ -82,7 +82,7 @@ private:
         scene_.add(c.model);
         const l3d_image_transform to_image(c.camera, c.size, scene_);
         const l3d_dice_view view = to_image.view(c.tolerance);
-        near_ = view.near / view.depth_scale;
+        depth_scale_ = view.depth_scale;
         culling_.begin(scene_, to_image.matrix(), view);
         dicer_.begin(view);
     }
@@ -103,7 +103,7 @@ private:
     l3d_patch_scene scene_;
     l3d_scene_culling culling_;
     l3d_frame_dicer<T> dicer_;
-    double near_ = 0;
+    double depth_scale_ = 1;
     l3d_depth_buffer depth_;
     l3d_surface_rasterizer_sw rasterizer_{workers_};
 };
