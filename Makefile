@@ -113,7 +113,8 @@ INCLUDES  := $(HEADERS:%=$(OUT)/%.d)
 # A check writes a log; summary.awk judges any set of logs.
 CHECKS    := format-check headers layers errors-doc fail
 LINT_LOGS := $(CHECKS:%=$(OUT)/log/%.log) $(OUT)/log/x11/docs_test.py.log $(OUT)/log/tidy.log
-STRESS_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log) $(OUT)/log/raster-stress.log
+STRESS_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log) $(OUT)/log/raster-stress.log \
+               $(OUT)/log/pipeline-stress.log
 # What is tested is made before anything is run, and what runs longest is begun first.
 MADE_FIRST = $(TESTERS) $(STABILITY) $(APPS) $(PLUGINS) $(DATA) \
              $(if $(filter install,$(WITH)),$(PAGES) $(STATIC) $(SHARED))
@@ -295,8 +296,8 @@ $(OUT)/log/stability.log: $(STABILITY) FORCE
 	$(call logged,timeout --foreground $(TEST_TIMEOUT) $< --sample)
 
 # What takes minutes is disabled in its test program.
-$(OUT)/log/raster-stress.log: $(OUT)/tests/raster_tests FORCE
-	$(call say,TEST,raster stress)
+$(OUT)/log/%-stress.log: $(OUT)/tests/%_tests FORCE
+	$(call say,TEST,$* stress)
 	$(call logged,timeout --foreground $(TEST_TIMEOUT) $< --gtest_color=no \
 	    --gtest_also_run_disabled_tests --gtest_filter='*DISABLED_*')
 

@@ -37,9 +37,11 @@ std::int64_t surrounded(const exact_image& image) {
 /// A floor, 4 units wide and `depth` long, that is seen from the height 1.
 patch floor_of(double depth) {
     patch result;
-    for (std::size_t k = 0; k < 16; ++k)
+    for (std::size_t k = 0; k < 16; ++k) {
+        const std::size_t row = k / 4;
         result.points[k] = {-2 + 4.0 / 3 * static_cast<double>(k % 4), 0,
-                            -depth / 3 * static_cast<double>(k / 4)};
+                            -depth / 3 * static_cast<double>(row)};
+    }
     return result;
 }
 

@@ -127,7 +127,7 @@ stretch zeros_of(const part& of, bool along_u, double slack) {
 class clipper {
 public:
     clipper(double width, const std::function<void(double, double)>& found)
-        : width_(width), slack_(width / 10), found_(found) {}
+        : width_(width), slack_(width / 1000), found_(found) {}
 
     void search(part of) {
         for (;;) {

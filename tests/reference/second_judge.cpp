@@ -19,6 +19,10 @@ constexpr int deepest = 40;
 /// What is narrower on the line of sight is a point.
 constexpr double point_px = 1e-9;
 
+/// Two surfaces that are nearer to each other along the line of sight are one. Where it grazes a
+/// surface that bends with a radius of 500 px, a point is sqrt(2 * 500 * point_px) long.
+constexpr double seam_px = 1e-3;
+
 vec3 plus(const vec3& p, double t, const vec3& q) {
     return {p.x + t * q.x, p.y + t * q.y, p.z + t * q.z};
 }
@@ -193,6 +197,7 @@ second_sample second_judge::look(double x, double y) const {
     // Two unit vectors across the line of sight.
     const vec3 one = unit(across(d, {0, 1, 0})), two = unit(across(d, one));
     double at_u = 0, at_v = 0;
+    std::vector<double> depths;
     for (const std::size_t k : tiles_[tile(column, row)]) {
         const part& each = parts_[k];
         if (x < each.x0 - point_px || x > each.x1 + point_px || y < each.y0 - point_px ||
@@ -206,7 +211,10 @@ second_sample second_judge::look(double x, double y) const {
         }
         second::clip_ray(net, point_px * farthest / focal_, [&](double u, double v) {
             const double w = evaluate(each.points, u, v).value.z;
-            if (w < near_ || w >= result.w)
+            if (w < near_)
+                return;
+            depths.push_back(w);
+            if (w >= result.w)
                 return;
             result.w = w;
             result.patch = each.patch;
@@ -214,6 +222,9 @@ second_sample second_judge::look(double x, double y) const {
             at_v = each.v0 + each.dv * v;
         });
     }
+    for (const double w : depths)
+        if ((w - result.w) / result.w * focal_ > seam_px)
+            result.behind = std::min(result.behind, w);
     if (result.covered())
         result.normal =
             normal_of(patches_[static_cast<std::size_t>(result.patch)].points, at_u, at_v);
@@ -231,40 +242,64 @@ unsigned char second_judge::grey(const second_sample& seen, double x, double y, 
     return static_cast<unsigned char>(std::lround(255 * (0.1 + 0.9 * std::max(0.0, cosine))));
 }
 
-bool second_judge::outline_within(double x, double y, double radius) const {
-    constexpr int ways = 16, halvings = 26;
+second_judge::change second_judge::between(const second_sample& p, const second_sample& q) const {
     constexpr double most_px = 0.05;
     constexpr double most_angle = 3 * std::numbers::pi / 180;
-    /// 1 is what counts as abrupt.
-    const auto change = [&](const second_sample& p, const second_sample& q) {
-        if (p.covered() != q.covered())
-            return std::numeric_limits<double>::infinity();
-        if (!p.covered())
-            return 0.0;
-        const double px = std::abs(p.w - q.w) * focal_ / std::min(p.w, q.w);
-        const double sine = size_of(across(p.normal, q.normal));
-        const double angle = std::atan2(sine, std::abs(times(p.normal, q.normal)));
-        return std::max(px / most_px, angle / most_angle);
-    };
+    if (p.covered() != q.covered())
+        return {std::numeric_limits<double>::infinity(), outline_kind::border};
+    if (!p.covered())
+        return {};
+    const double px = std::abs(p.w - q.w) * focal_ / std::min(p.w, q.w);
+    const double sine = size_of(across(p.normal, q.normal));
+    const double angle = std::atan2(sine, std::abs(times(p.normal, q.normal)));
+    const double jump = px / most_px, bend = angle / most_angle;
+    // A jump is one, whatever it does to the normal.
+    return {std::max(jump, bend), jump > 1 ? outline_kind::jump : outline_kind::crease};
+}
+
+/// What is left of the change from the middle to the end of a way when it has been halved often.
+second_judge::change second_judge::sharpest(const second_sample& middle, const second_sample& end,
+                                            double x, double y, double dx, double dy) const {
+    constexpr int halvings = 18;
+    double low = 0, high = 1;
+    second_sample at_low = middle, at_high = end;
+    change left = between(at_low, at_high);
+    for (int n = 0; n < halvings && left.size > 1; ++n) {
+        const double t = (low + high) / 2;
+        const second_sample at = look(x + t * dx, y + t * dy);
+        const change below = between(at_low, at), above = between(at, at_high);
+        const bool in_low = below.size >= above.size;
+        (in_low ? high : low) = t;
+        (in_low ? at_high : at_low) = at;
+        left = in_low ? below : above;
+    }
+    return left;
+}
+
+bool second_judge::is_close(const second_sample& seen, double x, double y, double close_px) const {
+    if (!seen.covered() || !std::isfinite(seen.behind))
+        return false;
+    const vec3 d = direction(x, y);
+    const vec3& n = seen.normal;
+    const double toward = d.x * times(n, right_) + d.y * times(n, up_) + times(n, forward_);
+    return (seen.behind - seen.w) * std::abs(toward) * focal_ / seen.w < close_px;
+}
+
+outline_kind second_judge::outline_within(double x, double y, double radius,
+                                          double close_px) const {
+    constexpr int ways = 16;
     const second_sample middle = look(x, y);
+    bool close = is_close(middle, x, y, close_px);
     for (int k = 0; k < ways; ++k) {
         const double angle = 2 * std::numbers::pi * k / ways;
         const double dx = radius * std::cos(angle), dy = radius * std::sin(angle);
-        double low = 0, high = 1;
-        second_sample at_low = middle, at_high = look(x + dx, y + dy);
-        double left = change(at_low, at_high);
-        for (int n = 0; n < halvings && left > 1; ++n) {
-            const double t = (low + high) / 2;
-            const second_sample at = look(x + t * dx, y + t * dy);
-            const double below = change(at_low, at), above = change(at, at_high);
-            (below >= above ? high : low) = t;
-            (below >= above ? at_high : at_low) = at;
-            left = std::max(below, above);
-        }
-        if (left > 1)
-            return true;
+        const second_sample end = look(x + dx, y + dy);
+        const change left = sharpest(middle, end, x, y, dx, dy);
+        if (left.size > 1)
+            return left.kind;
+        close = close || is_close(end, x + dx, y + dy, close_px);
     }
-    return false;
+    return close ? outline_kind::close : outline_kind::none;
 }
 
 } // namespace reference

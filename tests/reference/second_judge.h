@@ -16,10 +16,21 @@ namespace reference {
 /// The nearest surface on a line of sight.
 struct second_sample {
     double w = std::numeric_limits<double>::infinity(); ///< distance along the axis
+    /// Of the next surface behind it, 1e-3 px behind at least: seams are met twice.
+    double behind = std::numeric_limits<double>::infinity();
     vec3 normal; ///< unit, not turned to the eye; zero where there is none
     int patch = -1;
 
     bool covered() const { return patch >= 0; }
+};
+
+/// What ends a surface in the picture.
+enum class outline_kind {
+    none,
+    border, ///< nothing is seen beyond it
+    jump,   ///< another surface is seen far behind: where one ends or folds over
+    crease, ///< another normal: where two sheets cross, or one bends sharply
+    close   ///< none is seen, but another sheet lies close behind
 };
 
 /// Follows single lines of sight into the world, and clips each patch there to where it meets them.
@@ -38,14 +49,24 @@ public:
     /// Lambert's grey level of what is seen there. Expects: light of any length but zero.
     unsigned char grey(const second_sample& seen, double x, double y, vec3 light) const;
 
-    /// Whether what is seen changes abruptly within the radius: from surface to nothing, by 0.05
-    /// px of depth, or by a normal that is 3 degrees off.
+    /// Whether, and how, what is seen changes abruptly within the radius: from surface to nothing,
+    /// by 0.05 px of depth, or by a normal that is 3 degrees off; or, where it does not, whether
+    /// another sheet is nearer than `close_px` behind, along the normal.
     ///
-    /// Along 16 straight ways from the middle: each is halved 26 times towards where the change is
+    /// Along 16 straight ways from the middle: each is halved 18 times towards where the change is
     /// larger. An outline that is crossed twice within one of them may be missed.
-    bool outline_within(double x, double y, double radius) const;
+    outline_kind outline_within(double x, double y, double radius, double close_px = 0) const;
 
 private:
+    /// How much two samples differ; 1 is abrupt.
+    struct change {
+        double size = 0;
+        outline_kind kind = outline_kind::none;
+    };
+    change between(const second_sample& p, const second_sample& q) const;
+    change sharpest(const second_sample& middle, const second_sample& end, double x, double y,
+                    double dx, double dy) const;
+    bool is_close(const second_sample& seen, double x, double y, double close_px) const;
     /// A part of a patch, with its control points in the camera's axes.
     struct part {
         std::array<vec3, 16> points;

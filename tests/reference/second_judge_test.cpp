@@ -114,8 +114,9 @@ TEST(second_judge, sees_what_the_first_sees) {
 patch sheet(double half, double slope) {
     patch result;
     for (std::size_t k = 0; k < 16; ++k) {
+        const std::size_t row = k / 4;
         const double x = half * (2 * static_cast<double>(k % 4) / 3 - 1);
-        result.points[k] = {x, 2 * static_cast<double>(k / 4) - 3, slope * x};
+        result.points[k] = {x, 2 * static_cast<double>(row) - 3, slope * x};
     }
     return result;
 }
@@ -127,14 +128,21 @@ TEST(second_judge, finds_borders_jumps_and_crossings_where_they_are) {
     const std::vector<patch> sheets{sheet(3, 0), sheet(2, 1)};
     const double fov = 2 * std::atan(0.4) * 180 / 3.14159265358979323846;
     const second_judge judge(sheets, {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, fov, 0.1}, {100, 80});
-    for (const double column : {20.0, 50.0, 75.0, 80.0})
+    using enum outline_kind;
+    const std::pair<double, outline_kind> outlines[] = {
+        {20, border}, {50, crease}, {75, jump}, {80, border}};
+    const double y = 41.3;
+    for (const auto& [column, kind] : outlines)
         for (const double off : {-0.7, -0.3, 0.2, 0.6}) {
-            const double x = column + off, y = 41.3;
-            EXPECT_FALSE(judge.outline_within(x, y, 0.99 * std::abs(off))) << x;
-            EXPECT_TRUE(judge.outline_within(x, y, 1.01 * std::abs(off))) << x;
+            const double x = column + off;
+            EXPECT_EQ(judge.outline_within(x, y, 0.99 * std::abs(off)), none) << x;
+            EXPECT_EQ(judge.outline_within(x, y, 1.01 * std::abs(off)), kind) << x;
         }
     for (const double x : {17.0, 23.0, 44.4, 53.0, 65.0, 78.0})
-        EXPECT_FALSE(judge.outline_within(x, 41.3, 1.9)) << x;
+        EXPECT_EQ(judge.outline_within(x, y, 1.9), none) << x;
+    // 3 px to the left of the crossing the slanted sheet is 3 px behind the flat one.
+    EXPECT_EQ(judge.outline_within(47, y, 0.01, 2.9), none);
+    EXPECT_EQ(judge.outline_within(47, y, 0.01, 3.1), close);
 }
 
 } // namespace
