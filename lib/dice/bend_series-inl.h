@@ -67,6 +67,18 @@ HWY_ATTR HWY_INLINE void inverse_root(const series& x, std::size_t most, series&
     });
 }
 
+/// 1 / x, up to an order.
+HWY_ATTR HWY_INLINE void invert(const series& x, std::size_t most, series& g) {
+    const number inverse = same(1) / x[0][0];
+    for_powers(most, [&](std::size_t k, std::size_t l) HWY_ATTR {
+        number sum = same(k + l == 0 ? 1 : 0);
+        for (std::size_t i = 0; i <= k; ++i)
+            for (std::size_t j = i == 0; j <= l; ++j)
+                sum = sum - x[i][j] * g[k - i][l - j];
+        g[k][l] = sum * inverse;
+    });
+}
+
 /// About (1, 1) instead of (0, 0), up to wanted_order: Horner's scheme, for a net of any shape.
 template <std::size_t N, class Size>
 HWY_ATTR HWY_INLINE void move_to_corner(number (&a)[N][N], const Size& columns_of_row) {
