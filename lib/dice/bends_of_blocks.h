@@ -24,7 +24,7 @@ public:
     double most(std::size_t number, std::size_t block) const { return most_[number][block]; }
 
 private:
-    /// The first rows of parts, and as many groups of quarters.
+    /// The first rows of parts, and five groups of quarters: as many as 60 us a patch allow.
     static constexpr std::size_t groups = bend_parts + 5;
     static constexpr std::size_t blocks = l3d_surface_bends::blocks;
 
