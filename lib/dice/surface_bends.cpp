@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // l3d_surface_bends: largest numbers of parts, rounded up; and those of a moved patch.
 #include "dice/surface_bends.h"
-#include "dice/surface_bends_p.h"
+#include "dice/bends_of_blocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,21 +142,15 @@ void l3d_surface_bends::set_steps() {
 
 l3d_surface_bends::l3d_surface_bends(const l3d_bezier_patch<double, 3>& patch,
                                      const l3d_normal_net& normals) {
-    bends_of_parts parts;
-    bound_bends(patch, normals, parts);
+    const bends_of_blocks bounds(patch, normals);
     for (std::size_t n = 0; n < bend_numbers; ++n) {
         lanes& of = of_blocks_.*bend_members<lanes>[n];
         float most = 0;
         for (std::size_t i = 0; i < blocks; ++i) {
-            const double* upper = parts.at[n][i / 4 * 2] + i % 4 * 2;
-            const double* lower = upper + bend_parts;
-            // A block's parameters run half as far over a part of it.
-            of[i] = rounded_up(
-                std::ldexp(std::max(std::max(upper[0], upper[1]), std::max(lower[0], lower[1])),
-                           bend_orders[n]));
+            of[i] = rounded_up(bounds.most(n, i));
             most = std::max(most, of[i]);
         }
-        // And the patch's a quarter as far over a block: exact, as a power of two.
+        // The patch's parameters run a quarter as far over a block: exact, as a power of two.
         of_whole_.*bend_members<float>[n] = std::ldexp(most, 2 * bend_orders[n]);
     }
     set_steps();

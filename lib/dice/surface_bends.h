@@ -44,7 +44,7 @@ public:
     using lanes = std::array<float, blocks>;
 
     /// Expects: finite coordinates of magnitude at most 1e12; the patch's own normals.
-    /// Cost:    some 30 us, once a model.
+    /// Cost:    some 50 us, once a model.
     l3d_surface_bends(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals);
 
     const l3d_bend_numbers<lanes>& of_blocks() const { return of_blocks_; }
