@@ -10,6 +10,7 @@
 #include "dice/bend_series-inl.h"
 #include "dice/surface_bends_p.h"
 
+#include <cmath>
 #include <cstddef>
 
 #include <hwy/highway.h>
@@ -22,11 +23,6 @@ namespace {
 /// Coefficients of Taylor's about the middles of parts, for parameters from -1 to 1 across them:
 /// [power of u][power of v].
 template <std::size_t Degree> struct taylor_net { vector at[Degree + 1][Degree + 1]; };
-
-/// What is wanted of parts, by their own parameters from 0 to 1.
-struct part_bounds {
-    number at[bend_numbers];
-};
 
 constexpr double factorial(std::size_t n) {
     return n == 0 ? 1 : static_cast<double>(n) * factorial(n - 1);
@@ -45,7 +41,7 @@ HWY_ATTR HWY_INLINE number largest_size(const vector& a, const vector& b, const 
 }
 
 /// What rounding may add, over the length of the normal in the middle: see docs/NUMERICS.md.
-constexpr double normal_noise = 0x1p-36;
+constexpr double normal_noise = 0x1p-39;
 
 /// Shorter normals, of 1 in the longest coefficient, are mostly noise.
 constexpr double no_length = 0x1p-32;
@@ -78,6 +74,10 @@ public:
 
     /// Whether all this holds; false where there is no normal.
     HWY_ATTR HWY_INLINE auto known() const { return known_; }
+
+    HWY_ATTR HWY_INLINE number in_middle(std::size_t k, std::size_t l) const {
+        return sizes_[k][l] * same(as_derivative(k, l));
+    }
 
     /// The first two terms are exact, the others are sums of sizes.
     HWY_ATTR HWY_INLINE number bound(std::size_t k, std::size_t l) const {
@@ -124,46 +124,78 @@ HWY_ATTR part_normals::part_normals(taylor_net<5> m) {
     bound_products(m, p);
 }
 
+/// Of a product of sums of sizes: its value and derivatives in the corner, and the part of them
+/// that comes from coefficients beyond the order: all of it less the first coefficients.
+struct product_in_corner {
+    series all, beyond;
+
+    HWY_ATTR product_in_corner(const series& p, const series& p_in_corner, number (&m)[6][6]) {
+        series first, low;
+        for_powers(series_order - 1, [&](std::size_t k, std::size_t l) HWY_ATTR {
+            first[k][l] = k < 6 && l < 6 ? m[k][l] : same(0);
+        });
+        multiply(p, first, series_order - 1, low);
+        move_to_corner(low);
+        move_to_corner(m, [](std::size_t) { return std::size_t{6}; });
+        for_powers(wanted_order,
+                   [&](std::size_t k, std::size_t l) HWY_ATTR { first[k][l] = m[k][l]; });
+        multiply(p_in_corner, first, wanted_order, all);
+        for_powers(wanted_order, [&](std::size_t k, std::size_t l) HWY_ATTR {
+            beyond[k][l] = largest(all[k][l] - low[k][l], same(0));
+        });
+    }
+};
+
+/// With a the normal in the middle, p m = f + z a + x, where f is exact, z and x are what is beyond
+/// the order along a and across it. Over 1 + z, which changes no direction, that is
+/// f + (x - z (f - a)) / (1 + z): in a plane there is nothing beyond, and elsewhere less.
 HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series& p) {
-    number sizes_of_m[6][6];
-    series of_m, of_p, low, product;
-    for_powers(series_order - 1, [&](std::size_t k, std::size_t l) HWY_ATTR {
-        of_m[k][l] = same(0);
-        of_p[k][l] = magnitude(p[k][l]);
-    });
+    const vector a = m.at[0][0];
+    number sizes_along[6][6], sizes_across[6][6];
     for (std::size_t k = 0; k < 6; ++k)
         for (std::size_t l = 0; l < 6; ++l) {
-            sizes_of_m[k][l] = root(squared(m.at[k][l]));
-            if (k + l < series_order)
-                of_m[k][l] = sizes_of_m[k][l];
+            const number along = dot(m.at[k][l], a);
+            sizes_along[k][l] = magnitude(along);
+            sizes_across[k][l] = root(squared(m.at[k][l] - a * along));
         }
-    // What a product has beyond the order: all of it less its first coefficients.
-    multiply(of_p, of_m, series_order - 1, low);
-    move_to_corner(low);
-    move_to_corner(of_p);
-    move_to_corner(sizes_of_m, [](std::size_t) { return std::size_t{6}; });
-    for_powers(wanted_order,
-               [&](std::size_t k, std::size_t l) HWY_ATTR { of_m[k][l] = sizes_of_m[k][l]; });
-    multiply(of_p, of_m, wanted_order, product);
-    number most = same(0);
-    for_powers(wanted_order,
-               [&](std::size_t k, std::size_t l) HWY_ATTR { most = largest(most, product[k][l]); });
-    noise_ = noise_ * most * most;
-    series near, pm, square, w, g;
-    for_powers(series_order - 1,
-               [&](std::size_t k, std::size_t l) HWY_ATTR { near[k][l] = sizes_[k][l]; });
-    multiply(near, near, series_order - 1, w);
-    move_to_corner(w);
-    move_to_corner(near);
-    for_powers(wanted_order, [&](std::size_t k, std::size_t l) HWY_ATTR {
-        pm[k][l] = near[k][l] + largest(product[k][l] - low[k][l], same(0)) + noise_;
+    series of_p, p_in_corner;
+    for_powers(series_order - 1, [&](std::size_t k, std::size_t l) HWY_ATTR {
+        p_in_corner[k][l] = of_p[k][l] = magnitude(p[k][l]);
     });
+    move_to_corner(p_in_corner);
+    const product_in_corner along(of_p, p_in_corner, sizes_along);
+    const product_in_corner across(of_p, p_in_corner, sizes_across);
+    number most = same(0);
+    for_powers(wanted_order, [&](std::size_t k, std::size_t l) HWY_ATTR {
+        most = largest(most, along.all[k][l] + across.all[k][l]);
+    });
+    noise_ = noise_ * most * most;
+    series first, first_squared;
+    for_powers(series_order - 1,
+               [&](std::size_t k, std::size_t l) HWY_ATTR { first[k][l] = sizes_[k][l]; });
+    multiply(first, first, series_order - 1, first_squared);
+    move_to_corner(first_squared);
+    move_to_corner(first);
+    series turned, one_less_z, by_z, beyond, pm, square, w, g;
+    for_powers(wanted_order, [&](std::size_t k, std::size_t l) HWY_ATTR {
+        const number one = same(k + l == 0 ? 1 : 0);
+        turned[k][l] = largest(first[k][l] - one, same(0));
+        one_less_z[k][l] = one - along.beyond[k][l];
+    });
+    multiply(along.beyond, turned, wanted_order, w);
+    for_powers(wanted_order, [&](std::size_t k, std::size_t l)
+                                 HWY_ATTR { w[k][l] = w[k][l] + across.beyond[k][l]; });
+    invert(one_less_z, wanted_order, by_z);
+    multiply(w, by_z, wanted_order, beyond);
+    for_powers(wanted_order, [&](std::size_t k, std::size_t l)
+                                 HWY_ATTR { pm[k][l] = first[k][l] + beyond[k][l] + noise_; });
     multiply(pm, pm, wanted_order, square);
     for_powers(wanted_order, [&](std::size_t k, std::size_t l) HWY_ATTR {
-        const number beyond = largest(square[k][l] - w[k][l], same(0)) + noise_;
-        w[k][l] = same(k + l == 0 ? 1 : 0) - beyond;
+        const number more = largest(square[k][l] - first_squared[k][l], same(0)) + noise_;
+        w[k][l] = same(k + l == 0 ? 1 : 0) - more;
     });
-    known_ = hn::And(known_, hn::Gt(w[0][0].v, same(0x1p-20).v));
+    const auto small = same(0x1p-20).v;
+    known_ = hn::And(known_, hn::And(hn::Gt(one_less_z[0][0].v, small), hn::Gt(w[0][0].v, small)));
     inverse_root(w, wanted_order, g);
     multiply(pm, g, wanted_order, most_);
 }
@@ -207,6 +239,10 @@ public:
                same(static_cast<double>(std::size_t{1} << (k + l)) * relative);
     }
 
+    HWY_ATTR HWY_INLINE number in_middle(std::size_t k, std::size_t l) const {
+        return magnitude(heights_[k][l]) * same(as_derivative(k, l));
+    }
+
     /// Of |S_uuvv|, which is bilinear: in a corner.
     HWY_ATTR HWY_INLINE number bound_uuvv() const {
         const vector a = s_.at[2][2] * same(4), u = s_.at[3][2] * same(12);
@@ -227,8 +263,9 @@ private:
     number noise_, heights_[4][4], sizes_[4][4];
 };
 
-HWY_ATTR part_bounds bounds_of(const taylor_net<5>& normals, const taylor_net<3>& points,
-                               double size) {
+/// Into lanes i on of the result.
+HWY_ATTR void take_bounds(const taylor_net<5>& normals, const taylor_net<3>& points, double size,
+                          group_bounds& result, std::size_t i) {
     constexpr struct {
         bend_number number;
         std::size_t k, l;
@@ -239,14 +276,18 @@ HWY_ATTR part_bounds bounds_of(const taylor_net<5>& normals, const taylor_net<3>
                 {bend_uuv, 2, 1}, {bend_uvv, 1, 2}, {bend_vvv, 0, 3}};
     const part_normals n(normals);
     const part_points s(points, n, size);
-    const auto infinite = same(HUGE_VAL).v;
-    part_bounds result;
-    for (const auto& [which, k, l] : turns)
-        result.at[which] = {hn::IfThenElse(n.known(), n.bound(k, l).v, infinite)};
-    for (const auto& [which, k, l] : bends)
-        result.at[which] = {hn::IfThenElse(n.known(), s.bound(k, l).v, infinite)};
-    result.at[bend_uuvv] = s.bound_uuvv();
-    return result;
+    const auto put = [&](const auto& all, const auto& of) HWY_ATTR {
+        for (const auto& [which, k, l] : all) {
+            const auto bound = of.bound(k, l).v, infinite = same(HUGE_VAL).v;
+            const auto known = hn::And(n.known(), hn::Lt(bound, infinite)); // and not a NaN
+            store({hn::IfThenElse(known, bound, infinite)}, result.most[which] + i);
+            store(of.in_middle(k, l), result.middle[which] + i);
+        }
+    };
+    put(turns, n);
+    put(bends, s);
+    store(s.bound_uuvv(), result.most[bend_uuvv] + i);
+    store(same(0), result.middle[bend_uuvv] + i);
 }
 
 } // namespace

@@ -9,6 +9,14 @@
 #include <cstddef>
 #include <cstdint>
 
+/// What is proven of a diced piece beside the places of its points. Infinite where nothing is.
+struct l3d_surface_certificate {
+    /// Of chords, along the exact normal at the same parameters. Units: pixels at that depth.
+    double depth = 0;
+    /// Of the level, from the exact one at the same parameters. Units: levels of 255.
+    double shade = 0;
+};
+
 /// What a frame's dicing did, and which patches were left out, as control nets or the boxes around
 /// them prove. What is `clipped` are grids.
 struct l3d_dice_counts : l3d_seen_counts {
@@ -53,6 +61,12 @@ struct l3d_dice_counts : l3d_seen_counts {
         bound_px = std::max(bound_px, other.bound_px);
         depth_bound_px = std::max(depth_bound_px, other.depth_bound_px);
         shade_bound = std::max(shade_bound, other.shade_bound);
+    }
+
+    /// A piece of surface, and the slits along its sides.
+    void add_surface(const l3d_surface_certificate& of, double slit_depth) {
+        depth_bound_px = std::max({depth_bound_px, of.depth, slit_depth});
+        shade_bound = std::max(shade_bound, of.shade);
     }
 
     /// An edge polyline of so many points, and its certified error.

@@ -48,8 +48,13 @@ struct l3d_dice_view {
     l3d_size size;
     double near = 0, far = std::numeric_limits<double>::infinity();
     double tolerance = 0.25;
-    double depth_scale = 1; ///< scaled w / distance along the view axis
-    double error_xy = 0;    ///< of a transformed control point
+
+    /// Pixels that a length of 1 takes at a distance of 1: depth is kept within the tolerance, too.
+    /// 0: places in the picture alone are.
+    double focal = 0;
+    double shade_tolerance = 2; ///< levels of 255 that greys may be off by, if depth is kept
+    double depth_scale = 1;     ///< scaled w / distance along the view axis
+    double error_xy = 0;        ///< of a transformed control point
     double error_w = 0;
 
     /// Bound of the terms that the points' coordinates are summed up from, those of the eye among

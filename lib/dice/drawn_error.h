@@ -5,6 +5,7 @@
 
 #include "geom/real.h"
 #include "geom/step_bound.h"
+#include "dice/dice_view.h"
 #include "dice/snap.h"
 
 #include <limits>
@@ -61,5 +62,12 @@ struct l3d_vertex_accuracy {
                w_ratio * (snap_error + reciprocal * root_two * (reach + seen_reach));
     }
 };
+
+/// How far a vertex may be from the surface along the line of sight, in pixels at its depth, beside
+/// what its place is off by: what w is off by, and 1 / w as a float, which is divided, scaled,
+/// interpolated and rounded, some four times 2^-24 of it.
+inline double l3d_depth_vertex_error(const l3d_dice_view& view, double error_w, double w_low) {
+    return view.focal * (error_w / w_low + 4 * 0x1p-24);
+}
 
 #endif

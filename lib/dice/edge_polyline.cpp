@@ -241,7 +241,9 @@ void l3d_edge_polyline::add_strip(const l3d_image_curve& strip, double t0, doubl
     const double vertex = points_error(strip, box, in_front, w_low, view);
     const double budget = view.chord_budget(vertex);
     const double depth_budget = view.depth_budget(depth.least);
-    const double second = l3d_second_bound_of(strip, box, w_low);
+    double second = l3d_second_bound_of(strip, box, w_low);
+    if (view.focal > 0)
+        second = std::max(second, l3d_space_bound_of(strip, view.focal, w_low));
     const double depth_second = l3d_depth_bound_of(strip);
     // Half the budget, as each direction of a quad gets: then an edge and the boundary row of a
     // patch mostly have the same steps, and the slit between them is empty.

@@ -79,6 +79,64 @@ template <class V> V least_of(V a, V b, V c, V d) {
     return hn::Min(hn::Min(a, b), hn::Min(c, d));
 }
 
+using strip_lanes = hn::Vec<hn::CappedTag<double, lanes>>;
+
+/// A vector in space: x, y and focal w.
+struct space_vector {
+    strip_lanes x, y, z;
+
+    HWY_ATTR HWY_INLINE space_vector minus(const space_vector& b) const {
+        return {hn::Sub(x, b.x), hn::Sub(y, b.y), hn::Sub(z, b.z)};
+    }
+    HWY_ATTR HWY_INLINE strip_lanes dot(const space_vector& b) const {
+        return hn::Add(hn::Add(hn::Mul(x, b.x), hn::Mul(y, b.y)), hn::Mul(z, b.z));
+    }
+    HWY_ATTR HWY_INLINE strip_lanes size() const { return hn::Sqrt(dot(*this)); }
+
+    /// Of the part across a direction, times that direction's length.
+    HWY_ATTR HWY_INLINE strip_lanes across(const space_vector& b) const {
+        const space_vector product{hn::Sub(hn::Mul(y, b.z), hn::Mul(z, b.y)),
+                                   hn::Sub(hn::Mul(z, b.x), hn::Mul(x, b.z)),
+                                   hn::Sub(hn::Mul(x, b.y), hn::Mul(y, b.x))};
+        return product.size();
+    }
+};
+
+/// l3d_space_bound_of of strips from l on, not yet divided by w, without the factor 6.
+HWY_ATTR strip_lanes space_bend(const strip_nets& nets, std::size_t l, double focal) {
+    const hn::CappedTag<double, lanes> d;
+    using vec = strip_lanes;
+    const vec zero = hn::Zero(d), one = hn::Set(d, 1), scale = hn::Set(d, focal);
+    const auto at = [&](std::size_t i) HWY_ATTR {
+        return space_vector{hn::Load(d, &nets[0][i].at[l]), hn::Load(d, &nets[1][i].at[l]),
+                            hn::Mul(scale, hn::Load(d, &nets[2][i].at[l]))};
+    };
+    const space_vector p[4] = {at(0), at(1), at(2), at(3)};
+    const space_vector sides[3] = {p[1].minus(p[0]), p[2].minus(p[1]), p[3].minus(p[2])};
+    const space_vector chord = p[3].minus(p[0]);
+    const vec length = chord.size();
+    const auto is_point = hn::Le(length, zero);
+    const vec over_length = hn::Div(one, hn::IfThenElse(is_point, one, length));
+    vec sine = zero;
+    for (const space_vector& side : sides) {
+        const vec size = side.size();
+        const auto none = hn::Le(size, zero);
+        const vec of_side =
+            hn::Mul(hn::Div(side.across(chord), hn::IfThenElse(none, one, size)), over_length);
+        const vec turned = hn::IfThenElse(hn::Gt(side.dot(chord), zero), of_side, one);
+        sine = hn::Max(sine, hn::IfThenElse(none, zero, turned));
+    }
+    sine = hn::IfThenElse(is_point, one, sine);
+    vec largest = zero;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const space_vector bend = sides[i + 1].minus(sides[i]);
+        const vec size = bend.size();
+        const vec across = hn::Mul(bend.across(chord), over_length);
+        largest = hn::Max(largest, hn::Min(hn::Add(across, hn::Mul(sine, size)), size));
+    }
+    return largest;
+}
+
 /// What differs from strip to strip when steps are planned.
 struct strip_wishes {
     /// 1 / (4 budget): half the budget, as each direction of a quad gets; then an edge and the
@@ -91,8 +149,8 @@ struct strip_wishes {
 
 /// Steps and chord errors of all strips; see l3d_second_bound_of and l3d_depth_bound_of. The errors
 /// are those of chords that are not balanced, as slits may be.
-void plan_strips(const strip_nets& nets, const l3d_image_box& window, const strip_wishes& wishes,
-                 row& steps, row& chord_error) {
+void plan_strips(const strip_nets& nets, const l3d_image_box& window, double focal,
+                 const strip_wishes& wishes, row& steps, row& chord_error) {
     const hn::CappedTag<double, lanes> d;
     using vec = hn::Vec<decltype(d)>;
     const vec zero = hn::Zero(d), one = hn::Set(d, 1), two = hn::Set(d, 2), six = hn::Set(d, 6),
@@ -137,6 +195,8 @@ void plan_strips(const strip_nets& nets, const l3d_image_box& window, const stri
         }
         const vec six_over_w =
             hn::Mul(six, greatest_of(over_w[0], over_w[1], over_w[2], over_w[3]));
+        if (focal > 0)
+            bound = hn::Max(bound, space_bend(nets, l, focal));
         bound = hn::Mul(bound, six_over_w);
         // More than 32 steps are too many, however many.
         const vec most = hn::Set(d, 4.0 * l3d_most_steps_whole * l3d_most_steps_whole);
@@ -318,7 +378,7 @@ void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
                 for (std::size_t i = 0; i < 4; ++i)
                     nets[k][i].at[e] = whole[i].at[4 * k + e];
     row steps, chord_error;
-    plan_strips(nets, view.margin(), wishes, steps, chord_error);
+    plan_strips(nets, view.margin(), view.focal, wishes, steps, chord_error);
     strip_nets powers;
     for (std::size_t k = 0; k < 3; ++k)
         to_powers(nets[k], powers[k]);

@@ -126,6 +126,14 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const l3d_patch_scene& scene,
     std::array<double, l3d_edge_polylines::sides> edge_shares;
     for (std::size_t e = 0; e < edge_shares.size(); ++e)
         edge_shares[e] = view_.share_of(instance.reach(reach.edges[e]));
+    const l3d_surface_bends& bends = instance.model().bends(p.patch);
+    if (instance.scale() > 0)
+        space.bends = l3d_placed_bends(bends, instance.scale() * view.depth_scale);
+    else
+        space.bends = l3d_placed_bends(space.own_bends.emplace(bends.under(instance.placement())),
+                                       view.depth_scale);
+    if (view.focal == 0)
+        space.bends = {};
     if (instance.turns_normals())
         dice_patch(net, normals.turned(instance.normal_matrix()), backs, edge_shares, slots_[i],
                    space);
@@ -169,14 +177,14 @@ void l3d_frame_dicer<T>::dice_patch(
     const std::array<double, l3d_edge_polylines::sides>& edge_shares, l3d_diced_pieces& out,
     worker_space& space) const {
     space.edges.build(net, view_, edge_shares);
-    const bool diced =
-        way_ == l3d_dice_way::lanes &&
-        space.lanes.dice(net, normals, space.view, space.edges.outer(), out.next(), space.counts);
+    const bool diced = way_ == l3d_dice_way::lanes &&
+                       space.lanes.dice(net, normals, space.view, space.edges.outer(), out.next(),
+                                        space.counts, space.bends);
     if (!diced) {
         if (way_ == l3d_dice_way::lanes)
             out.give_back();
         space.general.dice(net, normals, space.view, space.edges, out, space.counts,
-                           way_ == l3d_dice_way::lanes ? &space.lanes : nullptr);
+                           way_ == l3d_dice_way::lanes ? &space.lanes : nullptr, space.bends);
     }
     for (l3d_diced_piece& piece : out.used()) {
         piece.part.error_color = l3d_error_color(piece.bound, view_.tolerance);

@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -63,6 +64,8 @@ private:
         l3d_edge_polylines edges;
         l3d_dice_view view; ///< the frame's, with the errors of the patch that is diced
         l3d_dice_counts counts;
+        l3d_placed_bends bends;                     ///< of the patch that is diced
+        std::optional<l3d_surface_bends> own_bends; ///< where the placement is no similarity
 
         void reserve_as(const worker_space& other) {
             general.reserve_as(other.general);

@@ -2,20 +2,19 @@
 // l3d_light_vertex, l3d_light_grid.
 #include "dice/grid_light.h"
 
-#include "dice/lane_light_p.h"
 #include "dice/normal_columns.h"
 #include "dice/seen_sides.h"
+#include "dice/surface_bends.h"
 
 #include <cmath>
 #include <cstddef>
 
 namespace {
 
-using l3d_detail::level_of_cosine;
-
 float level_of(const l3d_shading& shading, const float* normal) {
     const auto& light = shading.light;
-    return level_of_cosine * (normal[0] * light[0] + normal[1] * light[1] + normal[2] * light[2]);
+    return l3d_level_of_cosine *
+           (normal[0] * light[0] + normal[1] * light[1] + normal[2] * light[2]);
 }
 
 float level_at(const l3d_shading& shading, const l3d_normal_net& normals, double u, double v) {

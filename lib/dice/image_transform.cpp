@@ -28,6 +28,7 @@ l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size
                                          const l3d_patch_scene& scene)
     : size_(size), near_(camera.near), far_(camera.far) {
     const double focal = camera.focal_length(size);
+    focal_ = focal;
     double farthest = 0; // bound of the distance of any control point from the eye
     for (int i = 0; i < 3; ++i) {
         farthest += std::max(std::abs(scene.least()[i] - camera.eye[i]),
@@ -62,6 +63,7 @@ l3d_dice_view l3d_image_transform::view(double tolerance) const {
     view.far = far_ * depth_scale_;
     view.tolerance = tolerance;
     view.depth_scale = depth_scale_;
+    view.focal = focal_;
     view.error_xy = error_xy_;
     view.error_w = error_w_;
     view.terms = terms_;

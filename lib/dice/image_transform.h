@@ -32,6 +32,7 @@ private:
     l3d_matrix<double> matrix_;
     l3d_size size_;
     double near_ = 0, far_ = 0;
+    double focal_ = 0;
     double depth_scale_ = 1;
     double error_xy_ = 0;
     double error_w_ = 0;

@@ -78,6 +78,7 @@ template <class T> bool l3d_lane_dicer<T>::judge(const l3d_dice_view& view) {
     const double exact = vertex_error(view, 0, 0, l3d_snap_error<double>(reach) + centre_snap);
     const auto judged = [&](double walk_xy, double walk_w, double snap, double allowance) {
         vertex_error_ = vertex_error(view, walk_xy, walk_w, snap + centre_snap);
+        walk_w_ = walk_w;
         return vertex_error_ - exact <= allowance;
     };
     register_xy_ = register_w_ = 1;
@@ -112,15 +113,31 @@ template <class T> bool l3d_lane_dicer<T>::judge(const l3d_dice_view& view) {
 }
 
 template <class T>
-const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_image_patch& net, const l3d_dice_view& view,
-                                             double edge_vertex) {
-    l3d_detail::bounds_in_lanes(net, view, bounds_);
+const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_net_piece& piece, const l3d_dice_view& view,
+                                             double edge_vertex, const l3d_placed_bends& bends) {
+    l3d_detail::bounds_in_lanes(piece.net, view, bounds_);
     if (!bounds_.ordinary || !judge(view))
         return nullptr;
     row_error_ = std::max(vertex_error_ - l3d_vertex_accuracy::of_centre(), edge_vertex);
     vertex_error_ = std::max(vertex_error_, edge_vertex);
-    plan_ = l3d_plan_steps(bounds_.needs, view.chord_budget(vertex_error_), l3d_quad_kind::whole);
+    const double error_w = walk_w_ + start_rounding * bounds_.most_w + view.error_w;
+    depth_error_ = vertex_error_ + l3d_depth_vertex_error(view, error_w, bounds_.least_w);
+    const double budget = view.chord_budget(vertex_error_);
+    if (bends)
+        bends.ask(piece, view, bounds_.least_w, budget, view.chord_budget(depth_error_),
+                  bounds_.needs);
+    plan_ = l3d_plan_steps(bounds_.needs, budget, l3d_quad_kind::whole);
     return &plan_;
+}
+
+template <class T>
+l3d_surface_certificate l3d_lane_dicer<T>::certificate(const l3d_net_piece& piece,
+                                                       const l3d_dice_view& view,
+                                                       const l3d_placed_bends& bends) const {
+    l3d_surface_certificate result =
+        bends.certificate(piece, view, bounds_.least_w, bounds_.needs, plan_, false);
+    result.depth += depth_error_;
+    return result;
 }
 
 template <class T>
@@ -159,7 +176,8 @@ void l3d_lane_dicer<T>::fill(const l3d_net_piece& piece, const l3d_normal_net& n
 template <class T>
 bool l3d_lane_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& normals,
                              const l3d_dice_view& view, std::span<const l3d_edge_polyline, 4> edges,
-                             l3d_diced_piece& out, l3d_dice_counts& counts) {
+                             l3d_diced_piece& out, l3d_dice_counts& counts,
+                             const l3d_placed_bends& bends) {
     double edge_chord = 0, edge_vertex = 0;
     for (const l3d_edge_polyline& edge : edges) {
         if (edge.strips().blocks == 0)
@@ -167,17 +185,19 @@ bool l3d_lane_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& n
         edge_chord = std::max(edge_chord, edge.chord_error());
         edge_vertex = std::max(edge_vertex, edge.vertex_error());
     }
-    if (plan(net, view, edge_vertex) == nullptr ||
+    const l3d_net_piece whole{net};
+    if (plan(whole, view, edge_vertex, bends) == nullptr ||
         std::max(plan_.most_u(), plan_.most_v()) > l3d_most_steps_whole)
         return false;
 
-    fill({net}, normals, view, out);
+    fill(whole, normals, view, out);
     for (std::size_t side = 0; side < edges.size(); ++side) {
         l3d_close_side(out, side, edges[side]);
         counts.add_edge(edges[side].size(), edges[side].bound());
     }
     // Slits lie between vertices of the patch and of its edges, each off by its own error.
     counts.bound_px = std::max({counts.bound_px, out.bound, edge_chord + row_error_});
+    counts.add_surface(certificate(whole, view, bends), edge_chord + depth_error_);
     ++counts.drawn;
     ++counts.pieces;
     ++counts.in_lanes;

@@ -12,6 +12,7 @@
 #include "dice/lane_light_p.h"
 #include "dice/lane_rows_p.h"
 #include "dice/net_piece.h"
+#include "dice/placed_bends.h"
 
 #include <span>
 
@@ -31,14 +32,22 @@ public:
     ///          steps in a strip, or it cannot be walked in T exactly enough.
     bool dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               std::span<const l3d_edge_polyline, 4> edges, l3d_diced_piece& out,
-              l3d_dice_counts& counts);
+              l3d_dice_counts& counts, const l3d_placed_bends& bends = {});
 
     /// The steps of a patch or piece whose edges' vertices are off by `edge_vertex`; more than 32 a
     /// strip are too many to be filled.
     /// Lives:  until the next one is planned.
     /// Errors: null if it is not ordinary, or cannot be walked exactly enough.
-    const l3d_step_plan* plan(const l3d_image_patch& net, const l3d_dice_view& view,
-                              double edge_vertex);
+    const l3d_step_plan* plan(const l3d_net_piece& piece, const l3d_dice_view& view,
+                              double edge_vertex, const l3d_placed_bends& bends);
+
+    /// What is proven of depth and shade of what was planned last, rounding of vertices included.
+    l3d_surface_certificate certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
+                                        const l3d_placed_bends& bends) const;
+
+    /// How far vertices of what was planned last are from the surface. Units: pixels at their
+    /// depth.
+    double depth_error() const { return depth_error_; }
 
     /// The grid of what was planned last, its parameters and its bound.
     /// Expects: at most 32 steps a strip were planned, of the piece's own net.
@@ -59,7 +68,7 @@ private:
     l3d_detail::lane_parameters u_, v_;
     l3d_detail::lane_register register_ = l3d_detail::lane_register::float_32;
     double register_xy_ = 1, register_w_ = 1;
-    double vertex_error_ = 0, row_error_ = 0;
+    double vertex_error_ = 0, row_error_ = 0, depth_error_ = 0, walk_w_ = 0;
     l3d_detail::vertex_numbers numbers_; ///< kept for its memory
 };
 

@@ -3,6 +3,7 @@
 #include "dice/lane_light_p.h"
 
 #include "dice/seen_sides.h"
+#include "dice/surface_bends.h"
 
 #include <algorithm>
 #include <array>
@@ -225,7 +226,7 @@ HWY_ATTR void levels(const l3d_normal_net::float_net& net, const lane_parameters
     const eye_rays rays(shading);
     normal_lanes light = direction_of(shading.light);
     for (auto& component : light)
-        component = hn::Mul(component, hn::Set(floats(), level_of_cosine));
+        component = hn::Mul(component, hn::Set(floats(), l3d_level_of_cosine));
     level_writer writer{net, in_u, in_v, beside_u, beside_v, rays, light, grid, memory, {}, {}};
     for_vertices(u, v, grid, writer);
 }

@@ -17,9 +17,6 @@ namespace l3d_detail {
 /// coefficients vanish, as in the corner of a singular patch, weights of all others are exactly 0.
 inline constexpr float normal_rounding = 0x1p-43F;
 
-/// The level of a cosine: the grey is round(25.5 + max(0, level)).
-inline constexpr float level_of_cosine = 229.5F;
-
 /// A number of every vertex of a grid, and of one vector more, kept for its memory.
 struct vertex_numbers {
     std::vector<float> away = std::vector<float>(room), level = std::vector<float>(room),

@@ -30,7 +30,7 @@ template <class T>
 void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& normals,
                               const l3d_dice_view& view, l3d_edge_polylines& edges,
                               l3d_diced_pieces& out, l3d_dice_counts& counts,
-                              l3d_lane_dicer<T>* lanes) {
+                              l3d_lane_dicer<T>* lanes, const l3d_placed_bends& bends) {
     ++counts.drawn;
     for (const l3d_edge_polyline& edge : edges.outer())
         counts.add_edge(edge.size(), edge.bound());
@@ -38,7 +38,7 @@ void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& 
     piece whole{{net}, {}};
     for (std::size_t side = 0; side < whole.sides.size(); ++side)
         whole.sides[side].edge = side;
-    task of{view, normals, edges, out, counts, l3d_most_samples, lanes};
+    task of{view, normals, edges, out, counts, bends, l3d_most_samples, lanes};
     waiting_.clear();
     take(whole, of);
     for (std::size_t pieces = 1; !waiting_.empty() && pieces < l3d_most_pieces; ++pieces) {
@@ -56,7 +56,7 @@ void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& 
 
 template <class T>
 auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of) const -> planned {
-    planned result{l3d_piece_nets<T>(p.net, of.view), {}};
+    planned result(l3d_piece_nets<T>(p.net, of.view));
     result.vertex_error = result.nets.vertex_error();
     result.row_error = result.nets.row_error();
     for (const l3d_piece_side& side : p.sides) {
@@ -65,9 +65,17 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of) const -> planne
         result.row_error = std::max(result.row_error, of_side);
     }
     const bool whole = result.nets.whole();
-    result.plan = l3d_plan_steps(result.nets.net(), result.nets.blocks(), of.view,
-                                 of.view.chord_budget(result.vertex_error),
-                                 whole ? l3d_quad_kind::whole : l3d_quad_kind::triangles);
+    const l3d_quad_kind kind = whole ? l3d_quad_kind::whole : l3d_quad_kind::triangles;
+    const double budget = of.view.chord_budget(result.vertex_error);
+    result.needs = l3d_needs_of(result.nets.net(), result.nets.blocks(), of.view, budget, kind);
+    result.least_w = l3d_depth_range_of(p.net.points).least;
+    result.depth_error =
+        result.vertex_error +
+        l3d_depth_vertex_error(of.view, result.nets.error_w(), of.view.drawn_w(result.least_w));
+    if (of.bends)
+        of.bends.ask(p, of.view, result.least_w, budget, of.view.chord_budget(result.depth_error),
+                     result.needs);
+    result.plan = l3d_plan_steps(result.needs, budget, kind);
     result.excess = static_cast<double>(std::max(result.plan.most_u(), result.plan.most_v())) /
                     (whole ? l3d_most_steps_whole : l3d_most_steps_clipped);
     return result;
@@ -94,7 +102,7 @@ template <class T> bool l3d_patch_dicer<T>::take_in_lanes(const piece& p, task& 
     double edge_vertex = 0;
     for (const l3d_piece_side& side : p.sides)
         edge_vertex = std::max(edge_vertex, of.edges[side.edge].vertex_error());
-    const l3d_step_plan* plan = of.lanes->plan(p.net, of.view, edge_vertex);
+    const l3d_step_plan* plan = of.lanes->plan(p, of.view, edge_vertex, of.bends);
     if (plan == nullptr)
         return false;
     const double excess =
@@ -104,6 +112,7 @@ template <class T> bool l3d_patch_dicer<T>::take_in_lanes(const piece& p, task& 
         of.lanes->fill(p, of.normals, of.view, out);
         drawer_.close(p, out);
         count(p, out, of.lanes->row_error(), of);
+        count_surface(p, of.lanes->certificate(p, of.view, of.bends), of.lanes->depth_error(), of);
         ++of.counts.in_lanes;
         return true;
     }
@@ -152,7 +161,21 @@ template <class T> void l3d_patch_dicer<T>::draw(const piece& p, const planned& 
     drawer_.draw(p, how.nets, how.plan, out);
     out.bound = how.plan.visible ? how.plan.chord_error + how.vertex_error : 0;
     count(p, out, how.row_error, of);
+    l3d_surface_certificate proven =
+        of.bends.certificate(p, of.view, how.least_w, how.needs, how.plan, !how.nets.whole());
+    proven.depth += how.depth_error;
+    count_surface(p, proven, how.depth_error, of);
     of.counts.clipped += !how.nets.whole();
+}
+
+/// Depth and shade of a piece, its vertices being off by depth_error.
+template <class T>
+void l3d_patch_dicer<T>::count_surface(const piece& p, const l3d_surface_certificate& proven,
+                                       double depth_error, task& of) const {
+    double side_error = 0;
+    for (const l3d_piece_side& side : p.sides)
+        side_error = std::max(side_error, of.edges[side.edge].chord_error());
+    of.counts.add_surface(proven, side_error + depth_error);
 }
 
 /// A piece that was drawn, vertices of the slits along its sides being off by row_error.

@@ -46,7 +46,7 @@ public:
     ///          tolerance > 0, near > 0. With `lanes`, these dice all pieces that they can.
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_edge_polylines& edges, l3d_diced_pieces& out, l3d_dice_counts& counts,
-              l3d_lane_dicer<T>* lanes = nullptr);
+              l3d_lane_dicer<T>* lanes = nullptr, const l3d_placed_bends& bends = {});
 
     /// From now on, pieces that are no larger than any `other` has had allocate nothing.
     void reserve_as(const l3d_patch_dicer& other) {
@@ -59,9 +59,12 @@ private:
 
     /// A piece, its steps, and how many times as many it has as it may have.
     struct planned {
+        explicit planned(const l3d_piece_nets<T>& of) : nets(of) {}
+
         l3d_piece_nets<T> nets;
         l3d_step_plan plan;
-        double vertex_error = 0, row_error = 0, excess = 0;
+        l3d_block_needs needs;
+        double vertex_error = 0, row_error = 0, depth_error = 0, least_w = 0, excess = 0;
     };
 
     /// A piece that is still too coarse.
@@ -80,6 +83,7 @@ private:
         l3d_edge_polylines& edges;
         l3d_diced_pieces& out;
         l3d_dice_counts& counts;
+        const l3d_placed_bends& bends;
         std::int64_t samples_left = 0;
         l3d_lane_dicer<T>* lanes = nullptr;
     };
@@ -88,6 +92,8 @@ private:
     void take(const piece& p, task& of);
     bool take_in_lanes(const piece& p, task& of);
     void count(const piece& p, const l3d_diced_piece& out, double row_error, task& of) const;
+    void count_surface(const piece& p, const l3d_surface_certificate& proven, double depth_error,
+                       task& of) const;
     void draw_coarsely(const piece& p, std::int64_t samples, task& of);
     void draw(const piece& p, const planned& how, task& of);
 

@@ -54,12 +54,28 @@ std::int64_t patches_of(const l3d_patch_model& model) {
     return static_cast<std::int64_t>(model.patches().size());
 }
 
+/// The factor of a similarity, rounded up; 0 of any other map.
+double scale_of(const l3d_matrix<double>& placement) {
+    constexpr double rounding = 0x1p-40; // some roundings of 2^-53
+    double products[3][3] = {};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            for (int k = 0; k < 3; ++k)
+                products[i][j] += placement(k, i) * placement(k, j);
+    const double square = products[0][0];
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            if (!(std::abs(products[i][j] - (i == j ? square : 0)) <= rounding * square))
+                return 0;
+    return std::sqrt(square) * (1 + rounding);
+}
+
 } // namespace
 
 l3d_patch_instance::l3d_patch_instance(const l3d_patch_model& model,
                                        const l3d_matrix<double>& placement)
     : model_(&model), placement_(placement), normal_matrix_(cofactors(placement)),
-      turns_normals_(!(normal_matrix_ == l3d_identity<double>())) {
+      turns_normals_(!(normal_matrix_ == l3d_identity<double>())), scale_(scale_of(placement)) {
     assert(is_affine(placement));
     for (int row = 0; row < 3; ++row) {
         for (int k = 0; k < 3; ++k)

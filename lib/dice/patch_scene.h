@@ -34,6 +34,9 @@ public:
     /// Shape:   the upper left three by three; the rest as in the identity.
     const l3d_matrix<double>& normal_matrix() const { return normal_matrix_; }
 
+    /// What the placement multiplies all lengths by; 0 if it does not all alike.
+    double scale() const { return scale_; }
+
     /// The model's box in the world, with its reach.
     l3d_slanted_box box() const;
 
@@ -56,6 +59,7 @@ private:
     l3d_vector<double, 3> terms_{0.0, 0.0, 0.0};
     double shift_ = 0;
     bool turns_normals_ = false;
+    double scale_ = 1;
 };
 
 /// Models of bicubic patches, each standing anywhere any number of times.

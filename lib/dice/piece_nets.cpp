@@ -104,6 +104,7 @@ void l3d_piece_nets<T>::judge(l3d_vertex_accuracy accuracy, const l3d_dice_view&
         accuracy.snap_error += l3d_snap_error<double>(0);
     const double w_ratio = whole_ ? l3d_vertex_accuracy::in_front : l3d_vertex_accuracy::crossing;
     vertex_error_ = accuracy.drawn_error(w_ratio);
+    error_w_ = accuracy.error_w;
     if (!whole_)
         return;
     const int strips = count_ == 1 ? 1 : l3d_step_plan::most_strips;
@@ -113,8 +114,10 @@ void l3d_piece_nets<T>::judge(l3d_vertex_accuracy accuracy, const l3d_dice_view&
     accuracy.snap_error += l3d_snap_error<T>(accuracy.reach) - l3d_snap_error<T>(0);
     const double walking = accuracy.drawn_error(w_ratio);
     walked_ = walking - vertex_error_ <= view.walk_allowance(vertex_error_);
-    if (walked_)
+    if (walked_) {
         vertex_error_ = walking;
+        error_w_ = accuracy.error_w;
+    }
 }
 
 template class l3d_piece_nets<float>;

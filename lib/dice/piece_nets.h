@@ -45,6 +45,9 @@ public:
         return whole_ ? vertex_error_ - l3d_vertex_accuracy::of_centre() : vertex_error_;
     }
 
+    /// Error of the vertices' w. Units: those of w.
+    double error_w() const { return error_w_; }
+
 private:
     void cut();
     void judge(l3d_vertex_accuracy accuracy, const l3d_dice_view& view);
@@ -55,7 +58,7 @@ private:
     bool whole_ = false;
     bool walked_ = false;
     double unit_ = 1;
-    double vertex_error_ = 0;
+    double vertex_error_ = 0, error_w_ = 0;
 };
 
 #endif

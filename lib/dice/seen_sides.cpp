@@ -75,7 +75,6 @@ way_to_outline outline_before(const l3d_micro_grid& grid, std::span<const float>
     return {steps * k_u, steps * k_v};
 }
 
-
 /// The side that all of a grid shows; none if it shows both, or nearly does.
 std::optional<float> only_side(const l3d_micro_grid& grid, std::span<const float> away) {
     float least = away[0], most = least, step = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // l3d_surface_bends: largest numbers of parts, rounded up; and those of a moved patch.
 #include "dice/surface_bends.h"
-#include "dice/surface_bends_p.h"
+#include "dice/bends_of_blocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -109,27 +109,51 @@ private:
     double kappa_, g_;
 };
 
+/// Quadratic interpolation at both ends and the middle of a step h errs by this times h^3 and the
+/// third derivative: the largest value of |s (s - 1/2) (s - 1)| / 6.
+constexpr double of_thirds = 0.0080187537387448;
+
 } // namespace
+
+double l3d_levels_off(const l3d_bend_numbers<double>& bends, double h_u, double h_v) {
+    const double uuv = h_u * h_u * h_v * bends.n_uuv, uvv = h_u * h_v * h_v * bends.n_uvv;
+    const double straight = h_u * h_u * h_u * bends.n_uuu + h_v * h_v * h_v * bends.n_vvv;
+    return double{l3d_level_of_cosine} *
+           (of_thirds * straight + (uuv + uvv + std::min(uuv, uvv)) / 16);
+}
+
+void l3d_surface_bends::set_steps() {
+    for (std::size_t i = 0; i < blocks; ++i) {
+        l3d_bend_numbers<double> of{};
+        for (std::size_t n = 0; n < bend_numbers; ++n)
+            of.*bend_members<double>[n] = double{(of_blocks_.*bend_members<lanes>[n])[i]};
+        // Half of the third derivative's root where hardly anything turns.
+        const double u = std::max(of.turn_u, std::cbrt(of.n_uuu) / 2);
+        const double v = std::max(of.turn_v, std::cbrt(of.n_vvv) / 2);
+        const double both = u > 0 && v > 0 ? std::cbrt(l3d_levels_off(of, 1 / u, 1 / v)) : 0;
+        const auto steps = [&](double turn) {
+            const double n = turn * both;
+            return n > 1 && n < 0x1p20 ? static_cast<float>(n) : 1.0F;
+        };
+        steps_u_[i] = steps(u);
+        steps_v_[i] = steps(v);
+    }
+}
 
 l3d_surface_bends::l3d_surface_bends(const l3d_bezier_patch<double, 3>& patch,
                                      const l3d_normal_net& normals) {
-    bends_of_parts parts;
-    bound_bends(patch, normals, parts);
+    const bends_of_blocks bounds(patch, normals);
     for (std::size_t n = 0; n < bend_numbers; ++n) {
         lanes& of = of_blocks_.*bend_members<lanes>[n];
         float most = 0;
         for (std::size_t i = 0; i < blocks; ++i) {
-            const double* upper = parts.at[n][i / 4 * 2] + i % 4 * 2;
-            const double* lower = upper + bend_parts;
-            // A block's parameters run half as far over a part of it.
-            of[i] = rounded_up(
-                std::ldexp(std::max(std::max(upper[0], upper[1]), std::max(lower[0], lower[1])),
-                           bend_orders[n]));
+            of[i] = rounded_up(bounds.most(n, i));
             most = std::max(most, of[i]);
         }
-        // And the patch's a quarter as far over a block: exact, as a power of two.
+        // The patch's parameters run a quarter as far over a block: exact, as a power of two.
         of_whole_.*bend_members<float>[n] = std::ldexp(most, 2 * bend_orders[n]);
     }
+    set_steps();
 }
 
 /// Depths: N' . A d = N . d / |A^-T N| <= s N . d, s the largest factor by which A makes a vector
@@ -163,5 +187,6 @@ l3d_surface_bends l3d_surface_bends::under(const l3d_matrix<double>& placement) 
     of = placed(of);
     for (std::size_t n = 0; n < bend_numbers; ++n)
         result.of_whole_.*bend_members<float>[n] = rounded_up(of.*bend_members<double>[n]);
+    result.set_steps();
     return result;
 }

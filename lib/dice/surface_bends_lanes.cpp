@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// bound_bends, once for each instruction set: the parts of a row of them in lanes.
+// Parts of a patch in lanes, once for each instruction set.
 #include "dice/bend_weights_p.h"
 #include "dice/surface_bends_p.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #undef HWY_TARGET_INCLUDE
@@ -25,7 +23,7 @@ template <std::size_t Degree> class part_columns {
 public:
     /// Shape: net[component][row][column].
     HWY_ATTR explicit part_columns(const double (&net)[3][Degree + 1][Degree + 1]) {
-        for (std::size_t i = 0; i < bend_parts; i += lanes_at_once())
+        for (std::size_t i = 0; i < part_lanes; i += lanes_at_once())
             for (std::size_t c = 0; c < 3; ++c)
                 for (std::size_t row = 0; row <= Degree; ++row)
                     for (std::size_t power = 0; power <= Degree; ++power) {
@@ -37,39 +35,87 @@ public:
                     }
     }
 
-    /// Of parts i on in a row of parts.
-    HWY_ATTR taylor_net<Degree> get(std::size_t part, std::size_t i) const {
-        taylor_net<Degree> result;
-        for (std::size_t k = 0; k <= Degree; ++k)
-            for (std::size_t l = 0; l <= Degree; ++l) {
-                vector sum{same(0), same(0), same(0)};
-                for (std::size_t from = 0; from <= Degree; ++from)
-                    sum = sum + vector{loaded(at_[k][0][from] + i), loaded(at_[k][1][from] + i),
-                                       loaded(at_[k][2][from] + i)} *
-                                    same(weights.at[l][from][part]);
-                result.at[k][l] = sum;
-            }
-        return result;
+    /// Those by v, of the parts of a row of them.
+    HWY_ATTR void put(std::size_t part,
+                      double (&out)[Degree + 1][Degree + 1][3][part_lanes]) const {
+        for (std::size_t i = 0; i < part_lanes; i += lanes_at_once())
+            for (std::size_t k = 0; k <= Degree; ++k)
+                for (std::size_t l = 0; l <= Degree; ++l)
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        number sum = same(0);
+                        for (std::size_t from = 0; from <= Degree; ++from)
+                            sum =
+                                sum + loaded(at_[k][c][from] + i) * same(weights.at[l][from][part]);
+                        store(sum, out[k][l][c] + i);
+                    }
     }
 
 private:
     static constexpr auto& weights = weights_of_taylor<Degree>;
 
     /// [power][component][row][column of parts]
-    alignas(64) double at_[Degree + 1][3][Degree + 1][bend_parts];
+    alignas(64) double at_[Degree + 1][3][Degree + 1][part_lanes];
 };
+
+/// Taylor's coefficients about the middles of the quarters that lanes stand for: Horner's scheme,
+/// by half of the old parameter, and a new one that runs half as far.
+template <std::size_t Degree>
+HWY_ATTR void quarter_net(double (&net)[Degree + 1][Degree + 1][3][part_lanes]) {
+    alignas(64) static constexpr double side_u[part_lanes]{-.5, .5, -.5, .5, -.5, .5, -.5, .5};
+    alignas(64) static constexpr double side_v[part_lanes]{-.5, -.5, .5, .5, -.5, -.5, .5, .5};
+    for (std::size_t i = 0; i < part_lanes; i += lanes_at_once()) {
+        const auto add = [&](double* to, const double* from, const double* side) HWY_ATTR {
+            store(loaded(to + i) + loaded(from + i) * loaded(side + i), to + i);
+        };
+        for (std::size_t c = 0; c < 3; ++c) {
+            for (std::size_t l = 0; l <= Degree; ++l)
+                for (std::size_t k = 0; k < Degree; ++k)
+                    for (std::size_t j = Degree; j-- > k;)
+                        add(net[j][l][c], net[j + 1][l][c], side_u);
+            for (std::size_t k = 0; k <= Degree; ++k)
+                for (std::size_t l = 0; l < Degree; ++l)
+                    for (std::size_t j = Degree; j-- > l;)
+                        add(net[k][j][c], net[k][j + 1][c], side_v);
+            for (std::size_t k = 0; k <= Degree; ++k)
+                for (std::size_t l = 0; l <= Degree; ++l)
+                    store(loaded(net[k][l][c] + i) *
+                              same(1 / static_cast<double>(std::size_t{1} << (k + l))),
+                          net[k][l][c] + i);
+        }
+    }
+}
+
+template <std::size_t Degree>
+HWY_ATTR taylor_net<Degree> net_in_lanes(const double (&net)[Degree + 1][Degree + 1][3][part_lanes],
+                                         std::size_t i) {
+    taylor_net<Degree> result;
+    for (std::size_t k = 0; k <= Degree; ++k)
+        for (std::size_t l = 0; l <= Degree; ++l)
+            result.at[k][l] = {loaded(net[k][l][0] + i), loaded(net[k][l][1] + i),
+                               loaded(net[k][l][2] + i)};
+    return result;
+}
 
 } // namespace
 
-HWY_ATTR void bound_in_lanes(const bend_nets& nets, bends_of_parts& result) {
+HWY_ATTR void make_in_lanes(const bend_nets& nets, part_group* rows) {
     const part_columns<5> normals(nets.normals);
     const part_columns<3> points(nets.points);
-    for (std::size_t row = 0; row < bend_parts; ++row)
-        for (std::size_t i = 0; i < bend_parts; i += lanes_at_once()) {
-            const part_bounds of = bounds_of(normals.get(row, i), points.get(row, i), nets.size);
-            for (std::size_t n = 0; n < bend_numbers; ++n)
-                store(of.at[n], result.at[n][row] + i);
-        }
+    for (std::size_t row = 0; row < bend_parts; ++row) {
+        normals.put(row, rows[row].normals);
+        points.put(row, rows[row].points);
+    }
+}
+
+HWY_ATTR void quarter_in_lanes(part_group& parts) {
+    quarter_net<5>(parts.normals);
+    quarter_net<3>(parts.points);
+}
+
+HWY_ATTR void bound_in_lanes(const part_group& parts, double size, group_bounds& result) {
+    for (std::size_t i = 0; i < part_lanes; i += lanes_at_once())
+        take_bounds(net_in_lanes<5>(parts.normals, i), net_in_lanes<3>(parts.points, i), size,
+                    result, i);
 }
 
 } // namespace HWY_NAMESPACE
@@ -79,26 +125,20 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace l3d_detail {
 
+L3D_SIMD_TABLE(make_in_lanes);
+L3D_SIMD_TABLE(quarter_in_lanes);
 L3D_SIMD_TABLE(bound_in_lanes);
 
-void bound_bends(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals,
-                 bends_of_parts& result) {
-    bend_nets nets;
-    nets.size = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-        const int component = static_cast<int>(c);
-        for (int row = 0; row < 6; ++row)
-            for (int column = 0; column < 6; ++column)
-                nets.normals[c][row][column] = normals.at(row, column)[component];
-        for (int row = 0; row < 4; ++row)
-            for (int column = 0; column < 4; ++column) {
-                const double from_first =
-                    patch.at(row, column)[component] - patch.at(0, 0)[component];
-                nets.points[c][row][column] = from_first;
-                nets.size = std::max(nets.size, std::abs(from_first));
-            }
-    }
-    L3D_SIMD_CALL(bound_in_lanes)(nets, result);
+void make_parts(const bend_nets& nets, part_group* rows) {
+    L3D_SIMD_CALL(make_in_lanes)(nets, rows);
+}
+
+void quarter_parts(part_group& parts) {
+    L3D_SIMD_CALL(quarter_in_lanes)(parts);
+}
+
+void bound_parts(const part_group& parts, double size, group_bounds& result) {
+    L3D_SIMD_CALL(bound_in_lanes)(parts, size, result);
 }
 
 } // namespace l3d_detail

@@ -55,13 +55,30 @@ struct bend_nets {
     double size;
 };
 
-/// Bounds by the parameters of parts: [number][row][column].
-struct bends_of_parts {
-    alignas(64) double at[bend_numbers][bend_parts][bend_parts];
+/// Parts in lanes: Taylor's coefficients about their middles, for parameters from -1 to 1 across
+/// them, of normals and points: [power of u][power of v][component][lane].
+inline constexpr std::size_t part_lanes = 8;
+struct part_group {
+    alignas(64) double normals[6][6][3][part_lanes];
+    alignas(64) double points[4][4][3][part_lanes];
 };
 
-void bound_bends(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals,
-                 bends_of_parts& result);
+/// Bounds by parts' own parameters from 0 to 1, and values in their middles; infinite and anything
+/// where there is no bound. [number][lane]
+struct group_bounds {
+    alignas(64) double most[bend_numbers][part_lanes];
+    alignas(64) double middle[bend_numbers][part_lanes];
+};
+
+/// The parts of a patch, a row of them a group.
+void make_parts(const bend_nets& nets, part_group* rows);
+
+/// In lane i, of what is there, the quarter of its parameters that is i % 4: 1 and 3 are the upper
+/// halves of u, 2 and 3 those of v.
+void quarter_parts(part_group& parts);
+
+/// Size: the largest number of the points.
+void bound_parts(const part_group& parts, double size, group_bounds& result);
 
 } // namespace l3d_detail
 

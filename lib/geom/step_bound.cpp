@@ -132,6 +132,29 @@ double l3d_second_bound_of(const l3d_image_curve& curve, const l3d_image_box& vi
     return bound_of(curve, seen_in(visible, w_low));
 }
 
+double l3d_space_bound_of(const l3d_image_curve& curve, double focal, double w_low) {
+    const auto in_space = [&](const point& d) { return point{d[0], d[1], focal * d[2]}; };
+    const auto& p = curve.points;
+    const point chord = in_space(p[3] - p[0]);
+    const double length = l3d_length(chord);
+    // Tangents are positive weights of the control polygon's sides.
+    double sine = length > 0 ? 0 : 1;
+    for (std::size_t i = 0; i < 3 && sine < 1; ++i) {
+        const point side = in_space(p[i + 1] - p[i]);
+        if (!(l3d_dot(side, chord) > 0))
+            sine = l3d_length(side) > 0 ? 1 : sine;
+        else
+            sine = std::max(sine, l3d_length(l3d_cross(side, chord)) / (l3d_length(side) * length));
+    }
+    double largest = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const point bend = in_space(second_difference(p[i], p[i + 1], p[i + 2]));
+        const double across = length > 0 ? l3d_length(l3d_cross(bend, chord)) / length : 0;
+        largest = std::max(largest, std::min(across + sine * l3d_length(bend), l3d_length(bend)));
+    }
+    return 6 * largest / w_low;
+}
+
 l3d_second_bounds l3d_depth_bounds_of(const l3d_image_patch& patch) {
     return bounds_of(patch, depth_alone{});
 }

@@ -96,6 +96,11 @@ l3d_second_bounds l3d_second_bounds_of(const l3d_image_patch& patch, const l3d_i
 double l3d_second_bound_of(const l3d_image_curve& curve, const l3d_image_box& visible,
                            double w_low);
 
+/// The same for how far a chord is from its curve in space, across the curve's own direction: along
+/// the normal of any surface that the curve lies in, it is no more. Units: pixels at w_low, of
+/// which `focal` make a length of 1 at distance 1.
+double l3d_space_bound_of(const l3d_image_curve& curve, double focal, double w_low);
+
 /// The change of w between a patch (curve) and its interpolant, per squared step: at most
 /// (result.uu / nu^2 + result.vv / nv^2) / 8 + result.uv / (4 nu nv). Units: those of w.
 l3d_second_bounds l3d_depth_bounds_of(const l3d_image_patch& patch);

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// l3d_placed_bends: block by block.
+#include "dice/placed_bends.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace {
+
+constexpr double per_cosine = double{l3d_level_of_cosine};
+
+/// What grey levels are off by beside interpolation: rounding to a whole level, and the arithmetic
+/// of floats, some 20 * 2^-24 of numbers up to 2^8 times what their terms cancel.
+constexpr double rounded_level = 0.5 + 0.01;
+
+/// Of the tolerance of shades, what is left to quads that are no parallelograms and to the change
+/// of w in them: the rasterizer measures these.
+constexpr double left_to_shapes = 0.25;
+
+/// Third derivatives change what balanced chords err by by h^3 of the third derivative times
+/// l3d_balance at most, and mixed fourth ones by h_u^2 h_v^2 of those times this: 1/64 of chords, 2
+/// l3d_balance / 8 of moved chords, l3d_balance^2 of both moved.
+constexpr double of_fourths = 1.0 / 64 + l3d_balance / 4 + l3d_balance * l3d_balance;
+
+/// Asked for above what second derivatives say, for the third ones in the middle of a plan.
+double with_thirds(double second, double third, double steps) {
+    return second + third / steps;
+}
+
+bool is_seen(const l3d_block_needs& needs, std::size_t i) {
+    return needs.uu[i] + needs.uv[i] + needs.vv[i] > 0 || needs.least_u[i] + needs.least_v[i] > 0;
+}
+
+/// What levels are off by that are linear over two triangles of a quad.
+double levels_off_linear(const l3d_bend_numbers<double>& b, double h_u, double h_v) {
+    return per_cosine * ((h_u * h_u * b.n_uu + h_v * h_v * b.n_vv) / 8 + h_u * h_v * b.n_uv / 4);
+}
+
+} // namespace
+
+/// A block of a piece lies in one of the patch's blocks, or is made of several: the piece is a part
+/// of the patch by halves.
+auto l3d_placed_bends::of_block(const l3d_net_piece& piece, int strips, std::size_t column,
+                                std::size_t row) const -> numbers {
+    constexpr std::size_t across = 4;
+    using lane_numbers = l3d_bend_numbers<l3d_surface_bends::lanes>;
+    const lane_numbers& of = bends_->of_blocks();
+    numbers result{};
+    const auto take = [&](std::size_t i, double u, double v) {
+        const auto at = [i](const l3d_surface_bends::lanes& of_blocks, double& most, double scale) {
+            most = std::max(most, scale * double{of_blocks[i]});
+        };
+        at(of.uu, result.uu, u * u);
+        at(of.uv, result.uv, u * v);
+        at(of.vv, result.vv, v * v);
+        at(of.uuu, result.uuu, u * u * u);
+        at(of.uuv, result.uuv, u * u * v);
+        at(of.uvv, result.uvv, u * v * v);
+        at(of.vvv, result.vvv, v * v * v);
+        at(of.uuvv, result.uuvv, u * u * v * v);
+        at(of.n_uu, result.n_uu, u * u);
+        at(of.n_uv, result.n_uv, u * v);
+        at(of.n_vv, result.n_vv, v * v);
+        at(of.n_uuu, result.n_uuu, u * u * u);
+        at(of.n_uuv, result.n_uuv, u * u * v);
+        at(of.n_uvv, result.n_uvv, u * v * v);
+        at(of.n_vvv, result.n_vvv, v * v * v);
+        at(bends_->steps_u(), result.steps_u, u);
+        at(bends_->steps_v(), result.steps_v, v);
+    };
+    const double size_u = (piece.u1 - piece.u0) / strips, size_v = (piece.v1 - piece.v0) / strips;
+    const auto blocks_of = [&](double low, double size, std::size_t i) {
+        // Blocks begin and end at multiples of powers of two: a little inside is exact enough.
+        const double from = low + size * (static_cast<double>(i) + 0x1p-10);
+        const double to = low + size * (static_cast<double>(i + 1) - 0x1p-10);
+        return std::array{static_cast<std::size_t>(across * from),
+                          static_cast<std::size_t>(across * to)};
+    };
+    const auto columns = blocks_of(piece.u0, size_u, column);
+    const auto rows = blocks_of(piece.v0, size_v, row);
+    for (std::size_t r = rows[0]; r <= rows[1]; ++r)
+        for (std::size_t c = columns[0]; c <= columns[1]; ++c)
+            take(across * r + c, across * size_u, across * size_v);
+    return result;
+}
+
+void l3d_placed_bends::ask(const l3d_net_piece& piece, const l3d_dice_view& view, double least_w,
+                           double budget, double depth_budget, l3d_block_needs& needs) const {
+    const double to_pixels = view.focal * w_per_length_ / view.drawn_w(least_w);
+    // As the planner sees it, budgets of depth are those of places.
+    const double per_budget = to_pixels * budget / depth_budget;
+    const double levels =
+        std::max(view.shade_tolerance - rounded_level - left_to_shapes, view.shade_tolerance / 4);
+    const double more_steps = std::cbrt(1 / levels);
+    const auto strips = static_cast<std::size_t>(needs.strips);
+    // Fewest steps come from sides of at most l3d_largest_quad pixels.
+    constexpr double finest_quad = 2;
+    constexpr double most_steps = l3d_largest_quad / finest_quad;
+    for (std::size_t row = 0; row < strips; ++row)
+        for (std::size_t column = 0; column < strips; ++column) {
+            const std::size_t i = strips * row + column;
+            if (!is_seen(needs, i))
+                continue;
+            const numbers b = of_block(piece, needs.strips, column, row);
+            const auto steps_of = [&](double second) {
+                return std::max(1.0, std::sqrt(second / (4 * budget)));
+            };
+            const double n_u = steps_of(needs.uu[i]), n_v = steps_of(needs.vv[i]);
+            const auto raise = [&](double& need, double by) {
+                if (std::isfinite(by))
+                    need = std::max(need, by);
+            };
+            raise(needs.uu[i], per_budget * with_thirds(b.uu, b.uuu, n_u));
+            raise(needs.vv[i], per_budget * with_thirds(b.vv, b.vvv, n_v));
+            // The planner counts a sixteenth of what corners are off a plane by.
+            raise(needs.uv[i], 4 * per_budget * (b.uv + b.uuv / n_u + b.uvv / n_v));
+            if (!view.makes_levels())
+                continue;
+            raise(needs.least_u[i],
+                  std::min(b.steps_u * more_steps, most_steps * needs.least_u[i]));
+            raise(needs.least_v[i],
+                  std::min(b.steps_v * more_steps, most_steps * needs.least_v[i]));
+        }
+}
+
+l3d_surface_certificate l3d_placed_bends::certificate(const l3d_net_piece& piece,
+                                                      const l3d_dice_view& view, double least_w,
+                                                      const l3d_block_needs& needs,
+                                                      const l3d_step_plan& plan,
+                                                      bool clipped) const {
+    constexpr double nothing = std::numeric_limits<double>::infinity();
+    if (!*this)
+        return {nothing, nothing};
+    const double to_pixels = view.focal * w_per_length_ / view.drawn_w(least_w);
+    const auto strips = static_cast<std::size_t>(needs.strips);
+    l3d_surface_certificate result;
+    for (std::size_t row = 0; row < strips; ++row)
+        for (std::size_t column = 0; column < strips; ++column) {
+            if (!is_seen(needs, strips * row + column))
+                continue;
+            const numbers b = of_block(piece, needs.strips, column, row);
+            const double h_u = 1.0 / plan.nu[column], h_v = 1.0 / plan.nv[row];
+            const auto bent = [&](double h, double second, double third, bool at_side) {
+                // Slits at the piece's sides lie between chords that are not balanced.
+                const bool balanced = plan.balanced && h < 1 && !at_side;
+                return h * h *
+                       ((balanced ? l3d_balance : 1.0 / 8) * second + l3d_balance * h * third);
+            };
+            const bool side_row = row == 0 || row + 1 == strips;
+            const bool side_column = column == 0 || column + 1 == strips;
+            const double along_u = bent(h_u, b.uu, b.uuu, false),
+                         along_v = bent(h_v, b.vv, b.vvv, false);
+            const double off_plane = h_u * h_v * (b.uv + h_u * b.uuv + h_v * b.uvv) / 4;
+            const double quad =
+                along_u + along_v + off_plane + of_fourths * h_u * h_u * h_v * h_v * b.uuvv;
+            const double slit = std::max(side_row ? bent(h_u, b.uu, b.uuu, true) : 0.0,
+                                         side_column ? bent(h_v, b.vv, b.vvv, true) : 0.0);
+            result.depth = std::max({result.depth, to_pixels * quad, to_pixels * slit});
+            const double off =
+                clipped ? levels_off_linear(b, h_u, h_v) : l3d_levels_off(b, h_u, h_v);
+            result.shade = std::max(result.shade, off < 2 * per_cosine ? off : 2 * per_cosine);
+        }
+    result.shade = result.shade + rounded_level;
+    return result;
+}

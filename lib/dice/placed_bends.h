@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// l3d_placed_bends: steps and bounds that depth and shade ask for.
+#ifndef L3D_DICE_PLACED_BENDS_H
+#define L3D_DICE_PLACED_BENDS_H
+
+#include "dice/dice_counts.h"
+#include "dice/dice_view.h"
+#include "dice/net_piece.h"
+#include "dice/step_plan.h"
+#include "dice/surface_bends.h"
+
+/// How a patch bends along its normals, as it is seen.
+///
+/// A quad's depth is a plane in space through the mean of its corners. Along the exact normal it is
+/// off by what each direction bends, as places are, and by a quarter of what the corners are off
+/// one plane. A quad's level is a parabola with the levels of its corners and of the middles of its
+/// sides: third derivatives are what it is off by. NUMERICS, sections 3 and 14.
+/// Lives: borrows the bends.
+class l3d_placed_bends {
+public:
+    /// Asks for nothing, and proves nothing.
+    l3d_placed_bends() = default;
+
+    /// Units: w_per_length: what multiplies a length of the model to make scaled w of it.
+    /// Expects: the bends are those of the placed patch, but for the scale.
+    l3d_placed_bends(const l3d_surface_bends& bends, double w_per_length)
+        : bends_(&bends), w_per_length_(w_per_length) {}
+
+    explicit operator bool() const { return bends_ != nullptr; }
+
+    /// Makes a piece's needs such that depth keeps `depth_budget` where places keep `budget`, and
+    /// that the shade keeps the view's tolerance unless quads would be smaller than two pixels.
+    ///
+    /// Expects: needs of the piece's blocks, of places alone; budgets in pixels.
+    void ask(const l3d_net_piece& piece, const l3d_dice_view& view, double least_w, double budget,
+             double depth_budget, l3d_block_needs& needs) const;
+
+    /// What the steps chosen leave. Levels of clipped pieces are linear over triangles.
+    /// Expects: as above.
+    l3d_surface_certificate certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
+                                        double least_w, const l3d_block_needs& needs,
+                                        const l3d_step_plan& plan, bool clipped) const;
+
+private:
+    struct numbers : l3d_bend_numbers<double> {
+        double steps_u = 1, steps_v = 1;
+    };
+    numbers of_block(const l3d_net_piece& piece, int strips, std::size_t column,
+                     std::size_t row) const;
+
+    const l3d_surface_bends* bends_ = nullptr;
+    double w_per_length_ = 0;
+};
+
+#endif
