@@ -98,7 +98,7 @@ void l3d_pipeline_afd::draw_event() {
     scene_.forget_changes();
     is_drawing_ = is_foreign_ = false;
 
-    times.total = whole.milliseconds();
+    times.total = whole.milliseconds() - times.outlines;
     report_.time_ms = times;
     ++report_.frame;
     report_.simd = l3d_simd_target();
@@ -123,8 +123,9 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     l3d_shading shading =
         l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
     shading.keep_unit_normals = settings_.keep.unit_normals;
-    return {target,        transform_.matrix(), view_, shading, settings_.wireframe,
-            settings_.net, settings_.depth};
+    return {target,          transform_.matrix(), view_,
+            shading,         settings_.wireframe, settings_.net,
+            settings_.depth, settings_.outlines};
 }
 
 /// Nothing where the picture is right as it is. All of it where something that is drawn on top
@@ -179,14 +180,24 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     report_.dice = {};
     report_.surface = {};
     for (const l3d_pixel_box& part : parts.boxes()) {
-        const l3d_method_frame frame{
-            scene_,     camera_, transform_.matrix(), view_,      now.shading,
-            now.target, depth_,  settings_.depth,     untouched_, settings_.count_pixels,
-            part};
+        const l3d_method_frame frame{scene_,
+                                     camera_,
+                                     transform_.matrix(),
+                                     view_,
+                                     now.shading,
+                                     now.target,
+                                     depth_,
+                                     settings_.depth,
+                                     untouched_,
+                                     settings_.count_pixels,
+                                     part,
+                                     settings_.outlines};
         method_->draw(frame, times);
         report_.dice.add(method_->counts());
         report_.surface.add(method_->surface_counts());
     }
+    const l3d_outline_mask* const outlines = method_->outlines();
+    report_.outline_pixels = outlines ? outlines->count() : l3d_surface_counts::none_counted;
     untouched_ = true;
     report_.dice.bound_px = std::max(report_.dice.bound_px, kept_bound);
     // Each part had all patches before it. Those that reach into several are counted in each.
@@ -222,6 +233,7 @@ void l3d_pipeline_afd::draw_wireframe() {
     report_.dice = wire_dicer_->counts();
     report_.dice.add(wire_culling_.counts());
     report_.surface = {};
+    report_.outline_pixels = l3d_surface_counts::none_counted;
     report_.pixels_kept = 0;
 }
 

@@ -44,6 +44,7 @@ struct l3d_afd_settings {
                                 ///< before it is placed: a mirrored model shows the same side
     bool depth = false;         ///< keep the distance of each pixel, for depth()
     bool count_pixels = false;  ///< report how many are covered
+    bool outlines = false;      ///< report how many pixels outlines reach, and keep them
     int threads = 1;            ///< that draw; constant from the first frame on
     l3d_method_choice method{}; ///< that fills surfaces; constant from the first frame on
 };
@@ -79,6 +80,13 @@ public:
 
     /// Of the last frame, empty for a wireframe. Expects: settings asked for it.
     const l3d_depth_buffer& depth() const { return depth_; }
+
+    /// The pixels that outlines reach in the last frame; null if nobody asked for them, if the
+    /// method does not find them, or if a part of the picture was drawn alone.
+    const l3d_outline_mask* outlines() const {
+        return report_.outline_pixels == l3d_surface_counts::none_counted ? nullptr
+                                                                          : method_->outlines();
+    }
 
     /// The last frame drawn; the hash is counted when asked for.
     l3d_frame_report report() const;
@@ -129,7 +137,7 @@ private:
         l3d_matrix<double> to_image;
         l3d_dice_view view;
         l3d_shading shading;
-        bool wireframe = false, net = false, depth = false;
+        bool wireframe = false, net = false, depth = false, outlines = false;
 
         friend bool operator==(const basis&, const basis&) = default;
     };

@@ -110,6 +110,7 @@ l3d_camera l3d_afd_options::camera() const {
 l3d_afd_settings l3d_afd_options::settings() const {
     l3d_afd_settings result = settings_;
     result.count_pixels = !report_.empty();
+    result.outlines = !report_.empty() || explain_;
     const int processors = static_cast<int>(std::thread::hardware_concurrency());
     result.threads = threads_.value_or(std::clamp(processors, 1, most_threads_unasked));
     std::string why;
