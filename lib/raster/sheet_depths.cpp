@@ -156,18 +156,24 @@ void l3d_sheet_depths::put(pixel& into, const fragment& f, int x, int y) const {
 /// The sheets' planes are 1 / w = c + along_x x + along_y y, x and y from the picture's centre. In
 /// space that is f along_x X + f along_y Y + c Z = 1, so a pixel's distance along the normal
 /// changes 1 / w by |(along_x, along_y, c / f)|, and one in the picture by what the planes differ.
-float l3d_sheet_depths::gap_between(const fragment& a, const fragment& b, int x, int y) const {
-    if (b.inv_w <= 0)
-        return std::numeric_limits<float>::infinity();
-    if ((a.owner & b.owner & 1) != 0 && patches_[a.owner / 2].meets(patches_[b.owner / 2]))
-        return std::numeric_limits<float>::infinity();
+float l3d_sheet_depths::gap_between(const fragment& front, const fragment& other, int x,
+                                    int y) const {
+    constexpr float far = std::numeric_limits<float>::infinity();
+    if (other.inv_w <= 0)
+        return far;
     const auto per_pixel = [&](const fragment& of) {
         const double c = of.inv_w - of.along_x * (x + 0.5 - size_.width / 2.0) -
                          of.along_y * (y + 0.5 - size_.height / 2.0);
         return std::hypot(of.along_x, of.along_y, c / focal_);
     };
+    const double of_front = per_pixel(front), of_both = of_front + per_pixel(other);
+    const double by_place =
+        std::hypot(front.along_x - other.along_x, front.along_y - other.along_y);
+    if ((front.owner & other.owner & 1) != 0 && by_place <= of_both / 4 &&
+        patches_[front.owner / 2].meets(patches_[other.owner / 2]))
+        return far;
+    const double both = double(front.inv_w) + other.inv_w;
     const double apart =
-        std::max(0.0, std::abs(double(a.inv_w) - b.inv_w) - rounding * double(a.inv_w + b.inv_w));
-    const double by_place = std::hypot(a.along_x - b.along_x, a.along_y - b.along_y);
-    return static_cast<float>(apart / (by_place + per_pixel(a) + per_pixel(b)));
+        std::max(0.0, std::abs(double(front.inv_w) - other.inv_w) - rounding * both);
+    return static_cast<float>(apart / (by_place + 2 * of_front + of_both));
 }

@@ -68,7 +68,7 @@ private:
                   std::uint32_t owner);
     void add_triangle(const corner& a, corner b, corner c, std::uint32_t owner);
     void put(pixel& into, const fragment& f, int x, int y) const;
-    float gap_between(const fragment& a, const fragment& b, int x, int y) const;
+    float gap_between(const fragment& front, const fragment& other, int x, int y) const;
 
     l3d_size size_;
     double focal_ = 1;
