@@ -15,6 +15,10 @@ struct l3d_surface_certificate {
     double depth = 0;
     /// Of the level, from the exact one at the same parameters. Units: levels of 255.
     double shade = 0;
+    /// Quads of blocks that may be off by more levels than the tolerance, as normals turn faster
+    /// than quads of four pixels can follow, or as one vanishes; `shade` is that of all others.
+    std::int64_t unshaded_quads = 0;
+    bool is_whole = true; ///< all blocks have normals; else l3d_most_off_plane is to be added
 };
 
 /// What a frame's dicing did, and which patches were left out, as control nets or the boxes around
@@ -41,6 +45,7 @@ struct l3d_dice_counts : l3d_seen_counts {
 
     /// How far greys are from those of the exact surface at the same parameters. Units: levels.
     double shade_bound = 0;
+    std::int64_t unshaded_quads = 0; ///< of which that says nothing
 
     /// Both together: of other patches.
     void add(const l3d_dice_counts& other) {
@@ -61,12 +66,14 @@ struct l3d_dice_counts : l3d_seen_counts {
         bound_px = std::max(bound_px, other.bound_px);
         depth_bound_px = std::max(depth_bound_px, other.depth_bound_px);
         shade_bound = std::max(shade_bound, other.shade_bound);
+        unshaded_quads += other.unshaded_quads;
     }
 
     /// A piece of surface, and the slits along its sides.
     void add_surface(const l3d_surface_certificate& of, double slit_depth) {
         depth_bound_px = std::max({depth_bound_px, of.depth, slit_depth});
         shade_bound = std::max(shade_bound, of.shade);
+        unshaded_quads += of.unshaded_quads;
     }
 
     /// An edge polyline of so many points, and its certified error.

@@ -128,10 +128,10 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const l3d_patch_scene& scene,
         edge_shares[e] = view_.share_of(instance.reach(reach.edges[e]));
     const l3d_surface_bends& bends = instance.model().bends(p.patch);
     if (instance.scale() > 0)
-        space.bends = l3d_placed_bends(bends, instance.scale() * view.depth_scale);
+        space.bends = l3d_placed_bends(bends, instance.scale() * view.depth_scale, view.focal);
     else
         space.bends = l3d_placed_bends(space.own_bends.emplace(bends.under(instance.placement())),
-                                       view.depth_scale);
+                                       view.depth_scale, view.focal);
     if (view.focal == 0)
         space.bends = {};
     if (instance.turns_normals())

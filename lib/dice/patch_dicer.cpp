@@ -68,13 +68,12 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of) const -> planne
     const l3d_quad_kind kind = whole ? l3d_quad_kind::whole : l3d_quad_kind::triangles;
     const double budget = of.view.chord_budget(result.vertex_error);
     result.needs = l3d_needs_of(result.nets.net(), result.nets.blocks(), of.view, budget, kind);
-    result.least_w = l3d_depth_range_of(p.net.points).least;
+    const double least_w = l3d_depth_range_of(p.net.points).least;
     result.depth_error =
         result.vertex_error +
-        l3d_depth_vertex_error(of.view, result.nets.error_w(), of.view.drawn_w(result.least_w));
+        l3d_depth_vertex_error(of.view, result.nets.error_w(), of.view.drawn_w(least_w));
     if (of.bends)
-        of.bends.ask(p, of.view, result.least_w, budget, of.view.chord_budget(result.depth_error),
-                     result.needs);
+        of.bends.ask(p, of.view, budget, of.view.chord_budget(result.depth_error), result.needs);
     result.plan = l3d_plan_steps(result.needs, budget, kind);
     result.excess = static_cast<double>(std::max(result.plan.most_u(), result.plan.most_v())) /
                     (whole ? l3d_most_steps_whole : l3d_most_steps_clipped);
@@ -112,7 +111,8 @@ template <class T> bool l3d_patch_dicer<T>::take_in_lanes(const piece& p, task& 
         of.lanes->fill(p, of.normals, of.view, out);
         drawer_.close(p, out);
         count(p, out, of.lanes->row_error(), of);
-        count_surface(p, of.lanes->certificate(p, of.view, of.bends), of.lanes->depth_error(), of);
+        count_surface(p, of.lanes->certificate(p, of.view, of.bends, out.part.grid),
+                      of.lanes->depth_error(), of);
         ++of.counts.in_lanes;
         return true;
     }
@@ -162,8 +162,11 @@ template <class T> void l3d_patch_dicer<T>::draw(const piece& p, const planned& 
     out.bound = how.plan.visible ? how.plan.chord_error + how.vertex_error : 0;
     count(p, out, how.row_error, of);
     l3d_surface_certificate proven =
-        of.bends.certificate(p, of.view, how.least_w, how.needs, how.plan, !how.nets.whole());
+        of.bends.certificate(p, of.view, how.needs, how.plan, !how.nets.whole());
     proven.depth += how.depth_error;
+    if (of.bends && !proven.is_whole)
+        proven.depth += how.nets.whole() ? l3d_most_off_plane(out.part.grid, of.view)
+                                         : std::numeric_limits<double>::infinity();
     count_surface(p, proven, how.depth_error, of);
     of.counts.clipped += !how.nets.whole();
 }

@@ -64,7 +64,7 @@ private:
         l3d_piece_nets<T> nets;
         l3d_step_plan plan;
         l3d_block_needs needs;
-        double vertex_error = 0, row_error = 0, depth_error = 0, least_w = 0, excess = 0;
+        double vertex_error = 0, row_error = 0, depth_error = 0, excess = 0;
     };
 
     /// A piece that is still too coarse.
