@@ -135,6 +135,7 @@ private:
     }
 
     /// Between which vertices of the row a parameter lies, and how far from the first to the next.
+    /// One beyond an end, as of a point of the edge beside a row that begins after it, is there.
     struct place {
         std::size_t before, after;
         float part;
@@ -142,7 +143,7 @@ private:
     place place_of(double parameter) const {
         const auto next =
             std::upper_bound(parameters_.begin() + 1, parameters_.end() - 1, parameter);
-        const double part = (parameter - next[-1]) / (*next - next[-1]);
+        const double part = std::clamp((parameter - next[-1]) / (*next - next[-1]), 0.0, 1.0);
         const auto i = static_cast<std::size_t>(next - parameters_.begin());
         return {first_ + (i - 1) * step_, first_ + i * step_, static_cast<float>(part)};
     }
