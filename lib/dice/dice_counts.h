@@ -8,6 +8,19 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
+
+/// A patch of a scene, and its bound.
+struct l3d_coarse_patch {
+    double bound_px = 0;
+    std::int64_t instance = 0, patch = 0;
+
+    /// By bound; of equals the first of the scene is the greatest.
+    friend bool operator<(const l3d_coarse_patch& a, const l3d_coarse_patch& b) {
+        return std::tie(a.bound_px, b.instance, b.patch) <
+               std::tie(b.bound_px, a.instance, a.patch);
+    }
+};
 
 /// What is proven of a diced piece beside the places of its points. Infinite where nothing is.
 struct l3d_surface_certificate {
@@ -38,6 +51,9 @@ struct l3d_dice_counts : l3d_seen_counts {
     std::int64_t failures = 0;    ///< pixels left out as an iteration came to no rest
     double near = 0;              ///< nearest w drawn, if it is not the view's near
     double bound_px = 0;          ///< certified image error of all that was drawn
+    std::int64_t coarse = 0;      ///< patches drawn with a bound above the tolerance
+    std::int64_t unfinished = 0;  ///< of these, such as would be finer with a larger budget
+    l3d_coarse_patch coarsest;    ///< the worst of those
 
     /// Certified distance of all that was drawn from the exact surface, along its normal at the
     /// same parameters. Units: pixels at that depth.
@@ -62,6 +78,9 @@ struct l3d_dice_counts : l3d_seen_counts {
         in_lanes += other.in_lanes;
         samples += other.samples;
         failures += other.failures;
+        coarse += other.coarse;
+        unfinished += other.unfinished;
+        coarsest = std::max(coarsest, other.coarsest);
         near = std::max(near, other.near);
         bound_px = std::max(bound_px, other.bound_px);
         depth_bound_px = std::max(depth_bound_px, other.depth_bound_px);

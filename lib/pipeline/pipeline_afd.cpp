@@ -45,6 +45,8 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
     const double length = l3d_length(settings.light);
     if (!(length > 0 && length <= largest))
         return "light: no direction";
+    if (settings.most_samples < 0)
+        return "most samples: " + std::to_string(settings.most_samples) + " is negative";
     if (settings.threads < 1)
         return "threads: " + std::to_string(settings.threads) + " is not positive";
     if (settings.shade == l3d_shade::error && !settings.method.has_bound())
@@ -89,6 +91,11 @@ void l3d_pipeline_afd::draw_event() {
         draw_wireframe();
     else
         fill_surfaces(now, parts, times);
+    // A part may have had more of the budget than it has in a whole frame, and the rest less.
+    if (report_.pixels_kept > 0 && report_.dice.unfinished > 0 && !changed_.empty()) {
+        changed_ = l3d_whole(view_.size);
+        fill_surfaces(now, l3d_pixel_boxes(changed_), times);
+    }
 
     const stopwatch overlaying;
     if (stale_ || !changed_.empty())
@@ -120,6 +127,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     view_ = transform_.view(settings_.tolerance);
     view_.keep = settings_.keep;
     view_.one_sided = settings_.one_sided;
+    view_.most_samples = settings_.most_samples;
     l3d_shading shading =
         l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
     shading.keep_unit_normals = settings_.keep.unit_normals;
@@ -140,7 +148,7 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
         return whole;
     if (!scene_.is_changed())
         return {};
-    if (settings_.depth || !method_->draws_parts())
+    if (settings_.depth || !method_->draws_parts() || report_.dice.unfinished > 0)
         return whole;
     return parts_that_moved(whole.area() / 4 * 3);
 }
@@ -165,6 +173,9 @@ void l3d_pipeline_afd::keep_picture() {
     counts.unchanged = scene_.patch_count();
     counts.bound_px = report_.dice.bound_px;
     counts.near = report_.dice.near;
+    counts.coarse = report_.dice.coarse;
+    counts.unfinished = report_.dice.unfinished;
+    counts.coarsest = report_.dice.coarsest;
     report_.dice = counts;
     report_.surface = {};
     report_.pixels_kept = l3d_whole(view_.size).area();
@@ -175,7 +186,7 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     if (settings_.depth)
         depth_.resize(view_.size);
     report_.pixels_kept = l3d_whole(view_.size).area() - parts.area();
-    const double kept_bound = report_.pixels_kept > 0 ? report_.dice.bound_px : 0;
+    const l3d_dice_counts kept = report_.pixels_kept > 0 ? report_.dice : l3d_dice_counts();
     report_.dice = {};
     report_.surface = {};
     for (const l3d_pixel_box& part : parts.boxes()) {
@@ -188,11 +199,23 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
         report_.surface.add(method_->surface_counts());
     }
     untouched_ = true;
-    report_.dice.bound_px = std::max(report_.dice.bound_px, kept_bound);
+    keep_bounds(kept);
     // Each part had all patches before it. Those that reach into several are counted in each.
     const auto more = static_cast<std::int64_t>(parts.boxes().size()) - 1;
     report_.dice.unchanged =
         std::max(std::int64_t{0}, report_.dice.unchanged - more * scene_.patch_count());
+}
+
+/// What is said of the pixels that were kept. A whole frame might have diced more: what is hidden,
+/// but not by what was drawn before it, or just beside the parts. Of such, all that is known is
+/// that steps are chosen to keep the tolerance.
+void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
+    l3d_dice_counts& now = report_.dice;
+    if (report_.pixels_kept > 0)
+        now.bound_px = std::max({now.bound_px, kept.bound_px, settings_.tolerance});
+    now.near = std::max(now.near, kept.near);
+    now.coarse = std::max(now.coarse, kept.coarse);
+    now.coarsest = std::max(now.coarsest, kept.coarsest);
 }
 
 void l3d_pipeline_afd::draw_on_top() {
