@@ -51,6 +51,9 @@ std::string l3d_frame_report::json() const {
     const auto reasons = reasons_of(dice);
     l3d_detail::json times{{"transform", time_ms.transform}, {"dice", time_ms.dice}};
     l3d_detail::add_times(times, time_ms);
+    const bool has_outlines = outline_pixels != l3d_surface_counts::none_counted;
+    if (has_outlines)
+        times["outlines"] = time_ms.outlines;
     l3d_detail::json line = l3d_detail::head_json(*this);
     line.update({{"tolerance_px", tolerance_px},
                  {"near", near},
@@ -70,7 +73,10 @@ std::string l3d_frame_report::json() const {
                  {"quads", surface.quads},
                  {"shaded_by_plane", surface.by_plane},
                  {"shade_error_bound", number_or_null(dice.shade_bound)},
+                 {"shade_unproven_quads", dice.unshaded_quads},
                  {"pixels_kept", pixels_kept},
+                 {"outline_pixels",
+                  has_outlines ? l3d_detail::json(outline_pixels) : l3d_detail::json(nullptr)},
                  {"error_bound_px", number_or_null(dice.bound_px)},
                  {"depth_error_bound_px", number_or_null(dice.depth_bound_px)}});
     l3d_detail::add_tail(line, *this, reasons);
@@ -115,5 +121,9 @@ std::string l3d_frame_report::explanation() const {
         text += "kept " + std::to_string(pixels_kept) + " of " +
                 std::to_string(l3d_whole(size).area()) +
                 " pixels of the last frame: they were not cleared, filled or shown again\n";
+    if (outline_pixels != l3d_surface_counts::none_counted)
+        text += "the bound of an outline reaches " + std::to_string(outline_pixels) + " of " +
+                std::to_string(l3d_whole(size).area()) +
+                " pixels: what is seen there is not certified\n";
     return text;
 }

@@ -13,6 +13,7 @@
 struct l3d_stage_times : l3d_common_times {
     double transform = 0; ///< what may be seen, sorted front to back
     double dice = 0;      ///< control nets to the image, bounds, steps, forward differences
+    double outlines = 0;  ///< finding the pixels that outlines reach; not part of total
 };
 
 /// One frame.
@@ -23,6 +24,10 @@ struct l3d_frame_report : l3d_common_report {
     std::int64_t patches = 0;
     l3d_dice_counts dice;
     std::int64_t pixels_kept = 0; ///< of the last frame's picture, as nothing changed there
+
+    /// Pixels that any outline's bound reaches, where nothing is certain about what is seen;
+    /// none_counted if nobody asked, or if only a part of the picture was drawn.
+    std::int64_t outline_pixels = l3d_surface_counts::none_counted;
 
     /// One line of JSON, without the line's end.
     std::string json() const;

@@ -4,6 +4,7 @@
 
 #include "pipeline/stopwatch_p.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -38,6 +39,12 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
         frame.depth.resize(view.size);
     l3d_depth_buffer* const depth = keep_depth ? &frame.depth : nullptr;
     surface_->count_pixels(frame.counts_pixels);
+    if (!frame.outlines || frame.is_part())
+        outlines_.reset();
+    else if (!outlines_)
+        outlines_ = std::make_unique<l3d_frame_outlines>();
+    if (outlines_)
+        outlines_->begin(frame.scene, view, frame.camera.focal_length(view.size));
     if (frame.is_part())
         surface_->begin_part(frame.target, depth, shading, frame.part);
     else
@@ -47,6 +54,7 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
         const stopwatch dicing;
         const auto parts = dicer_.dice(frame.scene, culling_, batch);
         times.dice += dicing.milliseconds();
+        add_outlines(batch, times);
 
         const stopwatch filling;
         surface_->draw(parts);
@@ -61,6 +69,21 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
     times.raster += finishing.milliseconds();
     counts_ = dicer_.counts();
     counts_.add(culling_.counts());
+    const stopwatch seeking;
+    if (outlines_)
+        outlines_->finish(counts_.bound_px, counts_.depth_bound_px, counts_.near);
+    times.outlines += seeking.milliseconds();
+}
+
+template <class T>
+void l3d_method_afd<T>::add_outlines(std::span<const l3d_placed_patch> batch,
+                                     l3d_stage_times& times) {
+    if (!outlines_)
+        return;
+    const stopwatch drawing;
+    for (std::size_t i = 0; i < batch.size(); ++i)
+        outlines_->add(batch[i], culling_.matrix(batch[i]), dicer_.pieces(i));
+    times.outlines += drawing.milliseconds();
 }
 
 template class l3d_method_afd<float>;

@@ -4,6 +4,7 @@
 #define L3D_PIPELINE_METHOD_AFD_H
 
 #include "dice/frame_dicer.h"
+#include "dice/frame_outlines.h"
 #include "dice/scene_culling.h"
 #include "pipeline/surface_method.h"
 #include "raster/rasterizer_factory.h"
@@ -14,23 +15,32 @@
 /// Culls, dices within the tolerance, and fills; batch after batch, nearest first.
 ///
 /// Lives: borrows the workers.
-/// Cost:  no allocation once the largest frame has been seen.
+/// Cost:  no allocation once the largest frame has been seen, if nobody asks for outlines.
 template <class T> class l3d_method_afd final : public l3d_surface_method {
 public:
     l3d_method_afd(const l3d_rasterizer_factory& rasterizers, l3d_workers& workers);
 
 private:
+    bool do_certifies_depth() const override { return true; }
+    bool do_certifies_shade(const l3d_shading& shading) const override {
+        return shading.mode == l3d_shade::lambert && surface_->takes_levels();
+    }
     bool do_draws_parts() const override { return surface_->draws_parts(); }
     void do_draw(const l3d_method_frame& frame, l3d_stage_times& times) override;
     const l3d_dice_counts& do_counts() const override { return counts_; }
     const l3d_surface_counts& do_surface_counts() const override { return surface_->counts(); }
+    const l3d_outline_mask* do_outlines() const override {
+        return outlines_ ? &outlines_->mask() : nullptr;
+    }
 
     std::span<const l3d_placed_patch> next_batch();
+    void add_outlines(std::span<const l3d_placed_patch> batch, l3d_stage_times& times);
 
     std::unique_ptr<l3d_surface_rasterizer> surface_;
     l3d_scene_culling culling_;
     l3d_frame_dicer<T> dicer_;
     l3d_dice_counts counts_;
+    std::unique_ptr<l3d_frame_outlines> outlines_; ///< of the last frame, if it asked for them
 };
 
 #endif

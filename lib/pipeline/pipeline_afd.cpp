@@ -42,6 +42,9 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
                " is not within 1x1 and 16384x16384";
     if (!(settings.tolerance > 0 && settings.tolerance <= l3d_afd_largest_side))
         return "tolerance: " + std::to_string(settings.tolerance) + " px is not within 0 and 16384";
+    if (!(settings.shade_tolerance > 0 && settings.shade_tolerance <= 255))
+        return "shade tolerance: " + std::to_string(settings.shade_tolerance) +
+               " levels is not within 0 and 255";
     const double length = l3d_length(settings.light);
     if (!(length > 0 && length <= largest))
         return "light: no direction";
@@ -105,7 +108,7 @@ void l3d_pipeline_afd::draw_event() {
     scene_.forget_changes();
     is_drawing_ = is_foreign_ = false;
 
-    times.total = whole.milliseconds();
+    times.total = whole.milliseconds() - times.outlines;
     report_.time_ms = times;
     ++report_.frame;
     report_.simd = l3d_simd_target();
@@ -125,14 +128,18 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     const l3d_pixels target = screen_->pixels();
     transform_ = l3d_image_transform(camera_, target.size(), scene_);
     view_ = transform_.view(settings_.tolerance);
+    view_.shade_tolerance = settings_.shade_tolerance;
+    if (settings_.lateral_only)
+        view_.focal = 0;
     view_.keep = settings_.keep;
     view_.one_sided = settings_.one_sided;
     view_.most_samples = settings_.most_samples;
     l3d_shading shading =
         l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
     shading.keep_unit_normals = settings_.keep.unit_normals;
-    return {target,        transform_.matrix(), view_, shading, settings_.wireframe,
-            settings_.net, settings_.depth};
+    return {target,          transform_.matrix(), view_,
+            shading,         settings_.wireframe, settings_.net,
+            settings_.depth, settings_.outlines};
 }
 
 /// Nothing where the picture is right as it is. All of it where something that is drawn on top
@@ -172,6 +179,9 @@ void l3d_pipeline_afd::keep_picture() {
     l3d_dice_counts counts;
     counts.unchanged = scene_.patch_count();
     counts.bound_px = report_.dice.bound_px;
+    counts.depth_bound_px = report_.dice.depth_bound_px;
+    counts.shade_bound = report_.dice.shade_bound;
+    counts.unshaded_quads = report_.dice.unshaded_quads;
     counts.near = report_.dice.near;
     counts.coarse = report_.dice.coarse;
     counts.unfinished = report_.dice.unfinished;
@@ -190,15 +200,31 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     report_.dice = {};
     report_.surface = {};
     for (const l3d_pixel_box& part : parts.boxes()) {
-        const l3d_method_frame frame{
-            scene_,     camera_, transform_.matrix(), view_,      now.shading,
-            now.target, depth_,  settings_.depth,     untouched_, settings_.count_pixels,
-            part};
+        const l3d_method_frame frame{scene_,
+                                     camera_,
+                                     transform_.matrix(),
+                                     view_,
+                                     now.shading,
+                                     now.target,
+                                     depth_,
+                                     settings_.depth,
+                                     untouched_,
+                                     settings_.count_pixels,
+                                     part,
+                                     settings_.outlines};
         method_->draw(frame, times);
         report_.dice.add(method_->counts());
         report_.surface.add(method_->surface_counts());
     }
+    const l3d_outline_mask* const outlines = method_->outlines();
+    report_.outline_pixels = outlines ? outlines->count() : l3d_surface_counts::none_counted;
     untouched_ = true;
+    if (!method_->certifies_depth() || view_.focal == 0)
+        report_.dice.depth_bound_px = std::numeric_limits<double>::infinity();
+    if (method_->certifies_shade(now.shading) && view_.focal > 0)
+        report_.dice.shade_bound += report_.surface.level_error;
+    else
+        report_.dice.shade_bound = std::numeric_limits<double>::infinity();
     keep_bounds(kept);
     // Each part had all patches before it. Those that reach into several are counted in each.
     const auto more = static_cast<std::int64_t>(parts.boxes().size()) - 1;
@@ -211,8 +237,13 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
 /// that steps are chosen to keep the tolerance.
 void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
     l3d_dice_counts& now = report_.dice;
-    if (report_.pixels_kept > 0)
+    if (report_.pixels_kept > 0) {
         now.bound_px = std::max({now.bound_px, kept.bound_px, settings_.tolerance});
+        now.depth_bound_px =
+            std::max({now.depth_bound_px, kept.depth_bound_px, settings_.tolerance});
+        now.shade_bound = std::max({now.shade_bound, kept.shade_bound, settings_.shade_tolerance});
+        now.unshaded_quads += kept.unshaded_quads;
+    }
     now.near = std::max(now.near, kept.near);
     now.coarse = std::max(now.coarse, kept.coarse);
     now.coarsest = std::max(now.coarsest, kept.coarsest);
@@ -245,6 +276,7 @@ void l3d_pipeline_afd::draw_wireframe() {
     report_.dice = wire_dicer_->counts();
     report_.dice.add(wire_culling_.counts());
     report_.surface = {};
+    report_.outline_pixels = l3d_surface_counts::none_counted;
     report_.pixels_kept = 0;
 }
 

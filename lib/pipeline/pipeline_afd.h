@@ -34,7 +34,9 @@ struct l3d_kept_work : l3d_kept_patches {
 
 /// How a scene is to be drawn.
 struct l3d_afd_settings {
-    double tolerance = 0.25;                     ///< largest image error allowed, in pixels
+    double tolerance = 0.25;    ///< largest error of places and of depth allowed, in pixels
+    double shade_tolerance = 2; ///< largest error of shades allowed, in levels of 255
+    bool lateral_only = false;  ///< only places in the picture are kept within the tolerance
     l3d_shade shade = l3d_shade::lambert;        ///< of the filled surface
     l3d_vector<double, 3> light{0.4, 0.8, 0.45}; ///< towards the light, world space, any length
     bool wireframe = false;    ///< the lines of the adaptive grid instead of the filled surface
@@ -47,6 +49,7 @@ struct l3d_afd_settings {
     /// What patches that have to be cut or clipped may cost in a frame, see l3d_dice_budget; 0:
     /// l3d_usual_samples. What it does not suffice for is drawn coarsely, and the bound says so.
     std::int64_t most_samples = 0;
+    bool outlines = false;      ///< report how many pixels outlines reach, and keep them
     int threads = 1;            ///< that draw; constant from the first frame on
     l3d_method_choice method{}; ///< that fills surfaces; constant from the first frame on
 };
@@ -82,6 +85,13 @@ public:
 
     /// Of the last frame, empty for a wireframe. Expects: settings asked for it.
     const l3d_depth_buffer& depth() const { return depth_; }
+
+    /// The pixels that outlines reach in the last frame; null if nobody asked for them, if the
+    /// method does not find them, or if a part of the picture was drawn alone.
+    const l3d_outline_mask* outlines() const {
+        return report_.outline_pixels == l3d_surface_counts::none_counted ? nullptr
+                                                                          : method_->outlines();
+    }
 
     /// The last frame drawn; the hash is counted when asked for.
     l3d_frame_report report() const;
@@ -134,7 +144,7 @@ private:
         l3d_matrix<double> to_image;
         l3d_dice_view view;
         l3d_shading shading;
-        bool wireframe = false, net = false, depth = false;
+        bool wireframe = false, net = false, depth = false, outlines = false;
 
         friend bool operator==(const basis&, const basis&) = default;
     };

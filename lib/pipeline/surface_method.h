@@ -9,6 +9,7 @@
 #include "pipeline/frame_report.h"
 #include "dice/patch_scene.h"
 #include "raster/depth_buffer.h"
+#include "raster/outline_mask.h"
 #include "raster/surface_rasterizer.h"
 #include "tool_2d/pixels.h"
 
@@ -33,6 +34,8 @@ struct l3d_method_frame {
     /// draws parts and nobody wants depth.
     l3d_pixel_box part;
 
+    bool outlines = false; ///< somebody wants to know the pixels that outlines reach
+
     bool is_part() const { return part != l3d_whole(target.size()); }
 };
 
@@ -48,6 +51,10 @@ public:
     l3d_surface_method& operator=(const l3d_surface_method&) = delete;
     virtual ~l3d_surface_method() = default;
 
+    /// Whether counts() say how far depth is off, and levels of frames that are shaded so.
+    bool certifies_depth() const { return do_certifies_depth(); }
+    bool certifies_shade(const l3d_shading& shading) const { return do_certifies_shade(shading); }
+
     /// Whether a frame may be a part of a picture.
     bool draws_parts() const { return do_draws_parts(); }
 
@@ -59,6 +66,10 @@ public:
     const l3d_dice_counts& counts() const { return do_counts(); }
     const l3d_surface_counts& surface_counts() const { return do_surface_counts(); }
 
+    /// The pixels of the last frame that outlines reach, if it asked for them; null from methods
+    /// that do not find them, and of a frame that was a part of a picture.
+    const l3d_outline_mask* outlines() const { return do_outlines(); }
+
 protected:
     /// What `covered` is to be, given the depth of all that was drawn.
     static std::int64_t covered_of(const l3d_method_frame& frame, const l3d_depth_buffer& depth) {
@@ -66,10 +77,13 @@ protected:
     }
 
 private:
+    virtual bool do_certifies_depth() const { return false; }
+    virtual bool do_certifies_shade(const l3d_shading&) const { return false; }
     virtual bool do_draws_parts() const { return false; }
     virtual void do_draw(const l3d_method_frame& frame, l3d_stage_times& times) = 0;
     virtual const l3d_dice_counts& do_counts() const = 0;
     virtual const l3d_surface_counts& do_surface_counts() const = 0;
+    virtual const l3d_outline_mask* do_outlines() const { return nullptr; }
 };
 
 #endif

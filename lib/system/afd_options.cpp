@@ -52,10 +52,17 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                 "NAME");
     // Vertices lie on a grid of 1/256 pixel, which with the weights of docs/NUMERICS.md, section 9,
     // takes 0.0069: finer ones only add quads.
-    options.add("--tolerance", tolerance_, settings_.tolerance,
-                "largest geometric error allowed, in pixels; kept down to 0.01, below that the "
-                "report's bound says what is",
-                0.005, 1000.0);
+    options.add(
+        "--tolerance", tolerance_, settings_.tolerance,
+        "largest error of places and depth allowed, in pixels; kept down to 0.01, below that the "
+        "report's bound says what is",
+        0.005, 1000.0);
+    options.add("--shade-tolerance", settings_.shade_tolerance,
+                "largest error of a grey allowed, in levels of 255, as far as quads of 4 pixels "
+                "keep it; for --shade lambert",
+                1.0, 255.0);
+    options.add("--lateral-only", settings_.lateral_only,
+                "keep places in the picture within the tolerance, and neither depth nor shade");
     options.add("--most-samples", most_samples_,
                 "what a frame may spend on patches that have to be cut or clipped, in samples; "
                 "unasked, 65536 and 2 a pixel; the report tells what it did not suffice for",
@@ -119,6 +126,7 @@ l3d_afd_settings l3d_afd_options::settings() const {
     result.tolerance = tolerance_.value_or(settings_.tolerance);
     result.most_samples = most_samples_.value_or(0);
     result.count_pixels = !report_.empty();
+    result.outlines = !report_.empty() || explain_;
     const int processors = static_cast<int>(std::thread::hardware_concurrency());
     result.threads = threads_.value_or(std::clamp(processors, 1, most_threads_unasked));
     std::string why;

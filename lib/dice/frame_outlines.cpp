@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// l3d_frame_outlines: sheets that are close, and outlines that are seen.
+#include "dice/frame_outlines.h"
+
+#include "dice/outline_search.h"
+#include "dice/placed_net.h"
+#include "dice/seen_from.h"
+
+#include <algorithm>
+#include <cmath>
+
+void l3d_frame_outlines::begin(const l3d_patch_scene& scene, const l3d_dice_view& view,
+                               double focal) {
+    scene_ = &scene;
+    view_ = view;
+    focal_ = focal;
+    placed_.clear();
+    sides_.clear(); // a model may have gone, and another come to its place
+    depths_.begin(view.size, focal);
+}
+
+const l3d_patch_sides& l3d_frame_outlines::sides_of(const l3d_patch_model& model) {
+    return sides_.try_emplace(&model, model).first->second;
+}
+
+void l3d_frame_outlines::add(const l3d_placed_patch& patch, const l3d_matrix<double>& to_image,
+                             std::span<const l3d_diced_piece> pieces) {
+    // Backs that nobody wants to see have no outlines.
+    if (pieces.empty() && view_.one_sided)
+        return;
+    const l3d_patch_instance& instance = scene_->instances()[patch.instance];
+    placed_.push_back({&instance, patch.patch, to_image});
+    const auto touching = sides_of(instance.model()).touching(patch.patch);
+    for (const l3d_diced_piece& piece : pieces)
+        depths_.add(piece.part, {patch.instance, patch.patch, touching});
+}
+
+void l3d_frame_outlines::finish(double bound_px, double depth_bound_px, double near) {
+    mask_.begin(view_.size);
+    // Where nobody knows a bound of depth, that of places stands for it.
+    const double bound =
+        std::isfinite(depth_bound_px) ? std::max(bound_px, depth_bound_px) : bound_px;
+    for (int y = 0; y < view_.size.height; ++y)
+        for (int x = 0; x < view_.size.width; ++x)
+            if (depths_.gap(x, y) <= bound || !std::isfinite(bound))
+                mask_.set(x, y);
+    if (!std::isfinite(bound))
+        return;
+    l3d_outline_search search(view_, focal_, bound_px, near, depths_, mask_);
+    for (const placed& p : placed_)
+        if (const auto eye = l3d_eye_of(p.to_image)) {
+            const l3d_patch_model& model = p.instance->model();
+            const auto& patch = model.patches()[p.patch];
+            search.add(patch, model.normals(p.patch), *eye, l3d_placed_net(p.to_image, patch),
+                       sides_of(model).outlines(p.patch));
+        }
+}
