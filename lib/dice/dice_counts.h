@@ -8,6 +8,19 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
+
+/// A patch of a scene, and its bound.
+struct l3d_coarse_patch {
+    double bound_px = 0;
+    std::int64_t instance = 0, patch = 0;
+
+    /// By bound; of equals the first of the scene is the greatest.
+    friend bool operator<(const l3d_coarse_patch& a, const l3d_coarse_patch& b) {
+        return std::tie(a.bound_px, b.instance, b.patch) <
+               std::tie(b.bound_px, a.instance, a.patch);
+    }
+};
 
 /// What is proven of a diced piece beside the places of its points. Infinite where nothing is.
 struct l3d_surface_certificate {
@@ -15,6 +28,10 @@ struct l3d_surface_certificate {
     double depth = 0;
     /// Of the level, from the exact one at the same parameters. Units: levels of 255.
     double shade = 0;
+    /// Quads of blocks that may be off by more levels than the tolerance, as normals turn faster
+    /// than quads of four pixels can follow, or as one vanishes; `shade` is that of all others.
+    std::int64_t unshaded_quads = 0;
+    bool is_whole = true; ///< all blocks have normals; else l3d_most_off_plane is to be added
 };
 
 /// What a frame's dicing did, and which patches were left out, as control nets or the boxes around
@@ -34,6 +51,9 @@ struct l3d_dice_counts : l3d_seen_counts {
     std::int64_t failures = 0;    ///< pixels left out as an iteration came to no rest
     double near = 0;              ///< nearest w drawn, if it is not the view's near
     double bound_px = 0;          ///< certified image error of all that was drawn
+    std::int64_t coarse = 0;      ///< patches drawn with a bound above the tolerance
+    std::int64_t unfinished = 0;  ///< of these, such as would be finer with a larger budget
+    l3d_coarse_patch coarsest;    ///< the worst of those
 
     /// Certified distance of all that was drawn from the exact surface, along its normal at the
     /// same parameters. Units: pixels at that depth.
@@ -41,6 +61,7 @@ struct l3d_dice_counts : l3d_seen_counts {
 
     /// How far greys are from those of the exact surface at the same parameters. Units: levels.
     double shade_bound = 0;
+    std::int64_t unshaded_quads = 0; ///< of which that says nothing
 
     /// Both together: of other patches.
     void add(const l3d_dice_counts& other) {
@@ -57,16 +78,21 @@ struct l3d_dice_counts : l3d_seen_counts {
         in_lanes += other.in_lanes;
         samples += other.samples;
         failures += other.failures;
+        coarse += other.coarse;
+        unfinished += other.unfinished;
+        coarsest = std::max(coarsest, other.coarsest);
         near = std::max(near, other.near);
         bound_px = std::max(bound_px, other.bound_px);
         depth_bound_px = std::max(depth_bound_px, other.depth_bound_px);
         shade_bound = std::max(shade_bound, other.shade_bound);
+        unshaded_quads += other.unshaded_quads;
     }
 
     /// A piece of surface, and the slits along its sides.
     void add_surface(const l3d_surface_certificate& of, double slit_depth) {
         depth_bound_px = std::max({depth_bound_px, of.depth, slit_depth});
         shade_bound = std::max(shade_bound, of.shade);
+        unshaded_quads += of.unshaded_quads;
     }
 
     /// An edge polyline of so many points, and its certified error.

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 /// Whether a net is small: those smaller than 24 pixels in both directions are not divided into
@@ -41,6 +42,14 @@ struct l3d_kept_patches {
     friend bool operator==(const l3d_kept_patches&, const l3d_kept_patches&) = default;
 };
 
+/// What a frame may spend on patches that have to be cut or clipped, unless somebody says
+/// otherwise: two samples a pixel are more than any picture shows, and 2^16 take a millisecond or
+/// two. Patches that need neither are always done, in at most 129 x 129 samples. Units: samples
+/// that are walked, see l3d_dice_budget.
+constexpr std::int64_t l3d_usual_samples(l3d_size size) {
+    return (std::int64_t{1} << 16) + 2 * std::int64_t{size.width} * size.height;
+}
+
 /// The picture and the accuracy asked for; constant for a frame.
 ///
 /// Units: pixels from the picture's centre; near, far and depths in the image transform's scaled w.
@@ -63,7 +72,8 @@ struct l3d_dice_view {
     double eye_terms = 0;   ///< those of the eye
     double camera_near = 0; ///< near, before errors of w pushed it away; 0: that is near itself
     l3d_kept_patches keep;
-    bool one_sided = false; ///< nobody wants to see the back of dS/du x dS/dv
+    std::int64_t most_samples = 0; ///< the frame's budget; 0: l3d_usual_samples
+    bool one_sided = false;        ///< nobody wants to see the back of dS/du x dS/dv
 
     /// How vertices are lit: in mode `levels` they get levels, else unit normals, turned to the eye
     /// if there is one.
@@ -72,6 +82,10 @@ struct l3d_dice_view {
     bool makes_levels() const { return shading.mode == l3d_shade::levels; }
 
     friend bool operator==(const l3d_dice_view&, const l3d_dice_view&) = default;
+
+    std::int64_t budget() const {
+        return most_samples > 0 ? most_samples : l3d_usual_samples(size);
+    }
 
     /// The same picture, its near plane where the camera's is.
     l3d_dice_view unlifted() const {

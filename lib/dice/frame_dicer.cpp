@@ -8,8 +8,10 @@
 #include "dice/seen_from.h"
 #include "dice/visibility.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 
 namespace {
 
@@ -65,6 +67,7 @@ template <class T> void l3d_frame_dicer<T>::begin(const l3d_dice_view& view) {
         space.view = view_;
     counts_ = {};
     counts_.near = view_.near;
+    budget_left_ = view_.budget();
 }
 
 template <class T>
@@ -74,32 +77,85 @@ l3d_frame_dicer<T>::dice(const l3d_patch_scene& scene, const l3d_scene_culling& 
     while (slots_.size() < batch.size())
         slots_.push_back(keep_parameters_ ? l3d_diced_pieces::with_parameters()
                                           : l3d_diced_pieces());
-    for (worker_space& space : each_worker_)
-        space.counts = {};
-    by_height_.clear();
-    for (const l3d_placed_patch& p : batch)
-        by_height_.add(p.middle);
-    by_height_.sort_for(workers_);
-    workers_.for_each_beside(static_cast<int>(batch.size()), [&](int item, int worker) {
-        const std::size_t i = by_height_[item];
-        slots_[i].clear();
-        dice_slot(i, scene, culling, batch[i], each_worker_[static_cast<std::size_t>(worker)]);
-    });
+    if (outcomes_.size() < batch.size())
+        outcomes_.resize(batch.size());
+    const task of{scene, culling, batch};
+    const std::int64_t allowance = culling.is_done() ? budget_left_ : budget_left_ / 2;
+    const std::int64_t share =
+        allowance / std::max<std::int64_t>(1, static_cast<std::int64_t>(batch.size()));
+    wanted_.resize(batch.size());
+    std::iota(wanted_.begin(), wanted_.end(), std::size_t{0});
+    dice_slots(of, share);
+    dice_short_ones(of, allowance, share);
     parts_.clear();
     for (const l3d_diced_pieces& slot : std::span(slots_).first(batch.size()))
         for (const l3d_diced_piece& piece : slot.used())
             parts_.push_back(&piece.part);
-    for (const worker_space& space : each_worker_)
-        counts_.add(space.counts);
+    for (const outcome& result : std::span(outcomes_).first(batch.size())) {
+        counts_.add(result.counts);
+        budget_left_ -= result.cost;
+    }
+    budget_left_ = std::max<std::int64_t>(0, budget_left_);
     share_memory_sizes();
     return parts_;
 }
 
+/// Dices the slots that are wanted.
+template <class T> void l3d_frame_dicer<T>::dice_slots(const task& of, std::int64_t share) {
+    by_height_.clear();
+    for (const std::size_t i : wanted_)
+        by_height_.add(of.batch[i].middle);
+    by_height_.sort_for(workers_);
+    workers_.for_each_beside(static_cast<int>(wanted_.size()), [&](int item, int worker) {
+        const std::size_t i = wanted_[by_height_[item]];
+        dice_slot(i, of, share, each_worker_[static_cast<std::size_t>(worker)]);
+    });
+}
+
+/// Shares out among those whose share was too small what the others left.
 template <class T>
-void l3d_frame_dicer<T>::dice_slot(std::size_t i, const l3d_patch_scene& scene,
-                                   const l3d_scene_culling& culling, const l3d_placed_patch& p,
+void l3d_frame_dicer<T>::dice_short_ones(const task& of, std::int64_t allowance,
+                                         std::int64_t share) {
+    for (;;) {
+        std::int64_t left = allowance;
+        wanted_.clear();
+        for (std::size_t i = 0; i < of.batch.size(); ++i)
+            if (outcomes_[i].is_short)
+                wanted_.push_back(i);
+            else
+                left -= outcomes_[i].cost;
+        if (wanted_.empty() || left / static_cast<std::int64_t>(wanted_.size()) < 2 * share)
+            return;
+        share = left / static_cast<std::int64_t>(wanted_.size());
+        dice_slots(of, share);
+    }
+}
+
+template <class T>
+void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t share,
                                    worker_space& space) {
-    const l3d_patch_instance& instance = scene.instances()[p.instance];
+    outcome& result = outcomes_[i];
+    l3d_dice_budget budget{share, false};
+    slots_[i].clear();
+    space.counts = {};
+    dice_placed(i, of, budget, space);
+    result.counts = space.counts;
+    result.cost = share - budget.left;
+    const double bound = space.counts.bound_px;
+    result.is_short = budget.is_short && !(bound <= view_.tolerance);
+    if (bound <= view_.tolerance)
+        return;
+    result.counts.coarse = 1;
+    result.counts.unfinished = result.is_short ? 1 : 0;
+    result.counts.coarsest = {bound, of.batch[i].instance, of.batch[i].patch};
+}
+
+template <class T>
+void l3d_frame_dicer<T>::dice_placed(std::size_t i, const task& of, l3d_dice_budget& budget,
+                                     worker_space& space) {
+    const l3d_placed_patch& p = of.batch[i];
+    const l3d_scene_culling& culling = of.culling;
+    const l3d_patch_instance& instance = of.scene.instances()[p.instance];
     const l3d_normal_net& normals = instance.model().normals(p.patch);
     // Cones lie far from all else of a patch: the first is here by the time that it is asked.
     __builtin_prefetch(&instance.model().facing(p.patch));
@@ -128,17 +184,17 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const l3d_patch_scene& scene,
         edge_shares[e] = view_.share_of(instance.reach(reach.edges[e]));
     const l3d_surface_bends& bends = instance.model().bends(p.patch);
     if (instance.scale() > 0)
-        space.bends = l3d_placed_bends(bends, instance.scale() * view.depth_scale);
+        space.bends = l3d_placed_bends(bends, instance.scale() * view.depth_scale, view.focal);
     else
         space.bends = l3d_placed_bends(space.own_bends.emplace(bends.under(instance.placement())),
-                                       view.depth_scale);
+                                       view.depth_scale, view.focal);
     if (view.focal == 0)
         space.bends = {};
     if (instance.turns_normals())
         dice_patch(net, normals.turned(instance.normal_matrix()), backs, edge_shares, slots_[i],
-                   space);
+                   budget, space);
     else
-        dice_patch(net, normals, backs, edge_shares, slots_[i], space);
+        dice_patch(net, normals, backs, edge_shares, slots_[i], budget, space);
 }
 
 /// Which worker meets a patch is chance, so each is prepared for all that any has met.
@@ -175,7 +231,7 @@ template <class T>
 void l3d_frame_dicer<T>::dice_patch(
     const l3d_image_patch& net, const l3d_normal_net& normals, unsigned backs,
     const std::array<double, l3d_edge_polylines::sides>& edge_shares, l3d_diced_pieces& out,
-    worker_space& space) const {
+    l3d_dice_budget& budget, worker_space& space) const {
     space.edges.build(net, view_, edge_shares);
     const bool diced = way_ == l3d_dice_way::lanes &&
                        space.lanes.dice(net, normals, space.view, space.edges.outer(), out.next(),
@@ -183,7 +239,7 @@ void l3d_frame_dicer<T>::dice_patch(
     if (!diced) {
         if (way_ == l3d_dice_way::lanes)
             out.give_back();
-        space.general.dice(net, normals, space.view, space.edges, out, space.counts,
+        space.general.dice(net, normals, space.view, space.edges, out, space.counts, budget,
                            way_ == l3d_dice_way::lanes ? &space.lanes : nullptr, space.bends);
     }
     for (l3d_diced_piece& piece : out.used()) {

@@ -28,8 +28,13 @@ enum class l3d_dice_way {
 
 /// Turns batches of placed patches into parts for the rasterizer.
 ///
-/// What is made of a patch depends on the patch and the view alone, and parts come in the order of
-/// their patches: so nothing depends on the workers.
+/// What is made of a patch depends on the patch and the view alone, unless the frame's budget runs
+/// short: then on the patches of its batch and of those before, too. Parts come in the order of
+/// their patches. So nothing depends on the workers.
+///
+/// Of the budget, each batch may spend half of what is left, the last all. Its patches get equal
+/// shares; those that kept the tolerance with less leave the rest to the others, which are diced
+/// anew as long as that at least doubles their shares: so no frame costs twice its budget.
 /// Lives: borrows the workers. Parts live until the next batch.
 /// Cost:  no allocation in a frame of patches and batches that was drawn before. Else, a worker
 ///        allocates for a patch that is larger than any of the frame's other workers had, a slot
@@ -73,14 +78,30 @@ private:
         }
     };
 
-    void dice_slot(std::size_t i, const l3d_patch_scene& scene, const l3d_scene_culling& culling,
-                   const l3d_placed_patch& p, worker_space& space);
+    /// What became of a patch of the batch.
+    struct outcome {
+        l3d_dice_counts counts;
+        std::int64_t cost = 0;
+        bool is_short = false; ///< the tolerance is not kept, and would with a larger share
+    };
+
+    /// A batch, and what of it is to be diced.
+    struct task {
+        const l3d_patch_scene& scene;
+        const l3d_scene_culling& culling;
+        std::span<const l3d_placed_patch> batch;
+    };
+
+    void dice_slots(const task& of, std::int64_t share);
+    void dice_short_ones(const task& of, std::int64_t allowance, std::int64_t share);
+    void dice_slot(std::size_t i, const task& of, std::int64_t share, worker_space& space);
+    void dice_placed(std::size_t i, const task& of, l3d_dice_budget& budget, worker_space& space);
     void share_memory_sizes();
     unsigned backs_of(const l3d_patch_instance& instance, const l3d_matrix<double>& to_image,
                       std::size_t patch) const;
     void dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals, unsigned backs,
                     const std::array<double, l3d_edge_polylines::sides>& edge_shares,
-                    l3d_diced_pieces& out, worker_space& space) const;
+                    l3d_diced_pieces& out, l3d_dice_budget& budget, worker_space& space) const;
 
     l3d_workers& workers_;
     l3d_dice_way way_;
@@ -89,6 +110,9 @@ private:
     l3d_dice_counts counts_;
     std::vector<worker_space> each_worker_;
     std::vector<l3d_diced_pieces> slots_; ///< one for each patch of a batch
+    std::vector<outcome> outcomes_;       ///< likewise
+    std::vector<std::size_t> wanted_;     ///< the slots that are to be diced
+    std::int64_t budget_left_ = 0;
     std::vector<const l3d_surface_part*> parts_;
     l3d_detail::height_order by_height_; ///< the patches of a batch
 };

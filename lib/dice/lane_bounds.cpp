@@ -121,7 +121,7 @@ double depth_matters_below(const l3d_dice_view& view, bool balanced) {
 /// Needs of the blocks in lanes `lane` on, given what is seen at most, about the net's centre.
 HWY_ATTR HWY_INLINE void bound_lanes(const block_nets& blocks, std::size_t lane,
                                      const l3d_image_box& window, float reach, float grown_by,
-                                     float deep_below, l3d_block_needs& needs) {
+                                     float deep_below, float most_w, l3d_block_needs& needs) {
     const floats d;
     const auto limit = [&](double number)
                            HWY_ATTR { return hn::Set(d, static_cast<float>(number)); };
@@ -151,6 +151,7 @@ HWY_ATTR HWY_INLINE void bound_lanes(const block_nets& blocks, std::size_t lane,
         const auto rounding = hn::Set(d, difference_rounding * reach);
         return hn::IfThenElseZero(visible, hn::Mul(factor, hn::Add(of.image, rounding)));
     };
+    put(hn::Mul(low_w, hn::Set(d, most_w)), needs.least_w, lane);
     put(image_bound(six, uu), needs.uu, lane);
     put(image_bound(nine, uv), needs.uv, lane);
     put(image_bound(six, vv), needs.vv, lane);
@@ -257,7 +258,8 @@ HWY_ATTR void bound_blocks(const l3d_dice_view& view, lane_bounds& out) {
     for (std::size_t lane = 0; lane < points; lane += hn::Lanes(floats()))
         bound_lanes(blocks, lane, window, static_cast<float>(reach_of(out)),
                     static_cast<float>(view.most_moved()),
-                    static_cast<float>(depth_matters_below(view, true)), out.needs);
+                    static_cast<float>(depth_matters_below(view, true)),
+                    static_cast<float>(out.most_w * (1 - 0x1p-22)), out.needs);
     bound_mixed(view, out);
 }
 
@@ -296,6 +298,7 @@ HWY_ATTR void bound_whole(const l3d_dice_view& view, lane_bounds& out) {
     needs.visible = !box.empty();
     if (!needs.visible)
         return;
+    needs.least_w[0] = out.least_w;
     const double scale = 1 / out.most_w;
     using differences = net_differences;
     const differences of(out.net, scale);

@@ -24,13 +24,43 @@ std::int64_t samples_of(const l3d_step_plan& plan) {
     return columns * rows;
 }
 
+std::int64_t cost_of(const l3d_step_plan& plan, bool whole) {
+    return samples_of(plan) * (whole ? 1 : l3d_clipped_cost);
+}
+
+/// What the coarsest grid of a piece costs, four strips of one step each way, if it is clipped: 25
+/// samples. Kept for each that waits.
+constexpr std::int64_t least_cost = 25 * l3d_clipped_cost;
+
+/// How many times a clipped piece's bounds grow if w of its chords is off by `error` instead of the
+/// near / 2 that they were made for. Where the interpolated w is near, the exact one is at least
+/// w = near - error: errors are divided by it instead of near / 2. The transform's error of w is at
+/// most near / 32, and counts as part of w once more: (1/2 - 1/32) / (1/4 - 1/32) is less than 1.25
+/// times 2. From w = near / 4 on nothing is known.
+double growth_by_depth(double error, double near) {
+    const double w = near - error;
+    if (w >= near / 2)
+        return 1;
+    return w >= near / 4 ? 1.25 * near / (2 * w) : std::numeric_limits<double>::infinity();
+}
+
+/// How far w of the triangles of a piece is off.
+double depth_error(const l3d_image_patch& net, const l3d_step_plan& plan) {
+    const auto strips = static_cast<std::size_t>(plan.strips);
+    const auto least = [&](const auto& steps) {
+        return plan.strips * *std::min_element(steps.begin(), steps.begin() + strips);
+    };
+    return l3d_depth_bounds_of(net).triangle_error(least(plan.nu), least(plan.nv));
+}
+
 } // namespace
 
 template <class T>
 void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& normals,
                               const l3d_dice_view& view, l3d_edge_polylines& edges,
                               l3d_diced_pieces& out, l3d_dice_counts& counts,
-                              l3d_lane_dicer<T>* lanes, const l3d_placed_bends& bends) {
+                              l3d_dice_budget& budget, l3d_lane_dicer<T>* lanes,
+                              const l3d_placed_bends& bends) {
     ++counts.drawn;
     for (const l3d_edge_polyline& edge : edges.outer())
         counts.add_edge(edge.size(), edge.bound());
@@ -38,10 +68,10 @@ void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& 
     piece whole{{net}, {}};
     for (std::size_t side = 0; side < whole.sides.size(); ++side)
         whole.sides[side].edge = side;
-    task of{view, normals, edges, out, counts, bends, l3d_most_samples, lanes};
+    task of{view, normals, edges, out, counts, bends, budget, l3d_most_samples, lanes};
     waiting_.clear();
     take(whole, of);
-    for (std::size_t pieces = 1; !waiting_.empty() && pieces < l3d_most_pieces; ++pieces) {
+    for (std::size_t pieces = 1; may_cut(of) && pieces < l3d_most_pieces; ++pieces) {
         std::pop_heap(waiting_.begin(), waiting_.end());
         const waiting worst = waiting_.back();
         waiting_.pop_back();
@@ -50,8 +80,33 @@ void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& 
             take(half, of);
     }
     of.samples_left = std::min(of.samples_left, most_left_samples);
-    for (std::size_t left = waiting_.size(); left > 0; --left)
-        draw_coarsely(waiting_[left - 1].p, of.samples_left / static_cast<std::int64_t>(left), of);
+    for (std::size_t left = waiting_.size(); left > 0; --left) {
+        const auto shares = static_cast<std::int64_t>(left);
+        draw_coarsely(waiting_[left - 1].p, of.samples_left / shares, budget.left / shares, of);
+    }
+}
+
+/// Whether there is a piece to cut, and its halves and all that wait could still be drawn.
+template <class T> bool l3d_patch_dicer<T>::may_cut(const task& of) const {
+    if (waiting_.empty() || waiting_.front().excess <= 1)
+        return false;
+    const auto count = static_cast<std::int64_t>(waiting_.size());
+    of.budget.is_short = of.budget.left < (count + 1) * least_cost + 2 * l3d_piece_cost;
+    return !of.budget.is_short;
+}
+
+/// Whether a grid of this plan may be drawn at once, so that enough is left for those that wait.
+template <class T>
+bool l3d_patch_dicer<T>::fits(const l3d_step_plan& plan, bool whole, const task& of) const {
+    const std::int64_t kept = static_cast<std::int64_t>(waiting_.size()) * least_cost;
+    return samples_of(plan) <= of.samples_left && cost_of(plan, whole) <= of.budget.left - kept;
+}
+
+/// Puts a piece among those that wait: to be cut if its excess is above 1, else to be drawn last.
+template <class T>
+void l3d_patch_dicer<T>::wait(const piece& p, const l3d_step_plan& plan, double excess) {
+    waiting_.push_back({p, p.depth < deepest ? excess : 0, plan.most_u() >= plan.most_v()});
+    std::push_heap(waiting_.begin(), waiting_.end());
 }
 
 template <class T>
@@ -68,13 +123,12 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of) const -> planne
     const l3d_quad_kind kind = whole ? l3d_quad_kind::whole : l3d_quad_kind::triangles;
     const double budget = of.view.chord_budget(result.vertex_error);
     result.needs = l3d_needs_of(result.nets.net(), result.nets.blocks(), of.view, budget, kind);
-    result.least_w = l3d_depth_range_of(p.net.points).least;
+    const double least_w = l3d_depth_range_of(p.net.points).least;
     result.depth_error =
         result.vertex_error +
-        l3d_depth_vertex_error(of.view, result.nets.error_w(), of.view.drawn_w(result.least_w));
+        l3d_depth_vertex_error(of.view, result.nets.error_w(), of.view.drawn_w(least_w));
     if (of.bends)
-        of.bends.ask(p, of.view, result.least_w, budget, of.view.chord_budget(result.depth_error),
-                     result.needs);
+        of.bends.ask(p, of.view, budget, of.view.chord_budget(result.depth_error), result.needs);
     result.plan = l3d_plan_steps(result.needs, budget, kind);
     result.excess = static_cast<double>(std::max(result.plan.most_u(), result.plan.most_v())) /
                     (whole ? l3d_most_steps_whole : l3d_most_steps_clipped);
@@ -83,18 +137,17 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of) const -> planne
 
 /// Draws a piece, or lets it wait for being cut.
 template <class T> void l3d_patch_dicer<T>::take(const piece& p, task& of) {
+    of.budget.left -= l3d_piece_cost;
     if ((!of.view.keep.outside || p.depth > 0) &&
         l3d_outside(p.net.points, of.view.margin(), of.view.near, of.view.far))
         return drawer_.close_hidden(p, of.out.next());
     if (of.lanes != nullptr && take_in_lanes(p, of))
         return;
     const planned how = plan_of(p, of);
-    if (how.excess <= 1 && samples_of(how.plan) <= of.samples_left)
-        return draw(p, how, of);
-    if (p.depth >= deepest || how.excess <= 1)
-        return draw_coarsely(p, of.samples_left, of);
-    waiting_.push_back({p, how.excess, how.plan.most_u() >= how.plan.most_v()});
-    std::push_heap(waiting_.begin(), waiting_.end());
+    if (how.excess <= 1 && fits(how.plan, how.nets.whole(), of))
+        draw(p, how, of);
+    else
+        wait(p, how.plan, how.excess);
 }
 
 /// Does the same in lanes; false, with nothing done, if it cannot.
@@ -107,25 +160,24 @@ template <class T> bool l3d_patch_dicer<T>::take_in_lanes(const piece& p, task& 
         return false;
     const double excess =
         static_cast<double>(std::max(plan->most_u(), plan->most_v())) / l3d_most_steps_whole;
-    if (excess <= 1 && samples_of(*plan) <= of.samples_left) {
+    if (excess <= 1 && fits(*plan, true, of)) {
         l3d_diced_piece& out = of.out.next();
         of.lanes->fill(p, of.normals, of.view, out);
         drawer_.close(p, out);
-        count(p, out, of.lanes->row_error(), of);
-        count_surface(p, of.lanes->certificate(p, of.view, of.bends), of.lanes->depth_error(), of);
+        count(p, out, of.lanes->row_error(), true, of);
+        count_surface(p, of.lanes->certificate(p, of.view, of.bends, out.part.grid),
+                      of.lanes->depth_error(), of);
         ++of.counts.in_lanes;
         return true;
     }
-    if (p.depth >= deepest || excess <= 1)
-        return false;
-    waiting_.push_back({p, excess, plan->most_u() >= plan->most_v()});
-    std::push_heap(waiting_.begin(), waiting_.end());
+    wait(p, *plan, excess);
     return true;
 }
 
 /// With fewer steps than the tolerance asks for.
 template <class T>
-void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, task& of) {
+void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, std::int64_t cost,
+                                       task& of) {
     planned how = plan_of(p, of);
     const bool whole = how.nets.whole();
     double ratio = 1;
@@ -140,18 +192,22 @@ void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, tas
                               static_cast<double>(wanted.nv[i]) / how.plan.nv[i]});
         }
         most /= 2;
-    } while (most > 0 && samples_of(how.plan) > samples);
+    } while (most > 0 && (samples_of(how.plan) > samples || cost_of(how.plan, whole) > cost));
     // Errors of what is not balanced fall with the square of the steps, at the least; so does that
     // of w, with which errors of vertices are seen larger: 1.25 ratio^2 is more than the
-    // 1 + ratio^2 / 8 + 1 / 8 that it comes to. What crosses the near plane may be anywhere if its
-    // depth is off.
+    // 1 + ratio^2 / 8 + 1 / 8 that it comes to.
     if (ratio > 1) {
         if (how.plan.balanced)
             how.plan.chord_error /= 8 * l3d_balance;
         how.plan.balanced = false;
-        how.plan.chord_error *= whole ? ratio * ratio : std::numeric_limits<double>::infinity();
-        how.vertex_error *= ratio * ratio;
-        how.row_error *= ratio * ratio;
+        const double growth =
+            whole ? ratio * ratio : growth_by_depth(depth_error(p.net, how.plan), of.view.near);
+        how.plan.chord_error *= whole ? growth : ratio * ratio * growth;
+        how.vertex_error *= growth;
+        how.row_error *= growth;
+        how.depth_error *= growth;
+        how.depth_growth = whole ? 1 : growth;
+        of.budget.is_short = true;
     }
     draw(p, how, of);
 }
@@ -160,10 +216,15 @@ template <class T> void l3d_patch_dicer<T>::draw(const piece& p, const planned& 
     l3d_diced_piece& out = of.out.next();
     drawer_.draw(p, how.nets, how.plan, out);
     out.bound = how.plan.visible ? how.plan.chord_error + how.vertex_error : 0;
-    count(p, out, how.row_error, of);
+    count(p, out, how.row_error, how.nets.whole(), of);
     l3d_surface_certificate proven =
-        of.bends.certificate(p, of.view, how.least_w, how.needs, how.plan, !how.nets.whole());
-    proven.depth += how.depth_error;
+        of.bends.certificate(p, of.view, how.needs, how.plan, !how.nets.whole());
+    proven.depth = proven.depth * how.depth_growth + how.depth_error;
+    if (of.bends && !proven.is_whole)
+        proven.depth += how.nets.whole() ? l3d_most_off_plane(out.part.grid, of.view)
+                                         : std::numeric_limits<double>::infinity();
+    if (std::isinf(how.depth_growth))
+        proven.depth = proven.shade = how.depth_growth;
     count_surface(p, proven, how.depth_error, of);
     of.counts.clipped += !how.nets.whole();
 }
@@ -181,7 +242,7 @@ void l3d_patch_dicer<T>::count_surface(const piece& p, const l3d_surface_certifi
 /// A piece that was drawn, vertices of the slits along its sides being off by row_error.
 template <class T>
 void l3d_patch_dicer<T>::count(const piece& p, const l3d_diced_piece& out, double row_error,
-                               task& of) const {
+                               bool whole, task& of) const {
     double side_error = 0;
     for (const l3d_piece_side& side : p.sides)
         side_error = std::max(side_error, of.edges[side.edge].chord_error());
@@ -191,6 +252,7 @@ void l3d_patch_dicer<T>::count(const piece& p, const l3d_diced_piece& out, doubl
     const auto samples = static_cast<std::int64_t>(out.u.size() * out.v.size());
     of.counts.samples += samples;
     of.samples_left = std::max(std::int64_t{0}, of.samples_left - samples);
+    of.budget.left -= samples * (whole ? 1 : l3d_clipped_cost);
 }
 
 template class l3d_patch_dicer<float>;

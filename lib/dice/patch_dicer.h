@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 /// Pieces of a patch at most: 2047 cuts, of which what lies outside the picture takes a part.
@@ -24,6 +25,20 @@ inline constexpr std::size_t l3d_most_pieces = 2048;
 /// that fills 16384 x 16384 pixels and bends by all of their width needs 2300^2 = 5 million at the
 /// finest tolerance. Some 2 seconds and 700 MB.
 inline constexpr std::int64_t l3d_most_samples = std::int64_t{1} << 23;
+
+/// What a patch may cost, and whether it could have used more.
+///
+/// Units: samples that are walked. One that is clipped costs l3d_clipped_cost of them, and to look
+/// at
+///        a piece l3d_piece_cost more.
+struct l3d_dice_budget {
+    std::int64_t left = std::numeric_limits<std::int64_t>::max() / 2;
+    bool is_short = false; ///< with more, the bound would be smaller
+};
+
+/// A walked sample takes some 20 ns, all in all, one that is evaluated, clipped and filled as two
+/// triangles 0.3 us, and the plan of a piece 5 us: measured on spikes through the near plane.
+inline constexpr std::int64_t l3d_clipped_cost = 16, l3d_piece_cost = 256;
 
 /// Dices patches given as homogeneous image nets.
 ///
@@ -36,6 +51,9 @@ inline constexpr std::int64_t l3d_most_samples = std::int64_t{1} << 23;
 /// so pieces of any steps and any depth of cutting meet without a gap, and every vertex is an
 /// exact surface point of known parameters, which is what makes the bound certain.
 ///
+/// What a patch may cost is limited, too: pieces are cut as long as enough is left for drawing all
+/// that wait, and these then get equal shares of what is left.
+///
 /// Cost: no allocation of its own once the patch with the most pieces has been seen. At most
 ///       l3d_most_pieces grids and l3d_most_samples vertices a patch.
 template <class T> class l3d_patch_dicer {
@@ -46,7 +64,15 @@ public:
     ///          tolerance > 0, near > 0. With `lanes`, these dice all pieces that they can.
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_edge_polylines& edges, l3d_diced_pieces& out, l3d_dice_counts& counts,
-              l3d_lane_dicer<T>* lanes = nullptr, const l3d_placed_bends& bends = {});
+              l3d_dice_budget& budget, l3d_lane_dicer<T>* lanes = nullptr,
+              const l3d_placed_bends& bends = {});
+
+    /// The same, however much it costs.
+    void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
+              l3d_edge_polylines& edges, l3d_diced_pieces& out, l3d_dice_counts& counts) {
+        l3d_dice_budget enough;
+        dice(net, normals, view, edges, out, counts, enough);
+    }
 
     /// From now on, pieces that are no larger than any `other` has had allocate nothing.
     void reserve_as(const l3d_patch_dicer& other) {
@@ -64,7 +90,8 @@ private:
         l3d_piece_nets<T> nets;
         l3d_step_plan plan;
         l3d_block_needs needs;
-        double vertex_error = 0, row_error = 0, depth_error = 0, least_w = 0, excess = 0;
+        double vertex_error = 0, row_error = 0, depth_error = 0, excess = 0;
+        double depth_growth = 1; ///< of what is divided by w, as w of its chords is off
     };
 
     /// A piece that is still too coarse.
@@ -84,17 +111,22 @@ private:
         l3d_diced_pieces& out;
         l3d_dice_counts& counts;
         const l3d_placed_bends& bends;
+        l3d_dice_budget& budget;
         std::int64_t samples_left = 0;
         l3d_lane_dicer<T>* lanes = nullptr;
     };
 
     planned plan_of(const piece& p, const task& of) const;
+    bool fits(const l3d_step_plan& plan, bool whole, const task& of) const;
+    bool may_cut(const task& of) const;
+    void wait(const piece& p, const l3d_step_plan& plan, double excess);
     void take(const piece& p, task& of);
     bool take_in_lanes(const piece& p, task& of);
-    void count(const piece& p, const l3d_diced_piece& out, double row_error, task& of) const;
+    void count(const piece& p, const l3d_diced_piece& out, double row_error, bool whole,
+               task& of) const;
     void count_surface(const piece& p, const l3d_surface_certificate& proven, double depth_error,
                        task& of) const;
-    void draw_coarsely(const piece& p, std::int64_t samples, task& of);
+    void draw_coarsely(const piece& p, std::int64_t samples, std::int64_t cost, task& of);
     void draw(const piece& p, const planned& how, task& of);
 
     std::vector<waiting> waiting_; ///< a heap: the least fine on top

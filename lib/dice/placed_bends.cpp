@@ -20,14 +20,18 @@ constexpr double rounded_level = 0.5 + 0.01;
 /// of w in them: the rasterizer measures these.
 constexpr double left_to_shapes = 0.25;
 
-/// Third derivatives change what balanced chords err by by h^3 of the third derivative times
-/// l3d_balance at most, and mixed fourth ones by h_u^2 h_v^2 of those times this: 1/64 of chords, 2
-/// l3d_balance / 8 of moved chords, l3d_balance^2 of both moved.
+/// A chord of step h is off, along the normal at its own parameter, by what second derivatives
+/// there say and by h^3 of the third ones times this at most, the largest value of s (1 - s) ((1 -
+/// 2 s) / 6 + l3d_balance): one end of it is moved, or both, or none.
+constexpr double of_moved_thirds = 0.0322;
+
+/// Mixed fourth derivatives count with h_u^2 h_v^2 times this: 1/64 of chords, 2 l3d_balance / 8 of
+/// moved chords, l3d_balance^2 of both moved.
 constexpr double of_fourths = 1.0 / 64 + l3d_balance / 4 + l3d_balance * l3d_balance;
 
 /// Asked for above what second derivatives say, for the third ones in the middle of a plan.
 double with_thirds(double second, double third, double steps) {
-    return second + third / steps;
+    return second + of_moved_thirds / l3d_balance * third / steps;
 }
 
 bool is_seen(const l3d_block_needs& needs, std::size_t i) {
@@ -40,6 +44,26 @@ double levels_off_linear(const l3d_bend_numbers<double>& b, double h_u, double h
 }
 
 } // namespace
+
+/// Where there is no normal, all that bends may bend along it; what corners are off a plane by is
+/// measured when they are there (l3d_most_off_plane).
+void l3d_placed_bends::set_by_size(const l3d_net_piece& piece, int strips, numbers& of) const {
+    const auto& p = piece.net.points;
+    // The net is scaled: x and y by the focal length and what w is scaled by, w by that alone.
+    const double unit = 1 / w_per_length_;
+    const auto size = [&](const l3d_image_point& d) {
+        return unit * std::hypot(d[0] / focal_, d[1] / focal_, d[2]);
+    };
+    const double per_uu = 1.0 / (strips * strips);
+    of = numbers{{}, of.steps_u, of.steps_v};
+    of.n_uuu = std::numeric_limits<double>::infinity();
+    for (std::size_t line = 0; line < 4; ++line)
+        for (std::size_t i = 0; i < 2; ++i) {
+            const std::size_t u = 4 * line + i, v = 4 * i + line;
+            of.uu = std::max(of.uu, 6 * per_uu * size(p[u] - p[u + 1] * 2.0 + p[u + 2]));
+            of.vv = std::max(of.vv, 6 * per_uu * size(p[v] - p[v + 4] * 2.0 + p[v + 8]));
+        }
+}
 
 /// A block of a piece lies in one of the patch's blocks, or is made of several: the piece is a part
 /// of the patch by halves.
@@ -84,20 +108,20 @@ auto l3d_placed_bends::of_block(const l3d_net_piece& piece, int strips, std::siz
     for (std::size_t r = rows[0]; r <= rows[1]; ++r)
         for (std::size_t c = columns[0]; c <= columns[1]; ++c)
             take(across * r + c, across * size_u, across * size_v);
+    if (!std::isfinite(result.uu + result.uv + result.vv + result.uuu + result.vvv))
+        set_by_size(piece, strips, result);
     return result;
 }
 
-void l3d_placed_bends::ask(const l3d_net_piece& piece, const l3d_dice_view& view, double least_w,
-                           double budget, double depth_budget, l3d_block_needs& needs) const {
-    const double to_pixels = view.focal * w_per_length_ / view.drawn_w(least_w);
-    // As the planner sees it, budgets of depth are those of places.
-    const double per_budget = to_pixels * budget / depth_budget;
+void l3d_placed_bends::ask(const l3d_net_piece& piece, const l3d_dice_view& view, double budget,
+                           double depth_budget, l3d_block_needs& needs) const {
+    const double to_w = view.focal * w_per_length_;
     const double levels =
         std::max(view.shade_tolerance - rounded_level - left_to_shapes, view.shade_tolerance / 4);
     const double more_steps = std::cbrt(1 / levels);
     const auto strips = static_cast<std::size_t>(needs.strips);
     // Fewest steps come from sides of at most l3d_largest_quad pixels.
-    constexpr double finest_quad = 2;
+    constexpr double finest_quad = 4;
     constexpr double most_steps = l3d_largest_quad / finest_quad;
     for (std::size_t row = 0; row < strips; ++row)
         for (std::size_t column = 0; column < strips; ++column) {
@@ -105,6 +129,8 @@ void l3d_placed_bends::ask(const l3d_net_piece& piece, const l3d_dice_view& view
             if (!is_seen(needs, i))
                 continue;
             const numbers b = of_block(piece, needs.strips, column, row);
+            // As the planner sees it, budgets of depth are those of places.
+            const double per_budget = to_w / needs.least_w[i] * (budget / depth_budget);
             const auto steps_of = [&](double second) {
                 return std::max(1.0, std::sqrt(second / (4 * budget)));
             };
@@ -127,27 +153,28 @@ void l3d_placed_bends::ask(const l3d_net_piece& piece, const l3d_dice_view& view
 }
 
 l3d_surface_certificate l3d_placed_bends::certificate(const l3d_net_piece& piece,
-                                                      const l3d_dice_view& view, double least_w,
+                                                      const l3d_dice_view& view,
                                                       const l3d_block_needs& needs,
                                                       const l3d_step_plan& plan,
                                                       bool clipped) const {
     constexpr double nothing = std::numeric_limits<double>::infinity();
     if (!*this)
         return {nothing, nothing};
-    const double to_pixels = view.focal * w_per_length_ / view.drawn_w(least_w);
     const auto strips = static_cast<std::size_t>(needs.strips);
     l3d_surface_certificate result;
     for (std::size_t row = 0; row < strips; ++row)
         for (std::size_t column = 0; column < strips; ++column) {
-            if (!is_seen(needs, strips * row + column))
+            const std::size_t i = strips * row + column;
+            if (!is_seen(needs, i))
                 continue;
+            const double to_pixels = view.focal * w_per_length_ / needs.least_w[i];
             const numbers b = of_block(piece, needs.strips, column, row);
             const double h_u = 1.0 / plan.nu[column], h_v = 1.0 / plan.nv[row];
             const auto bent = [&](double h, double second, double third, bool at_side) {
                 // Slits at the piece's sides lie between chords that are not balanced.
                 const bool balanced = plan.balanced && h < 1 && !at_side;
                 return h * h *
-                       ((balanced ? l3d_balance : 1.0 / 8) * second + l3d_balance * h * third);
+                       ((balanced ? l3d_balance : 1.0 / 8) * second + of_moved_thirds * h * third);
             };
             const bool side_row = row == 0 || row + 1 == strips;
             const bool side_column = column == 0 || column + 1 == strips;
@@ -161,8 +188,35 @@ l3d_surface_certificate l3d_placed_bends::certificate(const l3d_net_piece& piece
             result.depth = std::max({result.depth, to_pixels * quad, to_pixels * slit});
             const double off =
                 clipped ? levels_off_linear(b, h_u, h_v) : l3d_levels_off(b, h_u, h_v);
-            result.shade = std::max(result.shade, off < 2 * per_cosine ? off : 2 * per_cosine);
+            if (off + rounded_level + left_to_shapes <= view.shade_tolerance)
+                result.shade = std::max(result.shade, off);
+            else
+                result.unshaded_quads += std::int64_t{plan.nu[column]} * plan.nv[row];
+            result.is_whole = result.is_whole && std::isfinite(b.n_uuu);
         }
     result.shade = result.shade + rounded_level;
     return result;
+}
+
+double l3d_most_off_plane(const l3d_micro_grid& grid, const l3d_dice_view& view) {
+    using vector = l3d_vector<double, 3>;
+    double most = 0;
+    const auto place = [&](std::size_t i) {
+        const double w = 1 / double{grid.inv_w[i]}, pixel = w / (l3d_subpixel_one * view.focal);
+        return vector{(grid.x[i] - view.centre_x()) * pixel, (grid.y[i] - view.centre_y()) * pixel,
+                      w};
+    };
+    for (int row = 0; row + 1 < grid.rows; ++row)
+        for (int column = 0; column + 1 < grid.columns; ++column) {
+            const std::size_t a = grid.index(row, column), d = grid.index(row + 1, column);
+            const vector p[4] = {place(a), place(a + 1), place(d + 1), place(d)};
+            const vector normal = l3d_cross(p[2] - p[0], p[3] - p[1]);
+            const double length = l3d_length(normal);
+            const vector twist = p[0] - p[1] + p[2] - p[3];
+            const double off =
+                length > 0 ? std::abs(l3d_dot(normal, twist)) / length : l3d_length(twist);
+            const double nearest = std::min({p[0][2], p[1][2], p[2][2], p[3][2]});
+            most = std::max(most, view.focal * off / (4 * nearest));
+        }
+    return most;
 }

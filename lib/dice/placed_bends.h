@@ -21,10 +21,11 @@ public:
     /// Asks for nothing, and proves nothing.
     l3d_placed_bends() = default;
 
-    /// Units: w_per_length: what multiplies a length of the model to make scaled w of it.
+    /// Units: w_per_length: what multiplies a length of the model to make scaled w of it; focal as
+    ///        l3d_dice_view has it.
     /// Expects: the bends are those of the placed patch, but for the scale.
-    l3d_placed_bends(const l3d_surface_bends& bends, double w_per_length)
-        : bends_(&bends), w_per_length_(w_per_length) {}
+    l3d_placed_bends(const l3d_surface_bends& bends, double w_per_length, double focal)
+        : bends_(&bends), w_per_length_(w_per_length), focal_(focal) {}
 
     explicit operator bool() const { return bends_ != nullptr; }
 
@@ -32,14 +33,14 @@ public:
     /// that the shade keeps the view's tolerance unless quads would be smaller than two pixels.
     ///
     /// Expects: needs of the piece's blocks, of places alone; budgets in pixels.
-    void ask(const l3d_net_piece& piece, const l3d_dice_view& view, double least_w, double budget,
+    void ask(const l3d_net_piece& piece, const l3d_dice_view& view, double budget,
              double depth_budget, l3d_block_needs& needs) const;
 
     /// What the steps chosen leave. Levels of clipped pieces are linear over triangles.
     /// Expects: as above.
     l3d_surface_certificate certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
-                                        double least_w, const l3d_block_needs& needs,
-                                        const l3d_step_plan& plan, bool clipped) const;
+                                        const l3d_block_needs& needs, const l3d_step_plan& plan,
+                                        bool clipped) const;
 
 private:
     struct numbers : l3d_bend_numbers<double> {
@@ -47,9 +48,14 @@ private:
     };
     numbers of_block(const l3d_net_piece& piece, int strips, std::size_t column,
                      std::size_t row) const;
+    void set_by_size(const l3d_net_piece& piece, int strips, numbers& of) const;
 
     const l3d_surface_bends* bends_ = nullptr;
-    double w_per_length_ = 0;
+    double w_per_length_ = 0, focal_ = 0;
 };
+
+/// How far corners of a grid's quads are from the plane that stands for each, at most. Units:
+/// pixels at their depth. Expects: view.focal > 0.
+double l3d_most_off_plane(const l3d_micro_grid& grid, const l3d_dice_view& view);
 
 #endif

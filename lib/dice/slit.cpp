@@ -11,20 +11,38 @@
 
 namespace {
 
-/// Whether numbers of 1/256 pixels have no pixel's centre, 256 k + 128, between them.
-bool hold_no_centre(std::int32_t a, std::int32_t b, std::int32_t c) {
-    constexpr std::int32_t half = l3d_subpixel_one / 2;
-    const std::int32_t first = (std::min({a, b, c}) + half - 1) >> l3d_subpixel_bits;
-    const std::int32_t last = (std::max({a, b, c}) - half) >> l3d_subpixel_bits;
-    return last < first;
+/// The first and the last pixel whose centre, 256 k + 128, lies between numbers of 1/256 pixels.
+struct centres_between {
+    centres_between(std::int32_t a, std::int32_t b, std::int32_t c)
+        : first((std::min({a, b, c}) + half - 1) >> l3d_subpixel_bits),
+          last((std::max({a, b, c}) - half) >> l3d_subpixel_bits) {}
+
+    bool none() const { return last < first; }
+    bool one() const { return last == first; }
+    std::int32_t centre() const { return (first << l3d_subpixel_bits) + half; }
+
+    static constexpr std::int32_t half = l3d_subpixel_one / 2;
+    std::int32_t first, last;
+};
+
+/// Twice the signed area of p, q and (x, y).
+std::int64_t turn(const l3d_micro_vertex& p, const l3d_micro_vertex& q, std::int32_t x,
+                  std::int32_t y) {
+    return std::int64_t{q.x - p.x} * (y - p.y) - std::int64_t{q.y - p.y} * (x - p.x);
 }
 
-/// Whether a triangle covers nothing: its box holds no pixel's centre, or its corners lie on one
-/// line. Most triangles of slits are so.
+/// Whether a triangle covers nothing: its box holds no pixel's centre, or a single one that lies
+/// beyond one side, or its corners lie on one line. Nearly all triangles of slits are so.
 bool covers_nothing(const l3d_micro_vertex& p, const l3d_micro_vertex& q,
                     const l3d_micro_vertex& r) {
-    return hold_no_centre(p.x, q.x, r.x) || hold_no_centre(p.y, q.y, r.y) ||
-           std::int64_t{q.x - p.x} * (r.y - p.y) == std::int64_t{q.y - p.y} * (r.x - p.x);
+    const centres_between along_x(p.x, q.x, r.x), along_y(p.y, q.y, r.y);
+    if (along_x.none() || along_y.none())
+        return true;
+    if (!along_x.one() || !along_y.one())
+        return turn(p, q, r.x, r.y) == 0;
+    const std::int32_t x = along_x.centre(), y = along_y.centre();
+    const std::int64_t a = turn(p, q, x, y), b = turn(q, r, x, y), c = turn(r, p, x, y);
+    return a + b + c == 0 || (std::min({a, b, c}) < 0 && std::max({a, b, c}) > 0);
 }
 
 void add(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c,
@@ -117,6 +135,7 @@ private:
     }
 
     /// Between which vertices of the row a parameter lies, and how far from the first to the next.
+    /// One beyond an end, as of a point of the edge beside a row that begins after it, is there.
     struct place {
         std::size_t before, after;
         float part;
@@ -124,7 +143,7 @@ private:
     place place_of(double parameter) const {
         const auto next =
             std::upper_bound(parameters_.begin() + 1, parameters_.end() - 1, parameter);
-        const double part = (parameter - next[-1]) / (*next - next[-1]);
+        const double part = std::clamp((parameter - next[-1]) / (*next - next[-1]), 0.0, 1.0);
         const auto i = static_cast<std::size_t>(next - parameters_.begin());
         return {first_ + (i - 1) * step_, first_ + i * step_, static_cast<float>(part)};
     }

@@ -39,6 +39,7 @@ void add_need(l3d_block_needs& needs, std::size_t i, const l3d_image_patch& bloc
         return;
     needs.visible = true;
     const l3d_second_bounds image = l3d_second_bounds_of(block, box, view.drawn_w(least));
+    needs.least_w[i] = view.drawn_w(least);
     needs.uu[i] = image.uu;
     needs.uv[i] = image.uv;
     needs.vv[i] = image.vv;

@@ -31,6 +31,7 @@ struct l3d_block_needs {
     bool keeps_depth = false;                     ///< whether any depth is not zero
     per_block uu{}, uv{}, vv{};                   ///< l3d_second_bounds of the image, in pixels
     per_block depth_uu{}, depth_uv{}, depth_vv{}; ///< those of w, in depth budgets
+    per_block least_w{}; ///< where a block is visible: no drawn point's exact w is less
 
     /// Whether vertices inside strips are balanced (l3d_balance): in sixteen blocks, drawn whole.
     bool balanced = false;

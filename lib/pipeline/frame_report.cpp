@@ -35,6 +35,16 @@ l3d_detail::json number_or_null(double value) {
     return std::isfinite(value) ? l3d_detail::json(value) : l3d_detail::json(nullptr);
 }
 
+/// Patches are counted from 0, in the order of the scene and of its models.
+l3d_detail::json over_tolerance_of(const l3d_dice_counts& dice) {
+    l3d_detail::json result{{"patches", dice.coarse}, {"for_budget", dice.unfinished}};
+    if (dice.coarse > 0)
+        result["worst"] = {{"instance", dice.coarsest.instance},
+                           {"patch", dice.coarsest.patch},
+                           {"bound_px", number_or_null(dice.coarsest.bound_px)}};
+    return result;
+}
+
 } // namespace
 
 std::string l3d_frame_report::json() const {
@@ -57,11 +67,13 @@ std::string l3d_frame_report::json() const {
                    {"back_quads", dice.back_quads},
                    {"pieces", dice.pieces},
                    {"clipped", dice.clipped}}},
+                 {"over_tolerance", over_tolerance_of(dice)},
                  {"samples", dice.samples},
                  {"failures", dice.failures},
                  {"quads", surface.quads},
                  {"shaded_by_plane", surface.by_plane},
                  {"shade_error_bound", number_or_null(dice.shade_bound)},
+                 {"shade_unproven_quads", dice.unshaded_quads},
                  {"pixels_kept", pixels_kept},
                  {"outline_pixels",
                   has_outlines ? l3d_detail::json(outline_pixels) : l3d_detail::json(nullptr)},
@@ -97,6 +109,14 @@ std::string l3d_frame_report::explanation() const {
     std::string text = parts;
     if (whole_patches || parts.empty())
         text = l3d_detail::explained(reasons, patches, "patches") + parts;
+    if (dice.coarse > 0)
+        text += std::to_string(dice.coarse) + " patches exceed the tolerance, the worst, number " +
+                std::to_string(dice.coarsest.patch) + " of instance " +
+                std::to_string(dice.coarsest.instance) + ", by a bound of " +
+                std::to_string(dice.coarsest.bound_px) + " px\n";
+    if (dice.unfinished > 0)
+        text += std::to_string(dice.unfinished) +
+                " of these would be finer if the frame might cost more: --most-samples\n";
     if (pixels_kept > 0)
         text += "kept " + std::to_string(pixels_kept) + " of " +
                 std::to_string(l3d_whole(size).area()) +

@@ -21,6 +21,10 @@ public:
     l3d_method_afd(const l3d_rasterizer_factory& rasterizers, l3d_workers& workers);
 
 private:
+    bool do_certifies_depth() const override { return true; }
+    bool do_certifies_shade(const l3d_shading& shading) const override {
+        return shading.mode == l3d_shade::lambert && surface_->takes_levels();
+    }
     bool do_draws_parts() const override { return surface_->draws_parts(); }
     void do_draw(const l3d_method_frame& frame, l3d_stage_times& times) override;
     const l3d_dice_counts& do_counts() const override { return counts_; }

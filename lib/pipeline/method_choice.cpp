@@ -28,27 +28,35 @@ namespace {
 struct method_row {
     const char* name;
     l3d_method method;
-    bool has_bound;
+    bool has_bound, keeps_tolerance;
     int usual = 0, least = 0, most = 0;
 };
 
 /// 1024 x 1024 quads of fd are 2^20 for each patch; of 1024 cells along each axis a teapot fills 4
 /// million in 600 MB of bricks.
 constexpr std::array<method_row, 9> rows{{
-    {"afd", l3d_method::afd, true},
-    {"fd", l3d_method::fd, true, 0, 1, 1024},
-    {"isocurves", l3d_method::isocurves, false},
-    {"subdivision", l3d_method::subdivision, true},
-    {"tessellation", l3d_method::tessellation, true, 16, 1, l3d_most_facets},
-    {"micropolygons", l3d_method::micropolygons, true},
-    {"scanline", l3d_method::scanline, false},
-    {"voxels", l3d_method::voxels, false, 256, 8, 1024},
-    {"mesa", l3d_method::mesa, false},
+    {"afd", l3d_method::afd, true, true},
+    {"fd", l3d_method::fd, true, true, 0, 1, 1024},
+    {"isocurves", l3d_method::isocurves, false, false},
+    {"subdivision", l3d_method::subdivision, true, true},
+    {"tessellation", l3d_method::tessellation, true, false, 16, 1, l3d_most_facets},
+    {"micropolygons", l3d_method::micropolygons, true, false},
+    {"scanline", l3d_method::scanline, false, true},
+    {"voxels", l3d_method::voxels, false, false, 256, 8, 1024},
+    {"mesa", l3d_method::mesa, false, true},
 }};
 
 const method_row& row_of(l3d_method method) {
     return *std::find_if(rows.begin(), rows.end(),
                          [&](const method_row& row) { return row.method == method; });
+}
+
+template <class Chosen> std::string names_of(const Chosen& chosen) {
+    std::string names;
+    for (const method_row& row : rows)
+        if (chosen(row))
+            names += (names.empty() ? "" : ", ") + std::string(row.name);
+    return names;
 }
 
 std::unique_ptr<l3d_surface_method> create_afd(l3d_arithmetic arithmetic,
@@ -118,11 +126,15 @@ bool l3d_method_choice::has_bound() const {
 }
 
 std::string l3d_method_choice::names_with_bound() {
-    std::string names;
-    for (const method_row& row : rows)
-        if (row.has_bound)
-            names += (names.empty() ? "" : ", ") + std::string(row.name);
-    return names;
+    return names_of([](const method_row& row) { return row.has_bound; });
+}
+
+bool l3d_method_choice::keeps_tolerance() const {
+    return row_of(method).keeps_tolerance && !(method == l3d_method::fd && resolution > 0);
+}
+
+std::string l3d_method_choice::names_with_tolerance() {
+    return names_of([](const method_row& row) { return row.keeps_tolerance; });
 }
 
 std::unique_ptr<l3d_surface_method> l3d_create_method(const l3d_method_choice& choice,

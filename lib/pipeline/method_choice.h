@@ -48,6 +48,13 @@ struct l3d_method_choice {
 
     /// Names of the methods that have one, separated by ", ".
     static std::string names_with_bound();
+
+    /// Whether the settings' tolerance says anything to it. Else it has steps of its own, or those
+    /// that it is told.
+    bool keeps_tolerance() const;
+
+    /// Names of the methods to which it does, separated by ", ".
+    static std::string names_with_tolerance();
 };
 
 /// Never null.

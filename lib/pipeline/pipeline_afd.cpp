@@ -42,9 +42,14 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
                " is not within 1x1 and 16384x16384";
     if (!(settings.tolerance > 0 && settings.tolerance <= l3d_afd_largest_side))
         return "tolerance: " + std::to_string(settings.tolerance) + " px is not within 0 and 16384";
+    if (!(settings.shade_tolerance > 0 && settings.shade_tolerance <= 255))
+        return "shade tolerance: " + std::to_string(settings.shade_tolerance) +
+               " levels is not within 0 and 255";
     const double length = l3d_length(settings.light);
     if (!(length > 0 && length <= largest))
         return "light: no direction";
+    if (settings.most_samples < 0)
+        return "most samples: " + std::to_string(settings.most_samples) + " is negative";
     if (settings.threads < 1)
         return "threads: " + std::to_string(settings.threads) + " is not positive";
     if (settings.shade == l3d_shade::error && !settings.method.has_bound())
@@ -89,6 +94,11 @@ void l3d_pipeline_afd::draw_event() {
         draw_wireframe();
     else
         fill_surfaces(now, parts, times);
+    // A part may have had more of the budget than it has in a whole frame, and the rest less.
+    if (report_.pixels_kept > 0 && report_.dice.unfinished > 0 && !changed_.empty()) {
+        changed_ = l3d_whole(view_.size);
+        fill_surfaces(now, l3d_pixel_boxes(changed_), times);
+    }
 
     const stopwatch overlaying;
     if (stale_ || !changed_.empty())
@@ -118,8 +128,12 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     const l3d_pixels target = screen_->pixels();
     transform_ = l3d_image_transform(camera_, target.size(), scene_);
     view_ = transform_.view(settings_.tolerance);
+    view_.shade_tolerance = settings_.shade_tolerance;
+    if (settings_.lateral_only)
+        view_.focal = 0;
     view_.keep = settings_.keep;
     view_.one_sided = settings_.one_sided;
+    view_.most_samples = settings_.most_samples;
     l3d_shading shading =
         l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
     shading.keep_unit_normals = settings_.keep.unit_normals;
@@ -141,7 +155,7 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
         return whole;
     if (!scene_.is_changed())
         return {};
-    if (settings_.depth || !method_->draws_parts())
+    if (settings_.depth || !method_->draws_parts() || report_.dice.unfinished > 0)
         return whole;
     return parts_that_moved(whole.area() / 4 * 3);
 }
@@ -165,7 +179,13 @@ void l3d_pipeline_afd::keep_picture() {
     l3d_dice_counts counts;
     counts.unchanged = scene_.patch_count();
     counts.bound_px = report_.dice.bound_px;
+    counts.depth_bound_px = report_.dice.depth_bound_px;
+    counts.shade_bound = report_.dice.shade_bound;
+    counts.unshaded_quads = report_.dice.unshaded_quads;
     counts.near = report_.dice.near;
+    counts.coarse = report_.dice.coarse;
+    counts.unfinished = report_.dice.unfinished;
+    counts.coarsest = report_.dice.coarsest;
     report_.dice = counts;
     report_.surface = {};
     report_.pixels_kept = l3d_whole(view_.size).area();
@@ -176,7 +196,7 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     if (settings_.depth)
         depth_.resize(view_.size);
     report_.pixels_kept = l3d_whole(view_.size).area() - parts.area();
-    const double kept_bound = report_.pixels_kept > 0 ? report_.dice.bound_px : 0;
+    const l3d_dice_counts kept = report_.pixels_kept > 0 ? report_.dice : l3d_dice_counts();
     report_.dice = {};
     report_.surface = {};
     for (const l3d_pixel_box& part : parts.boxes()) {
@@ -199,11 +219,34 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     const l3d_outline_mask* const outlines = method_->outlines();
     report_.outline_pixels = outlines ? outlines->count() : l3d_surface_counts::none_counted;
     untouched_ = true;
-    report_.dice.bound_px = std::max(report_.dice.bound_px, kept_bound);
+    if (!method_->certifies_depth() || view_.focal == 0)
+        report_.dice.depth_bound_px = std::numeric_limits<double>::infinity();
+    if (method_->certifies_shade(now.shading) && view_.focal > 0)
+        report_.dice.shade_bound += report_.surface.level_error;
+    else
+        report_.dice.shade_bound = std::numeric_limits<double>::infinity();
+    keep_bounds(kept);
     // Each part had all patches before it. Those that reach into several are counted in each.
     const auto more = static_cast<std::int64_t>(parts.boxes().size()) - 1;
     report_.dice.unchanged =
         std::max(std::int64_t{0}, report_.dice.unchanged - more * scene_.patch_count());
+}
+
+/// What is said of the pixels that were kept. A whole frame might have diced more: what is hidden,
+/// but not by what was drawn before it, or just beside the parts. Of such, all that is known is
+/// that steps are chosen to keep the tolerance.
+void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
+    l3d_dice_counts& now = report_.dice;
+    if (report_.pixels_kept > 0) {
+        now.bound_px = std::max({now.bound_px, kept.bound_px, settings_.tolerance});
+        now.depth_bound_px =
+            std::max({now.depth_bound_px, kept.depth_bound_px, settings_.tolerance});
+        now.shade_bound = std::max({now.shade_bound, kept.shade_bound, settings_.shade_tolerance});
+        now.unshaded_quads += kept.unshaded_quads;
+    }
+    now.near = std::max(now.near, kept.near);
+    now.coarse = std::max(now.coarse, kept.coarse);
+    now.coarsest = std::max(now.coarsest, kept.coarsest);
 }
 
 void l3d_pipeline_afd::draw_on_top() {

@@ -34,16 +34,21 @@ struct l3d_kept_work : l3d_kept_patches {
 
 /// How a scene is to be drawn.
 struct l3d_afd_settings {
-    double tolerance = 0.25;                     ///< largest image error allowed, in pixels
+    double tolerance = 0.25;    ///< largest error of places and of depth allowed, in pixels
+    double shade_tolerance = 2; ///< largest error of shades allowed, in levels of 255
+    bool lateral_only = false;  ///< only places in the picture are kept within the tolerance
     l3d_shade shade = l3d_shade::lambert;        ///< of the filled surface
     l3d_vector<double, 3> light{0.4, 0.8, 0.45}; ///< towards the light, world space, any length
-    bool wireframe = false;     ///< the lines of the adaptive grid instead of the filled surface
-    bool net = false;           ///< the control nets on top
-    l3d_kept_work keep{};       ///< although it could be left out
-    bool one_sided = false;     ///< leave out what turns its back, dS/du x dS/dv away from the eye
-                                ///< before it is placed: a mirrored model shows the same side
-    bool depth = false;         ///< keep the distance of each pixel, for depth()
-    bool count_pixels = false;  ///< report how many are covered
+    bool wireframe = false;    ///< the lines of the adaptive grid instead of the filled surface
+    bool net = false;          ///< the control nets on top
+    l3d_kept_work keep{};      ///< although it could be left out
+    bool one_sided = false;    ///< leave out what turns its back, dS/du x dS/dv away from the eye
+                               ///< before it is placed: a mirrored model shows the same side
+    bool depth = false;        ///< keep the distance of each pixel, for depth()
+    bool count_pixels = false; ///< report how many are covered
+    /// What patches that have to be cut or clipped may cost in a frame, see l3d_dice_budget; 0:
+    /// l3d_usual_samples. What it does not suffice for is drawn coarsely, and the bound says so.
+    std::int64_t most_samples = 0;
     bool outlines = false;      ///< report how many pixels outlines reach, and keep them
     int threads = 1;            ///< that draw; constant from the first frame on
     l3d_method_choice method{}; ///< that fills surfaces; constant from the first frame on
@@ -99,7 +104,9 @@ public:
         return true;
     }
     l3d_pixel_box changed() const override { return changed_; }
-    bool needs_redraw() const override { return stale_ || scene_.is_changed(); }
+    bool needs_redraw() const override {
+        return stale_ || scene_.is_changed() || settings_.keep.drawing;
+    }
 
 protected:
     /// What is changed here is drawn in the next frame; forget_changes() is not for others.
@@ -151,6 +158,7 @@ private:
     l3d_pixel_boxes parts_that_moved(std::int64_t most);
     void keep_picture();
     void fill_surfaces(const basis& now, const l3d_pixel_boxes& parts, l3d_stage_times& times);
+    void keep_bounds(const l3d_dice_counts& kept);
     void draw_on_top();
     void draw_wireframe();
     void draw_nets();

@@ -51,6 +51,10 @@ public:
     l3d_surface_method& operator=(const l3d_surface_method&) = delete;
     virtual ~l3d_surface_method() = default;
 
+    /// Whether counts() say how far depth is off, and levels of frames that are shaded so.
+    bool certifies_depth() const { return do_certifies_depth(); }
+    bool certifies_shade(const l3d_shading& shading) const { return do_certifies_shade(shading); }
+
     /// Whether a frame may be a part of a picture.
     bool draws_parts() const { return do_draws_parts(); }
 
@@ -73,6 +77,8 @@ protected:
     }
 
 private:
+    virtual bool do_certifies_depth() const { return false; }
+    virtual bool do_certifies_shade(const l3d_shading&) const { return false; }
     virtual bool do_draws_parts() const { return false; }
     virtual void do_draw(const l3d_method_frame& frame, l3d_stage_times& times) = 0;
     virtual const l3d_dice_counts& do_counts() const = 0;

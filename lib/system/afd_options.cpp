@@ -50,9 +50,23 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                 "FILE");
     options.add("--method", method_, "how surfaces are drawn: " + l3d_method_choice::all_names(),
                 "NAME");
-    // Vertices lie on a grid of 1/256 pixel, which is already off by sqrt(2)/512 = 0.0028.
-    options.add("--tolerance", settings_.tolerance, "largest geometric error allowed, in pixels",
-                0.005, 1000.0);
+    // Vertices lie on a grid of 1/256 pixel, which with the weights of docs/NUMERICS.md, section 9,
+    // takes 0.0069: finer ones only add quads.
+    options.add(
+        "--tolerance", tolerance_, settings_.tolerance,
+        "largest error of places and depth allowed, in pixels; kept down to 0.01, below that the "
+        "report's bound says what is",
+        0.005, 1000.0);
+    options.add("--shade-tolerance", settings_.shade_tolerance,
+                "largest error of a grey allowed, in levels of 255, as far as quads of 4 pixels "
+                "keep it; for --shade lambert",
+                1.0, 255.0);
+    options.add("--lateral-only", settings_.lateral_only,
+                "keep places in the picture within the tolerance, and neither depth nor shade");
+    options.add("--most-samples", most_samples_,
+                "what a frame may spend on patches that have to be cut or clipped, in samples; "
+                "unasked, 65536 and 2 a pixel; the report tells what it did not suffice for",
+                1, std::numeric_limits<int>::max());
     options.add("--eye", eye_, "where the camera is");
     options.add("--target", target_, "what it looks at");
     options.add("--up", up_, "what is upright in the picture");
@@ -109,6 +123,8 @@ l3d_camera l3d_afd_options::camera() const {
 
 l3d_afd_settings l3d_afd_options::settings() const {
     l3d_afd_settings result = settings_;
+    result.tolerance = tolerance_.value_or(settings_.tolerance);
+    result.most_samples = most_samples_.value_or(0);
     result.count_pixels = !report_.empty();
     result.outlines = !report_.empty() || explain_;
     const int processors = static_cast<int>(std::thread::hardware_concurrency());
@@ -126,6 +142,10 @@ l3d_afd_settings l3d_afd_options::settings() const {
                         "--shade: error shows a bound of the error, and --method " +
                             method->name() + " has none; " + l3d_method_choice::names_with_bound() +
                             " have one");
+    if (tolerance_ && !method->keeps_tolerance() && result.shade != l3d_shade::error)
+        throw l3d_error(l3d_exit::usage, "--tolerance: --method " + method->name() +
+                                             " has steps of its own and keeps none; " +
+                                             l3d_method_choice::names_with_tolerance() + " do");
     result.depth = !depth_output_.empty();
     if (keep_all_)
         result.keep = l3d_kept_work::all();

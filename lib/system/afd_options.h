@@ -61,7 +61,8 @@ private:
     double turntable_ = 0;
     std::string depth_output_, report_;
     bool explain_ = false, keep_all_ = false;
-    std::optional<int> threads_;
+    std::optional<double> tolerance_;
+    std::optional<int> threads_, most_samples_;
 };
 
 #endif

@@ -164,6 +164,11 @@ void l3d_options::add(const std::string& name, std::optional<int>& value, const 
     add_number(parser_->app, name, value, "", help, "NUMBER", least, most);
 }
 
+void l3d_options::add(const std::string& name, std::optional<double>& value, double preset,
+                      const std::string& help, double least, double most) {
+    add_number(parser_->app, name, value, l3d_number_text(preset), help, "NUMBER", least, most);
+}
+
 void l3d_options::add(const std::string& name, std::string& value, const std::string& help,
                       const std::string& kind) {
     add_text(parser_->app, name, help, kind, value, [name, kind, &value](const std::string& text) {

@@ -65,6 +65,10 @@ public:
     void add(const std::string& name, std::optional<int>& value, const std::string& help, int least,
              int most);
 
+    /// The same where it matters whether it was given; --help prints `preset`.
+    void add(const std::string& name, std::optional<double>& value, double preset,
+             const std::string& help, double least, double most);
+
     /// Any text but the empty one; `kind` (FILE, say) is what --help calls it.
     void add(const std::string& name, std::string& value, const std::string& help,
              const std::string& kind);

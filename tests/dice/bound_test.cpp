@@ -173,5 +173,21 @@ TYPED_TEST(bound_of, patches_around_the_eye_and_far_from_the_window_hold) {
     }
 }
 
+/// Whatever a frame may cost: what is drawn coarsely has a larger bound, or none, but a true one.
+TYPED_TEST(bound_of, frames_that_may_cost_little_hold) {
+    constexpr int scenes = sanitized ? 5 : 50, patches = 5;
+    for (const nasty_kind kind :
+         {nasty_kind::around_eye, nasty_kind::crossing, nasty_kind::deep, nasty_kind::wide}) {
+        random_scenes<TypeParam> all("cheap");
+        for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
+            random_numbers random(seed);
+            scene s(nasty_patches(seed, kind, patches, oblique, {odd.width, odd.height}), oblique,
+                    odd);
+            s.most_samples = static_cast<std::int64_t>(random.of_any_size(100, 300'000));
+            all.check(seed, s, random.of_any_size(0.03, 2), false);
+        }
+    }
+}
+
 } // namespace
 } // namespace dice_tests

@@ -36,7 +36,8 @@ void certificate::sample(const drawn_point& at) {
     sum += measured;
     largest = std::max(largest, measured);
     // !(<=), so that a distance which is no number is a violation too.
-    const bool kept = measured <= bound_ && exact.w > 0;
+    // Where no bound is given, nothing was promised.
+    const bool kept = std::isinf(bound_) || (measured <= bound_ && exact.w > 0);
     violations += !kept;
     const double ratio = kept ? measured / bound_ : std::max(1.0, measured / bound_);
     if (ratio > worst_ratio || (!kept && !(worst_ratio >= 1))) {

@@ -66,6 +66,7 @@ struct scene {
     l3d_patch_model model;
     l3d_matrix<double> placement = l3d_identity<double>(); ///< of the model
     l3d_camera camera;
+    std::int64_t most_samples = std::int64_t{1} << 40; ///< as if there were no budget
 
     reference::picture_size picture() const { return {size.width, size.height}; }
 };
@@ -87,6 +88,7 @@ public:
         l3d_dice_view view = to_image.view(tolerance);
         view.keep = keep;
         view.one_sided = one_sided;
+        view.most_samples = s.most_samples;
         culling_.begin(world_, to_image.matrix(), view);
         dicer_.begin(view);
         const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };

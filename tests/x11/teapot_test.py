@@ -212,7 +212,7 @@ def refuses_wrong_values():
         ("--tolerance", "nan"), ("--tolerance", "-1"), ("--tolerance", "0"), ("--fov", "180"),
         ("--eye", "1,2"), ("--eye", "2e12,0,0"), ("--target", "3.2,3.6,7.4"), ("--up", "0,0,0"),
         ("--light", "0,0,0"), ("--method", "fd:x"), ("--method", "afd:3"), ("--method", "magic"), ("--shade", "green"),
-        ("--near", "0"), ("--far", "0.05"), ("--threads", "0"), ("--turntable", "1e9"),
+        ("--near", "0"), ("--far", "0.05"), ("--threads", "0"), ("--most-samples", "0"), ("--turntable", "1e9"),
     ]
     with folder() as path:
         for option, value in wrong:
@@ -220,6 +220,26 @@ def refuses_wrong_values():
             expect_equal((status, out), (2, b""), option)
             expect(option in said and value.replace("e12", "e+12") in said, said)
             expect_equal(said.count("\n"), 1, said)
+
+
+def refuses_a_tolerance_that_nobody_keeps():
+    """Where a method's steps are its own, and the tolerance is not the scale of the error's colours."""
+    with folder() as path:
+        for method in ("isocurves", "micropolygons", "tessellation", "fd:8", "voxels"):
+            status, out, said = memory("--method", method, "--tolerance", "0.3", cwd=path)
+            expect_equal((status, out), (2, b""), method)
+            expect("--tolerance" in said and method in said and "subdivision" in said, said)
+            expect_equal(said.count("\n"), 1, said)
+        done = memory("--method", "tessellation", "--tolerance", "0.3", "--shade", "error", cwd=path)
+        expect_equal(done[0], 0, "colours")
+
+
+def keeps_all_frames():
+    with folder() as path:
+        status, _, said = memory("--keep-all", "--frames", "5", "--report", "r.json", cwd=path)
+        expect_equal((status, said), (0, ""))
+        with open(os.path.join(path, "r.json")) as report:
+            expect_equal(len(report.readlines()), 5)
 
 
 def shows_the_error_where_it_is_bounded():
@@ -311,6 +331,7 @@ def main():
         reports_to_the_standard_output, reports_into_an_open_file,
         modelview_reports_as_well, writes_distances,
         repeats_itself, explains_what_it_left_out, refuses_wrong_values,
+        refuses_a_tolerance_that_nobody_keeps, keeps_all_frames,
         shows_the_error_where_it_is_bounded, obeys_its_keys, obeys_the_mouse,
     ):
         checks.run("teapot " + check.__name__, check)
