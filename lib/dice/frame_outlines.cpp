@@ -38,15 +38,15 @@ void l3d_frame_outlines::add(const l3d_placed_patch& patch, const l3d_matrix<dou
 void l3d_frame_outlines::finish(double bound_px, double depth_bound_px, double near) {
     mask_.begin(view_.size);
     // Where nobody knows a bound of depth, that of places stands for it.
-    const double bound =
-        std::isfinite(depth_bound_px) ? std::max(bound_px, depth_bound_px) : bound_px;
+    const double depth_bound = std::isfinite(depth_bound_px) ? depth_bound_px : bound_px;
+    const double bound = std::max(bound_px, depth_bound);
     for (int y = 0; y < view_.size.height; ++y)
         for (int x = 0; x < view_.size.width; ++x)
             if (depths_.gap(x, y) <= bound || !std::isfinite(bound))
                 mask_.set(x, y);
     if (!std::isfinite(bound))
         return;
-    l3d_outline_search search(view_, focal_, bound_px, near, depths_, mask_);
+    l3d_outline_search search(view_, focal_, bound_px, depth_bound, near, depths_, mask_);
     for (const placed& p : placed_)
         if (const auto eye = l3d_eye_of(p.to_image)) {
             const l3d_patch_model& model = p.instance->model();

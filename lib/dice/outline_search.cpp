@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <tuple>
 
 namespace {
@@ -60,14 +59,14 @@ double distance(const place& a, const place& b) {
 } // namespace
 
 l3d_outline_search::l3d_outline_search(const l3d_dice_view& view, double focal, double bound,
-                                       double farthest_near, const l3d_sheet_depths& depths,
-                                       l3d_outline_mask& mask)
+                                       double depth_bound, double farthest_near,
+                                       const l3d_sheet_depths& depths, l3d_outline_mask& mask)
     : view_(view), focal_(focal), bound_(bound),
       radius_(bound + view.error_xy / std::max(view.near, 1e-300)),
-      allowed_(std::max(bound / 4, 1.0 / 64)),
+      fold_radius_(radius_ + depth_bound / 2), allowed_(std::max(bound / 8, 1.0 / 64)),
       least_near_(view.camera_near > 0 ? std::min(view.camera_near, view.near) : view.near),
-      most_near_(std::max(farthest_near, least_near_)), window_(view.window().grown(radius_ + 1)),
-      depths_(depths), mask_(mask) {}
+      most_near_(std::max(farthest_near, least_near_)),
+      window_(view.window().grown(fold_radius_ + 1)), depths_(depths), mask_(mask) {}
 
 void l3d_outline_search::add(const l3d_bezier_patch<double, 3>& patch,
                              const l3d_normal_net& normals, const vector& eye,
@@ -214,7 +213,7 @@ void l3d_outline_search::split(const piece& p) {
 bool l3d_outline_search::hides(const l3d_image_box& box, const l3d_depth_range& w) const {
     const double nearest = view_.depth_scale / w.least, farthest = view_.depth_scale / w.most;
     const double limit = (2 * nearest - farthest) * (1 + 4 * bound_ / focal_);
-    const double margin = radius_ + 1.5;
+    const double margin = fold_radius_ + 1.5;
     const auto pixel = [](double at, int count) {
         return static_cast<int>(std::clamp(std::floor(at), 0.0, double(count)));
     };
@@ -232,14 +231,15 @@ bool l3d_outline_search::hides(const l3d_image_box& box, const l3d_depth_range& 
 /// Expects: w > 0 in the box.
 void l3d_outline_search::add_box(const l3d_image_box& box) {
     const place middle{mean(box.left, box.right), mean(box.top, box.bottom)};
-    add_straight(&middle, 1, std::hypot(box.width(), box.height()) / 2,
-                 std::numeric_limits<double>::infinity());
+    const double x = view_.size.width / 2.0, y = view_.size.height / 2.0;
+    mask_.add({middle.x + x, middle.y + y}, {middle.x + x, middle.y + y},
+              fold_radius_ + std::hypot(box.width(), box.height()) / 2);
 }
 
 /// The places as one line, wider by what they lie beside it. False, with nothing done, if it would
 /// be too long or too wide.
 bool l3d_outline_search::add_straight(const place* places, std::size_t count, double error,
-                                      double longest) {
+                                      double radius) {
     place from = places[0], to = places[0];
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t k = 0; k < i; ++k)
@@ -253,10 +253,10 @@ bool l3d_outline_search::add_straight(const place* places, std::size_t count, do
         beside = std::max(beside, std::abs((places[i].x - from.x) * (to.y - from.y) -
                                            (places[i].y - from.y) * (to.x - from.x)) /
                                       length);
-    if (std::isfinite(longest) && !(length <= longest && error + beside <= allowed_))
+    if (!(length <= longest_line && error + beside <= allowed_))
         return false;
     const double x = view_.size.width / 2.0, y = view_.size.height / 2.0;
-    mask_.add({from.x + x, from.y + y}, {to.x + x, to.y + y}, radius_ + error + beside);
+    mask_.add({from.x + x, from.y + y}, {to.x + x, to.y + y}, radius + error + beside);
     return true;
 }
 
@@ -268,7 +268,7 @@ void l3d_outline_search::add_curve(const l3d_image_curve& curve, int level) {
     linear_error error{0, w.least, w.most};
     for (std::size_t i = 0; i < curve.points.size(); ++i)
         error.add(curve.points[i], mix(ends[0], ends[1], static_cast<double>(i) / 3));
-    if (add_straight(ends, 2, error.bound(distance(ends[0], ends[1])), longest_line))
+    if (add_straight(ends, 2, error.bound(distance(ends[0], ends[1])), radius_))
         return;
     if (level >= most_levels) {
         add_box(l3d_image_box_of(curve.points));
@@ -336,5 +336,5 @@ bool l3d_outline_search::add_level_set(const level_set<N>& of, const piece& p) {
     for (std::size_t i = 0; i < count; ++i)
         corners[i] = seen(corners[i].x, corners[i].y);
     return add_straight(corners, count,
-                        error.bound(std::hypot(ds.x, ds.y) + std::hypot(dt.x, dt.y)), longest_line);
+                        error.bound(std::hypot(ds.x, ds.y) + std::hypot(dt.x, dt.y)), fold_radius_);
 }

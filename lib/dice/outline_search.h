@@ -21,10 +21,14 @@
 /// Cost:    some 3 us a piece; 30 to 60 pieces for 10 pixels of outline.
 class l3d_outline_search {
 public:
-    /// Units:   pixels; `farthest_near` in the view's w: of all near planes that were drawn with.
-    /// Lives:   borrows depths and mask.
-    l3d_outline_search(const l3d_dice_view& view, double focal, double bound, double farthest_near,
-                       const l3d_sheet_depths& depths, l3d_outline_mask& mask);
+    /// Beside a fold, both its sheets are within `depth_bound` of being one up to half of that
+    /// away: its picture is a parabola d = k t^2 / 2 over the depth t, the normal's slope there is
+    /// k t, and so the sheets, 2 t apart, are 4 d apart along it, of which each may be off. Units:
+    /// pixels; `farthest_near` in the view's w: of all near planes that were drawn with. Lives:
+    /// borrows depths and mask.
+    l3d_outline_search(const l3d_dice_view& view, double focal, double bound, double depth_bound,
+                       double farthest_near, const l3d_sheet_depths& depths,
+                       l3d_outline_mask& mask);
 
     /// Shape: patch and normals in one space, with the eye in it; `sides` as l3d_patch_sides has
     ///        them.
@@ -58,10 +62,12 @@ private:
     level_set<order> facing_of(const piece& p) const;
     template <std::size_t N> bool add_level_set(const level_set<N>& of, const piece& p);
     bool add_straight(const l3d_picture_place* places, std::size_t count, double error,
-                      double longest);
+                      double radius);
 
     const l3d_dice_view& view_;
-    double focal_, bound_, radius_, allowed_;
+    double focal_, bound_;
+    double radius_, fold_radius_; ///< of what a side, or a fold, reaches
+    double allowed_;              ///< what a line may be too wide by
     double least_near_, most_near_;
     l3d_image_box window_;
     const l3d_sheet_depths& depths_;

@@ -16,8 +16,9 @@ using numbers = std::array<double, 12>;
 /// five places would do for curves that are the same, and these are twice as many.
 constexpr int places = 11;
 
-/// A level of Lambert's grey, 229.5 n.l, is at least so great an angle.
-constexpr double least_angle = 1 / 229.5;
+/// Eight levels of Lambert's grey, 229.5 n.l, two degrees: beside a smaller kink nobody sees which
+/// of both patches a pixel shows.
+constexpr double least_angle = 8 / 229.5;
 
 /// The sides in the order in which one walks round the patch.
 std::array<curve, 4> sides_of(const l3d_patch_model::patch& p) {
