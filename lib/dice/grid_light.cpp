@@ -69,7 +69,7 @@ void l3d_light_vertex(const l3d_dice_view& view, const l3d_image_point& h, float
 }
 
 void l3d_light_grid(const l3d_dice_view& view, const l3d_normal_net& normals,
-                    l3d_diced_piece& piece, std::array<std::vector<float>, 3>& memory) {
+                    l3d_diced_piece& piece, std::array<std::vector<float>, 2>& memory) {
     l3d_micro_grid& grid = piece.part.grid;
     piece.has_levels = view.makes_levels();
     if (!l3d_has_eye(view.shading) && !piece.has_levels)
@@ -77,7 +77,7 @@ void l3d_light_grid(const l3d_dice_view& view, const l3d_normal_net& normals,
     for (auto& numbers : memory)
         if (numbers.size() <= grid.x.size())
             numbers.resize(grid.x.size() + 1);
-    auto& [away, level, spare] = memory;
+    auto& [away, level] = memory;
     for (int row = 0; row < grid.rows; ++row)
         for (int column = 0; column < grid.columns; ++column) {
             const std::size_t at = grid.index(row, column);
@@ -89,5 +89,5 @@ void l3d_light_grid(const l3d_dice_view& view, const l3d_normal_net& normals,
     if (!piece.has_levels)
         return l3d_turn_normals(away, grid);
     put_levels(view.shading, normals, piece, level);
-    l3d_turn_levels(away, level, spare, grid);
+    l3d_turn_levels(away, level, grid);
 }

@@ -24,6 +24,6 @@ void l3d_light_vertex(const l3d_dice_view& view, const l3d_image_point& h, float
 /// Expects: the grid's places, unit normals and parameters are there.
 /// Cost:    `memory` is kept from piece to piece.
 void l3d_light_grid(const l3d_dice_view& view, const l3d_normal_net& normals,
-                    l3d_diced_piece& piece, std::array<std::vector<float>, 3>& memory);
+                    l3d_diced_piece& piece, std::array<std::vector<float>, 2>& memory);
 
 #endif

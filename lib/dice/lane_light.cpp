@@ -261,7 +261,7 @@ void normals_in_lanes(const l3d_normal_net& net, const lane_parameters& u, const
 void levels_in_lanes(const l3d_normal_net& net, const lane_parameters& u, const lane_parameters& v,
                      const l3d_shading& shading, vertex_numbers& memory, l3d_micro_grid& grid) {
     L3D_SIMD_CALL(levels)(net.in_floats(), u, v, shading, memory, grid);
-    l3d_turn_levels(memory.away, memory.level, memory.spare, grid);
+    l3d_turn_levels(memory.away, memory.level, grid);
 }
 
 } // namespace l3d_detail

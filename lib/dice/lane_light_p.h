@@ -19,8 +19,7 @@ inline constexpr float normal_rounding = 0x1p-43F;
 
 /// A number of every vertex of a grid, and of one vector more, kept for its memory.
 struct vertex_numbers {
-    std::vector<float> away = std::vector<float>(room), level = std::vector<float>(room),
-                       spare = std::vector<float>(room);
+    std::vector<float> away = std::vector<float>(room), level = std::vector<float>(room);
 
     static constexpr std::size_t room =
         lane_parameters::room * lane_parameters::most + lane_columns;

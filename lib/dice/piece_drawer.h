@@ -82,7 +82,7 @@ private:
     std::vector<l3d_image_curve> curves_;
     std::array<std::vector<float>, 3> normal_row_;
     std::vector<l3d_boundary_point> boundary_;
-    std::array<std::vector<float>, 3> light_memory_;
+    std::array<std::vector<float>, 2> light_memory_;
 };
 
 #endif

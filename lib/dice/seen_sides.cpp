@@ -46,35 +46,26 @@ struct neighbours {
     }
 };
 
-/// Steps, along u and v, from a vertex of the farther of two sheets to the outline where they meet.
-struct way_to_outline {
-    float u = 0, v = 0;
-
-    explicit operator bool() const { return u != 0 || v != 0; }
-};
-
 /// Along the direction in which the picture does not change at an outline, 1 / w grows towards the
-/// nearer sheet, and facing changes its sign. None if that is not near by.
-way_to_outline outline_before(const l3d_micro_grid& grid, std::span<const float> away,
-                              std::size_t at, const neighbours& u, const neighbours& v) {
+/// nearer sheet, and facing changes its sign: whether that is so near that this is the farther one.
+bool is_behind_outline(const l3d_micro_grid& grid, std::span<const float> away, std::size_t at,
+                       const neighbours& u, const neighbours& v) {
     const float step = std::max(u.largest_change(away, at), v.largest_change(away, at));
     if (std::abs(away[at]) > 2 * steps_behind * step)
-        return {};
+        return false;
     const float x_u = u.change(grid.x), x_v = v.change(grid.x);
     const float y_u = u.change(grid.y), y_v = v.change(grid.y);
     const bool by_x = std::abs(x_u) + std::abs(x_v) >= std::abs(y_u) + std::abs(y_v);
     float k_u = by_x ? -x_v : -y_v, k_v = by_x ? x_u : y_u;
     const float longest = std::max(std::abs(k_u), std::abs(k_v));
     if (!(longest > 0))
-        return {};
+        return false;
     const float nearer = u.change(grid.inv_w) * k_u + v.change(grid.inv_w) * k_v;
     k_u *= std::copysign(1 / longest, nearer);
     k_v *= std::copysign(1 / longest, nearer);
     const float turned = u.change(away) * k_u + v.change(away) * k_v;
     const float steps = -away[at] / turned;
-    if (!(steps > 0 && steps <= steps_behind) || std::abs(turned) < least_turn * step)
-        return {};
-    return {steps * k_u, steps * k_v};
+    return steps > 0 && steps <= steps_behind && std::abs(turned) >= least_turn * step;
 }
 
 /// The side that all of a grid shows; none if it shows both, or nearly does.
@@ -116,11 +107,9 @@ void find_near(const float* HWY_RESTRICT row, const float* HWY_RESTRICT up,
         near[i] = 2 * steps_behind * near[i] - std::abs(row[i]);
 }
 
-/// Replaces each number of `away` by 1 or -1, the side that is seen, or by twice that behind an
-/// outline; there `behind(vertex, way, u, v)` is called. All of that a row late, so that what is
+/// Replaces each number of `away` by 1 or -1, the side that is seen: a row late, so that what is
 /// read of neighbours is what it was.
-template <class Behind>
-void choose_sides(const l3d_micro_grid& grid, std::span<float> away, const Behind& behind) {
+void choose_sides(const l3d_micro_grid& grid, std::span<float> away) {
     const auto columns = static_cast<std::size_t>(grid.columns);
     const auto pitch = static_cast<std::size_t>(grid.pitch);
     assert(columns <= most_columns);
@@ -138,10 +127,8 @@ void choose_sides(const l3d_micro_grid& grid, std::span<float> away, const Behin
                 continue;
             const neighbours u(first + i, static_cast<int>(i), grid.columns, 1);
             const neighbours v(first + i, row, grid.rows, pitch);
-            if (const way_to_outline way = outline_before(grid, away, first + i, u, v)) {
-                of_row[i] *= -2;
-                behind(first + i, way, u, v);
-            }
+            if (is_behind_outline(grid, away, first + i, u, v))
+                of_row[i] = -of_row[i];
         }
         if (row > 0)
             std::copy_n(sides[(row - 1) % 2], columns, &away[first - pitch]);
@@ -150,14 +137,12 @@ void choose_sides(const l3d_micro_grid& grid, std::span<float> away, const Behin
 }
 
 /// What the middles of sides to vertices `step` on are above the mean of both ends, times the side
-/// that is seen; 0 where the ends show different sides, or one lies behind an outline, as nothing
-/// is known of what is between.
+/// that is seen; 0 where the ends show different sides, as nothing is known of what is between.
 void put_bends(const float* HWY_RESTRICT level, const float* HWY_RESTRICT side, std::size_t step,
                std::size_t count, float* HWY_RESTRICT middle) {
     for (std::size_t i = 0; i < count; ++i) {
         const float bend = side[i] * (middle[i] - 0.5F * (level[i] + level[i + step]));
-        const bool known = (side[i] == side[i + step]) & (side[i] * side[i] == 1);
-        middle[i] = known ? bend : 0.0F;
+        middle[i] = side[i] == side[i + step] ? bend : 0.0F;
     }
 }
 void put_bends(const float* HWY_RESTRICT level, float side, std::size_t step, std::size_t count,
@@ -180,26 +165,19 @@ void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid) {
     if (all == 1.0F)
         return;
     if (!all)
-        choose_sides(grid, away, [](auto&&...) {});
+        choose_sides(grid, away);
     for_vertices(grid, [&](int, int, std::size_t at) {
         for (auto& component : grid.normal)
-            component[at] *= std::copysign(1.0F, all ? *all : away[at]);
+            component[at] *= all ? *all : away[at];
     });
 }
 
-void l3d_turn_levels(std::span<float> away, std::span<float> level, std::span<float> memory,
-                     l3d_micro_grid& grid) {
+void l3d_turn_levels(std::span<float> away, std::span<const float> level, l3d_micro_grid& grid) {
     const std::optional<float> all = only_side(grid, away);
     const auto pitch = static_cast<std::size_t>(grid.pitch);
     const std::size_t count = pitch * static_cast<std::size_t>(grid.rows);
-    if (!all) {
-        std::copy_n(level.begin(), count, memory.begin());
-        choose_sides(grid, away,
-                     [&](std::size_t at, const way_to_outline& way, const neighbours& u,
-                         const neighbours& v) {
-                         level[at] += way.u * u.change(memory) + way.v * v.change(memory);
-                     });
-    }
+    if (!all)
+        choose_sides(grid, away);
     for (int row = 0; row < grid.rows; ++row) {
         const std::size_t at = grid.index(row, 0), down = row + 1 < grid.rows ? pitch : 0;
         float *along_u = &grid.normal[1][at], *along_v = &grid.normal[2][at];
@@ -212,5 +190,5 @@ void l3d_turn_levels(std::span<float> away, std::span<float> level, std::span<fl
         }
     }
     for (std::size_t i = 0; i < count; ++i)
-        grid.normal[0][i] = level[i] * (all ? *all : std::copysign(1.0F, away[i]));
+        grid.normal[0][i] = level[i] * (all ? *all : away[i]);
 }

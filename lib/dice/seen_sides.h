@@ -33,13 +33,11 @@ inline bool l3d_has_eye(const l3d_shading& shading) {
 /// Shape: away as the grid's arrays: l3d_away_from_eye of each vertex; it is written to.
 void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid);
 
-/// The same for levels; makes what l3d_micro_vertex says of them in mode l3d_shade::levels. What
-/// lies behind an outline gets the level of the outline.
+/// The same for levels; makes what l3d_micro_vertex says of them in mode l3d_shade::levels.
 ///
-/// Shape:   `away`, `level` and `memory` as the grid's arrays and a vector longer: the levels are
-///          those of the normals as they are; in the grid, normal[1] and normal[2] are the levels
-///          of the middles of sides, in place of what these bend by.
-void l3d_turn_levels(std::span<float> away, std::span<float> level, std::span<float> memory,
-                     l3d_micro_grid& grid);
+/// Shape: `away` and `level` as the grid's arrays and a number longer: the levels are those of the
+///        normals as they are; in the grid, normal[1] and normal[2] are the levels of the middles
+///        of sides, in place of what these bend by.
+void l3d_turn_levels(std::span<float> away, std::span<const float> level, l3d_micro_grid& grid);
 
 #endif
