@@ -29,9 +29,10 @@ struct l3d_surface_certificate {
     /// Of the level, from the exact one at the same parameters. Units: levels of 255.
     double shade = 0;
     /// Quads of blocks that may be off by more levels than the tolerance, as normals turn faster
-    /// than quads of four pixels can follow, or as one vanishes; `shade` is that of all others.
+    /// than quads of six pixels can follow, or as one vanishes; `shade` is that of all others.
     std::int64_t unshaded_quads = 0;
-    bool is_whole = true; ///< all blocks have normals; else l3d_most_off_plane is to be added
+    unsigned without_normals = 0; ///< bit 4 * row + column, or 0, of blocks that are seen and may
+                                  ///< have none: l3d_most_off_plane is to be added to `depth`
 };
 
 /// What a frame's dicing did, and which patches were left out, as control nets or the boxes around

@@ -165,7 +165,7 @@ template <class T> bool l3d_patch_dicer<T>::take_in_lanes(const piece& p, task& 
         of.lanes->fill(p, of.normals, of.view, out);
         drawer_.close(p, out);
         count(p, out, of.lanes->row_error(), true, of);
-        count_surface(p, of.lanes->certificate(p, of.view, of.bends, out.part.grid),
+        count_surface(p, of.lanes->certificate(p, of.view, of.bends, out.part),
                       of.lanes->depth_error(), of);
         ++of.counts.in_lanes;
         return true;
@@ -220,9 +220,10 @@ template <class T> void l3d_patch_dicer<T>::draw(const piece& p, const planned& 
     l3d_surface_certificate proven =
         of.bends.certificate(p, of.view, how.needs, how.plan, !how.nets.whole());
     proven.depth = proven.depth * how.depth_growth + how.depth_error;
-    if (of.bends && !proven.is_whole)
-        proven.depth += how.nets.whole() ? l3d_most_off_plane(out.part.grid, of.view)
-                                         : std::numeric_limits<double>::infinity();
+    if (proven.without_normals != 0)
+        proven.depth += how.nets.whole()
+                            ? l3d_most_off_plane(out.part, proven.without_normals, of.view)
+                            : std::numeric_limits<double>::infinity();
     if (std::isinf(how.depth_growth))
         proven.depth = proven.shade = how.depth_growth;
     count_surface(p, proven, how.depth_error, of);

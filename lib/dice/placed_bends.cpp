@@ -121,7 +121,7 @@ void l3d_placed_bends::ask(const l3d_net_piece& piece, const l3d_dice_view& view
     const double more_steps = std::cbrt(1 / levels);
     const auto strips = static_cast<std::size_t>(needs.strips);
     // Fewest steps come from sides of at most l3d_largest_quad pixels.
-    constexpr double finest_quad = 4;
+    constexpr double finest_quad = 6;
     constexpr double most_steps = l3d_largest_quad / finest_quad;
     for (std::size_t row = 0; row < strips; ++row)
         for (std::size_t column = 0; column < strips; ++column) {
@@ -192,31 +192,41 @@ l3d_surface_certificate l3d_placed_bends::certificate(const l3d_net_piece& piece
                 result.shade = std::max(result.shade, off);
             else
                 result.unshaded_quads += std::int64_t{plan.nu[column]} * plan.nv[row];
-            result.is_whole = result.is_whole && std::isfinite(b.n_uuu);
+            if (!std::isfinite(b.n_uuu))
+                result.without_normals |= 1U << i;
         }
     result.shade = result.shade + rounded_level;
     return result;
 }
 
-double l3d_most_off_plane(const l3d_micro_grid& grid, const l3d_dice_view& view) {
+double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks,
+                          const l3d_dice_view& view) {
     using vector = l3d_vector<double, 3>;
-    double most = 0;
+    const l3d_micro_grid& grid = part.grid;
     const auto place = [&](std::size_t i) {
         const double w = 1 / double{grid.inv_w[i]}, pixel = w / (l3d_subpixel_one * view.focal);
         return vector{(grid.x[i] - view.centre_x()) * pixel, (grid.y[i] - view.centre_y()) * pixel,
                       w};
     };
-    for (int row = 0; row + 1 < grid.rows; ++row)
-        for (int column = 0; column + 1 < grid.columns; ++column) {
-            const std::size_t a = grid.index(row, column), d = grid.index(row + 1, column);
-            const vector p[4] = {place(a), place(a + 1), place(d + 1), place(d)};
-            const vector normal = l3d_cross(p[2] - p[0], p[3] - p[1]);
-            const double length = l3d_length(normal);
-            const vector twist = p[0] - p[1] + p[2] - p[3];
-            const double off =
-                length > 0 ? std::abs(l3d_dot(normal, twist)) / length : l3d_length(twist);
-            const double nearest = std::min({p[0][2], p[1][2], p[2][2], p[3][2]});
-            most = std::max(most, view.focal * off / (4 * nearest));
-        }
+    const auto of_quad = [&](int row, int column) {
+        const std::size_t a = grid.index(row, column), d = grid.index(row + 1, column);
+        const vector p[4] = {place(a), place(a + 1), place(d + 1), place(d)};
+        const vector normal = l3d_cross(p[2] - p[0], p[3] - p[1]);
+        const double length = l3d_length(normal);
+        const vector twist = p[0] - p[1] + p[2] - p[3];
+        const double off =
+            length > 0 ? std::abs(l3d_dot(normal, twist)) / length : l3d_length(twist);
+        return view.focal * off / (4 * std::min({p[0][2], p[1][2], p[2][2], p[3][2]}));
+    };
+    double most = 0;
+    const auto strips = static_cast<std::size_t>(part.block_rows.blocks);
+    for (std::size_t i = 0; i < strips * strips; ++i) {
+        if ((blocks >> i & 1) == 0)
+            continue;
+        const auto &rows = part.block_rows.first, &columns = part.block_columns.first;
+        for (int row = rows[i / strips]; row < rows[i / strips + 1]; ++row)
+            for (int column = columns[i % strips]; column < columns[i % strips + 1]; ++column)
+                most = std::max(most, of_quad(row, column));
+    }
     return most;
 }

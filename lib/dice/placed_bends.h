@@ -8,6 +8,7 @@
 #include "dice/net_piece.h"
 #include "dice/step_plan.h"
 #include "dice/surface_bends.h"
+#include "raster/surface_part.h"
 
 /// How a patch bends along its normals, as it is seen.
 ///
@@ -54,8 +55,9 @@ private:
     double w_per_length_ = 0, focal_ = 0;
 };
 
-/// How far corners of a grid's quads are from the plane that stands for each, at most. Units:
-/// pixels at their depth. Expects: view.focal > 0.
-double l3d_most_off_plane(const l3d_micro_grid& grid, const l3d_dice_view& view);
+/// How far corners of quads in some blocks of a grid are from the plane that stands for each, at
+/// most. Shape: blocks as l3d_surface_certificate::without_normals. Units: pixels at their depth.
+/// Expects: view.focal > 0.
+double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks, const l3d_dice_view& view);
 
 #endif

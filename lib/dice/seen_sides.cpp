@@ -11,6 +11,8 @@
 #include <cstddef>
 #include <optional>
 
+#include <hwy/base.h>
+
 namespace {
 
 /// The outline runs somewhere between two vertices, and what sticks out beside it are the quads of
@@ -99,32 +101,69 @@ std::optional<float> only_side(const l3d_micro_grid& grid, std::span<const float
     return std::nullopt;
 }
 
+/// Whether vertices of a row have so small a number that an outline may be near, by their changes
+/// to neighbours; rows above and below are those at `up` and `down`, or the row itself.
+void find_near(const float* HWY_RESTRICT row, const float* HWY_RESTRICT up,
+               const float* HWY_RESTRICT down, std::size_t columns, float* HWY_RESTRICT near) {
+    for (std::size_t i = 0; i < columns; ++i)
+        near[i] = std::max(std::abs(up[i] - row[i]), std::abs(down[i] - row[i]));
+    for (std::size_t i = 0; i + 1 < columns; ++i) {
+        const float change = std::abs(row[i + 1] - row[i]);
+        near[i] = std::max(near[i], change);
+        near[i + 1] = std::max(near[i + 1], change);
+    }
+    for (std::size_t i = 0; i < columns; ++i)
+        near[i] = 2 * steps_behind * near[i] - std::abs(row[i]);
+}
+
 /// Replaces each number of `away` by 1 or -1, the side that is seen, or by twice that behind an
-/// outline; there `behind(vertex, way, u, v)` is called. All of that two rows late, so that what is
+/// outline; there `behind(vertex, way, u, v)` is called. All of that a row late, so that what is
 /// read of neighbours is what it was.
 template <class Behind>
 void choose_sides(const l3d_micro_grid& grid, std::span<float> away, const Behind& behind) {
     const auto columns = static_cast<std::size_t>(grid.columns);
+    const auto pitch = static_cast<std::size_t>(grid.pitch);
     assert(columns <= most_columns);
-    float sides[2][most_columns];
-    const auto put = [&](int row) {
-        std::copy_n(sides[row % 2], columns, &away[grid.index(row, 0)]);
-    };
+    float sides[2][most_columns], near[most_columns];
     for (int row = 0; row < grid.rows; ++row) {
-        for (int column = 0; column < grid.columns; ++column) {
-            const std::size_t at = grid.index(row, column);
-            const neighbours u(at, column, grid.columns, 1);
-            const neighbours v(at, row, grid.rows, static_cast<std::size_t>(grid.pitch));
-            const float side = away[at] > 0 ? -1.0F : 1.0F;
-            const way_to_outline way = outline_before(grid, away, at, u, v);
-            sides[row % 2][column] = way ? -2 * side : side;
-            if (way)
-                behind(at, way, u, v);
+        const std::size_t first = grid.index(row, 0);
+        const float* const here = &away[first];
+        find_near(here, row > 0 ? here - pitch : here, row + 1 < grid.rows ? here + pitch : here,
+                  columns, near);
+        float* const of_row = sides[row % 2];
+        for (std::size_t i = 0; i < columns; ++i)
+            of_row[i] = here[i] > 0 ? -1.0F : 1.0F;
+        for (std::size_t i = 0; i < columns; ++i) {
+            if (HWY_LIKELY(near[i] < 0))
+                continue;
+            const neighbours u(first + i, static_cast<int>(i), grid.columns, 1);
+            const neighbours v(first + i, row, grid.rows, pitch);
+            if (const way_to_outline way = outline_before(grid, away, first + i, u, v)) {
+                of_row[i] *= -2;
+                behind(first + i, way, u, v);
+            }
         }
         if (row > 0)
-            put(row - 1);
+            std::copy_n(sides[(row - 1) % 2], columns, &away[first - pitch]);
     }
-    put(grid.rows - 1);
+    std::copy_n(sides[(grid.rows - 1) % 2], columns, &away[grid.index(grid.rows - 1, 0)]);
+}
+
+/// What the middles of sides to vertices `step` on are above the mean of both ends, times the side
+/// that is seen; 0 where the ends show different sides, or one lies behind an outline, as nothing
+/// is known of what is between.
+void put_bends(const float* HWY_RESTRICT level, const float* HWY_RESTRICT side, std::size_t step,
+               std::size_t count, float* HWY_RESTRICT middle) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const float bend = side[i] * (middle[i] - 0.5F * (level[i] + level[i + step]));
+        const bool known = (side[i] == side[i + step]) & (side[i] * side[i] == 1);
+        middle[i] = known ? bend : 0.0F;
+    }
+}
+void put_bends(const float* HWY_RESTRICT level, float side, std::size_t step, std::size_t count,
+               float* HWY_RESTRICT middle) {
+    for (std::size_t i = 0; i < count; ++i)
+        middle[i] = side * (middle[i] - 0.5F * (level[i] + level[i + step]));
 }
 
 /// For each vertex of the grid.
@@ -151,29 +190,27 @@ void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid) {
 void l3d_turn_levels(std::span<float> away, std::span<float> level, std::span<float> memory,
                      l3d_micro_grid& grid) {
     const std::optional<float> all = only_side(grid, away);
-    if (all) {
-        std::fill(away.begin(), away.end(), *all);
-    } else {
-        std::copy(level.begin(), level.end(), memory.begin());
+    const auto pitch = static_cast<std::size_t>(grid.pitch);
+    const std::size_t count = pitch * static_cast<std::size_t>(grid.rows);
+    if (!all) {
+        std::copy_n(level.begin(), count, memory.begin());
         choose_sides(grid, away,
                      [&](std::size_t at, const way_to_outline& way, const neighbours& u,
                          const neighbours& v) {
                          level[at] += way.u * u.change(memory) + way.v * v.change(memory);
                      });
     }
-    auto &of_vertex = grid.normal[0], &along_u = grid.normal[1], &along_v = grid.normal[2];
-    const auto pitch = static_cast<std::size_t>(grid.pitch);
     for (int row = 0; row < grid.rows; ++row) {
-        const std::size_t first = grid.index(row, 0);
-        const std::size_t down = row + 1 < grid.rows ? pitch : 0;
-        for (std::size_t at = first; at < first + pitch; ++at) {
-            const auto bend = [&](float middle, std::size_t step) {
-                const float turned = away[at] * (middle - (level[at] + level[at + step]) / 2);
-                return away[at] == away[at + step] && away[at] * away[at] == 1 ? turned : 0.0F;
-            };
-            along_u[at] = bend(along_u[at], 1);
-            along_v[at] = bend(along_v[at], down);
-            of_vertex[at] = std::copysign(1.0F, away[at]) * level[at];
+        const std::size_t at = grid.index(row, 0), down = row + 1 < grid.rows ? pitch : 0;
+        float *along_u = &grid.normal[1][at], *along_v = &grid.normal[2][at];
+        if (all) {
+            put_bends(&level[at], *all, 1, pitch, along_u);
+            put_bends(&level[at], *all, down, pitch, along_v);
+        } else {
+            put_bends(&level[at], &away[at], 1, pitch, along_u);
+            put_bends(&level[at], &away[at], down, pitch, along_v);
         }
     }
+    for (std::size_t i = 0; i < count; ++i)
+        grid.normal[0][i] = level[i] * (all ? *all : std::copysign(1.0F, away[i]));
 }

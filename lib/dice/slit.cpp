@@ -87,7 +87,7 @@ public:
                 const std::array<double, 3> along{parameter_of(j), parameters_[i],
                                                   along_row ? parameters_[i + 1]
                                                             : parameter_of(j + 1)};
-                add({of_edge, of_row, next}, along);
+                add({of_edge, of_row, next}, along, i);
             }
             ++(along_row ? i : j);
             (along_row ? of_row : of_edge) = next;
@@ -108,15 +108,16 @@ private:
         return {edge_.x()[j], edge_.y()[j], edge_.inv_w()[j], {}};
     }
 
-    /// A triangle whose corners are lit as the row is at their parameters.
-    void add(std::array<l3d_micro_vertex, 3> corners, const std::array<double, 3>& along) {
+    /// A triangle whose corners are lit as the row is at their parameters, near its vertex `near`.
+    void add(std::array<l3d_micro_vertex, 3> corners, const std::array<double, 3>& along,
+             std::size_t near) {
         if (piece_.has_levels) {
             const auto bend = [&](std::size_t i, std::size_t k) {
-                return level_at((along[i] + along[k]) / 2) -
+                return level_at((along[i] + along[k]) / 2, near) -
                        (corners[i].normal[0] + corners[k].normal[0]) / 2;
             };
             for (std::size_t k = 0; k < corners.size(); ++k)
-                corners[k].normal[0] = level_at(along[k]);
+                corners[k].normal[0] = level_at(along[k], near);
             corners[0].normal[1] = bend(0, 1);
             corners[0].normal[2] = bend(0, 2);
             corners[1].normal[1] = 0;
@@ -124,7 +125,7 @@ private:
             corners[2].normal[1] = corners[2].normal[2] = 0;
         } else {
             for (std::size_t k = 0; k < corners.size(); ++k)
-                set_normal_at(along[k], corners[k].normal);
+                set_normal_at(along[k], near, corners[k].normal);
         }
         piece_.part.triangles.add(corners[0], corners[1], corners[2]);
         if (piece_.keep_parameters)
@@ -140,25 +141,28 @@ private:
         std::size_t before, after;
         float part;
     };
-    place place_of(double parameter) const {
-        const auto next =
-            std::upper_bound(parameters_.begin() + 1, parameters_.end() - 1, parameter);
-        const double part = std::clamp((parameter - next[-1]) / (*next - next[-1]), 0.0, 1.0);
-        const auto i = static_cast<std::size_t>(next - parameters_.begin());
-        return {first_ + (i - 1) * step_, first_ + i * step_, static_cast<float>(part)};
+    place place_of(double parameter, std::size_t near) const {
+        std::size_t i = std::min(near, parameters_.size() - 2);
+        while (i > 0 && parameters_[i] > parameter)
+            --i;
+        while (i + 2 < parameters_.size() && parameters_[i + 1] <= parameter)
+            ++i;
+        const double from = parameters_[i], to = parameters_[i + 1];
+        const double part = std::clamp((parameter - from) / (to - from), 0.0, 1.0);
+        return {first_ + i * step_, first_ + (i + 1) * step_, static_cast<float>(part)};
     }
 
     /// The row's level, a parabola between two vertices.
-    float level_at(double parameter) const {
-        const place at = place_of(parameter);
+    float level_at(double parameter, std::size_t near) const {
+        const place at = place_of(parameter, near);
         const auto& level = grid_.normal[0];
         const float bend = grid_.normal[along_u_ ? 1 : 2][at.before];
         return level[at.before] + at.part * (level[at.after] - level[at.before]) +
                4 * bend * at.part * (1 - at.part);
     }
 
-    void set_normal_at(double parameter, float (&normal)[3]) const {
-        const place at = place_of(parameter);
+    void set_normal_at(double parameter, std::size_t near, float (&normal)[3]) const {
+        const place at = place_of(parameter, near);
         for (std::size_t k = 0; k < 3; ++k) {
             const auto& of = grid_.normal[k];
             normal[k] = of[at.before] + at.part * (of[at.after] - of[at.before]);

@@ -58,7 +58,7 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
         "report's bound says what is",
         0.005, 1000.0);
     options.add("--shade-tolerance", settings_.shade_tolerance,
-                "largest error of a grey allowed, in levels of 255, as far as quads of 4 pixels "
+                "largest error of a grey allowed, in levels of 255, as far as quads of 6 pixels "
                 "keep it; for --shade lambert",
                 1.0, 255.0);
     options.add("--lateral-only", settings_.lateral_only,
