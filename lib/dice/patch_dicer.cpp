@@ -24,13 +24,13 @@ std::int64_t samples_of(const l3d_step_plan& plan) {
     return columns * rows;
 }
 
-std::int64_t cost_of(const l3d_step_plan& plan, bool whole) {
-    return samples_of(plan) * (whole ? 1 : l3d_clipped_cost);
+std::int64_t cost_of(const l3d_step_plan& plan, bool in_lanes) {
+    return samples_of(plan) * (in_lanes ? 1 : l3d_evaluated_cost);
 }
 
-/// What the coarsest grid of a piece costs, four strips of one step each way, if it is clipped: 25
+/// What the coarsest grid of a piece costs, four strips of one step each way: 25
 /// samples. Kept for each that waits.
-constexpr std::int64_t least_cost = 25 * l3d_clipped_cost;
+constexpr std::int64_t least_cost = 25 * l3d_evaluated_cost;
 
 /// How many times a clipped piece's bounds grow if w of its chords is off by `error` instead of the
 /// near / 2 that they were made for. Where the interpolated w is near, the exact one is at least
@@ -97,9 +97,9 @@ template <class T> bool l3d_patch_dicer<T>::may_cut(const task& of) const {
 
 /// Whether a grid of this plan may be drawn at once, so that enough is left for those that wait.
 template <class T>
-bool l3d_patch_dicer<T>::fits(const l3d_step_plan& plan, bool whole, const task& of) const {
+bool l3d_patch_dicer<T>::fits(const l3d_step_plan& plan, bool in_lanes, const task& of) const {
     const std::int64_t kept = static_cast<std::int64_t>(waiting_.size()) * least_cost;
-    return samples_of(plan) <= of.samples_left && cost_of(plan, whole) <= of.budget.left - kept;
+    return samples_of(plan) <= of.samples_left && cost_of(plan, in_lanes) <= of.budget.left - kept;
 }
 
 /// Puts a piece among those that wait: to be cut if its excess is above 1, else to be drawn last.
@@ -144,7 +144,7 @@ template <class T> void l3d_patch_dicer<T>::take(const piece& p, task& of) {
     if (of.lanes != nullptr && take_in_lanes(p, of))
         return;
     const planned how = plan_of(p, of);
-    if (how.excess <= 1 && fits(how.plan, how.nets.whole(), of))
+    if (how.excess <= 1 && fits(how.plan, false, of))
         draw(p, how, of);
     else
         wait(p, how.plan, how.excess);
@@ -192,7 +192,7 @@ void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, std
                               static_cast<double>(wanted.nv[i]) / how.plan.nv[i]});
         }
         most /= 2;
-    } while (most > 0 && (samples_of(how.plan) > samples || cost_of(how.plan, whole) > cost));
+    } while (most > 0 && (samples_of(how.plan) > samples || cost_of(how.plan, false) > cost));
     // Errors of what is not balanced fall with the square of the steps, at the least; so does that
     // of w, with which errors of vertices are seen larger: 1.25 ratio^2 is more than the
     // 1 + ratio^2 / 8 + 1 / 8 that it comes to.
@@ -216,7 +216,7 @@ template <class T> void l3d_patch_dicer<T>::draw(const piece& p, const planned& 
     l3d_diced_piece& out = of.out.next();
     drawer_.draw(p, how.nets, how.plan, out);
     out.bound = how.plan.visible ? how.plan.chord_error + how.vertex_error : 0;
-    count(p, out, how.row_error, how.nets.whole(), of);
+    count(p, out, how.row_error, false, of);
     l3d_surface_certificate proven =
         of.bends.certificate(p, of.view, how.needs, how.plan, !how.nets.whole());
     proven.depth = proven.depth * how.depth_growth + how.depth_error;
@@ -243,7 +243,7 @@ void l3d_patch_dicer<T>::count_surface(const piece& p, const l3d_surface_certifi
 /// A piece that was drawn, vertices of the slits along its sides being off by row_error.
 template <class T>
 void l3d_patch_dicer<T>::count(const piece& p, const l3d_diced_piece& out, double row_error,
-                               bool whole, task& of) const {
+                               bool in_lanes, task& of) const {
     double side_error = 0;
     for (const l3d_piece_side& side : p.sides)
         side_error = std::max(side_error, of.edges[side.edge].chord_error());
@@ -253,7 +253,7 @@ void l3d_patch_dicer<T>::count(const piece& p, const l3d_diced_piece& out, doubl
     const auto samples = static_cast<std::int64_t>(out.u.size() * out.v.size());
     of.counts.samples += samples;
     of.samples_left = std::max(std::int64_t{0}, of.samples_left - samples);
-    of.budget.left -= samples * (whole ? 1 : l3d_clipped_cost);
+    of.budget.left -= samples * (in_lanes ? 1 : l3d_evaluated_cost);
 }
 
 template class l3d_patch_dicer<float>;

@@ -28,17 +28,17 @@ inline constexpr std::int64_t l3d_most_samples = std::int64_t{1} << 23;
 
 /// What a patch may cost, and whether it could have used more.
 ///
-/// Units: samples that are walked. One that is clipped costs l3d_clipped_cost of them, and to look
-/// at
-///        a piece l3d_piece_cost more.
+/// Units: samples that are diced in lanes. One that is not costs l3d_evaluated_cost of them, and to
+///        look at a piece l3d_piece_cost more.
 struct l3d_dice_budget {
     std::int64_t left = std::numeric_limits<std::int64_t>::max() / 2;
     bool is_short = false; ///< with more, the bound would be smaller
 };
 
-/// A walked sample takes some 20 ns, all in all, one that is evaluated, clipped and filled as two
-/// triangles 0.3 us, and the plan of a piece 5 us: measured on spikes through the near plane.
-inline constexpr std::int64_t l3d_clipped_cost = 16, l3d_piece_cost = 256;
+/// In lanes a sample takes some 20 ns, all in all. One that is evaluated by itself, lit, and
+/// clipped and filled as two triangles takes 0.3 us, the plan of a piece 5 us: measured on spikes
+/// through the near plane.
+inline constexpr std::int64_t l3d_evaluated_cost = 16, l3d_piece_cost = 256;
 
 /// Dices patches given as homogeneous image nets.
 ///
@@ -117,12 +117,12 @@ private:
     };
 
     planned plan_of(const piece& p, const task& of) const;
-    bool fits(const l3d_step_plan& plan, bool whole, const task& of) const;
+    bool fits(const l3d_step_plan& plan, bool in_lanes, const task& of) const;
     bool may_cut(const task& of) const;
     void wait(const piece& p, const l3d_step_plan& plan, double excess);
     void take(const piece& p, task& of);
     bool take_in_lanes(const piece& p, task& of);
-    void count(const piece& p, const l3d_diced_piece& out, double row_error, bool whole,
+    void count(const piece& p, const l3d_diced_piece& out, double row_error, bool in_lanes,
                task& of) const;
     void count_surface(const piece& p, const l3d_surface_certificate& proven, double depth_error,
                        task& of) const;
