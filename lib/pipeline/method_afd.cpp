@@ -44,7 +44,7 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
     else if (!outlines_)
         outlines_ = std::make_unique<l3d_frame_outlines>();
     if (outlines_)
-        outlines_->begin(frame.scene, view, frame.camera.focal_length(view.size));
+        outlines_->begin(frame.scene, frame.to_image, view, frame.camera.focal_length(view.size));
     if (frame.is_part())
         surface_->begin_part(frame.target, depth, shading, frame.part);
     else
@@ -82,7 +82,7 @@ void l3d_method_afd<T>::add_outlines(std::span<const l3d_placed_patch> batch,
         return;
     const stopwatch drawing;
     for (std::size_t i = 0; i < batch.size(); ++i)
-        outlines_->add(batch[i], culling_.matrix(batch[i]), dicer_.pieces(i));
+        outlines_->add(batch[i], dicer_.pieces(i));
     times.outlines += drawing.milliseconds();
 }
 

@@ -60,7 +60,7 @@ void l3d_sheet_depths::begin(l3d_size size, double focal) {
 }
 
 void l3d_sheet_depths::add(const l3d_surface_part& part, const l3d_sheet_patch& of) {
-    const auto owner = static_cast<std::uint32_t>(2 * patches_.size());
+    const auto owner = static_cast<std::uint32_t>(kinds * patches_.size());
     patches_.push_back(of);
     const l3d_micro_grid& grid = part.grid;
     const auto vertex = [&](int row, int column) -> corner {
@@ -72,14 +72,16 @@ void l3d_sheet_depths::add(const l3d_surface_part& part, const l3d_sheet_patch& 
             const bool is_rim =
                 row == 0 || column == 0 || row + 2 == grid.rows || column + 2 == grid.columns;
             add_quad(vertex(row, column), vertex(row, column + 1), vertex(row + 1, column + 1),
-                     vertex(row + 1, column), owner + is_rim);
+                     vertex(row + 1, column), owner + (is_rim ? rim : inner));
         }
+    // A piece that was clipped has nothing else.
+    const std::uint32_t of_triangles = grid.rows > 0 ? slit : rim;
     const auto& corners = part.triangles.corners;
     for (std::size_t i = 0; i < part.triangles.count; ++i) {
         const auto corner_of = [&](std::size_t k) -> corner {
             return {corners[k].x[i], corners[k].y[i], corners[k].inv_w[i]};
         };
-        add_triangle(corner_of(0), corner_of(1), corner_of(2), owner + 1);
+        add_triangle(corner_of(0), corner_of(1), corner_of(2), owner + of_triangles);
     }
 }
 
@@ -153,6 +155,16 @@ void l3d_sheet_depths::put(pixel& into, const fragment& f, int x, int y) const {
         into.second = f;
 }
 
+/// Whether they may be one sheet that covers a pixel twice. Quads of one patch are taken for two
+/// sheets: they meet themselves where it cuts itself, and hardly along sides of its pieces.
+bool l3d_sheet_depths::overlap(const fragment& a, const fragment& b) const {
+    const std::uint32_t of_a = a.owner / kinds, of_b = b.owner / kinds;
+    const std::uint32_t in_a = a.owner % kinds, in_b = b.owner % kinds;
+    if (patches_[of_a].is(patches_[of_b]))
+        return in_a + in_b >= rim + slit;
+    return in_a != inner && in_b != inner && patches_[of_a].meets(patches_[of_b]);
+}
+
 /// The sheets' planes are 1 / w = c + along_x x + along_y y, x and y from the picture's centre. In
 /// space that is f along_x X + f along_y Y + c Z = 1, so a pixel's distance along the normal
 /// changes 1 / w by |(along_x, along_y, c / f)|, and one in the picture by what the planes differ.
@@ -169,8 +181,7 @@ float l3d_sheet_depths::gap_between(const fragment& front, const fragment& other
     const double of_front = per_pixel(front), of_both = of_front + per_pixel(other);
     const double by_place =
         std::hypot(front.along_x - other.along_x, front.along_y - other.along_y);
-    if ((front.owner & other.owner & 1) != 0 && by_place <= of_both / 4 &&
-        patches_[front.owner / 2].meets(patches_[other.owner / 2]))
+    if (by_place <= of_both / 4 && overlap(front, other))
         return far;
     const double both = double(front.inv_w) + other.inv_w;
     const double apart =
