@@ -18,3 +18,12 @@ l3d_shading l3d_camera_shading(const l3d_camera& camera, l3d_size size, l3d_shad
     return {mode, to_floats(l3d_normalized(light)), to_floats(corner), to_floats(axes.right),
             to_floats(axes.up * -1.0)};
 }
+
+l3d_shading l3d_lit_while_diced(l3d_dice_view& view, const l3d_shading& shading, bool with_levels) {
+    view.shading = shading;
+    if (with_levels && shading.mode == l3d_shade::lambert)
+        view.shading.mode = l3d_shade::levels;
+    l3d_shading rest = view.shading;
+    rest.ray = rest.ray_right = rest.ray_down = {};
+    return rest;
+}

@@ -4,6 +4,7 @@
 #define L3D_DICE_CAMERA_SHADING_H
 
 #include "dice/camera.h"
+#include "dice/dice_view.h"
 #include "raster/surface_rasterizer.h"
 
 /// What a surface rasterizer needs to know of the camera and the light for one frame.
@@ -12,5 +13,9 @@
 /// Expects: camera.is_valid().
 l3d_shading l3d_camera_shading(const l3d_camera& camera, l3d_size size, l3d_shade mode,
                                const l3d_camera::vector& light);
+
+/// Has vertices lit where they are diced: with levels if `with_levels` and the mode is lambert,
+/// else with normals turned to the eye. Returns what the rasterizer has to do then.
+l3d_shading l3d_lit_while_diced(l3d_dice_view& view, const l3d_shading& shading, bool with_levels);
 
 #endif

@@ -143,7 +143,7 @@ void l3d_placed_bends::ask(const l3d_net_piece& piece, const l3d_dice_view& view
             raise(needs.vv[i], per_budget * with_thirds(b.vv, b.vvv, n_v));
             // The planner counts a sixteenth of what corners are off a plane by.
             raise(needs.uv[i], 4 * per_budget * (b.uv + b.uuv / n_u + b.uvv / n_v));
-            if (!view.makes_levels())
+            if (!view.makes_levels() && view.shading.mode != l3d_shade::error)
                 continue;
             raise(needs.least_u[i],
                   std::min(b.steps_u * more_steps, most_steps * needs.least_u[i]));

@@ -2,6 +2,7 @@
 // l3d_method_afd: the stages of a frame.
 #include "pipeline/method_afd.h"
 
+#include "dice/camera_shading.h"
 #include "pipeline/stopwatch_p.h"
 
 #include <cstddef>
@@ -25,12 +26,7 @@ template <class T>
 void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& times) {
     const stopwatch placing;
     l3d_dice_view view = frame.view;
-    view.shading = frame.shading;
-    if (view.shading.mode == l3d_shade::lambert && surface_->takes_levels())
-        view.shading.mode = l3d_shade::levels;
-    // Normals and levels come turned to the eye.
-    l3d_shading shading = view.shading;
-    shading.ray = shading.ray_right = shading.ray_down = {};
+    const l3d_shading shading = l3d_lit_while_diced(view, frame.shading, surface_->takes_levels());
     culling_.begin(frame.scene, frame.to_image, view, frame.part);
     dicer_.begin(view);
     std::span<const l3d_placed_patch> batch = next_batch();

@@ -20,6 +20,7 @@ struct picture {
     std::vector<std::uint32_t> words;
     std::vector<float> distances; ///< along the view axis, infinite where nothing is; if asked for
     l3d_frame_report report;
+    l3d_outline_mask outlines; ///< if asked for
 };
 
 inline picture drawn(const dice_tests::scene& s, const l3d_patch_scene& world,
@@ -30,7 +31,9 @@ inline picture drawn(const dice_tests::scene& s, const l3d_patch_scene& world,
     l3d_pipeline_afd pipeline(l3d_screen_factory_memory().create(request, refusal),
                               l3d_rasterizer_factory_sw(), world, s.camera, settings);
     pipeline.draw_event();
-    picture result{words_of(pipeline.screen().pixels()), {}, pipeline.report()};
+    picture result{words_of(pipeline.screen().pixels()), {}, pipeline.report(), {}};
+    if (pipeline.outlines())
+        result.outlines = *pipeline.outlines();
     for (int y = 0; settings.depth && y < s.size.height; ++y)
         for (const float inv_w : pipeline.depth().row(y))
             result.distances.push_back(inv_w > 0 ? 1 / inv_w

@@ -110,8 +110,8 @@ TEST(leaving_out, changes_no_bit_of_a_thousand_scenes_where_it_is_exact_and_else
                 "%ld pixels differ where points are, %ld where backs are left out\n",
                 static_cast<long>(left_out.offscreen), static_cast<long>(left_out.subpixel),
                 static_cast<long>(left_out.hidden), static_cast<long>(left_out.backfacing),
-                static_cast<long>(left_out.back_blocks),
-                static_cast<long>(shades_differ), static_cast<long>(outlines_differ));
+                static_cast<long>(left_out.back_blocks), static_cast<long>(shades_differ),
+                static_cast<long>(outlines_differ));
     EXPECT_GT(left_out.offscreen, 100);
     EXPECT_GT(left_out.subpixel, 100);
     EXPECT_GT(left_out.back_blocks, 100);

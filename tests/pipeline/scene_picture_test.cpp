@@ -151,8 +151,9 @@ TEST(scene_picture, of_a_placed_model_is_that_of_a_model_made_there) {
             settings.shade = shade;
             const difference d = between(drawn(made_there, settings), drawn(scene, settings));
             EXPECT_GT(d.filled, 1000);
-            // Rounding may move a vertex by a sub-pixel, and a pixel's centre across an outline.
-            EXPECT_LE(d.pixels, 1 + d.filled / 2000) << "placement " << i;
+            // How the placed one bends is told from bounds of the model's own bends, so it has
+            // other steps; these move a pixel's centre across an outline, within the tolerance.
+            EXPECT_LE(d.pixels, 1 + d.filled / 50) << "placement " << i;
         }
     }
 }

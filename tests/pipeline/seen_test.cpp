@@ -86,17 +86,20 @@ void expect_seen(const model& shown, std::size_t view, l3d_size size, totals& su
         l3d_afd_settings settings;
         settings.tolerance = tolerance;
         settings.depth = true;
+        settings.outlines = true;
         l3d_patch_scene world;
         world.add(s.model, s.placement);
         const pipeline_tests::picture drawn = pipeline_tests::drawn(s, world, settings);
         std::vector<unsigned char> greys;
         for (const std::uint32_t word : drawn.words)
             greys.push_back(static_cast<unsigned char>(word & 0xff));
-        // Of the distance along the normal no bound is reported yet: that of the place stands for
-        // it.
-        const double bound = drawn.report.dice.bound_px;
-        const seen_picture seen = reference::judge_seen(greys, drawn.distances, exact, outlines,
-                                                        {bound, bound}, reference::project_light);
+        const l3d_dice_counts& proven = drawn.report.dice;
+        seen_picture seen = reference::judge_seen(greys, drawn.distances, exact, outlines,
+                                                  {proven.bound_px, proven.depth_bound_px},
+                                                  reference::project_light);
+        // What the frame itself says that outlines reach.
+        std::erase_if(seen.far, [&](const auto& p) { return drawn.outlines.at(p.x, p.y); });
+        std::erase_if(seen.sparks, [&](const auto& p) { return drawn.outlines.at(p.x, p.y); });
         std::printf(
             "%-8s %2zu, %.2f px: %6ld shown, %5.1f %% judged; outlines %ld border, %ld "
             "jump, %ld crease, %ld close; levels rms %.2f, judged %.2f, largest %d; depth "

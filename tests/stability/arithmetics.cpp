@@ -56,8 +56,7 @@ public:
         double seconds = -processor_seconds();
         begin(c);
         depth_.resize(c.size);
-        rasterizer_.begin(target, &depth_,
-                          l3d_camera_shading(c.camera, c.size, l3d_shade::lambert, light));
+        rasterizer_.begin(target, &depth_, rest_of_shading_);
         const auto hidden = [this](const l3d_subpixel_box& box, float inv_w) {
             return rasterizer_.hidden(box, inv_w);
         };
@@ -81,7 +80,9 @@ private:
         scene_.clear();
         scene_.add(c.model);
         const l3d_image_transform to_image(c.camera, c.size, scene_);
-        const l3d_dice_view view = to_image.view(c.tolerance);
+        l3d_dice_view view = to_image.view(c.tolerance);
+        rest_of_shading_ = l3d_lit_while_diced(
+            view, l3d_camera_shading(c.camera, c.size, l3d_shade::lambert, light), true);
         depth_scale_ = view.depth_scale;
         culling_.begin(scene_, to_image.matrix(), view);
         dicer_.begin(view);
@@ -104,6 +105,7 @@ private:
     l3d_scene_culling culling_;
     l3d_frame_dicer<T> dicer_;
     double depth_scale_ = 1;
+    l3d_shading rest_of_shading_; ///< that is left to the rasterizer
     l3d_depth_buffer depth_;
     l3d_surface_rasterizer_sw rasterizer_{workers_};
 };
