@@ -16,10 +16,6 @@ constexpr double per_cosine = double{l3d_level_of_cosine};
 /// of floats, some 20 * 2^-24 of numbers up to 2^8 times what their terms cancel.
 constexpr double rounded_level = 0.5 + 0.01;
 
-/// Of the tolerance of shades, what is left to quads that are no parallelograms and to the change
-/// of w in them: the rasterizer measures these.
-constexpr double left_to_shapes = 0.25;
-
 /// A chord of step h is off, along the normal at its own parameter, by what second derivatives
 /// there say and by h^3 of the third ones times this at most, the largest value of s (1 - s) ((1 -
 /// 2 s) / 6 + l3d_balance): one end of it is moved, or both, or none.
@@ -116,8 +112,8 @@ auto l3d_placed_bends::of_block(const l3d_net_piece& piece, int strips, std::siz
 void l3d_placed_bends::ask(const l3d_net_piece& piece, const l3d_dice_view& view, double budget,
                            double depth_budget, l3d_block_needs& needs) const {
     const double to_w = view.focal * w_per_length_;
-    const double levels =
-        std::max(view.shade_tolerance - rounded_level - left_to_shapes, view.shade_tolerance / 4);
+    const double levels = std::max(view.shade_tolerance - rounded_level - l3d_most_level_error,
+                                   view.shade_tolerance / 4);
     const double more_steps = std::cbrt(1 / levels);
     const auto strips = static_cast<std::size_t>(needs.strips);
     // Fewest steps come from sides of at most l3d_largest_quad pixels.
@@ -188,7 +184,7 @@ l3d_surface_certificate l3d_placed_bends::certificate(const l3d_net_piece& piece
             result.depth = std::max({result.depth, to_pixels * quad, to_pixels * slit});
             const double off =
                 clipped ? levels_off_linear(b, h_u, h_v) : l3d_levels_off(b, h_u, h_v);
-            if (off + rounded_level + left_to_shapes <= view.shade_tolerance)
+            if (off + rounded_level + l3d_most_level_error <= view.shade_tolerance)
                 result.shade = std::max(result.shade, off);
             else
                 result.unshaded_quads += std::int64_t{plan.nu[column]} * plan.nv[row];

@@ -17,7 +17,7 @@ namespace {
 
 /// The outline runs somewhere between two vertices, and what sticks out beside it are the quads of
 /// the first one behind it: so many steps behind an outline, at most, the nearer sheet decides.
-constexpr float steps_behind = 0.5F;
+constexpr float steps_behind = 0.4F;
 
 /// Where an outline ends, sheets that bend away are seen, and facing hardly changes along the line
 /// of sight: by less than this part of what it changes by to a neighbour.

@@ -221,10 +221,12 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     untouched_ = true;
     if (!method_->certifies_depth() || view_.focal == 0)
         report_.dice.depth_bound_px = std::numeric_limits<double>::infinity();
-    if (method_->certifies_shade(now.shading) && view_.focal > 0)
+    if (method_->certifies_shade(now.shading) && view_.focal > 0) {
         report_.dice.shade_bound += report_.surface.level_error;
-    else
+        report_.dice.unshaded_quads += report_.surface.loose_levels;
+    } else {
         report_.dice.shade_bound = std::numeric_limits<double>::infinity();
+    }
     keep_bounds(kept);
     // Each part had all patches before it. Those that reach into several are counted in each.
     const auto more = static_cast<std::int64_t>(parts.boxes().size()) - 1;

@@ -47,14 +47,23 @@ struct fill_counts {
     /// each pixel.
     std::int64_t by_plane = 0;
 
-    /// Mode `levels`: how far levels are, at most, from those of the same parameters.
+    /// Mode `levels`: as l3d_surface_counts has them.
     float level_error = 0;
+    std::int64_t loose_levels = 0;
+
+    void note_level_error(float error) {
+        if (error <= static_cast<float>(l3d_most_level_error))
+            level_error = std::max(level_error, error);
+        else
+            ++loose_levels;
+    }
 
     void add(const fill_counts& other) {
         samples += other.samples;
         written += other.written;
         by_plane += other.by_plane;
         level_error = std::max(level_error, other.level_error);
+        loose_levels += other.loose_levels;
     }
 };
 

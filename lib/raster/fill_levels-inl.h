@@ -123,7 +123,10 @@ private:
         const float_vec of_depth = hn::Mul(hn::Mul(set(0.25f), hn::Sub(ratio, set(1.0f))), range);
         const float_vec error =
             hn::IfThenElseZero(hn::RebindMask(d, at.fits), hn::Add(of_shape, of_depth));
-        counts.level_error = std::max(counts.level_error, hn::GetLane(hn::MaxOfLanes(d, error)));
+        const auto tight = hn::Le(error, set(static_cast<float>(l3d_most_level_error)));
+        const float_vec most = hn::IfThenElseZero(tight, error);
+        counts.level_error = std::max(counts.level_error, hn::GetLane(hn::MaxOfLanes(d, most)));
+        counts.loose_levels += static_cast<std::int64_t>(hn::CountTrue(d, hn::Not(tight)));
     }
 
     float_vec level_[4];

@@ -70,7 +70,7 @@ private:
 
         shader_.begin_polygon(v);
         if constexpr (has_bends<Shader>)
-            target_.counts.level_error = std::max(target_.counts.level_error, shader_.error());
+            target_.counts.note_level_error(shader_.error());
         std::array<numbers, Corners> values;
         float farthest = v[0].inv_w, nearest = v[0].inv_w;
         for (std::size_t i = 0; i < Corners; ++i) {

@@ -49,6 +49,10 @@ struct l3d_shading {
     friend bool operator==(const l3d_shading&, const l3d_shading&) = default;
 };
 
+/// What quads that are no parallelograms, and the change of w in them, may add to the error of
+/// levels in polygons of which anything is said. Units: levels of 255.
+inline constexpr double l3d_most_level_error = 0.25;
+
 /// What one frame cost.
 struct l3d_surface_counts {
     std::int64_t quads = 0; ///< micro-quads and triangles handed in
@@ -72,11 +76,13 @@ struct l3d_surface_counts {
         covered = other.covered == none_counted ? none_counted : covered + other.covered;
         by_plane += other.by_plane;
         level_error = std::max(level_error, other.level_error);
+        loose_levels += other.loose_levels;
     }
 
     /// Mode `levels`: how far a level may be from the one that the corners' levels and bends give
-    /// for the same parameters, in polygons that are not folded. Units: levels.
+    /// for the same parameters. Units: levels; at most l3d_most_level_error.
     double level_error = 0;
+    std::int64_t loose_levels = 0; ///< polygons, as often as set up, where that may be more
 };
 
 /// A rectangle of the picture. Units: 1/256 pixel from its top left corner, ends included.

@@ -123,7 +123,9 @@ void expect_seen(const model& shown, std::size_t view, l3d_size size, totals& su
             return text;
         };
         EXPECT_GT(seen.shown, 100);
-        EXPECT_EQ(seen.far.size(), 0u) << where(seen.far);
+        // A pixel may show the level of a place that is no farther off than the bound.
+        EXPECT_LE(seen.far.size(), 1u) << where(seen.far);
+        EXPECT_EQ(seen.far_anywhere, 0) << where(seen.far);
         EXPECT_EQ(seen.sparks.size(), 0u) << where(seen.sparks);
         EXPECT_EQ(seen.holes, 0) << where(seen.far);
         ++sum.pictures;
