@@ -24,9 +24,10 @@ template <class T> std::span<const l3d_placed_patch> l3d_method_afd<T>::next_bat
 /// batch; nobody then needs the depth of the whole picture, unless it is asked for.
 template <class T>
 void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& times) {
-    const stopwatch placing;
     l3d_dice_view view = frame.view;
     const l3d_shading shading = l3d_lit_while_diced(view, frame.shading, surface_->takes_levels());
+    begin_outlines(frame, view, times);
+    const stopwatch placing;
     culling_.begin(frame.scene, frame.to_image, view, frame.part);
     dicer_.begin(view);
     std::span<const l3d_placed_patch> batch = next_batch();
@@ -35,12 +36,6 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
         frame.depth.resize(view.size);
     l3d_depth_buffer* const depth = keep_depth ? &frame.depth : nullptr;
     surface_->count_pixels(frame.counts_pixels);
-    if (!frame.outlines || frame.is_part())
-        outlines_.reset();
-    else if (!outlines_)
-        outlines_ = std::make_unique<l3d_frame_outlines>();
-    if (outlines_)
-        outlines_->begin(frame.scene, frame.to_image, view, frame.camera.focal_length(view.size));
     if (frame.is_part())
         surface_->begin_part(frame.target, depth, shading, frame.part);
     else
@@ -69,6 +64,19 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
     if (outlines_)
         outlines_->finish(counts_.bound_px, counts_.depth_bound_px, counts_.near);
     times.outlines += seeking.milliseconds();
+}
+
+template <class T>
+void l3d_method_afd<T>::begin_outlines(const l3d_method_frame& frame, const l3d_dice_view& view,
+                                       l3d_stage_times& times) {
+    const stopwatch beginning;
+    if (!frame.outlines || frame.is_part())
+        outlines_.reset();
+    else if (!outlines_)
+        outlines_ = std::make_unique<l3d_frame_outlines>();
+    if (outlines_)
+        outlines_->begin(frame.scene, frame.to_image, view, frame.camera.focal_length(view.size));
+    times.outlines += beginning.milliseconds();
 }
 
 template <class T>

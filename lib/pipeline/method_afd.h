@@ -34,6 +34,8 @@ private:
     }
 
     std::span<const l3d_placed_patch> next_batch();
+    void begin_outlines(const l3d_method_frame& frame, const l3d_dice_view& view,
+                        l3d_stage_times& times);
     void add_outlines(std::span<const l3d_placed_patch> batch, l3d_stage_times& times);
 
     std::unique_ptr<l3d_surface_rasterizer> surface_;
