@@ -12,7 +12,7 @@
 namespace {
 
 constexpr std::array all_modes{l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat,
-                               l3d_shade::normals, l3d_shade::error};
+                               l3d_shade::normals, l3d_shade::error,   l3d_shade::levels};
 
 int level_difference(std::uint32_t a, std::uint32_t b) {
     int most = 0;
@@ -50,7 +50,8 @@ TEST(SurfaceBands, DrawWhatTheSlowTwinDraws) {
 TEST(SurfaceBands, PictureDoesNotDependOnThemNorOnThreads) {
     // Else oneTBB has no more threads than the machine has cores.
     const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
-    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::normals})
+    for (const l3d_shade mode :
+         {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::normals, l3d_shade::levels})
         for (unsigned n = 0; n < 4; ++n) {
             const surface_parts scene = random_scene(scene_seed + n, scene_size, 30);
             surface_picture one(scene_size.width, scene_size.height, 1);
@@ -75,7 +76,8 @@ TEST(SurfaceBands, PictureDoesNotDependOnThemNorOnThreads) {
 }
 
 TEST(SurfaceBands, PictureDoesNotDependOnTheInstructions) {
-    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat})
+    for (const l3d_shade mode :
+         {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat, l3d_shade::levels})
         for (unsigned n = 0; n < 4; ++n) {
             const surface_parts scene = random_scene(scene_seed + n, scene_size, 60);
             surface_picture best(scene_size.width, scene_size.height, 2);
