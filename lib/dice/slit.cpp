@@ -48,8 +48,14 @@ bool covers_nothing(const l3d_micro_vertex& p, const l3d_micro_vertex& q,
 void add(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c,
          const l3d_dice_view& view, l3d_diced_piece& out) {
     const bool all_drawable = a.drawable && b.drawable && c.drawable;
-    if (!all_drawable || !covers_nothing(a.dice.vertex, b.dice.vertex, c.dice.vertex))
-        l3d_clip_triangle(a, b, c, view, out);
+    if (all_drawable && covers_nothing(a.dice.vertex, b.dice.vertex, c.dice.vertex))
+        return;
+    for (const bool along_u : {true, false}) {
+        const auto [low, high] = along_u ? std::minmax({a.dice.u, b.dice.u, c.dice.u})
+                                         : std::minmax({a.dice.v, b.dice.v, c.dice.v});
+        out.add_span(out.slits.straight, along_u, low, high);
+    }
+    l3d_clip_triangle(a, b, c, view, out);
 }
 
 /// A side of a piece's grid as a row of vertices, and the edge it lies along.
@@ -127,6 +133,8 @@ private:
             for (std::size_t k = 0; k < corners.size(); ++k)
                 set_normal_at(along[k], near, corners[k].normal);
         }
+        const auto [low, high] = std::minmax({along[0], along[1], along[2]});
+        piece_.add_span(piece_.slits.bent, along_u_, low, high);
         piece_.part.triangles.add(corners[0], corners[1], corners[2]);
         if (piece_.keep_parameters)
             for (std::size_t k = 0; k < along.size(); ++k)
