@@ -98,6 +98,8 @@ double levels_off_linear(const l3d_bend_numbers<double>& b, double h_u, double h
 /// positive.
 double levels_off_slit(double h, double bent, double straight, double n_2, double n_3) {
     constexpr double of_thirds = 0.00802, of_six = 5.0 / 3;
+    if (std::isinf(bent + straight)) // beyond the row's end
+        return bent + straight;
     const auto cube = [](double x) { return x * x * x; };
     double off = 0;
     if (bent > 0)

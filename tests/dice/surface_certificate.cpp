@@ -261,7 +261,9 @@ bool surface_certificate::keeps_levels(const l3d_diced_piece& piece, int row, in
                                double n_2, double n_3) {
         const double bent = piece.slits.bent[direction][block] / size;
         const double straight = piece.slits.straight[direction][block] / size;
-        if (bent > 0)
+        if (std::isinf(bent + straight))
+            off = bent + straight;
+        else if (bent > 0)
             off = std::max(off, 229.5 * 0.00802 * (bent * bent * bent + 5 * h * h * h / 3) * n_3);
         if (straight > 0)
             off = std::max(off, 229.5 * (straight * straight + h * h) / 8 * n_2);
@@ -279,8 +281,6 @@ bool surface_certificate::keeps_levels(const l3d_diced_piece& piece, int row, in
 bool surface_certificate::row_shows_both(const l3d_diced_piece& piece,
                                          const std::array<corner, 3>& c) const {
     const l3d_micro_grid& g = piece.part.grid;
-    if (g.rows < 2)
-        return false;
     const auto [low_u, high_u] = std::minmax({c[0].u, c[1].u, c[2].u});
     const auto [low_v, high_v] = std::minmax({c[0].v, c[1].v, c[2].v});
     bool front = false, back = false;
@@ -293,10 +293,15 @@ bool surface_certificate::row_shows_both(const l3d_diced_piece& piece,
             if ((low_u == high_u && u != low_u) || (low_v == high_v && v != low_v))
                 continue;
             double side = 1;
-            const double level = double{g.vertex(row, column).normal[0]};
-            if (std::abs(level) < of_corner)
-                continue;
-            side_of(std::array{corner_of(g.vertex(row, column), u, v)}, side);
+            if (g.rows < 2) { // clipped: each vertex shows the side that is turned to the eye
+                const exact here = exact_at(u, v);
+                side = dot(here.normal, here.place) > 0 ? -1 : 1;
+            } else {
+                const l3d_micro_vertex vertex = g.vertex(row, column);
+                if (std::abs(double{vertex.normal[0]}) < of_corner)
+                    continue;
+                side_of(std::array{corner_of(vertex, u, v)}, side);
+            }
             (side > 0 ? front : back) = true;
         }
     return front && back;

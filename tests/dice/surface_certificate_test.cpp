@@ -164,6 +164,8 @@ template <class T> void check_random_patches(std::uint64_t first, std::uint64_t 
 
 TYPED_TEST(surface_bound_of, random_patches_of_every_kind_hold) {
     check_random_patches<TypeParam>(1, 3, sanitized ? 5 : 20);
+    // Beside a piece that is cut, an edge's step reaches beyond the row's end.
+    check_random_patches<TypeParam>(1565, 1566, 1);
 }
 
 /// 10^5 patches.
