@@ -5,13 +5,24 @@
 
 #include "raster/surface_part.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 /// A vertex with the patch parameters whose exact point it stands for.
 struct l3d_dice_vertex {
     l3d_micro_vertex vertex;
     double u = 0, v = 0;
+};
+
+/// The longest way that a triangle of the slits along a grid's sides goes along them. Edges have
+/// steps of their own, so it may be several of the grid's. Shape: u, v; the blocks along it.
+/// Units: the patch's parameters; 0 where there is no triangle.
+struct l3d_slit_spans {
+    using of_blocks = std::array<double, l3d_block_starts::most_blocks>;
+    std::array<of_blocks, 2> bent{};     ///< of those whose levels are parabolas
+    std::array<of_blocks, 2> straight{}; ///< of those whose levels are planes
 };
 
 /// A grid and the triangles around it. Vertex (r, c) of the grid stands for the exact surface
@@ -26,6 +37,7 @@ struct l3d_diced_piece {
     l3d_surface_part part;
     std::vector<double> u, v;
     double bound = 0; ///< certified image error of the grid, in pixels; triangles have the frame's
+    l3d_slit_spans slits;
     bool has_levels = false; ///< vertices have levels and bends (l3d_micro_vertex), not normals
 
     /// Only written if asked for, by whoever measures.
@@ -39,9 +51,26 @@ struct l3d_diced_piece {
         u.clear();
         v.clear();
         bound = 0;
+        slits = {};
         has_levels = false;
         for (auto& corner : triangle_uv)
             corner.clear();
+    }
+
+    /// A triangle of a slit that reaches from one parameter to another, both of u or of v.
+    void add_span(std::array<l3d_slit_spans::of_blocks, 2>& of, bool along_u, double low,
+                  double high) {
+        const std::vector<double>& at = along_u ? u : v;
+        const l3d_block_starts& starts = along_u ? part.block_columns : part.block_rows;
+        if (at.size() < 2)
+            return;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(starts.blocks); ++i) {
+            const double from = at[static_cast<std::size_t>(starts.first[i])];
+            const double to = at[static_cast<std::size_t>(starts.first[i + 1])];
+            double& span = of[along_u ? 0 : 1][i];
+            if (low < to && high > from)
+                span = std::max(span, high - low);
+        }
     }
 
     void add_triangle(const l3d_dice_vertex& a, const l3d_dice_vertex& b,

@@ -132,11 +132,12 @@ const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_net_piece& piece, const l
 template <class T>
 l3d_surface_certificate
 l3d_lane_dicer<T>::certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
-                               const l3d_placed_bends& bends, const l3d_surface_part& part) const {
-    l3d_surface_certificate result = bends.certificate(piece, view, bounds_.needs, plan_, false);
+                               const l3d_placed_bends& bends, const l3d_diced_piece& out) const {
+    l3d_surface_certificate result =
+        bends.certificate(piece, view, bounds_.needs, plan_, out.slits, false);
     result.depth += depth_error_;
     if (result.without_normals != 0)
-        result.depth += l3d_most_off_plane(part, result.without_normals, view);
+        result.depth += l3d_most_off_plane(out.part, result.without_normals, view);
     return result;
 }
 
@@ -197,7 +198,7 @@ bool l3d_lane_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& n
     }
     // Slits lie between vertices of the patch and of its edges, each off by its own error.
     counts.bound_px = std::max({counts.bound_px, out.bound, edge_chord + row_error_});
-    counts.add_surface(certificate(whole, view, bends, out.part), edge_chord + depth_error_);
+    counts.add_surface(certificate(whole, view, bends, out), edge_chord + depth_error_);
     ++counts.drawn;
     ++counts.pieces;
     ++counts.in_lanes;

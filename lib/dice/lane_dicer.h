@@ -44,7 +44,7 @@ public:
     /// What is proven of depth and shade of what was planned last, rounding of vertices included.
     l3d_surface_certificate certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
                                         const l3d_placed_bends& bends,
-                                        const l3d_surface_part& part) const;
+                                        const l3d_diced_piece& out) const;
 
     /// How far vertices of what was planned last are from the surface. Units: pixels at their
     /// depth.

@@ -165,8 +165,8 @@ template <class T> bool l3d_patch_dicer<T>::take_in_lanes(const piece& p, task& 
         of.lanes->fill(p, of.normals, of.view, out);
         drawer_.close(p, out);
         count(p, out, of.lanes->row_error(), true, of);
-        count_surface(p, of.lanes->certificate(p, of.view, of.bends, out.part),
-                      of.lanes->depth_error(), of);
+        count_surface(p, of.lanes->certificate(p, of.view, of.bends, out), of.lanes->depth_error(),
+                      of);
         ++of.counts.in_lanes;
         return true;
     }
@@ -218,7 +218,7 @@ template <class T> void l3d_patch_dicer<T>::draw(const piece& p, const planned& 
     out.bound = how.plan.visible ? how.plan.chord_error + how.vertex_error : 0;
     count(p, out, how.row_error, false, of);
     l3d_surface_certificate proven =
-        of.bends.certificate(p, of.view, how.needs, how.plan, !how.nets.whole());
+        of.bends.certificate(p, of.view, how.needs, how.plan, out.slits, !how.nets.whole());
     proven.depth = proven.depth * how.depth_growth + how.depth_error;
     if (proven.without_normals != 0)
         proven.depth += how.nets.whole()

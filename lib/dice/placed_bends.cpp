@@ -21,9 +21,55 @@ constexpr double rounded_level = 0.5 + 0.01;
 /// 2 s) / 6 + l3d_balance): one end of it is moved, or both, or none.
 constexpr double of_moved_thirds = 0.0322;
 
-/// Mixed fourth derivatives count with h_u^2 h_v^2 times this: 1/64 of chords, 2 l3d_balance / 8 of
-/// moved chords, l3d_balance^2 of both moved.
-constexpr double of_fourths = 1.0 / 64 + l3d_balance / 4 + l3d_balance * l3d_balance;
+/// A difference over a step h of a cubic is h times its derivative at any point of the step, h^2
+/// times the second one there times the first number at most, and h^3 times the third one times the
+/// second: with s the point's place, (1 - 2 s) / 2 and ((1 - s)^3 + s^3) / 6, and l3d_balance more
+/// where ends are moved.
+constexpr double of_difference_second = 1.0 / 2 + l3d_balance;
+constexpr double of_difference_third = 1.0 / 6 + l3d_balance;
+
+/// Fourth derivatives, two by each parameter, count with h_u^2 h_v^2 times this: 1/64 of chords, 2
+/// l3d_balance / 8 of moved chords, l3d_balance^2 of both moved, and a quarter of what they make of
+/// the corners' mixed difference.
+constexpr double of_fourths = 1.0 / 64 + l3d_balance / 4 + l3d_balance * l3d_balance +
+                              of_difference_second * of_difference_second / 4;
+
+/// What the mixed difference of a cell's corners has of |S_uuuv|, |S_uvvv| and of all mixed
+/// derivatives above the fourth, over h_u h_v.
+///
+/// They are 18, 18 and 36 times differences of the control points. A difference of differences is
+/// twice the largest of these at most: so |S_uuuvv| <= 4 |S_uuuv|, |S_uuuvvv| <= 8 |S_uuuv|, by the
+/// parameters of the piece, which run over a block `strips` times as fast.
+class mixed_rest {
+public:
+    /// Units: unit is what a scaled w of 1 is long; x and y have `focal` as well.
+    mixed_rest(const std::array<l3d_image_point, 16>& p, int strips, double unit, double focal)
+        : per_strip_(1.0 / strips) {
+        const auto third = [&](std::size_t line, bool turned) {
+            const std::size_t first = turned ? line : 4 * line, step = turned ? 4 : 1;
+            return p[first + 3 * step] - p[first] + (p[first + step] - p[first + 2 * step]) * 3.0;
+        };
+        const double scale = 18 * unit * per_strip_ * per_strip_ * per_strip_ * per_strip_;
+        for (const bool turned : {false, true})
+            for (std::size_t line = 0; line < 3; ++line) {
+                const l3d_image_point d = third(line + 1, turned) - third(line, turned);
+                const double x = d[0] / focal, y = d[1] / focal;
+                double& most = turned ? uvvv_ : uuuv_;
+                most = std::max(most, scale * std::sqrt(x * x + y * y + d[2] * d[2]));
+            }
+    }
+
+    double operator()(double h_u, double h_v) const {
+        const double more_u = per_strip_ * h_u, more_v = per_strip_ * h_v;
+        return of_difference_third * (h_u * h_u * uuuv_ *
+                                          (1 + 4 * of_difference_second * more_v +
+                                           8 * of_difference_third * more_v * more_v) +
+                                      h_v * h_v * uvvv_ * (1 + 4 * of_difference_second * more_u));
+    }
+
+private:
+    double per_strip_, uuuv_ = 0, uvvv_ = 0;
+};
 
 /// Asked for above what second derivatives say, for the third ones in the middle of a plan.
 double with_thirds(double second, double third, double steps) {
@@ -37,6 +83,26 @@ bool is_seen(const l3d_block_needs& needs, std::size_t i) {
 /// What levels are off by that are linear over two triangles of a quad.
 double levels_off_linear(const l3d_bend_numbers<double>& b, double h_u, double h_v) {
     return per_cosine * ((h_u * h_u * b.n_uu + h_v * h_v * b.n_vv) / 8 + h_u * h_v * b.n_uv / 4);
+}
+
+/// What levels are off by in the slit along a side with steps h, if triangles reach that far.
+///
+/// Corners of a triangle of the slit take levels of the grid's row, between its vertices too. A
+/// parabola through three corners and the middles of three sides, of numbers of one parameter, is
+/// off by of_thirds times the third derivative, as along a line; and by 5/3 of what the row is off
+/// by, as the weights of these six add up to that at most, their signs aside. A plane's weights are
+/// positive.
+double levels_off_slit(double h, double bent, double straight, double n_2, double n_3) {
+    constexpr double of_thirds = 0.00802, of_six = 5.0 / 3;
+    if (std::isinf(bent + straight)) // beyond the row's end
+        return bent + straight;
+    const auto cube = [](double x) { return x * x * x; };
+    double off = 0;
+    if (bent > 0)
+        off = per_cosine * of_thirds * (cube(bent) + of_six * cube(h)) * n_3;
+    if (straight > 0)
+        off = std::max(off, per_cosine * (straight * straight + h * h) / 8 * n_2);
+    return off;
 }
 
 } // namespace
@@ -148,15 +214,15 @@ void l3d_placed_bends::ask(const l3d_net_piece& piece, const l3d_dice_view& view
         }
 }
 
-l3d_surface_certificate l3d_placed_bends::certificate(const l3d_net_piece& piece,
-                                                      const l3d_dice_view& view,
-                                                      const l3d_block_needs& needs,
-                                                      const l3d_step_plan& plan,
-                                                      bool clipped) const {
+l3d_surface_certificate
+l3d_placed_bends::certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
+                              const l3d_block_needs& needs, const l3d_step_plan& plan,
+                              const l3d_slit_spans& slits, bool clipped) const {
     constexpr double nothing = std::numeric_limits<double>::infinity();
     if (!*this)
         return {nothing, nothing};
     const auto strips = static_cast<std::size_t>(needs.strips);
+    const mixed_rest mixed(piece.net.points, needs.strips, 1 / w_per_length_, focal_);
     l3d_surface_certificate result;
     for (std::size_t row = 0; row < strips; ++row)
         for (std::size_t column = 0; column < strips; ++column) {
@@ -176,7 +242,9 @@ l3d_surface_certificate l3d_placed_bends::certificate(const l3d_net_piece& piece
             const bool side_column = column == 0 || column + 1 == strips;
             const double along_u = bent(h_u, b.uu, b.uuu, false),
                          along_v = bent(h_v, b.vv, b.vvv, false);
-            const double off_plane = h_u * h_v * (b.uv + h_u * b.uuv + h_v * b.uvv) / 4;
+            const double off_plane =
+                h_u * h_v *
+                (b.uv + of_difference_second * (h_u * b.uuv + h_v * b.uvv) + mixed(h_u, h_v)) / 4;
             const double quad =
                 along_u + along_v + off_plane + of_fourths * h_u * h_u * h_v * h_v * b.uuvv;
             const double slit = std::max(side_row ? bent(h_u, b.uu, b.uuu, true) : 0.0,
@@ -188,6 +256,22 @@ l3d_surface_certificate l3d_placed_bends::certificate(const l3d_net_piece& piece
                 result.shade = std::max(result.shade, off);
             else
                 result.unshaded_quads += std::int64_t{plan.nu[column]} * plan.nv[row];
+            const auto slit_levels = [&](bool of_u, std::size_t block, bool at_side) {
+                const double size = (of_u ? piece.u1 - piece.u0 : piece.v1 - piece.v0) /
+                                    static_cast<double>(strips);
+                const std::size_t direction = of_u ? 0 : 1;
+                return at_side
+                           ? levels_off_slit(of_u ? h_u : h_v, slits.bent[direction][block] / size,
+                                             slits.straight[direction][block] / size,
+                                             of_u ? b.n_uu : b.n_vv, of_u ? b.n_uuu : b.n_vvv)
+                           : 0;
+            };
+            const double off_slit =
+                std::max(slit_levels(true, column, side_row), slit_levels(false, row, side_column));
+            if (off_slit + rounded_level + left_to_shapes <= view.shade_tolerance)
+                result.shade = std::max(result.shade, off_slit);
+            else
+                ++result.unshaded_quads;
             if (!std::isfinite(b.n_uuu))
                 result.without_normals |= 1U << i;
         }

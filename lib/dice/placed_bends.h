@@ -5,6 +5,7 @@
 
 #include "dice/dice_counts.h"
 #include "dice/dice_view.h"
+#include "dice/diced_piece.h"
 #include "dice/net_piece.h"
 #include "dice/step_plan.h"
 #include "dice/surface_bends.h"
@@ -38,10 +39,10 @@ public:
              double depth_budget, l3d_block_needs& needs) const;
 
     /// What the steps chosen leave. Levels of clipped pieces are linear over triangles.
-    /// Expects: as above.
+    /// Expects: as above; the slits are those that were made along the piece's sides.
     l3d_surface_certificate certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
                                         const l3d_block_needs& needs, const l3d_step_plan& plan,
-                                        bool clipped) const;
+                                        const l3d_slit_spans& slits, bool clipped) const;
 
 private:
     struct numbers : l3d_bend_numbers<double> {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace {
@@ -45,11 +46,30 @@ bool covers_nothing(const l3d_micro_vertex& p, const l3d_micro_vertex& q,
     return a + b + c == 0 || (std::min({a, b, c}) < 0 && std::max({a, b, c}) > 0);
 }
 
+/// Notes how far a triangle of a slit goes along the grid's side. A corner beyond the side's end
+/// has the level of that end, whatever it should be: then it goes farther than anything is known
+/// for.
+void note_span(l3d_diced_piece& out, bool straight, bool along_u, double low, double high) {
+    const std::vector<double>& at = along_u ? out.u : out.v;
+    if (at.size() < 2)
+        return;
+    const double rounding = 1e-9 * (at.back() - at.front());
+    if (low < at.front() - rounding || high > at.back() + rounding)
+        low = -std::numeric_limits<double>::infinity();
+    out.add_span(straight ? out.slits.straight : out.slits.bent, along_u, low, high);
+}
+
 void add(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c,
          const l3d_dice_view& view, l3d_diced_piece& out) {
     const bool all_drawable = a.drawable && b.drawable && c.drawable;
-    if (!all_drawable || !covers_nothing(a.dice.vertex, b.dice.vertex, c.dice.vertex))
-        l3d_clip_triangle(a, b, c, view, out);
+    if (all_drawable && covers_nothing(a.dice.vertex, b.dice.vertex, c.dice.vertex))
+        return;
+    for (const bool along_u : {true, false}) {
+        const auto [low, high] = along_u ? std::minmax({a.dice.u, b.dice.u, c.dice.u})
+                                         : std::minmax({a.dice.v, b.dice.v, c.dice.v});
+        note_span(out, true, along_u, low, high);
+    }
+    l3d_clip_triangle(a, b, c, view, out);
 }
 
 /// A side of a piece's grid as a row of vertices, and the edge it lies along.
@@ -127,6 +147,8 @@ private:
             for (std::size_t k = 0; k < corners.size(); ++k)
                 set_normal_at(along[k], near, corners[k].normal);
         }
+        const auto [low, high] = std::minmax({along[0], along[1], along[2]});
+        note_span(piece_, false, along_u_, low, high);
         piece_.part.triangles.add(corners[0], corners[1], corners[2]);
         if (piece_.keep_parameters)
             for (std::size_t k = 0; k < along.size(); ++k)

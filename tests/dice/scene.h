@@ -3,6 +3,7 @@
 #ifndef L3D_TESTS_DICE_SCENE_H
 #define L3D_TESTS_DICE_SCENE_H
 
+#include "dice/camera_shading.h"
 #include "dice/frame_dicer.h"
 #include "dice/image_transform.h"
 #include "dice/placed_net.h"
@@ -67,6 +68,7 @@ struct scene {
     l3d_matrix<double> placement = l3d_identity<double>(); ///< of the model
     l3d_camera camera;
     std::int64_t most_samples = std::int64_t{1} << 40; ///< as if there were no budget
+    double shade_tolerance = 0; ///< 0: not lit while diced, else with levels by project_light
 
     reference::picture_size picture() const { return {size.width, size.height}; }
 };
@@ -89,6 +91,8 @@ public:
         view.keep = keep;
         view.one_sided = one_sided;
         view.most_samples = s.most_samples;
+        if (s.shade_tolerance > 0)
+            light(s, view);
         culling_.begin(world_, to_image.matrix(), view);
         dicer_.begin(view);
         const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
@@ -107,6 +111,13 @@ public:
     }
 
 private:
+    static void light(const scene& s, l3d_dice_view& view) {
+        const auto& [x, y, z] = reference::project_light;
+        view.shade_tolerance = s.shade_tolerance;
+        l3d_lit_while_diced(
+            view, l3d_camera_shading(s.camera, s.size, l3d_shade::lambert, {x, y, z}), true);
+    }
+
     l3d_workers workers_{1};
     l3d_patch_scene world_;
     l3d_scene_culling culling_;
