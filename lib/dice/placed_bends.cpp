@@ -268,7 +268,7 @@ l3d_placed_bends::certificate(const l3d_net_piece& piece, const l3d_dice_view& v
             };
             const double off_slit =
                 std::max(slit_levels(true, column, side_row), slit_levels(false, row, side_column));
-            if (off_slit + rounded_level + left_to_shapes <= view.shade_tolerance)
+            if (off_slit + rounded_level + l3d_most_level_error <= view.shade_tolerance)
                 result.shade = std::max(result.shade, off_slit);
             else
                 ++result.unshaded_quads;
