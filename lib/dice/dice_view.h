@@ -44,10 +44,13 @@ struct l3d_kept_patches {
 
 /// What a frame may spend on patches that have to be cut or clipped, unless somebody says
 /// otherwise: two samples a pixel are more than any picture shows, and 2^16 take a millisecond or
-/// two. Patches that need neither are always done, in at most 129 x 129 samples. Units: samples
-/// that are walked, see l3d_dice_budget.
-constexpr std::int64_t l3d_usual_samples(l3d_size size) {
-    return (std::int64_t{1} << 16) + 2 * std::int64_t{size.width} * size.height;
+/// two. Quads grow with 1 / tolerance: the teapot has one for two pixels that it covers at 0.05 px,
+/// so finer tolerances get more. Patches that need neither are always done, in at most 129 x 129
+/// samples. Units: samples that are walked, see l3d_dice_budget; tolerance in pixels.
+constexpr std::int64_t l3d_usual_samples(l3d_size size, double tolerance) {
+    const double a_pixel = 2 * std::max(1.0, 0.05 / tolerance);
+    return (std::int64_t{1} << 16) +
+           static_cast<std::int64_t>(a_pixel * static_cast<double>(size.width) * size.height);
 }
 
 /// The picture and the accuracy asked for; constant for a frame.
@@ -84,7 +87,7 @@ struct l3d_dice_view {
     friend bool operator==(const l3d_dice_view&, const l3d_dice_view&) = default;
 
     std::int64_t budget() const {
-        return most_samples > 0 ? most_samples : l3d_usual_samples(size);
+        return most_samples > 0 ? most_samples : l3d_usual_samples(size, tolerance);
     }
 
     /// The same picture, its near plane where the camera's is.

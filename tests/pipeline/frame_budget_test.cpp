@@ -47,8 +47,9 @@ TEST(frame_budget, limits_what_spikes_cost) {
     for (const l3d_size size : {l3d_size{16, 16}, l3d_size{160, 120}}) {
         const dice_tests::scene s = spikes(20, size);
         const picture p = drawn(s, s.model, settings_of(0.5));
-        EXPECT_LE(p.report.dice.samples, l3d_usual_samples(size)) << size.width;
-        EXPECT_LE(l3d_piece_cost * p.report.dice.pieces, l3d_usual_samples(size)) << size.width;
+        EXPECT_LE(p.report.dice.samples, l3d_usual_samples(size, 0.5)) << size.width;
+        EXPECT_LE(l3d_piece_cost * p.report.dice.pieces, l3d_usual_samples(size, 0.5))
+            << size.width;
         EXPECT_GT(p.report.dice.unfinished, 0);
         EXPECT_GE(p.report.dice.coarse, p.report.dice.unfinished);
         EXPECT_EQ(p.report.dice.coarsest.bound_px, p.report.dice.bound_px);
