@@ -87,11 +87,10 @@ double levels_off_linear(const l3d_bend_numbers<double>& b, double h_u, double h
 
 /// What levels are off by in the slit along a side with steps h, if triangles reach that far.
 ///
-/// Corners of a triangle of the slit take levels of the grid's row, between its vertices too. A
-/// parabola through three corners and the middles of three sides, of numbers of one parameter, is
-/// off by of_thirds times the third derivative, as along a line; and by 5/3 of what the row is off
-/// by, as the weights of these six add up to that at most, their signs aside. A plane's weights are
-/// positive.
+/// A triangle of the slit has levels of the grid's row at its corners and at the middles of its
+/// sides. All six are numbers of one parameter. So their parabola is off by as much as one along a
+/// line. What the row itself is off by counts 5/3 times, the most that the sizes of six weights add
+/// up to. A plane's weights are positive.
 double levels_off_slit(double h, double bent, double straight, double n_2, double n_3) {
     constexpr double of_thirds = 0.00802, of_six = 5.0 / 3;
     if (std::isinf(bent + straight)) // beyond the row's end
