@@ -14,6 +14,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "dice/edge_steps-inl.h"
 #include "raster/simd_dispatch_p.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,17 +23,6 @@ namespace HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr std::size_t most_strips = l3d_block_starts::most_blocks;
-constexpr std::size_t lanes = edges_at_once * most_strips;
-
-/// One number per strip: strip s of edge e is lane 4 s + e.
-struct alignas(64) row {
-    double at[lanes];
-};
-
-/// The four control values in one coordinate; or the four coefficients of powers of t.
-using cubic = std::array<row, 4>;
 
 /// The halves of curves, as l3d_bezier_curve::split makes them.
 void split(const cubic& p, cubic& HWY_RESTRICT low, cubic& HWY_RESTRICT high) {
@@ -52,9 +42,6 @@ void split(const cubic& p, cubic& HWY_RESTRICT low, cubic& HWY_RESTRICT high) {
     }
 }
 
-/// The strips' control points: [coordinate][control point].
-using strip_nets = std::array<cubic, 3>;
-
 /// `edges` has coordinate k of edge e in lane 4 k + e, a whole edge each.
 void cut_in_four(const cubic& edges, strip_nets& out) {
     std::array<cubic, 2> halves;
@@ -67,150 +54,6 @@ void cut_in_four(const cubic& edges, strip_nets& out) {
             for (std::size_t s = 0; s < most_strips; ++s)
                 for (std::size_t e = 0; e < edges_at_once; ++e)
                     out[k][i].at[4 * s + e] = strips[s][i].at[4 * k + e];
-}
-
-template <class V> V length(V x, V y) {
-    return hn::Sqrt(hn::Add(hn::Mul(x, x), hn::Mul(y, y)));
-}
-template <class V> V greatest_of(V a, V b, V c, V d) {
-    return hn::Max(hn::Max(a, b), hn::Max(c, d));
-}
-template <class V> V least_of(V a, V b, V c, V d) {
-    return hn::Min(hn::Min(a, b), hn::Min(c, d));
-}
-
-using strip_lanes = hn::Vec<hn::CappedTag<double, lanes>>;
-
-/// A vector in space: x, y and focal w.
-struct space_vector {
-    strip_lanes x, y, z;
-
-    HWY_ATTR HWY_INLINE space_vector minus(const space_vector& b) const {
-        return {hn::Sub(x, b.x), hn::Sub(y, b.y), hn::Sub(z, b.z)};
-    }
-    HWY_ATTR HWY_INLINE strip_lanes dot(const space_vector& b) const {
-        return hn::Add(hn::Add(hn::Mul(x, b.x), hn::Mul(y, b.y)), hn::Mul(z, b.z));
-    }
-    HWY_ATTR HWY_INLINE strip_lanes size() const { return hn::Sqrt(dot(*this)); }
-
-    /// Of the part across a direction, times that direction's length.
-    HWY_ATTR HWY_INLINE strip_lanes across(const space_vector& b) const {
-        const space_vector product{hn::Sub(hn::Mul(y, b.z), hn::Mul(z, b.y)),
-                                   hn::Sub(hn::Mul(z, b.x), hn::Mul(x, b.z)),
-                                   hn::Sub(hn::Mul(x, b.y), hn::Mul(y, b.x))};
-        return product.size();
-    }
-};
-
-/// l3d_space_bound_of of strips from l on, not yet divided by w, without the factor 6.
-HWY_ATTR strip_lanes space_bend(const strip_nets& nets, std::size_t l, double focal) {
-    const hn::CappedTag<double, lanes> d;
-    using vec = strip_lanes;
-    const vec zero = hn::Zero(d), one = hn::Set(d, 1), scale = hn::Set(d, focal);
-    const auto at = [&](std::size_t i) HWY_ATTR {
-        return space_vector{hn::Load(d, &nets[0][i].at[l]), hn::Load(d, &nets[1][i].at[l]),
-                            hn::Mul(scale, hn::Load(d, &nets[2][i].at[l]))};
-    };
-    const space_vector p[4] = {at(0), at(1), at(2), at(3)};
-    const space_vector sides[3] = {p[1].minus(p[0]), p[2].minus(p[1]), p[3].minus(p[2])};
-    const space_vector chord = p[3].minus(p[0]);
-    const vec length = chord.size();
-    const auto is_point = hn::Le(length, zero);
-    const vec over_length = hn::Div(one, hn::IfThenElse(is_point, one, length));
-    vec sine = zero;
-    for (const space_vector& side : sides) {
-        const vec size = side.size();
-        const auto none = hn::Le(size, zero);
-        const vec of_side =
-            hn::Mul(hn::Div(side.across(chord), hn::IfThenElse(none, one, size)), over_length);
-        const vec turned = hn::IfThenElse(hn::Gt(side.dot(chord), zero), of_side, one);
-        sine = hn::Max(sine, hn::IfThenElse(none, zero, turned));
-    }
-    sine = hn::IfThenElse(is_point, one, sine);
-    vec largest = zero;
-    for (std::size_t i = 0; i < 2; ++i) {
-        const space_vector bend = sides[i + 1].minus(sides[i]);
-        const vec size = bend.size();
-        const vec across = hn::Mul(bend.across(chord), over_length);
-        largest = hn::Max(largest, hn::Min(hn::Add(across, hn::Mul(sine, size)), size));
-    }
-    return largest;
-}
-
-/// What differs from strip to strip when steps are planned.
-struct strip_wishes {
-    /// 1 / (4 budget): half the budget, as each direction of a quad gets; then an edge and the
-    /// boundary row of a patch mostly have the same steps, and the slit between them is empty.
-    row per_budget;
-    /// What balance makes of squared steps: 8 l3d_balance, or 1 where there is none.
-    row balance;
-    row grown_by; ///< how far balance can move vertices
-};
-
-/// Steps and chord errors of all strips; see l3d_second_bound_of and l3d_depth_bound_of. The errors
-/// are those of chords that are not balanced, as slits may be.
-void plan_strips(const strip_nets& nets, const l3d_image_box& window, double focal,
-                 const strip_wishes& wishes, row& steps, row& chord_error) {
-    const hn::CappedTag<double, lanes> d;
-    using vec = hn::Vec<decltype(d)>;
-    const vec zero = hn::Zero(d), one = hn::Set(d, 1), two = hn::Set(d, 2), six = hn::Set(d, 6),
-              half = hn::Set(d, 0.5);
-    for (std::size_t l = 0; l < lanes; l += hn::Lanes(d)) {
-        const auto at = [&](int k, std::size_t i) {
-            return hn::Load(d, &nets[static_cast<std::size_t>(k)][i].at[l]);
-        };
-        vec over_w[4], x[4], y[4];
-        for (std::size_t i = 0; i < 4; ++i) {
-            over_w[i] = hn::Div(one, at(2, i));
-            x[i] = hn::Mul(at(0, i), over_w[i]);
-            y[i] = hn::Mul(at(1, i), over_w[i]);
-        }
-        const vec grown_by = hn::Load(d, &wishes.grown_by.at[l]);
-        const auto least = [&](const vec(&v)[4], double limit) {
-            return hn::Max(hn::Set(d, limit), hn::Sub(least_of(v[0], v[1], v[2], v[3]), grown_by));
-        };
-        const auto greatest = [&](const vec(&v)[4], double limit) {
-            return hn::Min(hn::Set(d, limit),
-                           hn::Add(greatest_of(v[0], v[1], v[2], v[3]), grown_by));
-        };
-        const vec left = least(x, window.left), right = greatest(x, window.right);
-        const vec top = least(y, window.top), bottom = greatest(y, window.bottom);
-        const vec width = hn::Sub(right, left), height = hn::Sub(bottom, top);
-        const auto visible = hn::And(hn::Ge(width, zero), hn::Ge(height, zero));
-        const vec centre_x = hn::Mul(hn::Add(left, right), half);
-        const vec centre_y = hn::Mul(hn::Add(top, bottom), half);
-        const vec radius = hn::Mul(length(width, height), half);
-
-        vec bound = zero, depth_bound = zero;
-        for (std::size_t i = 0; i < 2; ++i) {
-            const auto second = [&](int k) {
-                return hn::Add(hn::Sub(at(k, i), hn::Mul(two, at(k, i + 1))), at(k, i + 2));
-            };
-            const vec dw = second(2);
-            const vec dx = hn::Sub(second(0), hn::Mul(centre_x, dw));
-            const vec dy = hn::Sub(second(1), hn::Mul(centre_y, dw));
-            const vec change = hn::Abs(dw);
-            bound = hn::Max(bound, hn::Add(length(dx, dy), hn::Mul(radius, change)));
-            depth_bound = hn::Max(depth_bound, change);
-        }
-        const vec six_over_w =
-            hn::Mul(six, greatest_of(over_w[0], over_w[1], over_w[2], over_w[3]));
-        if (focal > 0)
-            bound = hn::Max(bound, space_bend(nets, l, focal));
-        bound = hn::Mul(bound, six_over_w);
-        // More than 32 steps are too many, however many.
-        const vec most = hn::Set(d, 4.0 * l3d_most_steps_whole * l3d_most_steps_whole);
-        const vec in_image = hn::Min(hn::Mul(bound, hn::Load(d, &wishes.per_budget.at[l])), most);
-        const vec balanced = hn::Mul(in_image, hn::Load(d, &wishes.balance.at[l]));
-        // w may be off by an eighth, l3d_dice_view::depth_budget.
-        const vec in_depth = hn::Min(hn::Mul(depth_bound, six_over_w), most);
-        const vec wanted = hn::Ceil(hn::Sqrt(hn::Max(balanced, in_depth)));
-        const vec least_steps = hn::IfThenElse(hn::Le(in_image, one), one, two);
-        const vec n = hn::IfThenElse(visible, hn::Max(least_steps, wanted), one);
-        const vec error = hn::Div(bound, hn::Mul(hn::Set(d, 8), hn::Mul(n, n)));
-        hn::Store(n, d, &steps.at[l]);
-        hn::Store(hn::IfThenElseZero(visible, error), d, &chord_error.at[l]);
-    }
 }
 
 /// p(t) = c0 + t (c1 + t (c2 + t c3)).

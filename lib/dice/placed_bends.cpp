@@ -92,13 +92,13 @@ double levels_off_linear(const l3d_bend_numbers<double>& b, double h_u, double h
 /// line. What the row itself is off by counts 5/3 times, the most that the sizes of six weights add
 /// up to. A plane's weights are positive.
 double levels_off_slit(double h, double bent, double straight, double n_2, double n_3) {
-    constexpr double of_thirds = 0.00802, of_six = 5.0 / 3;
+    constexpr double of_six = 5.0 / 3;
     if (std::isinf(bent + straight)) // beyond the row's end
         return bent + straight;
     const auto cube = [](double x) { return x * x * x; };
     double off = 0;
     if (bent > 0)
-        off = per_cosine * of_thirds * (cube(bent) + of_six * cube(h)) * n_3;
+        off = per_cosine * l3d_of_thirds * (cube(bent) + of_six * cube(h)) * n_3;
     if (straight > 0)
         off = std::max(off, per_cosine * (straight * straight + h * h) / 8 * n_2);
     return off;

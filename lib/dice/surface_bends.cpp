@@ -109,17 +109,13 @@ private:
     double kappa_, g_;
 };
 
-/// Quadratic interpolation at both ends and the middle of a step h errs by this times h^3 and the
-/// third derivative: the largest value of |s (s - 1/2) (s - 1)| / 6.
-constexpr double of_thirds = 0.0080187537387448;
-
 } // namespace
 
 double l3d_levels_off(const l3d_bend_numbers<double>& bends, double h_u, double h_v) {
     const double uuv = h_u * h_u * h_v * bends.n_uuv, uvv = h_u * h_v * h_v * bends.n_uvv;
     const double straight = h_u * h_u * h_u * bends.n_uuu + h_v * h_v * h_v * bends.n_vvv;
     return double{l3d_level_of_cosine} *
-           (of_thirds * straight + (uuv + uvv + std::min(uuv, uvv)) / 16);
+           (l3d_of_thirds * straight + (uuv + uvv + std::min(uuv, uvv)) / 16);
 }
 
 void l3d_surface_bends::set_steps() {

@@ -26,6 +26,10 @@ template <class T> struct l3d_bend_numbers {
 /// The level of a cosine, in levels of 255: the grey is round(25.5 + max(0, level)).
 inline constexpr float l3d_level_of_cosine = 229.5F;
 
+/// Quadratic interpolation at both ends and the middle of a step h errs by this times h^3 and the
+/// third derivative: the largest value of |s (s - 1/2) (s - 1)| / 6.
+inline constexpr double l3d_of_thirds = 0.0080187537387448;
+
 /// How far the level of a quad with sides h_u, h_v, drawn as a parabola through the levels of its
 /// corners and of the middles of its sides, can be from the exact one at the same parameters. Of
 /// opposite sides only the mean of what they bend by is drawn. Units: levels. NUMERICS, section 14.

@@ -6,10 +6,10 @@
 #include "raster/line_pixels_p.h"
 #include "raster/picture_plane.h"
 #include "raster/scan_polygon_p.h"
-#include "raster/levels_shader_p.h"
 #include "raster/surface_shader_p.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -177,7 +177,7 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
         work_->paint(own_color_shader(), triangles, pieces, cuts);
         break;
     case l3d_shade::levels:
-        work_->paint(levels_shader(), triangles, pieces, cuts);
+        assert(false); // only who dices surfaces makes levels
         break;
     }
     counts_ = {};

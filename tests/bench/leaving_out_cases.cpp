@@ -106,11 +106,11 @@ struct rule {
     std::int64_t (*left_out)(const report&);
 
     leaving_out_case on(std::string scene, bool applies, l3d_patch_scene world,
-                        double tolerance = 0.25, l3d_shade shade = l3d_shade::gouraud) const {
+                        double tolerance = 0.25) const {
         leaving_out_case result{name, std::move(scene), applies,         keep,
                                 unit, left_out,         std::move(world)};
         result.settings.tolerance = tolerance;
-        result.settings.shade = shade; // lambert only where unit normals matter
+        result.settings.shade = l3d_shade::gouraud;
         return result;
     }
 };
@@ -132,6 +132,14 @@ constexpr rule normals{"unit normals", &l3d_kept_work::unit_normals, "polygons",
                        [](const report& r) { return r.surface.by_plane; }};
 constexpr rule drawing{"drawing", &l3d_kept_work::drawing, "pixels",
                        [](const report& r) { return r.pixels_kept; }};
+
+/// Polygons have normals in the pixel; diced surfaces have levels instead.
+leaving_out_case tessellated(leaving_out_case result) {
+    result.settings.method.method = l3d_method::tessellation;
+    result.settings.method.resolution = 16;
+    result.settings.shade = l3d_shade::lambert;
+    return result;
+}
 
 leaving_out_case one_sided(leaving_out_case result) {
     result.settings.one_sided = true;
@@ -189,11 +197,8 @@ leaving_out_cases::leaving_out_cases() {
         dicing.on("200 teapots of 11 to 15 px", in_vain, crowd(teapot, 200, 300, 400), 0.25));
     cases_.push_back(dicing.on(patches_10000, in_vain, small, 0.5));
 
-    for (const double tolerance : {0.25, 0.12})
-        cases_.push_back(normals.on(tolerance < 0.25 ? "the teapot at 0.12 px" : "the teapot",
-                                    made_for, teapot, tolerance, l3d_shade::lambert));
-    cases_.push_back(normals.on("200 balls of 17 to 23 px at 1.2 px", in_vain,
-                                crowd(ball, 200, 60, 80), 1.2, l3d_shade::lambert));
+    cases_.push_back(
+        tessellated(normals.on("the teapot in 16 x 16 quads a patch", made_for, teapot)));
 
     const l3d_patch_scene still = crowd(teapot, 300, 90, 140);
     cases_.push_back(
