@@ -1,21 +1,22 @@
 # SPDX-License-Identifier: MIT
 # The build of l3d. Its first lines are the architecture: who may include, call and link whom.
 
-LAYERS        := geom tool_2d raster dice pipeline system
+LAYERS        := geom tool_2d raster scene dice pipeline system
 uses_geom     :=
 uses_tool_2d  :=
 uses_raster   := geom tool_2d
-uses_dice     := geom tool_2d raster
-uses_pipeline := geom tool_2d raster dice
-uses_system   := geom tool_2d raster dice pipeline
+uses_scene    := geom tool_2d raster
+uses_dice     := geom tool_2d raster scene
+uses_pipeline := geom tool_2d raster scene dice
+uses_system   := geom tool_2d raster scene dice pipeline
 uses_apps     := $(LAYERS)
 
 # tests/reference, the exact renderer, is a layer beside them that only these may use, and one
 # program: its report of errors has no better judge.
 uses_reference       := geom
-tests_with_reference := dice pipeline reference bench stability
+tests_with_reference := scene dice pipeline reference bench stability
 apps_with_reference  := teapot_afd
-uses_stability       := geom tool_2d raster dice pipeline
+uses_stability       := geom tool_2d raster scene dice pipeline
 
 # What a layer links from outside.
 links_tool_2d := -lpng -lXext -lX11
@@ -73,10 +74,13 @@ archives   = $(patsubst %,$(OUT)/libl3d_%.a,$(filter $(1),$(TOP_DOWN)))
 links      = $(foreach layer,$(1),$(links_$(layer)))
 may_use    = $(1) $(uses_$(1)) $(if $(filter $(1),$(tests_with_reference)),reference)
 
-$(foreach l,$(LAYERS),$(eval objects_$(l) := $(call objects,$(wildcard lib/$(l)/*.cpp))))
+# A layer is a folder; large ones have rooms, folders in it, that the law knows nothing of.
+$(foreach l,$(LAYERS),$(eval objects_$(l) := $(call objects,$(wildcard lib/$(l)/*.cpp lib/$(l)/*/*.cpp))))
 $(foreach l,$(LAYERS),$(eval objects_tests/$(l) := $(call objects,$(wildcard tests/$(l)/*.cpp))))
 # Scenes and judges of dicing serve the tests of whole frames, too.
-objects_tests/pipeline += $(call objects,$(filter-out %_test.cpp,$(wildcard tests/dice/*.cpp)))
+helpers = $(call objects,$(filter-out %_test.cpp,$(wildcard tests/$(1)/*.cpp)))
+objects_tests/dice     += $(call helpers,scene)
+objects_tests/pipeline += $(call helpers,scene) $(call helpers,dice)
 objects_tests/reference := $(call objects,$(wildcard tests/reference/*_test.cpp))
 objects_reference := $(filter-out $(objects_tests/reference),\
                      $(call objects,$(wildcard tests/reference/*.cpp)))
@@ -96,15 +100,15 @@ ARCHIVES  := $(call archives,$(LAYERS))
 APPS      := $(apps:%=$(OUT)/bin/%)
 TESTERS   := $(tested:%=$(OUT)/tests/%_tests)
 objects_bench := $(call objects,$(filter-out %_bench.cpp,$(wildcard tests/bench/*.cpp)) \
-                     tests/dice/bodies.cpp tests/dice/scene.cpp)
+                     tests/scene/bodies.cpp tests/dice/scene.cpp)
 objects_stability := $(call objects,$(wildcard tests/stability/*.cpp))
 STABILITY := $(OUT)/tests/stability/stability
 BENCHES   := $(patsubst %.cpp,$(OUT)/%,$(wildcard tests/bench/*_bench.cpp))
 FUZZERS   := $(patsubst tests/fuzz/corpus/%,$(OUT)/fuzz/%,$(wildcard tests/fuzz/corpus/*))
 SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
 STRESS    := $(wildcard tests/x11/stress/*_test.py)
-HEADERS   := $(sort $(wildcard lib/*/*.h))
-SOURCES   := $(sort $(wildcard lib/*/*.cpp apps/*/*.cpp tests/*/*.cpp))
+HEADERS   := $(sort $(wildcard lib/*/*.h lib/*/*/*.h))
+SOURCES   := $(sort $(wildcard lib/*/*.cpp lib/*/*/*.cpp apps/*/*.cpp tests/*/*.cpp))
 FORMATTED := $(SOURCES) $(HEADERS) $(plugins) $(sort $(wildcard apps/*/*.h tests/*.h tests/*/*.h))
 OBJECTS   := $(call objects,$(filter-out tests/fail/% tests/bench/% tests/fuzz/%,$(SOURCES)))
 LONE      := $(HEADERS:%=$(OUT)/%.ok)

@@ -3,9 +3,9 @@
 #ifndef L3D_DICE_FD_DICER_H
 #define L3D_DICE_FD_DICER_H
 
-#include "dice/dice_counts.h"
+#include "scene/dice_counts.h"
 #include "dice/diced_pieces.h"
-#include "dice/edge_polylines.h"
+#include "dice/edges/edge_polylines.h"
 #include "dice/arithmetic.h"
 #include "dice/patch_dicer.h"
 #include "dice/uniform_grid.h"

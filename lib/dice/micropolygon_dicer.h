@@ -4,10 +4,10 @@
 #define L3D_DICE_MICROPOLYGON_DICER_H
 
 #include "geom/real.h"
-#include "dice/dice_counts.h"
-#include "dice/dice_view.h"
+#include "scene/dice_counts.h"
+#include "scene/dice_view.h"
 #include "dice/diced_pieces.h"
-#include "dice/edge_polylines.h"
+#include "dice/edges/edge_polylines.h"
 #include "dice/piece_drawer.h"
 #include "dice/surface_piece.h"
 

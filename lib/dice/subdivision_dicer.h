@@ -4,8 +4,8 @@
 #define L3D_DICE_SUBDIVISION_DICER_H
 
 #include "geom/normal_net.h"
-#include "dice/dice_counts.h"
-#include "dice/dice_view.h"
+#include "scene/dice_counts.h"
+#include "scene/dice_view.h"
 #include "dice/diced_pieces.h"
 #include "dice/net_piece.h"
 

@@ -11,7 +11,7 @@
 #include "pipeline/method_points.h"
 #include "pipeline/method_tessellation.h"
 #include "pipeline/method_voxels.h"
-#include "pipeline/patch_tessellation.h"
+#include "pipeline/polygons/patch_tessellation.h"
 #include "dice/micropolygon_dicer.h"
 #include "dice/scanline_plotter.h"
 #include "dice/subdivision_dicer.h"

@@ -2,7 +2,7 @@
 // l3d_method_mesa: meshes, matrices, shaders.
 #include "pipeline/method_mesa.h"
 
-#include "dice/placed_net.h"
+#include "scene/placed_net.h"
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/method_patches.h"
 #include "raster/mesa_target_p.h"

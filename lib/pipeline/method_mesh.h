@@ -6,7 +6,7 @@
 #include "pipeline/method_patches.h"
 #include "pipeline/surface_method.h"
 #include "raster/rasterizer_factory.h"
-#include "raster/workers.h"
+#include "raster/parallel/workers.h"
 
 #include <concepts>
 #include <cstddef>

@@ -3,8 +3,8 @@
 #include "pipeline/method_patches.h"
 
 #include "dice/error_color.h"
-#include "dice/placed_net.h"
-#include "dice/visibility.h"
+#include "scene/placed_net.h"
+#include "scene/visibility.h"
 
 bool l3d_needs_no_clipping(const l3d_image_patch& net, const l3d_dice_view& view) {
     const l3d_depth_range depth = l3d_depth_range_of(net.points);

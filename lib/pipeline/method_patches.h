@@ -4,12 +4,12 @@
 #define L3D_PIPELINE_METHOD_PATCHES_H
 
 #include "dice/diced_pieces.h"
-#include "dice/edge_polylines.h"
+#include "dice/edges/edge_polylines.h"
 #include "dice/patch_dicer.h"
-#include "dice/scene_culling.h"
+#include "scene/scene_culling.h"
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/surface_method.h"
-#include "raster/workers.h"
+#include "raster/parallel/workers.h"
 
 #include <cstddef>
 #include <functional>

@@ -8,7 +8,7 @@
 #include "pipeline/surface_method.h"
 #include "raster/point_canvas.h"
 #include "raster/rasterizer_factory.h"
-#include "raster/workers.h"
+#include "raster/parallel/workers.h"
 
 #include <memory>
 #include <vector>

@@ -4,10 +4,10 @@
 
 #include "dice/drawn_error.h"
 #include "dice/error_color.h"
-#include "dice/placed_net.h"
-#include "dice/visibility.h"
+#include "scene/placed_net.h"
+#include "scene/visibility.h"
 #include "pipeline/method_patches.h"
-#include "pipeline/patch_tessellation.h"
+#include "pipeline/polygons/patch_tessellation.h"
 #include "pipeline/stopwatch_p.h"
 
 #include <algorithm>

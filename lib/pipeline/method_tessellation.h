@@ -3,13 +3,13 @@
 #ifndef L3D_PIPELINE_METHOD_TESSELLATION_H
 #define L3D_PIPELINE_METHOD_TESSELLATION_H
 
-#include "dice/scene_culling.h"
-#include "pipeline/polygon_frame.h"
-#include "pipeline/polygon_model.h"
+#include "scene/scene_culling.h"
+#include "pipeline/polygons/polygon_frame.h"
+#include "pipeline/polygons/polygon_model.h"
 #include "pipeline/scene_memory.h"
 #include "pipeline/surface_method.h"
 #include "raster/rasterizer_factory.h"
-#include "raster/workers.h"
+#include "raster/parallel/workers.h"
 
 #include <cstddef>
 #include <memory>

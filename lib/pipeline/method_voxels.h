@@ -7,7 +7,7 @@
 #include "pipeline/surface_method.h"
 #include "raster/cubic_frame_buffer.h"
 #include "raster/point_canvas.h"
-#include "raster/workers.h"
+#include "raster/parallel/workers.h"
 
 #include <cstddef>
 #include <vector>

@@ -2,14 +2,14 @@
 // l3d_pipeline_afd: the stages of a frame.
 #include "pipeline/pipeline_afd.h"
 
-#include "dice/camera_shading.h"
-#include "dice/drawn_pixels.h"
-#include "dice/edge_polyline.h"
+#include "scene/camera_shading.h"
+#include "scene/drawn_pixels.h"
+#include "dice/edges/edge_polyline.h"
 #include "dice/frame_dicer.h"
-#include "dice/placed_net.h"
+#include "scene/placed_net.h"
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/wire_lines_p.h"
-#include "raster/simd_target.h"
+#include "raster/parallel/simd_target.h"
 #include "tool_2d/error.h"
 
 #include <algorithm>

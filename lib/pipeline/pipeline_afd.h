@@ -4,16 +4,16 @@
 #define L3D_PIPELINE_PIPELINE_AFD_H
 
 #include "geom/real.h"
-#include "dice/camera.h"
+#include "scene/camera.h"
 #include "pipeline/frame_report.h"
-#include "dice/image_transform.h"
+#include "scene/image_transform.h"
 #include "pipeline/method_choice.h"
-#include "dice/patch_scene.h"
+#include "scene/patch_scene.h"
 #include "pipeline/pipeline.h"
-#include "dice/scene_culling.h"
+#include "scene/scene_culling.h"
 #include "pipeline/surface_method.h"
 #include "raster/rasterizer_factory.h"
-#include "raster/workers.h"
+#include "raster/parallel/workers.h"
 #include "tool_2d/pixel_boxes.h"
 #include "tool_2d/screen.h"
 

@@ -3,7 +3,7 @@
 #ifndef L3D_PIPELINE_SCENE_MEMORY_H
 #define L3D_PIPELINE_SCENE_MEMORY_H
 
-#include "dice/patch_scene.h"
+#include "scene/patch_scene.h"
 
 #include <algorithm>
 #include <utility>

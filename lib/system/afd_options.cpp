@@ -2,7 +2,7 @@
 // l3d_afd_options: declarations and what the values must be.
 #include "system/afd_options.h"
 
-#include "geom/model_file.h"
+#include "geom/files/model_file.h"
 #include "geom/teapot.h"
 #include "system/number_text.h"
 #include "system/places.h"

@@ -3,8 +3,8 @@
 #ifndef L3D_SYSTEM_AFD_OPTIONS_H
 #define L3D_SYSTEM_AFD_OPTIONS_H
 
-#include "dice/camera.h"
-#include "dice/patch_model.h"
+#include "scene/camera.h"
+#include "scene/patch_model.h"
 #include "pipeline/pipeline_afd.h"
 #include "system/options.h"
 

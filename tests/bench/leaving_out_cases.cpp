@@ -2,7 +2,7 @@
 // leaving_out_cases: crowds of teapots, balls, a ring, walls and sheets.
 #include "bench/leaving_out_cases.h"
 
-#include "../dice/bodies.h"
+#include "../scene/bodies.h"
 #include "../dice/scene.h"
 #include "geom/teapot.h"
 

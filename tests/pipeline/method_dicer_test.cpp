@@ -10,7 +10,7 @@
 #include "pipeline/method_patches.h"
 #include "dice/micropolygon_dicer.h"
 #include "dice/subdivision_dicer.h"
-#include "dice/visibility.h"
+#include "scene/visibility.h"
 #include "reference/random_patches.h"
 
 #include <gtest/gtest.h>

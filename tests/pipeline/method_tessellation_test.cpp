@@ -3,10 +3,10 @@
 #include "dice/certificate.h"
 #include "dice/scene.h"
 
-#include "dice/camera_shading.h"
+#include "scene/camera_shading.h"
 #include "pipeline/method_patches.h"
 #include "pipeline/method_tessellation.h"
-#include "pipeline/patch_tessellation.h"
+#include "pipeline/polygons/patch_tessellation.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "reference/random_patches.h"
 
