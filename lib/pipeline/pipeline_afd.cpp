@@ -64,7 +64,7 @@ l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
     : screen_(std::move(screen)),
       workers_(checked(settings, camera, screen_->pixels().size()).threads),
       imp_(rasterizers.create_2d(screen_->pixels())), rasterizer_(*imp_),
-      method_(l3d_create_method(settings.method, rasterizers, workers_)), scene_(std::move(scene)),
+      method_(settings.method.create(rasterizers, workers_)), scene_(std::move(scene)),
       camera_(camera), settings_(settings),
       wire_dicer_(std::make_unique<l3d_frame_dicer<l3d_real>>(workers_)) {
     report_.frame = -1;
