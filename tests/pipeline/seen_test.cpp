@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is seen: grey levels of whole pictures against the exact ones, sparks and holes.
-#include "../dice/bodies.h"
+#include "../scene/bodies.h"
 #include "../dice/scene.h"
 #include "drawn_picture.h"
 
@@ -163,7 +163,7 @@ void expect_all_seen(l3d_size size, std::size_t step, const limits& most) {
 
 /// Views 0 and 8 of each model.
 TEST(seen, is_the_exact_picture_but_for_outlines) {
-    expect_all_seen({320, 240}, dice_tests::sanitized ? 12 : 8, {});
+    expect_all_seen({320, 240}, sanitized ? 12 : 8, {});
 }
 
 /// A minute or two: twelve views of four models.
