@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cstdint>
 
-/// The pixel word for what is drawn with a certified error: green where that is nothing, over
-/// yellow at half of the tolerance, to red at all of it and beyond.
+/// The pixel word that shows a certified error. It goes from green for no error, over yellow at
+/// half of the tolerance, to red at all of it and beyond.
 ///
 /// Units:   both in pixels, or in anything else.
 /// Expects: neither is NaN; the tolerance is positive and finite.

@@ -28,9 +28,9 @@ enum class l3d_dice_way {
 
 /// Turns batches of placed patches into parts for the rasterizer.
 ///
-/// What is made of a patch depends on the patch and the view alone, unless the frame's budget runs
-/// short: then on the patches of its batch and of those before, too. Parts come in the order of
-/// their patches. So nothing depends on the workers.
+/// The result of a patch depends on the patch and the view alone, unless the frame's budget runs
+/// short. Then it depends on the patches of its batch and of those before, too. Parts come in the
+/// order of their patches. So nothing depends on the workers.
 ///
 /// Each batch may spend half of the budget that is left, the last batch all of it. Its patches get
 /// equal shares. Those that kept the tolerance with less leave the rest to the others. The others
@@ -38,8 +38,8 @@ enum class l3d_dice_way {
 /// budget.
 /// Lives: borrows the workers. Parts live until the next batch.
 /// Cost:  no allocation in a frame of patches and batches that was drawn before. Else, a worker
-///        allocates for a patch that is larger than any of the frame's other workers had, a slot
-///        (the i-th place of a batch) for one that is larger than any it held.
+///        allocates for a patch that is larger than any that the frame's other workers had. A slot
+///        (the i-th place of a batch) allocates for one that is larger than any it held.
 template <class T> class l3d_frame_dicer {
 public:
     explicit l3d_frame_dicer(l3d_workers& workers, l3d_dice_way way = l3d_dice_way::lanes,

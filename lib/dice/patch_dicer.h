@@ -36,8 +36,8 @@ struct l3d_dice_budget {
 };
 
 /// In lanes a sample takes some 20 ns, all in all. One that is evaluated by itself, lit, and
-/// clipped and filled as two triangles takes 0.3 us, the plan of a piece 5 us: measured on spikes
-/// through the near plane.
+/// clipped and filled as two triangles takes 0.3 us. The plan of a piece takes 5 us. Both are
+/// measured on spikes through the near plane.
 inline constexpr std::int64_t l3d_evaluated_cost = 16, l3d_piece_cost = 256;
 
 /// Dices patches given as homogeneous image nets.

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double per_cosine = double{l3d_level_of_cosine};
 
-/// What grey levels are off by beside interpolation: rounding to a whole level, and the arithmetic
-/// of floats, some 20 * 2^-24 of numbers up to 2^8 times what their terms cancel.
+/// Error of grey levels beside interpolation. It comes from rounding to a whole level, and from the
+/// arithmetic of floats: some 20 * 2^-24 of numbers up to 2^8 times what their terms cancel.
 constexpr double rounded_level = 0.5 + 0.01;
 
 /// A chord of step h is off by at most two terms, along the normal at its own parameter. One comes

@@ -31,8 +31,8 @@ public:
 
     explicit operator bool() const { return bends_ != nullptr; }
 
-    /// Makes a piece's needs such that depth keeps `depth_budget` where places keep `budget`, and
-    /// that the shade keeps the view's tolerance unless quads would be smaller than six pixels.
+    /// Makes a piece's needs such that depth keeps `depth_budget` where places keep `budget`. The
+    /// shade keeps the view's tolerance unless quads would be smaller than six pixels.
     ///
     /// Expects: needs of the piece's blocks, of places alone; budgets in pixels.
     void ask(const l3d_net_piece& piece, const l3d_dice_view& view, double budget,

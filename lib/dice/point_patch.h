@@ -21,8 +21,8 @@ struct l3d_point_place {
 /// point's own extent, must be within the tolerance and hold one pixel's centre. The net must be
 /// nearly as far everywhere.
 ///
-/// Whatever centre the patch covers is in that box, so no gap opens; and no centre that is covered
-/// instead is farther from any of its points than the box is wide.
+/// Any pixel centre that the patch covers is in that box, so no gap opens. A centre that is covered
+/// instead is no farther from any of the patch's points than the box is wide.
 std::optional<l3d_point_place> l3d_point_place_of(const l3d_image_patch& net,
                                                   const l3d_dice_view& view);
 

@@ -48,8 +48,9 @@ struct neighbours {
     }
 };
 
-/// Along the direction in which the picture does not change at an outline, 1 / w grows towards the
-/// nearer sheet, and facing changes its sign: whether that is so near that this is the farther one.
+/// Whether an outline is so near that this vertex is on the farther sheet. Along the direction in
+/// which the picture does not change at an outline, 1 / w grows towards the nearer sheet, and
+/// facing changes its sign.
 bool is_behind_outline(const l3d_micro_grid& grid, std::span<const float> away, std::size_t at,
                        const neighbours& u, const neighbours& v) {
     const float step = std::max(u.largest_change(away, at), v.largest_change(away, at));
@@ -94,8 +95,8 @@ std::optional<float> only_side(const l3d_micro_grid& grid, std::span<const float
     return std::nullopt;
 }
 
-/// Whether vertices of a row have so small a number that an outline may be near, by their changes
-/// to neighbours; rows above and below are those at `up` and `down`, or the row itself.
+/// Whether vertices of a row have so small a number that an outline may be near, judged by their
+/// changes to neighbours. The rows above and below are those at `up` and `down`, or the row itself.
 void find_near(const float* HWY_RESTRICT row, const float* HWY_RESTRICT up,
                const float* HWY_RESTRICT down, std::size_t columns, float* HWY_RESTRICT near) {
     for (std::size_t i = 0; i < columns; ++i)

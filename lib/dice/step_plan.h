@@ -79,17 +79,16 @@ struct l3d_step_plan {
 /// `budget`.
 ///
 /// With c the weight of a direction's steps (1/8 h^2, or l3d_balanced_error) and m that of what its
-/// vertices are moved by (0, or l3d_balance h^2), a quad errs by at most
-///     c_u uu + c_v vv + m_u m_v uuvv + d k,   d = h_u h_v uv + 2 m_u h_v uuv + 2 m_v h_u uvv
-///                                                 + 4 m_u m_v uuvv,
-/// d being a bound of the corners' mixed difference and k 1/16 or 1/4, see l3d_second_bounds. Slits
-/// between a side's row and its edge may be as far off as chords that are not balanced, so those
-/// of the outer blocks keep the budget, too.
+/// vertices are moved by (0, or l3d_balance h^2), a quad errs by at most c_u uu + c_v vv + m_u m_v
+/// uuvv + d k,   d = h_u h_v uv + 2 m_u h_v uuv + 2 m_v h_u uvv + 4 m_u m_v uuvv, d being a bound
+/// of the corners' mixed difference and k 1/16 or 1/4, see l3d_second_bounds. Slits between a
+/// side's row and its edge may be as far off as chords that are not balanced. So those of the outer
+/// blocks keep the budget, too.
 ///
 /// Units:   budget in pixels.
 /// Expects: budget > 0.
-/// Errors:  with `triangles`, the bound holds where the interpolated w is at least view.near;
-///          enough steps are taken that the exact w is then at least half of that.
+/// Errors:  with `triangles`, the bound holds where the interpolated w is at least view.near.
+///          Enough steps are taken that the exact w is then at least half of that.
 l3d_step_plan l3d_plan_steps(const l3d_block_needs& needs, double budget, l3d_quad_kind kind);
 
 /// The same from the blocks' nets. Shape and what is expected: those of l3d_needs_of.

@@ -15,8 +15,8 @@
 /// The columns of a strip: column c is the curve v -> (x, y, w) at some fixed u, held as forward
 /// differences. A step moves all columns to the next row.
 ///
-/// Shape: one array per coordinate and difference, columns side by side, so that both loops run
-///        over contiguous numbers of one kind and a processor's lanes can each take a column.
+/// Shape: one array per coordinate and difference, columns side by side. So both loops run over
+///        contiguous numbers of one kind, and a processor's lanes can each take a column.
 /// Cost:  9 additions a column and step, one reciprocal and two products a vertex.
 template <class T> class l3d_strip_walker {
 public:

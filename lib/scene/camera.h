@@ -49,8 +49,8 @@ struct l3d_camera {
     /// Pixels per world unit at distance 1.
     double focal_length(l3d_size size) const;
 
-    /// World (x, y, z, 1) to homogeneous image (x, y, 0, w): the pixel is the picture's centre
-    /// plus (x / w, y / w), y down; w is the distance along the view axis.
+    /// World (x, y, z, 1) to homogeneous image (x, y, 0, w). The pixel is the picture's centre plus
+    /// (x / w, y / w), y down. w is the distance along the view axis.
     l3d_matrix<double> image_matrix(l3d_size size) const;
 
     /// Turns eye and up about the target. Units: radians, about the up axis and the right axis.

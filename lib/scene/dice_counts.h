@@ -28,9 +28,9 @@ struct l3d_surface_certificate {
     double depth = 0;
     /// Of the level, from the exact one at the same parameters. Units: levels of 255.
     double shade = 0;
-    /// Quads of which `shade` says nothing, as their block may be off by more than the tolerance:
-    /// its normals turn faster than quads of six pixels can follow, or one of them vanishes. Slits
-    /// beside a block that may be off by more count as one quad.
+    /// Quads of which `shade` says nothing, since their block may be off by more than the
+    /// tolerance. Its normals turn faster than quads of six pixels can follow, or one of them
+    /// vanishes. Slits beside a block that may be off by more count as one quad.
     std::int64_t unshaded_quads = 0;
     unsigned without_normals = 0; ///< bit 4 * row + column, or 0, of blocks that are seen and may
                                   ///< have none: l3d_most_off_plane is to be added to `depth`

@@ -42,11 +42,11 @@ struct l3d_kept_patches {
     friend bool operator==(const l3d_kept_patches&, const l3d_kept_patches&) = default;
 };
 
-/// What a frame may spend on patches that have to be cut or clipped, unless somebody says
-/// otherwise: two samples a pixel are more than any picture shows, and 2^16 take a millisecond or
-/// two. Quads grow with 1 / tolerance: the teapot has one for two pixels that it covers at 0.05 px,
-/// so finer tolerances get more. Patches that need neither are always done, in at most 129 x 129
-/// samples. Units: samples that are walked, see l3d_dice_budget; tolerance in pixels.
+/// Default budget of a frame for patches that have to be cut or clipped. Two samples a pixel are
+/// more than any picture shows, and 2^16 take a millisecond or two. Quads grow with 1 / tolerance:
+/// the teapot has one for two pixels that it covers at 0.05 px, so finer tolerances get more.
+/// Patches that need neither are always done, in at most 129 x 129 samples. Units: samples that are
+/// walked, see l3d_dice_budget; tolerance in pixels.
 constexpr std::int64_t l3d_usual_samples(l3d_size size, double tolerance) {
     const double a_pixel = 2 * std::max(1.0, 0.05 / tolerance);
     return (std::int64_t{1} << 16) +
@@ -125,8 +125,8 @@ struct l3d_dice_view {
     }
 
     /// What the chord error may be where rounding of vertices already takes `vertex_error`. Where
-    /// that is most of the tolerance, a quarter is left, and the bound says that it is exceeded;
-    /// but never less than a 16th of a sub-pixel, which moves hardly any vertex.
+    /// that is most of the tolerance, a quarter is left, and the bound says that it is exceeded.
+    /// But it is never less than a 16th of a sub-pixel, which moves hardly any vertex.
     double chord_budget(double vertex_error) const {
         constexpr double finest = 1.0 / (16 * l3d_subpixel_one);
         return std::max({tolerance - vertex_error, tolerance / 4, finest});
@@ -172,8 +172,9 @@ struct l3d_dice_view {
         return {x + part.left, y + part.top, x + part.right, y + part.bottom};
     }
 
-    /// The window, a pixel around it and what vertices are moved by: what is outside this touches
-    /// no pixel centre, whatever the snapping to sub-pixels and wherever balanced vertices lie.
+    /// The window, a pixel around it and the distance by which vertices are moved. A thing outside
+    /// of this touches no pixel centre, whatever the snapping to sub-pixels and wherever balanced
+    /// vertices lie.
     l3d_image_box margin() const { return margin(window()); }
 
     /// The same of a part of the picture.
@@ -189,7 +190,7 @@ struct l3d_dice_view {
 /// the picture's centre (at most 2^13 pixels from its corner) still fits.
 inline constexpr double l3d_guard_band = 16384;
 
-/// Steps per strip above which a piece or an edge is cut: the bound of halves is tighter, and 32
+/// Steps per strip above which a piece or an edge is cut. The bound of halves is tighter, and 32
 /// steps keep round-off of a strip small in every number type.
 inline constexpr int l3d_most_steps_whole = 32;
 

@@ -16,8 +16,8 @@ using vector = l3d_facing_cones::vector;
 /// direction.
 constexpr double no_direction = 0x1p-40;
 
-/// For the rounding of some thirty operations on doubles, relative to the distances that they are
-/// made of, and for an eye that was found by solving three equations.
+/// Margin for the rounding of some thirty operations on doubles, relative to the distances that
+/// they are made of. It also covers an eye that was found by solving three equations.
 constexpr double slack = 1e-9;
 
 /// A Bernstein net of Order x Order vectors, columns along u.

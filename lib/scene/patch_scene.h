@@ -40,8 +40,8 @@ public:
     /// The model's box in the world, with its reach.
     l3d_slanted_box box() const;
 
-    /// Bound of the terms that the coordinates in the world of the model's points are summed up
-    /// from, in all, if the points' own are at most `most` in magnitude.
+    /// Bound of all terms that the world coordinates of the model's points are summed up from. The
+    /// points' own coordinates are at most `most` in magnitude.
     double reach(const l3d_vector<double, 3>& most) const { return l3d_dot(terms_, most) + shift_; }
 
     /// The same for all of the model.

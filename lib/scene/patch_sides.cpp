@@ -12,8 +12,8 @@ using vector = l3d_patch_model::vector;
 using curve = l3d_patch_model::patch::curve;
 using numbers = std::array<double, 12>;
 
-/// Normals are compared at so many places of a side: a shared side's normals are of degree 5, so
-/// five places would do for curves that are the same, and these are twice as many.
+/// Normals are compared at so many places of a side. A shared side's normals are of degree 5, so
+/// five places would do for curves that are the same. These are twice as many.
 constexpr int places = 11;
 
 /// Eight levels of Lambert's grey, 229.5 n.l, two degrees: beside a smaller kink nobody sees which

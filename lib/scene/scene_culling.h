@@ -55,12 +55,12 @@ public:
 
     /// The next batch, its nearest patch first; empty if there are no more.
     ///
-    /// A batch takes the nearest patches of those instances that are open then; so some may be
-    /// farther than some of the next batch, by the depth of their instance at most.
-    /// `hidden(box, inv_w)` tells whether what lies in a box and no nearer than inv_w (1 / distance
-    /// along the view axis) would change no pixel; it is asked from the second batch on. So the
-    /// caller is to draw each batch before he asks for the next. Batches grow, as what is near
-    /// hides most and each has its price. Lives: until the next call.
+    /// A batch takes the nearest patches of those instances that are open then. So some may be
+    /// farther than some of the next batch, by the depth of their instance at most. `hidden(box,
+    /// inv_w)` tells whether a thing in a box and no nearer than inv_w (1 / distance along the view
+    /// axis) would change no pixel. It is asked from the second batch on. So the caller is to draw
+    /// each batch before he asks for the next. Batches grow, as what is near hides most and each
+    /// has its price. Lives: until the next call.
     template <std::predicate<const l3d_subpixel_box&, float> Hidden>
     std::span<const l3d_placed_patch> next(const Hidden& hidden) {
         return next_batch(

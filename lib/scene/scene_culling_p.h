@@ -46,8 +46,8 @@ void cull_boxes(const l3d_box_lanes& boxes, std::size_t first, const l3d_matrix<
                 culled_boxes& result);
 
 /// Where what is drawn of box i may be. The box holds the exact surface, whatever the transform's
-/// error; a vertex is off that by its balance, by the error of its own net, at most
-/// l3d_dice_view::walk_allowance (or is evaluated), and by snapping.
+/// error. A vertex is off that surface by its balance and by snapping. It is also off by the error
+/// of its own net, at most l3d_dice_view::walk_allowance (or is evaluated).
 /// Units:   pixels from the picture's centre.
 /// Expects: boxes.least[i] is greater than boxes.near[i], and the box not wholly outside.
 l3d_image_box drawn_box_of(const culled_boxes& boxes, std::size_t i, const l3d_dice_view& view);

@@ -22,7 +22,7 @@ struct edge_strips;
 /// Points of an edge (a patch boundary, or a line along which a patch was cut).
 ///
 /// The points are a function of the edge's four control points and the view alone, not of the
-/// patch: both neighbours compute the same bits, also if one runs along it backwards. Each
+/// patch. So both neighbours compute the same bits, even if one runs along it backwards. Each
 /// neighbour fills the slit between its own boundary row and this polyline.
 /// Shape: points in order of rising t, from 0 to 1, one array per component.
 /// Cost:  at most 32 points a strip; edges halve where that is too coarse. 150 ns an edge of 24
@@ -50,13 +50,13 @@ public:
     /// The point as clipping needs it, without parameters and normal.
     l3d_clip_vertex clip_vertex(std::size_t i, const l3d_dice_view& view) const;
 
-    /// Equal parts, 16 at most, of an edge all points of which can be drawn: one, or as many as it
-    /// takes until 32 steps a strip are enough.
+    /// Number of equal parts, 16 at most, of an edge all points of which can be drawn. It is one,
+    /// or as many as it takes until 32 steps a strip are enough.
     static constexpr std::size_t most_parts = 16;
     std::size_t parts() const { return parts_; }
 
-    /// Where the strips of a part begin, one or four of equal length, as a patch's are, counted in
-    /// points of the whole edge; 0 blocks if not all points can be drawn.
+    /// Where the strips of a part begin, counted in points of the whole edge. A part has one strip
+    /// or four of equal length, as a patch has. 0 blocks if not all points can be drawn.
     const l3d_block_starts& strips(std::size_t part = 0) const { return strips_[part]; }
 
     /// Those of the part from t0 to t1; null if there is none such.

@@ -13,8 +13,8 @@
 
 /// The polylines of one patch after the other, kept for their memory.
 ///
-/// Shape: outer edges [0] v low, [1] v high (both along u), [2] u low, [3] u high (both along v);
-///        from 4 on, the edges along which the patch is cut.
+/// Shape: outer edges are [0] v low, [1] v high (both along u), [2] u low, [3] u high (both along
+///        v). From 4 on, they are the edges along which the patch is cut.
 class l3d_edge_polylines {
 public:
     static constexpr std::size_t sides = 4;

@@ -84,8 +84,9 @@ HWY_ATTR number space_bend(const strip_nets& nets, std::size_t l, double focal) 
 
 /// What differs from strip to strip when steps are planned.
 struct strip_wishes {
-    /// 1 / (4 budget): half the budget, as each direction of a quad gets; then an edge and the
-    /// boundary row of a patch mostly have the same steps, and the slit between them is empty.
+    /// 1 / (4 budget): an edge gets half the budget, as each direction of a quad does. So an edge
+    /// and the boundary row of a patch mostly have the same steps, and the slit between them is
+    /// empty.
     row per_budget;
     /// What balance makes of squared steps: 8 l3d_balance, or 1 where there is none.
     row balance;

@@ -33,8 +33,9 @@ void l3d_fill_slit(std::span<const l3d_boundary_point> row, const l3d_edge_polyl
 /// ends of strips, and all points of strips in which the row has as many steps as the edge: there
 /// the slit is empty. The row's normals stay, and are those of the triangles.
 /// Shape:   side as in l3d_edge_polylines; piece.u or piece.v and the grid's blocks are written.
-/// Expects: the edge has strips; an end of the row between the edge's own ends is where everybody
-///          has it, as points of the edge there may be balanced.
+/// Expects: the edge has strips. If an end of the row lies between the edge's own ends, it is at
+///          the exact place that both neighbours compute, since the edge's points there may be
+///          balanced.
 /// Cost:    12 ns a triangle. No allocation once there is memory for the most triangles.
 void l3d_close_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
                     double t0 = 0, double t1 = 1);

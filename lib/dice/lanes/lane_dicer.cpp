@@ -22,7 +22,7 @@ using l3d_detail::lane_register;
 /// and the weights of forward differences. 25 * 27^2 < 2^15.
 constexpr double start_rounding = 0x1p15 * 0x1p-53;
 
-/// Error of walking most_steps steps in T, for coordinates up to `largest`; differences of control
+/// Error of walking most_steps steps in T, for coordinates up to `largest`. Differences of control
 /// values are at most 2, 4, 8 times those, and shrink in `strips` parts.
 template <class T> double walking_error(double largest, int strips) {
     const double s = strips;

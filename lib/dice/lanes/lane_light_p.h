@@ -13,8 +13,9 @@
 
 namespace l3d_detail {
 
-/// A normal shorter than this is nothing but rounding, as in l3d_unit_normal: where the net's own
-/// coefficients vanish, as in the corner of a singular patch, weights of all others are exactly 0.
+/// A normal shorter than this is nothing but rounding, as in l3d_unit_normal. Such normals occur
+/// where the net's own coefficients vanish, as in the corner of a singular patch. Weights of all
+/// others are exactly 0 there.
 inline constexpr float normal_rounding = 0x1p-43F;
 
 /// A number of every vertex of a grid, and of one vector more, kept for its memory.

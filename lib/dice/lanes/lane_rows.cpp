@@ -23,9 +23,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using doubles = hn::CappedTag<double, lane_columns>;
 
-/// Of each strip: the point where it starts, [coordinate][column], one more for the last one's end;
-/// and four registers of three coordinates, [4 * coordinate + difference][column], of the balanced
-/// curve from there on.
+/// For each strip, the point where it starts, [coordinate][column], and one more for the last
+/// strip's end. And four registers of three coordinates, [4 * coordinate + difference][column], of
+/// the balanced curve from there on.
 template <class Number> struct column_starts {
     static constexpr std::size_t registers = 12;
     alignas(64) Number point[5][3][lane_columns];

@@ -209,8 +209,8 @@ void l3d_outline_search::split(const piece& p) {
     }
 }
 
-/// Whether all that is drawn in and around a box is nearer than the surface: than its nearest
-/// point, and than that by as much as it bends, since it goes on beside the piece.
+/// Whether all that is drawn in and around a box is nearer than the surface. It must be nearer than
+/// the surface's nearest point by as much as the surface bends, since it goes on beside the piece.
 bool l3d_outline_search::hides(const l3d_image_box& box, const l3d_depth_range& w) const {
     const double nearest = view_.depth_scale / w.least, farthest = view_.depth_scale / w.most;
     const double limit = (2 * nearest - farthest) * (1 + 4 * bound_ / focal_);

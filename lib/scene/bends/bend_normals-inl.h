@@ -56,11 +56,11 @@ constexpr double relative = 1 + 0x1p-40;
 /// of derivatives over all of the part.
 ///
 /// m is M over its length in the middle. Let p be the series of (m . m)^(-1/2), cut off. Then p m
-/// is as good a normal as m: it has the coefficients of N up to series_order, and (p m) . (p m) is
-/// 1 but for w, whose first coefficients are none. So N = p m (1 - w)^(-1/2) for that w. Now take
-/// the same expression with sums of absolute values. Its coefficients bound the absolute values of
-/// all coefficients, and lose a sign only beyond the order. Their sum, the value in the corner (1,
-/// 1), and derivatives there, are bounds everywhere. Source: Cauchy's method of majorants.
+/// is as good a normal as m. It has the coefficients of N up to series_order. (p m) . (p m) is 1
+/// but for w, whose first coefficients are 0. So N = p m (1 - w)^(-1/2) for that w. Now take the
+/// same expression with sums of absolute values. Its coefficients bound the absolute values of all
+/// coefficients, and lose a sign only beyond the order. Their sum, the value in the corner (1, 1),
+/// and derivatives there, are bounds everywhere. Source: Cauchy's method of majorants.
 class part_normals {
 public:
     HWY_ATTR explicit part_normals(taylor_net<5> m);
@@ -124,8 +124,9 @@ HWY_ATTR part_normals::part_normals(taylor_net<5> m) {
     bound_products(m, p);
 }
 
-/// Of a product of sums of sizes: its value and derivatives in the corner, and the part of them
-/// that comes from coefficients beyond the order: all of it less the first coefficients.
+/// The value of a product of sums of sizes and its derivatives in the corner, and the part of them
+/// that comes from coefficients beyond the order. That part is all of it less the first
+/// coefficients.
 struct product_in_corner {
     series all, beyond;
 
@@ -203,8 +204,8 @@ HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series&
 /// Bounds of |N . S_b| over parts for the derivatives b of second and third order.
 ///
 /// With n the normal in the middle, N . S_b = n . S_b + (N - n) . S_b. Terms of order 0 and 1 are
-/// exact; of the others the first product's are |n . coefficient|, nothing where the surface is
-/// flat, and the second's sums of sizes.
+/// exact. Of the others, the first product's are |n . coefficient|, which is zero where the surface
+/// is flat. The second product's are sums of sizes.
 class part_points {
 public:
     HWY_ATTR part_points(const taylor_net<3>& s, const part_normals& n, double size)

@@ -64,8 +64,8 @@ public:
     const l3d_bend_numbers<float>& of_whole() const { return of_whole_; }
 
     /// Bounds of the patch that was moved by an affine map, of which the upper left three by three
-    /// count. A similarity, mirrored or not, multiplies what has a length by its scale and leaves
-    /// the rest; any other map adds the more, the more unlike one it is.
+    /// count. A similarity, mirrored or not, multiplies numbers that have a length by its scale and
+    /// leaves the rest. Any other map adds to them, the more so the less it is like a similarity.
     /// Errors: infinite, but for uuvv, if the map cannot be inverted.
     /// Cost:   some 2000 operations.
     l3d_surface_bends under(const l3d_matrix<double>& placement) const;

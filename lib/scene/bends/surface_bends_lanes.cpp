@@ -57,8 +57,8 @@ private:
     alignas(64) double at_[Degree + 1][3][Degree + 1][part_lanes];
 };
 
-/// Taylor's coefficients about the middles of the quarters that lanes stand for: Horner's scheme,
-/// by half of the old parameter, and a new one that runs half as far.
+/// Taylor's coefficients about the middles of the quarters that lanes stand for. Horner's scheme
+/// goes by half of the old parameter, and by a new one that runs half as far.
 template <std::size_t Degree>
 HWY_ATTR void quarter_net(double (&net)[Degree + 1][Degree + 1][3][part_lanes]) {
     alignas(64) static constexpr double side_u[part_lanes]{-.5, .5, -.5, .5, -.5, .5, -.5, .5};

@@ -73,8 +73,8 @@ struct group_bounds {
 /// The parts of a patch, a row of them a group.
 void make_parts(const bend_nets& nets, part_group* rows);
 
-/// In lane i, of what is there, the quarter of its parameters that is i % 4: 1 and 3 are the upper
-/// halves of u, 2 and 3 those of v.
+/// Lane i gets quarter i % 4 of its parameters. Quarters 1 and 3 are the upper halves of u, 2 and 3
+/// those of v.
 void quarter_parts(part_group& parts);
 
 /// Size: the largest number of the points.
