@@ -15,7 +15,7 @@
 /// something is take memory, 2 KB each; a ray strides over the others.
 /// Units:  cells; the cube reaches from 0 to resolution() along each axis.
 /// Source: Kaufman, Efficient Algorithms for 3D Scan-Conversion of Parametric Curves, Surfaces, and
-///         Volumes, SIGGRAPH 1987; rays as in Amanatides, Woo, A Fast Voxel Traversal Algorithm for
+///         Volumes, SIGGRAPH 1987. Rays as in Amanatides, Woo, A Fast Voxel Traversal Algorithm for
 ///         Ray Tracing, Eurographics 1987, here on two levels.
 class l3d_cubic_frame_buffer {
 public:

@@ -11,10 +11,10 @@
 
 /// A patch is cut into pieces that are seen one to one, that is, between its silhouettes; what
 /// silhouettes run through is cut down to a pixel's size. The borders of a piece are cut into
-/// stretches that rise or fall from end to end, so that each has one point on a scan line. These
-/// points, found by a guarded Newton's iteration, pair up into spans, and a span's pixels are found
-/// one from the other, with the parameters of the last pixel as the next one's start. In a pixel's
-/// size around silhouettes the iteration is started from several places instead.
+/// stretches that rise or fall from end to end, so that each has one point on a scan line. A
+/// guarded Newton's iteration finds these points, and they pair up into spans. A span's pixels are
+/// found one from the other: the parameters of the last pixel are the next one's start. In a
+/// pixel's size around silhouettes the iteration is started from several places instead.
 ///
 /// The iteration stops within an eighth of the tolerance. A pixel of a span where it does not come
 /// to rest is left out and counted as a failure; so there is no bound.

@@ -67,8 +67,8 @@ struct frame_result {
 };
 
 /// Draws the view again and again on one thread for about so long, from eyes that are never twice
-/// at the same place, and then the view itself, which is compared with the exact one.
-/// Of outlines, at most some `most_distances` pixels are measured.
+/// at the same place. Then it draws the view itself, which is compared with the exact one. Of
+/// outlines, at most some `most_distances` pixels are measured.
 frame_result measure_frames(const measured_view& view, const measured_setting& setting,
                             double seconds, int most_distances);
 

@@ -11,8 +11,8 @@ namespace {
 using point = std::array<double, 3>;
 using curve = std::vector<point>;
 
-/// Where a line of control points lies in memory: the first that is there, from one to the next,
-/// and how many before it are not there, since no segment depends on them.
+/// Where a line of control points lies in memory: the first that exists, the distance from one to
+/// the next, and how many before the first do not exist. No segment depends on those.
 struct control_line {
     const point* first;
     std::size_t stride, absent;
@@ -77,8 +77,8 @@ void append_segments(const l3d_bspline_direction& d, const control_line& points,
         const double a = std::max(d.knots[span], d.from);
         const double b = std::min(d.knots[span + 1], d.to);
         // Neighbours compute their common point from the same control points by the same
-        // operations, since weights of zero pick a point without rounding: it is the same bit for
-        // bit.
+        // operations. So it is the same bit for bit, since weights of zero pick a point without
+        // rounding.
         for (std::size_t index = 0; index <= n; ++index)
             result.push_back(blossom(d, points, span, a, b, index));
     }

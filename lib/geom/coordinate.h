@@ -10,8 +10,8 @@
 
 /// A vertex that many polygons share, and that is moved from its definition in every frame.
 ///
-/// Since every frame starts from `original`, no rounding adds up from frame to frame; since the
-/// stage is counted, a vertex is moved once however many polygons ask for it.
+/// Every frame starts from `original`, so no rounding adds up from frame to frame. The stage is
+/// counted, so a vertex is moved once however many polygons ask for it.
 template <class T> struct l3d_coordinate {
     /// Uninitialised, as a point is.
     l3d_coordinate() = default;

@@ -76,11 +76,11 @@ private:
 /// A bound on the error of a cubic after at most n forward difference steps, in the control
 /// values' units.
 ///
-/// With |b| <= p, first, second and third differences of b at most b1, b2, b3, the registers
-/// are at most D3 = 6 b3 / n^3, D2 = 6 b2 / n^2 + D3, D1 = 3 b1 / n + 2 D2. A register's
-/// initial error e_k reaches the value C(n, k) fold. Floating point adds u |register| at each
-/// of the n, C(n, 2), C(n, 3) additions that follow; fixed point additions are exact, and every
-/// initial error is half an ulp.
+/// With |b| <= p, first, second and third differences of b at most b1, b2, b3, the registers are at
+/// most D3 = 6 b3 / n^3, D2 = 6 b2 / n^2 + D3, D1 = 3 b1 / n + 2 D2. A register's initial error e_k
+/// reaches the value C(n, k) fold. Floating point adds u |register| at each of the n, C(n, 2), C(n,
+/// 3) additions that follow. Fixed point additions are exact, and every initial error is half an
+/// ulp.
 /// Source: running error analysis (Wilkinson, Rounding Errors in Algebraic Processes, 1963).
 template <class T>
 double l3d_forward_difference_error(int n, double p, double b1, double b2, double b3) {

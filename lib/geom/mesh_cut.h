@@ -25,8 +25,9 @@ enum class l3d_cut_end {
 l3d_polygon_mesh l3d_cut_mesh(const l3d_polygon_mesh& mesh, const l3d_plane<double>& plane,
                               l3d_cut_end end = l3d_cut_end::open);
 
-/// From right-handed axes with z up, as modellers have them, to left-handed ones with y up: y and z
-/// change places, and the corners of each face are reversed, so that its outside stays so.
+/// Turns right-handed axes with z up, as modellers have them, into left-handed ones with y up. y
+/// and z change places, and the corners of each face are reversed, so that its outside stays the
+/// outside.
 void l3d_turn_left_handed(l3d_polygon_mesh& mesh);
 
 /// The sum of the areas of all faces. Expects: mesh.is_valid(). Units: world units squared.

@@ -18,7 +18,7 @@
 ///
 /// Shape:  36 vectors, index 6 * row + column, columns along u.
 /// Units:  scaled so that the largest component is 1 (direction is all that counts).
-/// Source: product of Bernstein polynomials: Farin, Curves and Surfaces for CAGD, section 6.6;
+/// Source: product of Bernstein polynomials as in Farin, Curves and Surfaces for CAGD, section 6.6.
 ///         dS/du has degree 2 by 3, dS/dv 3 by 2, so the product has degree 5 by 5.
 class l3d_normal_net {
 public:
@@ -35,8 +35,8 @@ public:
     /// The normal at (u, v), any length. Source: de Casteljau.
     vector evaluate(double u, double v) const;
 
-    /// With each vector multiplied by the upper left three by three of a matrix: the normals of a
-    /// patch that was moved by an affine map, if the matrix is its cofactors'.
+    /// Multiplies each vector by the upper left three by three of a matrix. If the matrix holds the
+    /// cofactors of an affine map, these are the normals of a patch that was moved by that map.
     /// Expects: a matrix that can be inverted.
     l3d_normal_net turned(const l3d_matrix<double>& by) const;
 

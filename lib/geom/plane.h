@@ -31,8 +31,8 @@ template <class T> struct l3d_plane {
 
     /// Through three points which, seen from the front, run clockwise in left-handed axes and
     /// counterclockwise in right-handed ones.
-    /// Errors:  nothing if they lie on a line: if the sine of the angle at p0 is below 2^-10, where
-    ///          float's 2^-24 would turn the normal by more than 2^-14.
+    /// Errors:  nothing if they lie on a line. That is so if the sine of the angle at p0 is below
+    ///          2^-10, where float's 2^-24 would turn the normal by more than 2^-14.
     static std::optional<l3d_plane> through(const l3d_point<T>& p0, const l3d_point<T>& p1,
                                             const l3d_point<T>& p2) noexcept {
         // Lengths are taken out first, so that neither large nor small triangles lose bits.

@@ -37,8 +37,8 @@ std::array<l3d_position<T>, 4> l3d_window_corners(const l3d_position<T>& least,
 
 /// A convex polygon: geometry alone, without looks.
 ///
-/// It knows indices, not vertices: these are named in each call, and a call with another list
-/// (the next picture of a movement) gives the same polygon another form. Two index lists: the
+/// It knows indices, not vertices. The caller passes the vertices in each call. Another list, such
+/// as the next picture of a movement, gives the same polygon another form. Two index lists: the
 /// definition, which stays, and the clipped one, which is drawn.
 /// Expects: corners in clockwise order on the screen, where y is down; anticlockwise ones are
 ///          clipped and drawn just so, they only cannot serve as a window.

@@ -10,8 +10,8 @@
 /// A position in the picture. Units: pixels, y down.
 template <class T> using l3d_position = l3d_vector<T, 2>;
 
-/// How far p is to the right of the way from a to b: positive to the right, which is inside of a
-/// polygon whose corners run clockwise on the screen; 0 on the line.
+/// How far p is to the right of the way from a to b: positive to the right, 0 on the line. Right is
+/// inside of a polygon whose corners run clockwise on the screen.
 ///
 /// Units:   pixels times the length of the way.
 /// Expects: coordinates less than 2^29 in fixed point, where the sign is exact; in floating point

@@ -65,9 +65,9 @@ bool l3d_outside(std::span<const l3d_image_point> net, const l3d_image_box& box,
 struct l3d_second_bounds {
     double uu = 0, uv = 0, vv = 0;
 
-    /// Of a convex micro-quad (a bilinear piece) with steps 1/nu by 1/nv. A folded quad is drawn
-    /// as four triangles around its centre; on each, s t differs from its linear interpolant by
-    /// at most 1/16, which multiplies the mixed difference, at most uv / (nu nv).
+    /// Of a convex micro-quad (a bilinear piece) with steps 1/nu by 1/nv. A folded quad is drawn as
+    /// four triangles around its centre. On each, s t differs from its linear interpolant by at
+    /// most 1/16. That multiplies the mixed difference, at most uv / (nu nv).
     double quad_error(int nu, int nv) const {
         const double hu = 1.0 / nu, hv = 1.0 / nv;
         return (uu * hu * hu + vv * hv * hv) / 8 + uv * hu * hv / 16;
@@ -96,7 +96,7 @@ l3d_second_bounds l3d_second_bounds_of(const l3d_image_patch& patch, const l3d_i
 double l3d_second_bound_of(const l3d_image_curve& curve, const l3d_image_box& visible,
                            double w_low);
 
-/// The same for how far a chord is from its curve in space, across the curve's own direction: along
+/// The same for how far a chord is from its curve in space, across the curve's own direction. Along
 /// the normal of any surface that the curve lies in, it is no more. Units: pixels at w_low, of
 /// which `focal` make a length of 1 at distance 1.
 double l3d_space_bound_of(const l3d_image_curve& curve, double focal, double w_low);

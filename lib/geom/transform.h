@@ -146,8 +146,8 @@ private:
         for (std::size_t i = column + 1; i < 4; ++i)
             if (std::abs(rows_[i][column]) > std::abs(rows_[pivot][column]))
                 pivot = i;
-        // Entries are at most 1 at first and grow by at most 2 in each of three steps, each with
-        // some 2^-53 of rounding: below 2^-46 nothing but rounding is left.
+        // Entries are at most 1 at first. They grow by at most 2 in each of three steps, each with
+        // some 2^-53 of rounding. So an entry below 2^-46 is nothing but rounding.
         if (!(std::abs(rows_[pivot][column]) > 0x1p-46)) {
             regular_ = false;
             return;

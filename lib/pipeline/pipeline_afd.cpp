@@ -142,9 +142,9 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
             settings_.depth, settings_.outlines};
 }
 
-/// Nothing where the picture is right as it is. All of it where something that is drawn on top
-/// may have to go, since nobody knows where that is, and from three quarters on, where a part costs
-/// nearly as much (docs/SPEED.md).
+/// The parts of the picture to draw: none if the picture is right as it is. It is the whole picture
+/// if something that was drawn on top may have to go, since nobody knows where that is. It also is
+/// from three quarters of the picture on, where a part costs nearly as much (docs/SPEED.md).
 l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
     const l3d_pixel_boxes whole(l3d_whole(now.target.size()));
     if (settings_.keep.drawing || is_foreign_ || scene_.is_rebuilt() || now != basis_)

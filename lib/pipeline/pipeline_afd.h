@@ -64,11 +64,11 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
 /// Draws models of bicubic patches with a certified error bound in every frame: by adaptive forward
 /// differencing, unless the settings have another method.
 ///
-/// A program that only wants the picture uses it as it is; one with keys or things of its own to
-/// draw is a subclass that changes camera() and settings() and calls draw_event. A frame draws only
-/// what changed since the last one. If nothing changed, it draws nothing. If instances were only
-/// placed anew and nothing is drawn on top, it draws the parts of the picture where they were or
-/// are.
+/// A program that only wants the picture uses it as it is. A program with keys or things of its own
+/// to draw derives a class that changes camera() and settings() and calls draw_event. A frame draws
+/// only what changed since the last one. If nothing changed, it draws nothing. If instances were
+/// only placed anew and nothing is drawn on top, it draws the parts of the picture where they were
+/// or are.
 /// Expects: camera and settings of which l3d_afd_complaint has nothing to say, in every frame.
 /// Lives:   owns screen, workers and rasterizers, borrows the models of the scene.
 /// Cost:    filled surfaces allocate nothing once the largest frame has been seen.
@@ -87,8 +87,8 @@ public:
     /// Of the last frame, empty for a wireframe. Expects: settings asked for it.
     const l3d_depth_buffer& depth() const { return depth_; }
 
-    /// The pixels that outlines reach in the last frame; null if nobody asked for them, if the
-    /// method does not find them, or if a part of the picture was drawn alone.
+    /// The pixels that outlines reach in the last frame. It is null if nobody asked for them, if
+    /// the method does not find them, or if a part of the picture was drawn alone.
     const l3d_outline_mask* outlines() const {
         return report_.outline_pixels == l3d_surface_counts::none_counted ? nullptr
                                                                           : method_->outlines();

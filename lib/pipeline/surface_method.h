@@ -66,8 +66,8 @@ public:
     const l3d_dice_counts& counts() const { return do_counts(); }
     const l3d_surface_counts& surface_counts() const { return do_surface_counts(); }
 
-    /// The pixels of the last frame that outlines reach, if it asked for them; null from methods
-    /// that do not find them, and of a frame that was a part of a picture.
+    /// The pixels of the last frame that outlines reach, if it asked for them. Methods that do not
+    /// find them give null. So does a frame that was a part of a picture.
     const l3d_outline_mask* outlines() const { return do_outlines(); }
 
 protected:

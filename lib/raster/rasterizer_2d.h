@@ -27,8 +27,9 @@ struct l3d_line_2d {
 /// The closed outline of an area: its corners in order, the last one joined to the first.
 using l3d_outline_2d = std::span<const l3d_point_2d>;
 
-/// What is inside of outlines that cross themselves or each other: where they wind around a point,
-/// clockwise less anticlockwise, not zero times; or an odd number of times.
+/// The fill rule: which points are inside of outlines that cross themselves or each other. Either
+/// outlines wind around such a point, clockwise less anticlockwise, not zero times; or an odd
+/// number of times.
 enum class l3d_winding { nonzero, even_odd };
 
 /// What a kind of output must do to draw; programs hold the l3d_rasterizer_2d in front of it.
@@ -78,9 +79,10 @@ public:
 
     void draw_point(int x, int y, std::uint32_t color) { imp_.do_draw_point(x, y, color); }
 
-    /// Draws a line, both ends included: for each step along the longer axis (x if both are equally
-    /// long) the pixel nearest to the ideal line; of two equally near, the upper or left one.
-    /// The same pixels in both directions; clipped, exactly those of them that are in the target.
+    /// Draws a line, both ends included. Each step along the longer axis (x if both are equally
+    /// long) lights the pixel nearest to the ideal line. Of two equally near, it lights the upper
+    /// or left one. The same pixels in both directions; clipped, exactly those of them that are in
+    /// the target.
     void draw_line(int x0, int y0, int x1, int y1, std::uint32_t color) {
         const l3d_line_2d line{x0, y0, x1, y1};
         imp_.do_draw_lines({&line, 1}, color);

@@ -10,8 +10,9 @@ namespace {
 
 constexpr std::int64_t one = l3d_subpixel_one, half = one / 2;
 
-/// A polygon thinner than this is a slit: how its depth changes says nothing of the surface, so it
-/// is taken to change by no more than all of it in so much. Units: pixels.
+/// A polygon thinner than this is a slit. The change of its depth says nothing of the surface. So
+/// the surface's depth is taken to change over this length by no more than the slit's whole range.
+/// Units: pixels.
 constexpr double thinnest = 0.25;
 
 /// Of 1 / w: its division, its scale, the corners' means and the pixel's own, each half of 2^-23.

@@ -42,10 +42,11 @@ public:
     void add(l3d_backend row);
 
     /// Takes the back-end named by --backend, else by the environment's L3D_BACKEND, else by the
-    /// program itself; else, at a terminal, asks; else takes the first automatic row that can
-    /// serve. If nobody will see the pictures, and neither --output nor a named memory back-end
-    /// says that this is meant, the output becomes `program`.png, and stderr gets a line about it.
-    /// False: --list-backends or --diagnose was given and answered; the program ends well.
+    /// program itself. If none is named, it asks at a terminal. Else it takes the first automatic
+    /// row that can serve. Nobody may see the pictures, though neither --output nor a named memory
+    /// back-end says that this is meant. Then the output becomes `program`.png, and stderr gets a
+    /// line about it. False: --list-backends or --diagnose was given and answered; the program ends
+    /// well.
     ///
     /// Errors:  l3d_error: usage for an unknown name; no_display if no display can be opened
     ///          (naming DISPLAY and its value); no_backend, with all reasons, otherwise.

@@ -13,8 +13,8 @@ std::string l3d_plugin_folder();
 /// The folder of models and other data, likewise: ../share/l3d.
 std::string l3d_data_folder();
 
-/// What a user means by the name of a model: the file of that name, if there is one; else one of
-/// that name in the data folder; else the name as it is.
+/// The file that a user means by the name of a model. It is the file of that name, if there is one,
+/// else one of that name in the data folder, else the name as it is.
 std::string l3d_data_file(const std::string& name);
 
 #endif

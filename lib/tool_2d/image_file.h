@@ -10,9 +10,9 @@
 #include <span>
 #include <string>
 
-// A file appears under its name only when it is complete: it is written beside it and renamed, so
-// that a full disk costs neither the old picture nor leaves half a new one. The same pixels give
-// the same bytes: no time and no program name is stored.
+// A file appears under its name only when it is complete. It is written beside that place and
+// renamed. So a full disk neither costs the old picture nor leaves half a new one. The same pixels
+// give the same bytes: no time and no program name is stored.
 
 /// Writes an 8-bit RGB PNG.
 /// Errors:  l3d_error(failure) that names the path and the system's or libpng's reason.

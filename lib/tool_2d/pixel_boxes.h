@@ -11,8 +11,8 @@
 #include <limits>
 #include <span>
 
-/// Disjoint boxes that hold all that was added, so few that each may have a cost of its own: most
-/// of what lies between things far apart is left out.
+/// Disjoint boxes that hold all that was added. They are so few that each may have a cost of its
+/// own. Most of the space between things far apart is left out.
 class l3d_pixel_boxes {
 public:
     static constexpr std::size_t most = 4;

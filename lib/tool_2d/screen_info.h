@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-/// How a display finds the colour of a pixel: in a map of colours or grays, by masks, or, in a
-/// direct_color one, by masks and a map for each channel. Static maps cannot be changed.
+/// How a display finds the colour of a pixel. It looks in a map of colours or grays, or uses masks;
+/// in a direct_color one, it uses masks and a map for each channel. Static maps cannot be changed.
 enum class l3d_color_class {
     static_gray,
     gray_scale,

@@ -39,9 +39,9 @@ struct cell_times {
 
 /// Compares on `threads` threads a side, cell by cell.
 ///
-/// First each peer tries its meshes, llvmpipe numbers of workers and widths of vectors, Embree
-/// packets; with its best it is then timed in turn with both shadings of ours, a few frames each.
-/// llvmpipe reads its settings once in a process, so all this happens in children.
+/// First each peer tries its meshes; llvmpipe also tries numbers of workers and widths of vectors,
+/// Embree packets. With its best it is then timed in turn with both shadings of ours, a few frames
+/// each. llvmpipe reads its settings once in a process, so all this happens in children.
 /// Errors: std::runtime_error if a peer is not there, or a picture is wrong.
 std::vector<cell_times> compare(const l3d_patch_model& model, std::span<const bench_cell> cells,
                                 int threads);

@@ -94,7 +94,7 @@ vector random_place(std::mt19937_64& random, double radius, bool in_picture) {
     }
 }
 
-/// The teapot of the view, and others that are small, as they are far away, or off-screen: every
+/// The teapot of the view, and others that are small, as they are far away, or off-screen. Every
 /// second one is placed anywhere around the eye, where the picture shows a twentieth of all.
 l3d_patch_scene crowd(const l3d_patch_model& model, int count) {
     constexpr double radius = 1500; // a teapot is 5 pixels wide there

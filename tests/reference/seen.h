@@ -49,8 +49,8 @@ struct seen_picture {
 
     std::vector<seen_pixel> far;   ///< judged, and farther than far_levels
     std::int64_t far_outlines = 0; ///< as far, but at an outline
-    /// Of `far`, those whose level the exact picture has nowhere within the bound of place, by
-    /// far_levels: the rest is steep shading, moved by no more than the bound.
+    /// Those of `far` whose level the exact picture has nowhere within the bound of place, by
+    /// far_levels. The rest is steep shading, moved by no more than the bound.
     std::int64_t far_anywhere = 0;
     std::int64_t holes = 0; ///< judged, covered exactly, and not drawn
 
@@ -66,8 +66,9 @@ struct seen_picture {
 /// 2 % and 1e-3 px short, so these are added. The bound also reaches a pixel that has another sheet
 /// within twice bounds.depth.
 ///
-/// Looked for beside pixels whose neighbourhood changes, and wherever a pixel is far from its exact
-/// level: so what is said to be far is, and outlines may be more than are counted.
+/// Outlines are looked for beside pixels whose neighbourhood changes, and wherever a pixel is far
+/// from its exact level. So a pixel that is said to be far is far, and there may be more outlines
+/// than are counted.
 ///
 /// Shape:   greys and distances row by row, as large as the exact picture; distances along the
 ///          axis, infinite where nothing is.

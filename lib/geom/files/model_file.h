@@ -37,7 +37,7 @@ std::optional<l3d_model_format> l3d_model_format_of(std::string_view text);
 /// note, and refused.
 ///
 /// Coordinates are finite and at most l3d_bpt_largest_coordinate in magnitude; the mesh is valid.
-/// Errors:  nothing, and `why` = "name:line: what is wrong"; in the binary part of a file, the line
+/// Errors:  nothing, and `why` = "name:line: what is wrong". In the binary part of a file, the line
 ///          is the one that it begins in, and the message has the byte.
 /// Cost:    time linear in the text; memory at most 80 bytes per byte of text, counts are checked
 ///          before memory is taken for what they promise.

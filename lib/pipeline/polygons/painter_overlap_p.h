@@ -29,8 +29,8 @@ struct front_parts {
     bool mixed() const { return first && second; }
 };
 
-/// Depths that differ by less than this part of the nearer corner are as good as equal: 2^-12 of
-/// what a depth buffer of floats tells apart, 2^17 times the rounding of doubles.
+/// Depths that differ by less than this part of the nearer corner are as good as equal. It is 2^-12
+/// of what a depth buffer of floats tells apart, and 2^17 times the rounding of doubles.
 inline constexpr double painter_tie = 0x1p-36;
 
 /// Whether the insides of two triangles meet, exactly. If not, they have no pixel in common: the

@@ -56,8 +56,8 @@ point normal_at(const l3d_normal_net& normals, int column, int row, int n) {
     return {unit[0], unit[1], unit[2]};
 }
 
-/// Where a patch folds within less than a facet, as the teapot's do at the top of the knob, its
-/// normal may point to the other side of all facets around; they decide.
+/// A patch may fold within less than a facet, as the teapot's do at the top of the knob. There its
+/// normal may point to the other side of all facets around, and the facets decide.
 void turn_to_faces(l3d_polygon_mesh& mesh) {
     std::vector<point> areas(mesh.vertices.size(), point{0.0, 0.0, 0.0});
     for (std::size_t f = 0; f < mesh.faces(); ++f) {

@@ -33,7 +33,7 @@ struct l3d_polygon_counts : l3d_seen_counts {
 /// Vertices once each to the picture, then faces: which are seen, clipped where they must be.
 ///
 /// Projection is in double for every number type, then rounded to 1/256 pixel: l3d_real is for what
-/// is stepped. Of a parallel projection, inv_w is not 1 / distance but 2 at the nearest and 1 at
+/// is stepped. In a parallel projection, inv_w is not 1 / distance. It is 2 at the nearest and 1 at
 /// the farthest end of the model's sphere, linear in between, as rasterizers need it. Expects:
 /// workers, model and view outlive each make(). Cost:    keeps its memory: 24 bytes per vertex and
 /// 72 per triangle drawn.

@@ -7,8 +7,8 @@
 #include "scene/camera.h"
 #include "pipeline/worlds/moveable.h"
 
-/// The book's term for a field of view: the distance of a window from the eye over its width, as
-/// large as half the cotangent of half the angle. Units: degrees.
+/// The book's term for a field of view: the distance of a window from the eye over its width. It is
+/// half the cotangent of half the angle. Units: degrees.
 double l3d_fov_term(double degrees);
 double l3d_fov_degrees(double term);
 
@@ -37,7 +37,7 @@ public:
 };
 
 /// The same view of the same world seen through our camera, whose world is this one with z
-/// reversed: a point (x, y, z) here is (x, y, -z) there, and pictures are alike.
+/// reversed. A point (x, y, z) here is (x, y, -z) there, and pictures are alike.
 ///
 /// A pixel's centre is where our camera samples, 1/2 beyond the book's in x and y.
 /// Expects: square pixels: fovx * width = fovy * height.

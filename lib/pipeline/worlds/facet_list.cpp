@@ -9,8 +9,8 @@
 namespace {
 
 /// Polygons are cut where they reach further than this from the picture's centre. Units: pixels.
-/// Pictures have at most 2^14 pixels a side, so nothing seen is cut; and positions this large,
-/// times 256 for the fractions of a pixel that rasterizers count in, are far from 2^31.
+/// Pictures have at most 2^14 pixels a side, so nothing seen is cut. Positions this large, times
+/// 256 for the fractions of a pixel that rasterizers count in, are far from 2^31.
 constexpr double farthest_pixel = 0x1p15;
 
 /// Falls as depth rises: positive floats are in the order of their bits. Expects: depth > 0.

@@ -13,8 +13,8 @@
 
 namespace l3d_detail {
 
-/// In which order things lie beside each other, as the bands of a picture do: who works on one
-/// then mostly fills it, too, and finds it in the cache of his core.
+/// The order in which things lie beside each other, as the bands of a picture do. A worker that
+/// handles one then mostly fills it, too, and finds it in the cache of its core.
 ///
 /// Lives: keeps its memory from frame to frame.
 class height_order {

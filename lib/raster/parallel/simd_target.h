@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-/// The instruction sets that this processor has and the library was built for, best first; names
-/// as Highway spells them: AVX3 (that is AVX-512), AVX2, SSE4, SSSE3; BASE is what the compiler was
-/// told.
+/// The instruction sets that this processor has and the library was built for, best first. Names
+/// are spelled as in Highway: AVX3 (that is AVX-512), AVX2, SSE4, SSSE3. BASE is what the compiler
+/// was told.
 std::vector<std::string> l3d_simd_targets();
 
 /// The one in use: the best, unless told otherwise.

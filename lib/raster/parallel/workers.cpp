@@ -53,8 +53,8 @@ struct l3d_workers::threads {
 
     /// Calls work(worker) by each thread that comes.
     template <class Work> void run(int count, const Work& work) {
-        // The whole process has no more threads than processors unless told otherwise, and of all
-        // who tell at a time it obeys the least: no longer than for the work, then.
+        // By default the whole process has no more threads than processors. Of all limits that
+        // exist at a time, TBB obeys the smallest. So this one lives no longer than the work.
         std::optional<tbb::global_control> more;
         if (count > tbb::info::default_concurrency())
             more.emplace(tbb::global_control::max_allowed_parallelism,
@@ -91,8 +91,8 @@ void l3d_workers::run(int items, item_call call, void* context) {
     });
 }
 
-/// Each worker has a range, which it takes from its outer end; when that is empty it goes round and
-/// takes from the others at the end where their owner is not, its neighbours' first.
+/// Each worker has a range, which it takes from its outer end. When that is empty, it steals from
+/// the others' ranges, its neighbours' first. It steals at the far end from their owner.
 void l3d_workers::run_beside(int items, item_call call, void* context) {
     if (count_ == 1 || items <= 1)
         return run(items, call, context);

@@ -22,8 +22,8 @@ struct l3d_painter_triangle {
 /// Keeps of a triangle the pixels in which it is in front of another one's plane (or behind it).
 ///
 /// Where two planes meet is a line in the picture, as 1/w of a plane is linear there. The pixels
-/// are divided at it without gap and without overlap, and no corner is made, so that what is left
-/// keeps the outline and the shading of the whole triangle.
+/// are divided at it without gap and without overlap. No corner is made, so the pieces keep the
+/// outline and the shading of the whole triangle.
 struct l3d_painter_cut {
     static constexpr std::uint32_t last = ~0u;
 
@@ -55,8 +55,8 @@ public:
                std::span<const l3d_painter_triangle> triangles,
                std::span<const l3d_painter_piece> pieces, std::span<const l3d_painter_cut> cuts);
 
-    /// Clears the picture and draws the sides of the pieces as lines, without what is hidden: each
-    /// piece is painted in black, the ground's colour, before its own sides.
+    /// Clears the picture and draws the visible sides of the pieces as lines. Each piece is painted
+    /// in black, the ground's colour, before its own sides.
     void paint_lines(l3d_pixels target, std::span<const l3d_painter_triangle> triangles,
                      std::span<const l3d_painter_piece> pieces,
                      std::span<const l3d_painter_cut> cuts, std::uint32_t line_color);

@@ -14,8 +14,8 @@ namespace l3d_detail {
 
 /// The slow twin of the fill kernel, for all shaders and all polygons.
 ///
-/// A quad's attribute plane is the one through its two diagonals' differences and the mean of its
-/// corners, so no diagonal shows; quads far from a parallelogram are filled as two triangles.
+/// A quad's attribute plane goes through its two diagonals' differences and the mean of its
+/// corners, so no diagonal shows. Quads far from a parallelogram are filled as two triangles.
 /// Lives: borrows band and shading.
 /// Cost:  allocates only when a band is higher than any before.
 class band_scalar {

@@ -99,8 +99,9 @@ using fill_piece = std::array<std::array<std::int32_t, 6>, 3>;
 /// Lives: of one worker, kept for its memory. Empty between bands.
 struct fill_queue {
     static constexpr std::size_t widest_vector = 16, components = fill_piece::value_type().size();
-    /// So many are filled together: whole vectors of every width, so that what waits, and with it
-    /// what is drawn when somebody asks what is hidden, does not depend on the width.
+    /// Number of polygons that are filled together: whole vectors of every width. So the set of
+    /// waiting polygons does not depend on the width, nor what is drawn when somebody asks what is
+    /// hidden.
     static constexpr std::size_t enough = 3 * widest_vector;
     static constexpr std::size_t room = enough + 2 * widest_vector;
 
@@ -113,8 +114,8 @@ struct fill_queue {
     alignas(64) std::int32_t seen[room]; ///< 0: hidden; found out when the polygon is to be filled
     std::size_t count = 0;
 
-    /// Folded and skew quads in pieces: filled when all others are, so that what comes first where
-    /// two are equally near does not depend on how many waited together.
+    /// Folded and skew quads in pieces. They are filled after all others. So the order of two that
+    /// are equally near does not depend on how many waited together.
     std::vector<fill_piece> pieces;
 
     /// Grey levels of a run of polygons' corners, made and read a vector at a time.

@@ -13,10 +13,10 @@
 /// A second opinion on every picture of surfaces: another's coverage, interpolation and depth test,
 /// and shaders of its own language.
 ///
-/// A convex quad is two triangles, so inside one that is no parallelogram depth and shade differ a
-/// little from the plane that the CPU lays through it; the outline does not. Positions are exact
-/// within 8192 pixels of the middle of the picture; what reaches further is clipped there, rounded.
-/// A picture larger than GL's largest is left to the CPU.
+/// A convex quad is drawn as two triangles. Inside one that is no parallelogram, depth and shade
+/// differ a little from the plane that the CPU lays through it. The outline does not differ.
+/// Positions are exact within 8192 pixels of the middle of the picture; what reaches further is
+/// clipped there, rounded. A picture larger than GL's largest is left to the CPU.
 /// Units:   as l3d_surface_rasterizer_scalar, and inv_w from 2^-94 to 2^32.
 /// Cost:    drawing gathers; every batch is drawn twice if pixels are counted, once only for its
 ///          samples.

@@ -15,9 +15,9 @@ namespace {
 
 using namespace l3d_detail;
 
-/// So that workers have a dozen bands to share, and colour and depth of none take more than half a
-/// megabyte: what a core of 2020 has as second level cache, or half of it.
-/// Not more of them for more workers: what is counted would depend on it.
+/// Size of a band. Workers have a dozen bands to share. Colour and depth of a band take no more
+/// than half a megabyte, which is all or half of the second-level cache of a core of 2020. Not more
+/// of them for more workers: what is counted would depend on it.
 int rows_of_band(l3d_size size) {
     constexpr int most_bytes = 512 << 10, bytes_of_pixel = 4 + 4, bands_wanted = 12;
     constexpr int tile = depth_tile::height;
@@ -68,8 +68,8 @@ void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer* de
     start(depth, shading);
 }
 
-/// Polygons are drawn whole, so that no number in them depends on where the part ends, into a
-/// picture that is there for that; what they cover beside the part is not copied.
+/// Polygons are drawn whole into a picture of their own, so that no number in them depends on where
+/// the part ends. Their pixels beside the part are not copied.
 void l3d_surface_rasterizer_sw::do_begin_part(l3d_pixels target, l3d_depth_buffer* depth,
                                               const l3d_shading& shading,
                                               const l3d_pixel_box& part) {

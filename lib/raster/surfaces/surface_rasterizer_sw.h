@@ -19,8 +19,8 @@ struct l3d_band_settings {
     bool leave_out_hidden = true; ///< what is provably hidden is not filled
 };
 
-/// Fills surfaces in horizontal bands whose colour and depth stay in a core's own cache: in each
-/// first what is nearest, leaving out blocks that are behind what is there.
+/// Fills surfaces in horizontal bands whose colour and depth stay in a core's own cache. In each
+/// band the nearest blocks come first, and blocks behind the depth that is there are left out.
 ///
 /// Units:   as l3d_surface_rasterizer_scalar, its slow twin.
 /// Lives:   borrows the workers.

@@ -91,8 +91,9 @@ private:
     std::vector<unsigned long> allocated_;
 };
 
-/// Asks for as many cells as there are colours to come, at once, and gives them back: one round
-/// trip instead of one for each that fits until one does not.
+/// Tests whether there is room: asks for as many cells as there are colours to come, at once, and
+/// gives them back. That takes one round trip. Asking for cells singly takes one for each that
+/// fits, until one does not.
 bool cell_sharer::has_room_for(const palette_shape& shape) const {
     std::set<std::uint32_t> there;
     for (const auto& color : found_)

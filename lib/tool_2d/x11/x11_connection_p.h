@@ -19,15 +19,15 @@ inline constexpr auto x11_server_went_away = "the X server went away";
 /// Owns a Display.
 ///
 /// Xlib's two error handlers belong to the whole process, and its own ones end it. While
-/// connections of this class exist, ours stand in front: they keep what concerns these
-/// connections and hand everything else to the handlers found there, which come back with the
-/// end of the last connection. So it is with SIGPIPE, unless the program handles or ignores it:
-/// Xlib's writing to a dead server raises it.
+/// connections of this class exist, our handlers stand in front. They keep what concerns these
+/// connections and hand everything else to the handlers found there. Those come back with the end
+/// of the last connection. So it is with SIGPIPE, unless the program handles or ignores it: Xlib's
+/// writing to a dead server raises it.
 class x11_connection {
 public:
     /// Connects to the display that the environment names.
-    /// Errors:  null, with one line in `why` that gives the value of DISPLAY; a connection that is
-    ///          lost(), and without a display(), if the server went away while it answered.
+    /// Errors:  null, with one line in `why` that gives the value of DISPLAY. If the server went
+    ///          away while it answered, a connection that is lost(), without a display().
     static std::unique_ptr<x11_connection> open(std::string& why);
 
     x11_connection(const x11_connection&) = delete;

@@ -64,8 +64,8 @@ int key_in_place(unsigned code) {
     return 0;
 }
 
-/// The key of an event: by its own group and level, and if that gives no ASCII character, as on
-/// a Cyrillic layout, by the first group that does, or by the key's place.
+/// The key of an event, by its own group and level. If that gives no ASCII character, as on a
+/// Cyrillic layout, it goes by the first group that does, or by the key's place.
 int key_of(XKeyEvent& event) {
     std::array<char, 8> text{};
     KeySym keysym = NoSymbol;

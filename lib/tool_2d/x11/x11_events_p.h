@@ -14,9 +14,10 @@ namespace l3d_detail {
 
 /// Translates the events of one window and keeps them until they are asked for.
 ///
-/// What only the latest value of matters is kept once: the size, whether the window can be seen,
-/// that it lost its picture, and the pointer's place until something else happens. Every key that
-/// is told pressed is told released, by the time the window loses the keyboard at the latest.
+/// Some things are kept once, since only their latest value matters. These are the size, whether
+/// the window can be seen, that it lost its picture, and the pointer's place until something else
+/// happens. Every key that is told pressed is told released, by the time the window loses the
+/// keyboard at the latest.
 class x11_events {
 public:
     explicit x11_events(const x11_window& window) : window_(window) {}

@@ -47,8 +47,8 @@ struct palette_shape {
 int channel_difference(std::uint32_t one, std::uint32_t other);
 
 /// The largest palette that can be had from a map as it is, each place the cell that is nearest.
-/// Errors:  nothing, if the map has not even cells near black, white and, unless it is to be a
-///          ramp, the six colours at the other corners of the cube.
+/// Errors:  nothing, if the map lacks cells near black and white. Nothing, too, if it lacks cells
+///          near the six colours at the other corners of the cube, unless it is to be a ramp.
 std::optional<l3d_palette> palette_of_cells(std::span<const std::uint32_t> cells, bool ramp);
 
 /// The palette whose pixels masks make: its dither hides how few bits they have.

@@ -23,8 +23,9 @@ namespace l3d_detail {
 /// Lives:   the connection outlives the segment.
 class x11_shm_segment {
 public:
-    /// Makes a segment. The first of a connection proves that the server sees in it what we write
-    /// there: a server in another IPC namespace may find a stranger's memory under our number.
+    /// Makes a segment. The first segment of a connection proves that the server sees in it what we
+    /// write there. A server in another IPC namespace may find a stranger's memory under our
+    /// number.
     ///
     /// Shape:   at least `size` bytes; the proof is a row of pixels of this layout.
     /// Errors:  null, with one line in `why` that gives the reason of kernel or server;
