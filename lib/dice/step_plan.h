@@ -78,12 +78,13 @@ struct l3d_step_plan {
 /// The fewest steps (greedily) with which every visible block keeps its chord error at or below
 /// `budget`.
 ///
-/// With c the weight of a direction's steps (1/8 h^2, or l3d_balanced_error) and m that of what its
-/// vertices are moved by (0, or l3d_balance h^2), a quad errs by at most c_u uu + c_v vv + m_u m_v
-/// uuvv + d k,   d = h_u h_v uv + 2 m_u h_v uuv + 2 m_v h_u uvv + 4 m_u m_v uuvv, d being a bound
-/// of the corners' mixed difference and k 1/16 or 1/4, see l3d_second_bounds. Slits between a
-/// side's row and its edge may be as far off as chords that are not balanced. So those of the outer
-/// blocks keep the budget, too.
+/// Let c be the weight of a direction's steps (1/8 h^2, or l3d_balanced_error). Let m be the weight
+/// by which its vertices are moved (0, or l3d_balance h^2). A quad errs by at most
+///     c_u uu + c_v vv + m_u m_v uuvv + d k,   d = h_u h_v uv + 2 m_u h_v uuv + 2 m_v h_u uvv
+///                                                 + 4 m_u m_v uuvv,
+/// d being a bound of the corners' mixed difference and k 1/16 or 1/4, see l3d_second_bounds. Slits
+/// between a side's row and its edge may be as far off as chords that are not balanced. So those
+/// of the outer blocks keep the budget, too.
 ///
 /// Units:   budget in pixels.
 /// Expects: budget > 0.
