@@ -48,8 +48,9 @@ struct l3d_vertex_accuracy {
 
     /// The image error that comes on top of the chord error, for points drawn inside the window.
     ///
-    /// Let corner i have homogeneous errors e_i. It is drawn off its place X_i by d_i, and its 1 / w
-    /// is off by the factor 1 + r_i. Let b_i be its weight at the drawn point X0. To first order
+    /// Let corner i have homogeneous errors e_i. It is drawn off its place X_i by d_i, and its
+    /// 1 / w is off by the factor 1 + r_i. Let b_i be its weight at the drawn point X0. To first
+    /// order
     ///     S / w - X0 = chord + sum b_i (e_i.xy - X0 e_i.w) / w
     ///                + sum b_i w_i / w (d_i + r_i (X_i - X0)),
     /// where only X0, not X_i, meets the errors of w, and sum b_i w_i / w is `w_ratio`.
