@@ -40,7 +40,7 @@ public:
         --used_;
     }
 
-    /// What has been handed out since the last clear.
+    /// The pieces handed out since the last clear.
     std::span<const l3d_diced_piece> used() const { return {pieces_.data(), used_}; }
     std::span<l3d_diced_piece> used() { return {pieces_.data(), used_}; }
 

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// What rounding and snapping of vertices add to the error of everything drawn between them.
+// SPDX-License-Identifier: MIT The error that rounding and snapping of vertices add to everything
+// drawn between them.
 #ifndef L3D_DICE_DRAWN_ERROR_H
 #define L3D_DICE_DRAWN_ERROR_H
 
@@ -42,8 +42,8 @@ struct l3d_vertex_accuracy {
     /// exact w is at least half of the interpolated one.
     static constexpr double in_front = 1.25, crossing = 2;
 
-    /// What drawn_error is less where no folded quad is drawn, whose centre is rounded to
-    /// sub-pixels once more: in slits.
+    /// In slits, drawn_error is less by this, since slits have no folded quads. The centre of a
+    /// folded quad is rounded to sub-pixels once more.
     static double of_centre() { return in_front * l3d_snap_error<double>(0); }
 
     /// The image error that comes on top of the chord error, for points drawn inside the window.

@@ -55,11 +55,11 @@ public:
                                                   const l3d_scene_culling& culling,
                                                   std::span<const l3d_placed_patch> batch);
 
-    /// What patch i of the last batch became, with the parameters of all vertices if these are
+    /// The result of patch i of the last batch, with the parameters of all vertices if these are
     /// kept.
     std::span<const l3d_diced_piece> pieces(std::size_t i) const { return slots_[i].used(); }
 
-    /// Of all batches of the frame.
+    /// The counts of all batches of the frame.
     const l3d_dice_counts& counts() const { return counts_; }
 
 private:
@@ -79,7 +79,7 @@ private:
         }
     };
 
-    /// What became of a patch of the batch.
+    /// The result of a patch of the batch.
     struct outcome {
         l3d_dice_counts counts;
         std::int64_t cost = 0;

@@ -28,8 +28,8 @@ std::int64_t cost_of(const l3d_step_plan& plan, bool in_lanes) {
     return samples_of(plan) * (in_lanes ? 1 : l3d_evaluated_cost);
 }
 
-/// What the coarsest grid of a piece costs, four strips of one step each way: 25
-/// samples. Kept for each that waits.
+/// The cost of the coarsest grid of a piece, four strips of one step each way: 25 samples. Kept for
+/// each that waits.
 constexpr std::int64_t least_cost = 25 * l3d_evaluated_cost;
 
 /// How many times a clipped piece's bounds grow if w of its chords is off by `error` instead of the

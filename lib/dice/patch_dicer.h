@@ -26,7 +26,7 @@ inline constexpr std::size_t l3d_most_pieces = 2048;
 /// finest tolerance. Some 2 seconds and 700 MB.
 inline constexpr std::int64_t l3d_most_samples = std::int64_t{1} << 23;
 
-/// What a patch may cost, and whether it could have used more.
+/// The largest cost of a patch, and whether the patch could have used more.
 ///
 /// Units: samples that are diced in lanes. One that is not costs l3d_evaluated_cost of them, and to
 ///        look at a piece l3d_piece_cost more.
@@ -105,7 +105,7 @@ private:
         friend bool operator<(const waiting& a, const waiting& b) { return a.excess < b.excess; }
     };
 
-    /// What stays the same for a patch.
+    /// The data that stay the same for a patch.
     struct task {
         const l3d_dice_view& view;
         const l3d_normal_net& normals;

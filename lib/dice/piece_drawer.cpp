@@ -194,7 +194,7 @@ void l3d_piece_drawer<T>::evaluate_grid(const l3d_piece_nets<T>& nets, const l3d
     emit(1);
 }
 
-/// What was evaluated, as the grid of a piece that needs no clipping.
+/// The evaluated vertices, as the grid of a piece that needs no clipping.
 template <class T> void l3d_piece_drawer<T>::copy_evaluated(l3d_micro_grid& grid) const {
     for (int row = 0; row < rows_; ++row)
         for (int column = 0; column < columns_; ++column) {

@@ -16,7 +16,7 @@
 #include <array>
 #include <vector>
 
-/// Draws pieces with given steps. What to draw, and how finely, is the dicer's choice.
+/// Draws pieces with given steps. The dicer chooses what to draw, and how finely.
 ///
 /// A piece that needs no clipping becomes a grid, its rows walked by forward differences; any
 /// other becomes clipped triangles. Along each side, triangles fill the slit to the side's edge.
@@ -25,7 +25,7 @@ template <class T> class l3d_piece_drawer {
 public:
     using piece = l3d_surface_piece;
 
-    /// What stays the same for a patch. Lives: normals and edges must outlive its drawing.
+    /// The data that stay the same for a patch. Lives: normals and edges must outlive its drawing.
     void begin(const l3d_dice_view& view, const l3d_normal_net& normals,
                const l3d_edge_polylines& edges);
 
@@ -33,8 +33,9 @@ public:
     void draw(const piece& p, const l3d_piece_nets<T>& nets, const l3d_step_plan& plan,
               l3d_diced_piece& out);
 
-    /// What comes after the grid of a piece that needs no clipping: the sides, and the corners
-    /// where everybody has them. Shape: the grid's blocks and out.u, out.v are written.
+    /// Draws the rest of a piece that needs no clipping, after its grid. These are the sides, and
+    /// the corners where all neighbours have them. Shape: the grid's blocks and out.u, out.v are
+    /// written.
     void close(const piece& p, l3d_diced_piece& out);
 
     /// A piece outside the window is not diced, but the slits that start along its sides may

@@ -33,11 +33,11 @@ public:
     /// err by more than l3d_dice_view::walk_allowance more.
     bool walked() const { return walked_; }
 
-    /// What a walk's registers hold of 1, a power of two. Fixed point gets coordinates that are as
-    /// large as fits, however far all else in the picture is.
+    /// The number that stands for 1 in a walk's registers, a power of two. Fixed point gets
+    /// coordinates that are as large as fits, however far all else in the picture is.
     double unit() const { return unit_; }
 
-    /// What rounding of the vertices adds to the chord error. Units: pixels.
+    /// The error that rounding of the vertices adds to the chord error. Units: pixels.
     double vertex_error() const { return vertex_error_; }
 
     /// The same in slits along the piece's sides.

@@ -82,16 +82,16 @@ bool is_seen(const l3d_block_needs& needs, std::size_t i) {
     return needs.uu[i] + needs.uv[i] + needs.vv[i] > 0 || needs.least_u[i] + needs.least_v[i] > 0;
 }
 
-/// What levels are off by that are linear over two triangles of a quad.
+/// The error of levels that are linear over two triangles of a quad.
 double levels_off_linear(const l3d_bend_numbers<double>& b, double h_u, double h_v) {
     return per_cosine * ((h_u * h_u * b.n_uu + h_v * h_v * b.n_vv) / 8 + h_u * h_v * b.n_uv / 4);
 }
 
-/// What levels are off by in the slit along a side with steps h, if triangles reach that far.
+/// The error of levels in the slit along a side with steps h, if triangles reach that far.
 ///
 /// A triangle of the slit has levels of the grid's row at its corners and at the middles of its
 /// sides. All six are numbers of one parameter. So their parabola is off by as much as one along a
-/// line. What the row itself is off by counts 5/3 times, the most that the sizes of six weights add
+/// line. The error of the row itself counts 5/3 times, the most that the sizes of six weights add
 /// up to. A plane's weights are positive.
 double levels_off_slit(double h, double bent, double straight, double n_2, double n_3) {
     constexpr double of_six = 5.0 / 3;

@@ -38,7 +38,8 @@ public:
     void ask(const l3d_net_piece& piece, const l3d_dice_view& view, double budget,
              double depth_budget, l3d_block_needs& needs) const;
 
-    /// What the steps chosen leave. Levels of clipped pieces are linear over triangles.
+    /// The bounds that hold with the steps chosen. Levels of clipped pieces are linear over
+    /// triangles.
     /// Expects: as above; the slits are those that were made along the piece's sides.
     l3d_surface_certificate certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
                                         const l3d_block_needs& needs, const l3d_step_plan& plan,

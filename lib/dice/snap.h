@@ -49,7 +49,7 @@ l3d_snapped l3d_snap(l3d_fixed<S, F, O> x, l3d_fixed<S, F, O> y, l3d_fixed<S, F,
     return {divided(x), divided(y), static_cast<float>(1 / l3d_to_double(w))};
 }
 
-/// What l3d_snap adds to a vertex's error, for coordinates up to `reach`. Units: pixels.
+/// The error that l3d_snap adds to a vertex, for coordinates up to `reach`. Units: pixels.
 template <class T> double l3d_snap_error(double reach) {
     constexpr double root_two = 1.4142135623730951;
     return root_two * (2.01 * l3d_real_traits<T>::unit_roundoff * reach + 0.5 / l3d_subpixel_one);

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What the blocks of a piece ask of its steps, one after the other.
+// SPDX-License-Identifier: MIT The demands of a piece's blocks on its steps, one after the other.
 #include "dice/step_plan.h"
 
 #include <cmath>

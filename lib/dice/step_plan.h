@@ -17,7 +17,7 @@ enum class l3d_quad_kind {
     triangles, ///< two triangles, clipped
 };
 
-/// What the blocks of a piece ask of its steps.
+/// The demands of a piece's blocks on its steps.
 ///
 /// Shape: element strips * b + a of each array is u-strip a, v-strip b. A block that is not visible
 ///        has zeros everywhere.

@@ -50,7 +50,7 @@ struct block_numbers {
                     of[strips * b + a];
     }
 
-    /// Of the blocks of a strip, from `lane` on.
+    /// The numbers of the blocks of a strip, from `lane` on.
     HWY_INLINE lane_vec in(direction d, std::size_t strip, std::size_t lane) const {
         return hn::Load(lane_tag(), by[d] + most_strips * strip + lane);
     }
@@ -209,7 +209,7 @@ private:
         }
     }
 
-    /// What steps do to the blocks of a strip of direction d, from `lane` on.
+    /// The effect of steps on the blocks of a strip of direction d, from `lane` on.
     struct strip_numbers {
         lane_vec step, bend, moved; ///< across the strip: those of the other direction
         lane_vec own_step, own_bend, own_moved;
@@ -242,8 +242,8 @@ private:
         return hn::IfThenZeroElse(nothing, error);
     }
 
-    /// Of w, in budgets. Balanced or not: with n >= 2, all that balance adds is within the 1/8 that
-    /// it saves from. NUMERICS, section 3.
+    /// The error of w, in budgets. Balanced or not: with n >= 2, all that balance adds is within
+    /// the 1/8 that it saves from. NUMERICS, section 3.
     HWY_INLINE lane_vec depth_errors(direction d, std::size_t strip, std::size_t lane) const {
         const strip_numbers s = numbers_of(d, strip, lane);
         const lane_vec own = hn::Mul(depth_[d].in(d, strip, lane), hn::Mul(s.own_step, s.own_step));
@@ -255,7 +255,7 @@ private:
                        hn::Mul(twist, hn::Set(lane_tag(), mixed_)));
     }
 
-    /// Of the slits along the piece's sides, where the block lies at one.
+    /// The error of the slits along the piece's sides, where the block lies at one.
     HWY_INLINE lane_vec slit_errors(direction d, std::size_t strip, std::size_t lane) const {
         const lane_tag tag;
         if (!needs_.balanced)

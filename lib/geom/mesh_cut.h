@@ -6,7 +6,7 @@
 #include "geom/plane.h"
 #include "geom/polygon_mesh.h"
 
-/// What is done about the hole where a mesh was cut.
+/// How the hole is treated where a mesh was cut.
 enum class l3d_cut_end {
     open,
     capped, ///< a face closes each loop of cut edges

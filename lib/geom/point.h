@@ -7,9 +7,9 @@
 
 /// A place, held as its displacement from the origin.
 ///
-/// The difference of two points is a vector, and a point moved by a vector is a point. What has no
-/// meaning (the sum of two points, a vector minus a point) does not compile. The fourth coordinate
-/// of the book, 1 for points and 0 for vectors, is the type itself.
+/// The difference of two points is a vector, and a point moved by a vector is a point. Operations
+/// without a meaning (the sum of two points, a vector minus a point) do not compile. The fourth
+/// coordinate of the book, 1 for points and 0 for vectors, is the type itself.
 template <class T> struct l3d_point {
     using vector = l3d_vector<T, 3>;
 

@@ -56,9 +56,9 @@ public:
 
     /// Cuts off what is outside a convex window; false, and no corners, if nothing is left.
     ///
-    /// What only touches the window from outside is outside. Corners keep their order; a corner
-    /// inside or on the edge keeps its index, others are replaced by new vertices in the varying
-    /// part. Two polygons with the same two vertices at a cut edge get the same new corner.
+    /// A polygon that only touches the window from outside is outside. Corners keep their order; a
+    /// corner inside or on the edge keeps its index, others are replaced by new vertices in the
+    /// varying part. Two polygons with the same two vertices at a cut edge get the same new corner.
     /// Shape:   `window` has corners in clockwise order on the screen; l3d_window_corners.
     /// Expects: a window of at least three corners, and vertices as l3d_side_2d wants them.
     /// Cost:    corners * edges sides; at most two new vertices for each edge of the window.

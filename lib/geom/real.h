@@ -33,7 +33,7 @@ extern const char l3d_built_with_fixed_real;
 /// The number type the library was built with: "float", "double" or "fixed".
 const char* l3d_real_name();
 
-/// What an algorithm must know of a number type: conversions, and how it rounds.
+/// The properties of a number type that algorithms need: conversions, and how it rounds.
 ///
 /// Units: an operation on x errs by at most unit_roundoff * |result| + half_ulp, in range.
 template <class T> struct l3d_real_traits;

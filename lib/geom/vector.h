@@ -16,8 +16,8 @@
 
 /// N components of type T: v[i], +, -, * scalar, ==, and the functions below.
 ///
-/// For l3d_fixed, GLM gives the layout and what works component by component. What sums products
-/// is ours: GLM would round every product, and refuses types that are not IEEE 754.
+/// For l3d_fixed, GLM gives the layout and what works component by component. Functions that sum
+/// products are ours. GLM would round every product, and refuses types that are not IEEE 754.
 /// Shape:   2 <= N <= 4.
 template <class T, int N> using l3d_vector = glm::vec<N, T, glm::defaultp>;
 

@@ -83,7 +83,7 @@ std::string l3d_frame_report::json() const {
     return line.dump();
 }
 
-/// What was left out of patches that were drawn.
+/// The parts that were left out of patches that were drawn.
 std::string l3d_frame_report::left_out_in_part() const {
     std::string text;
     if (dice.back_blocks > 0)

@@ -9,7 +9,7 @@
 
 #include <limits>
 
-/// What became of a frame after it was drawn. Units: seconds.
+/// What happened to a frame after it was drawn. Units: seconds.
 struct l3d_frame_times {
     double show = 0;  ///< bringing the pixels to the screen
     double write = 0; ///< writing picture files

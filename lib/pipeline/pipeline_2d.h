@@ -10,7 +10,7 @@
 
 #include <memory>
 
-/// What a program draws on, and by whom: as step 1 has chosen.
+/// The screen and the rasterizer of a program, as step 1 has chosen them.
 ///
 /// Expects: neither is null.
 /// Lives:   borrows the factory.

@@ -234,9 +234,9 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
         std::max(std::int64_t{0}, report_.dice.unchanged - more * scene_.patch_count());
 }
 
-/// What is said of the pixels that were kept. A whole frame might have diced more: what is hidden,
-/// but not by what was drawn before it, or just beside the parts. Of such, all that is known is
-/// that steps are chosen to keep the tolerance.
+/// The report of the pixels that were kept. A whole frame might have diced more: what is hidden,
+/// but not by what was drawn before it, or just beside the parts. All that is known of them is that
+/// steps are chosen to keep the tolerance.
 void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
     l3d_dice_counts& now = report_.dice;
     if (report_.pixels_kept > 0) {

@@ -46,8 +46,9 @@ struct l3d_afd_settings {
                                ///< before it is placed: a mirrored model shows the same side
     bool depth = false;        ///< keep the distance of each pixel, for depth()
     bool count_pixels = false; ///< report how many are covered
-    /// What patches that have to be cut or clipped may cost in a frame, see l3d_dice_budget; 0:
-    /// l3d_usual_samples. What it does not suffice for is drawn coarsely, and the bound says so.
+    /// The budget of a frame for patches that have to be cut or clipped, see l3d_dice_budget; 0:
+    /// l3d_usual_samples. If it does not suffice, the rest is drawn coarsely, and the bound says
+    /// so.
     std::int64_t most_samples = 0;
     bool outlines = false;       ///< report how many pixels outlines reach, and keep them
     int threads = 1;             ///< that draw; constant from the first frame on
@@ -110,7 +111,7 @@ public:
     }
 
 protected:
-    /// What is changed here is drawn in the next frame; forget_changes() is not for others.
+    /// Changes made here are drawn in the next frame; forget_changes() is not for others.
     l3d_patch_scene& world() { return scene_; }
     l3d_camera& camera() { return camera_; }
     l3d_afd_settings& settings() { return settings_; }

@@ -25,13 +25,13 @@ struct left_out {
 /// The count of each reason, by its name.
 json counts_json(std::span<const left_out> reasons);
 
-/// What a line begins with.
+/// The beginning of a line.
 json head_json(const l3d_common_report& report);
 
 /// Times that every frame has, after those that are there already.
 void add_times(json& times, const l3d_common_times& more);
 
-/// What a line ends with: pixels, the names of the reasons that there were, the hash.
+/// The end of a line: pixels, the names of the reasons that there were, the hash.
 void add_tail(json& line, const l3d_common_report& report, std::span<const left_out> reasons);
 
 /// A line for each reason that there was; `what` is left out, of `all`.

@@ -15,7 +15,7 @@
 
 #include <memory>
 
-/// What is to be drawn in a frame, and into what.
+/// The task of a frame: the scene to draw, and the picture to draw it into.
 ///
 /// Lives: everything that it refers to must outlive the frame.
 struct l3d_method_frame {
@@ -30,8 +30,8 @@ struct l3d_method_frame {
     bool untouched;     ///< nobody wrote to the target since the last frame's end
     bool counts_pixels; ///< somebody wants to know how many are covered
 
-    /// What is drawn of the picture, the rest stays as it is: all of it, or a part if the method
-    /// draws parts and nobody wants depth.
+    /// The part of the picture that is drawn; the rest stays as it is. It is the whole picture,
+    /// unless the method draws parts and nobody wants depth.
     l3d_pixel_box part;
 
     bool outlines = false; ///< somebody wants to know the pixels that outlines reach
@@ -41,9 +41,9 @@ struct l3d_method_frame {
 
 /// Draws the surfaces of whole frames, and says how exactly it did.
 ///
-/// What a method draws depends on the frame alone, not on frames before or on threads.
-/// `counts().bound_px` is the certified image error of what was drawn; infinity stands for a
-/// method that can give none.
+/// The picture of a method depends on the frame alone, not on frames before or on threads.
+/// `counts().bound_px` is the certified image error of what was drawn; infinity stands for a method
+/// that can give none.
 class l3d_surface_method {
 public:
     l3d_surface_method() = default;
@@ -62,7 +62,7 @@ public:
     /// Expects: a depth buffer of the target's size if `wants_depth`.
     void draw(const l3d_method_frame& frame, l3d_stage_times& times) { do_draw(frame, times); }
 
-    /// Of the last frame.
+    /// The counts of the last frame.
     const l3d_dice_counts& counts() const { return do_counts(); }
     const l3d_surface_counts& surface_counts() const { return do_surface_counts(); }
 
@@ -71,7 +71,7 @@ public:
     const l3d_outline_mask* outlines() const { return do_outlines(); }
 
 protected:
-    /// What `covered` is to be, given the depth of all that was drawn.
+    /// The value for `covered`, given the depth of all that was drawn.
     static std::int64_t covered_of(const l3d_method_frame& frame, const l3d_depth_buffer& depth) {
         return frame.counts_pixels ? l3d_covered(depth) : l3d_surface_counts::none_counted;
     }

@@ -21,7 +21,7 @@ constexpr double key_turn = 5 * degree;
 constexpr double zoom_factor = 1.1;
 /// A drag across 360 pixels is one turn.
 constexpr double drag_turn = degree;
-/// Of the key t: a turn in six seconds.
+/// The key t: a turn in six seconds.
 constexpr double usual_turntable = 60;
 
 constexpr std::uint32_t text_color = 0x00ffe080, shadow_color = 0x00101010;

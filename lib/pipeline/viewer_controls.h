@@ -23,7 +23,7 @@ struct l3d_viewer_row {
     std::vector<std::pair<int, std::function<void()>>> actions{};
 };
 
-/// What all viewers have: the eye turns about its target and comes nearer, turntable, pause,
+/// The controls of all viewers: the eye turns about its target and comes nearer, turntable, pause,
 /// status, help, screenshot, the end. A viewer has one, hands events on to it, and adds rows of
 /// keys of its own to the one table that help and keys both come from.
 ///
@@ -43,8 +43,8 @@ public:
         turntable_degrees_ = degrees_per_frame * fps;
     }
 
-    /// What the key s does with the picture; without one it does nothing.
-    /// The function returns a line to show, such as the file's name.
+    /// Called by the key s with the picture; without it the key does nothing. The function returns
+    /// a line to show, such as the file's name.
     void set_screenshot(std::function<std::string(const l3d_pixels&)> save) {
         save_ = std::move(save);
     }

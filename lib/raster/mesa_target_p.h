@@ -26,7 +26,7 @@ public:
     /// Half the width of the viewport, in pixels; llvmpipe's largest viewport is 2^14 wide.
     static constexpr int reach = 8192;
 
-    /// What a program is made of; `attributes` are the inputs of its vertices, from 0 on.
+    /// The sources of a program; `attributes` are the inputs of its vertices, from 0 on.
     struct program_text {
         const char* vertex;
         const char* fragment;

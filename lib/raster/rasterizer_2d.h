@@ -32,7 +32,8 @@ using l3d_outline_2d = std::span<const l3d_point_2d>;
 /// number of times.
 enum class l3d_winding { nonzero, even_odd };
 
-/// What a kind of output must do to draw; programs hold the l3d_rasterizer_2d in front of it.
+/// The drawing operations that each kind of output implements. Programs hold the l3d_rasterizer_2d
+/// in front of it.
 class l3d_rasterizer_2d_imp {
 public:
     l3d_rasterizer_2d_imp() = default;
@@ -64,7 +65,7 @@ private:
 /// Draws points, lines and polygons; says nothing about where the pixels are.
 ///
 /// Positions of corners and of the ends of smooth lines are rounded to 1/256 pixel; all after that
-/// is exact. What has a coordinate that is not a number is not drawn; coordinates beyond +-2^30
+/// is exact. A shape with a coordinate that is not a number is not drawn. Coordinates beyond +-2^30
 /// pixels, infinite ones too, are moved to that. Nothing is drawn outside of the target, and inside
 /// of it the same pixels in the same colours however much is outside.
 /// Units:   whole coordinates name pixels, (0, 0) the top left one, y down; a colour is a pixel
@@ -136,7 +137,7 @@ public:
         imp_.do_draw_outlines(outlines, inside, color);
     }
 
-    /// What was drawn so far is in the target's pixels afterwards. Call it before anybody else
+    /// Afterwards, everything drawn so far is in the target's pixels. Call it before anybody else
     /// reads or writes them; what others wrote is drawn upon by what is drawn next.
     void finish() { imp_.do_finish(); }
 

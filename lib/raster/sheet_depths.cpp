@@ -18,7 +18,7 @@ constexpr double thinnest = 0.25;
 /// Of 1 / w: its division, its scale, the corners' means and the pixel's own, each half of 2^-23.
 constexpr double rounding = 4 * 0x1p-24;
 
-/// What lies right of an edge, by the rule that left and top edges belong to a polygon.
+/// The pixels right of an edge, by the rule that left and top edges belong to a polygon.
 struct edge_function {
     std::int64_t along_x, along_y, start;
 

@@ -34,7 +34,7 @@ inline constexpr std::array<std::pair<const char*, l3d_shade>, 5> l3d_shade_name
      {"normals", l3d_shade::normals},
      {"error", l3d_shade::error}}};
 
-/// What stays the same for a frame.
+/// The data that stay the same for a frame.
 struct l3d_shading {
     l3d_shade mode = l3d_shade::lambert;
     std::array<float, 3> light{0, 0, 1}; ///< unit vector towards the light, world space
@@ -53,7 +53,7 @@ struct l3d_shading {
 /// levels in polygons of which anything is said. Units: levels of 255.
 inline constexpr double l3d_most_level_error = 0.25;
 
-/// What one frame cost.
+/// Counts of the work of one frame.
 struct l3d_surface_counts {
     std::int64_t quads = 0; ///< micro-quads and triangles handed in
     /// Pixel centres tested against the depth buffer. How many are not, because a whole block is
@@ -111,8 +111,8 @@ public:
     /// set to 0 is up to who draws, at finish at the latest.
     ///
     /// Without a depth buffer nobody wants depth afterwards, and one call of draw makes the whole
-    /// frame; that is the fastest. What is empty already in a picture that is `untouched` since the
-    /// last finish need not be set to 0 again.
+    /// frame; that is the fastest. In a picture that is `untouched` since the last finish, empty
+    /// parts need not be set to 0 again.
     /// Expects: target and depth of equal size; both outlive the frame. `untouched` only if nobody
     ///          else wrote to the target's words since then, should it be the same target.
     void begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
@@ -132,7 +132,8 @@ public:
     /// Starts a frame that draws a part of a picture anew: what is outside of it stays as it is.
     ///
     /// Inside, the pixels are the same bits as if the frame were drawn whole. Polygons that touch
-    /// no pixel of the part need not be handed in. What is counted is of the part, or near it.
+    /// no pixel of the part need not be handed in. The counts are of the part, or of things near
+    /// it.
     /// Expects: as begin; draws_parts(); the part is not empty and lies in the picture. Depth has
     ///          no meaning after the frame.
     void begin_part(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
@@ -156,15 +157,15 @@ public:
         return do_hidden(box, nearest_inv_w);
     }
 
-    /// What was drawn is in the target's pixels and depth afterwards. Call it before anybody else
+    /// Afterwards, the target's pixels and depth hold everything drawn. Call it before anybody else
     /// reads or writes them; then the frame is over.
     void finish() { do_finish(); }
 
-    /// What has been drawn between begin and the last finish.
+    /// Counts of the drawing between begin and the last finish.
     const l3d_surface_counts& counts() const { return do_counts(); }
 
 protected:
-    /// Of the frame that was begun last.
+    /// Whether the frame that was begun last counts pixels.
     bool counts_pixels() const { return counts_pixels_; }
 
 private:

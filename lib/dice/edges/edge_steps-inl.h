@@ -51,7 +51,7 @@ HWY_ATTR number space_bend(const strip_nets& nets, std::size_t l, double focal) 
                       scale * loaded(&nets[2][i].at[l])};
     };
     const auto size_of = [](const vector& a) HWY_ATTR { return root(squared(a)); };
-    // Of the part of a across b, times the length of b.
+    // The length of the part of a across b, times the length of b.
     const auto across = [&](const vector& a, const vector& b) HWY_ATTR {
         return size_of(vector{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x});
     };
@@ -82,13 +82,13 @@ HWY_ATTR number space_bend(const strip_nets& nets, std::size_t l, double focal) 
     return most;
 }
 
-/// What differs from strip to strip when steps are planned.
+/// The data that differ from strip to strip when steps are planned.
 struct strip_wishes {
     /// 1 / (4 budget): an edge gets half the budget, as each direction of a quad does. So an edge
     /// and the boundary row of a patch mostly have the same steps, and the slit between them is
     /// empty.
     row per_budget;
-    /// What balance makes of squared steps: 8 l3d_balance, or 1 where there is none.
+    /// The factor by which balance changes squared steps: 8 l3d_balance, or 1 without balance.
     row balance;
     row grown_by; ///< how far balance can move vertices
 };

@@ -148,7 +148,7 @@ private:
     float* inv_w_;
 };
 
-/// What is found out of a whole edge before its strips.
+/// The properties of a whole edge, found before its strips.
 struct edge_view {
     bool drawable = false, one_strip = false, backwards = false;
     double vertex_error = 0;

@@ -23,14 +23,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using doubles = hn::CappedTag<double, points>;
 
-/// What the rounding of floats can add to a second or mixed difference d as it is seen in the
-/// image, |d (x, y) - X0 d w| + r |d w|. Units: the largest w times the reach of the centred box.
+/// The error that the rounding of floats can add to a second or mixed difference d as it is seen in
+/// the image, |d (x, y) - X0 d w| + r |d w|. Units: the largest w times the reach of the centred
+/// box.
 ///
 /// The net is rounded, then summed up twice from four products. That makes 9 roundings of 2^-24, of
 /// numbers up to 1 in these units. A difference has 4 of these points and 4 roundings of its own,
 /// 40 in all. With the error of X0 d w it is 80 in x and in y, and sqrt(2) times 80 in both. The
-/// error of r |d w| is 40 times r, and r is at most sqrt(2) times the reach: 170 in all. What the
-/// norm's own eight operations add relative to it is in `relative`.
+/// error of r |d w| is 40 times r, and r is at most sqrt(2) times the reach: 170 in all. `relative`
+/// has the relative error of the norm's own eight operations.
 constexpr float difference_rounding = 170 * 0x1p-24F, relative = 1 + 8 * 0x1p-23F;
 
 /// The same of third and fourth differences of a whole net. They are made in doubles and rounded
@@ -218,7 +219,7 @@ struct mixed_differences {
     }
 };
 
-/// What balanced vertices add: bounds for steps of the blocks, from the whole net.
+/// The error that balanced vertices add: bounds for steps of the blocks, from the whole net.
 HWY_ATTR void bound_mixed(const l3d_dice_view& view, lane_bounds& out) {
     const l3d_image_box box = view.margin().intersected(view.drawn_box(out.hull));
     out.needs.uuv = out.needs.uvv = out.needs.uuvv = 0;

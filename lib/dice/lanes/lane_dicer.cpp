@@ -40,7 +40,7 @@ l3d_block_starts starts_of(const l3d_step_plan& plan, const std::array<int, 4>& 
 
 } // namespace
 
-/// What rounding adds, if registers are off by walk_xy and walk_w at the end.
+/// The error that rounding adds, if registers are off by walk_xy and walk_w at the end.
 template <class T>
 double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy, double walk_w,
                                        double snap_error) const {

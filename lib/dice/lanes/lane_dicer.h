@@ -23,7 +23,7 @@
 /// Cost:  no allocation but what `out` needs to be larger than ever before.
 template <class T> class l3d_lane_dicer {
 public:
-    /// The patch in one piece, grid and slits. What could be left out is not.
+    /// The patch in one piece, grid and slits. It leaves out nothing, even where it could.
     ///
     /// Shape:   edges as l3d_edge_polylines::outer() has them, of this net and view.
     /// Expects: tolerance > 0, near > 0.
@@ -42,7 +42,7 @@ public:
     const l3d_step_plan* plan(const l3d_net_piece& piece, const l3d_dice_view& view,
                               double edge_vertex, const l3d_placed_bends& bends);
 
-    /// What is proven of depth and shade of what was planned last, rounding of vertices included.
+    /// The proven bounds of depth and shade for the last plan, rounding of vertices included.
     l3d_surface_certificate certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
                                         const l3d_placed_bends& bends,
                                         const l3d_diced_piece& out) const;
@@ -56,8 +56,8 @@ public:
     void fill(const l3d_net_piece& piece, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_diced_piece& out);
 
-    /// What rounding of vertices adds to the chord error of slits along the sides of what was
-    /// planned last. Units: pixels.
+    /// The error that rounding of vertices adds to the chord error of slits along the sides of the
+    /// last plan. Units: pixels.
     double row_error() const { return row_error_; }
 
 private:

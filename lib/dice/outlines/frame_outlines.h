@@ -25,13 +25,13 @@ public:
     void begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,
                const l3d_dice_view& view, double focal);
 
-    /// What became of a patch of the frame. Patches of which nothing is drawn may be left out.
+    /// Adds the result of a patch of the frame. Patches of which nothing is drawn may be left out.
     void add(const l3d_placed_patch& patch, std::span<const l3d_diced_piece> pieces);
 
     /// Finds all outlines. Units: pixels; the nearest w drawn, in the view's, or 0.
     void finish(double bound_px, double depth_bound_px, double near);
 
-    /// Of the last frame that was finished.
+    /// The outlines of the last frame that was finished.
     const l3d_outline_mask& mask() const { return mask_; }
 
 private:

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// What readers of polygons share: materials by name, and the way a reader returns.
+// SPDX-License-Identifier: MIT The code that readers of polygons share: materials by name, and the
+// way a reader returns.
 #ifndef L3D_GEOM_FILES_MODEL_READER_P_H
 #define L3D_GEOM_FILES_MODEL_READER_P_H
 
@@ -68,8 +68,8 @@ inline bool read_vertex(text_cursor& text, l3d_polygon_mesh& mesh) {
     return true;
 }
 
-/// The value of every reader of a format: read(cursor, model) says whether all went well. What
-/// follows `comment`, if any, to the line's end is skipped.
+/// The value of every reader of a format: read(cursor, model) says whether all went well. The text
+/// from `comment`, if any, to the line's end is skipped.
 /// Errors: nothing, and the cursor's reason in `why`.
 template <class Read>
 std::optional<l3d_model_file> read_model_by(Read read, std::string_view text, std::string_view name,

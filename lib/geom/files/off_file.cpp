@@ -154,7 +154,7 @@ private:
         return true;
     }
 
-    /// What is left of the face's line: whole numbers up to 255, or at least one fraction.
+    /// The rest of the face's line: whole numbers up to 255, or at least one fraction.
     bool text_color(std::array<double, 4>& color, std::size_t& numbers) {
         bool whole_numbers = true;
         while (text_.next_in_line()) {

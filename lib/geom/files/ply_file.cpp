@@ -30,7 +30,7 @@ bool is_whole(number_type type) {
     return type < number_type::float32;
 }
 
-/// What a property is to us; everything else is taken and thrown away.
+/// The meaning of a property to us. All other properties are read and thrown away.
 enum class meaning { nothing, x, y, z, normal_x, normal_y, normal_z, red, green, blue, corners };
 
 struct property {

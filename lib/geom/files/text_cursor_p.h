@@ -19,7 +19,7 @@ std::string quoted(std::string_view token);
 /// Appends the shortest form of `value` that is read as the same bits, then `after`.
 void append(std::string& text, double value, char after);
 
-/// What all readers of model files share: tokens, numbers, limits, and errors that say where.
+/// The base of all readers of model files: tokens, numbers, limits, and errors that say where.
 ///
 /// Every function that returns bool fails with the reason in why(): "name:line: what is wrong".
 /// Numbers do not depend on the locale. Tokens stand apart by white space of any kind.
@@ -77,7 +77,7 @@ public:
     bool integer_in(std::int64_t& value, const char* what, std::int64_t least, std::int64_t most);
     bool coordinate(double& value);
 
-    /// What the functions above demand, of a number that has been found in another way.
+    /// Checks a number that has been found in another way as the functions above do.
     bool is_finite(double value, const char* what);
     bool is_coordinate(double value);
     bool is_in(std::int64_t value, const char* what, std::int64_t least, std::int64_t most);

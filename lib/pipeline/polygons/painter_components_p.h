@@ -20,8 +20,8 @@ public:
     /// Calls emit(component) for each strong component of nodes [0, count), after those that its
     /// nodes need; where there is a choice, in the order of the least node.
     ///
-    /// `needed(node, out)` adds to `out` what a node needs before it. What is emitted already may
-    /// be left out. Nodes of a component are in rising order.
+    /// `needed(node, out)` adds to `out` what a node needs before it. Members that are emitted
+    /// already may be left out. Nodes of a component are in rising order.
     template <class Needed, class Emit>
     void walk(std::uint32_t count, const Needed& needed, const Emit& emit) {
         marks_.assign(count, mark{});

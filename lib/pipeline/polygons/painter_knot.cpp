@@ -130,7 +130,8 @@ void painter_knot::arrange(fragments&& set) {
     std::ranges::move(found.rbegin(), found.rend(), std::back_inserter(tasks_));
 }
 
-/// Of some eight members, the one whose plane cuts fewest, and leaves the most equal halves.
+/// Tries some eight members and takes the one whose plane cuts fewest and leaves the most equal
+/// halves.
 std::size_t painter_knot::best_splitter(const fragments& set) const {
     constexpr std::size_t tried = 8;
     constexpr long price_of_cut = 4; // in members that one half has more than the other

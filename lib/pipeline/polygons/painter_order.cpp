@@ -82,7 +82,7 @@ public:
                       column, row);
     }
 
-    /// What is listed in a tile, without those at its beginning of which `skip` is true: for good.
+    /// The members of a tile. Those at its beginning for which `skip` is true are dropped for good.
     template <class Skip> std::span<const std::uint32_t> rest(std::size_t tile, const Skip& skip) {
         std::uint32_t& head = heads_[tile];
         const std::uint32_t end = begins_[tile + 1];

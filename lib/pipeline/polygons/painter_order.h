@@ -11,7 +11,7 @@
 #include <memory>
 #include <span>
 
-/// What a frame's order cost.
+/// Counts of the work that a frame's order took.
 struct l3d_painter_order_counts {
     std::int64_t triangles = 0; ///< handed in
     std::int64_t pairs = 0;     ///< of triangles, compared exactly as their boxes meet

@@ -46,8 +46,8 @@ front_parts front_of(const std::array<l3d_micro_vertex, 3>& a,
 front_parts front_over(std::span<const picture_point> region, const l3d_picture_plane& first,
                        const l3d_picture_plane& second, double tie);
 
-/// What two convex polygons have in common, and a margin of 2^-12 sub-pixel around it, in case
-/// that rounding lost it.
+/// The common part of two convex polygons, with a margin of 2^-12 sub-pixel around it in case
+/// rounding lost it.
 ///
 /// Lives:   the result is in `out`; `scratch` is room.
 void intersect(std::span<const picture_point> a, std::span<const picture_point> b,

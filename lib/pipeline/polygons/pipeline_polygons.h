@@ -18,7 +18,7 @@
 #include <memory>
 #include <vector>
 
-/// What is shown of faces.
+/// The parts of faces that are shown.
 enum class l3d_polygon_style {
     solid,
     wireframe,    ///< the sides of all faces, of culled ones not
@@ -65,7 +65,7 @@ public:
     bool needs_redraw() const override { return stale_; }
 
 protected:
-    /// What a frame is made from.
+    /// The inputs of a frame.
     struct scene {
         l3d_pixels target;
         const l3d_polygon_frame& frame;

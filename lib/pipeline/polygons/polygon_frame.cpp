@@ -45,7 +45,7 @@ reach reach_of(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_m
     return left >= right || top >= bottom ? reach::subpixel : reach::seen;
 }
 
-/// Of a parallel projection w is 1 everywhere, so near and far cut nothing.
+/// In a parallel projection w is 1 everywhere, so near and far cut nothing.
 l3d_dice_view window_of(const l3d_polygon_view& view) {
     l3d_dice_view window;
     window.size = view.size();
@@ -164,7 +164,7 @@ void l3d_polygon_frame::set_normals(const frame_input& in, const l3d_model_trian
     }
 }
 
-/// What a clipped corner's depth is in a parallel projection, it carries as its parameter u.
+/// In a parallel projection, a clipped corner carries its depth as its parameter u.
 void l3d_polygon_frame::add_clipped(const frame_input& in, const l3d_model_triangle& triangle,
                                     const std::array<l3d_micro_vertex, 3>& v, chunk& to) const {
     std::array<l3d_clip_vertex, 3> corners;

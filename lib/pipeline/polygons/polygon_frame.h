@@ -19,7 +19,7 @@
 #include <span>
 #include <vector>
 
-/// What became of the triangles of a model in a frame.
+/// What happened to the triangles of a model in a frame.
 struct l3d_polygon_counts : l3d_seen_counts {
     std::int64_t back = 0; ///< left out: seen from behind
 
@@ -45,7 +45,7 @@ public:
     void make(const l3d_polygon_model& model, const l3d_polygon_view& view, bool cull, bool smooth,
               l3d_workers& workers, std::span<const std::size_t> ends = {});
 
-    /// What mode `error` shows of a part.
+    /// The value that mode `error` shows for a part.
     void set_error_color(std::size_t part, std::uint32_t word) {
         chunks_[part].part.error_color = word;
     }
@@ -54,8 +54,8 @@ public:
     /// Lives:   until the next make.
     std::span<const l3d_surface_part* const> parts() const { return parts_; }
 
-    /// The same triangles one by one, with the sides that are sides of faces. Of a clipped triangle
-    /// the outline of what is left.
+    /// The same triangles one by one, with the sides that are sides of faces. The outline of the
+    /// rest of a clipped triangle.
     void list(std::vector<l3d_painter_triangle>& out) const;
 
     const l3d_polygon_counts& counts() const { return counts_; }

@@ -27,7 +27,7 @@ struct l3d_polygon_report : l3d_common_report {
     /// One line of JSON, without the line's end.
     std::string json() const;
 
-    /// What this frame did not need, and the test that proved it, a line each.
+    /// The work that this frame did not need, and the test that proved it, a line each.
     std::string explanation() const;
 };
 

@@ -43,7 +43,7 @@ std::size_t l3d_facet_list::add(const l3d_object& object) {
     return vertices.size();
 }
 
-/// What is left is in `clipped_`; false if that is nothing.
+/// The rest is in `clipped_`; false if there is none.
 bool l3d_facet_list::clip(std::span<const std::uint32_t> face) {
     const real far = l3d_from_double<real>(camera_.far_z);
     if (std::all_of(face.begin(), face.end(), [&](auto i) { return points_[i][2] > far; }) ||

@@ -8,7 +8,7 @@
 
 namespace {
 
-/// What is left of a velocity after one update of the book.
+/// The share of a velocity that is left after one update of the book.
 constexpr double kept_velocity = 0.95;
 constexpr double kept_spin = 0.85;
 

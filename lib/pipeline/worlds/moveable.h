@@ -35,7 +35,7 @@ public:
     by_axis velocity;
     by_axis spin;
 
-    /// What one push adds to the velocity along each axis: 0.2 units per update in the book.
+    /// The velocity that one push adds along each axis: 0.2 units per update in the book.
     by_axis thrust{0.2 * l3d_book_rate, 0.2 * l3d_book_rate, 0.2 * l3d_book_rate};
 
     const vector& right() const { return right_; }

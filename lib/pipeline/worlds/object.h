@@ -16,7 +16,7 @@
 
 class l3d_object;
 
-/// What an object does from frame to frame, when that comes from outside its class: a plug-in.
+/// The behaviour of an object from frame to frame, when it comes from outside its class: a plug-in.
 class l3d_object_behaviour {
 public:
     l3d_object_behaviour() = default;

@@ -9,8 +9,8 @@
 
 namespace {
 
-/// What a press of v adds to the thrust, and where it starts again from the least: in units per
-/// update of the book 0.2, 1.2, 2.2, 0.2.
+/// The thrust that a press of v adds, and where it starts again from the least. In units per update
+/// of the book, it goes through 0.2, 1.2, 2.2, 0.2.
 constexpr double thrust_step = 1 * l3d_book_rate;
 constexpr double largest_thrust = 3 * l3d_book_rate;
 

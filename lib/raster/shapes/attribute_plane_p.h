@@ -59,7 +59,7 @@ public:
         return result;
     }
 
-    /// What one column to the right adds.
+    /// The amount that one column to the right adds.
     numbers per_column() const {
         numbers result;
         for (std::size_t i = 0; i < Count; ++i)

@@ -10,7 +10,8 @@
 
 namespace l3d_detail {
 
-/// What products of two coordinates need: the farthest are 2^39 units of 1/256 pixel apart.
+/// The integer type that products of two coordinates need: the farthest are 2^39 units of 1/256
+/// pixel apart.
 __extension__ typedef __int128 wide_integer;
 
 /// Expects: d > 0.

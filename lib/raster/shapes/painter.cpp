@@ -43,8 +43,8 @@ struct placed_cut {
         return (own.at_pixel(column, row) >= other.at_pixel(column, row)) == in_front;
     }
 
-    /// What is kept of a row. Both sides of a cut find the same end of it: it depends on the two
-    /// planes and on where the whole triangle's row begins.
+    /// The data that are kept of a row. Both sides of a cut find the same end of it: it depends on
+    /// the two planes and on where the whole triangle's row begins.
     columns kept(columns of, std::int32_t start, std::int32_t row) const {
         const double nearer = own.at_pixel(start, row) - other.at_pixel(start, row);
         const double step = (own.along_x - other.along_x) * l3d_subpixel_one;

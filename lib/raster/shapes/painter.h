@@ -32,7 +32,7 @@ struct l3d_painter_cut {
     std::uint32_t next = last;  ///< a further cut of the same piece
 };
 
-/// What is painted: a triangle, or what cuts leave of it.
+/// A thing to paint: a triangle, or the part of it that cuts leave.
 struct l3d_painter_piece {
     std::uint32_t triangle = 0;
     std::uint32_t cut = l3d_painter_cut::last; ///< the first of its cuts

@@ -31,8 +31,8 @@ struct shaded_span {
 /// Finds the spans of triangles: exact in coverage, colours along the edges and then across.
 ///
 /// Every number on the way is a mean of the corners' with weights that are exact quotients of whole
-/// numbers but for a few roundings, so nothing cancels, however thin the triangle. What remains is
-/// that of float, 2^-24 of at most 255 each: start, the step over the whole span, its product for a
+/// numbers but for a few roundings, so nothing cancels, however thin the triangle. The roundings of
+/// float remain, 2^-24 of at most 255 each: start, the step over the whole span, its product for a
 /// pixel, the sum. That is less than 2^-13 in all; 2^-12 is promised.
 class shaded_triangle {
 public:
