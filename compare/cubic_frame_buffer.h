@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-/// What a picture is in two dimensions, in three: scenes are filled in once and seen from anywhere.
+/// A picture in three dimensions: scenes are filled in once and seen from anywhere.
 ///
 /// Cells that are met hold a normal. They are kept in bricks of 8 x 8 x 8, and only bricks in which
 /// something is take memory, 2 KB each; a ray strides over the others.
@@ -28,7 +28,7 @@ public:
     std::size_t filled() const { return filled_; }
 
     /// Fills the cell of a point with a normal, unless something is in it already.
-    /// Units:  a unit vector, or zero. What is outside of the cube is left out.
+    /// Units:  a unit vector, or zero. Points outside of the cube are left out.
     void fill(const place& at, const std::array<float, 3>& normal);
 
     /// The first cell that is met from `origin` along `direction`.

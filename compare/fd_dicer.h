@@ -35,7 +35,7 @@ public:
 private:
     /// Three coordinates' four registers, columns side by side.
     template <class R> struct registers { std::array<std::array<std::vector<R>, 4>, 3> of; };
-    /// What a coordinate is multiplied by in its registers, and how far a walk is off.
+    /// The factor of a coordinate in its registers, and the error of a walk.
     struct scales {
         std::array<double, 3> factor{1, 1, 1};
         double error_xy = 0, error_w = 0;

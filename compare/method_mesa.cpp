@@ -153,7 +153,7 @@ const method_mesa::mesh& method_mesa::mesh_of(const l3d_patch_model& model, int 
                               [&](const mesh& each) { return each.model == &model; });
     if (found == meshes_.end())
         found = meshes_.insert(meshes_.end(), mesh{});
-    // What is up to twice too fine is not made anew.
+    // A mesh that is up to twice too fine is not made again.
     if (found->n < n || found->n > 2 * n)
         build(*found, model, (n + coarseness - 1) / coarseness * coarseness);
     return *found;

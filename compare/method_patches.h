@@ -43,7 +43,7 @@ public:
     std::span<const l3d_surface_part* const> dice_each(const l3d_method_frame& frame,
                                                        const dice_call& dice);
 
-    /// Of the last frame.
+    /// The counts of the last frame.
     const l3d_dice_counts& counts() const { return counts_; }
 
 private:

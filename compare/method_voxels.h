@@ -13,8 +13,8 @@
 #include <vector>
 
 /// Fills a cube around the scene by forward differences in l3d_real, with points half a cell apart,
-/// and sends a ray through every pixel. What is filled depends on the scene alone: it is kept until
-/// the scene changes, and its time is that of the stage `dice` in the first frame.
+/// and sends a ray through every pixel. The filled cells depend on the scene alone. They are kept
+/// until the scene changes, and their time is that of the stage `dice` in the first frame.
 ///
 /// A pixel gets the depth of the middle of the first cell on its ray: it is off by up to a cell's
 /// diagonal as it is seen there. Rays may slip between cells that only points half a cell apart

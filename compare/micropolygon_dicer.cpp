@@ -20,7 +20,7 @@ constexpr int most_quads = 32;
 /// Cuts of a patch at most. 2^16 pieces of 32 x 32 quads are sixty million.
 constexpr int most_pieces = 1 << 16;
 
-/// Of the polylines along which pieces meet, in pixels.
+/// The tolerance of the polylines along which pieces meet, in pixels.
 constexpr double edge_tolerance = 1.0 / 16;
 
 /// The longest line of control points along u and along v, in pixels, an estimate of the longest

@@ -39,7 +39,7 @@ public:
     /// Expects: is_nearest(x, y, inv_w).
     void put(int x, int y, float inv_w, const std::array<float, 3>& normal);
 
-    /// What was done since begin.
+    /// The counts since begin.
     const l3d_surface_counts& counts() const { return counts_; }
 
 private:

@@ -34,7 +34,7 @@ private:
         std::array<bool, 4> straight{};
     };
 
-    /// What stays the same for a patch.
+    /// The data that stay the same for a patch.
     struct task {
         const l3d_normal_net& normals;
         const l3d_dice_view& view;

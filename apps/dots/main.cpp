@@ -14,7 +14,7 @@ namespace {
 
 using point = l3d_point<l3d_real>;
 
-/// What the dots are: where they start, and how they move. Units: per update of the book.
+/// The dots: where they start, and how they move. Units: per update of the book.
 class dot_kind {
 public:
     dot_kind() = default;

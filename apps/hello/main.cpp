@@ -11,7 +11,7 @@ namespace {
 
 enum class lesson { window, event, image };
 
-/// What X calls it, with its values; empty for what X does not know.
+/// The name that X gives an event, with its values; empty for events that X does not know.
 std::string name_of(const l3d_event& event) {
     const std::string place = ' ' + std::to_string(event.x) + ',' + std::to_string(event.y);
     const std::string button = " button " + std::to_string(event.button);

@@ -7,7 +7,8 @@
 #include "pipeline/worlds/moveable.h"
 #include "pipeline/worlds/object.h"
 
-/// What spikes of one program have in common. Units: those of the world, per update of the book.
+/// The properties that spikes of one program have in common. Units: those of the world, per update
+/// of the book.
 struct spike_kind {
     double length = 100, width = 10;
     int spread = 1000; ///< starts are at most so far to the sides

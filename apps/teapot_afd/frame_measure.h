@@ -40,7 +40,7 @@ private:
     reference::exact_region region_;
 };
 
-/// What is measured: a method, how it is told to draw, and in what.
+/// The subject of a measurement: a method and its tolerance.
 struct measured_setting {
     l3d_method_choice method;
     double tolerance = 0.25;
@@ -62,13 +62,14 @@ struct frame_result {
     std::int64_t holes = 0;
     reference::error_map errors; ///< kept for pictures
 
-    /// What a diagram shows: both outline and depth, but for one pixel of a thousand.
+    /// The error that a diagram shows: the larger of the outline's and of the 99.9th percentile of
+    /// depth.
     double shown_px() const { return outline_px > percentile_px ? outline_px : percentile_px; }
 };
 
 /// Draws the view again and again on one thread for about so long, from eyes that are never twice
-/// at the same place. Then it draws the view itself, which is compared with the exact one. Of
-/// outlines, at most some `most_distances` pixels are measured.
+/// at the same place. Then it draws the view itself, which is compared with the exact one. At most
+/// some `most_distances` pixels of outlines are measured.
 frame_result measure_frames(const measured_view& view, const measured_setting& setting,
                             double seconds, int most_distances);
 

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What was measured, as tables.
+// SPDX-License-Identifier: MIT The measurements as tables.
 #ifndef L3D_APPS_TEAPOT_AFD_REPORT_FILES_H
 #define L3D_APPS_TEAPOT_AFD_REPORT_FILES_H
 

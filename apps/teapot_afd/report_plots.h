@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What was measured, as diagrams.
+// SPDX-License-Identifier: MIT The measurements as diagrams.
 #ifndef L3D_APPS_TEAPOT_AFD_REPORT_PLOTS_H
 #define L3D_APPS_TEAPOT_AFD_REPORT_PLOTS_H
 

@@ -23,8 +23,8 @@
 
 template <class T> class l3d_frame_dicer;
 
-/// What a frame does although it need not; the picture is the same, or as good. Only who compares
-/// has a use for that.
+/// Work that a frame does although it could skip it; the picture is the same, or as good. Only
+/// benchmarks that compare with and without a rule set these.
 struct l3d_kept_work : l3d_kept_patches {
     bool unit_normals = false; ///< lambert: in each pixel, also where less would do
     bool drawing = false;      ///< of what the last frame drew
@@ -85,7 +85,7 @@ public:
     ///          on end is not cleared twice.
     l3d_screen& screen() { return *screen_; }
 
-    /// Of the last frame, empty for a wireframe. Expects: settings asked for it.
+    /// The depth of the last frame, empty for a wireframe. Expects: settings asked for it.
     const l3d_depth_buffer& depth() const { return depth_; }
 
     /// The pixels that outlines reach in the last frame. It is null if nobody asked for them, if
@@ -121,7 +121,7 @@ protected:
         return rasterizer_;
     }
 
-    /// Of the frame before, in draw_overlay of the one that is drawn now.
+    /// The report of the frame before; draw_overlay of the frame that is drawn now may read it.
     const l3d_frame_report& last_report() const { return report_; }
 
     /// The certified bound of what has been drawn in this frame. Units: pixels.

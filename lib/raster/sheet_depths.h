@@ -41,7 +41,7 @@ public:
 
     void add(const l3d_surface_part& part, const l3d_sheet_patch& of);
 
-    /// Of the nearest sheet, 0 where none is. Units: as l3d_micro_vertex.
+    /// 1 / w of the nearest sheet, 0 where none is. Units: as l3d_micro_vertex.
     float inv_w(int x, int y) const { return at(x, y).front.inv_w; }
 
     /// If places in the picture, and distances along normals, are off by `bound` on each sheet, the

@@ -49,8 +49,8 @@ struct l3d_shading {
     friend bool operator==(const l3d_shading&, const l3d_shading&) = default;
 };
 
-/// What quads that are no parallelograms, and the change of w in them, may add to the error of
-/// levels in polygons of which anything is said. Units: levels of 255.
+/// The error of levels that quads other than parallelograms, and the change of w in them, may add
+/// in polygons of which anything is said. Units: levels of 255.
 inline constexpr double l3d_most_level_error = 0.25;
 
 /// Counts of the work of one frame.

@@ -7,7 +7,7 @@
 #include "scene/dice_view.h"
 #include "raster/surface_rasterizer.h"
 
-/// What a surface rasterizer needs to know of the camera and the light for one frame.
+/// The shading of one frame: what a surface rasterizer needs to know of the camera and the light.
 ///
 /// Units:   `light` points towards the light, world space, any length but 0.
 /// Expects: camera.is_valid().

@@ -22,11 +22,13 @@ struct l3d_coarse_patch {
     }
 };
 
-/// What is proven of a diced piece beside the places of its points. Infinite where nothing is.
+/// The proven bounds of a diced piece beside those of its points' places. Infinite where nothing is
+/// proven.
 struct l3d_surface_certificate {
-    /// Of chords, along the exact normal at the same parameters. Units: pixels at that depth.
+    /// The distance of chords, along the exact normal at the same parameters. Units: pixels at that
+    /// depth.
     double depth = 0;
-    /// Of the level, from the exact one at the same parameters. Units: levels of 255.
+    /// The distance of the level from the exact one at the same parameters. Units: levels of 255.
     double shade = 0;
     /// Quads of which `shade` says nothing, since their block may be off by more than the
     /// tolerance. Its normals turn faster than quads of six pixels can follow, or one of them
@@ -36,8 +38,8 @@ struct l3d_surface_certificate {
                                   ///< have none: l3d_most_off_plane is to be added to `depth`
 };
 
-/// What a frame's dicing did, and which patches were left out, as control nets or the boxes around
-/// them prove. What is `clipped` are grids.
+/// The counts of a frame's dicing, and of the patches that were left out, as control nets or the
+/// boxes around them prove. `clipped` counts grids.
 struct l3d_dice_counts : l3d_seen_counts {
     std::int64_t behind = 0;      ///< patches left out: behind the near plane
     std::int64_t beyond = 0;      ///< patches left out: beyond the far plane

@@ -124,9 +124,9 @@ struct l3d_dice_view {
         terms = whole.terms * share;
     }
 
-    /// What the chord error may be where rounding of vertices already takes `vertex_error`. Where
-    /// that is most of the tolerance, a quarter is left, and the bound says that it is exceeded.
-    /// But it is never less than a 16th of a sub-pixel, which moves hardly any vertex.
+    /// The largest chord error where rounding of vertices already takes `vertex_error`. Where that
+    /// is most of the tolerance, a quarter is left, and the bound says that it is exceeded. But it
+    /// is never less than a 16th of a sub-pixel, which moves hardly any vertex.
     double chord_budget(double vertex_error) const {
         constexpr double finest = 1.0 / (16 * l3d_subpixel_one);
         return std::max({tolerance - vertex_error, tolerance / 4, finest});
@@ -135,9 +135,10 @@ struct l3d_dice_view {
     /// How far balanced vertices (l3d_balance) may lie beside the surface: no budget is larger.
     double most_moved() const { return chord_budget(0); }
 
-    /// What walking may add to a vertex' error, else it is evaluated. Slits along edges get half
-    /// their budget for balanced chords, and may be off by 1 / (16 l3d_balance) = 0.73 of it. With
-    /// an eighth for walking, that is within the tolerance while all else takes less than a half.
+    /// The largest error that walking may add to a vertex, else the vertex is evaluated. Slits
+    /// along edges get half their budget for balanced chords, and may be off by 1 / (16
+    /// l3d_balance) = 0.73 of it. With an eighth for walking, that is within the tolerance while
+    /// all else takes less than a half.
     double walk_allowance() const { return tolerance / 8; }
 
     /// The same where vertices err by `exact` already. It is no more than an eighth of what is
@@ -156,8 +157,8 @@ struct l3d_dice_view {
     /// (l3d_vertex_accuracy counts on it), else what drawn_w allows.
     double depth_budget(double least) const { return least > near ? least / 8 : near / 2; }
 
-    /// What is drawn of a net whose exact points are in `hull`: vertices of nets that are not small
-    /// may lie beside it.
+    /// The box of the drawn points of a net whose exact points are in `hull`. Vertices of nets that
+    /// are not small may lie beside it.
     l3d_image_box drawn_box(const l3d_image_box& hull) const {
         return l3d_is_small(hull) ? hull : hull.grown(most_moved());
     }

@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <span>
 
-/// Of a patch, and of each of its 4 x 4 blocks, a ball around its points and a cone around its
-/// normals dS/du x dS/dv.
+/// A ball around the points of a patch and a cone around its normals dS/du x dS/dv, and the same
+/// for each of its 4 x 4 blocks.
 ///
 /// Shape: block 4 * row + column, columns along u. Begins with a line of the cache, as the patch's
 ///        own cone is all that is asked of most.

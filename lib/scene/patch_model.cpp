@@ -22,7 +22,7 @@ l3d_slanted_box upright_box(const vector& least, const vector& most) {
     return box;
 }
 
-/// Of points from, from + step, ... four of them, or all sixteen.
+/// The largest coordinates of points from, from + step, and so on: four of them, or all sixteen.
 vector largest_of(const l3d_patch_model::patch& p, std::size_t from, std::size_t step,
                   std::size_t count) {
     vector result{0.0, 0.0, 0.0};

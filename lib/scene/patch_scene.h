@@ -34,7 +34,8 @@ public:
     /// Shape:   the upper left three by three; the rest as in the identity.
     const l3d_matrix<double>& normal_matrix() const { return normal_matrix_; }
 
-    /// What the placement multiplies all lengths by; 0 if it does not all alike.
+    /// The factor by which the placement multiplies all lengths; 0 if it does not multiply all
+    /// alike.
     double scale() const { return scale_; }
 
     /// The model's box in the world, with its reach.
@@ -112,7 +113,7 @@ public:
 
     std::span<const l3d_patch_instance> instances() const { return instances_; }
 
-    /// Of all instances together.
+    /// The number of patches of all instances together.
     std::int64_t patch_count() const { return patch_count_; }
 
     /// The box of everything; two points at the origin if there is nothing.

@@ -16,8 +16,8 @@ namespace {
 using l3d_detail::culled_boxes;
 
 /// Patches of the first batch; each further one is twice as large as the one before, up to the
-/// largest. What is nearest hides most, so the first are small. A batch has a price of its own,
-/// some 0.1 ms, for which 1024 patches, diced in 1 ms at least, are enough.
+/// largest. The nearest patches hide most, so the first batches are small. A batch has a price of
+/// its own, some 0.1 ms, for which 1024 patches, diced in 1 ms at least, are enough.
 constexpr std::size_t first_batch = 64, largest_batch = 1024;
 
 /// Largest ratio of the farthest to the nearest w of a box that is tested for being hidden. Above
@@ -118,7 +118,7 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
 }
 
 /// Calls see(box, extent) for each box that may be seen, leave_out(box, count of the reason) for
-/// the others. Of a part there is one reason for all: nothing of them is in it.
+/// the others. When a part is drawn, there is one reason for all: nothing of them is in it.
 template <class See, class LeaveOut>
 void l3d_scene_culling::look_at(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
                                 const l3d_detail::placing_terms& terms, See see,

@@ -78,7 +78,7 @@ public:
         return matrices_[p.matrix];
     }
 
-    /// What has been left out in this frame until now.
+    /// The counts of patches left out in this frame until now.
     const l3d_dice_counts& counts() const { return counts_; }
 
 private:
@@ -98,8 +98,8 @@ private:
         extent where;
         std::uint32_t instance, patch, matrix;
     };
-    /// What stands in line: a place in instances_ or patches_, and above it the bits of nearest_w.
-    /// Floats from 0 up are in the order of their bits.
+    /// An entry of the queue: a place in instances_ or patches_, and above it the bits of
+    /// nearest_w. Floats from 0 up are in the order of their bits.
     using ticket = std::uint64_t;
 
     static ticket ticket_of(const extent& where, std::size_t at);

@@ -12,8 +12,8 @@
 
 namespace l3d_detail {
 
-/// What the points in boxes are summed up from when these are placed: l3d_slanted_box::reach, where
-/// `columns` times the largest coordinates of each box, and `shift`, come on top.
+/// The terms that the points in boxes are summed up from when these are placed. They are
+/// l3d_slanted_box::reach, plus `columns` times the largest coordinates of each box, plus `shift`.
 struct placing_terms {
     l3d_vector<double, 3> columns{0.0, 0.0, 0.0};
     double shift = 0;

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-/// What is counted alike of patches and of triangles.
+/// The counts that patches and triangles share.
 struct l3d_seen_counts {
     std::int64_t drawn = 0;
     std::int64_t offscreen = 0; ///< left out: beyond one side of the window

@@ -26,9 +26,9 @@ l3d_camera::vector vector_of(const std::array<double, 3>& v) {
     return {v[0], v[1], v[2]};
 }
 
-/// A picture of 1024x768 is filled in 12 bands and the teapot is 28 patches to dice: 8
-/// threads have two bands and four patches each at the most. Of a frame of 1 ms to a single thread,
-/// the next 8 could save 0.06 ms, about what waking them costs.
+/// A picture of 1024x768 is filled in 12 bands and the teapot is 28 patches to dice: 8 threads have
+/// two bands and four patches each at the most. If one thread takes 1 ms for a frame, the next 8
+/// could save 0.06 ms. Waking them costs about as much.
 constexpr int most_threads_unasked = 8;
 
 std::string text_of(const std::array<double, 3>& v) {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-/// What a dispatcher is told when it is made.
+/// The settings with which a dispatcher is made.
 struct l3d_frame_settings {
     /// Units: frames; 0: until the pipeline is done (with a window), one (without a display).
     int frames = 0;
@@ -28,7 +28,7 @@ struct l3d_frame_settings {
     /// A name for l3d_frame_writer; empty: nothing is written.
     std::string output;
 
-    /// What lines on stderr begin with.
+    /// The beginning of lines on stderr.
     std::string program = "l3d";
 
     /// Units: seconds; the step of time that frames without a measured one get. The same for every

@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-/// What the options that every program has were set to.
+/// The values of the options that every program has.
 struct l3d_common_options {
     std::string backend;         ///< a back-end's name, "ask" or "auto"; empty: not given
     std::string usual_backend{}; ///< taken if the user names none; empty: chosen by what serves
@@ -105,11 +105,11 @@ public:
     /// Names the back-end of a program that is about it, unless the user names another.
     void prefer_backend(const std::string& name) { common_.usual_backend = name; }
 
-    /// What a screen needs to know; the program's name is the title too.
+    /// The request for a screen; the program's name is the title too.
     l3d_screen_request screen_request() const;
 
-    /// What a dispatcher needs to know. Given --frames, time goes by fixed steps, so that window
-    /// and memory show the same pictures.
+    /// The settings of a dispatcher. Given --frames, time goes by fixed steps, so that window and
+    /// memory show the same pictures.
     l3d_frame_settings frame_settings() const;
 
 private:

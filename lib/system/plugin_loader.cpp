@@ -18,7 +18,7 @@
 #include <span>
 #include <utility>
 
-/// What a plug-in's functions are handed: an object, and what the host does for it.
+/// The argument of a plug-in's functions: an object, and what the host does for it.
 struct l3d_plugin_object {
     l3d_object* object;
     std::string program, file, folder;
@@ -142,8 +142,8 @@ private:
     void* handle_;
 };
 
-/// What is wrong with a library, or an empty text. Without one it is the system's own words, which
-/// begin with the file's name.
+/// The fault of a library, or an empty text. Without one it is the system's own words, which begin
+/// with the file's name.
 std::string fault_of(const library& opened, const std::string& file) {
     if (!opened.is_open()) {
         const std::string words = dlerror();

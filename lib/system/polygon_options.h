@@ -10,7 +10,7 @@
 
 #include <array>
 
-/// Who finds out what is in front.
+/// The pipeline, which finds out what is in front.
 enum class l3d_pipeline_kind { afd, zsort, zbuffer, mesa };
 
 /// Options for pipeline, projection and style, beside those that patches and polygons share.
@@ -24,8 +24,8 @@ public:
 
     l3d_pipeline_kind pipeline() const { return pipeline_; }
 
-    /// The polygons of the model asked for, its patches as triangles; the teapot if none was. What
-    /// a file holds and nobody reads is told on stderr.
+    /// The polygons of the model asked for, its patches as triangles; the teapot if none was. Parts
+    /// of a file that nobody reads are reported on stderr.
     /// Errors: l3d_error(bad_input) with file and line.
     l3d_polygon_model model() const;
 

@@ -35,7 +35,7 @@ output_file::~output_file() {
 }
 
 void output_file::commit() {
-    // What is still in the buffer is written now, and may find the disk full.
+    // The rest of the buffer is written now, and may find the disk full.
     if (std::fclose(file_.release()) != 0)
         throw_write_error(path_);
     if (temporary_ != target_ && std::rename(temporary_.c_str(), target_.c_str()) != 0)

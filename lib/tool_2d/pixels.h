@@ -76,7 +76,7 @@ inline l3d_pixel_box l3d_whole(l3d_size size) {
     return {0, 0, size.width, size.height};
 }
 
-/// What a box has of row y. Expects: both lie in the picture.
+/// The part of row y that lies in a box. Expects: both lie in the picture.
 inline std::span<std::uint32_t> l3d_row(const l3d_pixels& pixels, int y, const l3d_pixel_box& box) {
     return pixels.row(y).subspan(static_cast<std::size_t>(box.left),
                                  static_cast<std::size_t>(box.right - box.left));

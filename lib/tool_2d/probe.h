@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// What --diagnose prints a line about.
+/// A thing that --diagnose prints a line about.
 struct l3d_probe {
     enum class verdict { good, limited, bad };
 

@@ -52,8 +52,8 @@ public:
     /// One line for --verbose and --diagnose: kind, depth, bits per pixel, byte order.
     std::string describe() const { return do_describe(); }
 
-    /// What the user should know of a change for the worse since the last call, as one line;
-    /// empty if there was none.
+    /// One line for the user about a change for the worse since the last call; empty if there was
+    /// none.
     std::string take_remark() { return do_take_remark(); }
 
 private:
@@ -73,7 +73,7 @@ private:
 /// Largest l3d_screen_request::scale. No display is eight times as fine as 96 dots an inch.
 inline constexpr int l3d_largest_scale = 8;
 
-/// What a program asks of its screen.
+/// The properties that a program wants of its screen.
 struct l3d_screen_request {
     l3d_size size{1024, 768};
     std::string title = "l3d"; ///< UTF-8, for people

@@ -25,7 +25,7 @@ enum class l3d_color_class {
 /// The name of a class as X spells it, "TrueColor".
 const char* l3d_name_of(l3d_color_class color_class);
 
-/// What a display says about its pixels. The defaults are those of l3d_pixels itself.
+/// The description that a display gives of its pixels. The defaults are those of l3d_pixels itself.
 ///
 /// Expects: each mask one run of ones, at most 16 wide, none overlapping another; all 0 if pixels
 ///          only count the cells of a map.
@@ -169,7 +169,8 @@ private:
     l3d_palette palette_;
     l3d_channel red_, green_, blue_;
     std::uint32_t opaque_bits_;
-    /// What each channel adds to the pixel or, if there is a palette, to the place in it.
+    /// The amount that each channel adds to the pixel or, if there is a palette, to the place in
+    /// it.
     table red_parts_, green_parts_, blue_parts_;
 };
 

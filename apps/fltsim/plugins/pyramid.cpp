@@ -10,7 +10,7 @@ namespace {
 /// One degree per 1/60 s.
 constexpr double radians_per_second = 60 * 3.14159265358979323846 / 180;
 
-/// What this plug-in knows of one object.
+/// The data of this plug-in for one object.
 struct pyramid {
     const l3d_plugin_host* host;
     l3d_plugin_object* object;

@@ -61,7 +61,7 @@ public:
                      std::span<const l3d_painter_piece> pieces,
                      std::span<const l3d_painter_cut> cuts, std::uint32_t line_color);
 
-    /// Of the last call; samples are all pixels painted.
+    /// The counts of the last call; samples are all pixels painted.
     const l3d_surface_counts& counts() const { return counts_; }
 
 private:

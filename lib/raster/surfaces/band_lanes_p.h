@@ -22,11 +22,11 @@ struct polygon_bounds {
     float nearest = 0;
 };
 
-/// Of the quads of a grid; `rows` gets a number for each row of quads.
+/// The bounds of the quads of a grid; `rows` gets a number for each row of quads.
 /// Expects: cells of at least one quad.
 polygon_bounds bounds_of(const l3d_micro_grid& grid, const grid_cells& cells, band_rows* rows);
 
-/// Of triangles [first, last). Expects: at least one.
+/// The bounds of triangles [first, last). Expects: at least one.
 polygon_bounds bounds_of(const l3d_micro_triangles& triangles, std::size_t first, std::size_t last);
 
 } // namespace l3d_detail

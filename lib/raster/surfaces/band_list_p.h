@@ -45,7 +45,7 @@ public:
     void make(std::span<const l3d_surface_part* const> parts, const l3d_pixel_box& window, int rows,
               const l3d_shading* vertex_light, l3d_workers& workers);
 
-    /// Of bands from the window's top.
+    /// The items of a band; bands count from the window's top.
     std::span<const std::uint32_t> items(int band) const {
         const auto at = static_cast<std::size_t>(band);
         return {in_bands_.data() + band_begins_[at], band_begins_[at + 1] - band_begins_[at]};

@@ -13,7 +13,7 @@
 
 namespace l3d_detail {
 
-/// What all bands of a frame have in common.
+/// The data that all bands of a frame have in common.
 struct band_frame {
     l3d_shading shading;
     bool by_lanes = false;         ///< mode and width are such that the fill kernel can serve
@@ -35,7 +35,7 @@ public:
     void draw(const band_frame& frame, const fill_band& band, const band_list& list,
               std::span<const std::uint32_t> items, coarse_depth& coarse);
 
-    /// What was counted since the last call.
+    /// The counts since the last call.
     fill_counts take_counts();
 
 private:

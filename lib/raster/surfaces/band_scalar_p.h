@@ -31,7 +31,7 @@ public:
     /// Triangles [first, last).
     void fill(const l3d_surface_part& part, std::size_t first, std::size_t last);
 
-    /// What the kernel left.
+    /// The polygons that the kernel left.
     void fill(const fill_rest& rest);
 
     const fill_counts& counts() const { return target_.counts; }

@@ -18,7 +18,7 @@ struct depth_tile {
     static constexpr std::int32_t width = 16, height = 8;
 };
 
-/// What is known of a picture's tiles. Shape: rows of `columns` numbers, and of `words` with a bit
+/// The knowledge of a picture's tiles. Shape: rows of `columns` numbers, and of `words` with a bit
 /// for each tile.
 struct tile_table {
     std::size_t columns = 0, words = 0;

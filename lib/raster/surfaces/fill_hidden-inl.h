@@ -48,8 +48,8 @@ HWY_INLINE bool all_nearer(const float* depths, std::ptrdiff_t pitch, std::int32
     return true;
 }
 
-/// A vector of polygons, and whether there is something nearer all over the box of each. What lies
-/// at the right edge of the picture, where a run would not fit, is not asked about.
+/// A vector of polygons, and whether there is something nearer all over the box of each. Polygons
+/// at the right edge of the picture, where a run would not fit, are not tested.
 class hidden_lanes {
 public:
     /// Expects: room for a vector of polygons in the queue from `at` on, the first `valid` in use.

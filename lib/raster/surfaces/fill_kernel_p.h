@@ -106,7 +106,7 @@ struct fill_queue {
     static constexpr std::size_t room = enough + 2 * widest_vector;
 
     alignas(64) std::int32_t corner[4][components][room];
-    /// Of a quad its index, of a triangle minus its index - 1; `piece` of what comes from a quad.
+    /// The index of a quad; minus the index - 1 of a triangle; `piece` for a piece of a quad.
     alignas(64) std::int32_t name[room];
     static constexpr std::int32_t piece = std::numeric_limits<std::int32_t>::min();
 

@@ -71,8 +71,8 @@ public:
 
 private:
     /// With (y, z) from the corners' mean in parts of the diagonals, the parameters along the sides
-    /// are y - z and y + z, from -1/2 to 1/2. What the corners are off their plane by goes with the
-    /// product of both, what the sides bend by with the square of either.
+    /// are y - z and y + z, from -1/2 to 1/2. The corners' distance from their plane goes with the
+    /// product of both, the bend of the sides with the square of either.
     HWY_INLINE mean_parabola quad(const lane_places& at, float_vec mean, float_vec along1,
                                   float_vec along2) {
         const float_vec four = set(4.0f), half = set(0.5f);

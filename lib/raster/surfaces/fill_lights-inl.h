@@ -30,7 +30,7 @@ struct vertex_arrays {
     std::array<const float*, 3> normal;
     std::size_t size;
 
-    /// Of an l3d_micro_grid or a corner of l3d_micro_triangles.
+    /// The arrays of an l3d_micro_grid or of a corner of l3d_micro_triangles.
     template <class Arrays>
     explicit vertex_arrays(const Arrays& of)
         : x(of.x.data()), y(of.y.data()),
@@ -45,7 +45,7 @@ using corner_arrays = std::array<vertex_arrays, 4>;
 /// Where the first polygon's corners are in each of four arrays.
 using corner_places = std::array<std::size_t, 4>;
 
-/// What is queued of the corners' light; as many elements as of the corners may be read.
+/// The queued light of the corners; as many elements as of the corners may be read.
 template <std::size_t Count> struct light_arrays {
     std::array<std::array<const float*, Count>, 4> of;
     corner_places at;
@@ -191,7 +191,7 @@ private:
         return {{{{levels_}, {levels_}, {levels_}, {levels_}}}, {}};
     }
 
-    /// Of normals that cancel each other; no light comes of them.
+    /// The squared length of normals that cancel each other; no light comes of them.
     static constexpr float least_square = 1e-30f;
 
     const l3d_shading& shading_;

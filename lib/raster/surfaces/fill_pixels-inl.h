@@ -209,7 +209,7 @@ private:
         return there;
     }
 
-    /// Of a run's vectors, the columns below `end`.
+    /// The columns of a run's vectors that are below `end`.
     HWY_INLINE auto columns_below(std::int32_t end) const {
         return [this, end = hn::Set(int_tag(), end)](std::size_t v)
                    HWY_ATTR { return hn::Lt(columns_[v], end); };

@@ -146,8 +146,8 @@ struct lane_parabola {
         return hn::Add(base, hn::Add(hn::Mul(s1, along_s), hn::Mul(t1, along_t)));
     }
 
-    /// What a step by (ds, dt) adds: the part that depends on the place, and that of the step's
-    /// square.
+    /// The amount that a step by (ds, dt) adds: the part that depends on the place, and that of the
+    /// step's square.
     HWY_INLINE lane_plane slope(float_vec ds, float_vec dt) const {
         const float_vec half_s = half_slope(ss, ds, dt), half_t = half_slope(tt, dt, ds);
         return {hn::Add(hn::Mul(s, ds), hn::Mul(t, dt)), hn::Add(half_s, half_s),
@@ -197,7 +197,7 @@ struct lane_frame {
     }
 };
 
-/// What the light of a group's polygons depends on beside their normals or greys.
+/// The inputs of the light of a group's polygons beside their normals or greys.
 struct lane_places {
     int_vec x[4], y[4]; ///< corners in the picture, in sub-pixels
     lane_frame frame;

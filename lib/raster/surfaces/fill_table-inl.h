@@ -66,12 +66,12 @@ struct fill_row {
     lane_array<float> inv_w, lit;
 };
 
-/// What else twisted ones need of a row.
+/// The further data that twisted polygons need of a row.
 struct fill_row_twisted {
     lane_array<float> bend, bend_x, facing;
 };
 
-/// What the pixel loops need; of the arrays for greys, what the shape does.
+/// The data that the pixel loops need. Of the arrays for greys, it has those that the shape needs.
 ///
 /// A row's first run begins at its first covered pixel, the others follow. At the edge of the
 /// picture, what would not fit it begins further left.

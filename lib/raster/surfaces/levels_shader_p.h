@@ -132,7 +132,7 @@ private:
                4 * t * (1 - t) * ((1 - s) * bends_[3] + s * bends_[1]);
     }
 
-    /// Of two roots the one that is nearer to [0, 1], brought to it; 0 if neither is a number.
+    /// The one of two roots that is nearer to [0, 1], brought to it; 0 if neither is a number.
     static double nearest_parameter(double a, double b) {
         const auto beside = [](double p) {
             return std::isfinite(p) ? std::max({-p, p - 1, 0.0}) : HUGE_VAL;

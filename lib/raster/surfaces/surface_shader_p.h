@@ -52,13 +52,13 @@ inline std::uint32_t grey_word(float intensity) {
     return level * 0x010101u;
 }
 
-/// What a vertex's normal, turned to the eye, gives.
+/// The intensity of a vertex's normal, turned to the eye.
 inline float vertex_intensity(const l3d_micro_vertex& vertex, const l3d_shading& shading) {
     const float lit = cosine(shading.light, vertex.normal);
     return intensity(away_from_eye(vertex, shading) > 0 ? -lit : lit);
 }
 
-/// What the sum of a polygon's normals gives.
+/// The intensity of the sum of a polygon's normals.
 inline float polygon_intensity(std::span<const l3d_micro_vertex> corners,
                                const l3d_shading& shading) {
     vector3 sum{0, 0, 0};

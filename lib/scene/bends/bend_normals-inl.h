@@ -40,13 +40,15 @@ HWY_ATTR HWY_INLINE number largest_size(const vector& a, const vector& b, const 
     return root(largest(one, largest(squared(high - c), squared(high + c))));
 }
 
-/// What rounding may add, over the length of the normal in the middle: see docs/NUMERICS.md.
+/// The error that rounding may add, over the length of the normal in the middle: see
+/// docs/NUMERICS.md.
 constexpr double normal_noise = 0x1p-39;
 
 /// Shorter normals, of 1 in the longest coefficient, are mostly noise.
 constexpr double no_length = 0x1p-32;
 
-/// What rounding may add to a second or third derivative of points, over the largest of them.
+/// The error that rounding may add to a second or third derivative of points, over the largest of
+/// them.
 constexpr double point_noise = 0x1p-44;
 
 /// More than the relative rounding of sums of positive numbers here.
@@ -244,7 +246,7 @@ public:
         return magnitude(heights_[k][l]) * same(as_derivative(k, l));
     }
 
-    /// Of |S_uuvv|, which is bilinear: in a corner.
+    /// The bound of |S_uuvv|, which is bilinear: in a corner.
     HWY_ATTR HWY_INLINE number bound_uuvv() const {
         const vector a = s_.at[2][2] * same(4), u = s_.at[3][2] * same(12);
         const vector v = s_.at[2][3] * same(12), uv = s_.at[3][3] * same(36);

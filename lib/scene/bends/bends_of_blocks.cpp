@@ -95,7 +95,7 @@ void bends_of_blocks::add(std::size_t group, std::size_t lane, std::size_t block
         least_[n][block] = std::max(least_[n][block], of_block(of.middle[n][lane], n, halvings));
 }
 
-/// What is good enough in each block.
+/// The bounds that are good enough in each block.
 void bends_of_blocks::judge() {
     for (const auto& kind : kinds)
         for (std::size_t block = 0; block < blocks; ++block) {

@@ -13,8 +13,8 @@ namespace l3d_detail {
 
 /// The numbers of a patch's blocks: the largest of the bounds of their parts.
 ///
-/// At first a block has four parts. What is in a part's middle is less than the block's true
-/// number, so it is known how loose a bound can be at most. The loosest parts are quartered, as
+/// At first a block has four parts. The number in a part's middle is less than the block's true
+/// number. So it is known how loose a bound can be at most. The loosest parts are quartered, as
 /// long as there is room.
 class bends_of_blocks {
 public:

@@ -32,11 +32,11 @@ inline constexpr double l3d_of_thirds = 0.0080187537387448;
 
 /// How far the drawn level of a quad with sides h_u, h_v can be from the exact one at the same
 /// parameters. Levels are drawn as a parabola through those of the corners and of the middles of
-/// the sides. Of opposite sides only the mean of what they bend by is drawn. Units: levels.
-/// NUMERICS, section 14.
+/// the sides. Only the mean of the bends of opposite sides is drawn. Units: levels. NUMERICS,
+/// section 14.
 double l3d_levels_off(const l3d_bend_numbers<double>& bends, double h_u, double h_v);
 
-/// Of a patch, and of each of its 4 x 4 blocks: bounds over all of it, its edges included.
+/// Bounds of a patch, and of each of its 4 x 4 blocks, over all of it, its edges included.
 ///
 /// They hold whatever is rounded; what that adds is stated in docs/NUMERICS.md, section 11. They
 /// are infinite, but for uuvv, where the normal vanishes or cannot be proven not to.

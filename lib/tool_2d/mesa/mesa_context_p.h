@@ -27,7 +27,7 @@ bool may_try(mesa_way way);
 /// Whether a GL_RENDERER draws on the CPU.
 bool is_software_renderer(std::string_view renderer);
 
-/// What to install for a way, by Debian's names.
+/// The packages to install for a way, by Debian's names.
 const char* packages_of(mesa_way way);
 
 /// A GL context that belongs to the thread that made it.

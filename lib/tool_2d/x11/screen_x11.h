@@ -12,7 +12,7 @@ namespace l3d_detail {
 class x11_connection;
 }
 
-/// What the factories of windows share: the connection on which service() asked is kept, and
+/// The base of the factories of windows. It keeps the connection on which service() asked, and
 /// create() goes on with it. To connect takes as long as all else together.
 class l3d_screen_factory_x11 : public l3d_screen_factory {
 public:

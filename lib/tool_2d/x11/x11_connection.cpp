@@ -27,7 +27,7 @@ struct x11_handlers {
     XIOErrorHandler previous_io_error = nullptr;
     struct sigaction previous_pipe {};
 
-    /// Of a display that is not closed there is one record more until the end of the program.
+    /// A display that is not closed takes one more record until the end of the program.
     void keep_lost(Display* display) {
         const std::lock_guard lock(mutex);
         lost.push_back(display);
@@ -71,9 +71,9 @@ thread_local std::jmp_buf* way_out_of_opening = nullptr;
 // buffer does not make pieces large; it lets many go before anybody waits: half of what was given,
 // 2 MiB where the system allows 4.
 constexpr int wanted_buffer = 1 << 23;
-// What a request holds beside its data: 24 bytes for a picture.
+// The size of a request beside its data: 24 bytes for a picture.
 constexpr std::size_t own_size = 32;
-// What every system's sockets hold.
+// The bytes that every system's sockets hold.
 constexpr std::size_t least_writable = std::size_t{1} << 13;
 
 // Longer than any display worth drawing on needs to answer, shorter than anyone's patience.

@@ -103,7 +103,7 @@ private:
 /// Cost:    one round trip; the errors of all requests before are known then.
 bool has_x11_manager(const x11_connection& connection);
 
-/// What the error code means, in words. No request is made.
+/// The meaning of the error code, in words. No request is made.
 std::string x11_error_text(const x11_connection& connection, int code);
 
 /// Collects the X errors of the requests made while it lives.

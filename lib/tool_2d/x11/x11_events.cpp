@@ -84,7 +84,7 @@ int key_of(XKeyEvent& event) {
     return key_in_place(event.keycode);
 }
 
-/// What held_ has for a key that is not told to the program.
+/// The value in held_ for a key that is not told to the program.
 constexpr int untold = -1;
 
 bool is_fullscreen_key(const XKeyEvent& event, KeySym keysym, int key) {

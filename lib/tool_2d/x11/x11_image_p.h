@@ -26,8 +26,8 @@ public:
     /// not read yet must not pile up.
     bool is_free() const { return do_is_free(); }
 
-    /// Sends a part of the picture, and asks the server for an event once it has it. What Xlib
-    /// still buffers goes out when events are next asked for. The words may change afterwards.
+    /// Sends a part of the picture, and asks the server for an event once it has it. Requests that
+    /// Xlib still buffers go out when events are next asked for. The words may change afterwards.
     /// Expects: is_free(); a picture of the size this was made for, the same as in the put before
     ///          but for the part, which is not empty and all of it the first time.
     /// Cost:    in proportion to the part. Waits for a slow connection until the deadline, and

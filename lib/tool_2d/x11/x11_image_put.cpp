@@ -18,8 +18,8 @@ namespace {
 // Rows that are compared, and sent, together: an overlay line of text is about as high.
 constexpr int band_height = 16;
 
-/// Pictures go in pieces that never block, so that a server that is slow, or stopped, does not
-/// take the program with it. What could not be sent is kept, and goes on in look_after.
+/// Pictures go in pieces that never block, so that a server that is slow, or stopped, does not take
+/// the program with it. Pieces that could not be sent are kept, and look_after goes on with them.
 class x11_image_put final : public x11_image {
 public:
     x11_image_put(const x11_window& window, l3d_size size)
@@ -128,7 +128,7 @@ private:
         is_sending_ = false;
     }
 
-    /// What is not sent yet becomes ours.
+    /// The pixels that are not sent yet become ours.
     void keep_rest() {
         if (!is_sending())
             return;

@@ -53,7 +53,7 @@ private:
         return std::ranges::count(buffers_, 0UL, &shared_buffer::put) == buffer_count;
     }
 
-    /// Of a buffer no more is read than was just written: beside the part, it may be out of date.
+    /// No more of a buffer is read than was just written: beside the part, it may be out of date.
     void do_put(const l3d_pixels& picture, const l3d_pixel_box& part, time_point) override {
         const l3d_size native{ximage_->width, ximage_->height};
         auto& buffer = *std::ranges::find(buffers_, 0UL, &shared_buffer::put);

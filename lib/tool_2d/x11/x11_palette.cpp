@@ -17,7 +17,8 @@ channels channels_of(std::uint32_t word) {
             static_cast<int>(word & 255)};
 }
 
-// What a map that nobody can change may hold; 8x8x4 is what eight bits make as masks do it.
+// The cubes that a map which nobody can change may hold; 8x8x4 is the cube of eight bits divided as
+// by masks.
 constexpr std::array<palette_shape, 8> cubes{
     {{16, 16, 16}, {8, 8, 8}, {8, 8, 4}, {6, 6, 6}, {5, 5, 5}, {4, 4, 4}, {3, 3, 3}, {2, 2, 2}}};
 constexpr std::array<palette_shape, 8> ramps{{{256, 1, 1},

@@ -29,7 +29,7 @@ public:
     ///
     /// Shape:   at least `size` bytes; the proof is a row of pixels of this layout.
     /// Errors:  null, with one line in `why` that gives the reason of kernel or server;
-    ///          std::bad_alloc. That the server refuses a later one shows when it is used.
+    ///          std::bad_alloc. If the server refuses a later one, this shows when it is used.
     /// Cost:    the first time four round trips, three of which ask for the extension.
     static std::unique_ptr<x11_shm_segment> make(x11_connection& connection, Visual* visual,
                                                  const l3d_pixel_layout& layout, std::size_t size,

@@ -94,7 +94,7 @@ void x11_window::create(l3d_size native) {
     // Not inherited: a parent of another depth has no pixel for the border.
     attributes.border_pixel = 0;
     attributes.background_pixel = info().to_display(0);
-    // What is drawn stays when the window grows, so that only new parts turn black.
+    // The picture stays when the window grows, so that only new parts turn black.
     attributes.bit_gravity = NorthWestGravity;
     attributes.event_mask = events_always;
     window_ = XCreateWindow(
