@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_method_tessellation: what programs do who know nothing of the view.
+// l3d_method_tessellation: a mesh of fixed density, made without knowledge of the view.
 #ifndef L3D_COMPARE_METHOD_TESSELLATION_H
 #define L3D_COMPARE_METHOD_TESSELLATION_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What most tests include, compiled once for all of them: half of a test's compilation is these
-/// headers. A test includes what it uses all the same.
+// The headers that most tests include, compiled once for all of them: they are half of a test's
+// compilation. A test includes what it uses all the same.
 
 #include <gtest/gtest.h>
 

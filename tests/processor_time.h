@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What this process has cost.
+// The processor time that this process has taken.
 #ifndef L3D_TESTS_PROCESSOR_TIME_H
 #define L3D_TESTS_PROCESSOR_TIME_H
 

@@ -60,7 +60,7 @@ private:
             start();
     }
 
-    /// From angles and places, anew each time: no rounding adds up.
+    /// From angles and places, again each time: no rounding adds up.
     void set_placement() {
         set_transform(0, l3d_rotation_x<real>(angles_[0]));
         set_transform(1, l3d_rotation_y<real>(angles_[1]));

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT The measurements as tables.
+// SPDX-License-Identifier: MIT
+// The measurements as tables.
 #ifndef L3D_APPS_TEAPOT_AFD_REPORT_FILES_H
 #define L3D_APPS_TEAPOT_AFD_REPORT_FILES_H
 

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT The measurements as diagrams.
+// SPDX-License-Identifier: MIT
+// The measurements as diagrams.
 #ifndef L3D_APPS_TEAPOT_AFD_REPORT_PLOTS_H
 #define L3D_APPS_TEAPOT_AFD_REPORT_PLOTS_H
 

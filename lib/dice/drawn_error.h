@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT The error that rounding and snapping of vertices add to everything
-// drawn between them.
+// SPDX-License-Identifier: MIT
+// The error that rounding and snapping of vertices add to everything drawn between them.
 #ifndef L3D_DICE_DRAWN_ERROR_H
 #define L3D_DICE_DRAWN_ERROR_H
 

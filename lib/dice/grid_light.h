@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT The light of vertices, one after the other: normals turned to the
-// eye, or levels.
+// SPDX-License-Identifier: MIT
+// The light of vertices, one after the other: normals turned to the eye, or levels.
 #ifndef L3D_DICE_GRID_LIGHT_H
 #define L3D_DICE_GRID_LIGHT_H
 

@@ -15,10 +15,10 @@
 
 namespace {
 
-/// So many steps behind an outline, at most, the nearer sheet decides. An outline runs somewhere
-/// between two vertices, and the quads of the first vertex behind it stick out. More would turn
-/// what is seen where an outline ends. 0.3 and 0.4 leave the fewest wrong pixels of 0 to 2 in the
-/// pictures of seen_test; no bound depends on it.
+/// The largest number of steps behind an outline at which the nearer sheet decides. An outline runs
+/// somewhere between two vertices, and the quads of the first vertex behind it stick out. More
+/// would turn what is seen where an outline ends. 0.3 and 0.4 leave the fewest wrong pixels of 0 to
+/// 2 in the pictures of seen_test; no bound depends on it.
 constexpr float steps_behind = 0.4F;
 
 /// Where an outline ends, facing hardly changes along the line of sight: by less than this part of

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT The demands of a piece's blocks on its steps, one after the other.
+// SPDX-License-Identifier: MIT
+// The demands of a piece's blocks on its steps, one after the other.
 #include "dice/step_plan.h"
 
 #include <cmath>

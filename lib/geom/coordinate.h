@@ -34,7 +34,7 @@ template <class T> struct l3d_coordinate {
 
     l3d_point<T> original;
     l3d_point<T> transformed; ///< in the end a position in the picture, in pixels
-    /// For whoever needs places between the two again, in camera space, say.
+    /// For programs that need places between the two again, in camera space for example.
     std::array<l3d_point<T>, 2> transformed_intermediates;
     int transform_stage = 0;
 };

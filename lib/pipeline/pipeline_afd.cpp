@@ -160,7 +160,7 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
     return parts_that_moved(whole.area() / 4 * 3);
 }
 
-/// Around what was placed anew, where it was and where it is; more than `most` is all.
+/// Around what was placed again, where it was and where it is; more than `most` is all.
 l3d_pixel_boxes l3d_pipeline_afd::parts_that_moved(std::int64_t most) {
     const l3d_matrix<double>& to_image = transform_.matrix();
     l3d_pixel_boxes parts;

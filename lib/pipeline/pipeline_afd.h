@@ -68,7 +68,7 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
 /// A program that only wants the picture uses it as it is. A program with keys or things of its own
 /// to draw derives a class that changes camera() and settings() and calls draw_event. A frame draws
 /// only what changed since the last one. If nothing changed, it draws nothing. If instances were
-/// only placed anew and nothing is drawn on top, it draws the parts of the picture where they were
+/// only placed again and nothing is drawn on top, it draws the parts of the picture where they were
 /// or are.
 /// Expects: camera and settings of which l3d_afd_complaint has nothing to say, in every frame.
 /// Lives:   owns screen, workers and rasterizers, borrows the models of the scene.

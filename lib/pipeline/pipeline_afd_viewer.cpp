@@ -69,7 +69,7 @@ void l3d_pipeline_afd_viewer::update_event(double seconds) {
 
 void l3d_pipeline_afd_viewer::draw_overlay() {
     if (!controls_.shows_text())
-        return; // who asks for the rasterizer makes the next frame clear the picture
+        return; // asking for the rasterizer makes the next frame clear the picture
     const std::array lines{
         std::isfinite(bound())
             ? formatted("error at most %.3f px (tolerance %.3g)", bound(), settings().tolerance)

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT The parts that the reports of all frames have in common.
+// SPDX-License-Identifier: MIT
+// The parts that the reports of all frames have in common.
 #ifndef L3D_PIPELINE_REPORT_PARTS_H
 #define L3D_PIPELINE_REPORT_PARTS_H
 

@@ -107,8 +107,8 @@ public:
     /// Whether mode `levels` may be asked for.
     bool takes_levels() const { return do_takes_levels(); }
 
-    /// Starts a frame: picture and depth are empty, that is 0, from now on. When their memory is
-    /// set to 0 is up to who draws, at finish at the latest.
+    /// Starts a frame: picture and depth are empty, that is 0, from now on. Each rasterizer decides
+    /// when it sets their memory to 0, at finish at the latest.
     ///
     /// Without a depth buffer nobody wants depth afterwards, and one call of draw makes the whole
     /// frame; that is the fastest. In a picture that is `untouched` since the last finish, empty
@@ -129,7 +129,7 @@ public:
     /// Whether begin_part may be called: not where a picture is kept elsewhere and comes whole.
     bool draws_parts() const { return do_draws_parts(); }
 
-    /// Starts a frame that draws a part of a picture anew: what is outside of it stays as it is.
+    /// Starts a frame that draws a part of a picture again: what is outside of it stays as it is.
     ///
     /// Inside, the pixels are the same bits as if the frame were drawn whole. Polygons that touch
     /// no pixel of the part need not be handed in. The counts are of the part, or of things near

@@ -44,7 +44,7 @@ struct l3d_dice_counts : l3d_seen_counts {
     std::int64_t behind = 0;      ///< patches left out: behind the near plane
     std::int64_t beyond = 0;      ///< patches left out: beyond the far plane
     std::int64_t hidden = 0;      ///< patches left out: behind what had been drawn before
-    std::int64_t unchanged = 0;   ///< patches left out: beside the part that was drawn anew
+    std::int64_t unchanged = 0;   ///< patches left out: beside the part that was drawn again
     std::int64_t backfacing = 0;  ///< patches left out: nothing but their back is turned to the eye
     std::int64_t back_blocks = 0; ///< blocks of patches that were drawn, left out for the same
     std::int64_t back_quads = 0;  ///< quads of these blocks

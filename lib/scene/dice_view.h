@@ -28,8 +28,8 @@ inline bool l3d_far_apart(const l3d_image_point& a, const l3d_image_point& b, in
     return std::abs(a[along] * b[2] - b[along] * a[2]) > pixels * a[2] * b[2];
 }
 
-/// Which patches, and parts of them, are done although they need not be. Only who measures or
-/// judges a rule has a use for that.
+/// Which patches, and parts of them, are done although they need not be. Only programs that measure
+/// or judge a rule set these.
 struct l3d_kept_patches {
     bool outside = false;    ///< such that nothing of them lies in the picture
     bool centreless = false; ///< such that cover no pixel's centre

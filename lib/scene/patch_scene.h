@@ -86,7 +86,7 @@ public:
     /// Moves an instance, or puts another model in its place.
     ///
     /// Expects: as add; an index of instances().
-    /// Cost:    the box of the whole scene is found anew when it is next asked for, by looking at
+    /// Cost:    the box of the whole scene is found again when it is next asked for, by looking at
     ///          each instance.
     void place(std::size_t index, const l3d_matrix<double>& placement) {
         place(index, instances_[index].model(), placement);
@@ -103,12 +103,12 @@ public:
     /// Whether instances came or went since then: moved() does not tell of all changes.
     bool is_rebuilt() const { return is_rebuilt_; }
 
-    /// The instances that were placed anew since then, each once, and the boxes that they had then,
-    /// in the same order. Without meaning if is_rebuilt().
+    /// The instances that were placed again since then, each once, and the boxes that they had
+    /// then, in the same order. Without meaning if is_rebuilt().
     std::span<const std::size_t> moved() const { return moved_; }
     const l3d_box_lanes& moved_from() const { return moved_from_; }
 
-    /// For who has drawn the scene as it is now.
+    /// Called by a pipeline that has drawn the scene as it is now.
     void forget_changes();
 
     std::span<const l3d_patch_instance> instances() const { return instances_; }

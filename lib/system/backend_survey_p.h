@@ -35,7 +35,7 @@ public:
     const l3d_backend& named(const std::string& name, const std::string& named_by);
 
     /// The first automatic row that serves fully, else the first that serves. A display that was
-    /// named but cannot be opened is an error: whoever set DISPLAY wants a window.
+    /// named but cannot be opened is an error: a user who set DISPLAY wants a window.
     ///
     /// Errors:  l3d_error: no_display, or no_backend with all reasons.
     const l3d_backend& automatic();

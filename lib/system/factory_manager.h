@@ -21,7 +21,7 @@ struct l3d_backend {
     std::string purpose;     ///< what it is for, in a few words
     bool automatic = false;  ///< taken without asking if it is the first such row that can serve
     bool on_display = false; ///< it needs a display
-    bool unseen = false;     ///< its pictures are never seen, and who names it knows
+    bool unseen = false;     ///< its pictures are never seen, and a user who names it knows
     std::unique_ptr<l3d_screen_factory> screen_factory;
     std::unique_ptr<l3d_rasterizer_factory> rasterizer_factory;
     std::unique_ptr<l3d_dispatcher_factory> dispatcher_factory;

@@ -15,7 +15,7 @@
 
 namespace {
 
-/// Directions as seen by who stands upright before a model.
+/// Directions as seen by a person who stands upright before a model.
 struct upright_frame {
     l3d_camera::vector right, up, front;
 

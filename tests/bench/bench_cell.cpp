@@ -17,7 +17,7 @@ struct measured {
     double error, bound;
 };
 
-/// What the pipeline would draw, measured.
+/// Measures what the pipeline would draw.
 measured measure_ours(const l3d_patch_model& model, const bench_cell& cell, double tolerance) {
     const l3d_patch_scene scene(model);
     const l3d_image_transform transform(cell.view->camera, cell.size, scene);

@@ -10,7 +10,7 @@
 
 namespace bench {
 
-/// What a pixel of the target looks like, asked anew for every byte.
+/// The layout of a pixel of the target, asked again for every byte.
 struct book_target {
     int bytes_per_pixel = 4;
     unsigned char* bytes = nullptr;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// What a child has of its own.
+/// The data that a child has of its own.
 struct child_setting {
     std::map<std::string, std::string> environment;
     bool one_processor = false; ///< may run on no other than the one that it starts on

@@ -41,7 +41,7 @@ ray_directions directions_of(const l3d_camera& camera, l3d_size size) {
     return d;
 }
 
-/// What loops over a packet compile to is the machine's choice, as it is in Embree.
+/// The machine decides what loops over a packet compile to, as it does in Embree.
 #ifdef __x86_64__
 #define PEER_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
 #else

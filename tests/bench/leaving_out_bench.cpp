@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What each rule by which a frame leaves work out gains where it applies, and costs where it does
-// not.
+// For each rule by which a frame leaves work out: its gain where it applies, and its cost where it
+// does not.
 //
 // The baseline is the same frame with that rule alone switched off. Both are drawn by turns, by one
 // thread into the same memory; what is compared is the processor's time, pair by pair.

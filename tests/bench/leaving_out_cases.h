@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-/// What differs from frame to frame.
+/// The data that differ from frame to frame.
 enum class frame_change {
     eye, ///< it trembles: nothing can be kept
     one, ///< the last instance moves

@@ -70,8 +70,8 @@ private:
     std::vector<std::array<use, 4>> uses_;
 };
 
-/// Grids of nu by nv steps inside a patch, tied to its boundary by a ring of triangles. Of a
-/// quad's diagonals the better one is taken.
+/// Grids of nu by nv steps inside a patch, tied to its boundary by a ring of triangles. A quad is
+/// cut along the better one of its diagonals.
 class grid_maker {
 public:
     grid_maker(const seen_patch& patch, std::size_t index);

@@ -23,7 +23,7 @@ struct peer_mesh {
     std::size_t triangles() const { return indices.size() / 3; }
 };
 
-/// What a peer's mesh is made for.
+/// The case that a peer's mesh is made for.
 struct mesh_wish {
     const l3d_patch_model& model;
     l3d_camera camera;

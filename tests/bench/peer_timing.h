@@ -27,7 +27,7 @@ struct frame_times {
     double first = 0;  ///< median of those that follow another side's
 };
 
-/// What was measured in a cell.
+/// The measurements of a cell.
 struct cell_times {
     peer_choice mesa_way, embree_way;
     frame_times lambert, gouraud; ///< ours: a unit normal in every pixel, a grey at every vertex

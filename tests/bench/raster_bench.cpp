@@ -272,7 +272,7 @@ BENCHMARK_CAPTURE(bench_lines, 100px_slow_twin, 100.0, true)->Iterations(3);
 
 } // namespace
 
-/// What the figures were taken with goes into their head.
+/// The head of the figures says how they were measured.
 int main(int argc, char** argv) {
     benchmark::AddCustomContext("simd", l3d_simd_target());
     benchmark::Initialize(&argc, argv);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How frames grow: with the number of teapots, with the picture, and as the tolerance shrinks.
 //
-// Each scene is drawn by one thread and by two, which must give the same bits, and every patch
-// must be either drawn or left out for a reason. What is left out costs the difference to the scene
-// without it, which is the baseline.
+// Each scene is drawn by one thread and by two, which must give the same bits, and every patch must
+// be either drawn or left out for a reason. The cost of what is left out is the difference to the
+// scene without it, which is the baseline.
 #include "bench/bench_frame.h"
 #include "geom/teapot.h"
 #include "processor_time.h"
@@ -212,8 +212,8 @@ void print_sizes(const l3d_patch_model& model) {
         }
 }
 
-/// What snapping takes of a tolerance: a vertex and the centre of a folded quad are each off by
-/// sqrt(2) / 512 px, counted with the weight 1.25 (docs/NUMERICS.md, sections 9 and 12).
+/// The part of a tolerance that snapping takes. A vertex and the centre of a folded quad are each
+/// off by sqrt(2) / 512 px, counted with the weight 1.25 (docs/NUMERICS.md, sections 9 and 12).
 constexpr double snapping = 2 * 1.25 * 1.4142135623730951 / 512;
 
 /// Steps in each direction grow with the chord's budget to the power -1/2, so quads with its power

@@ -38,11 +38,11 @@ public:
 
     mesh_corner corner(double u, double v) const;
 
-    /// Of a drawn point; none outside of the window.
+    /// The error of a drawn point; none outside of the window.
     double point_error(const l3d_image_point& drawn, double u, double v) const;
-    /// Of the middle of the line from a to b.
+    /// The error of the middle of the line from a to b.
     double edge_error(const mesh_corner& a, const mesh_corner& b) const;
-    /// Of the centre of a triangle.
+    /// The error of the centre of a triangle.
     double centre_error(const mesh_corner& a, const mesh_corner& b, const mesh_corner& c) const;
     /// The largest of the three edge errors and the centre's.
     double triangle_error(const mesh_corner& a, const mesh_corner& b, const mesh_corner& c) const;

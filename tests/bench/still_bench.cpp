@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a frame costs of which little or nothing changed: a thousand teapots stand still, one moves.
+// The cost of a frame in which little or nothing changed: a thousand teapots stand still, one
+// moves.
 //
 // The baseline is the same frame drawn whole; the pictures must be the same bits.
 #include "bench/bench_frame.h"
@@ -93,7 +94,8 @@ l3d_matrix<double> in_front(const l3d_camera& camera, double scale, int frame) {
     return m;
 }
 
-/// What a frame takes in which `move(program, frame)` moves things, and that its picture is right.
+/// The time of a frame in which `move(program, frame)` moves things, and a check that its picture
+/// is right.
 template <class Move>
 double milliseconds_of_moves(program& all, const l3d_camera& camera,
                              const l3d_afd_settings& settings, const Move& move) {
@@ -169,8 +171,7 @@ void print_corners(const l3d_patch_model& model, const l3d_camera& camera) {
     }
 }
 
-/// Where everything moves, what finding that out costs: a frame whose camera moved, too, does not
-/// ask.
+/// The cost of finding out that everything moves. A frame whose camera moved, too, does not ask.
 void print_all_moving(const l3d_patch_model& model, const l3d_camera& camera) {
     constexpr int count = 1000;
     l3d_afd_settings settings;

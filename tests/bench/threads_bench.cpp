@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What threads and vector instructions do for a frame: time, work done, and the same picture.
+// The effect of threads and vector instructions on a frame: time, work done, and the same picture.
 //
 // Machines differ, so times are told in clears, too: how many times as long as to clear colour and
 // depth of the picture, in the same run. Beside them stands what the feasibility study set itself.

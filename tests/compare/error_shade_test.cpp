@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What mode `error` shows, with every method that has something to show.
+// The picture of mode `error`, with every method that has something to show.
 #include "pipeline/still_studio.h"
 
 #include "compare/method_choice.h"
@@ -90,7 +90,7 @@ TEST(error_shade, every_pixel_that_is_drawn_has_a_bound) {
         }
 }
 
-/// Of fixed steps, what bends more is more wrong.
+/// With fixed steps, surfaces that bend more have larger errors.
 TEST(error_shade, every_patch_has_its_own) {
     l3d_camera camera;
     camera.eye = {0.1, 0.3, 4.1};

@@ -99,7 +99,7 @@ TEST(method_picture, is_like_the_exact_one) {
     }
 }
 
-/// What polygons clip is clipped as exactly as the bound says, where there is one.
+/// Methods that clip polygons clip as exactly as the bound says, where there is one.
 TEST(method_picture, a_tessellations_outline_is_within_its_bound) {
     int bounds = 0;
     for (const char* name : {"full", "closeup", "top", "near_cut"}) {

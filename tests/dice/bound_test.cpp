@@ -62,7 +62,7 @@ TYPED_TEST(bound_of, the_teapot_holds_in_every_view_size_and_tolerance) {
 constexpr reference::camera oblique{{2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 0.05}, 41, 0.2};
 constexpr l3d_size odd{317, 241};
 
-/// What random scenes have in common: a seed to find them again, and a summary.
+/// The common part of random scenes: a seed to find them again, and a summary.
 template <class T> class random_scenes {
 public:
     explicit random_scenes(const char* what) : what_(what) {}
@@ -173,7 +173,7 @@ TYPED_TEST(bound_of, patches_around_the_eye_and_far_from_the_window_hold) {
     }
 }
 
-/// Whatever a frame may cost: what is drawn coarsely has a larger bound, or none, but a true one.
+/// At any budget of a frame, a coarsely drawn patch has a larger bound, or none, but a true one.
 TYPED_TEST(bound_of, frames_that_may_cost_little_hold) {
     constexpr int scenes = sanitized ? 5 : 50, patches = 5;
     for (const nasty_kind kind :

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What measures how far each drawn thing is from the exact surface.
+// Measures how far each drawn thing is from the exact surface.
 #ifndef L3D_TESTS_DICE_CERTIFICATE_H
 #define L3D_TESTS_DICE_CERTIFICATE_H
 
@@ -21,13 +21,13 @@ public:
     certificate(const reference::camera& view, l3d_size size)
         : frame_(view, {size.width, size.height}), size_(size) {}
 
-    /// What is drawn from now on is this surface.
+    /// From now on, this surface is drawn.
     void next(const reference::patch& surface) { net_ = make_net(surface, frame_); }
 
     /// Measures pieces, which have kept their parameters. The bound is the triangles'.
     void draw(std::span<const l3d_diced_piece> pieces, double frame_bound);
 
-    /// Of each batch, measures only every n-th quad or triangle. Expects: n >= 1.
+    /// Measures only every n-th quad or triangle of each batch. Expects: n >= 1.
     void measure_every(std::size_t n) { every_ = n; }
 
     std::int64_t samples = 0;

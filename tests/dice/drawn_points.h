@@ -27,7 +27,7 @@ struct drawn_point {
 /// around its mean. Only drawn points inside the window count: of others nothing is claimed.
 class drawn_points {
 public:
-    /// Of each batch, only every n-th quad or triangle is looked at. Expects: every >= 1.
+    /// Looks only at every n-th quad or triangle of each batch. Expects: every >= 1.
     explicit drawn_points(l3d_size size, std::size_t every = 1) : size_(size), every_(every) {}
 
     /// Calls visit(drawn_point) for points of the piece's grid.

@@ -48,7 +48,7 @@ bool is_at(const l3d_edge_polyline& line, std::size_t i, const l3d_image_point& 
     return mine.drawable == its.drawable && same(mine.dice.vertex, its.dice.vertex);
 }
 
-/// What is drawn at a vertex.
+/// The point that is drawn at a vertex.
 l3d_image_point placed(const l3d_clip_vertex& v, const l3d_dice_view& view) {
     const double w = 1 / static_cast<double>(v.dice.vertex.inv_w);
     return {(v.dice.vertex.x - view.centre_x()) * w / l3d_subpixel_one,

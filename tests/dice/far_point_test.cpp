@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is far away costs what is near nothing: each patch has the rounding errors of its own
-// points.
+// Far points cost near ones nothing: each patch has the rounding errors of its own points.
 #include "picture.h"
 #include "scene.h"
 
@@ -41,7 +40,7 @@ scene teapot_and(std::vector<reference::patch> more) {
     return {patches, eye, size};
 }
 
-/// What is made of the patches of the teapot: all vertices, and the pieces' bounds.
+/// The dicer's result for the patches of the teapot: all vertices, and the pieces' bounds.
 struct diced_teapot {
     std::vector<std::vector<std::int32_t>> x, y;
     double bound = 0;

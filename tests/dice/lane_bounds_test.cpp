@@ -39,7 +39,8 @@ l3d_image_patch sheet(random_numbers& random) {
     return result;
 }
 
-/// What the slow twin asks of a block with these steps, as a part of what is allowed; 0 if hidden.
+/// The error that the slow twin finds for a block with these steps, as a part of the allowed one; 0
+/// if hidden.
 double used_up(const l3d_block_needs& needs, const l3d_step_plan& plan, double budget) {
     double worst = 0;
     const auto strips = static_cast<std::size_t>(needs.strips);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What clipping makes: corners whose normals are of length 1, as the shading takes for granted.
+// Clipping makes corners whose normals are of length 1, as the shading takes for granted.
 #include "dice/near_clip.h"
 
 #include <gtest/gtest.h>

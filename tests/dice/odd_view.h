@@ -7,7 +7,8 @@
 
 namespace dice_tests {
 
-/// Of a picture with an odd number of rows: its centre is a pixel's centre in one direction only.
+/// The view of a picture with an odd number of rows: its centre is a pixel's centre in one
+/// direction only.
 inline l3d_dice_view odd_view(double tolerance, double near) {
     l3d_dice_view view;
     view.size = {640, 481};

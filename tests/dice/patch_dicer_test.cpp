@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is left out, what is cut, and that nothing depends on chance.
+// Patches that are left out or cut, and that nothing depends on chance.
 #include "nasty.h"
 #include "picture.h"
 #include "scene.h"
@@ -198,7 +198,7 @@ TYPED_TEST(patch_dicer, nothing_is_drawn_beyond_the_far_plane) {
     for (int y = 1; y + 1 < odd.height; ++y)
         for (int x = 1; x + 1 < odd.width; ++x) {
             EXPECT_TRUE(!cut.covered(x, y) || cut.inv_w(x, y) > 1 / 8.3001f) << x << " " << y;
-            // What is well before the plane is still there, but for outlines.
+            // Everything well before the plane is still there, except outlines.
             bool is_near = true;
             for (int n = 0; n < 9; ++n)
                 is_near = is_near && all.inv_w(x - 1 + n % 3, y - 1 + n / 3) > 1 / 8.2f;

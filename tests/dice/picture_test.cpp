@@ -26,8 +26,8 @@ struct judged {
     reference::exact_region region;
 };
 
-/// What is judged of a picture: all but outlines, jumps and the border. The least share, 87.3 %, is
-/// that of `near_cut` in 320 x 240 pixels: thin rims of what the near plane cuts.
+/// The judged part of a picture: all but outlines, jumps and the border. The least share, 87.3 %,
+/// is that of `near_cut` in 320 x 240 pixels: thin rims of what the near plane cuts.
 constexpr double least_share = 0.87;
 
 template <class T> void compare(const judged& j, double tolerance) {

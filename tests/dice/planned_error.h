@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a plan's quads may err by, from the formulas of step_plan.h.
+// The largest errors of a plan's quads, from the formulas of step_plan.h.
 #ifndef L3D_TESTS_DICE_PLANNED_ERROR_H
 #define L3D_TESTS_DICE_PLANNED_ERROR_H
 
@@ -10,7 +10,7 @@
 
 namespace dice_tests {
 
-/// Of block (a, b), drawn whole in nu by nv steps; with that of the slits at the patch's sides.
+/// The error of block (a, b), drawn whole in nu by nv steps, and of the slits at the patch's sides.
 inline double planned_error(const l3d_block_needs& needs, std::size_t a, std::size_t b, int nu,
                             int nv) {
     const auto strips = static_cast<std::size_t>(needs.strips);

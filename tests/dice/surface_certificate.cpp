@@ -289,7 +289,7 @@ bool surface_certificate::row_shows_both(const l3d_diced_piece& piece,
              ++column) {
             const auto r = static_cast<std::size_t>(row), at = static_cast<std::size_t>(column);
             const double u = piece.u[at], v = piece.v[r];
-            // Of the rows beside the side, only the side itself.
+            // Only the side itself, without the rows beside it.
             if ((low_u == high_u && u != low_u) || (low_v == high_v && v != low_v))
                 continue;
             double side = 1;

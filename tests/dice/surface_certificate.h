@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What measures how far drawn depths and levels are from those of the exact surface.
+// Measures how far drawn depths and levels are from those of the exact surface.
 #ifndef L3D_TESTS_DICE_SURFACE_CERTIFICATE_H
 #define L3D_TESTS_DICE_SURFACE_CERTIFICATE_H
 
@@ -28,11 +28,11 @@ class surface_certificate {
 public:
     explicit surface_certificate(const scene& s);
 
-    /// What is drawn from now on is this patch.
+    /// From now on, this patch is drawn.
     void next(std::size_t patch);
     void draw(std::span<const l3d_diced_piece> pieces);
 
-    /// Of each piece, looks only at every n-th quad or triangle. Expects: n >= 1.
+    /// Looks only at every n-th quad or triangle of each piece. Expects: n >= 1.
     void measure_every(std::size_t n) { every_ = n; }
 
     /// The worst that was measured of one kind, and where.

@@ -24,7 +24,7 @@ constexpr double rounding = 0.5;
 constexpr reference::camera oblique{{2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 0.05}, 41, 0.2};
 constexpr l3d_size odd{317, 241};
 
-/// What scenes of one kind have in common: a summary of their ratios.
+/// The common part of scenes of one kind: a summary of their ratios.
 template <class T> class surface_scenes {
 public:
     explicit surface_scenes(std::string what) : what_(std::move(what)) {}

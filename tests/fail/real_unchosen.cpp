@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who compiles against the library must say which l3d_real it was built with.
+// A program that is compiled against the library must say which l3d_real it was built with.
 #ifdef L3D_MUST_FAIL
 #undef L3D_REAL_FLOAT
 #undef L3D_REAL_DOUBLE

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What must hold of any text given to any reader of models: for fuzzing, and for the tests.
+// Checks that must hold for any text given to any reader of models: for fuzzing, and for the tests.
 #ifndef L3D_TESTS_FUZZ_CHECK_MODEL_H
 #define L3D_TESTS_FUZZ_CHECK_MODEL_H
 
@@ -59,7 +59,8 @@ inline bool is_within_limits(const l3d_model_file& model) {
     return true;
 }
 
-/// What the writer and the reader of .off make of a mesh, compared with what they may lose.
+/// Compares a mesh with the result of the writer and the reader of .off, apart from what these may
+/// lose.
 inline bool survives_off(const l3d_polygon_mesh& mesh) {
     l3d_polygon_mesh kept = mesh;
     kept.parts.clear();

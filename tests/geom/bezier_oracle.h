@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What cubics and bicubics are by definition, in long double, and random control values for them.
+// Cubics and bicubics by definition, in long double, and random control values for them.
 #ifndef L3D_TESTS_GEOM_BEZIER_ORACLE_H
 #define L3D_TESTS_GEOM_BEZIER_ORACLE_H
 

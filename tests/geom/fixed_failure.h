@@ -137,7 +137,7 @@ inline l3d_image_curve stretch(const l3d_image_curve& curve, double t0, double t
     return t0 == 0 ? low : below(low.reversed(), 1 - t0 / t1).reversed();
 }
 
-/// Isocurves, each started from the exact curve, and started anew after every `strip` steps.
+/// Isocurves, each started from the exact curve, and started again after every `strip` steps.
 template <class T, int strip> points isocurve_walk(const l3d_image_patch& patch, steps n) {
     points result;
     for (int i = 0; i <= n.u; ++i) {

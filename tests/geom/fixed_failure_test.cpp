@@ -63,7 +63,7 @@ TEST(fixed_failure, of_a_curve_in_16_16_is_what_theory_says) {
     }
 }
 
-/// What a method's error must be, in pixels.
+/// The limits of a method's error, in pixels.
 struct expectation {
     std::string_view number, way;
     double mean_from, mean_to, most_from, most_to;

@@ -45,7 +45,7 @@ int128 rounded(int128 numerator, int128 denominator) {
     return up ? floor + 1 : floor;
 }
 
-/// What must come out of the model: a raw value, or nothing where the policy is to trap.
+/// The result of the model: a raw value, or nothing where the policy is to trap.
 template <class Fixed> std::optional<int128> fitted(int128 exact) {
     const int128 low = Fixed::min().raw();
     const int128 high = Fixed::max().raw();

@@ -120,8 +120,8 @@ TYPED_TEST(forward_difference, one_step_is_the_whole_curve) {
     EXPECT_EQ(l3d_to_double(walk.value()), b[3]);
 }
 
-/// What a register may be off by, in fixed point half an ulp, in floating point u times the
-/// registers' sizes; and, for the differences of control values, in u of double times p.
+/// The error that a register may have. In fixed point it is half an ulp, in floating point u times
+/// the registers' sizes. For the differences of control values, it is u of double times p.
 template <class T> double fresh_error(int k, int n, const values& b) {
     using traits = l3d_real_traits<T>;
     const auto m = magnitudes(b);
@@ -176,8 +176,8 @@ TYPED_TEST(forward_difference, doubling_undoes_halving) {
         after.double_step();
         const auto size = [&](std::size_t k) { return std::abs(l3d_to_double(before.d[k])); };
         // d2 is doubled twice, d3 three times: roundings of 1.5 + 1.5 and 1.75 half ulps come back
-        // 4 and 8 fold. What halve takes from d1 it gives back, but for its own rounding, doubled.
-        // Floating point: d3 is exact, d2 has one rounding either way, d1 too.
+        // 4 and 8 fold. Doubling gives back what halve takes from d1, except halve's own rounding,
+        // doubled. Floating point: d3 is exact, d2 has one rounding either way, d1 too.
         const double h = traits::half_ulp, u = traits::unit_roundoff;
         const double allowed[] = {0, 2 * h + 3 * u * (size(1) + size(2)),
                                   12 * h + 3 * u * (size(2) + size(3)), 14 * h};

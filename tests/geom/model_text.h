@@ -27,7 +27,7 @@ inline std::string with(std::string_view text, std::string_view old, std::string
     return result.replace(at, old.size(), replacement);
 }
 
-/// What a reader makes of a text that it must take, or else nothing.
+/// The result of a reader for a text that it must take, or else nothing.
 template <class Reader> auto read_by(Reader reader, std::string_view text, const char* name) {
     std::string why;
     auto result = reader(text, name, why);
@@ -36,7 +36,7 @@ template <class Reader> auto read_by(Reader reader, std::string_view text, const
     return result ? *result : typename decltype(result)::value_type{};
 }
 
-/// What a reader says of a text that it must not take.
+/// The error of a reader for a text that it must refuse.
 template <class Reader>
 std::string complaint_of(Reader reader, std::string_view text, const char* name) {
     std::string why;

@@ -22,7 +22,7 @@ std::string complaint(std::string_view text) {
     return model_text::complaint_of(l3d_read_obj, text, "name");
 }
 
-/// What is wrong with statements after the four vertices, which are lines 1 to 4.
+/// The error in statements after the four vertices, which are lines 1 to 4.
 std::string complaint_after(std::string_view statements) {
     return complaint(std::string(square).append(statements));
 }

@@ -286,7 +286,7 @@ TEST(step_bound, of_quads_fans_and_triangles_is_kept_and_tight) {
                     continue;
                 const l3d_second_bounds second =
                     l3d_second_bounds_of(patch, visible, l3d_depth_range_of(patch.points).least);
-                // Of a quad drawn whole the mixed term is no part.
+                // The mixed term is no part of the error of a quad that is drawn whole.
                 l3d_second_bounds unmixed = second;
                 unmixed.uv = 0;
                 const double bound = how == drawn::whole ? unmixed.quad_error(n, m)
@@ -411,7 +411,7 @@ TEST(step_bound, outside_is_never_said_of_a_net_with_a_visible_point) {
     EXPECT_GT(outside, 800);
     EXPECT_GT(visible, 400);
     EXPECT_GT(crossing, 100) << "too few nets reach behind the eye";
-    // What is clearly outside must be said to be.
+    // A point that is clearly outside must be reported as outside.
     l3d_image_patch right;
     for (point& p : right.points) {
         const double w = random.within(1, 5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame may cost: spikes through the near plane, of which each would take as much as it
+// The budget of a frame: spikes through the near plane, each of which would take as much as it
 // gets.
 #include "drawn_picture.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is left out, judged by exact pictures of random bodies and of what is tiny.
+// Things left out, judged by exact pictures of random bodies and of tiny things.
 #include "../scene/bodies.h"
 #include "../dice/scene.h"
 #include "drawn_picture.h"
@@ -26,7 +26,7 @@ using reference::vec3;
 
 constexpr l3d_size size{96, 72};
 
-/// What the reference is good to (picture_test).
+/// The accuracy of the reference (picture_test).
 constexpr double reference_error = 5e-3, reference_part = 0.02;
 
 struct judge {
@@ -96,7 +96,7 @@ reference::measurement expect_within_bound(const picture& drawn, const judge& by
     EXPECT_TRUE(m.distances_complete);
     EXPECT_LE(m.max_extra_distance, bound + reference_error);
     EXPECT_LE(m.max_missing_distance, bound * (1 + reference_part) + reference_error);
-    // Of the depth: in the mean, as nothing more is promised.
+    // The error of the depth is compared in the mean, as nothing more is promised.
     EXPECT_LE(m.mean_depth_px, bound + reference_error);
     return m;
 }

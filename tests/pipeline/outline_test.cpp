@@ -68,7 +68,7 @@ frame drawn(const scene& s, double tolerance, int threads = 1) {
 /// So many levels from the exact picture are seen as wrong.
 constexpr int far_levels = 20;
 
-/// What a mask holds of what it must hold.
+/// The share that a mask holds of the pixels that it must hold.
 struct agreement {
     std::int64_t wanted = 0, marked = 0;
     std::int64_t missed = 0; ///< where a surface ends, jumps or breaks within the bound

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What programs get from their base class.
+// The services that programs get from their base class.
 #include "pipeline/pipeline_2d.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "tool_2d/image.h"

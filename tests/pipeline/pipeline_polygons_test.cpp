@@ -184,7 +184,7 @@ TEST(pipeline_polygons, wires_are_clipped) {
     for (const l3d_line_2d& line : lines)
         for (const int number : {line.x0, line.y0, line.x1, line.y1})
             EXPECT_LE(std::abs(number), 16384 + 331);
-    // What is wholly in front is where the matrix puts it.
+    // A face that is wholly in front is where the matrix puts it.
     const auto& v = model.mesh().vertices;
     std::size_t exact = 0;
     for (const l3d_model_triangle& t : model.triangles())

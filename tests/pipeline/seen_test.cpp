@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is seen: grey levels of whole pictures against the exact ones, sparks and holes.
+// The visible result: grey levels of whole pictures against the exact ones, sparks and holes.
 #include "../scene/bodies.h"
 #include "../dice/scene.h"
 #include "drawn_picture.h"
@@ -78,9 +78,10 @@ struct totals {
     std::int64_t pictures = 0, far = 0, far_anywhere = 0, sparks = 0, holes = 0;
 };
 
-/// What a picture may have beside outlines. A pixel may show the level of a place that is no
-/// farther off than the bound: where the shade is steep, `far` counts it. Where an outline ends,
-/// quads that show both sides are lit by the wrong one here and there: `far_anywhere`, `sparks`.
+/// The faults that a picture may have beside outlines. A pixel may show the level of a place that
+/// is no farther off than the bound: where the shade is steep, `far` counts it. Where an outline
+/// ends, quads that show both sides are lit by the wrong one here and there: `far_anywhere`,
+/// `sparks`.
 struct limits {
     std::size_t far = 1;
     std::int64_t shown_per_far = 1'000'000, far_anywhere = 0;
@@ -107,7 +108,7 @@ void expect_seen(const model& shown, std::size_t view, l3d_size size, const limi
         seen_picture seen = reference::judge_seen(greys, drawn.distances, exact, outlines,
                                                   {proven.bound_px, proven.depth_bound_px},
                                                   reference::project_light);
-        // What the frame itself says that outlines reach.
+        // The pixels that outlines reach, as the frame itself reports them.
         std::erase_if(seen.far, [&](const auto& p) { return drawn.outlines.at(p.x, p.y); });
         std::erase_if(seen.sparks, [&](const auto& p) { return drawn.outlines.at(p.x, p.y); });
         std::printf(
@@ -147,7 +148,7 @@ void expect_seen(const model& shown, std::size_t view, l3d_size size, const limi
     }
 }
 
-/// Of twelve views of each model, each `step`-th.
+/// Each `step`-th of twelve views of each model.
 void expect_all_seen(l3d_size size, std::size_t step, const limits& most) {
     totals sum;
     for (const model& each : models())

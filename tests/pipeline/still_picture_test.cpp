@@ -31,7 +31,7 @@ struct tally {
     int frames = 0, parts = 0, still = 0;
 };
 
-/// Frames in which instances are placed anew, each beside the same frame drawn whole.
+/// Frames in which instances are placed again, each beside the same frame drawn whole.
 template <class Factory> tally compare(std::uint64_t seed, int frames, int threads) {
     studio s(seed);
     s.settings.threads = threads;

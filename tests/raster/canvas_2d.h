@@ -25,7 +25,7 @@ public:
         draw.clear_buffer();
     }
 
-    /// What the test draws with.
+    /// The rasterizer that the test draws with.
     static constexpr std::uint32_t color = 0x0000ff80;
 
     std::uint32_t& at(int x, int y) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a depth buffer tells apart: ours by its bound, and against 24 and 32 bits of whole numbers.
+// The depths that a depth buffer tells apart: ours by its bound, and against 24 and 32 bits of
+// whole numbers.
 #include "raster/surfaces/surface_rasterizer_scalar.h"
 #include "raster/surfaces/surface_rasterizer_sw.h"
 
@@ -185,7 +186,7 @@ template <class Encode> double worst_gap(const Encode& encode, double distance) 
 TEST(depth_precision, floats_of_reciprocal_depth_hold_at_every_ratio) {
     std::printf("  far/near  at         24 bits      32 bits      float 1/w\n");
     for (const double ratio : {1e2, 1e3, 1e6}) {
-        // What GL stores in whole numbers: 0 at near, 1 at far, linear in 1/w.
+        // The depth that GL stores in whole numbers: 0 at near, 1 at far, linear in 1/w.
         const auto whole = [ratio](int bits) {
             return [ratio, bits](double w) {
                 return std::floor((1 - 1 / w) / (1 - 1 / ratio) * (std::exp2(bits) - 1) + 0.5);

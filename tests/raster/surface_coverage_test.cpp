@@ -17,7 +17,7 @@ std::string described(const reference::corners& v) {
     return text;
 }
 
-/// Who draws, and how; the product's lanes are for mode `lambert` alone.
+/// The rasterizer and its mode; the product's lanes are for mode `lambert` alone.
 struct drawer {
     const char* name;
     bool product;

@@ -126,7 +126,7 @@ l3d_surface_part part_of(const reference::corners& v, std::uint32_t error_color)
     return part_of(grid, error_color);
 }
 
-/// What the rasterizers expect of a part's normals.
+/// Gives a part the normals that the rasterizers expect.
 inline reference::corners with_unit_normals(reference::corners v) {
     for (l3d_micro_vertex& corner : v) {
         float& x = corner.normal[0];

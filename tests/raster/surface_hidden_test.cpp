@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the surface rasterizer leaves out since nearer things hide it: nothing is lost, and much is
+// The surface rasterizer leaves out polygons that nearer things hide: nothing is lost, and much is
 // left out.
 #include "surface_scene.h"
 

@@ -204,7 +204,7 @@ TEST_P(mesa_surface, AllShadesAgree) {
         const auto name = static_cast<int>(mode);
         EXPECT_EQ(d.coverage, 0) << name;
         EXPECT_LT(d.depth, 1e-3) << name;
-        // Of 3337 pixels at most 1 % by more than one level, as quads are no parallelograms.
+        // At most 1 % of 3337 pixels differ by more than one level, as quads are no parallelograms.
         EXPECT_LE(d.above(1), 33) << name;
         EXPECT_EQ(d.above(6), 0) << name;
         EXPECT_GT(gl.counts().written, 1000) << name;

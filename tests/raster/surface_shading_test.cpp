@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the surface rasterizer writes: depth, normals and colours against the twin and by hand.
+// The output of the surface rasterizer: depth, normals and colours against the twin and by hand.
 #include "surface_fixture.h"
 
 #include <gtest/gtest.h>

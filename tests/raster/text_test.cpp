@@ -13,7 +13,7 @@
 
 namespace {
 
-/// What a text looks like: one string per row, '#' for ink.
+/// The picture of a text: one string per row, '#' for ink.
 std::vector<std::string> picture_of(std::string_view text, int x, int y, int width, int height,
                                     int scale = 1) {
     const int stride = width + 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_workers: every item once, whoever does it.
+// l3d_workers: every item once, by any worker.
 #include "raster/parallel/workers.h"
 
 #include <gtest/gtest.h>

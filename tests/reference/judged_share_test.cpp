@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What share of a picture is judged: a judge that looks away finds no fault.
+// The share of a picture that is judged: a judge that looks away finds no fault.
 #include "reference/measure.h"
 #include "reference/views.h"
 

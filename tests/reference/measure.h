@@ -63,7 +63,7 @@ struct error_map {
     double depth_share() const { return judged_share(compared, covered); }
 };
 
-/// Of centres covered or uncovered falsely, at most some `most_distances` are measured, evenly
+/// At most some `most_distances` of the centres covered or uncovered falsely are measured, evenly
 /// spread. Shape and what is expected: as for measure.
 error_map map_errors(std::span<const float> product_depth, const exact_image& exact,
                      const exact_region& region, int most_distances);

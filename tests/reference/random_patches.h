@@ -29,8 +29,8 @@ std::vector<patch> random_patches(std::uint64_t seed, patch_kind kind, int count
 /// displacement of inner control points in cells of the control lattice: below 0.3 hardly any fold,
 /// 2 folds everywhere. The depth of neighbouring control points differs by up to 1 : 1 + depth.
 ///
-/// That they cover the window is sure: the outer control points, hence the hulls of the outer
-/// edges, stay beyond the window's sides, so the outer boundary runs round it once.
+/// They surely cover the window. The outer control points, hence the hulls of the outer edges, stay
+/// beyond the window's sides, so the outer boundary runs round it once.
 std::vector<patch> random_tiling(std::uint64_t seed, int k, double fold, double depth,
                                  const camera& view, picture_size size);
 

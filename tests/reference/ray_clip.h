@@ -25,9 +25,8 @@ using offset_net = std::array<offsets, 16>;
 /// 1990).
 ///
 /// Units:   u, v of the piece, 0 to 1; `width` in those of the offsets: what is narrower is a
-/// point.
-///          What is within a thousandth of it counts as on the line: at a fold that bends with a
-///          radius of R widths, that is a stretch of sqrt(R / 500), in as many parts.
+///          point. Points within a thousandth of it count as on the line. At a fold that bends with
+///          a radius of R widths, that is a stretch of sqrt(R / 500), in as many parts.
 /// Errors:  std::runtime_error after 100000 parts.
 void clip_ray(const offset_net& piece, double width,
               const std::function<void(double, double)>& found);

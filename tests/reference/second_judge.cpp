@@ -16,7 +16,7 @@ constexpr double tile_px = 8;
 constexpr double margin_px = 4;
 constexpr int deepest = 40;
 
-/// What is narrower on the line of sight is a point.
+/// A piece that is narrower on the line of sight is a point.
 constexpr double point_px = 1e-9;
 
 /// Two surfaces that are nearer to each other along the line of sight are one. Where it grazes a
@@ -257,7 +257,7 @@ second_judge::change second_judge::between(const second_sample& p, const second_
     return {std::max(jump, bend), jump > 1 ? outline_kind::jump : outline_kind::crease};
 }
 
-/// What is left of the change from the middle to the end of a way when it has been halved often.
+/// The rest of the change from the middle to the end of a way when it has been halved often.
 second_judge::change second_judge::sharpest(const second_sample& middle, const second_sample& end,
                                             double x, double y, double dx, double dy) const {
     constexpr int halvings = 18;

@@ -16,7 +16,7 @@ namespace reference {
 /// The nearest surface on a line of sight.
 struct second_sample {
     double w = std::numeric_limits<double>::infinity(); ///< distance along the axis
-    /// Of the next surface behind it, 1e-3 px behind at least: seams are met twice.
+    /// The depth of the next surface behind it, at least 1e-3 px behind: seams are met twice.
     double behind = std::numeric_limits<double>::infinity();
     vec3 normal; ///< unit, not turned to the eye; zero where there is none
     int patch = -1;
@@ -24,7 +24,7 @@ struct second_sample {
     bool covered() const { return patch >= 0; }
 };
 
-/// What ends a surface in the picture.
+/// The way in which a surface ends in the picture.
 enum class outline_kind {
     none,
     border, ///< nothing is seen beyond it

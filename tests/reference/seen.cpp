@@ -35,7 +35,8 @@ public:
 
     /// The neighbourhood of the pixel may hold an outline: coverage, depth or normals change.
     bool is_uneven(int x, int y) const {
-        // Of normals, in a pixel's step: 10 degrees, a radius of 6 pixels if nothing is creased.
+        // The largest turn of normals in a pixel's step: 10 degrees, a radius of 6 pixels if
+        // nothing is creased.
         constexpr double least_cosine = 0.985;
         constexpr double jump_px = 0.5;
         const exact_sample& middle = exact_.at(x, y);

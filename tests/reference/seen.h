@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person sees: a drawn picture's grey levels against the exact ones.
+// The picture as a person sees it: a drawn picture's grey levels against the exact ones.
 #ifndef L3D_REFERENCE_SEEN_H
 #define L3D_REFERENCE_SEEN_H
 
@@ -17,7 +17,7 @@ namespace reference {
 /// spark.
 inline constexpr int far_levels = 20, spark_levels = 50;
 
-/// What a drawn picture promises. Units: pixels.
+/// The promises of a drawn picture. Units: pixels.
 struct seen_bounds {
     double place = 0; ///< any drawn point is no farther from its exact place in the picture
     double depth = 0; ///< nor from the exact surface, along its normal
@@ -54,7 +54,8 @@ struct seen_picture {
     std::int64_t far_anywhere = 0;
     std::int64_t holes = 0; ///< judged, covered exactly, and not drawn
 
-    /// Of the drawn picture; of the exact one, where what is thin shows in single pixels, too.
+    /// Sparks of the drawn picture, and of the exact one, where thin things show in single pixels,
+    /// too.
     std::int64_t drawn_sparks = 0, exact_sparks = 0;
     /// Sparks of the drawn picture alone, at outlines, too, whose level the exact one has nowhere
     /// within the bound of place, by far_levels: no thin thing that has moved a little.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the judge of grey levels says of pictures whose faults are known.
+// The verdict of the judge of grey levels on pictures whose faults are known.
 #include "reference/seen.h"
 #include "reference/measure.h"
 #include "reference/region.h"

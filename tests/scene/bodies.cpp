@@ -75,7 +75,7 @@ std::vector<patch> quartered(const std::vector<patch>& patches) {
     return result;
 }
 
-/// What is the same function of each point keeps common edges common.
+/// The same function of each point keeps common edges common.
 template <class Move> std::vector<patch> moved(std::vector<patch> patches, Move move) {
     for (patch& p : patches)
         for (vec3& point : p.points)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What culling leaves out is not seen, what it hands out comes nearest first.
+// Patches that culling leaves out are not visible; those that it hands out come nearest first.
 #include "scene/camera.h"
 #include "teapot_studio.h"
 #include "scene/scene_culling.h"

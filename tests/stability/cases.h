@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the stability suite draws: named cases, and random ones.
+// The cases that the stability suite draws: named ones, and random ones.
 #ifndef L3D_TESTS_STABILITY_CASES_H
 #define L3D_TESTS_STABILITY_CASES_H
 
@@ -32,10 +32,10 @@ std::vector<test_case> stiff_cases();
 /// Surfaces that are folded, collapsed, or thrown far away.
 std::vector<test_case> shape_cases();
 
-/// Places, sizes and views at the ends of what numbers can say.
+/// Places, sizes and views at the ends of the range of numbers.
 std::vector<test_case> extreme_cases();
 
-/// What no picture can be made of.
+/// Cases of which no picture can be made.
 std::vector<test_case> malformed_cases();
 
 /// All of them.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Places, sizes and views at the ends of what numbers can say.
+// Places, sizes and views at the ends of the range of numbers.
 #include "cases.h"
 #include "studio.h"
 
@@ -153,7 +153,7 @@ void add_views(std::vector<test_case>& to) {
         add_case(to, in, "field of view", text, in.patch(bent));
         add_case(to, in, "field of view", std::string(text) + ", through the near plane",
                  in.patch(ground));
-        // What another field of view was made for: a corner of it, or a speck.
+        // Patches made for another field of view: a corner shows, or a speck.
         add_case(to, in, "field of view", std::string(text) + ", unfit", oblique.patch(bent));
     }
     constexpr reference::picture_size sizes[] = {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What became of a case: whether the frame kept what it promised.
+// The verdict on a case: whether the frame kept its promises.
 #ifndef L3D_TESTS_STABILITY_JUDGE_H
 #define L3D_TESTS_STABILITY_JUDGE_H
 

@@ -35,7 +35,7 @@ studio random_studio(numbers& random) {
     return result;
 }
 
-/// What most patches look like, `width` of the picture's lesser side wide.
+/// An ordinary patch, `width` of the picture's lesser side wide.
 reference::patch gentle(numbers& random, const studio& in, double width) {
     const double x = random.between(0, 1), y = random.between(0, 1);
     const double turned = random.between(0, 2 * std::numbers::pi);

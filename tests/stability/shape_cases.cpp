@@ -86,7 +86,7 @@ void add_folded(std::vector<test_case>& to) {
     }));
 }
 
-/// Of an ordinary patch one control point is thrown away.
+/// One control point of an ordinary patch is thrown far away.
 void add_thrown(std::vector<test_case>& to) {
     for (int exponent = 1; exponent <= 11; exponent += 2)
         for (const std::size_t index : {0u, 5u, 14u}) {
@@ -107,7 +107,7 @@ void add_thrown(std::vector<test_case>& to) {
     }
 }
 
-/// What asks for up to a million steps, and for more than there are.
+/// Patches that ask for up to a million steps, and for more than there are.
 void add_tolerances(std::vector<test_case>& to) {
     numbers random(5);
     const reference::patch gentle = oblique.patch(bent);

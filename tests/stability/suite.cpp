@@ -20,7 +20,7 @@ constexpr std::size_t listed_worst = 5, listed_violations = 100;
 /// Random cases have fewer points in 100 digits, so that there can be a million.
 constexpr effort named_effort{3000, 8}, random_effort{40, 2}, ordinary_effort{100'000, 8};
 
-/// What threads add to, one at a time.
+/// The results, to which threads add one at a time.
 class collector {
 public:
     explicit collector(suite_result& into) : into_(into) {}

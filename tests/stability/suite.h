@@ -26,7 +26,7 @@ struct extent {
 
 inline constexpr std::size_t arithmetic_count = 4;
 
-/// What the median of bound / measured of ordinary patches may be.
+/// The largest median of bound / measured of ordinary patches that is allowed.
 inline constexpr double most_median_looseness = 4;
 
 /// A case that was among the worst, to find it again.
@@ -36,7 +36,7 @@ struct worst_case {
     double measured = 0, bound = 0;
 };
 
-/// What many cases came to in one arithmetic.
+/// The results of many cases in one arithmetic.
 struct tally {
     std::array<std::int64_t, 5> outcomes{}; ///< by outcome
     std::int64_t points = 0, exactly = 0, pictures = 0;

@@ -39,7 +39,7 @@ std::string number(double value) {
     return text;
 }
 
-/// Of a markdown table's cell.
+/// The text of a markdown table's cell.
 std::string cell_of(const verdict& v) {
     if (v.what == outcome::refused)
         return "refused";

@@ -89,7 +89,7 @@ TEST(backend_survey, diagnosis_names_outcomes_and_remedies) {
                          "paper   yes  draws on paper\n");
 }
 
-/// What a refusal ends a program with.
+/// The exit code with which a refusal ends a program.
 l3d_exit code_of(l3d_service::level how) {
     l3d_service answer;
     answer.how = how;

@@ -36,7 +36,7 @@ TEST(frame_pacer, missed_deadlines_are_dropped) {
     EXPECT_EQ(pacer.due(), start + 2040ms);
 }
 
-/// Frames that take this long and that, each begun a little late: as many as the rate says.
+/// Frames of different lengths, each begun a little late, are as many as the rate says.
 TEST(frame_pacer, six_hundred_frames_take_ten_seconds) {
     const unsigned seed = std::random_device{}();
     SCOPED_TRACE("seed " + std::to_string(seed));

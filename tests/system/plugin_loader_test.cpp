@@ -17,7 +17,7 @@ std::string file_of(const std::string& plugin) {
     return l3d_plugin_folder() + "/" + plugin + ".so";
 }
 
-/// What is said about a plug-in that is refused.
+/// The message about a plug-in that is refused.
 std::string refusal_of(const std::string& file, const std::string& parameters = "") {
     l3d_plugin_loader loader("tester", 5);
     std::string why;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What we declare of EGL and OSMesa is what their headers say, where these are installed.
+// Our declarations of EGL and OSMesa agree with their headers, where these are installed.
 #include "tool_2d/mesa/mesa_egl_p.h"
 #include "tool_2d/mesa/mesa_osmesa_p.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the tests of X11 windows share: a server, a screen, and a second program on the same
-// display.
+// The fixture that the tests of X11 windows share: a server, a screen, and a second program on the
+// same display.
 #ifndef L3D_TEST_TOOL_2D_ONLOOKER_X11_H
 #define L3D_TEST_TOOL_2D_ONLOOKER_X11_H
 

@@ -201,7 +201,7 @@ TEST(pixel_writer, rows_do_not_depend_on_others) {
     }
 }
 
-/// Whatever is written of a picture, and in whatever order, it is the same where it was written.
+/// Any part of a picture, written in any order, is the same where it was written.
 TEST(pixel_writer, parts_are_those_of_the_whole) {
     const unsigned seed = std::random_device{}();
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -303,7 +303,7 @@ private:
     pixel_writer writer_{info_};
 };
 
-/// What is written above the class, for one word. Returns the worst mean, in gaps.
+/// The rule written above the class, for one word. Returns the worst mean, in gaps.
 double check_promises(const block& shown, std::uint32_t word, int first_y, bool ramp) {
     const auto seen = shown.show(word, first_y);
     double worst = 0;

@@ -161,7 +161,8 @@ TEST(screen_info, a_cube_shows_the_nearest_level) {
         EXPECT_EQ(distance(g, place / blue % green, green), least(g, green)) << g;
         EXPECT_EQ(distance(b, place % blue, blue), least(b, blue)) << b;
     }
-    // Of two that are as near, the lower: 0 and 85 around 42.5 have none, 0 and 64 around 32 have.
+    // The lower of two levels that are equally near: 0 and 85 around 42.5 have none, 0 and 64
+    // around 32 have.
     EXPECT_EQ(info.to_display(0x002000), 250U);
 }
 

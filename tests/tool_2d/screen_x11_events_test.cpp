@@ -162,7 +162,7 @@ TEST(screen_x11_events, a_window_that_nobody_sees_says_so) {
     screen->show();
     drop_events(*screen);
     const Window ours = other.window();
-    // That it can be seen may be told before the server says that it lost its picture.
+    // The server may say that a window can be seen before it says that the window lost its picture.
     const auto told = [&] {
         XSync(other.display(), False);
         screen->wait(patience);

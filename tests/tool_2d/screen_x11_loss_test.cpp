@@ -61,7 +61,7 @@ TEST(screen_x11_loss, a_dead_server_shows_itself_while_drawing) {
     EXPECT_NE(next(*screen, l3d_event_type::display_lost), nullptr);
 }
 
-/// What becomes of a program whose server dies: its exit code.
+/// The end of a program whose server dies: its exit code.
 int draw_until_lost() {
     l3d_service refusal;
     const auto screen = l3d_screen_factory_ximage().create({odd_size, "cut"}, refusal);

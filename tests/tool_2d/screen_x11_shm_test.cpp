@@ -23,7 +23,7 @@ int in_process_of_its_own(const std::function<int()>& function) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-// What the functions above return, besides 0 for well.
+// The results of the functions above, besides 0 for success.
 constexpr int not_permitted = 77;
 
 #define L3D_EXPECT_WELL(result)                                                                    \

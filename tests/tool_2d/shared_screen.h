@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of windows in shared memory ask of a screen.
+// Checks of a screen that the tests of windows in shared memory share.
 #ifndef L3D_TEST_TOOL_2D_SHARED_SCREEN_H
 #define L3D_TEST_TOOL_2D_SHARED_SCREEN_H
 

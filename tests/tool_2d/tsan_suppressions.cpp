@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the thread sanitizer need not tell: it does not see all that libX11 does to its own locks.
+// Reports that the thread sanitizer must not make: it does not see all that libX11 does to its own
+// locks.
 
 /// Called by the sanitizer if there is one.
 extern "C" const char* __tsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier)

@@ -22,7 +22,7 @@ struct made_map {
     x11_visual visual;
 };
 
-/// Of the screen's default visual, or of the first of a class.
+/// The colormap of the screen's default visual, or of the first of a class.
 made_map make_map(std::optional<l3d_color_class> color_class = std::nullopt) {
     std::string why;
     made_map made{x11_connection::open(why), nullptr, {}};
@@ -38,7 +38,7 @@ made_map make_map(std::optional<l3d_color_class> color_class = std::nullopt) {
     return made;
 }
 
-/// What a pixel looks like on a monitor: the display's own word on it, 16 bits per channel.
+/// The colour of a pixel on a monitor: the display's own word on it, 16 bits per channel.
 XColor seen(const made_map& made, std::uint32_t pixel) {
     XColor color{};
     color.pixel = pixel;
@@ -273,7 +273,7 @@ TEST(x11_colormap, full_of_cells_that_cannot_be_shared) {
     }
 }
 
-/// What does not fit is not tried cell by cell.
+/// A cube that does not fit is not tried cell by cell.
 TEST(x11_colormap, nearly_full) {
     const xvfb server("301x207x8", no_render);
     L3D_REQUIRE_SERVER(server);
@@ -289,7 +289,7 @@ TEST(x11_colormap, nearly_full) {
     EXPECT_LT(NextRequest(made.connection->display()), 125 + 4 + 20);
 }
 
-/// What was taken before it was clear that it will not do is given back.
+/// Cells taken before it was clear that they will not do are given back.
 TEST(x11_colormap, hardly_any_room) {
     const xvfb server("301x207x8", no_render);
     L3D_REQUIRE_SERVER(server);
@@ -386,7 +386,7 @@ TEST(x11_colormap, of_a_server_that_went_away) {
         L3D_REQUIRE_SERVER(server);
         const auto made = make_map();
         server.end(SIGKILL);
-        // What needs no answer may be done before it is known.
+        // Requests that need no answer may be done before it is known.
         l3d_service refusal;
         if (x11_colormap::make(*made.connection, made.visual, refusal) == nullptr) {
             EXPECT_EQ(refusal.how, l3d_service::level::display_lost);

@@ -111,7 +111,7 @@ TEST(x11_fullscreen, covers_the_screen_and_goes_back) {
     const xvfb server("301x207x24");
     L3D_REQUIRE_SERVER(server);
     const onlooker other;
-    // What a window manager left behind when it ended is not to be believed.
+    // Properties that a window manager left behind when it ended are not to be believed.
     const Atom supported = other.atom("_NET_WM_STATE_FULLSCREEN");
     XChangeProperty(other.display(), other.root(), other.atom("_NET_SUPPORTED"), XA_ATOM, 32,
                     PropModeReplace, reinterpret_cast<const unsigned char*>(&supported), 1);

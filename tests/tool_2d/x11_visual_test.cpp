@@ -25,7 +25,7 @@ protected:
     }
     Visual* visual(std::size_t number) { return &visuals_[number]; }
 
-    /// What is chosen if entry `preferred` is the default; null if nothing is.
+    /// The visual that is chosen if entry `preferred` is the default; null if none is chosen.
     Visual* choice(std::span<const x11_visual> offered, std::size_t preferred) {
         const auto chosen = choose_x11_visual(offered, visual(preferred), why_);
         return chosen ? chosen->visual : nullptr;
@@ -158,7 +158,7 @@ TEST_P(every_visual, serves) {
     draw_random(picture.pixels(), seed);
     std::map<l3d_color_class, int> tried;
     int with_alpha = 0;
-    // Visuals belong to a connection: the list is asked for anew, and its next entry tried.
+    // Visuals belong to a connection: the list is asked for again, and its next entry tried.
     for (std::size_t next = 0;; ++next) {
         std::string why;
         auto connection = x11_connection::open(why);
@@ -205,8 +205,8 @@ struct screen_class {
 
 class on_the_screen : public testing::TestWithParam<screen_class> {};
 
-/// What a user sees: the screen's own pixels, through the map that the hardware uses. Nobody has
-/// to put a window manager there for that.
+/// The colours that a user sees: the screen's own pixels, through the map that the hardware uses.
+/// Nobody has to put a window manager there for that.
 TEST_P(on_the_screen, colours_are_near) {
     const unsigned seed = std::random_device{}();
     SCOPED_TRACE("seed " + std::to_string(seed));

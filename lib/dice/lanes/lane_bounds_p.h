@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT The needs of a patch, its blocks side by side in SIMD lanes.
+// SPDX-License-Identifier: MIT
+// The needs of a patch, its blocks side by side in SIMD lanes.
 #ifndef L3D_DICE_LANES_LANE_BOUNDS_P_H
 #define L3D_DICE_LANES_LANE_BOUNDS_P_H
 

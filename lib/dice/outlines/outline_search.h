@@ -18,7 +18,7 @@
 ///
 /// Outlines are sides that are asked for, the cuts by the near and the far plane, and folds: where
 /// the normal is perpendicular to the line of sight. All bounds are of exact patches: nothing
-/// depends on how they are drawn. Only whether an outline is seen, the drawn depth says.
+/// depends on how they are drawn. The drawn depth says only whether an outline is visible.
 /// Cost:    some 3 us a piece; 30 to 60 pieces for 10 pixels of outline.
 class l3d_outline_search {
 public:

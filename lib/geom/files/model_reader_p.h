@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT The code that readers of polygons share: materials by name, and the
-// way a reader returns.
+// SPDX-License-Identifier: MIT
+// The code that readers of polygons share: materials by name, and the way a reader returns.
 #ifndef L3D_GEOM_FILES_MODEL_READER_P_H
 #define L3D_GEOM_FILES_MODEL_READER_P_H
 

@@ -38,7 +38,7 @@ struct l3d_polygon_settings {
     int threads = 1;                     ///< constant from the first frame on
 };
 
-/// Draws a model of polygons; a subclass says who is in front of whom.
+/// Draws a model of polygons; a subclass finds which polygon is in front.
 ///
 /// Has the controls that its help overlay lists.
 /// Expects: a valid camera; light not zero; threads >= 1; no shade `error`, as there are no bounds.

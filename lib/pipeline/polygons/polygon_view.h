@@ -45,8 +45,9 @@ public:
     }
 
     /// For the rasterizers, the light in world space. The rays are zero, so that no pixel's normal
-    /// is turned round: which side of a face is seen, its plane says. The smooth normals of a face
-    /// at an outline point away from the eye in some of its pixels, and are right as they are.
+    /// is turned round. The plane of a face says which of its sides is seen. The smooth normals of
+    /// a face at an outline point away from the eye in some of its pixels, and are right as they
+    /// are.
     l3d_shading shading(l3d_shade mode, const vector& light) const;
 
 private:

@@ -32,7 +32,7 @@ std::uint8_t outcode(const clip_planes& planes, const homogeneous& h) {
 }
 
 /// Cuts a line at plane after plane; false if nothing is left. Each cut takes the end that is
-/// outside, and a code of a cut end is made anew, so at most twelve cuts are made.
+/// outside, and a code of a cut end is made again, so at most twelve cuts are made.
 /// Source:  Cohen and Sutherland, in Newman, Sproull: Principles of Interactive Computer Graphics.
 bool clip(const clip_planes& planes, homogeneous& a, homogeneous& b, unsigned code_a,
           unsigned code_b) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// visit_line: the pixels of a line between two vertices, for those who ask of each whether to draw.
+// visit_line: the pixels of a line between two vertices, for callers that decide for each whether
+// to draw it.
 #ifndef L3D_RASTER_SHAPES_LINE_PIXELS_P_H
 #define L3D_RASTER_SHAPES_LINE_PIXELS_P_H
 

@@ -177,7 +177,7 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
         work_->paint(own_color_shader(), triangles, pieces, cuts);
         break;
     case l3d_shade::levels:
-        assert(false); // only who dices surfaces makes levels
+        assert(false); // only diced surfaces have levels
         break;
     }
     counts_ = {};

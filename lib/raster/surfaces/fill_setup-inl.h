@@ -57,7 +57,8 @@ HWY_INLINE int_vec blend(int_mask yes, int_vec if_yes, int_vec if_no) {
 /// floor(n / d) and the remainder. Expects: d > 0, |n| < 2^30, |n / d| < 2^21.
 ///
 /// The quotient of floats is off by at most 3 roundings, 3 * 2^-24 * 2^21 < 1/2, and rounding it
-/// minus 1/2 by another 1/2: one too much or too little, which the remainder tells.
+/// minus 1/2 by another 1/2. So it is at most one too large or too small, and the remainder shows
+/// which.
 HWY_INLINE void divide(int_vec n, int_vec d, float_vec inverse, int_vec& quotient,
                        int_vec& remainder) {
     const floats df;

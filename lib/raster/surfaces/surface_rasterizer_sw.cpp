@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_surface_rasterizer_sw: bands, and who fills them.
+// l3d_surface_rasterizer_sw: bands, and the workers that fill them.
 #include "raster/surfaces/surface_rasterizer_sw.h"
 
 #include "raster/surfaces/band_painter_p.h"

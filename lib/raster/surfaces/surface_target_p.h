@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT The target of surface_fill, and the work space that goes with it.
+// SPDX-License-Identifier: MIT
+// The target of surface_fill, and the work space that goes with it.
 #ifndef L3D_RASTER_SURFACES_SURFACE_TARGET_P_H
 #define L3D_RASTER_SURFACES_SURFACE_TARGET_P_H
 

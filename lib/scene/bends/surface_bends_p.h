@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT The parts of l3d_surface_bends: bounds of the 8 x 8 parts of a
-// patch, in lanes.
+// SPDX-License-Identifier: MIT
+// The parts of l3d_surface_bends: bounds of the 8 x 8 parts of a patch, in lanes.
 #ifndef L3D_SCENE_BENDS_SURFACE_BENDS_P_H
 #define L3D_SCENE_BENDS_SURFACE_BENDS_P_H
 

@@ -36,8 +36,8 @@ constexpr std::chrono::nanoseconds longest_wait = 24h;
 
 /// Window, image and events of one display.
 ///
-/// If a picture is to be shown before there is a buffer for it, show waits a little, and then
-/// leaves it to whoever next asks for events.
+/// If a picture is to be shown before there is a buffer for it, show waits a little. Then it leaves
+/// the picture to the next call that asks for events.
 class l3d_screen_x11 final : public l3d_screen {
 public:
     /// Shape:   `no_shm` is why memory shall not be shared; empty: it shall.

@@ -19,7 +19,7 @@ namespace l3d_detail {
 /// - DirectColor: a map of our own, with a straight ramp in each channel; then like TrueColor.
 /// - StaticColor, StaticGray: the largest palette_of_cells.
 /// - PseudoColor, GrayScale, if the visual is the screen's default: cells of the default map,
-///   shared with whoever asks for the same colours: 6x6x6 of them, or 64 grays. If there is no
+///   shared with programs that ask for the same colours: 6x6x6 of them, or 64 grays. If there is no
 ///   room, fewer levels, down to 4x4x4 or 16 grays. If there is none for those either, the same
 ///   once more, now with cells of other programs where no channel is off by more than half a step.
 /// - If not even that can be had, or the visual is another one: a map of our own with an exact

@@ -121,7 +121,7 @@ void x11_handlers::remove(x11_connection& connection) {
     std::erase(connections, &connection);
     if (!connections.empty())
         return;
-    // Someone who came after us may stand in front now; then their handler stays.
+    // A library that came after us may stand in front now; then its handler stays.
     if (const auto current = XSetErrorHandler(previous_error); current != on_error)
         XSetErrorHandler(current);
     if (const auto current = XSetIOErrorHandler(previous_io_error); current != on_io_error)
@@ -243,7 +243,7 @@ int x11_connection::error_of(unsigned long serial) const {
 }
 
 bool has_x11_manager(const x11_connection& connection) {
-    // A window manager is who redirects the root's children; only one client can.
+    // A window manager is the client that redirects the root's children; only one client can.
     XWindowAttributes root{};
     return XGetWindowAttributes(connection.display(), connection.root(), &root) != 0 &&
            (root.all_event_masks & SubstructureRedirectMask) != 0;

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT The lines of --diagnose about an X11 display.
+// SPDX-License-Identifier: MIT
+// The lines of --diagnose about an X11 display.
 #ifndef L3D_TOOL_2D_X11_X11_DIAGNOSIS_P_H
 #define L3D_TOOL_2D_X11_X11_DIAGNOSIS_P_H
 

@@ -25,7 +25,7 @@ constexpr int longest_side = 32767;
 // has forgotten to tell.
 constexpr std::chrono::seconds usual_patience{1};
 
-/// Part of the segment, and who may touch it.
+/// A part of the segment, and whether we or the server may touch it.
 struct shared_buffer {
     std::size_t offset = 0;
     unsigned long put = 0; ///< number of the request that made it the server's; 0: it is ours

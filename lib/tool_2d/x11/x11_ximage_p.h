@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT The code that both kinds of x11_image need: Xlib's description of
-// pixels, and its sizes.
+// SPDX-License-Identifier: MIT
+// The code that both kinds of x11_image need: Xlib's description of pixels, and its sizes.
 #ifndef L3D_TOOL_2D_X11_X11_XIMAGE_P_H
 #define L3D_TOOL_2D_X11_X11_XIMAGE_P_H
 
