@@ -40,25 +40,28 @@ l3d_patch_reach reach_of(const l3d_patch_model::patch& p) {
 
 } // namespace
 
-l3d_patch_model::l3d_patch_model(std::vector<patch> patches) : patches_(std::move(patches)) {
-    normals_.reserve(patches_.size());
-    for (const patch& p : patches_) {
-        normals_.emplace_back(p);
-        facing_.emplace_back(p, normals_.back());
-        bends_.emplace_back(p, normals_.back());
-        reaches_.push_back(reach_of(p));
-        const auto [least, most] = p.bounds();
-        boxes_.add(upright_box(least, most));
-        if (normals_.size() == 1) {
-            least_ = least;
-            most_ = most;
+l3d_patch_model::l3d_patch_model(std::vector<patch> patches)
+    : contents_(std::make_shared<const contents>(std::move(patches))) {}
+
+l3d_patch_model::contents::contents(std::vector<patch> of) : patches(std::move(of)) {
+    normals.reserve(patches.size());
+    for (const patch& p : patches) {
+        normals.emplace_back(p);
+        facing.emplace_back(p, normals.back());
+        bends.emplace_back(p, normals.back());
+        reaches.push_back(reach_of(p));
+        const auto [lowest, highest] = p.bounds();
+        boxes.add(upright_box(lowest, highest));
+        if (normals.size() == 1) {
+            least = lowest;
+            most = highest;
         }
         for (int i = 0; i < 3; ++i) {
-            least_[i] = std::min(least_[i], least[i]);
-            most_[i] = std::max(most_[i], most[i]);
+            least[i] = std::min(least[i], lowest[i]);
+            most[i] = std::max(most[i], highest[i]);
         }
     }
-    orientation_ = l3d_orientation_of(patches_, facing_);
+    orientation = l3d_orientation_of(patches, facing);
 }
 
 std::optional<l3d_patch_model> l3d_patch_model::checked(std::vector<patch> patches,

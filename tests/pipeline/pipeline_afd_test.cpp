@@ -36,7 +36,6 @@ constexpr l3d_size picture_size{640, 481};
 /// A pipeline that tests may steer, into memory.
 class tester final : public l3d_pipeline_afd {
 public:
-    tester(scene&&, const l3d_afd_settings&) = delete; // its model is borrowed
     tester(const scene& s, const l3d_afd_settings& settings)
         : tester(s.model, s.camera, s.size, settings) {}
 
