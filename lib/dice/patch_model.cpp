@@ -3,6 +3,10 @@
 #include "dice/patch_model.h"
 
 #include "dice/closed_body.h"
+#include "geom/model_file.h"
+#include "geom/teapot.h"
+#include "tool_2d/error.h"
+#include "tool_2d/text_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +66,26 @@ l3d_patch_model::contents::contents(std::vector<patch> of) : patches(std::move(o
         }
     }
     orientation = l3d_orientation_of(patches, facing);
+}
+
+l3d_patch_model l3d_patch_model::teapot() {
+    std::string why;
+    const auto model = from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);
+    if (!model)
+        throw l3d_error(l3d_exit::bad_input, why);
+    return *model;
+}
+
+l3d_patch_model l3d_patch_model::load(const std::string& file) {
+    std::string why;
+    if (const auto read = l3d_read_model(l3d_read_text_file(file), file, why)) {
+        if (read->patches.empty())
+            why =
+                file + ": holds " + std::to_string(read->mesh.faces()) + " polygons and no patches";
+        else if (const auto model = from_patches(read->patches, file, why))
+            return *model;
+    }
+    throw l3d_error(l3d_exit::bad_input, why);
 }
 
 std::optional<l3d_patch_model> l3d_patch_model::checked(std::vector<patch> patches,

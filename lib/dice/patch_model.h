@@ -49,6 +49,14 @@ public:
     /// Expects: finite coordinates of magnitude at most 1e12.
     explicit l3d_patch_model(std::vector<patch> patches);
 
+    /// The teapot that l3d has at hand, l3d_teapot_bpt().
+    static l3d_patch_model teapot();
+
+    /// The patches of a file in any format of l3d_read_model. Its polygons and notes are left out.
+    /// Errors: throws l3d_error(bad_input) with file, line and reason: also for a file without
+    ///         patches, and for patches that from_patches refuses.
+    static l3d_patch_model load(const std::string& file);
+
     /// The model of patches that may be anything.
     /// Errors: nothing, with "name: patch and point: what" in `why`, if a coordinate is NaN,
     ///         infinite or beyond 1e12.
