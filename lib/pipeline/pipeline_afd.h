@@ -4,17 +4,17 @@
 #define L3D_PIPELINE_PIPELINE_AFD_H
 
 #include "geom/real.h"
-#include "dice/camera.h"
-#include "dice/camera_shading.h"
+#include "scene/camera.h"
+#include "scene/camera_shading.h"
 #include "pipeline/frame_report.h"
-#include "dice/image_transform.h"
-#include "pipeline/method_choice.h"
-#include "dice/patch_scene.h"
+#include "scene/image_transform.h"
+#include "pipeline/method_factory.h"
+#include "scene/patch_scene.h"
 #include "pipeline/pipeline.h"
-#include "dice/scene_culling.h"
+#include "scene/scene_culling.h"
 #include "pipeline/surface_method.h"
 #include "raster/canvas.h"
-#include "raster/workers.h"
+#include "raster/parallel/workers.h"
 #include "tool_2d/pixel_boxes.h"
 
 #include <cstdint>
@@ -49,9 +49,9 @@ struct l3d_afd_settings {
     /// What patches that have to be cut or clipped may cost in a frame, see l3d_dice_budget; 0:
     /// l3d_usual_samples. What it does not suffice for is drawn coarsely, and the bound says so.
     std::int64_t most_samples = 0;
-    bool outlines = false;      ///< report how many pixels outlines reach, and keep them
-    int threads = 1;            ///< that draw; constant from the first frame on
-    l3d_method_choice method{}; ///< that fills surfaces; constant from the first frame on
+    bool outlines = false;       ///< report how many pixels outlines reach, and keep them
+    int threads = 1;             ///< that draw; constant from the first frame on
+    l3d_method_factory method{}; ///< that fills surfaces; constant from the first frame on
 };
 
 /// Why nothing can be drawn like this, naming the value at fault; "" if it can.
@@ -59,7 +59,7 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
                               const l3d_afd_settings& settings);
 
 /// Draws models of bicubic patches with a certified error bound in every frame: by adaptive forward
-/// differencing, unless the settings name one of the methods that it is compared with.
+/// differencing, unless the settings have another method.
 ///
 /// A program that only wants pictures uses it as it is: it changes scene(), camera() and settings()
 /// and calls draw_event. One with keys or things of its own to draw is a subclass.

@@ -3,15 +3,15 @@
 #ifndef L3D_SYSTEM_AFD_OPTIONS_H
 #define L3D_SYSTEM_AFD_OPTIONS_H
 
-#include "dice/camera.h"
-#include "dice/patch_model.h"
+#include "scene/camera.h"
+#include "scene/patch_model.h"
 #include "pipeline/pipeline_afd.h"
 #include "system/options.h"
 
 #include <optional>
 #include <string>
 
-/// Options for model, method, accuracy, camera and shading, added to a program's own.
+/// Options for model, accuracy, camera and shading, added to a program's own.
 ///
 /// Lives:   borrowed by the l3d_options until parse() is done.
 class l3d_afd_options {
@@ -23,8 +23,7 @@ public:
     /// Errors: l3d_error(usage) that names the option if the values do not make a camera.
     l3d_camera camera() const;
 
-    /// Errors: l3d_error(usage) for a light of no direction, an unknown method, or one that has not
-    ///         what is to be shown.
+    /// Errors: l3d_error(usage) for a light of no direction.
     l3d_afd_settings settings() const;
 
     /// The model asked for, or the teapot; notes on what is skipped go to stderr.
@@ -45,6 +44,9 @@ public:
     /// Whether --light says anything else than its default.
     bool places_light() const { return settings_.light != l3d_usual_light; }
 
+    /// Whether --tolerance was given.
+    bool gives_tolerance() const { return tolerance_.has_value(); }
+
     double turntable() const { return turntable_; }
     const std::string& depth_output() const { return depth_output_; }
     const std::string& report() const { return report_; }
@@ -55,7 +57,6 @@ public:
 
 private:
     std::string model_file_;
-    std::string method_ = "afd";
     l3d_camera camera_ = teapot_view();
     l3d_afd_settings settings_;
     double turntable_ = 0;

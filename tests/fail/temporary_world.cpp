@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_pipeline_world borrows its world: a temporary one would be gone before the first picture.
-#include "pipeline/pipeline_world.h"
+#include "pipeline/worlds/pipeline_world.h"
 
 #include <utility>
 
