@@ -11,8 +11,8 @@
 
 /// A picture in three dimensions: scenes are filled in once and seen from anywhere.
 ///
-/// Cells that are met hold a normal. They are kept in bricks of 8 x 8 x 8, and only bricks in which
-/// something is take memory, 2 KB each; a ray strides over the others.
+/// Cells that are met hold a normal. They are kept in bricks of 8 x 8 x 8. Only bricks that are not
+/// empty take memory, 2 KB each; a ray strides over the others.
 /// Units:  cells; the cube reaches from 0 to resolution() along each axis.
 /// Source: Kaufman, Efficient Algorithms for 3D Scan-Conversion of Parametric Curves, Surfaces, and
 ///         Volumes, SIGGRAPH 1987. Rays as in Amanatides, Woo, A Fast Voxel Traversal Algorithm for

@@ -16,8 +16,8 @@ namespace {
 /// Farthest that curves, and points on them, may be apart, in pixels: together a pixel.
 constexpr double spacing = 0.5;
 
-/// A stripe is cut across, so that a part of it can be narrow, while it is longer than this: a
-/// shorter curve would cost more to begin than to walk.
+/// A stripe that is longer than this is cut across, so that a part of it can be narrow. A shorter
+/// curve would cost more to begin than to walk.
 constexpr double least_length = 8;
 
 /// Halvings of a patch in all; and of a curve's step, 2^-20 of which would be a million points.

@@ -28,8 +28,8 @@ double l3d_tessellation_bound(const l3d_image_patch& net, const l3d_dice_view& v
 /// Each patch as n by n quads of two triangles, from l3d_tessellated; then polygons like any
 /// others, through l3d_polygon_frame and a depth buffer.
 ///
-/// The polygons are made once, and again when the scene has other models or these stand elsewhere;
-/// that is timed as `dice`, as is their placing in each frame.
+/// The polygons are made once, and again when the scene has other models or these stand elsewhere.
+/// That is timed as `dice`, as is their placing in each frame.
 /// Lives: borrows the workers.
 /// Cost:  2 n^2 triangles a patch, 200 bytes each.
 class l3d_method_tessellation final : public l3d_surface_method {

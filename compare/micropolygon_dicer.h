@@ -11,8 +11,8 @@
 #include "dice/piece_drawer.h"
 #include "dice/surface_piece.h"
 
-/// Bound, split, dice, as in REYES: a patch is cut until a grid of half-pixel quads over a piece is
-/// small, then diced by forward differences into that grid. How large the error may be is not
+/// Bound, split, dice, as in REYES. A patch is cut until a grid of half-pixel quads over a piece is
+/// small. Then it is diced by forward differences into that grid. How large the error may be is not
 /// asked; it comes out small, and is certified like that of every grid.
 ///
 /// Pieces and neighbours meet along edge polylines that are finer than the tolerance asks for, so

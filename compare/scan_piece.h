@@ -18,8 +18,8 @@ class l3d_scan_piece {
 public:
     explicit l3d_scan_piece(const l3d_image_patch& net);
 
-    /// The parameters at which the piece is seen at (x, y), by Newton's iteration from `start`;
-    /// nothing if it does not come to rest within `accuracy` pixels, or rests outside the piece.
+    /// The parameters at which the piece is seen at (x, y), by Newton's iteration from `start`.
+    /// Nothing if it does not converge within `accuracy` pixels, or converges outside the piece.
     ///
     /// Source: Blinn's way in Lane, Carpenter, Whitted, Blinn, Scan Line Methods for Displaying
     ///         Parametrically Defined Surfaces, CACM 23, 1980.

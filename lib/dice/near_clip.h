@@ -21,8 +21,8 @@ l3d_clip_vertex l3d_canonical_vertex(const l3d_image_point& h, const l3d_dice_vi
 
 /// Adds the part of triangle a b c that can be drawn, as triangles, to `out`.
 ///
-/// A drawable corner keeps its vertex bit for bit. A new corner on the edge p q is a function of
-/// p and q alone, whatever their order, so triangles that share an edge still fit together.
+/// A drawable corner keeps its vertex bit for bit. A new corner on the edge p q is a function of p
+/// and q alone, whatever their order. So triangles that share an edge still fit together.
 /// Source: Sutherland, Hodgman, Reentrant Polygon Clipping, CACM 17, 1974, in homogeneous space.
 void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c,
                        const l3d_dice_view& view, l3d_diced_piece& out);

@@ -40,8 +40,8 @@ constexpr double of_fourths = 1.0 / 64 + l3d_balance / 4 + l3d_balance * l3d_bal
 /// derivatives above the fourth, over h_u h_v.
 ///
 /// They are 18, 18 and 36 times differences of the control points. A difference of differences is
-/// twice the largest of these at most: so |S_uuuvv| <= 4 |S_uuuv|, |S_uuuvvv| <= 8 |S_uuuv|, by the
-/// parameters of the piece, which run over a block `strips` times as fast.
+/// at most twice the largest of these. So |S_uuuvv| <= 4 |S_uuuv| and |S_uuuvvv| <= 8 |S_uuuv|, by
+/// the parameters of the piece, which run over a block `strips` times as fast.
 class mixed_rest {
 public:
     /// Units: unit is what a scaled w of 1 is long; x and y have `focal` as well.

@@ -110,8 +110,8 @@ void find_near(const float* HWY_RESTRICT row, const float* HWY_RESTRICT up,
         near[i] = 2 * steps_behind * near[i] - std::abs(row[i]);
 }
 
-/// Replaces each number of `away` by 1 or -1, the side that is seen: a row late, so that what is
-/// read of neighbours is what it was.
+/// Replaces each number of `away` by 1 or -1, the side that is seen. It does so a row late, so that
+/// it reads the neighbours' old numbers.
 void choose_sides(const l3d_micro_grid& grid, std::span<float> away) {
     const auto columns = static_cast<std::size_t>(grid.columns);
     const auto pitch = static_cast<std::size_t>(grid.pitch);

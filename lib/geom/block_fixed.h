@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-/// Fraction bits with which 32-bit integers hold the forward differences of cubics whose control
-/// values are at most `largest` in magnitude: as many as leave the values below 2^29.
+/// Fraction bits with which 32-bit integers hold the forward differences of cubics. Control values
+/// are at most `largest` in magnitude, and these bits leave them below 2^29.
 ///
 /// A difference that is used is a sum of values with binomial weights. The first is a sum of two
 /// values, so it is below 2^30. The second is below 2^31. The third is only used after three steps.

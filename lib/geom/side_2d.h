@@ -14,7 +14,7 @@ template <class T> using l3d_position = l3d_vector<T, 2>;
 /// inside of a polygon whose corners run clockwise on the screen.
 ///
 /// Units:   pixels times the length of the way.
-/// Expects: coordinates less than 2^29 in fixed point, where the sign is exact; in floating point
+/// Expects: coordinates less than 2^29 in fixed point, where the sign is exact. In floating point
 ///          it is computed in double, and exact where the differences and products are.
 template <class T>
 double l3d_side_2d(const l3d_position<T>& p, const l3d_position<T>& a,

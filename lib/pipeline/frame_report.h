@@ -25,7 +25,7 @@ struct l3d_frame_report : l3d_common_report {
     l3d_dice_counts dice;
     std::int64_t pixels_kept = 0; ///< of the last frame's picture, as nothing changed there
 
-    /// Pixels that any outline's bound reaches, where nothing is certain about what is seen;
+    /// Pixels that any outline's bound reaches, where nothing is certain about what is seen. It is
     /// none_counted if nobody asked, or if only a part of the picture was drawn.
     std::int64_t outline_pixels = l3d_surface_counts::none_counted;
 

@@ -30,8 +30,8 @@ struct l3d_sheet_patch {
 /// Draws the polygons of all parts once more, one by one, for what the picture does not keep.
 ///
 /// A polygon covers the pixels that the picture's own rule gives it, so a sheet that is not folded
-/// is met once in each pixel. Along the rims of patches, where slits and rims may overlap by less
-/// than the bound, those of one patch and of its neighbours are one sheet, if their slopes are
+/// is met once in each pixel. Along the rims of patches, slits and rims may overlap by less than
+/// the bound. There, those of one patch and of its neighbours are one sheet, if their slopes are
 /// alike.
 /// Cost:    36 bytes and some 20 ns a pixel and sheet.
 class l3d_sheet_depths {

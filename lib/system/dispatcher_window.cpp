@@ -13,8 +13,8 @@ namespace {
 
 using std::chrono::steady_clock;
 
-/// A signal that arrives just before the sleep does not end it, so that no sleep is longer; half
-/// of the 0.2 s within which a signal ends the loop.
+/// The longest sleep: half of the 0.2 s within which a signal ends the loop. A signal that arrives
+/// just before a sleep does not end it.
 constexpr std::chrono::milliseconds longest_sleep{100};
 
 double seconds_between(steady_clock::time_point from, steady_clock::time_point to) {

@@ -17,8 +17,8 @@ namespace l3d_detail {
 /// Source:  Tarjan: Depth-first search and linear graph algorithms (SIAM J. Computing 1, 1972).
 class ordered_components {
 public:
-    /// Calls emit(component) for each strong component of nodes [0, count), after those that its
-    /// nodes need; where there is a choice, in the order of the least node.
+    /// Calls emit(component) for each strongly connected component of nodes [0, count), after those
+    /// that its nodes need. Where there is a choice, the order is that of the least node.
     ///
     /// `needed(node, out)` adds to `out` what a node needs before it. Members that are emitted
     /// already may be left out. Nodes of a component are in rising order.

@@ -86,8 +86,8 @@ public:
 
     /// The vertex of that place and normal. There may be several at one place, at a crease.
     std::uint32_t shared(const point& at, const point& normal) {
-        // Those of two patches that join smoothly differ by roundings, and by how smoothly their
-        // control points do: a thousandth of a radian is a quarter of a grey level.
+        // Normals of two patches that join smoothly differ by roundings, and by how smoothly their
+        // control points join. A thousandth of a radian is a quarter of a grey level.
         constexpr double same = 1e-3;
         std::vector<std::uint32_t>& here = by_place_[numbers(at)];
         for (const std::uint32_t i : here)

@@ -16,8 +16,9 @@
 /// Cost:    keeps its memory: 33 bytes per vertex, 16 per line.
 class l3d_polygon_wires {
 public:
-    /// One line for each side of a face that is not culled, cut where it reaches behind the near
-    /// plane, beyond the far one, or out of the guard band. A side of two faces is there twice.
+    /// One line for each side of a face that is not culled. It is cut where it reaches behind the
+    /// near plane, beyond the far one, or out of the guard band. A side of two faces is there
+    /// twice.
     /// Lives:   the lines until the next call.
     std::span<const l3d_line_2d> make(const l3d_polygon_model& model, const l3d_polygon_view& view,
                                       bool cull);

@@ -24,9 +24,9 @@ using scan_ends = std::array<std::int32_t, 2>;
 /// Converts convex polygons to spans: a pixel belongs to the polygon if its centre is inside, or on
 /// a left or top edge.
 ///
-/// A row is covered if its centre lies in [highest, lowest corner), a pixel of the row if its
-/// centre lies in [left, right edge); both ends are exact. Lives: the spans of one polygon stay
-/// until the next convert.
+/// A row is covered if its centre lies in [highest, lowest corner). A pixel of the row is covered
+/// if its centre lies in [left, right edge). Both ends are exact. Lives: the spans of one polygon
+/// stay until the next convert.
 class scan_polygon {
 public:
     /// Only these rows are kept from now on. Cost: allocates only when there are more than before.

@@ -30,10 +30,10 @@ struct shaded_span {
 
 /// Finds the spans of triangles: exact in coverage, colours along the edges and then across.
 ///
-/// Every number on the way is a mean of the corners' with weights that are exact quotients of whole
-/// numbers but for a few roundings, so nothing cancels, however thin the triangle. The roundings of
-/// float remain, 2^-24 of at most 255 each: start, the step over the whole span, its product for a
-/// pixel, the sum. That is less than 2^-13 in all; 2^-12 is promised.
+/// Every number on the way is a mean of the corners'. Its weights are exact quotients of whole
+/// numbers except for a few roundings. So nothing cancels, however thin the triangle. The roundings
+/// of float remain, 2^-24 of at most 255 each: start, the step over the whole span, its product for
+/// a pixel, the sum. That is less than 2^-13 in all; 2^-12 is promised.
 class shaded_triangle {
 public:
     /// The spans in a picture of that size. Lives: until the next call.

@@ -93,9 +93,9 @@ using fill_piece = std::array<std::array<std::int32_t, 6>, 3>;
 
 /// Polygons that wait until a vector of them can be set up together.
 ///
-/// Shape: polygon i is in element i of each array; [corner][component], components being x, y, 1/w
-///        and what the light needs: the vertex's three numbers for lambert and levels, else the
-///        grey level. Floats as their bits. A triangle's last corner is there twice.
+/// Shape: polygon i is in element i of each array, [corner][component]. Components are x, y, 1/w
+///        and the light's inputs: the vertex's three numbers for lambert and levels, else the grey
+///        level. Floats as their bits. A triangle's last corner is there twice.
 /// Lives: of one worker, kept for its memory. Empty between bands.
 struct fill_queue {
     static constexpr std::size_t widest_vector = 16, components = fill_piece::value_type().size();
@@ -147,9 +147,10 @@ void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, floa
 /// Fills the quads of a grid whose first corner is in rows [row_begin, row_end) and columns
 /// [column_begin, column_end), now or later: at the latest in fill_finish.
 ///
-/// The same picture as surface_fill with the mode's shader: coverage exactly, and `samples` too
-/// unless what is hidden is left out; depth within 1e-5 of the corners' range, grey within one
-/// level. The same bits whatever the processor and however a picture is divided into bands.
+/// Gives the same picture as surface_fill with the mode's shader. Coverage is exact, and so is
+/// `samples` unless hidden polygons are left out. Depth is within 1e-5 of the corners' range, grey
+/// within one level. The same bits whatever the processor and however a picture is divided into
+/// bands.
 /// Expects: fill_shades(mode); 0 <= row_begin, row_end < grid.rows, and so for columns; normals of
 ///          unit length, or zero; inv_w > 0. Band and shading are the same until fill_finish, and
 ///          grids stay.

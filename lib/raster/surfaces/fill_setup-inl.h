@@ -72,8 +72,8 @@ HWY_INLINE void divide(int_vec n, int_vec d, float_vec inverse, int_vec& quotien
     remainder = hn::Add(hn::Sub(r, hn::IfThenElseZero(more, d)), hn::IfThenElseZero(less, d));
 }
 
-/// One edge of each polygon, stepped from row to row like Bresenham's line: the first column whose
-/// centre is on the edge's line or right of it is `column`, exactly.
+/// One edge of each polygon, stepped from row to row like Bresenham's line. `column` is exactly the
+/// first column whose centre is on the edge's line or right of it.
 ///
 /// An edge limits the rows outside its own, too: a convex polygon lies on one side of all of the
 /// line. Where the line is nearly level, columns reach 2^14 a row, 2^20 in all.

@@ -17,7 +17,7 @@ namespace l3d_detail {
 /// Grey from a polygon's levels and bends, interpolated by its own parameters.
 ///
 /// In a quad a pixel's parameters (s, t) are those of the bilinear map of its corners, whatever its
-/// shape; so only the change of w over the quad is left out, see error(). Over a triangle the level
+/// shape. So it neglects only the change of w over the quad, see error(). Over a triangle the level
 /// is the parabola through its corners and the middles of its sides.
 class levels_shader {
 public:

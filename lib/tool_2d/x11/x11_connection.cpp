@@ -68,8 +68,8 @@ thread_local std::jmp_buf* way_out_of_opening = nullptr;
 // 8 MiB: two pictures of 1024 x 768. The system gives what it allows, Linux 208 KiB unless told
 // otherwise. Pictures go in pieces of at most one request of the protocol (262 KB, without the
 // extension for larger ones). Before each piece it is asked whether there is room. So a large
-// buffer does not make pieces large; it lets many go before anybody waits: half of what was given,
-// 2 MiB where the system allows 4.
+// buffer does not make pieces large. It lets many go before anybody waits: half of the size that
+// the system gave, 2 MiB where it allows 4.
 constexpr int wanted_buffer = 1 << 23;
 // The size of a request beside its data: 24 bytes for a picture.
 constexpr std::size_t own_size = 32;

@@ -28,8 +28,9 @@ public:
 
     /// Sends a part of the picture, and asks the server for an event once it has it. Requests that
     /// Xlib still buffers go out when events are next asked for. The words may change afterwards.
-    /// Expects: is_free(); a picture of the size this was made for, the same as in the put before
-    ///          but for the part, which is not empty and all of it the first time.
+    /// Expects: is_free(). The picture has the size that this was made for. Outside of the part it
+    ///          is the same as in the put before. The part is not empty, and is the whole picture
+    ///          the first time.
     /// Cost:    in proportion to the part. Waits for a slow connection until the deadline, and
     ///          copies what is left.
     void put(const l3d_pixels& picture, const l3d_pixel_box& part, time_point deadline) {

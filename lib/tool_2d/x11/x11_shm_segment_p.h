@@ -18,7 +18,7 @@ namespace l3d_detail {
 
 /// A System V segment, attached here and, read-only, by the server.
 ///
-/// Nobody else may open it (mode 0600), and it has no name any more: the kernel frees it with the
+/// Nobody else may open it (mode 0600), and it has no name any more. The kernel frees it with the
 /// last process that has it, however that ends.
 /// Lives:   the connection outlives the segment.
 class x11_shm_segment {
