@@ -11,10 +11,11 @@
 
 /// A bicubic tensor-product Bezier patch in N dimensions.
 ///
-/// Shape: 16 control points, index = 4 * row + column; columns run along u, rows along v; u, v in
-///        [0, 1]. Rational form: with homogeneous control points (N = 4: x w, y w, z w, w) the same
-///        class is a rational patch. l3d_projected and l3d_rational_derivatives return to three
-///        dimensions.
+/// Shape: 16 control points, index = 4 * row + column; columns run along u, rows along v;
+///        u, v in [0, 1].
+///
+/// Rational form: with homogeneous control points (N = 4: x w, y w, z w, w) the same class is a
+/// rational patch. l3d_projected and l3d_rational_derivatives return to three dimensions.
 template <class T, int N> struct l3d_bezier_patch {
     using point = l3d_vector<T, N>;
     using curve = l3d_bezier_curve<T, N>;
