@@ -129,7 +129,7 @@ LONE      := $(HEADERS:%=$(OUT)/%.ok)
 INCLUDES  := $(HEADERS:%=$(OUT)/%.d)
 
 # A check writes a log; summary.awk judges any set of logs.
-CHECKS    := format-check headers layers errors-doc fail
+CHECKS    := format-check headers layers errors-doc sentences fail
 LINT_LOGS := $(CHECKS:%=$(OUT)/log/%.log) $(OUT)/log/x11/docs_test.py.log $(OUT)/log/tidy.log
 STRESS_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log) $(OUT)/log/raster-stress.log \
                $(OUT)/log/pipeline-stress.log
@@ -369,6 +369,11 @@ $(OUT)/%.h.d: %.h $(OUT)/flags | packages-build
 
 $(OUT)/log/errors-doc.log: FORCE
 	$(call logged,awk -f tests/lint/errors_doc.awk $(HEADERS) && echo ok errors-doc)
+
+# Of documents and comments: nobody should have to read a sentence twice.
+longest_sentence := 35
+$(OUT)/log/sentences.log: FORCE
+	$(call logged,tests/lint/sentences.py --self-test --longest $(longest_sentence) && echo ok sentences)
 
 $(OUT)/log/tidy.log: FORCE
 	$(call logged,$(MAKE) tidy && echo ok tidy)
