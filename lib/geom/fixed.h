@@ -47,7 +47,7 @@ template <class Wide> constexpr Wide divided_to_nearest(Wide dividend, Wide divi
     return (dividend < 0) == (divisor < 0) ? toward_zero + 1 : toward_zero - 1;
 }
 
-/// What saturate and trap do with a value beyond one end.
+/// Handles a value beyond one end, as saturate and trap do.
 template <class Storage, l3d_overflow Overflow> constexpr Storage beyond(bool negative) noexcept {
     if constexpr (Overflow == l3d_overflow::trap)
         __builtin_trap();

@@ -65,15 +65,15 @@ bool l3d_outside(std::span<const l3d_image_point> net, const l3d_image_box& box,
 struct l3d_second_bounds {
     double uu = 0, uv = 0, vv = 0;
 
-    /// Of a convex micro-quad (a bilinear piece) with steps 1/nu by 1/nv. A folded quad is drawn as
-    /// four triangles around its centre. On each, s t differs from its linear interpolant by at
-    /// most 1/16. That multiplies the mixed difference, at most uv / (nu nv).
+    /// Error of a convex micro-quad (a bilinear piece) with steps 1/nu by 1/nv. A folded quad is
+    /// drawn as four triangles around its centre. On each, s t differs from its linear interpolant
+    /// by at most 1/16. That multiplies the mixed difference, at most uv / (nu nv).
     double quad_error(int nu, int nv) const {
         const double hu = 1.0 / nu, hv = 1.0 / nv;
         return (uu * hu * hu + vv * hv * hv) / 8 + uv * hu * hv / 16;
     }
 
-    /// Of two triangles in place of the quad: the mixed difference counts with 1/4.
+    /// Error of two triangles in place of the quad: the mixed difference counts with 1/4.
     double triangle_error(int nu, int nv) const {
         const double hu = 1.0 / nu, hv = 1.0 / nv;
         return (uu * hu * hu + vv * hv * hv) / 8 + uv * hu * hv / 4;

@@ -107,7 +107,7 @@ template <class T> l3d_matrix<T> l3d_transposed(const l3d_matrix<T>& m) noexcept
 namespace l3d_detail {
 
 /// Gauss and Jordan's elimination with the rows brought to a largest entry of 1 first, and pivots
-/// sought down the column. What is left is the inverse, and the determinant on the way.
+/// sought down the column. The rest is the inverse; the determinant is found on the way.
 class elimination {
 public:
     template <class T> explicit elimination(const l3d_matrix<T>& m) {

@@ -23,7 +23,8 @@ struct l3d_frame_report : l3d_common_report {
     l3d_stage_times time_ms;
     std::int64_t patches = 0;
     l3d_dice_counts dice;
-    std::int64_t pixels_kept = 0; ///< of the last frame's picture, as nothing changed there
+    std::int64_t pixels_kept =
+        0; ///< pixels that stay from the last frame, as nothing changed there
 
     /// Pixels that any outline's bound reaches, where nothing is certain about what is seen. It is
     /// none_counted if nobody asked, or if only a part of the picture was drawn.

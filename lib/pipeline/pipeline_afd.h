@@ -26,8 +26,8 @@ template <class T> class l3d_frame_dicer;
 /// Work that a frame does although it could skip it; the picture is the same, or as good. Only
 /// benchmarks that compare with and without a rule set these.
 struct l3d_kept_work : l3d_kept_patches {
-    bool unit_normals = false; ///< lambert: in each pixel, also where less would do
-    bool drawing = false;      ///< of what the last frame drew
+    bool unit_normals = false; ///< lambert: one in each pixel, even where less would do
+    bool drawing = false;      ///< drawing again what the last frame drew
 
     static constexpr l3d_kept_work all() { return {l3d_kept_patches::all(), true, true}; }
 };
@@ -36,12 +36,12 @@ struct l3d_kept_work : l3d_kept_patches {
 struct l3d_afd_settings {
     double tolerance = 0.25;    ///< largest error of places and of depth allowed, in pixels
     double shade_tolerance = 2; ///< largest error of shades allowed, in levels of 255
-    bool lateral_only = false;  ///< only places in the picture are kept within the tolerance
+    bool lateral_only = false;  ///< the tolerance holds for places in the picture only
     l3d_shade shade = l3d_shade::lambert;          ///< of the filled surface
     l3d_vector<double, 3> light = l3d_usual_light; ///< towards the light, world space, any length
     bool wireframe = false;    ///< the lines of the adaptive grid instead of the filled surface
     bool net = false;          ///< the control nets on top
-    l3d_kept_work keep{};      ///< although it could be left out
+    l3d_kept_work keep{};      ///< work to do although it could be left out
     bool one_sided = false;    ///< leave out what turns its back, dS/du x dS/dv away from the eye
                                ///< before it is placed: a mirrored model shows the same side
     bool depth = false;        ///< keep the distance of each pixel, for depth()
@@ -51,8 +51,8 @@ struct l3d_afd_settings {
     /// so.
     std::int64_t most_samples = 0;
     bool outlines = false;       ///< report how many pixels outlines reach, and keep them
-    int threads = 1;             ///< that draw; constant from the first frame on
-    l3d_method_factory method{}; ///< that fills surfaces; constant from the first frame on
+    int threads = 1;             ///< number of drawing threads; constant from the first frame on
+    l3d_method_factory method{}; ///< fills surfaces; constant from the first frame on
 };
 
 /// Why nothing can be drawn like this, naming the value at fault; "" if it can.

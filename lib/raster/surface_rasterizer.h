@@ -44,7 +44,7 @@ struct l3d_shading {
     /// already.
     std::array<float, 3> ray{0, 0, -1}, ray_right{}, ray_down{};
 
-    bool keep_unit_normals = false; ///< lambert: every pixel's own, also where less would do
+    bool keep_unit_normals = false; ///< lambert: one in each pixel, even where less would do
 
     friend bool operator==(const l3d_shading&, const l3d_shading&) = default;
 };
@@ -59,8 +59,8 @@ struct l3d_surface_counts {
     /// Pixel centres tested against the depth buffer. How many are not, because a whole block is
     /// seen to be hidden, depends on how the work was divided, but not among how many threads.
     std::int64_t samples = 0;
-    std::int64_t written = 0; ///< of those, nearer than what was there
-    std::int64_t covered = 0; ///< pixels in which something is; none_counted if nobody wants it
+    std::int64_t written = 0; ///< tested pixels that were nearer than the depth there
+    std::int64_t covered = 0; ///< pixels that show something; none_counted if nobody asked
 
     static constexpr std::int64_t none_counted = -1;
 
@@ -82,7 +82,7 @@ struct l3d_surface_counts {
     /// Mode `levels`: how far a level may be from the one that the corners' levels and bends give
     /// for the same parameters. Units: levels; at most l3d_most_level_error.
     double level_error = 0;
-    std::int64_t loose_levels = 0; ///< polygons, as often as set up, where that may be more
+    std::int64_t loose_levels = 0; ///< polygons where it may be more, as often as they are set up
 };
 
 /// A rectangle of the picture. Units: 1/256 pixel from its top left corner, ends included.

@@ -54,7 +54,7 @@ public:
         return &axes_[k][i][first];
     }
 
-    /// What is known of their terms, likewise.
+    /// The bounds of their terms, likewise.
     const double* reach(std::size_t first) const { return &reach_[first]; }
 
 private:

@@ -42,7 +42,7 @@ struct l3d_camera {
     /// Sine of the angle between `up` and the line of sight.
     double up_sine() const;
 
-    /// Why no picture is defined, naming the value at fault; "" if one is. What it asks for: finite
+    /// Why no picture is defined, naming the value at fault; "" if one is. It asks for finite
     /// numbers, eye and target within 1e12 and not in one place, up_sine() at least
     /// l3d_least_up_sine, 0 < fov < 180, l3d_least_distance <= near < far.
     std::string complaint() const;

@@ -45,18 +45,18 @@ struct l3d_dice_counts : l3d_seen_counts {
     std::int64_t beyond = 0;      ///< patches left out: beyond the far plane
     std::int64_t hidden = 0;      ///< patches left out: behind what had been drawn before
     std::int64_t unchanged = 0;   ///< patches left out: beside the part that was drawn again
-    std::int64_t backfacing = 0;  ///< patches left out: nothing but their back is turned to the eye
-    std::int64_t back_blocks = 0; ///< blocks of patches that were drawn, left out for the same
+    std::int64_t backfacing = 0;  ///< patches left out: only their back is turned to the eye
+    std::int64_t back_blocks = 0; ///< blocks left out of drawn patches, for the same reason
     std::int64_t back_quads = 0;  ///< quads of these blocks
-    std::int64_t as_points = 0;   ///< of those drawn, as a point each, without dicing
+    std::int64_t as_points = 0;   ///< patches drawn as a point each, without dicing
     std::int64_t pieces = 0;      ///< grids made; more than `drawn` if patches had to be cut
-    std::int64_t in_lanes = 0;    ///< of these, made by l3d_lane_dicer
+    std::int64_t in_lanes = 0;    ///< grids made by l3d_lane_dicer
     std::int64_t samples = 0;     ///< vertices evaluated
-    std::int64_t failures = 0;    ///< pixels left out as an iteration came to no rest
+    std::int64_t failures = 0;    ///< pixels left out as an iteration did not converge
     double near = 0;              ///< nearest w drawn, if it is not the view's near
     double bound_px = 0;          ///< certified image error of all that was drawn
     std::int64_t coarse = 0;      ///< patches drawn with a bound above the tolerance
-    std::int64_t unfinished = 0;  ///< of these, such as would be finer with a larger budget
+    std::int64_t unfinished = 0;  ///< of these, patches that a larger budget would make finer
     l3d_coarse_patch coarsest;    ///< the worst of those
 
     /// Certified distance of all that was drawn from the exact surface, along its normal at the
@@ -65,7 +65,7 @@ struct l3d_dice_counts : l3d_seen_counts {
 
     /// How far greys are from those of the exact surface at the same parameters. Units: levels.
     double shade_bound = 0;
-    std::int64_t unshaded_quads = 0; ///< of which that says nothing
+    std::int64_t unshaded_quads = 0; ///< quads of which the bound of shades says nothing
 
     /// Both together: of other patches.
     void add(const l3d_dice_counts& other) {

@@ -31,11 +31,11 @@ inline bool l3d_far_apart(const l3d_image_point& a, const l3d_image_point& b, in
 /// Which patches, and parts of them, are done although they need not be. Only programs that measure
 /// or judge a rule set these.
 struct l3d_kept_patches {
-    bool outside = false;    ///< such that nothing of them lies in the picture
-    bool centreless = false; ///< such that cover no pixel's centre
-    bool hidden = false;     ///< such that lie behind what is drawn
-    bool backs = false;      ///< whose back alone is turned to the eye
-    bool dicing = false;     ///< of what a point may stand for
+    bool outside = false;    ///< patches of which nothing lies in the picture
+    bool centreless = false; ///< patches that cover no pixel's centre
+    bool hidden = false;     ///< patches that lie behind what is drawn
+    bool backs = false;      ///< patches whose back alone is turned to the eye
+    bool dicing = false;     ///< patches that a point may stand for are diced, too
 
     static constexpr l3d_kept_patches all() { return {true, true, true, true, true}; }
 
@@ -64,7 +64,7 @@ struct l3d_dice_view {
     /// Pixels that a length of 1 takes at a distance of 1: depth is kept within the tolerance, too.
     /// 0: places in the picture alone are.
     double focal = 0;
-    double shade_tolerance = 2; ///< levels of 255 that greys may be off by, if depth is kept
+    double shade_tolerance = 2; ///< largest error of greys, in levels of 255, if depth is kept
     double depth_scale = 1;     ///< scaled w / distance along the view axis
     double error_xy = 0;        ///< of a transformed control point
     double error_w = 0;

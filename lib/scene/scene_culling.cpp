@@ -48,8 +48,8 @@ bool is_hidden(const auto& where, bool (*hidden)(const void*, const l3d_subpixel
 /// How far a balanced vertex' w may be off the exact one, where a net's are from `least` to `most`.
 ///
 /// The vertex is off by l3d_balance h^2 f''. h <= 1/8, as a strip is a quarter and has two steps.
-/// f'' <= 6 * 2 (most - least). Along u and along v, that is 0.0322 (most - least). What both do
-/// together is below 0.001 of it.
+/// f'' <= 6 * 2 (most - least). Along u and along v, that is 0.0322 (most - least). Their common
+/// effect is below 0.001 of it.
 double balance_of_w(double least, double most) {
     return (most - least) / 30;
 }

@@ -9,8 +9,8 @@
 struct l3d_seen_counts {
     std::int64_t drawn = 0;
     std::int64_t offscreen = 0; ///< left out: beyond one side of the window
-    std::int64_t subpixel = 0;  ///< left out: what is around it holds no pixel centre
-    std::int64_t clipped = 0;   ///< of those drawn, at the near plane, the far one or guard band
+    std::int64_t subpixel = 0;  ///< left out: the box around it holds no pixel centre
+    std::int64_t clipped = 0;   ///< drawn, and cut at the near plane, the far one or guard band
 
     /// Both together: of other shapes.
     void add(const l3d_seen_counts& other) {

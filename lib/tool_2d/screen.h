@@ -88,9 +88,9 @@ struct l3d_service {
     enum class level {
         fully,
         partly,       ///< it serves, but another way than its name says
-        not_here,     ///< and another display would not help
+        not_here,     ///< it cannot serve, and another display would not help
         no_display,   ///< there is no display that answers
-        display_lost, ///< there was one, and it went away while it was asked
+        display_lost, ///< the display went away while it was asked
     };
 
     level how = level::fully;

@@ -35,7 +35,7 @@ void normals_in_lanes(const l3d_normal_net& net, const lane_parameters& u, const
                       const l3d_shading& shading, vertex_numbers& memory, l3d_micro_grid& grid);
 
 /// Writes levels and bends, as l3d_micro_vertex has them, of normals that are turned to the eye.
-/// The slow twin is l3d_light_grid. What is expected: as above.
+/// The slow twin is l3d_light_grid. Expects: as above.
 /// Errors:  each level is good to 229.5 times what the unit normal is: 2^-16 where the normal's
 ///          coefficients are not much larger than the normal.
 void levels_in_lanes(const l3d_normal_net& net, const lane_parameters& u, const lane_parameters& v,

@@ -7,7 +7,7 @@ namespace {
 using l3d_detail::quoted;
 using l3d_detail::text_cursor;
 
-/// What the first word says: [ST]BBP or [C]BEZ<u><v><n>[_ST].
+/// The header that the first word gives: [ST]BBP or [C]BEZ<u><v><n>[_ST].
 struct bez_kind {
     int degree_u = 3, degree_v = 3, components = 3;
     bool color = false, texture = false;

@@ -9,7 +9,7 @@ namespace {
 
 using l3d_detail::text_cursor;
 
-/// What the first word says: [ST][C][N][4][n]OFF.
+/// The header that the first word gives: [ST][C][N][4][n]OFF.
 struct off_kind {
     bool texture = false, color = false, normal = false, four = false, dimension = false;
 };

@@ -22,7 +22,7 @@ struct target {
 #define L3D_HAS(feature) false
 #endif
 
-/// What Highway expects of each, in the order of L3D_SIMD_TABLE.
+/// The features that Highway expects of each, in the order of L3D_SIMD_TABLE.
 constexpr std::array<target, 5> targets{
     {{"AVX3",
       [] {

@@ -54,7 +54,7 @@ public:
     }
 
     std::int64_t floor() const { return floor_; }
-    /// What the floor leaves: floor + rest / denominator is the number.
+    /// The remainder of the floor: floor + rest / denominator is the number.
     std::int64_t rest() const { return rest_; }
     std::int64_t denominator() const { return denominator_; }
 

@@ -44,7 +44,8 @@ private:
     };
     /// Where the picture is up to date besides, or instead of, the target.
     enum class held { not_at_all, as_black, newer_than_target };
-    /// What the highest byte of the batch's colours is: the word's, or the coverage.
+    /// The meaning of the highest byte of the batch's colours: the word's own byte, or the
+    /// coverage.
     enum class blending { off, by_coverage };
 
     void draw_line(const l3d_line_2d& line, std::uint32_t color);

@@ -41,8 +41,8 @@ public:
     ///
     /// Shape:   at least three corners, in order, scan_points or far_points; `clockwise` as seen
     ///          on the screen (the area with y down is positive).
-    /// Expects: convex. Of another polygon some pixels are wrong, but no row is left undefined:
-    ///          a closed outline crosses every row downwards as often as upwards.
+    /// Expects: convex. Some pixels of another polygon are wrong, but no row is left undefined: a
+    ///          closed outline crosses every row downwards as often as upwards.
     template <class Point, std::size_t Extent>
     scan_rows convert(std::span<const Point, Extent> corners, bool clockwise) {
         scan_rows rows{kept_.bottom, kept_.top};

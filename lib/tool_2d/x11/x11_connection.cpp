@@ -194,9 +194,9 @@ void x11_connection::widen() {
     socklen_t size = sizeof buffer;
     if (getsockopt(server, SOL_SOCKET, SO_SNDBUF, &buffer, &size) != 0)
         buffer = 0;
-    // Linux calls a local socket writable when at most a quarter of its buffer is full. Of the
-    // other three, a fifth is left for the kernel's own records. Xlib cuts larger requests than
-    // these, which are counted in fours, and waits before each piece.
+    // Linux calls a local socket writable when at most a quarter of its buffer is full. A fifth of
+    // the other three is left for the kernel's own records. Xlib cuts larger requests than these,
+    // which are counted in fours, and waits before each piece.
     const auto largest = 4 * static_cast<std::size_t>(XMaxRequestSize(display_)) - own_size;
     writable_size_ = std::clamp(static_cast<std::size_t>(buffer) / 5 * 3, least_writable, largest);
 }
