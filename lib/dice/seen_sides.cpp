@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_turn_normals, l3d_turn_levels: outlines found from the change of facing along a grid.
+// l3d_turn_normals, l3d_turn_levels: outlines found from the change of facing along a grid, a row's
+// vertices side by side in SIMD lanes.
 #include "dice/seen_sides.h"
 
 #include "dice/dice_view.h"
@@ -9,11 +10,21 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <optional>
+#include <cstdint>
 
-#include <hwy/base.h>
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "dice/seen_sides.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
+#include "raster/simd_dispatch_p.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
 namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
 
 /// So many steps behind an outline, at most, the nearer sheet decides. An outline runs somewhere
 /// between two vertices, and the quads of the first vertex behind it stick out. More would turn
@@ -25,9 +36,13 @@ constexpr float steps_behind = 0.4F;
 /// its largest change to a neighbour. No outline is told from it then. Chosen like steps_behind.
 constexpr float least_turn = 0.3F;
 
-/// Columns of a grid at most.
+/// Columns are taken so many at a time; rows of a grid have room for whole vectors.
+constexpr std::size_t lane_columns = 16;
+
+/// Columns of a grid at most, in whole vectors.
 constexpr std::size_t most_columns =
-    std::size_t{l3d_block_starts::most_blocks} * l3d_most_steps_whole + 1;
+    (std::size_t{l3d_block_starts::most_blocks} * l3d_most_steps_whole + lane_columns) /
+    lane_columns * lane_columns;
 
 /// The neighbours of a vertex along one direction of a grid.
 struct neighbours {
@@ -38,7 +53,7 @@ struct neighbours {
         : before(i > 0 ? at - step : at), after(i + 1 < count ? at + step : at),
           steps((i > 0) + (i + 1 < count)) {}
 
-    float largest_change(std::span<const float> of, std::size_t at) const {
+    float largest_change(const float* of, std::size_t at) const {
         return std::max(std::abs(of[after] - of[at]), std::abs(of[at] - of[before]));
     }
     /// For a step.
@@ -50,7 +65,7 @@ struct neighbours {
 
 /// Along the direction in which the picture does not change at an outline, 1 / w grows towards the
 /// nearer sheet, and facing changes its sign: whether that is so near that this is the farther one.
-bool is_behind_outline(const l3d_micro_grid& grid, std::span<const float> away, std::size_t at,
+bool is_behind_outline(const l3d_micro_grid& grid, const float* away, std::size_t at,
                        const neighbours& u, const neighbours& v) {
     const float step = std::max(u.largest_change(away, at), v.largest_change(away, at));
     if (std::abs(away[at]) > 2 * steps_behind * step)
@@ -70,127 +85,183 @@ bool is_behind_outline(const l3d_micro_grid& grid, std::span<const float> away, 
     return steps > 0 && steps <= steps_behind && std::abs(turned) >= least_turn * step;
 }
 
-/// The side that all of a grid shows; none if it shows both, or nearly does.
-std::optional<float> only_side(const l3d_micro_grid& grid, std::span<const float> away) {
-    float least = away[0], most = least, step = 0;
-    const auto columns = static_cast<std::size_t>(grid.columns);
-    const auto pitch = static_cast<std::size_t>(grid.pitch);
-    for (int row = 0; row < grid.rows; ++row) {
-        const float* const of_row = away.data() + grid.index(row, 0);
-        for (std::size_t i = 0; i < columns; ++i) {
-            least = std::min(least, of_row[i]);
-            most = std::max(most, of_row[i]);
-        }
-        for (std::size_t i = 0; i + 1 < columns; ++i)
-            step = std::max(step, std::abs(of_row[i + 1] - of_row[i]));
-        if (row + 1 < grid.rows)
-            for (std::size_t i = 0; i < columns; ++i)
-                step = std::max(step, std::abs(of_row[i + pitch] - of_row[i]));
-    }
-    if (most <= -2 * steps_behind * step)
-        return 1.0F;
-    if (least > 2 * steps_behind * step)
-        return -1.0F;
-    return std::nullopt;
+using floats = hn::CappedTag<float, lane_columns>;
+using float_lanes = hn::Vec<floats>;
+
+HWY_ATTR HWY_INLINE float_lanes change(float_lanes a, float_lanes b) {
+    return hn::Abs(hn::Sub(a, b));
 }
 
-/// Whether vertices of a row have so small a number that an outline may be near, by their changes
-/// to neighbours; rows above and below are those at `up` and `down`, or the row itself.
-void find_near(const float* HWY_RESTRICT row, const float* HWY_RESTRICT up,
-               const float* HWY_RESTRICT down, std::size_t columns, float* HWY_RESTRICT near) {
-    for (std::size_t i = 0; i < columns; ++i)
-        near[i] = std::max(std::abs(up[i] - row[i]), std::abs(down[i] - row[i]));
-    for (std::size_t i = 0; i + 1 < columns; ++i) {
-        const float change = std::abs(row[i + 1] - row[i]);
-        near[i] = std::max(near[i], change);
-        near[i + 1] = std::max(near[i + 1], change);
+/// The side that all of a grid shows, 1 or -1; 0 if it shows both, or nearly does.
+HWY_ATTR float only_side(const l3d_micro_grid& grid, const float* away) {
+    const floats d;
+    const auto columns = static_cast<std::size_t>(grid.columns);
+    const auto pitch = static_cast<std::size_t>(grid.pitch);
+    auto least = hn::Set(d, away[0]), most = least, step = hn::Zero(d);
+    for (int row = 0; row < grid.rows; ++row) {
+        const float* const of_row = away + grid.index(row, 0);
+        const std::size_t down = row + 1 < grid.rows ? pitch : 0;
+        for (std::size_t i = 0; i < columns; i += hn::Lanes(d)) {
+            const auto here = hn::LoadU(d, of_row + i);
+            const auto valid = hn::FirstN(d, columns - i), inner = hn::FirstN(d, columns - 1 - i);
+            least = hn::IfThenElse(valid, hn::Min(least, here), least);
+            most = hn::IfThenElse(valid, hn::Max(most, here), most);
+            const auto along_u = change(hn::LoadU(d, of_row + i + 1), here);
+            const auto along_v = change(hn::LoadU(d, of_row + i + down), here);
+            step = hn::Max(step, hn::Max(hn::IfThenElseZero(inner, along_u),
+                                         hn::IfThenElseZero(valid, along_v)));
+        }
     }
-    for (std::size_t i = 0; i < columns; ++i)
-        near[i] = 2 * steps_behind * near[i] - std::abs(row[i]);
+    const float near = 2 * steps_behind * hn::GetLane(hn::MaxOfLanes(d, step));
+    if (hn::GetLane(hn::MaxOfLanes(d, most)) <= -near)
+        return 1;
+    return hn::GetLane(hn::MinOfLanes(d, least)) > near ? -1.0F : 0.0F;
+}
+
+/// A row of numbers, with the first and the last one once more before and behind it.
+class extended_row {
+public:
+    HWY_ATTR void copy(const float* row, std::size_t columns) {
+        at_[0] = row[0];
+        std::copy_n(row, columns, at_ + 1);
+        std::fill(at_ + 1 + columns, at_ + columns + lane_columns + 1, row[columns - 1]);
+    }
+    /// The largest change from numbers to their neighbours in the row.
+    HWY_ATTR HWY_INLINE float_lanes changes(std::size_t i) const {
+        const floats d;
+        const auto here = hn::LoadU(d, at_ + i + 1);
+        return hn::Max(change(hn::LoadU(d, at_ + i), here),
+                       change(hn::LoadU(d, at_ + i + 2), here));
+    }
+
+private:
+    float at_[most_columns + lane_columns + 1];
+};
+
+/// Which numbers of a row are so small, by their changes to neighbours, that an outline may be
+/// near, as bits; rows above and below are those at `up` and `down`, or the row itself.
+HWY_ATTR HWY_INLINE std::uint32_t near_outline(const extended_row& row, const float* here,
+                                               const float* up, const float* down, std::size_t i,
+                                               std::size_t columns) {
+    const floats d;
+    const auto own = hn::LoadU(d, here + i);
+    const auto along_v =
+        hn::Max(change(hn::LoadU(d, up + i), own), change(hn::LoadU(d, down + i), own));
+    const auto near = hn::Mul(hn::Set(d, 2 * steps_behind), hn::Max(row.changes(i), along_v));
+    const auto found = hn::And(hn::Ge(near, hn::Abs(own)), hn::FirstN(d, columns - i));
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, found, bits);
+    return bits[0] | std::uint32_t{bits[1]} << 8;
 }
 
 /// Replaces each number of `away` by 1 or -1, the side that is seen: a row late, so that what is
 /// read of neighbours is what it was.
-void choose_sides(const l3d_micro_grid& grid, std::span<float> away) {
+HWY_ATTR void choose_sides(const l3d_micro_grid& grid, float* away) {
+    const floats d;
     const auto columns = static_cast<std::size_t>(grid.columns);
     const auto pitch = static_cast<std::size_t>(grid.pitch);
     assert(columns <= most_columns);
-    float sides[2][most_columns], near[most_columns];
+    float sides[2][most_columns];
+    extended_row extended;
     for (int row = 0; row < grid.rows; ++row) {
         const std::size_t first = grid.index(row, 0);
-        const float* const here = &away[first];
-        find_near(here, row > 0 ? here - pitch : here, row + 1 < grid.rows ? here + pitch : here,
-                  columns, near);
+        const float* const here = away + first;
+        const float* const up = row > 0 ? here - pitch : here;
+        const float* const down = row + 1 < grid.rows ? here + pitch : here;
+        extended.copy(here, columns);
         float* const of_row = sides[row % 2];
-        for (std::size_t i = 0; i < columns; ++i)
-            of_row[i] = here[i] > 0 ? -1.0F : 1.0F;
-        for (std::size_t i = 0; i < columns; ++i) {
-            if (HWY_LIKELY(near[i] < 0))
-                continue;
-            const neighbours u(first + i, static_cast<int>(i), grid.columns, 1);
-            const neighbours v(first + i, row, grid.rows, pitch);
-            if (is_behind_outline(grid, away, first + i, u, v))
-                of_row[i] = -of_row[i];
+        for (std::size_t i = 0; i < columns; i += hn::Lanes(d)) {
+            const auto turned = hn::Gt(hn::LoadU(d, here + i), hn::Zero(d));
+            hn::StoreU(hn::IfThenElse(turned, hn::Set(d, -1.0F), hn::Set(d, 1.0F)), d, of_row + i);
+            std::uint32_t near = near_outline(extended, here, up, down, i, columns);
+            for (; near != 0; near &= near - 1) {
+                const std::size_t k = i + hwy::Num0BitsBelowLS1Bit_Nonzero32(near);
+                const neighbours u(first + k, static_cast<int>(k), grid.columns, 1);
+                const neighbours v(first + k, row, grid.rows, pitch);
+                if (is_behind_outline(grid, away, first + k, u, v))
+                    of_row[k] = -of_row[k];
+            }
         }
         if (row > 0)
-            std::copy_n(sides[(row - 1) % 2], columns, &away[first - pitch]);
+            std::copy_n(sides[(row - 1) % 2], columns, away + first - pitch);
     }
-    std::copy_n(sides[(grid.rows - 1) % 2], columns, &away[grid.index(grid.rows - 1, 0)]);
+    std::copy_n(sides[(grid.rows - 1) % 2], columns, away + grid.index(grid.rows - 1, 0));
 }
 
-/// What the middles of sides to vertices `step` on are above the mean of both ends, times the side
-/// that is seen; 0 where the ends show different sides, as nothing is known of what is between.
-void put_bends(const float* HWY_RESTRICT level, const float* HWY_RESTRICT side, std::size_t step,
-               std::size_t count, float* HWY_RESTRICT middle) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const float bend = side[i] * (middle[i] - 0.5F * (level[i] + level[i + step]));
-        middle[i] = side[i] == side[i + step] ? bend : 0.0F;
+/// For each vector of vertices of the grid: where it begins, what further the next row is, or 0 in
+/// the last one, and the sides that are seen.
+template <class Visit>
+HWY_ATTR HWY_INLINE void for_sides(const l3d_micro_grid& grid, const float* away, float all,
+                                   const Visit& visit) {
+    const floats d;
+    const auto pitch = static_cast<std::size_t>(grid.pitch);
+    for (int row = 0; row < grid.rows; ++row) {
+        const std::size_t first = grid.index(row, 0), down = row + 1 < grid.rows ? pitch : 0;
+        for (std::size_t at = first; at < first + static_cast<std::size_t>(grid.columns);
+             at += hn::Lanes(d))
+            visit(at, down, all != 0 ? hn::Set(d, all) : hn::LoadU(d, away + at));
     }
 }
-void put_bends(const float* HWY_RESTRICT level, float side, std::size_t step, std::size_t count,
-               float* HWY_RESTRICT middle) {
-    for (std::size_t i = 0; i < count; ++i)
-        middle[i] = side * (middle[i] - 0.5F * (level[i] + level[i + step]));
-}
 
-/// For each vertex of the grid.
-template <class Visit> void for_vertices(const l3d_micro_grid& grid, const Visit& visit) {
-    for (int row = 0; row < grid.rows; ++row)
-        for (int column = 0; column < grid.columns; ++column)
-            visit(row, column, grid.index(row, column));
-}
-
-} // namespace
-
-void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid) {
-    const std::optional<float> all = only_side(grid, away);
-    if (all == 1.0F)
+HWY_ATTR void turn_normals(float* away, l3d_micro_grid& grid) {
+    const float all = only_side(grid, away);
+    if (all == 1)
         return;
-    if (!all)
+    if (all == 0)
         choose_sides(grid, away);
-    for_vertices(grid, [&](int, int, std::size_t at) {
+    for_sides(grid, away, all, [&](std::size_t at, std::size_t, float_lanes side) HWY_ATTR {
+        const floats d;
         for (auto& component : grid.normal)
-            component[at] *= all ? *all : away[at];
+            hn::StoreU(hn::Mul(hn::LoadU(d, component.data() + at), side), d,
+                       component.data() + at);
     });
 }
 
-void l3d_turn_levels(std::span<float> away, std::span<const float> level, l3d_micro_grid& grid) {
-    const std::optional<float> all = only_side(grid, away);
-    const auto pitch = static_cast<std::size_t>(grid.pitch);
-    const std::size_t count = pitch * static_cast<std::size_t>(grid.rows);
-    if (!all)
+/// What the middles of sides to other vertices are above the mean of both ends, times the side that
+/// is seen; 0 where the ends show different sides, as nothing is known of what is between.
+HWY_ATTR void turn_levels(float* away, const float* level, l3d_micro_grid& grid) {
+    const float all = only_side(grid, away);
+    if (all == 0)
         choose_sides(grid, away);
-    for (int row = 0; row < grid.rows; ++row) {
-        const std::size_t at = grid.index(row, 0), down = row + 1 < grid.rows ? pitch : 0;
-        float *along_u = &grid.normal[1][at], *along_v = &grid.normal[2][at];
-        if (all) {
-            put_bends(&level[at], *all, 1, pitch, along_u);
-            put_bends(&level[at], *all, down, pitch, along_v);
-        } else {
-            put_bends(&level[at], &away[at], 1, pitch, along_u);
-            put_bends(&level[at], &away[at], down, pitch, along_v);
-        }
-    }
-    for (std::size_t i = 0; i < count; ++i)
-        grid.normal[0][i] = level[i] * (all ? *all : away[i]);
+    for_sides(grid, away, all, [&](std::size_t at, std::size_t down, float_lanes side) HWY_ATTR {
+        const floats d;
+        const auto own = hn::LoadU(d, level + at);
+        const auto put_bends = [&](std::size_t step, float* middles) HWY_ATTR {
+            const auto mean =
+                hn::Mul(hn::Set(d, 0.5F), hn::Add(own, hn::LoadU(d, level + at + step)));
+            auto bend = hn::Mul(side, hn::Sub(hn::LoadU(d, middles + at), mean));
+            if (all == 0)
+                bend = hn::IfThenElseZero(hn::Eq(side, hn::LoadU(d, away + at + step)), bend);
+            hn::StoreU(bend, d, middles + at);
+        };
+        put_bends(1, grid.normal[1].data());
+        put_bends(down, grid.normal[2].data());
+        hn::StoreU(hn::Mul(own, side), d, grid.normal[0].data() + at);
+    });
 }
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace l3d_detail {
+namespace {
+
+L3D_SIMD_TABLE(turn_normals);
+L3D_SIMD_TABLE(turn_levels);
+
+} // namespace
+} // namespace l3d_detail
+
+void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid) {
+    using namespace l3d_detail;
+    L3D_SIMD_CALL(turn_normals)(away.data(), grid);
+}
+
+void l3d_turn_levels(std::span<float> away, std::span<const float> level, l3d_micro_grid& grid) {
+    using namespace l3d_detail;
+    L3D_SIMD_CALL(turn_levels)(away.data(), level.data(), grid);
+}
+#endif
