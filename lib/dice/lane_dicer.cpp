@@ -124,7 +124,7 @@ const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_net_piece& piece, const l
     depth_error_ = vertex_error_ + l3d_depth_vertex_error(view, error_w, bounds_.least_w);
     const double budget = view.chord_budget(vertex_error_);
     if (bends)
-        bends.ask(piece, view, budget, view.chord_budget(depth_error_), bounds_.needs);
+        bends.ask(piece, view, view.chord_budget(depth_error_), bounds_.needs);
     plan_ = l3d_plan_steps(bounds_.needs, budget, l3d_quad_kind::whole);
     return &plan_;
 }
@@ -133,11 +133,10 @@ template <class T>
 l3d_surface_certificate
 l3d_lane_dicer<T>::certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
                                const l3d_placed_bends& bends, const l3d_diced_piece& out) const {
-    l3d_surface_certificate result =
-        bends.certificate(piece, view, bounds_.needs, plan_, out.slits, false);
-    result.depth += depth_error_;
-    if (result.without_normals != 0)
-        result.depth += l3d_most_off_plane(out.part, result.without_normals, view);
+    l3d_surface_certificate result = bends.certificate(piece, view, view.chord_budget(depth_error_),
+                                                       bounds_.needs, plan_, out.slits, false);
+    const unsigned blocks = result.without_normals;
+    result.add_to_depth(depth_error_, blocks != 0 ? l3d_most_off_plane(out.part, blocks, view) : 0);
     return result;
 }
 

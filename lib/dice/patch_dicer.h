@@ -90,7 +90,8 @@ private:
         l3d_piece_nets<T> nets;
         l3d_step_plan plan;
         l3d_block_needs needs;
-        double vertex_error = 0, row_error = 0, depth_error = 0, excess = 0;
+        double vertex_error = 0, row_error = 0, depth_error = 0, depth_budget = 0;
+        double excess = 0;
         double depth_growth = 1; ///< of what is divided by w, as w of its chords is off
     };
 
