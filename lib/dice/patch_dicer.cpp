@@ -124,9 +124,10 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of) const -> planne
     const double budget = of.view.chord_budget(result.vertex_error);
     result.needs = l3d_needs_of(result.nets.net(), result.nets.blocks(), of.view, budget, kind);
     const double least_w = l3d_depth_range_of(p.net.points).least;
-    result.depth_error =
-        result.vertex_error +
+    const double of_depth =
         l3d_depth_vertex_error(of.view, result.nets.error_w(), of.view.drawn_w(least_w));
+    result.depth_error = result.vertex_error + of_depth;
+    result.row_depth_error = result.row_error + of_depth;
     result.depth_budget = of.view.chord_budget(result.depth_error);
     if (of.bends)
         of.bends.ask(p, of.view, result.depth_budget, result.needs);
@@ -166,8 +167,8 @@ template <class T> bool l3d_patch_dicer<T>::take_in_lanes(const piece& p, task& 
         of.lanes->fill(p, of.normals, of.view, out);
         drawer_.close(p, out);
         count(p, out, of.lanes->row_error(), true, of);
-        count_surface(p, of.lanes->certificate(p, of.view, of.bends, out), of.lanes->depth_error(),
-                      of);
+        count_surface(p, of.lanes->certificate(p, of.view, of.bends, out),
+                      of.lanes->row_depth_error(), of);
         ++of.counts.in_lanes;
         return true;
     }
@@ -208,6 +209,7 @@ void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, std
         how.vertex_error *= growth;
         how.row_error *= growth;
         how.depth_error *= growth;
+        how.row_depth_error *= growth;
         how.depth_growth = whole ? 1 : growth;
         of.budget.is_short = true;
     }
@@ -230,18 +232,18 @@ template <class T> void l3d_patch_dicer<T>::draw(const piece& p, const planned& 
     proven.add_to_depth(how.depth_error, off_plane);
     if (std::isinf(how.depth_growth))
         proven.depth = proven.shade = how.depth_growth;
-    count_surface(p, proven, how.depth_error, of);
+    count_surface(p, proven, how.row_depth_error, of);
     of.counts.clipped += !how.nets.whole();
 }
 
-/// Depth and shade of a piece, its vertices being off by depth_error.
+/// Depth and shade of a piece, vertices of the slits along its sides being off by row_depth_error.
 template <class T>
 void l3d_patch_dicer<T>::count_surface(const piece& p, const l3d_surface_certificate& proven,
-                                       double depth_error, task& of) const {
+                                       double row_depth_error, task& of) const {
     double side_error = 0;
     for (const l3d_piece_side& side : p.sides)
         side_error = std::max(side_error, of.edges[side.edge].chord_error());
-    of.counts.add_surface(proven, side_error + depth_error);
+    of.counts.add_surface(proven, side_error + row_depth_error);
 }
 
 /// A piece that was drawn, vertices of the slits along its sides being off by row_error.

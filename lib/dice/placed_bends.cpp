@@ -2,6 +2,8 @@
 // l3d_placed_bends: block by block.
 #include "dice/placed_bends.h"
 
+#include "dice/drawn_error.h"
+#include "dice/snap.h"
 #include "dice/surface_bends_p.h"
 
 #include <algorithm>
@@ -180,9 +182,14 @@ void l3d_placed_bends::ask(const l3d_net_piece& piece, const l3d_dice_view& view
     const mixed_thirds mixed(piece.net.points, needs.strips, 1 / w_per_length_, focal_);
     needs.keeps_bends = true;
     std::array<double, l3d_block_needs::most_blocks> scale{};
+    // Corners of blocks without normals are measured when they are there. Half of what
+    // snapping can make of a plane is kept free, as most quads there are planes but for that.
+    const double less = std::max(depth_budget - l3d_snap_error<double>(0) / 2, depth_budget / 2);
     for (std::size_t i = 0; i < count; ++i)
-        scale[i] =
-            is_seen(needs, i) ? view.focal * w_per_length_ / (needs.least_w[i] * depth_budget) : 0;
+        if (is_seen(needs, i)) {
+            const double of_block = std::isfinite(of.bends.n_uuu[i]) ? depth_budget : less;
+            scale[i] = view.focal * w_per_length_ / (needs.least_w[i] * of_block);
+        }
     const auto put = [&](const l3d_surface_bends::lanes& from, l3d_block_needs::per_block& to) {
         for (std::size_t i = 0; i < to.size(); ++i)
             to[i] = scale[i] * double{from[i]};
@@ -296,5 +303,5 @@ double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks,
             for (int column = columns[i % strips]; column < columns[i % strips + 1]; ++column)
                 most = std::max(most, of_quad(row, column));
     }
-    return most;
+    return std::max(most - l3d_vertex_accuracy::of_centre(), most / 4);
 }

@@ -61,9 +61,13 @@ private:
     double w_per_length_ = 0, focal_ = 0;
 };
 
-/// How far corners of quads in some blocks of a grid are from the plane that stands for each, at
-/// most. Shape: blocks as l3d_surface_certificate::without_normals. Units: pixels at their depth.
-/// Expects: view.focal > 0.
+/// What depth is off by more than vertices are, at most, because corners of quads in some blocks of
+/// a grid are not on the plane that stands for each.
+///
+/// Of what vertices are off by, a quad that is a plane does not need the rounding of its centre. A
+/// folded one does, and is a fan of triangles, a quarter as far off. So the smaller of both parts
+/// is left out. Shape: blocks as l3d_surface_certificate::without_normals. Units: pixels at their
+/// depth. Expects: view.focal > 0.
 double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks, const l3d_dice_view& view);
 
 #endif
