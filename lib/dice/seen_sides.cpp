@@ -44,47 +44,6 @@ constexpr std::size_t most_columns =
     (std::size_t{l3d_block_starts::most_blocks} * l3d_most_steps_whole + lane_columns) /
     lane_columns * lane_columns;
 
-/// The neighbours of a vertex along one direction of a grid.
-struct neighbours {
-    std::size_t before, after;
-    int steps;
-
-    neighbours(std::size_t at, int i, int count, std::size_t step)
-        : before(i > 0 ? at - step : at), after(i + 1 < count ? at + step : at),
-          steps((i > 0) + (i + 1 < count)) {}
-
-    float largest_change(const float* of, std::size_t at) const {
-        return std::max(std::abs(of[after] - of[at]), std::abs(of[at] - of[before]));
-    }
-    /// For a step.
-    template <class Numbers> float change(const Numbers& of) const {
-        const auto both = static_cast<float>(of[after] - of[before]);
-        return steps == 2 ? both / 2 : both;
-    }
-};
-
-/// Along the direction in which the picture does not change at an outline, 1 / w grows towards the
-/// nearer sheet, and facing changes its sign: whether that is so near that this is the farther one.
-bool is_behind_outline(const l3d_micro_grid& grid, const float* away, std::size_t at,
-                       const neighbours& u, const neighbours& v) {
-    const float step = std::max(u.largest_change(away, at), v.largest_change(away, at));
-    if (std::abs(away[at]) > 2 * steps_behind * step)
-        return false;
-    const float x_u = u.change(grid.x), x_v = v.change(grid.x);
-    const float y_u = u.change(grid.y), y_v = v.change(grid.y);
-    const bool by_x = std::abs(x_u) + std::abs(x_v) >= std::abs(y_u) + std::abs(y_v);
-    float k_u = by_x ? -x_v : -y_v, k_v = by_x ? x_u : y_u;
-    const float longest = std::max(std::abs(k_u), std::abs(k_v));
-    if (!(longest > 0))
-        return false;
-    const float nearer = u.change(grid.inv_w) * k_u + v.change(grid.inv_w) * k_v;
-    k_u *= std::copysign(1 / longest, nearer);
-    k_v *= std::copysign(1 / longest, nearer);
-    const float turned = u.change(away) * k_u + v.change(away) * k_v;
-    const float steps = -away[at] / turned;
-    return steps > 0 && steps <= steps_behind && std::abs(turned) >= least_turn * step;
-}
-
 using floats = hn::CappedTag<float, lane_columns>;
 using float_lanes = hn::Vec<floats>;
 
@@ -121,69 +80,139 @@ HWY_ATTR float only_side(const l3d_micro_grid& grid, const float* away) {
 /// A row of numbers, with the first and the last one once more before and behind it.
 class extended_row {
 public:
-    HWY_ATTR void copy(const float* row, std::size_t columns) {
-        at_[0] = row[0];
-        std::copy_n(row, columns, at_ + 1);
-        std::fill(at_ + 1 + columns, at_ + columns + lane_columns + 1, row[columns - 1]);
+    template <class T> HWY_ATTR void copy(const T* row, std::size_t columns) {
+        at_[0] = static_cast<float>(row[0]);
+        for (std::size_t i = 0; i < columns; ++i)
+            at_[i + 1] = static_cast<float>(row[i]);
+        std::fill(at_ + 1 + columns, at_ + columns + lane_columns + 1, at_[columns]);
     }
-    /// The largest change from numbers to their neighbours in the row.
-    HWY_ATTR HWY_INLINE float_lanes changes(std::size_t i) const {
-        const floats d;
-        const auto here = hn::LoadU(d, at_ + i + 1);
-        return hn::Max(change(hn::LoadU(d, at_ + i), here),
-                       change(hn::LoadU(d, at_ + i + 2), here));
+    HWY_ATTR HWY_INLINE float_lanes before(std::size_t i) const {
+        return hn::LoadU(floats(), at_ + i);
+    }
+    HWY_ATTR HWY_INLINE float_lanes after(std::size_t i) const {
+        return hn::LoadU(floats(), at_ + i + 2);
     }
 
 private:
     float at_[most_columns + lane_columns + 1];
 };
 
-/// Which numbers of a row are so small, by their changes to neighbours, that an outline may be
-/// near, as bits; rows above and below are those at `up` and `down`, or the row itself.
-HWY_ATTR HWY_INLINE std::uint32_t near_outline(const extended_row& row, const float* here,
-                                               const float* up, const float* down, std::size_t i,
-                                               std::size_t columns) {
-    const floats d;
-    const auto own = hn::LoadU(d, here + i);
-    const auto along_v =
-        hn::Max(change(hn::LoadU(d, up + i), own), change(hn::LoadU(d, down + i), own));
-    const auto near = hn::Mul(hn::Set(d, 2 * steps_behind), hn::Max(row.changes(i), along_v));
-    const auto found = hn::And(hn::Ge(near, hn::Abs(own)), hn::FirstN(d, columns - i));
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, found, bits);
-    return bits[0] | std::uint32_t{bits[1]} << 8;
-}
+/// A row of a grid: where it and the rows above and below it are, or itself where there is none.
+struct grid_row {
+    std::size_t here, up, down, columns;
+    float per_row; ///< 1 over how many rows `up` and `down` are apart
+
+    HWY_ATTR grid_row(const l3d_micro_grid& grid, int row)
+        : here(grid.index(row, 0)), up(row > 0 ? grid.index(row - 1, 0) : here),
+          down(row + 1 < grid.rows ? grid.index(row + 1, 0) : here),
+          columns(static_cast<std::size_t>(grid.columns)),
+          per_row(row > 0 && row + 1 < grid.rows ? 0.5F : 1.0F) {}
+
+    /// What a number changes by along v.
+    HWY_ATTR HWY_INLINE float_lanes change_v(const float* of, std::size_t i) const {
+        const floats d;
+        return hn::Mul(hn::Set(d, per_row),
+                       hn::Sub(hn::LoadU(d, of + down + i), hn::LoadU(d, of + up + i)));
+    }
+    HWY_ATTR HWY_INLINE float_lanes change_v(const std::int32_t* of, std::size_t i) const {
+        const hn::Rebind<std::int32_t, floats> di;
+        const auto both = hn::Sub(hn::LoadU(di, of + down + i), hn::LoadU(di, of + up + i));
+        return hn::Mul(hn::Set(floats(), per_row), hn::ConvertTo(floats(), both));
+    }
+    /// The same along u: between the first and the last column over two steps.
+    HWY_ATTR HWY_INLINE float_lanes change_u(const extended_row& of, std::size_t i) const {
+        const floats d;
+        const auto columns_before = hn::Iota(d, static_cast<float>(i));
+        const auto at_end =
+            hn::Or(hn::Eq(columns_before, hn::Zero(d)),
+                   hn::Ge(columns_before, hn::Set(d, static_cast<float>(columns - 1))));
+        const auto per_step = hn::IfThenElse(at_end, hn::Set(d, 1.0F), hn::Set(d, 0.5F));
+        return hn::Mul(per_step, hn::Sub(of.after(i), of.before(i)));
+    }
+};
+
+/// Turns the sides of vertices that are behind an outline.
+///
+/// Along the direction in which the picture does not change at an outline, 1 / w grows towards the
+/// nearer sheet, and facing changes its sign: whether that is so near that this is the farther one.
+class outline_finder {
+public:
+    HWY_ATTR outline_finder(const l3d_micro_grid& grid, const float* away)
+        : grid_(grid), away_(away) {}
+
+    HWY_ATTR void begin(const grid_row& row) {
+        row_facing_.copy(away_ + row.here, row.columns);
+        has_places_ = false;
+    }
+
+    /// The sides of the vertices from `i` on.
+    HWY_ATTR HWY_INLINE float_lanes sides(const grid_row& row, std::size_t i) {
+        const floats d;
+        const auto own = hn::LoadU(d, away_ + row.here + i);
+        const auto step =
+            hn::Max(hn::Max(change(row_facing_.before(i), own), change(row_facing_.after(i), own)),
+                    hn::Max(change(hn::LoadU(d, away_ + row.up + i), own),
+                            change(hn::LoadU(d, away_ + row.down + i), own)));
+        const auto near = hn::And(hn::Ge(hn::Mul(hn::Set(d, 2 * steps_behind), step), hn::Abs(own)),
+                                  hn::FirstN(d, row.columns - i));
+        const auto side =
+            hn::IfThenElse(hn::Gt(own, hn::Zero(d)), hn::Set(d, -1.0F), hn::Set(d, 1.0F));
+        if (HWY_LIKELY(hn::AllFalse(d, near)))
+            return side;
+        return hn::IfThenElse(hn::And(near, behind(row, i, own, step)), hn::Neg(side), side);
+    }
+
+private:
+    HWY_ATTR hn::Mask<floats> behind(const grid_row& row, std::size_t i, float_lanes own,
+                                     float_lanes step) {
+        const floats d;
+        if (!has_places_) {
+            x_.copy(grid_.x.data() + row.here, row.columns);
+            y_.copy(grid_.y.data() + row.here, row.columns);
+            inv_w_.copy(grid_.inv_w.data() + row.here, row.columns);
+            has_places_ = true;
+        }
+        const auto x_u = row.change_u(x_, i), x_v = row.change_v(grid_.x.data(), i);
+        const auto y_u = row.change_u(y_, i), y_v = row.change_v(grid_.y.data(), i);
+        const auto by_x =
+            hn::Ge(hn::Add(hn::Abs(x_u), hn::Abs(x_v)), hn::Add(hn::Abs(y_u), hn::Abs(y_v)));
+        auto k_u = hn::Neg(hn::IfThenElse(by_x, x_v, y_v)), k_v = hn::IfThenElse(by_x, x_u, y_u);
+        const auto longest = hn::Max(hn::Abs(k_u), hn::Abs(k_v));
+        const auto along = [&](float_lanes of_u, float_lanes of_v)
+                               HWY_ATTR { return hn::Add(hn::Mul(of_u, k_u), hn::Mul(of_v, k_v)); };
+        const auto nearer = along(row.change_u(inv_w_, i), row.change_v(grid_.inv_w.data(), i));
+        const auto scale = hn::CopySign(hn::Div(hn::Set(d, 1.0F), longest), nearer);
+        k_u = hn::Mul(k_u, scale);
+        k_v = hn::Mul(k_v, scale);
+        const auto turned = along(row.change_u(row_facing_, i), row.change_v(away_, i));
+        const auto steps = hn::Div(hn::Neg(own), turned);
+        const auto close =
+            hn::And(hn::Gt(steps, hn::Zero(d)), hn::Le(steps, hn::Set(d, steps_behind)));
+        const auto clear = hn::Ge(hn::Abs(turned), hn::Mul(hn::Set(d, least_turn), step));
+        return hn::And(hn::Gt(longest, hn::Zero(d)), hn::And(close, clear));
+    }
+
+    const l3d_micro_grid& grid_;
+    const float* away_;
+    extended_row row_facing_, x_, y_, inv_w_;
+    bool has_places_ = false; ///< the last three are the row's
+};
 
 /// Replaces each number of `away` by 1 or -1, the side that is seen: a row late, so that what is
 /// read of neighbours is what it was.
 HWY_ATTR void choose_sides(const l3d_micro_grid& grid, float* away) {
     const floats d;
     const auto columns = static_cast<std::size_t>(grid.columns);
-    const auto pitch = static_cast<std::size_t>(grid.pitch);
     assert(columns <= most_columns);
     float sides[2][most_columns];
-    extended_row extended;
-    for (int row = 0; row < grid.rows; ++row) {
-        const std::size_t first = grid.index(row, 0);
-        const float* const here = away + first;
-        const float* const up = row > 0 ? here - pitch : here;
-        const float* const down = row + 1 < grid.rows ? here + pitch : here;
-        extended.copy(here, columns);
-        float* const of_row = sides[row % 2];
-        for (std::size_t i = 0; i < columns; i += hn::Lanes(d)) {
-            const auto turned = hn::Gt(hn::LoadU(d, here + i), hn::Zero(d));
-            hn::StoreU(hn::IfThenElse(turned, hn::Set(d, -1.0F), hn::Set(d, 1.0F)), d, of_row + i);
-            std::uint32_t near = near_outline(extended, here, up, down, i, columns);
-            for (; near != 0; near &= near - 1) {
-                const std::size_t k = i + hwy::Num0BitsBelowLS1Bit_Nonzero32(near);
-                const neighbours u(first + k, static_cast<int>(k), grid.columns, 1);
-                const neighbours v(first + k, row, grid.rows, pitch);
-                if (is_behind_outline(grid, away, first + k, u, v))
-                    of_row[k] = -of_row[k];
-            }
-        }
-        if (row > 0)
-            std::copy_n(sides[(row - 1) % 2], columns, away + first - pitch);
+    outline_finder outlines(grid, away);
+    for (int i = 0; i < grid.rows; ++i) {
+        const grid_row row(grid, i);
+        outlines.begin(row);
+        for (std::size_t column = 0; column < columns; column += hn::Lanes(d))
+            hn::StoreU(outlines.sides(row, column), d, sides[i % 2] + column);
+        if (i > 0)
+            std::copy_n(sides[(i - 1) % 2], columns, away + row.up);
     }
     std::copy_n(sides[(grid.rows - 1) % 2], columns, away + grid.index(grid.rows - 1, 0));
 }

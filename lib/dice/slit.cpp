@@ -98,63 +98,64 @@ public:
 
     /// Adds the triangles between vertices i to i_end and points j to j_end.
     void fill(std::size_t i, std::size_t i_end, std::size_t j, std::size_t j_end) {
-        l3d_micro_vertex of_row = vertex(i), of_edge = point(j);
+        row_point of_row = vertex(i), of_edge = point(j, i);
         while (i < i_end || j < j_end) {
             const bool along_row =
                 i < i_end && (j == j_end || parameters_[i + 1] <= parameter_of(j + 1));
-            const l3d_micro_vertex next = along_row ? vertex(i + 1) : point(j + 1);
-            if (!covers_nothing(of_edge, of_row, next)) {
-                const std::array<double, 3> along{parameter_of(j), parameters_[i],
-                                                  along_row ? parameters_[i + 1]
-                                                            : parameter_of(j + 1)};
-                add({of_edge, of_row, next}, along, i);
-            }
+            const row_point next = along_row ? vertex(i + 1) : point(j + 1, i);
+            if (!covers_nothing(of_edge.at, of_row.at, next.at))
+                add({of_edge, of_row, next}, i);
             ++(along_row ? i : j);
             (along_row ? of_row : of_edge) = next;
         }
     }
 
 private:
-    l3d_micro_vertex vertex(std::size_t i) const {
+    /// A vertex of the row or a point of the edge, with the row's light at its parameter.
+    struct row_point {
+        l3d_micro_vertex at;
+        double along;
+    };
+
+    row_point vertex(std::size_t i) const {
         const std::size_t at = first_ + i * step_;
-        return {grid_.x[at],
-                grid_.y[at],
-                grid_.inv_w[at],
-                {grid_.normal[0][at], grid_.normal[1][at], grid_.normal[2][at]}};
+        l3d_micro_vertex result = grid_.vertex(at);
+        if (piece_.has_levels)
+            result.normal[1] = result.normal[2] = 0;
+        return {result, parameters_[i]};
     }
 
-    /// Point j of the edge, without light.
-    l3d_micro_vertex point(std::size_t j) const {
-        return {edge_.x()[j], edge_.y()[j], edge_.inv_w()[j], {}};
+    /// Point j of the edge, near the row's vertex i.
+    row_point point(std::size_t j, std::size_t i) const {
+        row_point result{{edge_.x()[j], edge_.y()[j], edge_.inv_w()[j], {}}, parameter_of(j)};
+        if (piece_.has_levels)
+            result.at.normal[0] = level_at(result.along, i);
+        return result;
     }
 
     /// A triangle whose corners are lit as the row is at their parameters, near its vertex `near`.
-    void add(std::array<l3d_micro_vertex, 3> corners, const std::array<double, 3>& along,
-             std::size_t near) {
+    void add(std::array<row_point, 3> corners, std::size_t near) {
         if (piece_.has_levels) {
-            const auto bend = [&](std::size_t i, std::size_t k) {
-                return level_at((along[i] + along[k]) / 2, near) -
-                       (corners[i].normal[0] + corners[k].normal[0]) / 2;
+            const auto bend = [&](const row_point& a, const row_point& b) {
+                return level_at((a.along + b.along) / 2, near) -
+                       (a.at.normal[0] + b.at.normal[0]) / 2;
             };
-            for (std::size_t k = 0; k < corners.size(); ++k)
-                corners[k].normal[0] = level_at(along[k], near);
-            corners[0].normal[1] = bend(0, 1);
-            corners[0].normal[2] = bend(0, 2);
-            corners[1].normal[1] = 0;
-            corners[1].normal[2] = bend(1, 2);
-            corners[2].normal[1] = corners[2].normal[2] = 0;
+            corners[0].at.normal[1] = bend(corners[0], corners[1]);
+            corners[0].at.normal[2] = bend(corners[0], corners[2]);
+            corners[1].at.normal[2] = bend(corners[1], corners[2]);
         } else {
-            for (std::size_t k = 0; k < corners.size(); ++k)
-                set_normal_at(along[k], near, corners[k].normal);
+            for (row_point& corner : corners)
+                set_normal_at(corner.along, near, corner.at.normal);
         }
-        const auto [low, high] = std::minmax({along[0], along[1], along[2]});
+        const auto [low, high] =
+            std::minmax({corners[0].along, corners[1].along, corners[2].along});
         note_span(piece_, false, along_u_, low, high);
-        piece_.part.triangles.add(corners[0], corners[1], corners[2]);
+        piece_.part.triangles.add(corners[0].at, corners[1].at, corners[2].at);
         if (piece_.keep_parameters)
-            for (std::size_t k = 0; k < along.size(); ++k)
+            for (std::size_t k = 0; k < corners.size(); ++k)
                 piece_.triangle_uv[k].push_back(
-                    along_u_ ? l3d_diced_piece::parameters{along[k], across_}
-                             : l3d_diced_piece::parameters{across_, along[k]});
+                    along_u_ ? l3d_diced_piece::parameters{corners[k].along, across_}
+                             : l3d_diced_piece::parameters{across_, corners[k].along});
     }
 
     /// Between which vertices of the row a parameter lies, and how far from the first to the next.
