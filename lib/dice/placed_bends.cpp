@@ -4,7 +4,7 @@
 
 #include "dice/drawn_error.h"
 #include "dice/snap.h"
-#include "dice/surface_bends_p.h"
+#include "scene/bends/surface_bends_p.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 // vertices side by side in SIMD lanes.
 #include "dice/seen_sides.h"
 
-#include "dice/dice_view.h"
+#include "scene/dice_view.h"
 #include "raster/surface_part.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "raster/simd_dispatch_p.h"
+#include "raster/parallel/simd_dispatch_p.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {

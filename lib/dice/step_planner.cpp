@@ -14,7 +14,7 @@
 #include <hwy/highway.h>
 
 #include "dice/bend_planner-inl.h"
-#include "raster/simd_dispatch_p.h"
+#include "raster/parallel/simd_dispatch_p.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
