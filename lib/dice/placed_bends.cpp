@@ -92,6 +92,13 @@ double levels_off_slit(double h, double bent, double straight, double n_2, doubl
 /// Of blocks without a normal, all that bends may bend along it; what corners are off a plane by is
 /// measured when they are there (l3d_most_off_plane).
 void l3d_placed_bends::set_by_size(const l3d_net_piece& piece, int strips, of_piece& of) const {
+    unsigned without = 0;
+    for (std::size_t i = 0; i < l3d_surface_bends::blocks; ++i)
+        if (!std::isfinite(of.bends.uu[i] + of.bends.uv[i] + of.bends.vv[i] + of.bends.uuu[i] +
+                           of.bends.vvv[i]))
+            without |= 1U << i;
+    if (without == 0)
+        return;
     const auto& p = piece.net.points;
     // The net is scaled: x and y by the focal length and what w is scaled by, w by that alone.
     const double unit = 1 / w_per_length_;
@@ -108,8 +115,7 @@ void l3d_placed_bends::set_by_size(const l3d_net_piece& piece, int strips, of_pi
     // The floats above them.
     const double of_block = 6 * (1 + 0x1p-23) / (strips * strips);
     for (std::size_t i = 0; i < l3d_surface_bends::blocks; ++i) {
-        if (std::isfinite(of.bends.uu[i] + of.bends.uv[i] + of.bends.vv[i] + of.bends.uuu[i] +
-                          of.bends.vvv[i]))
+        if ((without >> i & 1) == 0)
             continue;
         for (const auto member : l3d_detail::bend_members<l3d_surface_bends::lanes>)
             (of.bends.*member)[i] = 0;
@@ -283,15 +289,16 @@ double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks,
         return vector{(grid.x[i] - view.centre_x()) * pixel, (grid.y[i] - view.centre_y()) * pixel,
                       w};
     };
-    const auto of_quad = [&](int row, int column) {
-        const std::size_t a = grid.index(row, column), d = grid.index(row + 1, column);
-        const vector p[4] = {place(a), place(a + 1), place(d + 1), place(d)};
-        const vector normal = l3d_cross(p[2] - p[0], p[3] - p[1]);
-        const double length = l3d_length(normal);
-        const vector twist = p[0] - p[1] + p[2] - p[3];
+    // Both ends of a column's side; those of the next one are the quad's other two.
+    using side = std::array<vector, 2>;
+    const auto off_plane = [&](const side& left, const side& right) {
+        const vector normal = l3d_cross(right[1] - left[0], left[1] - right[0]);
+        const vector twist = left[0] - right[0] + right[1] - left[1];
+        const double square = l3d_dot(normal, normal);
         const double off =
-            length > 0 ? std::abs(l3d_dot(normal, twist)) / length : l3d_length(twist);
-        return view.focal * off / (4 * std::min({p[0][2], p[1][2], p[2][2], p[3][2]}));
+            square > 0 ? std::abs(l3d_dot(normal, twist)) / std::sqrt(square) : l3d_length(twist);
+        return view.focal * off /
+               (4 * std::min({left[0][2], right[0][2], right[1][2], left[1][2]}));
     };
     double most = 0;
     const auto strips = static_cast<std::size_t>(part.block_rows.blocks);
@@ -299,9 +306,16 @@ double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks,
         if ((blocks >> i & 1) == 0)
             continue;
         const auto &rows = part.block_rows.first, &columns = part.block_columns.first;
-        for (int row = rows[i / strips]; row < rows[i / strips + 1]; ++row)
-            for (int column = columns[i % strips]; column < columns[i % strips + 1]; ++column)
-                most = std::max(most, of_quad(row, column));
+        for (int row = rows[i / strips]; row < rows[i / strips + 1]; ++row) {
+            side left;
+            for (int column = columns[i % strips]; column <= columns[i % strips + 1]; ++column) {
+                const side right{place(grid.index(row, column)),
+                                 place(grid.index(row + 1, column))};
+                if (column > columns[i % strips])
+                    most = std::max(most, off_plane(left, right));
+                left = right;
+            }
+        }
     }
     return std::max(most - l3d_vertex_accuracy::of_centre(), most / 4);
 }
