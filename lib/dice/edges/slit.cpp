@@ -27,15 +27,14 @@ struct centres_between {
 };
 
 /// Twice the signed area of p, q and (x, y).
-std::int64_t turn(const l3d_micro_vertex& p, const l3d_micro_vertex& q, std::int32_t x,
-                  std::int32_t y) {
+template <class Point>
+std::int64_t turn(const Point& p, const Point& q, std::int32_t x, std::int32_t y) {
     return std::int64_t{q.x - p.x} * (y - p.y) - std::int64_t{q.y - p.y} * (x - p.x);
 }
 
 /// Whether a triangle covers nothing: its box holds no pixel's centre, or a single one that lies
 /// beyond one side, or its corners lie on one line. Nearly all triangles of slits are so.
-bool covers_nothing(const l3d_micro_vertex& p, const l3d_micro_vertex& q,
-                    const l3d_micro_vertex& r) {
+template <class Point> bool covers_nothing(const Point& p, const Point& q, const Point& r) {
     const centres_between along_x(p.x, q.x, r.x), along_y(p.y, q.y, r.y);
     if (along_x.none() || along_y.none())
         return true;
@@ -103,59 +102,60 @@ public:
             const bool along_row =
                 i < i_end && (j == j_end || parameters_[i + 1] <= parameter_of(j + 1));
             const row_point next = along_row ? vertex(i + 1) : point(j + 1, i);
-            if (!covers_nothing(of_edge.at, of_row.at, next.at))
-                add({of_edge, of_row, next}, i);
+            if (!covers_nothing(of_edge, of_row, next))
+                add(of_edge, of_row, next, i);
             ++(along_row ? i : j);
             (along_row ? of_row : of_edge) = next;
         }
     }
 
 private:
-    /// A vertex of the row or a point of the edge, with the row's light at its parameter.
+    /// A vertex of the row or a point of the edge, with the row's level at its parameter.
     struct row_point {
-        l3d_micro_vertex at;
+        std::int32_t x, y;
+        float inv_w, level;
         double along;
+
+        l3d_micro_vertex lit(float a, float b, float c) const { return {x, y, inv_w, {a, b, c}}; }
     };
 
     row_point vertex(std::size_t i) const {
         const std::size_t at = first_ + i * step_;
-        l3d_micro_vertex result = grid_.vertex(at);
-        if (piece_.has_levels)
-            result.normal[1] = result.normal[2] = 0;
-        return {result, parameters_[i]};
+        return {grid_.x[at], grid_.y[at], grid_.inv_w[at], grid_.normal[0][at], parameters_[i]};
     }
 
     /// Point j of the edge, near the row's vertex i.
     row_point point(std::size_t j, std::size_t i) const {
-        row_point result{{edge_.x()[j], edge_.y()[j], edge_.inv_w()[j], {}}, parameter_of(j)};
-        if (piece_.has_levels)
-            result.at.normal[0] = level_at(result.along, i);
-        return result;
+        const double along = parameter_of(j);
+        return {edge_.x()[j], edge_.y()[j], edge_.inv_w()[j],
+                piece_.has_levels ? level_at(along, i) : 0, along};
     }
 
     /// A triangle whose corners are lit as the row is at their parameters, near its vertex `near`.
-    void add(std::array<row_point, 3> corners, std::size_t near) {
+    void add(const row_point& a, const row_point& b, const row_point& c, std::size_t near) {
         if (piece_.has_levels) {
-            const auto bend = [&](const row_point& a, const row_point& b) {
-                return level_at((a.along + b.along) / 2, near) -
-                       (a.at.normal[0] + b.at.normal[0]) / 2;
+            const auto bend = [&](const row_point& from, const row_point& to) {
+                return level_at((from.along + to.along) / 2, near) - (from.level + to.level) / 2;
             };
-            corners[0].at.normal[1] = bend(corners[0], corners[1]);
-            corners[0].at.normal[2] = bend(corners[0], corners[2]);
-            corners[1].at.normal[2] = bend(corners[1], corners[2]);
+            piece_.part.triangles.add(a.lit(a.level, bend(a, b), bend(a, c)),
+                                      b.lit(b.level, 0, bend(b, c)), c.lit(c.level, 0, 0));
         } else {
-            for (row_point& corner : corners)
-                set_normal_at(corner.along, near, corner.at.normal);
+            const auto lit = [&](const row_point& corner) {
+                l3d_micro_vertex result = corner.lit(0, 0, 0);
+                set_normal_at(corner.along, near, result.normal);
+                return result;
+            };
+            piece_.part.triangles.add(lit(a), lit(b), lit(c));
         }
-        const auto [low, high] =
-            std::minmax({corners[0].along, corners[1].along, corners[2].along});
-        note_span(piece_, false, along_u_, low, high);
-        piece_.part.triangles.add(corners[0].at, corners[1].at, corners[2].at);
+        note_span(piece_, false, along_u_, std::min({a.along, b.along, c.along}),
+                  std::max({a.along, b.along, c.along}));
         if (piece_.keep_parameters)
-            for (std::size_t k = 0; k < corners.size(); ++k)
-                piece_.triangle_uv[k].push_back(
-                    along_u_ ? l3d_diced_piece::parameters{corners[k].along, across_}
-                             : l3d_diced_piece::parameters{across_, corners[k].along});
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double along = k == 0 ? a.along : k == 1 ? b.along : c.along;
+                piece_.triangle_uv[k].push_back(along_u_
+                                                    ? l3d_diced_piece::parameters{along, across_}
+                                                    : l3d_diced_piece::parameters{across_, along});
+            }
     }
 
     /// Between which vertices of the row a parameter lies, and how far from the first to the next.
