@@ -133,6 +133,8 @@ CHECKS    := format-check headers layers errors-doc fail
 LINT_LOGS := $(CHECKS:%=$(OUT)/log/%.log) $(OUT)/log/x11/docs_test.py.log $(OUT)/log/tidy.log
 STRESS_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log) $(OUT)/log/raster-stress.log \
                $(OUT)/log/pipeline-stress.log
+# What takes longest to compile is begun first, so that no processor waits for it in the end.
+SLOW_FIRST := $(patsubst %,$(OUT)/lib/%.o,raster/surfaces/fill_kernel system/options scene/bends/surface_bends_lanes)
 # What is tested is made before anything is run, and what runs longest is begun first.
 MADE_FIRST = $(TESTERS) $(STABILITY) $(APPS) $(PLUGINS) $(DATA) \
              $(if $(filter install,$(WITH)),$(PAGES) $(STATIC) $(SHARED))
@@ -152,23 +154,28 @@ MAKEFLAGS += -rR --no-print-directory
         fuzz fuzz-each packages hooks clean help
 
 Q    := $(if $(V),,@)
-say   = $(if $(V),,@printf '  %-5s %s\n' $(1) $(2:$(OUT)/%=%))
+# STEPS, counted by a dry run, makes each step say how far the build is.
+progress = $(if $(STEPS),echo >> $(OUT)/steps; printf '[%d/%d]' $$(wc -l < $(OUT)/steps) $(STEPS);)
+say   = $(if $(V),,@$(progress) printf '  %-5s %s\n' $(1) $(2:$(OUT)/%=%))
 # As many processes as processors, unless the user said how many; one more for checks, many of which
 # wait for somebody.
 jobs  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell expr $$(nproc 2>/dev/null || echo 2) + $(1)))
 again = $(MAKE) $(call jobs,0)
+count = rm -f $(OUT)/steps; steps=$$($(MAKE) -n STEPS=1 $(1) 2>/dev/null | grep -c '^echo >> $(OUT)/steps')
+build = $(call count,$(1)); $(again) STEPS=$$steps $(1)
 judge = rm -f $(1); $(MAKE) $(call jobs,1) -k $(1) || true; awk -f tests/lint/summary.awk $(1)
 
-all: $(APPS) $(PLUGINS) $(DATA) $(ARCHIVES) ## build the library and the programs (the default)
+all: ## build the library and the programs (the default)
+	@$(call build,$(SLOW_FIRST) $(APPS) $(PLUGINS) $(DATA) $(ARCHIVES))
 
 run: ## build, then show the teapot: in a window, or as a PNG where there is no display
-	@$(again) $(OUT)/bin/teapot_afd
+	@$(call build,$(SLOW_FIRST) $(OUT)/bin/teapot_afd)
 	@if [ -n "$$DISPLAY" ]; then $(OUT)/bin/teapot_afd --no-input --backend auto; else \
 	    $(OUT)/bin/teapot_afd --no-input --backend memory --output $(OUT)/teapot.png && \
 	    echo $(OUT)/teapot.png; fi
 
 test: packages-test $(if $(filter install,$(WITH)),packages-install) ## build and run every test; ends with "N passed, N failed"
-	@$(again) -k $(MADE_FIRST) || true
+	@$(call build,-k $(SLOW_FIRST) $(MADE_FIRST)) || true
 	@$(call judge,$(TEST_LOGS))
 
 stress: packages-test ## what takes minutes: servers that die at every request, a million shapes; also: make test WITH=stress
@@ -243,12 +250,10 @@ help: ## this list
 
 # ---- rules --------------------------------------------------------------------------------------
 
-# A file that changes only when its text does: what depends on it is remade when flags or lists do.
-remember = @mkdir -p $(@D); echo '$(strip $(1))' | cmp -s - $@ || echo '$(strip $(1))' > $@
-$(OUT)/flags: FORCE
-	$(call remember,$(LINK) $(FLAGS_lib) $(FLAGS_tests))
-$(OUT)/list/%: FORCE
-	$(call remember,$(objects_$*))
+# A file whose text changed is written while make reads: what depends on it is remade when flags or
+# lists do, and a dry run knows it.
+remember = $(if $(subst x$(strip $(2))x,,x$(file <$(1))x),$(shell mkdir -p $(dir $(1)))$(file >$(1),$(strip $(2))))
+$(call remember,$(OUT)/flags,$(LINK) $(FLAGS_lib) $(FLAGS_tests))
 
 $(OUT)/%.o: %.cpp $(OUT)/flags | packages-build
 	$(call say,C++,$@)
@@ -369,7 +374,7 @@ $(OUT)/log/tidy.log: FORCE
 	$(call logged,$(MAKE) tidy && echo ok tidy)
 
 $(OUT)/log/fail.log: FORCE | packages-build
-	$(call say,FAIL,tests/fail)
+	$(call say,CHECK,tests/fail: what must not compile does not)
 	$(call logged,tests/lint/must_fail.sh '$(CXX) $(FLAGS)' $(wildcard tests/fail/*.cpp))
 
 $(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o
@@ -377,5 +382,7 @@ $(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o
 	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ -Wno-unknown-warning-option $(FLAGS) $(call include_paths,$<) && touch $@
 
 include packaging/install.mk
+
+$(foreach list,$(filter objects_%,$(.VARIABLES)),$(call remember,$(OUT)/list/$(list:objects_%=%),$($(list))))
 
 -include $(wildcard $(OBJECTS:.o=.d) $(INCLUDES) $(PLUGINS:.so=.d) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))

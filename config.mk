@@ -14,7 +14,7 @@ BUILD ?= build#    where everything made goes, a folder per variant
 ifneq ($(filter default undefined,$(origin CXX)),)
 CXX := g++
 endif
-WERROR       ?= -Werror#  make WERROR= builds with a compiler that warns of more than ours
+WERROR       ?=#  -Werror makes warnings errors, as .ci/run, make matrix and the hooks do
 CLANG_FORMAT ?= clang-format
 CLANG_TIDY   ?= clang-tidy
 TEST_TIMEOUT ?= 900#  seconds a test program may take, sanitizers on a slow machine included
@@ -24,7 +24,7 @@ FUZZ_SECONDS ?= 60#  for each reader; a crash, 10 seconds for one text or this m
 FUZZ_LIMITS  ?= -timeout=10 -rss_limit_mb=1024 -malloc_limit_mb=64 -max_len=4096
 
 # Debian packages, each with its proof: a header, a library or a program that must be there.
-PACKAGES_build  := g++:$(CXX) libglm-dev:glm/glm.hpp libpng-dev:png.h libx11-dev:X11/Xlib.h \
+PACKAGES_build  := $(if $(findstring clang,$(CXX)),clang:clang++,g++:$(CXX)) libglm-dev:glm/glm.hpp libpng-dev:png.h libx11-dev:X11/Xlib.h \
     libxext-dev:X11/extensions/XShm.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
     nlohmann-json3-dev:nlohmann/json.hpp libtbb-dev:oneapi/tbb/parallel_for.h \
     libhwy-dev:hwy/highway.h

@@ -14,6 +14,10 @@ PUBLIC       = $(shell awk -f packaging/public_headers.awk $(HEADERS))
 PLAIN       := teapot_afd modelview drawdot
 installed    = $(strip $(patsubst %,l3d-%,$(filter-out $(PLAIN),$(1))) $(filter $(PLAIN),$(1)))
 PAGES       := $(patsubst %,$(OUT)/man/%.1,$(call installed,$(apps)))
+# What shells and desktops want to know of the programs.
+BASH_WORDS  := $(patsubst %,$(OUT)/completion/bash/%,$(call installed,$(apps)))
+ZSH_WORDS   := $(patsubst %,$(OUT)/completion/zsh/_%,$(call installed,$(apps)))
+ICON        := $(OUT)/icon/l3d.png
 
 BINDIR     ?= $(PREFIX)/bin
 LIBDIR     ?= $(PREFIX)/lib
@@ -28,10 +32,11 @@ libraries: $(STATIC) $(SHARED)
 
 install: install-programs ## PREFIX=/usr/local DESTDIR=: libraries (REALS="float fixed"), headers, programs, pages
 	+@set -e; for real in $(REALS); do $(again) REAL=$$real install-library; done
+	@DESTDIR="$(DESTDIR)" packaging/installed.sh "$(BINDIR)" "$(LIBDIR)" "$(INCLUDEDIR)" "$(SHAREDIR)"
 
 put = install -d $(DESTDIR)$(2) && install -m $(1) $(3) $(DESTDIR)$(2)
 
-install-programs: $(APPS) $(PLUGINS) $(DATA) $(PAGES)
+install-programs: $(APPS) $(PLUGINS) $(DATA) $(PAGES) $(BASH_WORDS) $(ZSH_WORDS) $(ICON)
 	$(Q)install -d $(DESTDIR)$(BINDIR)
 	$(Q)$(foreach a,$(apps),install -m 755 $(OUT)/bin/$(a) \
 	    $(DESTDIR)$(BINDIR)/$(call installed,$(a)) &&) true
@@ -39,6 +44,11 @@ install-programs: $(APPS) $(PLUGINS) $(DATA) $(PAGES)
 	$(Q)$(call put,644,$(SHAREDIR)/l3d,$(DATA))
 	$(Q)$(call put,644,$(SHAREDIR)/man/man1,$(PAGES))
 	$(Q)$(call put,644,$(SHAREDIR)/man/man7,docs/l3d.7)
+	$(Q)$(call put,644,$(SHAREDIR)/bash-completion/completions,$(BASH_WORDS))
+	$(Q)$(call put,644,$(SHAREDIR)/zsh/site-functions,$(ZSH_WORDS))
+	$(Q)$(call put,644,$(SHAREDIR)/applications,packaging/desktop/*.desktop)
+	$(Q)$(call put,644,$(SHAREDIR)/mime/packages,packaging/desktop/l3d.xml)
+	$(Q)$(call put,644,$(SHAREDIR)/icons/hicolor/128x128/apps,$(ICON))
 
 install-library: $(STATIC) $(SHARED) $(OUT)/$(NAME).pc
 	$(Q)$(call put,644,$(LIBDIR),$(STATIC) $(SHARED))
@@ -52,7 +62,10 @@ uninstall: ## remove what install has put there, given the same PREFIX and DESTD
 	rm -rf $(addprefix $(DESTDIR),$(INCLUDEDIR)/l3d $(PLUGINDIR) $(SHAREDIR)/l3d)
 	rm -f $(patsubst %,$(DESTDIR)$(BINDIR)/%,$(call installed,$(apps))) \
 	    $(patsubst $(OUT)/man/%,$(DESTDIR)$(SHAREDIR)/man/man1/%,$(PAGES)) \
-	    $(DESTDIR)$(SHAREDIR)/man/man7/l3d.7
+	    $(patsubst $(OUT)/completion/bash/%,$(DESTDIR)$(SHAREDIR)/bash-completion/completions/%,$(BASH_WORDS)) \
+	    $(patsubst $(OUT)/completion/zsh/%,$(DESTDIR)$(SHAREDIR)/zsh/site-functions/%,$(ZSH_WORDS)) \
+	    $(addprefix $(DESTDIR)$(SHAREDIR)/,man/man7/l3d.7 mime/packages/l3d.xml icons/hicolor/128x128/apps/l3d.png \
+	    $(patsubst packaging/desktop/%,applications/%,$(wildcard packaging/desktop/*.desktop)))
 	rm -f $(foreach r,float double fixed,$(addprefix $(DESTDIR)$(LIBDIR)/,lib$(NAME_$(r)).a \
 	    lib$(NAME_$(r)).so lib$(NAME_$(r)).so.* pkgconfig/$(NAME_$(r)).pc))
 
@@ -81,8 +94,7 @@ $(SHARED): $(objects_library) $(OUT)/exports.map
 	$(Q)$(LINK) -shared -Wl,-soname,$(SONAME) -Wl,--version-script=$(OUT)/exports.map \
 	    -Wl,-z,defs -Wl,-Bsymbolic-functions $(filter %.o,$^) $(call links,$(LAYERS)) -o $@
 
-$(OUT)/place: FORCE
-	$(call remember,$(PREFIX) $(LIBDIR) $(INCLUDEDIR))
+$(call remember,$(OUT)/place,$(PREFIX) $(LIBDIR) $(INCLUDEDIR))
 
 # pkg-config moves what lies in the prefix with it, if it is named so.
 below_prefix = $(patsubst $(PREFIX)/%,$${prefix}/%,$(1))
@@ -98,6 +110,20 @@ $(OUT)/man/l3d-%.1: $(OUT)/bin/% packaging/man_page.awk
 	$(page)
 $(OUT)/man/%.1: $(OUT)/bin/% packaging/man_page.awk
 	$(page)
+
+words = $(Q)mkdir -p $(@D); $< --help | \
+    awk -f packaging/completion.awk -v shell=$(1) -v program=$(patsubst _%,%,$(@F)) > $@
+$(OUT)/completion/bash/l3d-%: $(OUT)/bin/% packaging/completion.awk
+	$(call words,bash)
+$(OUT)/completion/bash/%: $(OUT)/bin/% packaging/completion.awk
+	$(call words,bash)
+$(OUT)/completion/zsh/_l3d-%: $(OUT)/bin/% packaging/completion.awk
+	$(call words,zsh)
+$(OUT)/completion/zsh/_%: $(OUT)/bin/% packaging/completion.awk
+	$(call words,zsh)
+
+$(ICON): $(OUT)/bin/teapot_afd
+	$(Q)mkdir -p $(@D); $< --no-input --backend memory --size 128x128 --fov 30 --target 0.25,1.5,0 --output $@
 
 # Where installed programs and the shared library look for data, if not beside themselves.
 $(OUT)/lib/system/places.o: $(OUT)/place

@@ -36,12 +36,14 @@ const l3d_afd_settings& checked(const l3d_afd_settings& settings, const l3d_came
 std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
                               const l3d_afd_settings& settings) {
     constexpr double largest = std::numeric_limits<double>::max();
-    if (size.width < 1 || size.height < 1 || size.width > l3d_afd_largest_side ||
-        size.height > l3d_afd_largest_side)
+    const std::string most = std::to_string(l3d_largest_side);
+    if (size.width < 1 || size.height < 1 || size.width > l3d_largest_side ||
+        size.height > l3d_largest_side)
         return "picture: " + std::to_string(size.width) + 'x' + std::to_string(size.height) +
-               " is not within 1x1 and 16384x16384";
-    if (!(settings.tolerance > 0 && settings.tolerance <= l3d_afd_largest_side))
-        return "tolerance: " + std::to_string(settings.tolerance) + " px is not within 0 and 16384";
+               " is not within 1x1 and " + most + 'x' + most;
+    if (!(settings.tolerance > 0 && settings.tolerance <= l3d_largest_side))
+        return "tolerance: " + std::to_string(settings.tolerance) + " px is not within 0 and " +
+               most;
     if (!(settings.shade_tolerance > 0 && settings.shade_tolerance <= 255))
         return "shade tolerance: " + std::to_string(settings.shade_tolerance) +
                " levels is not within 0 and 255";
@@ -58,13 +60,12 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
     return camera.complaint();
 }
 
-l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
-                                   const l3d_rasterizer_factory& rasterizers, l3d_patch_scene scene,
+l3d_pipeline_afd::l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene,
                                    const l3d_camera& camera, const l3d_afd_settings& settings)
-    : screen_(std::move(screen)),
+    : screen_(std::move(canvas.screen)),
       workers_(checked(settings, camera, screen_->pixels().size()).threads),
-      imp_(rasterizers.create_2d(screen_->pixels())), rasterizer_(*imp_),
-      method_(settings.method.create(rasterizers, workers_)), scene_(std::move(scene)),
+      imp_(canvas.rasterizers->create_2d(screen_->pixels())), rasterizer_(*imp_),
+      method_(settings.method.create(*canvas.rasterizers, workers_)), scene_(std::move(scene)),
       camera_(camera), settings_(settings),
       wire_dicer_(std::make_unique<l3d_frame_dicer<l3d_real>>(workers_)) {
     report_.frame = -1;
@@ -137,9 +138,14 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     l3d_shading shading =
         l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
     shading.keep_unit_normals = settings_.keep.unit_normals;
-    return {target,          transform_.matrix(), view_,
-            shading,         settings_.wireframe, settings_.net,
-            settings_.depth, settings_.outlines};
+    return {.target = target,
+            .to_image = transform_.matrix(),
+            .view = view_,
+            .shading = shading,
+            .wireframe = settings_.wireframe,
+            .net = settings_.net,
+            .depth = settings_.depth,
+            .outlines = settings_.outlines};
 }
 
 /// Nothing where the picture is right as it is. All of it where something that is drawn on top
@@ -200,18 +206,18 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     report_.dice = {};
     report_.surface = {};
     for (const l3d_pixel_box& part : parts.boxes()) {
-        const l3d_method_frame frame{scene_,
-                                     camera_,
-                                     transform_.matrix(),
-                                     view_,
-                                     now.shading,
-                                     now.target,
-                                     depth_,
-                                     settings_.depth,
-                                     untouched_,
-                                     settings_.count_pixels,
-                                     part,
-                                     settings_.outlines};
+        const l3d_method_frame frame{.scene = scene_,
+                                     .camera = camera_,
+                                     .to_image = transform_.matrix(),
+                                     .view = view_,
+                                     .shading = now.shading,
+                                     .target = now.target,
+                                     .depth = depth_,
+                                     .wants_depth = settings_.depth,
+                                     .untouched = untouched_,
+                                     .counts_pixels = settings_.count_pixels,
+                                     .part = part,
+                                     .outlines = settings_.outlines};
         method_->draw(frame, times);
         report_.dice.add(method_->counts());
         report_.surface.add(method_->surface_counts());

@@ -7,6 +7,9 @@
 #include "scene/dice_view.h"
 #include "raster/surface_rasterizer.h"
 
+/// Towards the light where nobody says otherwise: from above, from the right and from the front.
+inline constexpr l3d_camera::vector l3d_usual_light{0.4, 0.8, 0.45};
+
 /// What a surface rasterizer needs to know of the camera and the light for one frame.
 ///
 /// Units:   `light` points towards the light, world space, any length but 0.

@@ -3,6 +3,10 @@
 #include "scene/patch_model.h"
 
 #include "scene/closed_body.h"
+#include "geom/files/model_file.h"
+#include "geom/teapot.h"
+#include "tool_2d/error.h"
+#include "tool_2d/text_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,25 +44,48 @@ l3d_patch_reach reach_of(const l3d_patch_model::patch& p) {
 
 } // namespace
 
-l3d_patch_model::l3d_patch_model(std::vector<patch> patches) : patches_(std::move(patches)) {
-    normals_.reserve(patches_.size());
-    for (const patch& p : patches_) {
-        normals_.emplace_back(p);
-        facing_.emplace_back(p, normals_.back());
-        bends_.emplace_back(p, normals_.back());
-        reaches_.push_back(reach_of(p));
-        const auto [least, most] = p.bounds();
-        boxes_.add(upright_box(least, most));
-        if (normals_.size() == 1) {
-            least_ = least;
-            most_ = most;
+l3d_patch_model::l3d_patch_model(std::vector<patch> patches)
+    : contents_(std::make_shared<const contents>(std::move(patches))) {}
+
+l3d_patch_model::contents::contents(std::vector<patch> of) : patches(std::move(of)) {
+    normals.reserve(patches.size());
+    for (const patch& p : patches) {
+        normals.emplace_back(p);
+        facing.emplace_back(p, normals.back());
+        bends.emplace_back(p, normals.back());
+        reaches.push_back(reach_of(p));
+        const auto [lowest, highest] = p.bounds();
+        boxes.add(upright_box(lowest, highest));
+        if (normals.size() == 1) {
+            least = lowest;
+            most = highest;
         }
         for (int i = 0; i < 3; ++i) {
-            least_[i] = std::min(least_[i], least[i]);
-            most_[i] = std::max(most_[i], most[i]);
+            least[i] = std::min(least[i], lowest[i]);
+            most[i] = std::max(most[i], highest[i]);
         }
     }
-    orientation_ = l3d_orientation_of(patches_, facing_);
+    orientation = l3d_orientation_of(patches, facing);
+}
+
+l3d_patch_model l3d_patch_model::teapot() {
+    std::string why;
+    const auto model = from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);
+    if (!model)
+        throw l3d_error(l3d_exit::bad_input, why);
+    return *model;
+}
+
+l3d_patch_model l3d_patch_model::load(const std::string& file) {
+    std::string why;
+    if (const auto read = l3d_read_model(l3d_read_text_file(file), file, why)) {
+        if (read->patches.empty())
+            why =
+                file + ": holds " + std::to_string(read->mesh.faces()) + " polygons and no patches";
+        else if (const auto model = from_patches(read->patches, file, why))
+            return *model;
+    }
+    throw l3d_error(l3d_exit::bad_input, why);
 }
 
 std::optional<l3d_patch_model> l3d_patch_model::checked(std::vector<patch> patches,

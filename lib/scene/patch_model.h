@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,15 +29,33 @@ struct l3d_patch_reach {
 
 /// A set of bicubic patches, each with its exact normal net and its box. In world space, unless a
 /// l3d_patch_scene places them elsewhere.
+///
+/// A model never changes after it is made. Its copies share its contents.
+/// Lives: the contents live as long as any copy does, such as the one in a scene. What the
+/// accessors
+///        return by reference or as a span lives as long.
+/// Cost:  a copy counts a reference. A move is a copy, so no model is ever without contents.
 class l3d_patch_model {
 public:
     using patch = l3d_bezier_patch<double, 3>;
     using vector = l3d_vector<double, 3>;
 
-    l3d_patch_model() = default;
+    /// No patches.
+    l3d_patch_model() : l3d_patch_model(std::vector<patch>()) {}
+    l3d_patch_model(const l3d_patch_model&) = default;
+    l3d_patch_model& operator=(const l3d_patch_model&) = default;
+    ~l3d_patch_model() = default;
 
     /// Expects: finite coordinates of magnitude at most 1e12.
     explicit l3d_patch_model(std::vector<patch> patches);
+
+    /// The teapot that l3d has at hand, l3d_teapot_bpt().
+    static l3d_patch_model teapot();
+
+    /// The patches of a file in any format of l3d_read_model. Its polygons and notes are left out.
+    /// Errors: throws l3d_error(bad_input) with file, line and reason: also for a file without
+    ///         patches, and for patches that from_patches refuses.
+    static l3d_patch_model load(const std::string& file);
 
     /// The model of patches that may be anything.
     /// Errors: nothing, with "name: patch and point: what" in `why`, if a coordinate is NaN,
@@ -54,31 +73,41 @@ public:
     static std::optional<l3d_patch_model> from_patches(std::span<const l3d_patch_points> patches,
                                                        std::string_view name, std::string& why);
 
-    std::span<const patch> patches() const { return patches_; }
-    const l3d_normal_net& normals(std::size_t index) const { return normals_[index]; }
-    const l3d_facing_cones& facing(std::size_t index) const { return facing_[index]; }
-    const l3d_surface_bends& bends(std::size_t index) const { return bends_[index]; }
-    const l3d_patch_reach& reach(std::size_t index) const { return reaches_[index]; }
+    std::span<const patch> patches() const { return contents_->patches; }
+    const l3d_normal_net& normals(std::size_t index) const { return contents_->normals[index]; }
+    const l3d_facing_cones& facing(std::size_t index) const { return contents_->facing[index]; }
+    const l3d_surface_bends& bends(std::size_t index) const { return contents_->bends[index]; }
+    const l3d_patch_reach& reach(std::size_t index) const { return contents_->reaches[index]; }
 
     /// Whether it is proven to be a body, and where its normals point: l3d_orientation_of.
-    int orientation() const { return orientation_; }
+    int orientation() const { return contents_->orientation; }
 
     /// The box of all control points.
-    const vector& least() const { return least_; }
-    const vector& most() const { return most_; }
+    const vector& least() const { return contents_->least; }
+    const vector& most() const { return contents_->most; }
 
     /// The boxes of the patches' control points, in their order; upright.
-    const l3d_box_lanes& boxes() const { return boxes_; }
+    const l3d_box_lanes& boxes() const { return contents_->boxes; }
+
+    /// The same address for copies of one model, and another for any other model that lives at the
+    /// same time, even one of equal patches.
+    const void* identity() const { return contents_.get(); }
 
 private:
-    std::vector<patch> patches_;
-    std::vector<l3d_normal_net> normals_;
-    std::vector<l3d_facing_cones> facing_;
-    std::vector<l3d_surface_bends> bends_;
-    std::vector<l3d_patch_reach> reaches_;
-    int orientation_ = 0;
-    vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
-    l3d_box_lanes boxes_;
+    struct contents {
+        explicit contents(std::vector<patch> of);
+
+        std::vector<patch> patches;
+        std::vector<l3d_normal_net> normals;
+        std::vector<l3d_facing_cones> facing;
+        std::vector<l3d_surface_bends> bends;
+        std::vector<l3d_patch_reach> reaches;
+        int orientation = 0;
+        vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
+        l3d_box_lanes boxes;
+    };
+
+    std::shared_ptr<const contents> contents_;
 };
 
 #endif

@@ -20,9 +20,8 @@ using l3d_detail::culled_boxes;
 /// some 0.1 ms, for which 1024 patches, diced in 1 ms at least, are enough.
 constexpr std::size_t first_batch = 64, largest_batch = 1024;
 
-/// Of a box whose farthest w is more than so many times its nearest, nobody is asked whether it is
-/// hidden: there the error of a walked w, up to 1e-5 of the farthest, could be over 2^-12 of the
-/// nearest.
+/// Largest ratio of the farthest to the nearest w of a box that is tested for being hidden. Above
+/// it, the error of a walked w, up to 1e-5 of the farthest, could be over 2^-12 of the nearest.
 constexpr double most_depth_ratio = 16;
 
 l3d_image_box box_of(const culled_boxes& boxes, std::size_t i) {
@@ -32,18 +31,12 @@ l3d_image_box box_of(const culled_boxes& boxes, std::size_t i) {
 /// The count of those that are left out for the same reason as box i; null if it may be seen.
 std::int64_t* reason_to_leave_out(const culled_boxes& boxes, std::size_t i,
                                   const l3d_dice_view& view, l3d_dice_counts& counts) {
-    if (!view.keep.outside) {
-        if (boxes.most[i] <= view.near)
-            return &counts.behind;
-        if (boxes.least[i] >= view.far)
-            return &counts.beyond;
-        if (boxes.inside[i] < 0)
-            return &counts.offscreen;
-    }
-    if (!view.keep.centreless && boxes.least[i] > boxes.near[i] &&
-        l3d_holds_no_centre(box_of(boxes, i), view))
-        return &counts.subpixel;
-    return nullptr;
+    return l3d_reason_to_leave_out(
+        {boxes.least[i], boxes.most[i]}, view, [&] { return boxes.inside[i] < 0; },
+        [&] {
+            return boxes.least[i] > boxes.near[i] && l3d_holds_no_centre(box_of(boxes, i), view);
+        },
+        counts);
 }
 
 bool is_hidden(const auto& where, bool (*hidden)(const void*, const l3d_subpixel_box&, float),

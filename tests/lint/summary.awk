@@ -13,6 +13,14 @@ function show(    i) {
     said = 0
 }
 
+# What a skipped test said: GoogleTest prints it between the test's first line and its last.
+function reason(    i, text) {
+    for (i = 1; i < said; ++i)
+        if (pending[i] != "" && pending[i] !~ /\[ RUN      \]|: Skipped$/)
+            text = text " " pending[i]
+    return text
+}
+
 function success() { ++passed; ++good; said = 0; running = "" }
 function failure() { ++failed; ++bad; show(); running = "" }
 
@@ -26,7 +34,7 @@ function read_line(line) {
         failure()
     else if (match(line, /\[  SKIPPED \] /) && running != "") {
         ++skipped
-        print line
+        print line, reason()
         said = 0
         running = ""
     } else if (line ~ /^exit status [0-9]+$/)

@@ -12,6 +12,9 @@
 /// Largest n that programs take: 2 n^2 triangles for each patch are two millions of the teapot.
 inline constexpr int l3d_most_facets = 192;
 
+/// The n of models that are drawn as polygons where nobody says otherwise.
+inline constexpr int l3d_usual_facets = 8;
+
 /// Patches as triangles.
 struct l3d_patch_mesh {
     l3d_polygon_mesh mesh;

@@ -8,10 +8,10 @@
 
 using l3d_detail::stopwatch;
 
-l3d_pipeline_zsort::l3d_pipeline_zsort(l3d_canvas canvas, const l3d_polygon_model& model,
+l3d_pipeline_zsort::l3d_pipeline_zsort(l3d_canvas canvas, l3d_polygon_model model,
                                        const l3d_camera& camera,
                                        const l3d_polygon_settings& settings)
-    : l3d_pipeline_polygons(std::move(canvas), model, camera, settings) {}
+    : l3d_pipeline_polygons(std::move(canvas), std::move(model), camera, settings) {}
 
 void l3d_pipeline_zsort::make_order(const scene& what, l3d_polygon_report& report) {
     const stopwatch ordering;

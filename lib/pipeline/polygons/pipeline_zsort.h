@@ -13,7 +13,7 @@
 class l3d_pipeline_zsort : public l3d_pipeline_polygons {
 public:
     /// Errors:  as l3d_rasterizer_factory::create_2d.
-    l3d_pipeline_zsort(l3d_canvas canvas, const l3d_polygon_model& model, const l3d_camera& camera,
+    l3d_pipeline_zsort(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                        const l3d_polygon_settings& settings);
 
 private:
