@@ -124,11 +124,13 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of) const -> planne
     const double budget = of.view.chord_budget(result.vertex_error);
     result.needs = l3d_needs_of(result.nets.net(), result.nets.blocks(), of.view, budget, kind);
     const double least_w = l3d_depth_range_of(p.net.points).least;
-    result.depth_error =
-        result.vertex_error +
+    const double of_depth =
         l3d_depth_vertex_error(of.view, result.nets.error_w(), of.view.drawn_w(least_w));
+    result.depth_error = result.vertex_error + of_depth;
+    result.row_depth_error = result.row_error + of_depth;
+    result.depth_budget = of.view.chord_budget(result.depth_error);
     if (of.bends)
-        of.bends.ask(p, of.view, budget, of.view.chord_budget(result.depth_error), result.needs);
+        of.bends.ask(p, of.view, result.depth_budget, result.needs);
     result.plan = l3d_plan_steps(result.needs, budget, kind);
     result.excess = static_cast<double>(std::max(result.plan.most_u(), result.plan.most_v())) /
                     (whole ? l3d_most_steps_whole : l3d_most_steps_clipped);
@@ -165,8 +167,8 @@ template <class T> bool l3d_patch_dicer<T>::take_in_lanes(const piece& p, task& 
         of.lanes->fill(p, of.normals, of.view, out);
         drawer_.close(p, out);
         count(p, out, of.lanes->row_error(), true, of);
-        count_surface(p, of.lanes->certificate(p, of.view, of.bends, out), of.lanes->depth_error(),
-                      of);
+        count_surface(p, of.lanes->certificate(p, of.view, of.bends, out),
+                      of.lanes->row_depth_error(), of);
         ++of.counts.in_lanes;
         return true;
     }
@@ -200,12 +202,14 @@ void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, std
         if (how.plan.balanced)
             how.plan.chord_error /= 8 * l3d_balance;
         how.plan.balanced = false;
+        how.plan.bend_error = l3d_bend_error_of(how.needs, how.plan);
         const double growth =
             whole ? ratio * ratio : growth_by_depth(depth_error(p.net, how.plan), of.view.near);
         how.plan.chord_error *= whole ? growth : ratio * ratio * growth;
         how.vertex_error *= growth;
         how.row_error *= growth;
         how.depth_error *= growth;
+        how.row_depth_error *= growth;
         how.depth_growth = whole ? 1 : growth;
         of.budget.is_short = true;
     }
@@ -217,27 +221,29 @@ template <class T> void l3d_patch_dicer<T>::draw(const piece& p, const planned& 
     drawer_.draw(p, how.nets, how.plan, out);
     out.bound = how.plan.visible ? how.plan.chord_error + how.vertex_error : 0;
     count(p, out, how.row_error, false, of);
-    l3d_surface_certificate proven =
-        of.bends.certificate(p, of.view, how.needs, how.plan, out.slits, !how.nets.whole());
-    proven.depth = proven.depth * how.depth_growth + how.depth_error;
+    l3d_surface_certificate proven = of.bends.certificate(p, of.view, how.depth_budget, how.needs,
+                                                          how.plan, out.slits, !how.nets.whole());
+    proven.depth *= how.depth_growth;
+    proven.depth_without_normals *= how.depth_growth;
+    double off_plane = 0;
     if (proven.without_normals != 0)
-        proven.depth += how.nets.whole()
-                            ? l3d_most_off_plane(out.part, proven.without_normals, of.view)
-                            : std::numeric_limits<double>::infinity();
+        off_plane = how.nets.whole() ? l3d_most_off_plane(out.part, proven.without_normals, of.view)
+                                     : std::numeric_limits<double>::infinity();
+    proven.add_to_depth(how.depth_error, off_plane);
     if (std::isinf(how.depth_growth))
         proven.depth = proven.shade = how.depth_growth;
-    count_surface(p, proven, how.depth_error, of);
+    count_surface(p, proven, how.row_depth_error, of);
     of.counts.clipped += !how.nets.whole();
 }
 
-/// Depth and shade of a piece, its vertices being off by depth_error.
+/// Depth and shade of a piece, vertices of the slits along its sides being off by row_depth_error.
 template <class T>
 void l3d_patch_dicer<T>::count_surface(const piece& p, const l3d_surface_certificate& proven,
-                                       double depth_error, task& of) const {
+                                       double row_depth_error, task& of) const {
     double side_error = 0;
     for (const l3d_piece_side& side : p.sides)
         side_error = std::max(side_error, of.edges[side.edge].chord_error());
-    of.counts.add_surface(proven, side_error + depth_error);
+    of.counts.add_surface(proven, side_error + row_depth_error);
 }
 
 /// A piece that was drawn, vertices of the slits along its sides being off by row_error.

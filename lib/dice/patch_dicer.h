@@ -92,7 +92,8 @@ private:
         l3d_piece_nets<T> nets;
         l3d_step_plan plan;
         l3d_block_needs needs;
-        double vertex_error = 0, row_error = 0, depth_error = 0, excess = 0;
+        double vertex_error = 0, row_error = 0, depth_error = 0, row_depth_error = 0;
+        double depth_budget = 0, excess = 0;
         double depth_growth = 1; ///< of what is divided by w, as w of its chords is off
     };
 
@@ -126,8 +127,8 @@ private:
     bool take_in_lanes(const piece& p, task& of);
     void count(const piece& p, const l3d_diced_piece& out, double row_error, bool in_lanes,
                task& of) const;
-    void count_surface(const piece& p, const l3d_surface_certificate& proven, double depth_error,
-                       task& of) const;
+    void count_surface(const piece& p, const l3d_surface_certificate& proven,
+                       double row_depth_error, task& of) const;
     void draw_coarsely(const piece& p, std::int64_t samples, std::int64_t cost, task& of);
     void draw(const piece& p, const planned& how, task& of);
 

@@ -113,10 +113,13 @@ void l3d_piece_nets<T>::bound_vertices(l3d_vertex_accuracy accuracy, const l3d_d
     const int strips = count_ == 1 ? 1 : l3d_step_plan::most_strips;
     unit_ = register_unit<T>(size.w[0]);
     accuracy.error_xy += walking_error<T>(size.xy, unit_, l3d_most_steps_whole, strips);
-    accuracy.error_w += walking_error<T>(size.w, unit_, l3d_most_steps_whole, strips);
+    const double walk_w = walking_error<T>(size.w, unit_, l3d_most_steps_whole, strips);
+    accuracy.error_w += walk_w;
     accuracy.snap_error += l3d_snap_error<T>(accuracy.reach) - l3d_snap_error<T>(0);
     const double walking = accuracy.drawn_error(w_ratio);
-    walked_ = walking - vertex_error_ <= view.walk_allowance(vertex_error_);
+    // What w is off by counts along the line of sight.
+    const double more = walking - vertex_error_ + view.focal * walk_w / accuracy.w_low;
+    walked_ = more <= view.walk_allowance(vertex_error_);
     if (walked_) {
         vertex_error_ = walking;
         error_w_ = accuracy.error_w;

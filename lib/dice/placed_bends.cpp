@@ -2,6 +2,10 @@
 // l3d_placed_bends: block by block.
 #include "dice/placed_bends.h"
 
+#include "dice/drawn_error.h"
+#include "dice/snap.h"
+#include "scene/bends/surface_bends_p.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,86 +16,63 @@ namespace {
 
 constexpr double per_cosine = double{l3d_level_of_cosine};
 
-/// Error of grey levels beside interpolation. It comes from rounding to a whole level, and from the
-/// arithmetic of floats: some 20 * 2^-24 of numbers up to 2^8 times what their terms cancel.
+/// What grey levels are off by beside interpolation: rounding to a whole level, and the arithmetic
+/// of floats, some 20 * 2^-24 of numbers up to 2^8 times what their terms cancel.
 constexpr double rounded_level = 0.5 + 0.01;
 
-/// A chord of step h is off by at most two terms, along the normal at its own parameter. One comes
-/// from the second derivatives there. The other is h^3 of the third derivatives times this number,
-/// the largest value of s (1 - s) ((1 - 2 s) / 6 + l3d_balance). It holds whether one end of the
-/// chord is moved, or both, or none.
-constexpr double of_moved_thirds = 0.0322;
+/// Bounds of |S_uuuv| and |S_uvvv| by the parameters of the piece's blocks: 18 times differences of
+/// its control points.
+struct mixed_thirds {
+    double uuuv = 0, uvvv = 0;
 
-/// A difference over a step h of a cubic, less h times its derivative at any point of the step, is
-/// at most the sum of two terms. They are h^2 times the second derivative there times the first
-/// number, and h^3 times the third derivative times the second number. With s the point's place,
-/// the numbers are (1 - 2 s) / 2 and ((1 - s)^3 + s^3) / 6, and l3d_balance more where ends are
-/// moved.
-constexpr double of_difference_second = 1.0 / 2 + l3d_balance;
-constexpr double of_difference_third = 1.0 / 6 + l3d_balance;
-
-/// Fourth derivatives, two by each parameter, count with h_u^2 h_v^2 times this. It is the sum of
-/// 1/64 of chords, 2 l3d_balance / 8 of moved chords, and l3d_balance^2 of both moved. The last
-/// term is a quarter of what they make of the corners' mixed difference.
-constexpr double of_fourths = 1.0 / 64 + l3d_balance / 4 + l3d_balance * l3d_balance +
-                              of_difference_second * of_difference_second / 4;
-
-/// What the mixed difference of a cell's corners has of |S_uuuv|, |S_uvvv| and of all mixed
-/// derivatives above the fourth, over h_u h_v.
-///
-/// They are 18, 18 and 36 times differences of the control points. A difference of differences is
-/// at most twice the largest of these. So |S_uuuvv| <= 4 |S_uuuv| and |S_uuuvvv| <= 8 |S_uuuv|, by
-/// the parameters of the piece, which run over a block `strips` times as fast.
-class mixed_rest {
-public:
     /// Units: unit is what a scaled w of 1 is long; x and y have `focal` as well.
-    mixed_rest(const std::array<l3d_image_point, 16>& p, int strips, double unit, double focal)
-        : per_strip_(1.0 / strips) {
+    mixed_thirds(const std::array<l3d_image_point, 16>& p, int strips, double unit, double focal) {
         const auto third = [&](std::size_t line, bool turned) {
             const std::size_t first = turned ? line : 4 * line, step = turned ? 4 : 1;
             return p[first + 3 * step] - p[first] + (p[first + step] - p[first + 2 * step]) * 3.0;
         };
-        const double scale = 18 * unit * per_strip_ * per_strip_ * per_strip_ * per_strip_;
+        const double per_strip = 1.0 / strips;
+        const double scale = 18 * unit * per_strip * per_strip * per_strip * per_strip;
         for (const bool turned : {false, true})
             for (std::size_t line = 0; line < 3; ++line) {
                 const l3d_image_point d = third(line + 1, turned) - third(line, turned);
                 const double x = d[0] / focal, y = d[1] / focal;
-                double& most = turned ? uvvv_ : uuuv_;
+                double& most = turned ? uvvv : uuuv;
                 most = std::max(most, scale * std::sqrt(x * x + y * y + d[2] * d[2]));
             }
     }
-
-    double operator()(double h_u, double h_v) const {
-        const double more_u = per_strip_ * h_u, more_v = per_strip_ * h_v;
-        return of_difference_third * (h_u * h_u * uuuv_ *
-                                          (1 + 4 * of_difference_second * more_v +
-                                           8 * of_difference_third * more_v * more_v) +
-                                      h_v * h_v * uvvv_ * (1 + 4 * of_difference_second * more_u));
-    }
-
-private:
-    double per_strip_, uuuv_ = 0, uvvv_ = 0;
 };
 
-/// Asked for above what second derivatives say, for the third ones in the middle of a plan.
-double with_thirds(double second, double third, double steps) {
-    return second + of_moved_thirds / l3d_balance * third / steps;
+float power(float x, int n) {
+    float result = 1;
+    for (int i = 0; i < n; ++i)
+        result *= x;
+    return result;
 }
 
 bool is_seen(const l3d_block_needs& needs, std::size_t i) {
     return needs.uu[i] + needs.uv[i] + needs.vv[i] > 0 || needs.least_u[i] + needs.least_v[i] > 0;
 }
 
-/// The error of levels that are linear over two triangles of a quad.
+/// Depth of some blocks, as bits, and nothing of the others.
+l3d_block_needs only(const l3d_block_needs& needs, unsigned blocks) {
+    l3d_block_needs result = needs;
+    for (std::size_t i = 0; i < l3d_block_needs::most_blocks; ++i)
+        if ((blocks >> i & 1) == 0)
+            result.bends.clear(i);
+    return result;
+}
+
+/// What levels are off by that are linear over two triangles of a quad.
 double levels_off_linear(const l3d_bend_numbers<double>& b, double h_u, double h_v) {
     return per_cosine * ((h_u * h_u * b.n_uu + h_v * h_v * b.n_vv) / 8 + h_u * h_v * b.n_uv / 4);
 }
 
-/// The error of levels in the slit along a side with steps h, if triangles reach that far.
+/// What levels are off by in the slit along a side with steps h, if triangles reach that far.
 ///
 /// A triangle of the slit has levels of the grid's row at its corners and at the middles of its
 /// sides. All six are numbers of one parameter. So their parabola is off by as much as one along a
-/// line. The error of the row itself counts 5/3 times, the most that the sizes of six weights add
+/// line. What the row itself is off by counts 5/3 times, the most that the sizes of six weights add
 /// up to. A plane's weights are positive.
 double levels_off_slit(double h, double bent, double straight, double n_2, double n_3) {
     constexpr double of_six = 5.0 / 3;
@@ -108,149 +89,165 @@ double levels_off_slit(double h, double bent, double straight, double n_2, doubl
 
 } // namespace
 
-/// Where there is no normal, all that bends may bend along it; what corners are off a plane by is
+/// Of blocks without a normal, all that bends may bend along it; what corners are off a plane by is
 /// measured when they are there (l3d_most_off_plane).
-void l3d_placed_bends::set_by_size(const l3d_net_piece& piece, int strips, numbers& of) const {
+void l3d_placed_bends::set_by_size(const l3d_net_piece& piece, int strips, of_piece& of) const {
+    unsigned without = 0;
+    for (std::size_t i = 0; i < l3d_surface_bends::blocks; ++i)
+        if (!std::isfinite(of.bends.uu[i] + of.bends.uv[i] + of.bends.vv[i] + of.bends.uuu[i] +
+                           of.bends.vvv[i]))
+            without |= 1U << i;
+    if (without == 0)
+        return;
     const auto& p = piece.net.points;
     // The net is scaled: x and y by the focal length and what w is scaled by, w by that alone.
     const double unit = 1 / w_per_length_;
     const auto size = [&](const l3d_image_point& d) {
         return unit * std::hypot(d[0] / focal_, d[1] / focal_, d[2]);
     };
-    const double per_uu = 1.0 / (strips * strips);
-    of = numbers{{}, of.steps_u, of.steps_v};
-    of.n_uuu = std::numeric_limits<double>::infinity();
+    double uu = 0, vv = 0;
     for (std::size_t line = 0; line < 4; ++line)
         for (std::size_t i = 0; i < 2; ++i) {
             const std::size_t u = 4 * line + i, v = 4 * i + line;
-            of.uu = std::max(of.uu, 6 * per_uu * size(p[u] - p[u + 1] * 2.0 + p[u + 2]));
-            of.vv = std::max(of.vv, 6 * per_uu * size(p[v] - p[v + 4] * 2.0 + p[v + 8]));
+            uu = std::max(uu, size(p[u] - p[u + 1] * 2.0 + p[u + 2]));
+            vv = std::max(vv, size(p[v] - p[v + 4] * 2.0 + p[v + 8]));
         }
+    // The floats above them.
+    const double of_block = 6 * (1 + 0x1p-23) / (strips * strips);
+    for (std::size_t i = 0; i < l3d_surface_bends::blocks; ++i) {
+        if ((without >> i & 1) == 0)
+            continue;
+        for (const auto member : l3d_detail::bend_members<l3d_surface_bends::lanes>)
+            (of.bends.*member)[i] = 0;
+        of.bends.uu[i] = static_cast<float>(of_block * uu);
+        of.bends.vv[i] = static_cast<float>(of_block * vv);
+        of.bends.n_uuu[i] = std::numeric_limits<float>::infinity();
+    }
 }
 
 /// A block of a piece lies in one of the patch's blocks, or is made of several: the piece is a part
-/// of the patch by halves.
-auto l3d_placed_bends::of_block(const l3d_net_piece& piece, int strips, std::size_t column,
-                                std::size_t row) const -> numbers {
-    constexpr std::size_t across = 4;
-    using lane_numbers = l3d_bend_numbers<l3d_surface_bends::lanes>;
-    const lane_numbers& of = bends_->of_blocks();
-    numbers result{};
-    const auto take = [&](std::size_t i, double u, double v) {
-        const auto at = [i](const l3d_surface_bends::lanes& of_blocks, double& most, double scale) {
-            most = std::max(most, scale * double{of_blocks[i]});
-        };
-        at(of.uu, result.uu, u * u);
-        at(of.uv, result.uv, u * v);
-        at(of.vv, result.vv, v * v);
-        at(of.uuu, result.uuu, u * u * u);
-        at(of.uuv, result.uuv, u * u * v);
-        at(of.uvv, result.uvv, u * v * v);
-        at(of.vvv, result.vvv, v * v * v);
-        at(of.uuvv, result.uuvv, u * u * v * v);
-        at(of.n_uu, result.n_uu, u * u);
-        at(of.n_uv, result.n_uv, u * v);
-        at(of.n_vv, result.n_vv, v * v);
-        at(of.n_uuu, result.n_uuu, u * u * u);
-        at(of.n_uuv, result.n_uuv, u * u * v);
-        at(of.n_uvv, result.n_uvv, u * v * v);
-        at(of.n_vvv, result.n_vvv, v * v * v);
-        at(bends_->steps_u(), result.steps_u, u);
-        at(bends_->steps_v(), result.steps_v, v);
-    };
-    const double size_u = (piece.u1 - piece.u0) / strips, size_v = (piece.v1 - piece.v0) / strips;
-    const auto blocks_of = [&](double low, double size, std::size_t i) {
-        // Blocks begin and end at multiples of powers of two: a little inside is exact enough.
-        const double from = low + size * (static_cast<double>(i) + 0x1p-10);
-        const double to = low + size * (static_cast<double>(i + 1) - 0x1p-10);
-        return std::array{static_cast<std::size_t>(across * from),
-                          static_cast<std::size_t>(across * to)};
-    };
-    const auto columns = blocks_of(piece.u0, size_u, column);
-    const auto rows = blocks_of(piece.v0, size_v, row);
-    for (std::size_t r = rows[0]; r <= rows[1]; ++r)
-        for (std::size_t c = columns[0]; c <= columns[1]; ++c)
-            take(across * r + c, across * size_u, across * size_v);
-    if (!std::isfinite(result.uu + result.uv + result.vv + result.uuu + result.vvv))
-        set_by_size(piece, strips, result);
+/// of the patch by halves. So all that these numbers are multiplied by are powers of two.
+auto l3d_placed_bends::of_blocks(const l3d_net_piece& piece, int strips) const -> of_piece {
+    of_piece result;
+    if (strips == l3d_block_needs::most_strips && piece.u1 - piece.u0 == 1 &&
+        piece.v1 - piece.v0 == 1) {
+        result = {bends_->of_blocks(), bends_->steps_u(), bends_->steps_v()};
+    } else {
+        const auto count = static_cast<std::size_t>(strips);
+        for (std::size_t row = 0; row < count; ++row)
+            for (std::size_t column = 0; column < count; ++column)
+                take_block(piece, strips, column, row, result);
+    }
+    set_by_size(piece, strips, result);
     return result;
 }
 
-void l3d_placed_bends::ask(const l3d_net_piece& piece, const l3d_dice_view& view, double budget,
+void l3d_placed_bends::take_block(const l3d_net_piece& piece, int strips, std::size_t column,
+                                  std::size_t row, of_piece& to) const {
+    constexpr std::size_t across = 4;
+    const std::size_t at = static_cast<std::size_t>(strips) * row + column;
+    const double size_u = (piece.u1 - piece.u0) / strips, size_v = (piece.v1 - piece.v0) / strips;
+    const auto blocks_of = [](double low, double size, std::size_t i) {
+        // Blocks begin and end at multiples of powers of two: a little inside is exact enough.
+        const double from = low + size * (static_cast<double>(i) + 0x1p-10);
+        const double end = low + size * (static_cast<double>(i + 1) - 0x1p-10);
+        return std::array{static_cast<std::size_t>(across * from),
+                          static_cast<std::size_t>(across * end)};
+    };
+    const auto columns = blocks_of(piece.u0, size_u, column);
+    const auto rows = blocks_of(piece.v0, size_v, row);
+    // How much of one of the patch's blocks one of these is.
+    const auto u = static_cast<float>(across * size_u), v = static_cast<float>(across * size_v);
+    const auto take = [&](const l3d_surface_bends::lanes& from, l3d_surface_bends::lanes& most,
+                          float scale) {
+        for (std::size_t r = rows[0]; r <= rows[1]; ++r)
+            for (std::size_t c = columns[0]; c <= columns[1]; ++c)
+                most[at] = std::max(most[at], scale * from[across * r + c]);
+    };
+    using l3d_detail::bend_members;
+    for (std::size_t n = 0; n < bend_members<l3d_surface_bends::lanes>.size(); ++n) {
+        const auto [by_u, by_v] = l3d_detail::bend_powers[n];
+        const auto member = bend_members<l3d_surface_bends::lanes>[n];
+        take(bends_->of_blocks().*member, to.bends.*member, power(u, by_u) * power(v, by_v));
+    }
+    take(bends_->steps_u(), to.steps_u, u);
+    take(bends_->steps_v(), to.steps_v, v);
+}
+
+void l3d_placed_bends::ask(const l3d_net_piece& piece, const l3d_dice_view& view,
                            double depth_budget, l3d_block_needs& needs) const {
-    const double to_w = view.focal * w_per_length_;
     const double levels = std::max(view.shade_tolerance - rounded_level - l3d_most_level_error,
                                    view.shade_tolerance / 4);
     const double more_steps = std::cbrt(1 / levels);
-    const auto strips = static_cast<std::size_t>(needs.strips);
     // Fewest steps come from sides of at most l3d_largest_quad pixels.
     constexpr double finest_quad = 6;
     constexpr double most_steps = l3d_largest_quad / finest_quad;
-    for (std::size_t row = 0; row < strips; ++row)
-        for (std::size_t column = 0; column < strips; ++column) {
-            const std::size_t i = strips * row + column;
-            if (!is_seen(needs, i))
-                continue;
-            const numbers b = of_block(piece, needs.strips, column, row);
-            // As the planner sees it, budgets of depth are those of places.
-            const double per_budget = to_w / needs.least_w[i] * (budget / depth_budget);
-            const auto steps_of = [&](double second) {
-                return std::max(1.0, std::sqrt(second / (4 * budget)));
-            };
-            const double n_u = steps_of(needs.uu[i]), n_v = steps_of(needs.vv[i]);
-            const auto raise = [&](double& need, double by) {
-                if (std::isfinite(by))
-                    need = std::max(need, by);
-            };
-            raise(needs.uu[i], per_budget * with_thirds(b.uu, b.uuu, n_u));
-            raise(needs.vv[i], per_budget * with_thirds(b.vv, b.vvv, n_v));
-            // The planner counts a sixteenth of what corners are off a plane by.
-            raise(needs.uv[i], 4 * per_budget * (b.uv + b.uuv / n_u + b.uvv / n_v));
-            if (!view.makes_levels() && view.shading.mode != l3d_shade::error)
-                continue;
-            raise(needs.least_u[i],
-                  std::min(b.steps_u * more_steps, most_steps * needs.least_u[i]));
-            raise(needs.least_v[i],
-                  std::min(b.steps_v * more_steps, most_steps * needs.least_v[i]));
+    const bool keeps_shade = view.makes_levels() || view.shading.mode == l3d_shade::error;
+    const auto count = static_cast<std::size_t>(needs.strips * needs.strips);
+    const of_piece of = of_blocks(piece, needs.strips);
+    const mixed_thirds mixed(piece.net.points, needs.strips, 1 / w_per_length_, focal_);
+    needs.keeps_bends = true;
+    std::array<double, l3d_block_needs::most_blocks> scale{};
+    // Corners of blocks without normals are measured when they are there. Half of what
+    // snapping can make of a plane is kept free, as most quads there are planes but for that.
+    const double less = std::max(depth_budget - l3d_snap_error<double>(0) / 2, depth_budget / 2);
+    for (std::size_t i = 0; i < count; ++i)
+        if (is_seen(needs, i)) {
+            const double of_block = std::isfinite(of.bends.n_uuu[i]) ? depth_budget : less;
+            scale[i] = view.focal * w_per_length_ / (needs.least_w[i] * of_block);
+        }
+    const auto put = [&](const l3d_surface_bends::lanes& from, l3d_block_needs::per_block& to) {
+        for (std::size_t i = 0; i < to.size(); ++i)
+            to[i] = scale[i] * double{from[i]};
+    };
+    l3d_block_needs::normal_bends& to = needs.bends;
+    put(of.bends.uu, to.uu);
+    put(of.bends.uv, to.uv);
+    put(of.bends.vv, to.vv);
+    put(of.bends.uuu, to.uuu);
+    put(of.bends.uuv, to.uuv);
+    put(of.bends.uvv, to.uvv);
+    put(of.bends.vvv, to.vvv);
+    put(of.bends.uuvv, to.uuvv);
+    for (std::size_t i = 0; i < count; ++i) {
+        to.uuuv[i] = scale[i] * mixed.uuuv;
+        to.uvvv[i] = scale[i] * mixed.uvvv;
+    }
+    if (!keeps_shade)
+        return;
+    const auto raise = [&](double& need, float steps) {
+        const double by = std::min(double{steps} * more_steps, most_steps * need);
+        if (std::isfinite(by))
+            need = std::max(need, by);
+    };
+    for (std::size_t i = 0; i < count; ++i)
+        if (scale[i] > 0) {
+            raise(needs.least_u[i], of.steps_u[i]);
+            raise(needs.least_v[i], of.steps_v[i]);
         }
 }
 
 l3d_surface_certificate
 l3d_placed_bends::certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
-                              const l3d_block_needs& needs, const l3d_step_plan& plan,
-                              const l3d_slit_spans& slits, bool clipped) const {
+                              double depth_budget, const l3d_block_needs& needs,
+                              const l3d_step_plan& plan, const l3d_slit_spans& slits,
+                              bool clipped) const {
     constexpr double nothing = std::numeric_limits<double>::infinity();
     if (!*this)
         return {nothing, nothing};
     const auto strips = static_cast<std::size_t>(needs.strips);
-    const mixed_rest mixed(piece.net.points, needs.strips, 1 / w_per_length_, focal_);
+    const of_piece of = of_blocks(piece, needs.strips);
     l3d_surface_certificate result;
+    result.depth = plan.bend_error * depth_budget;
     for (std::size_t row = 0; row < strips; ++row)
         for (std::size_t column = 0; column < strips; ++column) {
             const std::size_t i = strips * row + column;
             if (!is_seen(needs, i))
                 continue;
-            const double to_pixels = view.focal * w_per_length_ / needs.least_w[i];
-            const numbers b = of_block(piece, needs.strips, column, row);
+            const l3d_bend_numbers<double> b = l3d_detail::bends_of_block(of.bends, i);
             const double h_u = 1.0 / plan.nu[column], h_v = 1.0 / plan.nv[row];
-            const auto bent = [&](double h, double second, double third, bool at_side) {
-                // Slits at the piece's sides lie between chords that are not balanced.
-                const bool balanced = plan.balanced && h < 1 && !at_side;
-                return h * h *
-                       ((balanced ? l3d_balance : 1.0 / 8) * second + of_moved_thirds * h * third);
-            };
             const bool side_row = row == 0 || row + 1 == strips;
             const bool side_column = column == 0 || column + 1 == strips;
-            const double along_u = bent(h_u, b.uu, b.uuu, false),
-                         along_v = bent(h_v, b.vv, b.vvv, false);
-            const double off_plane =
-                h_u * h_v *
-                (b.uv + of_difference_second * (h_u * b.uuv + h_v * b.uvv) + mixed(h_u, h_v)) / 4;
-            const double quad =
-                along_u + along_v + off_plane + of_fourths * h_u * h_u * h_v * h_v * b.uuvv;
-            const double slit = std::max(side_row ? bent(h_u, b.uu, b.uuu, true) : 0.0,
-                                         side_column ? bent(h_v, b.vv, b.vvv, true) : 0.0);
-            result.depth = std::max({result.depth, to_pixels * quad, to_pixels * slit});
             const double off =
                 clipped ? levels_off_linear(b, h_u, h_v) : l3d_levels_off(b, h_u, h_v);
             if (off + rounded_level + l3d_most_level_error <= view.shade_tolerance)
@@ -277,6 +274,9 @@ l3d_placed_bends::certificate(const l3d_net_piece& piece, const l3d_dice_view& v
                 result.without_normals |= 1U << i;
         }
     result.shade = result.shade + rounded_level;
+    if (result.without_normals != 0)
+        result.depth_without_normals =
+            depth_budget * l3d_bend_error_of(only(needs, result.without_normals), plan);
     return result;
 }
 
@@ -289,15 +289,16 @@ double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks,
         return vector{(grid.x[i] - view.centre_x()) * pixel, (grid.y[i] - view.centre_y()) * pixel,
                       w};
     };
-    const auto of_quad = [&](int row, int column) {
-        const std::size_t a = grid.index(row, column), d = grid.index(row + 1, column);
-        const vector p[4] = {place(a), place(a + 1), place(d + 1), place(d)};
-        const vector normal = l3d_cross(p[2] - p[0], p[3] - p[1]);
-        const double length = l3d_length(normal);
-        const vector twist = p[0] - p[1] + p[2] - p[3];
+    // Both ends of a column's side; those of the next one are the quad's other two.
+    using side = std::array<vector, 2>;
+    const auto off_plane = [&](const side& left, const side& right) {
+        const vector normal = l3d_cross(right[1] - left[0], left[1] - right[0]);
+        const vector twist = left[0] - right[0] + right[1] - left[1];
+        const double square = l3d_dot(normal, normal);
         const double off =
-            length > 0 ? std::abs(l3d_dot(normal, twist)) / length : l3d_length(twist);
-        return view.focal * off / (4 * std::min({p[0][2], p[1][2], p[2][2], p[3][2]}));
+            square > 0 ? std::abs(l3d_dot(normal, twist)) / std::sqrt(square) : l3d_length(twist);
+        return view.focal * off /
+               (4 * std::min({left[0][2], right[0][2], right[1][2], left[1][2]}));
     };
     double most = 0;
     const auto strips = static_cast<std::size_t>(part.block_rows.blocks);
@@ -305,9 +306,16 @@ double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks,
         if ((blocks >> i & 1) == 0)
             continue;
         const auto &rows = part.block_rows.first, &columns = part.block_columns.first;
-        for (int row = rows[i / strips]; row < rows[i / strips + 1]; ++row)
-            for (int column = columns[i % strips]; column < columns[i % strips + 1]; ++column)
-                most = std::max(most, of_quad(row, column));
+        for (int row = rows[i / strips]; row < rows[i / strips + 1]; ++row) {
+            side left;
+            for (int column = columns[i % strips]; column <= columns[i % strips + 1]; ++column) {
+                const side right{place(grid.index(row, column)),
+                                 place(grid.index(row + 1, column))};
+                if (column > columns[i % strips])
+                    most = std::max(most, off_plane(left, right));
+                left = right;
+            }
+        }
     }
-    return most;
+    return std::max(most - l3d_vertex_accuracy::of_centre(), most / 4);
 }

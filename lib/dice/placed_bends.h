@@ -31,35 +31,43 @@ public:
 
     explicit operator bool() const { return bends_ != nullptr; }
 
-    /// Makes a piece's needs such that depth keeps `depth_budget` where places keep `budget`. The
-    /// shade keeps the view's tolerance unless quads would be smaller than six pixels.
+    /// Makes a piece's needs such that depth keeps `depth_budget`, and that the shade keeps the
+    /// view's tolerance unless quads would be smaller than six pixels.
     ///
-    /// Expects: needs of the piece's blocks, of places alone; budgets in pixels.
-    void ask(const l3d_net_piece& piece, const l3d_dice_view& view, double budget,
-             double depth_budget, l3d_block_needs& needs) const;
+    /// Expects: needs of the piece's blocks, of places alone; the budget in pixels.
+    void ask(const l3d_net_piece& piece, const l3d_dice_view& view, double depth_budget,
+             l3d_block_needs& needs) const;
 
-    /// The bounds that hold with the steps chosen. Levels of clipped pieces are linear over
-    /// triangles.
-    /// Expects: as above; the slits are those that were made along the piece's sides.
+    /// What the steps chosen leave. Levels of clipped pieces are linear over triangles.
+    /// Expects: as above, all of it from what was asked; the slits are those that were made along
+    ///          the piece's sides.
     l3d_surface_certificate certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
-                                        const l3d_block_needs& needs, const l3d_step_plan& plan,
-                                        const l3d_slit_spans& slits, bool clipped) const;
+                                        double depth_budget, const l3d_block_needs& needs,
+                                        const l3d_step_plan& plan, const l3d_slit_spans& slits,
+                                        bool clipped) const;
 
 private:
-    struct numbers : l3d_bend_numbers<double> {
-        double steps_u = 1, steps_v = 1;
+    /// Of a piece's blocks, by their own parameters.
+    struct of_piece {
+        l3d_bend_numbers<l3d_surface_bends::lanes> bends{};
+        l3d_surface_bends::lanes steps_u{}, steps_v{};
     };
-    numbers of_block(const l3d_net_piece& piece, int strips, std::size_t column,
-                     std::size_t row) const;
-    void set_by_size(const l3d_net_piece& piece, int strips, numbers& of) const;
+    of_piece of_blocks(const l3d_net_piece& piece, int strips) const;
+    void take_block(const l3d_net_piece& piece, int strips, std::size_t column, std::size_t row,
+                    of_piece& to) const;
+    void set_by_size(const l3d_net_piece& piece, int strips, of_piece& of) const;
 
     const l3d_surface_bends* bends_ = nullptr;
     double w_per_length_ = 0, focal_ = 0;
 };
 
-/// How far corners of quads in some blocks of a grid are from the plane that stands for each, at
-/// most. Shape: blocks as l3d_surface_certificate::without_normals. Units: pixels at their depth.
-/// Expects: view.focal > 0.
+/// What depth is off by more than vertices are, at most, because corners of quads in some blocks of
+/// a grid are not on the plane that stands for each.
+///
+/// Of what vertices are off by, a quad that is a plane does not need the rounding of its centre. A
+/// folded one does, and is a fan of triangles, a quarter as far off. So the smaller of both parts
+/// is left out. Shape: blocks as l3d_surface_certificate::without_normals. Units: pixels at their
+/// depth. Expects: view.focal > 0.
 double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks, const l3d_dice_view& view);
 
 #endif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_turn_normals, l3d_turn_levels: outlines found from the change of facing along a grid.
+// l3d_turn_normals, l3d_turn_levels: outlines found from the change of facing along a grid, a row's
+// vertices side by side in SIMD lanes.
 #include "dice/seen_sides.h"
 
 #include "scene/dice_view.h"
@@ -9,190 +10,287 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <optional>
+#include <cstdint>
 
-#include <hwy/base.h>
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "dice/seen_sides.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
+#include "raster/parallel/simd_dispatch_p.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
 namespace {
 
-/// The largest number of steps behind an outline at which the nearer sheet decides. An outline runs
-/// somewhere between two vertices, and the quads of the first vertex behind it stick out. More
-/// would turn what is seen where an outline ends. 0.3 and 0.4 leave the fewest wrong pixels of 0 to
-/// 2 in the pictures of seen_test; no bound depends on it.
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// So many steps behind an outline, at most, the nearer sheet decides. An outline runs somewhere
+/// between two vertices, and the quads of the first vertex behind it stick out. More would turn
+/// what is seen where an outline ends. 0.3 and 0.4 leave the fewest wrong pixels of 0 to 2 in the
+/// pictures of seen_test; no bound depends on it.
 constexpr float steps_behind = 0.4F;
 
 /// Where an outline ends, facing hardly changes along the line of sight: by less than this part of
 /// its largest change to a neighbour. No outline is told from it then. Chosen like steps_behind.
 constexpr float least_turn = 0.3F;
 
-/// Columns of a grid at most.
+/// Columns are taken so many at a time; rows of a grid have room for whole vectors.
+constexpr std::size_t lane_columns = 16;
+
+/// Columns of a grid at most, in whole vectors.
 constexpr std::size_t most_columns =
-    std::size_t{l3d_block_starts::most_blocks} * l3d_most_steps_whole + 1;
+    (std::size_t{l3d_block_starts::most_blocks} * l3d_most_steps_whole + lane_columns) /
+    lane_columns * lane_columns;
 
-/// The neighbours of a vertex along one direction of a grid.
-struct neighbours {
-    std::size_t before, after;
-    int steps;
+using floats = hn::CappedTag<float, lane_columns>;
+using float_lanes = hn::Vec<floats>;
 
-    neighbours(std::size_t at, int i, int count, std::size_t step)
-        : before(i > 0 ? at - step : at), after(i + 1 < count ? at + step : at),
-          steps((i > 0) + (i + 1 < count)) {}
+HWY_ATTR HWY_INLINE float_lanes change(float_lanes a, float_lanes b) {
+    return hn::Abs(hn::Sub(a, b));
+}
 
-    float largest_change(std::span<const float> of, std::size_t at) const {
-        return std::max(std::abs(of[after] - of[at]), std::abs(of[at] - of[before]));
+/// The side that all of a grid shows, 1 or -1; 0 if it shows both, or nearly does.
+HWY_ATTR float only_side(const l3d_micro_grid& grid, const float* away) {
+    const floats d;
+    const auto columns = static_cast<std::size_t>(grid.columns);
+    const auto pitch = static_cast<std::size_t>(grid.pitch);
+    auto least = hn::Set(d, away[0]), most = least, step = hn::Zero(d);
+    for (int row = 0; row < grid.rows; ++row) {
+        const float* const of_row = away + grid.index(row, 0);
+        const std::size_t down = row + 1 < grid.rows ? pitch : 0;
+        for (std::size_t i = 0; i < columns; i += hn::Lanes(d)) {
+            const auto here = hn::LoadU(d, of_row + i);
+            const auto valid = hn::FirstN(d, columns - i), inner = hn::FirstN(d, columns - 1 - i);
+            least = hn::IfThenElse(valid, hn::Min(least, here), least);
+            most = hn::IfThenElse(valid, hn::Max(most, here), most);
+            const auto along_u = change(hn::LoadU(d, of_row + i + 1), here);
+            const auto along_v = change(hn::LoadU(d, of_row + i + down), here);
+            step = hn::Max(step, hn::Max(hn::IfThenElseZero(inner, along_u),
+                                         hn::IfThenElseZero(valid, along_v)));
+        }
     }
-    /// For a step.
-    template <class Numbers> float change(const Numbers& of) const {
-        const auto both = static_cast<float>(of[after] - of[before]);
-        return steps == 2 ? both / 2 : both;
+    const float near = 2 * steps_behind * hn::GetLane(hn::MaxOfLanes(d, step));
+    if (hn::GetLane(hn::MaxOfLanes(d, most)) <= -near)
+        return 1;
+    return hn::GetLane(hn::MinOfLanes(d, least)) > near ? -1.0F : 0.0F;
+}
+
+/// A row of numbers, with the first and the last one once more before and behind it.
+class extended_row {
+public:
+    template <class T> HWY_ATTR void copy(const T* row, std::size_t columns) {
+        at_[0] = static_cast<float>(row[0]);
+        for (std::size_t i = 0; i < columns; ++i)
+            at_[i + 1] = static_cast<float>(row[i]);
+        std::fill(at_ + 1 + columns, at_ + columns + lane_columns + 1, at_[columns]);
+    }
+    HWY_ATTR HWY_INLINE float_lanes before(std::size_t i) const {
+        return hn::LoadU(floats(), at_ + i);
+    }
+    HWY_ATTR HWY_INLINE float_lanes after(std::size_t i) const {
+        return hn::LoadU(floats(), at_ + i + 2);
+    }
+
+private:
+    float at_[most_columns + lane_columns + 1];
+};
+
+/// A row of a grid: where it and the rows above and below it are, or itself where there is none.
+struct grid_row {
+    std::size_t here, up, down, columns;
+    float per_row; ///< 1 over how many rows `up` and `down` are apart
+
+    HWY_ATTR grid_row(const l3d_micro_grid& grid, int row)
+        : here(grid.index(row, 0)), up(row > 0 ? grid.index(row - 1, 0) : here),
+          down(row + 1 < grid.rows ? grid.index(row + 1, 0) : here),
+          columns(static_cast<std::size_t>(grid.columns)),
+          per_row(row > 0 && row + 1 < grid.rows ? 0.5F : 1.0F) {}
+
+    /// What a number changes by along v.
+    HWY_ATTR HWY_INLINE float_lanes change_v(const float* of, std::size_t i) const {
+        const floats d;
+        return hn::Mul(hn::Set(d, per_row),
+                       hn::Sub(hn::LoadU(d, of + down + i), hn::LoadU(d, of + up + i)));
+    }
+    HWY_ATTR HWY_INLINE float_lanes change_v(const std::int32_t* of, std::size_t i) const {
+        const hn::Rebind<std::int32_t, floats> di;
+        const auto both = hn::Sub(hn::LoadU(di, of + down + i), hn::LoadU(di, of + up + i));
+        return hn::Mul(hn::Set(floats(), per_row), hn::ConvertTo(floats(), both));
+    }
+    /// The same along u: between the first and the last column over two steps.
+    HWY_ATTR HWY_INLINE float_lanes change_u(const extended_row& of, std::size_t i) const {
+        const floats d;
+        const auto columns_before = hn::Iota(d, static_cast<float>(i));
+        const auto at_end =
+            hn::Or(hn::Eq(columns_before, hn::Zero(d)),
+                   hn::Ge(columns_before, hn::Set(d, static_cast<float>(columns - 1))));
+        const auto per_step = hn::IfThenElse(at_end, hn::Set(d, 1.0F), hn::Set(d, 0.5F));
+        return hn::Mul(per_step, hn::Sub(of.after(i), of.before(i)));
     }
 };
 
-/// Whether an outline is so near that this vertex is on the farther sheet. Along the direction in
-/// which the picture does not change at an outline, 1 / w grows towards the nearer sheet, and
-/// facing changes its sign.
-bool is_behind_outline(const l3d_micro_grid& grid, std::span<const float> away, std::size_t at,
-                       const neighbours& u, const neighbours& v) {
-    const float step = std::max(u.largest_change(away, at), v.largest_change(away, at));
-    if (std::abs(away[at]) > 2 * steps_behind * step)
-        return false;
-    const float x_u = u.change(grid.x), x_v = v.change(grid.x);
-    const float y_u = u.change(grid.y), y_v = v.change(grid.y);
-    const bool by_x = std::abs(x_u) + std::abs(x_v) >= std::abs(y_u) + std::abs(y_v);
-    float k_u = by_x ? -x_v : -y_v, k_v = by_x ? x_u : y_u;
-    const float longest = std::max(std::abs(k_u), std::abs(k_v));
-    if (!(longest > 0))
-        return false;
-    const float nearer = u.change(grid.inv_w) * k_u + v.change(grid.inv_w) * k_v;
-    k_u *= std::copysign(1 / longest, nearer);
-    k_v *= std::copysign(1 / longest, nearer);
-    const float turned = u.change(away) * k_u + v.change(away) * k_v;
-    const float steps = -away[at] / turned;
-    return steps > 0 && steps <= steps_behind && std::abs(turned) >= least_turn * step;
-}
+/// Turns the sides of vertices that are behind an outline.
+///
+/// Along the direction in which the picture does not change at an outline, 1 / w grows towards the
+/// nearer sheet, and facing changes its sign: whether that is so near that this is the farther one.
+class outline_finder {
+public:
+    HWY_ATTR outline_finder(const l3d_micro_grid& grid, const float* away)
+        : grid_(grid), away_(away) {}
 
-/// The side that all of a grid shows; none if it shows both, or nearly does.
-std::optional<float> only_side(const l3d_micro_grid& grid, std::span<const float> away) {
-    float least = away[0], most = least, step = 0;
-    const auto columns = static_cast<std::size_t>(grid.columns);
-    const auto pitch = static_cast<std::size_t>(grid.pitch);
-    for (int row = 0; row < grid.rows; ++row) {
-        const float* const of_row = away.data() + grid.index(row, 0);
-        for (std::size_t i = 0; i < columns; ++i) {
-            least = std::min(least, of_row[i]);
-            most = std::max(most, of_row[i]);
+    HWY_ATTR void begin(const grid_row& row) {
+        row_facing_.copy(away_ + row.here, row.columns);
+        has_places_ = false;
+    }
+
+    /// The sides of the vertices from `i` on.
+    HWY_ATTR HWY_INLINE float_lanes sides(const grid_row& row, std::size_t i) {
+        const floats d;
+        const auto own = hn::LoadU(d, away_ + row.here + i);
+        const auto step =
+            hn::Max(hn::Max(change(row_facing_.before(i), own), change(row_facing_.after(i), own)),
+                    hn::Max(change(hn::LoadU(d, away_ + row.up + i), own),
+                            change(hn::LoadU(d, away_ + row.down + i), own)));
+        const auto near = hn::And(hn::Ge(hn::Mul(hn::Set(d, 2 * steps_behind), step), hn::Abs(own)),
+                                  hn::FirstN(d, row.columns - i));
+        const auto side =
+            hn::IfThenElse(hn::Gt(own, hn::Zero(d)), hn::Set(d, -1.0F), hn::Set(d, 1.0F));
+        if (HWY_LIKELY(hn::AllFalse(d, near)))
+            return side;
+        return hn::IfThenElse(hn::And(near, behind(row, i, own, step)), hn::Neg(side), side);
+    }
+
+private:
+    HWY_ATTR hn::Mask<floats> behind(const grid_row& row, std::size_t i, float_lanes own,
+                                     float_lanes step) {
+        const floats d;
+        if (!has_places_) {
+            x_.copy(grid_.x.data() + row.here, row.columns);
+            y_.copy(grid_.y.data() + row.here, row.columns);
+            inv_w_.copy(grid_.inv_w.data() + row.here, row.columns);
+            has_places_ = true;
         }
-        for (std::size_t i = 0; i + 1 < columns; ++i)
-            step = std::max(step, std::abs(of_row[i + 1] - of_row[i]));
-        if (row + 1 < grid.rows)
-            for (std::size_t i = 0; i < columns; ++i)
-                step = std::max(step, std::abs(of_row[i + pitch] - of_row[i]));
+        const auto x_u = row.change_u(x_, i), x_v = row.change_v(grid_.x.data(), i);
+        const auto y_u = row.change_u(y_, i), y_v = row.change_v(grid_.y.data(), i);
+        const auto by_x =
+            hn::Ge(hn::Add(hn::Abs(x_u), hn::Abs(x_v)), hn::Add(hn::Abs(y_u), hn::Abs(y_v)));
+        auto k_u = hn::Neg(hn::IfThenElse(by_x, x_v, y_v)), k_v = hn::IfThenElse(by_x, x_u, y_u);
+        const auto longest = hn::Max(hn::Abs(k_u), hn::Abs(k_v));
+        const auto along = [&](float_lanes of_u, float_lanes of_v)
+                               HWY_ATTR { return hn::Add(hn::Mul(of_u, k_u), hn::Mul(of_v, k_v)); };
+        const auto nearer = along(row.change_u(inv_w_, i), row.change_v(grid_.inv_w.data(), i));
+        const auto scale = hn::CopySign(hn::Div(hn::Set(d, 1.0F), longest), nearer);
+        k_u = hn::Mul(k_u, scale);
+        k_v = hn::Mul(k_v, scale);
+        const auto turned = along(row.change_u(row_facing_, i), row.change_v(away_, i));
+        const auto steps = hn::Div(hn::Neg(own), turned);
+        const auto close =
+            hn::And(hn::Gt(steps, hn::Zero(d)), hn::Le(steps, hn::Set(d, steps_behind)));
+        const auto clear = hn::Ge(hn::Abs(turned), hn::Mul(hn::Set(d, least_turn), step));
+        return hn::And(hn::Gt(longest, hn::Zero(d)), hn::And(close, clear));
     }
-    if (most <= -2 * steps_behind * step)
-        return 1.0F;
-    if (least > 2 * steps_behind * step)
-        return -1.0F;
-    return std::nullopt;
-}
 
-/// Whether vertices of a row have so small a number that an outline may be near, judged by their
-/// changes to neighbours. The rows above and below are those at `up` and `down`, or the row itself.
-void find_near(const float* HWY_RESTRICT row, const float* HWY_RESTRICT up,
-               const float* HWY_RESTRICT down, std::size_t columns, float* HWY_RESTRICT near) {
-    for (std::size_t i = 0; i < columns; ++i)
-        near[i] = std::max(std::abs(up[i] - row[i]), std::abs(down[i] - row[i]));
-    for (std::size_t i = 0; i + 1 < columns; ++i) {
-        const float change = std::abs(row[i + 1] - row[i]);
-        near[i] = std::max(near[i], change);
-        near[i + 1] = std::max(near[i + 1], change);
-    }
-    for (std::size_t i = 0; i < columns; ++i)
-        near[i] = 2 * steps_behind * near[i] - std::abs(row[i]);
-}
+    const l3d_micro_grid& grid_;
+    const float* away_;
+    extended_row row_facing_, x_, y_, inv_w_;
+    bool has_places_ = false; ///< the last three are the row's
+};
 
-/// Replaces each number of `away` by 1 or -1, the side that is seen. It does so a row late, so that
-/// it reads the neighbours' old numbers.
-void choose_sides(const l3d_micro_grid& grid, std::span<float> away) {
+/// Replaces each number of `away` by 1 or -1, the side that is seen: a row late, so that what is
+/// read of neighbours is what it was.
+HWY_ATTR void choose_sides(const l3d_micro_grid& grid, float* away) {
+    const floats d;
     const auto columns = static_cast<std::size_t>(grid.columns);
-    const auto pitch = static_cast<std::size_t>(grid.pitch);
     assert(columns <= most_columns);
-    float sides[2][most_columns], near[most_columns];
+    float sides[2][most_columns];
+    outline_finder outlines(grid, away);
+    for (int i = 0; i < grid.rows; ++i) {
+        const grid_row row(grid, i);
+        outlines.begin(row);
+        for (std::size_t column = 0; column < columns; column += hn::Lanes(d))
+            hn::StoreU(outlines.sides(row, column), d, sides[i % 2] + column);
+        if (i > 0)
+            std::copy_n(sides[(i - 1) % 2], columns, away + row.up);
+    }
+    std::copy_n(sides[(grid.rows - 1) % 2], columns, away + grid.index(grid.rows - 1, 0));
+}
+
+/// For each vector of vertices of the grid: where it begins, what further the next row is, or 0 in
+/// the last one, and the sides that are seen.
+template <class Visit>
+HWY_ATTR HWY_INLINE void for_sides(const l3d_micro_grid& grid, const float* away, float all,
+                                   const Visit& visit) {
+    const floats d;
+    const auto pitch = static_cast<std::size_t>(grid.pitch);
     for (int row = 0; row < grid.rows; ++row) {
-        const std::size_t first = grid.index(row, 0);
-        const float* const here = &away[first];
-        find_near(here, row > 0 ? here - pitch : here, row + 1 < grid.rows ? here + pitch : here,
-                  columns, near);
-        float* const of_row = sides[row % 2];
-        for (std::size_t i = 0; i < columns; ++i)
-            of_row[i] = here[i] > 0 ? -1.0F : 1.0F;
-        for (std::size_t i = 0; i < columns; ++i) {
-            if (HWY_LIKELY(near[i] < 0))
-                continue;
-            const neighbours u(first + i, static_cast<int>(i), grid.columns, 1);
-            const neighbours v(first + i, row, grid.rows, pitch);
-            if (is_behind_outline(grid, away, first + i, u, v))
-                of_row[i] = -of_row[i];
-        }
-        if (row > 0)
-            std::copy_n(sides[(row - 1) % 2], columns, &away[first - pitch]);
-    }
-    std::copy_n(sides[(grid.rows - 1) % 2], columns, &away[grid.index(grid.rows - 1, 0)]);
-}
-
-/// How far the middles of sides to vertices `step` on are above the mean of both ends, times the
-/// side that is seen. It is 0 where the ends show different sides, since nothing is known of the
-/// points between.
-void put_bends(const float* HWY_RESTRICT level, const float* HWY_RESTRICT side, std::size_t step,
-               std::size_t count, float* HWY_RESTRICT middle) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const float bend = side[i] * (middle[i] - 0.5F * (level[i] + level[i + step]));
-        middle[i] = side[i] == side[i + step] ? bend : 0.0F;
+        const std::size_t first = grid.index(row, 0), down = row + 1 < grid.rows ? pitch : 0;
+        for (std::size_t at = first; at < first + static_cast<std::size_t>(grid.columns);
+             at += hn::Lanes(d))
+            visit(at, down, all != 0 ? hn::Set(d, all) : hn::LoadU(d, away + at));
     }
 }
-void put_bends(const float* HWY_RESTRICT level, float side, std::size_t step, std::size_t count,
-               float* HWY_RESTRICT middle) {
-    for (std::size_t i = 0; i < count; ++i)
-        middle[i] = side * (middle[i] - 0.5F * (level[i] + level[i + step]));
-}
 
-/// For each vertex of the grid.
-template <class Visit> void for_vertices(const l3d_micro_grid& grid, const Visit& visit) {
-    for (int row = 0; row < grid.rows; ++row)
-        for (int column = 0; column < grid.columns; ++column)
-            visit(row, column, grid.index(row, column));
-}
-
-} // namespace
-
-void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid) {
-    const std::optional<float> all = only_side(grid, away);
-    if (all == 1.0F)
+HWY_ATTR void turn_normals(float* away, l3d_micro_grid& grid) {
+    const float all = only_side(grid, away);
+    if (all == 1)
         return;
-    if (!all)
+    if (all == 0)
         choose_sides(grid, away);
-    for_vertices(grid, [&](int, int, std::size_t at) {
+    for_sides(grid, away, all, [&](std::size_t at, std::size_t, float_lanes side) HWY_ATTR {
+        const floats d;
         for (auto& component : grid.normal)
-            component[at] *= all ? *all : away[at];
+            hn::StoreU(hn::Mul(hn::LoadU(d, component.data() + at), side), d,
+                       component.data() + at);
     });
 }
 
-void l3d_turn_levels(std::span<float> away, std::span<const float> level, l3d_micro_grid& grid) {
-    const std::optional<float> all = only_side(grid, away);
-    const auto pitch = static_cast<std::size_t>(grid.pitch);
-    const std::size_t count = pitch * static_cast<std::size_t>(grid.rows);
-    if (!all)
+/// What the middles of sides to other vertices are above the mean of both ends, times the side that
+/// is seen; 0 where the ends show different sides, as nothing is known of what is between.
+HWY_ATTR void turn_levels(float* away, const float* level, l3d_micro_grid& grid) {
+    const float all = only_side(grid, away);
+    if (all == 0)
         choose_sides(grid, away);
-    for (int row = 0; row < grid.rows; ++row) {
-        const std::size_t at = grid.index(row, 0), down = row + 1 < grid.rows ? pitch : 0;
-        float *along_u = &grid.normal[1][at], *along_v = &grid.normal[2][at];
-        if (all) {
-            put_bends(&level[at], *all, 1, pitch, along_u);
-            put_bends(&level[at], *all, down, pitch, along_v);
-        } else {
-            put_bends(&level[at], &away[at], 1, pitch, along_u);
-            put_bends(&level[at], &away[at], down, pitch, along_v);
-        }
-    }
-    for (std::size_t i = 0; i < count; ++i)
-        grid.normal[0][i] = level[i] * (all ? *all : away[i]);
+    for_sides(grid, away, all, [&](std::size_t at, std::size_t down, float_lanes side) HWY_ATTR {
+        const floats d;
+        const auto own = hn::LoadU(d, level + at);
+        const auto put_bends = [&](std::size_t step, float* middles) HWY_ATTR {
+            const auto mean =
+                hn::Mul(hn::Set(d, 0.5F), hn::Add(own, hn::LoadU(d, level + at + step)));
+            auto bend = hn::Mul(side, hn::Sub(hn::LoadU(d, middles + at), mean));
+            if (all == 0)
+                bend = hn::IfThenElseZero(hn::Eq(side, hn::LoadU(d, away + at + step)), bend);
+            hn::StoreU(bend, d, middles + at);
+        };
+        put_bends(1, grid.normal[1].data());
+        put_bends(down, grid.normal[2].data());
+        hn::StoreU(hn::Mul(own, side), d, grid.normal[0].data() + at);
+    });
 }
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace l3d_detail {
+namespace {
+
+L3D_SIMD_TABLE(turn_normals);
+L3D_SIMD_TABLE(turn_levels);
+
+} // namespace
+} // namespace l3d_detail
+
+void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid) {
+    using namespace l3d_detail;
+    L3D_SIMD_CALL(turn_normals)(away.data(), grid);
+}
+
+void l3d_turn_levels(std::span<float> away, std::span<const float> level, l3d_micro_grid& grid) {
+    using namespace l3d_detail;
+    L3D_SIMD_CALL(turn_levels)(away.data(), level.data(), grid);
+}
+#endif

@@ -30,7 +30,8 @@ inline bool l3d_has_eye(const l3d_shading& shading) {
 /// lies behind it. In the exact picture the second is hidden; drawn, it may stick out by as much as
 /// both may be off. If it were lit as the back that it is, single pixels would be dark or bright.
 /// Within a step of an outline the sheet that is seen, the nearer one, decides for both.
-/// Shape: away as the grid's arrays: l3d_away_from_eye of each vertex; it is written to.
+/// Shape: away as the grid's arrays, and a number longer: l3d_away_from_eye of each vertex; it is
+///        written to.
 void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid);
 
 /// The same for levels; makes what l3d_micro_vertex says of them in mode l3d_shade::levels.

@@ -39,6 +39,20 @@ struct l3d_block_needs {
     /// pixels.
     double uuv = 0, uvv = 0, uuvv = 0;
 
+    /// Bounds of derivatives along the unit normal, by a block's own parameters (l3d_bend_numbers),
+    /// and of |S_uuuv| and |S_uvvv|. Units: budgets of depth.
+    struct normal_bends {
+        per_block uu{}, uv{}, vv{}, uuu{}, uuv{}, uvv{}, vvv{}, uuvv{}, uuuv{}, uvvv{};
+
+        /// Asks for nothing in a block.
+        void clear(std::size_t i) {
+            uu[i] = uv[i] = vv[i] = uuu[i] = uuv[i] = uvv[i] = vvv[i] = uuvv[i] = 0;
+            uuuv[i] = uvvv[i] = 0;
+        }
+    };
+    bool keeps_bends = false; ///< whether these count
+    normal_bends bends;
+
     /// Steps below which quads are too large to be filled fast. Not certified: a perspective
     /// curve may run through its pixels faster than its control points are apart.
     per_block least_u{}, least_v{};
@@ -68,6 +82,7 @@ struct l3d_step_plan {
     int strips = 1;
     std::array<int, most_strips> nu{1, 1, 1, 1}, nv{1, 1, 1, 1};
     double chord_error = 0; ///< bound of the visible blocks' chord error, in pixels
+    double bend_error = 0;  ///< the same along the normal, in budgets of depth
     bool visible = false;   ///< whether any block may reach into the picture
     bool balanced = false;  ///< whether vertices inside strips are to be moved, see l3d_balance
 
@@ -86,13 +101,20 @@ struct l3d_step_plan {
 /// between a side's row and its edge may be as far off as chords that are not balanced. So those
 /// of the outer blocks keep the budget, too.
 ///
+/// Along the normal they err by at most
+///     c_u uu + c_v vv + l3d_bend_weights::thirds (h_u^3 uuu + h_v^3 vvv) and so on (NUMERICS,
+/// section 3, Depth), and that keeps its own budget.
+///
 /// Units:   budget in pixels.
 /// Expects: budget > 0.
 /// Errors:  with `triangles`, the bound holds where the interpolated w is at least view.near.
 ///          Enough steps are taken that the exact w is then at least half of that.
 l3d_step_plan l3d_plan_steps(const l3d_block_needs& needs, double budget, l3d_quad_kind kind);
 
-/// The same from the blocks' nets. Shape and what is expected: those of l3d_needs_of.
+/// What other steps than those planned make of depth, as l3d_step_plan::bend_error.
+double l3d_bend_error_of(const l3d_block_needs& needs, const l3d_step_plan& plan);
+
+/// Steps from the blocks' nets. Shape and what is expected: those of l3d_needs_of.
 inline l3d_step_plan l3d_plan_steps(const l3d_image_patch& net,
                                     std::span<const l3d_image_patch> blocks,
                                     const l3d_dice_view& view, double budget, l3d_quad_kind kind) {

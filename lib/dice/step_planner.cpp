@@ -6,12 +6,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "dice/step_planner.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "dice/bend_planner-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -19,74 +21,11 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
 /// Keeps hopeless cases finite, and tells even there which direction needs more steps.
 constexpr int most_steps = 1 << 28;
 
 /// Pieces with more steps than this are cut anyway, and are many when it comes to that.
 constexpr int most_worth_saving = 64;
-
-constexpr std::size_t most_strips = l3d_block_needs::most_strips;
-using lane_tag = hn::CappedTag<double, most_strips>;
-using lane_vec = hn::Vec<lane_tag>;
-using lane_mask = hn::Mask<lane_tag>;
-
-/// The two directions; as an index, and as the other one's.
-enum direction : std::size_t { along_u, along_v };
-constexpr direction other(direction d) {
-    return d == along_u ? along_v : along_u;
-}
-
-/// A number of each block in two orders: in `by[d]` the blocks of a strip of direction d lie side
-/// by side. Those of strips that there are not are 0.
-struct block_numbers {
-    alignas(64) double by[2][most_strips * most_strips] = {};
-
-    void take(const l3d_block_needs::per_block& of, std::size_t strips) {
-        for (std::size_t b = 0; b < strips; ++b)
-            for (std::size_t a = 0; a < strips; ++a)
-                by[along_v][most_strips * b + a] = by[along_u][most_strips * a + b] =
-                    of[strips * b + a];
-    }
-
-    /// The numbers of the blocks of a strip, from `lane` on.
-    HWY_INLINE lane_vec in(direction d, std::size_t strip, std::size_t lane) const {
-        return hn::Load(lane_tag(), by[d] + most_strips * strip + lane);
-    }
-};
-
-/// The larger numbers; what is no number is left out.
-HWY_INLINE lane_vec larger(lane_vec a, lane_vec b) {
-    return hn::IfThenElse(hn::Gt(b, a), b, a);
-}
-
-/// The largest number of each strip of direction d, in lanes.
-HWY_INLINE void largest_in_strips(const block_numbers& of, direction d,
-                                  double (&out)[most_strips]) {
-    for (std::size_t lane = 0; lane < most_strips; lane += hn::MaxLanes(lane_tag())) {
-        lane_vec most = hn::Zero(lane_tag());
-        for (std::size_t strip = 0; strip < most_strips; ++strip)
-            most = larger(most, of.in(other(d), strip, lane));
-        hn::Store(most, lane_tag(), out + lane);
-    }
-}
-
-/// Steps along one direction, and what follows from them, by strip.
-struct steps_along {
-    int n[most_strips] = {1, 1, 1, 1}, fewest[most_strips] = {1, 1, 1, 1};
-    alignas(64) double step[most_strips] = {1, 1, 1, 1}; ///< h
-    alignas(64) double bend[most_strips] = {};           ///< what multiplies a second derivative
-    alignas(64) double moved[most_strips] = {};          ///< how much of it vertices are moved by
-
-    void set(std::size_t strip, int steps, bool balanced) {
-        const double h = 1.0 / steps;
-        n[strip] = steps;
-        step[strip] = h;
-        moved[strip] = balanced && steps > 1 ? l3d_balance * h * h : 0;
-        bend[strip] = moved[strip] > 0 ? moved[strip] : h * h / 8;
-    }
-};
 
 /// The steps while they are chosen, and what is asked of them.
 class planner {
@@ -102,6 +41,8 @@ public:
             depth_[along_v].take(needs.depth_vv, strips_);
             depth_twist_.take(needs.depth_uv, strips_);
         }
+        if (needs.keeps_bends)
+            bends_.emplace(needs);
     }
 
     /// Half the budget to each direction: the product of the steps is then least.
@@ -140,6 +81,25 @@ public:
                 most = larger(most, slit_errors(along_v, strip, lane));
             }
         plan.chord_error = hn::GetLane(hn::MaxOfLanes(lane_tag(), most));
+        plan.bend_error = bend_error();
+    }
+
+    /// Other steps than those that would be chosen.
+    HWY_INLINE void take(const l3d_step_plan& plan) {
+        for (std::size_t strip = 0; strip < strips_; ++strip) {
+            steps_[along_u].set(strip, plan.nu[strip], plan.balanced);
+            steps_[along_v].set(strip, plan.nv[strip], plan.balanced);
+        }
+    }
+
+    /// What is left along the normal.
+    HWY_INLINE double bend_error() const {
+        lane_vec most = hn::Zero(lane_tag());
+        if (bends_)
+            for (std::size_t strip = 0; strip < strips_; ++strip)
+                for (std::size_t lane = 0; lane < most_strips; lane += hn::MaxLanes(lane_tag()))
+                    most = larger(most, bend_errors(along_v, strip, lane));
+        return hn::GetLane(hn::MaxOfLanes(lane_tag(), most));
     }
 
 private:
@@ -179,21 +139,32 @@ private:
         return std::max(2, rounded_up(std::sqrt(8 * l3d_balance * squared)));
     }
 
+    /// The same along the normal, with what third derivatives add to those steps.
+    int steps_for_bends(double second, double third) const {
+        const int steps = steps_for(second / 4);
+        const double of_third = of_moved_thirds / l3d_balance / steps;
+        return third > 0 ? steps_for((second + of_third * third) / 4) : steps;
+    }
+
     HWY_INLINE void start_along(direction d, const l3d_block_needs::per_block& least) {
         block_numbers least_of;
         least_of.take(least, strips_);
         alignas(64) double image[most_strips], depth[most_strips], few[most_strips];
+        alignas(64) double bend[most_strips] = {}, third[most_strips] = {};
         largest_in_strips(second_[d], d, image);
         largest_in_strips(depth_[d], d, depth);
         largest_in_strips(least_of, d, few);
+        if (bends_)
+            bends_->largest(d, bend, third);
         steps_along& here = steps_[d];
         for (std::size_t strip = 0; strip < strips_; ++strip) {
             here.fewest[strip] = rounded_up(few[strip]);
             const int for_depth = rounded_up(std::sqrt(depth[strip] / 4));
-            here.set(
-                strip,
-                std::max({here.fewest[strip], steps_for(image[strip] / (4 * budget_)), for_depth}),
-                needs_.balanced);
+            const int for_image = steps_for(image[strip] / (4 * budget_));
+            here.set(strip,
+                     std::max({here.fewest[strip], for_image, for_depth,
+                               steps_for_bends(bend[strip], third[strip])}),
+                     needs_.balanced);
         }
     }
 
@@ -209,11 +180,7 @@ private:
         }
     }
 
-    /// The effect of steps on the blocks of a strip of direction d, from `lane` on.
-    struct strip_numbers {
-        lane_vec step, bend, moved; ///< across the strip: those of the other direction
-        lane_vec own_step, own_bend, own_moved;
-    };
+    /// What steps do to the blocks of a strip of direction d, from `lane` on.
     HWY_INLINE strip_numbers numbers_of(direction d, std::size_t strip, std::size_t lane) const {
         const lane_tag tag;
         const steps_along &own = steps_[d], &across = steps_[other(d)];
@@ -242,8 +209,8 @@ private:
         return hn::IfThenZeroElse(nothing, error);
     }
 
-    /// The error of w, in budgets. Balanced or not: with n >= 2, all that balance adds is within
-    /// the 1/8 that it saves from. NUMERICS, section 3.
+    /// Of w, in budgets. Balanced or not: with n >= 2, all that balance adds is within the 1/8 that
+    /// it saves from. NUMERICS, section 3.
     HWY_INLINE lane_vec depth_errors(direction d, std::size_t strip, std::size_t lane) const {
         const strip_numbers s = numbers_of(d, strip, lane);
         const lane_vec own = hn::Mul(depth_[d].in(d, strip, lane), hn::Mul(s.own_step, s.own_step));
@@ -255,12 +222,22 @@ private:
                        hn::Mul(twist, hn::Set(lane_tag(), mixed_)));
     }
 
-    /// The error of the slits along the piece's sides, where the block lies at one.
+    /// Along the normal, of quads and slits. Units: budgets of depth.
+    HWY_INLINE lane_vec bend_errors(direction d, std::size_t strip, std::size_t lane) const {
+        const strip_numbers s = numbers_of(d, strip, lane);
+        const lane_vec quads = bends_->errors(d, strip, lane, s);
+        if (!needs_.balanced)
+            return quads;
+        return larger(quads,
+                      bends_->slit_errors(d, strip, lane, s, hn::Load(lane_tag(), at_ends + lane),
+                                          hn::Set(lane_tag(), at_ends[strip])));
+    }
+
+    /// Of the slits along the piece's sides, where the block lies at one.
     HWY_INLINE lane_vec slit_errors(direction d, std::size_t strip, std::size_t lane) const {
         const lane_tag tag;
         if (!needs_.balanced)
             return hn::Zero(tag); // no more than that of the quads
-        alignas(64) static constexpr double at_ends[most_strips] = {1, 0, 0, 1};
         const strip_numbers s = numbers_of(d, strip, lane);
         const lane_vec at_sides = hn::Set(tag, at_ends[strip]);
         const lane_vec own =
@@ -279,6 +256,8 @@ private:
         for (std::size_t lane = 0; lane < most_strips; lane += hn::MaxLanes(tag)) {
             lane_mask met = hn::And(hn::Le(image_errors(d, strip, lane), budget),
                                     hn::Le(slit_errors(d, strip, lane), budget));
+            if (bends_)
+                met = hn::And(met, hn::Le(bend_errors(d, strip, lane), hn::Set(tag, 1.0)));
             if (needs_.keeps_depth)
                 met = hn::And(met, hn::Le(depth_errors(d, strip, lane), hn::Set(tag, 1.0)));
             std::uint8_t of_lanes[8] = {};
@@ -292,6 +271,7 @@ private:
     std::size_t strips_;
     double budget_, mixed_, third_[2];
     block_numbers second_[2], twist_, depth_[2], depth_twist_;
+    std::optional<bend_planner> bends_;
     steps_along steps_[2];
 };
 
@@ -306,6 +286,12 @@ void plan_steps(const l3d_block_needs& needs, double budget, l3d_quad_kind kind,
     steps.finish(plan);
 }
 
+void bend_error_of(const l3d_block_needs& needs, const l3d_step_plan& plan, double& error) {
+    planner steps(needs, 0, l3d_quad_kind::whole);
+    steps.take(plan);
+    error = steps.bend_error();
+}
+
 } // namespace
 } // namespace HWY_NAMESPACE
 } // namespace l3d_detail
@@ -316,6 +302,7 @@ namespace l3d_detail {
 namespace {
 
 L3D_SIMD_TABLE(plan_steps);
+L3D_SIMD_TABLE(bend_error_of);
 
 } // namespace
 } // namespace l3d_detail
@@ -325,5 +312,12 @@ l3d_step_plan l3d_plan_steps(const l3d_block_needs& needs, double budget, l3d_qu
     l3d_step_plan plan;
     L3D_SIMD_CALL(plan_steps)(needs, budget, kind, plan);
     return plan;
+}
+
+double l3d_bend_error_of(const l3d_block_needs& needs, const l3d_step_plan& plan) {
+    using namespace l3d_detail;
+    double error = 0;
+    L3D_SIMD_CALL(bend_error_of)(needs, plan, error);
+    return error;
 }
 #endif

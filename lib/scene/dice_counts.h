@@ -35,7 +35,14 @@ struct l3d_surface_certificate {
     /// vanishes. Slits beside a block that may be off by more count as one quad.
     std::int64_t unshaded_quads = 0;
     unsigned without_normals = 0; ///< bit 4 * row + column, or 0, of blocks that are seen and may
-                                  ///< have none: l3d_most_off_plane is to be added to `depth`
+                                  ///< have none
+    /// The depth of these, but for what their corners are off a plane by (l3d_most_off_plane).
+    double depth_without_normals = 0;
+
+    /// Adds what vertices are off by, and corners of blocks without normals.
+    void add_to_depth(double vertices, double off_plane) {
+        depth = std::max(depth, depth_without_normals + off_plane) + vertices;
+    }
 };
 
 /// The counts of a frame's dicing, and of the patches that were left out, as control nets or the

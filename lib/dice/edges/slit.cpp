@@ -23,15 +23,14 @@ std::int32_t centre_of(std::int32_t pixel) {
 }
 
 /// Twice the signed area of p, q and (x, y).
-std::int64_t turn(const l3d_micro_vertex& p, const l3d_micro_vertex& q, std::int32_t x,
-                  std::int32_t y) {
+template <class Point>
+std::int64_t turn(const Point& p, const Point& q, std::int32_t x, std::int32_t y) {
     return std::int64_t{q.x - p.x} * (y - p.y) - std::int64_t{q.y - p.y} * (x - p.x);
 }
 
 /// Whether a triangle covers nothing: its box holds no pixel's centre, or a single one that lies
 /// beyond one side, or its corners lie on one line. Nearly all triangles of slits are so.
-bool covers_nothing(const l3d_micro_vertex& p, const l3d_micro_vertex& q,
-                    const l3d_micro_vertex& r) {
+template <class Point> bool covers_nothing(const Point& p, const Point& q, const Point& r) {
     const auto along_x = centres_between(p.x, q.x, r.x), along_y = centres_between(p.y, q.y, r.y);
     if (along_x.none() || along_y.none())
         return true;
@@ -94,63 +93,65 @@ public:
 
     /// Adds the triangles between vertices i to i_end and points j to j_end.
     void fill(std::size_t i, std::size_t i_end, std::size_t j, std::size_t j_end) {
-        l3d_micro_vertex of_row = vertex(i), of_edge = point(j);
+        row_point of_row = vertex(i), of_edge = point(j, i);
         while (i < i_end || j < j_end) {
             const bool along_row =
                 i < i_end && (j == j_end || parameters_[i + 1] <= parameter_of(j + 1));
-            const l3d_micro_vertex next = along_row ? vertex(i + 1) : point(j + 1);
-            if (!covers_nothing(of_edge, of_row, next)) {
-                const std::array<double, 3> along{parameter_of(j), parameters_[i],
-                                                  along_row ? parameters_[i + 1]
-                                                            : parameter_of(j + 1)};
-                add({of_edge, of_row, next}, along, i);
-            }
+            const row_point next = along_row ? vertex(i + 1) : point(j + 1, i);
+            if (!covers_nothing(of_edge, of_row, next))
+                add(of_edge, of_row, next, i);
             ++(along_row ? i : j);
             (along_row ? of_row : of_edge) = next;
         }
     }
 
 private:
-    l3d_micro_vertex vertex(std::size_t i) const {
+    /// A vertex of the row or a point of the edge, with the row's level at its parameter.
+    struct row_point {
+        std::int32_t x, y;
+        float inv_w, level;
+        double along;
+
+        l3d_micro_vertex lit(float a, float b, float c) const { return {x, y, inv_w, {a, b, c}}; }
+    };
+
+    row_point vertex(std::size_t i) const {
         const std::size_t at = first_ + i * step_;
-        return {grid_.x[at],
-                grid_.y[at],
-                grid_.inv_w[at],
-                {grid_.normal[0][at], grid_.normal[1][at], grid_.normal[2][at]}};
+        return {grid_.x[at], grid_.y[at], grid_.inv_w[at], grid_.normal[0][at], parameters_[i]};
     }
 
-    /// Point j of the edge, without light.
-    l3d_micro_vertex point(std::size_t j) const {
-        return {edge_.x()[j], edge_.y()[j], edge_.inv_w()[j], {}};
+    /// Point j of the edge, near the row's vertex i.
+    row_point point(std::size_t j, std::size_t i) const {
+        const double along = parameter_of(j);
+        return {edge_.x()[j], edge_.y()[j], edge_.inv_w()[j],
+                piece_.has_levels ? level_at(along, i) : 0, along};
     }
 
     /// A triangle whose corners are lit as the row is at their parameters, near its vertex `near`.
-    void add(std::array<l3d_micro_vertex, 3> corners, const std::array<double, 3>& along,
-             std::size_t near) {
+    void add(const row_point& a, const row_point& b, const row_point& c, std::size_t near) {
         if (piece_.has_levels) {
-            const auto bend = [&](std::size_t i, std::size_t k) {
-                return level_at((along[i] + along[k]) / 2, near) -
-                       (corners[i].normal[0] + corners[k].normal[0]) / 2;
+            const auto bend = [&](const row_point& from, const row_point& to) {
+                return level_at((from.along + to.along) / 2, near) - (from.level + to.level) / 2;
             };
-            for (std::size_t k = 0; k < corners.size(); ++k)
-                corners[k].normal[0] = level_at(along[k], near);
-            corners[0].normal[1] = bend(0, 1);
-            corners[0].normal[2] = bend(0, 2);
-            corners[1].normal[1] = 0;
-            corners[1].normal[2] = bend(1, 2);
-            corners[2].normal[1] = corners[2].normal[2] = 0;
+            piece_.part.triangles.add(a.lit(a.level, bend(a, b), bend(a, c)),
+                                      b.lit(b.level, 0, bend(b, c)), c.lit(c.level, 0, 0));
         } else {
-            for (std::size_t k = 0; k < corners.size(); ++k)
-                set_normal_at(along[k], near, corners[k].normal);
+            const auto lit = [&](const row_point& corner) {
+                l3d_micro_vertex result = corner.lit(0, 0, 0);
+                set_normal_at(corner.along, near, result.normal);
+                return result;
+            };
+            piece_.part.triangles.add(lit(a), lit(b), lit(c));
         }
-        const auto [low, high] = std::minmax({along[0], along[1], along[2]});
-        note_span(piece_, false, along_u_, low, high);
-        piece_.part.triangles.add(corners[0], corners[1], corners[2]);
+        note_span(piece_, false, along_u_, std::min({a.along, b.along, c.along}),
+                  std::max({a.along, b.along, c.along}));
         if (piece_.keep_parameters)
-            for (std::size_t k = 0; k < along.size(); ++k)
-                piece_.triangle_uv[k].push_back(
-                    along_u_ ? l3d_diced_piece::parameters{along[k], across_}
-                             : l3d_diced_piece::parameters{across_, along[k]});
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double along = k == 0 ? a.along : k == 1 ? b.along : c.along;
+                piece_.triangle_uv[k].push_back(along_u_
+                                                    ? l3d_diced_piece::parameters{along, across_}
+                                                    : l3d_diced_piece::parameters{across_, along});
+            }
     }
 
     /// Between which vertices of the row a parameter lies, and how far from the first to the next.

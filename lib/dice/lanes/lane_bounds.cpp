@@ -269,7 +269,7 @@ HWY_ATTR void bound_blocks(const l3d_dice_view& view, lane_bounds& out) {
     const l3d_image_box window{margin.left - x, margin.top - y, margin.right - x,
                                margin.bottom - y};
     out.needs.strips = l3d_block_needs::most_strips;
-    out.needs.visible = out.needs.keeps_depth = false;
+    out.needs.visible = out.needs.keeps_depth = out.needs.keeps_bends = false;
     out.needs.balanced = true;
     const block_surroundings in{.window = window,
                                 .reach = static_cast<float>(reach_of(out)),

@@ -80,7 +80,8 @@ template <class T> bool l3d_lane_dicer<T>::choose_registers(const l3d_dice_view&
     const auto exact_enough = [&](double walk_xy, double walk_w, double snap, double allowance) {
         vertex_error_ = vertex_error(view, walk_xy, walk_w, snap + centre_snap);
         walk_w_ = walk_w;
-        return vertex_error_ - exact <= allowance;
+        // What w is off by counts along the line of sight.
+        return vertex_error_ + view.focal * walk_w / bounds_.least_w - exact <= allowance;
     };
 
     // The fastest registers that walk exactly enough.
@@ -124,10 +125,12 @@ const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_net_piece& piece, const l
     row_error_ = std::max(vertex_error_ - l3d_vertex_accuracy::of_centre(), edge_vertex);
     vertex_error_ = std::max(vertex_error_, edge_vertex);
     const double error_w = walk_w_ + start_rounding * bounds_.most_w + view.error_w;
-    depth_error_ = vertex_error_ + l3d_depth_vertex_error(view, error_w, bounds_.least_w);
+    const double of_depth = l3d_depth_vertex_error(view, error_w, bounds_.least_w);
+    depth_error_ = vertex_error_ + of_depth;
+    row_depth_error_ = row_error_ + of_depth;
     const double budget = view.chord_budget(vertex_error_);
     if (bends)
-        bends.ask(piece, view, budget, view.chord_budget(depth_error_), bounds_.needs);
+        bends.ask(piece, view, view.chord_budget(depth_error_), bounds_.needs);
     plan_ = l3d_plan_steps(bounds_.needs, budget, l3d_quad_kind::whole);
     return &plan_;
 }
@@ -136,11 +139,10 @@ template <class T>
 l3d_surface_certificate
 l3d_lane_dicer<T>::certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
                                const l3d_placed_bends& bends, const l3d_diced_piece& out) const {
-    l3d_surface_certificate result =
-        bends.certificate(piece, view, bounds_.needs, plan_, out.slits, false);
-    result.depth += depth_error_;
-    if (result.without_normals != 0)
-        result.depth += l3d_most_off_plane(out.part, result.without_normals, view);
+    l3d_surface_certificate result = bends.certificate(piece, view, view.chord_budget(depth_error_),
+                                                       bounds_.needs, plan_, out.slits, false);
+    const unsigned blocks = result.without_normals;
+    result.add_to_depth(depth_error_, blocks != 0 ? l3d_most_off_plane(out.part, blocks, view) : 0);
     return result;
 }
 
@@ -208,7 +210,7 @@ bool l3d_lane_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& n
     }
     // Slits lie between vertices of the patch and of its edges, each off by its own error.
     counts.bound_px = std::max({counts.bound_px, out.bound, edge_chord + row_error_});
-    counts.add_surface(certificate(whole, view, bends, out), edge_chord + depth_error_);
+    counts.add_surface(certificate(whole, view, bends, out), edge_chord + row_depth_error_);
     ++counts.drawn;
     ++counts.pieces;
     ++counts.in_lanes;

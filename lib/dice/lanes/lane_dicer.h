@@ -47,9 +47,9 @@ public:
                                         const l3d_placed_bends& bends,
                                         const l3d_diced_piece& out) const;
 
-    /// How far vertices of what was planned last are from the surface. Units: pixels at their
-    /// depth.
-    double depth_error() const { return depth_error_; }
+    /// How far vertices of slits along the sides of what was planned last are from the surface.
+    /// Units: pixels at their depth.
+    double row_depth_error() const { return row_depth_error_; }
 
     /// The grid of what was planned last, its parameters and its bound.
     /// Expects: at most 32 steps a strip were planned, of the piece's own net.
@@ -70,7 +70,7 @@ private:
     l3d_detail::lane_parameters u_, v_;
     l3d_detail::lane_register register_ = l3d_detail::lane_register::float_32;
     double register_xy_ = 1, register_w_ = 1;
-    double vertex_error_ = 0, row_error_ = 0, depth_error_ = 0, walk_w_ = 0;
+    double vertex_error_ = 0, row_error_ = 0, depth_error_ = 0, row_depth_error_ = 0, walk_w_ = 0;
     l3d_detail::vertex_numbers numbers_; ///< kept for its memory
 };
 

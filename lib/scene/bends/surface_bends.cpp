@@ -120,9 +120,7 @@ double l3d_levels_off(const l3d_bend_numbers<double>& bends, double h_u, double 
 
 void l3d_surface_bends::set_steps() {
     for (std::size_t i = 0; i < blocks; ++i) {
-        l3d_bend_numbers<double> of{};
-        for (std::size_t n = 0; n < bend_numbers; ++n)
-            of.*bend_members<double>[n] = double{(of_blocks_.*bend_members<lanes>[n])[i]};
+        const l3d_bend_numbers<double> of = bends_of_block(of_blocks_, i);
         // Half of the third derivative's root where hardly anything turns.
         const double u = std::max(of.turn_u, std::cbrt(of.n_uuu) / 2);
         const double v = std::max(of.turn_v, std::cbrt(of.n_vvv) / 2);
@@ -171,9 +169,7 @@ l3d_surface_bends l3d_surface_bends::under(const l3d_matrix<double>& placement) 
     l3d_surface_bends result;
     l3d_bend_numbers<double> of{};
     for (std::size_t i = 0; i < blocks; ++i) {
-        for (std::size_t n = 0; n < bend_numbers; ++n)
-            of.*bend_members<double>[n] = (of_blocks_.*bend_members<lanes>[n])[i];
-        of = placed(of);
+        of = placed(bends_of_block(of_blocks_, i));
         for (std::size_t n = 0; n < bend_numbers; ++n)
             (result.of_blocks_.*bend_members<lanes>[n])[i] =
                 rounded_up(of.*bend_members<double>[n]);

@@ -37,6 +37,25 @@ enum bend_number : std::size_t {
 inline constexpr std::array<int, bend_numbers> bend_orders{2, 2, 2, 3, 3, 3, 3, 4, 1,
                                                            1, 2, 2, 2, 3, 3, 3, 3};
 
+/// How often by u, and by v.
+inline constexpr std::array<std::array<int, 2>, bend_numbers> bend_powers{{{2, 0},
+                                                                           {1, 1},
+                                                                           {0, 2},
+                                                                           {3, 0},
+                                                                           {2, 1},
+                                                                           {1, 2},
+                                                                           {0, 3},
+                                                                           {2, 2},
+                                                                           {1, 0},
+                                                                           {0, 1},
+                                                                           {2, 0},
+                                                                           {1, 1},
+                                                                           {0, 2},
+                                                                           {3, 0},
+                                                                           {2, 1},
+                                                                           {1, 2},
+                                                                           {0, 3}}};
+
 /// The same number, by its place.
 template <class T>
 inline constexpr std::array<T l3d_bend_numbers<T>::*, bend_numbers> bend_members{
@@ -47,6 +66,16 @@ inline constexpr std::array<T l3d_bend_numbers<T>::*, bend_numbers> bend_members
     &l3d_bend_numbers<T>::n_vv,   &l3d_bend_numbers<T>::n_uuu, &l3d_bend_numbers<T>::n_uuv,
     &l3d_bend_numbers<T>::n_uvv,  &l3d_bend_numbers<T>::n_vvv,
 };
+
+/// Of one of the blocks.
+inline l3d_bend_numbers<double>
+bends_of_block(const l3d_bend_numbers<l3d_surface_bends::lanes>& bends, std::size_t block) {
+    l3d_bend_numbers<double> result{};
+    for (std::size_t n = 0; n < bend_numbers; ++n)
+        result.*bend_members<double>[n] =
+            double{(bends.*bend_members<l3d_surface_bends::lanes>[n])[block]};
+    return result;
+}
 
 /// Nets by component: [component][row][column]. Points from the first one, and the largest number
 /// of theirs.

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// bend_planner: what depth asks of steps, and what the steps leave.
+#if defined(L3D_DICE_BEND_PLANNER_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef L3D_DICE_BEND_PLANNER_INL_H
+#undef L3D_DICE_BEND_PLANNER_INL_H
+#else
+#define L3D_DICE_BEND_PLANNER_INL_H
+#endif
+
+#include "dice/planned_steps-inl.h"
+
+#include <cstddef>
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// A chord of step h is off, along the normal at its own parameter, by what second derivatives
+/// there say and by h^3 of the third ones times this at most, the largest value of s (1 - s) ((1 -
+/// 2 s) / 6 + l3d_balance): one end of it is moved, or both, or none.
+constexpr double of_moved_thirds = 0.0322;
+
+/// A difference over a step h of a cubic is h times its derivative at any point of the step, h^2
+/// times the second one there times the first number at most, and h^3 times the third one times the
+/// second: with s the point's place, (1 - 2 s) / 2 and ((1 - s)^3 + s^3) / 6, and l3d_balance more
+/// where ends are moved.
+constexpr double of_difference_second = 1.0 / 2 + l3d_balance;
+constexpr double of_difference_third = 1.0 / 6 + l3d_balance;
+
+/// Fourth derivatives, two by each parameter, count with h_u^2 h_v^2 times this: 1/64 of chords, 2
+/// l3d_balance / 8 of moved chords, l3d_balance^2 of both moved, and a quarter of what they make of
+/// the corners' mixed difference.
+constexpr double of_fourths = 1.0 / 64 + l3d_balance / 4 + l3d_balance * l3d_balance +
+                              of_difference_second * of_difference_second / 4;
+
+/// What depth asks of steps, and what the steps leave. NUMERICS, section 3, Depth.
+class bend_planner {
+public:
+    explicit bend_planner(const l3d_block_needs& needs) : per_strip_(1.0 / needs.strips) {
+        const auto strips = static_cast<std::size_t>(needs.strips);
+        const l3d_block_needs::normal_bends& of = needs.bends;
+        second_[along_u].take(of.uu, strips);
+        second_[along_v].take(of.vv, strips);
+        third_[along_u].take(of.uuu, strips);
+        third_[along_v].take(of.vvv, strips);
+        twist_.take(of.uv, strips);
+        turned_[along_u].take(of.uuv, strips);
+        turned_[along_v].take(of.uvv, strips);
+        rest_[along_u].take(of.uuuv, strips);
+        rest_[along_v].take(of.uvvv, strips);
+        fourth_.take(of.uuvv, strips);
+    }
+
+    /// Largest second and third derivatives of each strip.
+    HWY_INLINE void largest(direction d, double (&second)[most_strips],
+                            double (&third)[most_strips]) const {
+        largest_in_strips(second_[d], d, second);
+        largest_in_strips(third_[d], d, third);
+    }
+
+    /// In budgets.
+    HWY_INLINE lane_vec errors(direction d, std::size_t strip, std::size_t lane,
+                               const strip_numbers& s) const {
+        const auto chords = hn::Add(chord(d, d, strip, lane, s.own_step, s.own_bend),
+                                    chord(other(d), d, strip, lane, s.step, s.bend));
+        const lane_vec both = hn::Mul(s.own_step, s.step);
+        const lane_vec turned = hn::Add(hn::Mul(turned_[d].in(d, strip, lane), s.own_step),
+                                        hn::Mul(turned_[other(d)].in(d, strip, lane), s.step));
+        const lane_vec twist =
+            hn::Add(twist_.in(d, strip, lane),
+                    hn::Add(times(of_difference_second, turned), rest(d, strip, lane, s)));
+        const lane_vec fourths =
+            times(of_fourths, hn::Mul(hn::Mul(both, both), fourth_.in(d, strip, lane)));
+        return hn::Add(hn::Add(chords, times(0.25, hn::Mul(both, twist))), fourths);
+    }
+
+    /// Of slits along the piece's sides, whose chords are not balanced: in lanes of `along_side`
+    /// those along the strip, times `at_side` those across.
+    HWY_INLINE lane_vec slit_errors(direction d, std::size_t strip, std::size_t lane,
+                                    const strip_numbers& s, lane_vec along_side,
+                                    lane_vec at_side) const {
+        const auto eighth = [](lane_vec h) HWY_ATTR { return times(1.0 / 8, hn::Mul(h, h)); };
+        return larger(hn::Mul(along_side, chord(d, d, strip, lane, s.own_step, eighth(s.own_step))),
+                      hn::Mul(at_side, chord(other(d), d, strip, lane, s.step, eighth(s.step))));
+    }
+
+private:
+    static HWY_INLINE lane_vec times(double factor, lane_vec v) {
+        return hn::Mul(hn::Set(lane_tag(), factor), v);
+    }
+
+    /// What chords of steps h along `which` are off by, `bend` multiplying second derivatives.
+    HWY_INLINE lane_vec chord(direction which, direction d, std::size_t strip, std::size_t lane,
+                              lane_vec h, lane_vec bend) const {
+        const lane_vec cube = hn::Mul(hn::Mul(h, h), h);
+        return hn::Add(hn::Mul(second_[which].in(d, strip, lane), bend),
+                       times(of_moved_thirds, hn::Mul(cube, third_[which].in(d, strip, lane))));
+    }
+
+    /// What the corners' mixed difference has of higher derivatives, over both steps: |S_uuuv|,
+    /// |S_uvvv|, and |S_uuuvv| <= 4 |S_uuuv|, |S_uuvvv| <= 4 |S_uvvv|, |S_uuuvvv| <= 8 |S_uuuv| by
+    /// the piece's parameters, which run over a block `strips` times as fast.
+    HWY_INLINE lane_vec rest(direction d, std::size_t strip, std::size_t lane,
+                             const strip_numbers& s) const {
+        const lane_vec one = hn::Set(lane_tag(), 1.0);
+        const lane_vec u = d == along_u ? s.own_step : s.step;
+        const lane_vec v = d == along_u ? s.step : s.own_step;
+        const lane_vec more_u = times(per_strip_, u), more_v = times(per_strip_, v);
+        const lane_vec with_v =
+            hn::Mul(more_v, hn::Add(hn::Set(lane_tag(), 4 * of_difference_second),
+                                    times(8 * of_difference_third, more_v)));
+        const lane_vec with_u = times(4 * of_difference_second, more_u);
+        const auto part = [&](direction of, lane_vec h, lane_vec more) HWY_ATTR {
+            return hn::Mul(hn::Mul(h, h),
+                           hn::Mul(rest_[of].in(d, strip, lane), hn::Add(one, more)));
+        };
+        return times(of_difference_third,
+                     hn::Add(part(along_u, u, with_v), part(along_v, v, with_u)));
+    }
+
+    double per_strip_;
+    block_numbers second_[2], third_[2], twist_, turned_[2], rest_[2], fourth_;
+};
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Steps while they are chosen, and numbers of blocks, those of a strip in lanes.
+#if defined(L3D_DICE_PLANNED_STEPS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef L3D_DICE_PLANNED_STEPS_INL_H
+#undef L3D_DICE_PLANNED_STEPS_INL_H
+#else
+#define L3D_DICE_PLANNED_STEPS_INL_H
+#endif
+
+#include "dice/step_plan.h"
+
+#include <cstddef>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr std::size_t most_strips = l3d_block_needs::most_strips;
+using lane_tag = hn::CappedTag<double, most_strips>;
+using lane_vec = hn::Vec<lane_tag>;
+using lane_mask = hn::Mask<lane_tag>;
+
+/// The two directions; as an index, and as the other one's.
+enum direction : std::size_t { along_u, along_v };
+constexpr direction other(direction d) {
+    return d == along_u ? along_v : along_u;
+}
+
+/// A number of each block in two orders: in `by[d]` the blocks of a strip of direction d lie side
+/// by side. Those of strips that there are not are 0.
+struct block_numbers {
+    alignas(64) double by[2][most_strips * most_strips] = {};
+
+    void take(const l3d_block_needs::per_block& of, std::size_t strips) {
+        for (std::size_t b = 0; b < strips; ++b)
+            for (std::size_t a = 0; a < strips; ++a)
+                by[along_v][most_strips * b + a] = by[along_u][most_strips * a + b] =
+                    of[strips * b + a];
+    }
+
+    /// Of the blocks of a strip, from `lane` on.
+    HWY_INLINE lane_vec in(direction d, std::size_t strip, std::size_t lane) const {
+        return hn::Load(lane_tag(), by[d] + most_strips * strip + lane);
+    }
+};
+
+/// The larger numbers; what is no number is left out.
+HWY_INLINE lane_vec larger(lane_vec a, lane_vec b) {
+    return hn::IfThenElse(hn::Gt(b, a), b, a);
+}
+
+/// The largest number of each strip of direction d, in lanes.
+HWY_INLINE void largest_in_strips(const block_numbers& of, direction d,
+                                  double (&out)[most_strips]) {
+    for (std::size_t lane = 0; lane < most_strips; lane += hn::MaxLanes(lane_tag())) {
+        lane_vec most = hn::Zero(lane_tag());
+        for (std::size_t strip = 0; strip < most_strips; ++strip)
+            most = larger(most, of.in(other(d), strip, lane));
+        hn::Store(most, lane_tag(), out + lane);
+    }
+}
+
+/// The strips at a piece's sides, where there are four.
+alignas(64) constexpr double at_ends[most_strips] = {1, 0, 0, 1};
+
+/// Steps along one direction, and what follows from them, by strip.
+struct steps_along {
+    int n[most_strips] = {1, 1, 1, 1}, fewest[most_strips] = {1, 1, 1, 1};
+    alignas(64) double step[most_strips] = {1, 1, 1, 1}; ///< h
+    alignas(64) double bend[most_strips] = {};           ///< what multiplies a second derivative
+    alignas(64) double moved[most_strips] = {};          ///< how much of it vertices are moved by
+
+    void set(std::size_t strip, int steps, bool balanced) {
+        const double h = 1.0 / steps;
+        n[strip] = steps;
+        step[strip] = h;
+        moved[strip] = balanced && steps > 1 ? l3d_balance * h * h : 0;
+        bend[strip] = moved[strip] > 0 ? moved[strip] : h * h / 8;
+    }
+};
+
+/// What steps do to the blocks of a strip of one direction, from some lane on.
+struct strip_numbers {
+    lane_vec step, bend, moved; ///< across the strip: those of the other direction
+    lane_vec own_step, own_bend, own_moved;
+};
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#endif
