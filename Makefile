@@ -1,21 +1,28 @@
 # SPDX-License-Identifier: MIT
 # The build of l3d. Its first lines are the architecture: who may include, call and link whom.
 
-LAYERS        := geom tool_2d raster dice pipeline system
+LAYERS        := geom tool_2d raster scene dice pipeline system
 uses_geom     :=
 uses_tool_2d  :=
 uses_raster   := geom tool_2d
-uses_dice     := geom tool_2d raster
-uses_pipeline := geom tool_2d raster dice
-uses_system   := geom tool_2d raster dice pipeline
+uses_scene    := geom tool_2d raster
+uses_dice     := geom tool_2d raster scene
+uses_pipeline := geom tool_2d raster scene dice
+uses_system   := geom tool_2d raster scene dice pipeline
 uses_apps     := $(LAYERS)
+
+# compare/ holds the methods that ours is measured against. It lies beside the library, on top of
+# all layers, and only these use it.
+uses_compare       := $(LAYERS)
+tests_with_compare := compare bench
+apps_with_compare  := teapot_afd
 
 # tests/reference, the exact renderer, is a layer beside them that only these may use, and one
 # program: its report of errors has no better judge.
 uses_reference       := geom
-tests_with_reference := dice pipeline reference bench stability
+tests_with_reference := scene dice pipeline compare reference bench stability
 apps_with_reference  := teapot_afd
-uses_stability       := geom tool_2d raster dice pipeline
+uses_stability       := geom tool_2d raster scene dice pipeline
 
 # What a layer links from outside.
 links_tool_2d := -lpng -lXext -lX11
@@ -59,31 +66,42 @@ FLAGS     = -std=c++20 $(WARNINGS) -ffp-contract=off -fno-math-errno -pthread \
 # What the shared library is made of serves the static one, too: without interposition the code is
 # that of -fPIE, which programs get anyway, and one compilation is enough.
 FLAGS_lib := -fPIC -fno-semantic-interposition -fvisibility-inlines-hidden
-# Tests take longer to compile than to run, 0.6 of the time if less is made of them; those files that
-# they share and that do the work, as judges of pictures, are not among these.
-FLAGS_tests := $(if $(filter release,$(MODE)),-O1)
+# Tests take longer to compile than to run: they are optimised less and share a precompiled header.
+# The files beside them that do the work, such as judges of pictures, get neither.
+# -Wno-...: in a precompiled header g++ 12 warns of std::string's own code (GCC bug 105651).
+FLAGS_tests := $(if $(filter release,$(MODE)),-O1) \
+               $(if $(findstring clang,$(compiler)),,-Wno-array-bounds -Wno-stringop-overflow)
+PRECOMPILED := $(OUT)/tests/precompiled.h
 LINK      = $(CXX) $(FLAGS) -Wl,--as-needed $(LDFLAGS)
 
 # ---- what there is ------------------------------------------------------------------------------
 
 reverse    = $(if $(1),$(call reverse,$(wordlist 2,99,$(1))) $(firstword $(1)))
-TOP_DOWN  := reference $(call reverse,$(LAYERS))
+TOP_DOWN  := reference compare $(call reverse,$(LAYERS))
 objects    = $(patsubst %.cpp,$(OUT)/%.o,$(sort $(1)))
 archives   = $(patsubst %,$(OUT)/libl3d_%.a,$(filter $(1),$(TOP_DOWN)))
 links      = $(foreach layer,$(1),$(links_$(layer)))
 may_use    = $(1) $(uses_$(1)) $(if $(filter $(1),$(tests_with_reference)),reference)
+# Sources outside the library also include by paths from the top, tests by paths from tests/.
+include_paths = $(if $(filter lib/%,$(1)),,-I.) $(if $(filter tests/% apps/%,$(1)),-Itests)
 
-$(foreach l,$(LAYERS),$(eval objects_$(l) := $(call objects,$(wildcard lib/$(l)/*.cpp))))
+# A layer is a folder; large ones have rooms, folders in it, that the law knows nothing of.
+$(foreach l,$(LAYERS),$(eval objects_$(l) := $(call objects,$(wildcard lib/$(l)/*.cpp lib/$(l)/*/*.cpp))))
 $(foreach l,$(LAYERS),$(eval objects_tests/$(l) := $(call objects,$(wildcard tests/$(l)/*.cpp))))
+objects_compare       := $(call objects,$(wildcard compare/*.cpp))
+objects_tests/compare := $(call objects,$(wildcard tests/compare/*.cpp))
 # Scenes and judges of dicing serve the tests of whole frames, too.
-objects_tests/pipeline += $(call objects,$(filter-out %_test.cpp,$(wildcard tests/dice/*.cpp)))
+helpers = $(call objects,$(filter-out %_test.cpp,$(wildcard tests/$(1)/*.cpp)))
+objects_tests/dice     += $(call helpers,scene)
+objects_tests/pipeline += $(call helpers,scene) $(call helpers,dice)
+objects_tests/compare  += $(call helpers,scene) $(call helpers,dice)
 objects_tests/reference := $(call objects,$(wildcard tests/reference/*_test.cpp))
 objects_reference := $(filter-out $(objects_tests/reference),\
                      $(call objects,$(wildcard tests/reference/*.cpp)))
 apps := $(patsubst apps/%/main.cpp,%,$(wildcard apps/*/main.cpp))
 $(foreach a,$(apps),$(eval objects_apps/$(a) := $(call objects,$(wildcard apps/$(a)/*.cpp))))
 
-tested    := $(foreach l,$(LAYERS) reference,$(if $(objects_tests/$(l)),$(l)))
+tested    := $(foreach l,$(LAYERS) compare reference,$(if $(objects_tests/$(l)),$(l)))
 plugins   := $(wildcard apps/*/plugins/*.cpp tests/*/plugins/*.cpp)
 # A variant's bin, lib/l3d and share/l3d lie as they are installed.
 plugged    = $(patsubst %.cpp,$(OUT)/lib/l3d/%.so,$(notdir $(1)))
@@ -96,15 +114,15 @@ ARCHIVES  := $(call archives,$(LAYERS))
 APPS      := $(apps:%=$(OUT)/bin/%)
 TESTERS   := $(tested:%=$(OUT)/tests/%_tests)
 objects_bench := $(call objects,$(filter-out %_bench.cpp,$(wildcard tests/bench/*.cpp)) \
-                     tests/dice/bodies.cpp tests/dice/scene.cpp)
+                     tests/scene/bodies.cpp tests/dice/scene.cpp)
 objects_stability := $(call objects,$(wildcard tests/stability/*.cpp))
 STABILITY := $(OUT)/tests/stability/stability
 BENCHES   := $(patsubst %.cpp,$(OUT)/%,$(wildcard tests/bench/*_bench.cpp))
 FUZZERS   := $(patsubst tests/fuzz/corpus/%,$(OUT)/fuzz/%,$(wildcard tests/fuzz/corpus/*))
 SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
 STRESS    := $(wildcard tests/x11/stress/*_test.py)
-HEADERS   := $(sort $(wildcard lib/*/*.h))
-SOURCES   := $(sort $(wildcard lib/*/*.cpp apps/*/*.cpp tests/*/*.cpp))
+HEADERS   := $(sort $(wildcard lib/*/*.h lib/*/*/*.h compare/*.h))
+SOURCES   := $(sort $(wildcard lib/*/*.cpp lib/*/*/*.cpp compare/*.cpp apps/*/*.cpp tests/*/*.cpp))
 FORMATTED := $(SOURCES) $(HEADERS) $(plugins) $(sort $(wildcard apps/*/*.h tests/*.h tests/*/*.h))
 OBJECTS   := $(call objects,$(filter-out tests/fail/% tests/bench/% tests/fuzz/%,$(SOURCES)))
 LONE      := $(HEADERS:%=$(OUT)/%.ok)
@@ -233,9 +251,15 @@ $(OUT)/list/%: FORCE
 
 $(OUT)/%.o: %.cpp $(OUT)/flags | packages-build
 	$(call say,C++,$@)
-	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(if $(filter lib/%,$<),$(FLAGS_lib)) $(if $(filter tests/% apps/%,$<),-Itests) \
-	    $(if $(filter %_test.cpp,$<),$(FLAGS_tests)) \
+	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(if $(filter lib/%,$<),$(FLAGS_lib)) $(call include_paths,$<) \
+	    $(if $(filter %_test.cpp,$<),$(FLAGS_tests) -include $(PRECOMPILED)) \
 	    -MD -MP -c $< -o $@
+$(filter %_test.o,$(OBJECTS)): $(PRECOMPILED).gch
+
+# Compilers find NAME.gch beside NAME.
+$(PRECOMPILED).gch: tests/precompiled.h $(OUT)/flags | packages-test
+	$(call say,C++,$@)
+	$(Q)mkdir -p $(@D); cp $< $(PRECOMPILED); $(CXX) $(FLAGS) $(FLAGS_tests) -x c++-header $(PRECOMPILED) -o $@
 
 # A text file as a C++ string literal, to be included.
 $(OUT)/%.inc: %
@@ -246,8 +270,10 @@ $(OUT)/libl3d_%.a: $$(objects_$$*) $(OUT)/list/%
 	$(call say,AR,$@)
 	$(Q)rm -f $@; ar rcs $@ $(filter %.o,$^)
 
+# What a program links beside the library.
+beside = $(foreach layer,compare reference,$(if $(filter $(1),$(apps_with_$(layer))),$(layer)))
 $(APPS): $(OUT)/bin/%: $$(objects_apps/$$*) \
-        $$(call archives,$(LAYERS) $$(if $$(filter $$*,$(apps_with_reference)),reference)) \
+        $$(call archives,$(LAYERS) $$(call beside,$$*)) \
         $(OUT)/list/apps/%
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D); $(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -o $@
@@ -273,7 +299,7 @@ $(STABILITY): $(objects_stability) $(call archives,reference $(uses_stability)) 
 	$(call say,LINK,$@)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(uses_stability)) -o $@
 
-$(BENCHES): %: %.o $(objects_bench) $(call archives,reference $(LAYERS))
+$(BENCHES): %: %.o $(objects_bench) $(call archives,reference compare $(LAYERS))
 	$(call say,LINK,$@)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) \
 	    -lembree3 -lbenchmark -o $@
@@ -316,10 +342,11 @@ $(OUT)/log/headers.log: FORCE
 
 $(OUT)/%.h.ok: %.h $(OUT)/flags | packages-build
 	$(Q)mkdir -p $(@D); echo '#include "$(<:lib/%=%)"' | \
-	    $(CXX) $(FLAGS) -MD -MP -MF $@.d -MT $@ -fsyntax-only -x c++ - && touch $@
+	    $(CXX) $(FLAGS) $(call include_paths,$<) -MD -MP -MF $@.d -MT $@ -fsyntax-only -x c++ - && touch $@
 
 include_law = awk -f tests/lint/layers.awk -v out=$(OUT)/ \
-    -v law="$(foreach l,$(LAYERS) reference stability apps,$(l): $(uses_$(l));)" \
+    -v law="$(foreach l,$(LAYERS) compare reference stability apps,$(l): $(uses_$(l));)" \
+    -v with_compare="$(tests_with_compare:%=tests/%) $(apps_with_compare:%=apps/%)" \
     -v with_reference="$(tests_with_reference:%=tests/%) $(apps_with_reference:%=apps/%)" $(OBJECTS:.o=.d) $(INCLUDES)
 # Archives are lazy, so a whole one is linked: a call that climbs is an undefined symbol.
 link_law = echo 'int main() {}' | $(LINK) -x c++ - -x none -o $(OUT)/link_law \
@@ -329,10 +356,10 @@ link_law = echo 'int main() {}' | $(LINK) -x c++ - -x none -o $(OUT)/link_law \
 $(OUT)/log/layers.log: $(OBJECTS) $(INCLUDES) $(call archives,$(TOP_DOWN)) FORCE
 	$(call say,LAW,layers)
 	$(call logged,worst=0; $(include_law) || worst=1; \
-	    $(foreach l,$(LAYERS) reference,$(call link_law,$(l));) (exit $$worst))
+	    $(foreach l,$(LAYERS) compare reference,$(call link_law,$(l));) (exit $$worst))
 
 $(OUT)/%.h.d: %.h $(OUT)/flags | packages-build
-	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) -MM -MP -MF $@ -MT $@ -x c++ $<
+	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(call include_paths,$<) -MM -MP -MF $@ -MT $@ -x c++ $<
 
 $(OUT)/log/errors-doc.log: FORCE
 	$(call logged,awk -f tests/lint/errors_doc.awk $(HEADERS) && echo ok errors-doc)
@@ -346,7 +373,7 @@ $(OUT)/log/fail.log: FORCE | packages-build
 
 $(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o
 	$(call say,TIDY,$<)
-	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ -Wno-unknown-warning-option $(FLAGS) $(if $(filter tests/% apps/%,$<),-Itests) && touch $@
+	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ -Wno-unknown-warning-option $(FLAGS) $(call include_paths,$<) && touch $@
 
 include packaging/install.mk
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // camspikes: spikes seen by a camera that flies.
 #include "../spikes/spike.h"
-#include "pipeline/pipeline_world.h"
+#include "pipeline/worlds/pipeline_world.h"
 #include "system/program.h"
 
 namespace {

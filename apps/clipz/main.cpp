@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // clipz: large spikes that are cut where they come too near; and what is wrong without sorting.
 #include "../spikes/spike.h"
-#include "pipeline/pipeline_world.h"
+#include "pipeline/worlds/pipeline_world.h"
 #include "system/program.h"
 
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // dots: dots in space, in true perspective: a runway, stars, or snow.
 #include "geom/random.h"
-#include "pipeline/camera_left_handed.h"
+#include "pipeline/worlds/camera_left_handed.h"
 #include "pipeline/pipeline_2d.h"
 #include "pipeline/ticker.h"
 #include "system/program.h"

@@ -2,7 +2,7 @@
 // fltsim: a world of pyramids to fly through. Ten of them are a class, one is a plug-in.
 #include "geom/polygon_shapes.h"
 #include "geom/random.h"
-#include "pipeline/pipeline_world.h"
+#include "pipeline/worlds/pipeline_world.h"
 #include "system/places.h"
 #include "system/plugin_loader.h"
 #include "system/program.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // hello: the first lessons: a window, what happens to it, and a picture made word by word.
 #include "geom/random.h"
-#include "raster/text.h"
+#include "raster/shapes/text.h"
 #include "system/program.h"
 
 #include <iostream>

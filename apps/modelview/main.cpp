@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // modelview: any model file, by any pipeline.
 #include "pipeline/pipeline_afd_viewer.h"
-#include "pipeline/pipeline_zbuffer.h"
-#include "pipeline/pipeline_zsort.h"
+#include "pipeline/polygons/pipeline_zbuffer.h"
+#include "pipeline/polygons/pipeline_zsort.h"
 #include "raster/rasterizer_factory_mesa.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "system/polygon_options.h"

@@ -2,7 +2,7 @@
 // morph2d: a polygon on its way through four forms, one of them far wider than the window.
 #include "geom/vertex_interpolator.h"
 #include "pipeline/ticker.h"
-#include "raster/polygon_2d_flatshaded.h"
+#include "raster/shapes/polygon_2d_flatshaded.h"
 #include "system/program.h"
 
 #include <array>

@@ -3,7 +3,7 @@
 #include "geom/mesh_cut.h"
 #include "geom/polygon_shapes.h"
 #include "geom/random.h"
-#include "pipeline/pipeline_world.h"
+#include "pipeline/worlds/pipeline_world.h"
 #include "system/program.h"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #define L3D_APPS_SPIKES_SPIKE_H
 
 #include "geom/random.h"
-#include "pipeline/moveable.h"
-#include "pipeline/object.h"
+#include "pipeline/worlds/moveable.h"
+#include "pipeline/worlds/object.h"
 
 /// What spikes of one program have in common. Units: those of the world, per update of the book.
 struct spike_kind {

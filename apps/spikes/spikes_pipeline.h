@@ -4,7 +4,7 @@
 #define L3D_APPS_SPIKES_SPIKES_PIPELINE_H
 
 #include "pipeline/pipeline_2d.h"
-#include "pipeline/world.h"
+#include "pipeline/worlds/world.h"
 #include "spike.h"
 
 /// A hundred and fifty spikes of a kind, and a viewer who stands still.

@@ -2,8 +2,8 @@
 // Where the error sits: colours and legend.
 #include "error_picture.h"
 
-#include "raster/rasterizer_2d_sw.h"
-#include "raster/text.h"
+#include "raster/shapes/rasterizer_2d_sw.h"
+#include "raster/shapes/text.h"
 #include "tool_2d/image.h"
 #include "tool_2d/image_file.h"
 

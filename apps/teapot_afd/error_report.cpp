@@ -53,7 +53,7 @@ bool has_mesa() {
         l3d_method_choice choice;
         choice.method = l3d_method::mesa;
         l3d_workers one(1);
-        l3d_create_method(choice, l3d_rasterizer_factory_sw(), one);
+        choice.factory().create(l3d_rasterizer_factory_sw(), one);
         return true;
     } catch (const l3d_error&) {
         return false;

@@ -106,7 +106,7 @@ frame_result measure_frames(const measured_view& view, const measured_setting& s
     using clock = std::chrono::steady_clock;
     l3d_afd_settings settings;
     settings.tolerance = setting.tolerance;
-    settings.method = setting.method;
+    settings.method = setting.method.factory();
     settings.depth = true;
     trembling_pipeline pipeline(memory_screen(view.size()), l3d_rasterizer_factory_sw(),
                                 view.model(), view.camera(), settings);

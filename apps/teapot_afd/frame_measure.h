@@ -3,6 +3,7 @@
 #ifndef L3D_APPS_TEAPOT_AFD_FRAME_MEASURE_H
 #define L3D_APPS_TEAPOT_AFD_FRAME_MEASURE_H
 
+#include "compare/method_choice.h"
 #include "pipeline/pipeline_afd.h"
 #include "reference/exact.h"
 #include "reference/measure.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // teapot_afd: the Utah teapot (or any bicubic patches) by adaptive forward differencing.
+#include "compare/method_option.h"
 #include "pipeline/pipeline_afd_viewer.h"
 #include "system/afd_options.h"
 #include "system/program.h"
@@ -24,6 +25,7 @@ int main(int argc, char** argv) {
                         "In the window, h lists the keys.",
                         {1024, 768});
     const l3d_afd_options afd(program.options());
+    const l3d_method_option method(program.options());
     std::string folder;
     bool quick = false;
     program.options().add("--error-report", folder,
@@ -35,7 +37,7 @@ int main(int argc, char** argv) {
     l3d_afd_settings settings;
     program.before_step_1([&] {
         camera = afd.camera();
-        settings = afd.settings();
+        settings = method.settings(afd);
         if (folder.empty())
             return true;
         write_error_report(folder, afd.model(), camera, program.options().common().size,

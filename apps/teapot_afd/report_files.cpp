@@ -3,7 +3,7 @@
 #include "report_files.h"
 
 #include "geom/real.h"
-#include "raster/simd_target.h"
+#include "raster/parallel/simd_target.h"
 #include "tool_2d/error.h"
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // vidflat: a model from a file of Videoscape's, as Blender writes it, by way of a plug-in.
-#include "pipeline/pipeline_world.h"
+#include "pipeline/worlds/pipeline_world.h"
 #include "system/places.h"
 #include "system/plugin_loader.h"
 #include "system/program.h"

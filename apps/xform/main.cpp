@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // xform: triangles thrown about the window and clipped by it, and lines; they pile up.
 #include "pile_pipeline.h"
-#include "raster/polygon_2d_flatshaded.h"
+#include "raster/shapes/polygon_2d_flatshaded.h"
 #include "system/program.h"
 
 namespace {

@@ -5,7 +5,7 @@
 
 #include "geom/real.h"
 #include "geom/step_bound.h"
-#include "dice/dice_view.h"
+#include "scene/dice_view.h"
 #include "dice/snap.h"
 
 #include <limits>

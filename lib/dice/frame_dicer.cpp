@@ -3,10 +3,10 @@
 #include "dice/frame_dicer.h"
 
 #include "dice/error_color.h"
-#include "dice/placed_net.h"
+#include "scene/placed_net.h"
 #include "dice/point_patch.h"
-#include "dice/seen_from.h"
-#include "dice/visibility.h"
+#include "scene/seen_from.h"
+#include "scene/visibility.h"
 
 #include <algorithm>
 #include <array>

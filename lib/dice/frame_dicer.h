@@ -3,15 +3,15 @@
 #ifndef L3D_DICE_FRAME_DICER_H
 #define L3D_DICE_FRAME_DICER_H
 
-#include "dice/dice_counts.h"
-#include "dice/dice_view.h"
+#include "scene/dice_counts.h"
+#include "scene/dice_view.h"
 #include "dice/diced_pieces.h"
-#include "dice/edge_polylines.h"
-#include "dice/lane_dicer.h"
+#include "dice/edges/edge_polylines.h"
+#include "dice/lanes/lane_dicer.h"
 #include "dice/patch_dicer.h"
-#include "dice/scene_culling.h"
-#include "raster/height_order_p.h"
-#include "raster/workers.h"
+#include "scene/scene_culling.h"
+#include "raster/parallel/height_order_p.h"
+#include "raster/parallel/workers.h"
 
 #include <array>
 #include <cstddef>

@@ -4,7 +4,7 @@
 
 #include "dice/normal_columns.h"
 #include "dice/seen_sides.h"
-#include "dice/surface_bends.h"
+#include "scene/bends/surface_bends.h"
 
 #include <cmath>
 #include <cstddef>

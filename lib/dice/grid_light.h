@@ -4,7 +4,7 @@
 #define L3D_DICE_GRID_LIGHT_H
 
 #include "geom/normal_net.h"
-#include "dice/dice_view.h"
+#include "scene/dice_view.h"
 #include "dice/diced_piece.h"
 
 #include <array>

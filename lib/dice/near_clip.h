@@ -3,7 +3,7 @@
 #ifndef L3D_DICE_NEAR_CLIP_H
 #define L3D_DICE_NEAR_CLIP_H
 
-#include "dice/dice_view.h"
+#include "scene/dice_view.h"
 #include "dice/diced_piece.h"
 
 /// A surface point that may be anywhere, even behind the eye.

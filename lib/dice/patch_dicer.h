@@ -4,11 +4,11 @@
 #define L3D_DICE_PATCH_DICER_H
 
 #include "geom/normal_net.h"
-#include "dice/dice_counts.h"
-#include "dice/dice_view.h"
+#include "scene/dice_counts.h"
+#include "scene/dice_view.h"
 #include "dice/diced_pieces.h"
-#include "dice/edge_polylines.h"
-#include "dice/lane_dicer.h"
+#include "dice/edges/edge_polylines.h"
+#include "dice/lanes/lane_dicer.h"
 #include "dice/piece_drawer.h"
 #include "dice/surface_piece.h"
 

@@ -5,10 +5,10 @@
 
 #include "geom/normal_net.h"
 #include "dice/diced_piece.h"
-#include "dice/edge_polylines.h"
+#include "dice/edges/edge_polylines.h"
 #include "dice/normal_columns.h"
 #include "dice/piece_nets.h"
-#include "dice/slit.h"
+#include "dice/edges/slit.h"
 #include "dice/step_plan.h"
 #include "dice/strip_walker.h"
 #include "dice/surface_piece.h"

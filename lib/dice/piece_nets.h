@@ -4,7 +4,7 @@
 #define L3D_DICE_PIECE_NETS_H
 
 #include "geom/step_bound.h"
-#include "dice/dice_view.h"
+#include "scene/dice_view.h"
 #include "dice/drawn_error.h"
 
 #include <array>

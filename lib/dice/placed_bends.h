@@ -3,12 +3,12 @@
 #ifndef L3D_DICE_PLACED_BENDS_H
 #define L3D_DICE_PLACED_BENDS_H
 
-#include "dice/dice_counts.h"
-#include "dice/dice_view.h"
+#include "scene/dice_counts.h"
+#include "scene/dice_view.h"
 #include "dice/diced_piece.h"
 #include "dice/net_piece.h"
 #include "dice/step_plan.h"
-#include "dice/surface_bends.h"
+#include "scene/bends/surface_bends.h"
 #include "raster/surface_part.h"
 
 /// How a patch bends along its normals, as it is seen.

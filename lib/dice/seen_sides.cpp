@@ -2,7 +2,7 @@
 // l3d_turn_normals, l3d_turn_levels: outlines found from the change of facing along a grid.
 #include "dice/seen_sides.h"
 
-#include "dice/dice_view.h"
+#include "scene/dice_view.h"
 #include "raster/surface_part.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #define L3D_DICE_STEP_PLAN_H
 
 #include "geom/step_bound.h"
-#include "dice/dice_view.h"
+#include "scene/dice_view.h"
 
 #include <algorithm>
 #include <array>

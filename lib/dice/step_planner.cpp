@@ -12,7 +12,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "raster/simd_dispatch_p.h"
+#include "raster/parallel/simd_dispatch_p.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {

@@ -4,7 +4,7 @@
 #define L3D_DICE_STRIP_WALKER_H
 
 #include "geom/forward_difference.h"
-#include "dice/dice_view.h"
+#include "scene/dice_view.h"
 #include "dice/snap.h"
 
 #include <array>

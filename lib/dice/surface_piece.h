@@ -3,8 +3,8 @@
 #ifndef L3D_DICE_SURFACE_PIECE_H
 #define L3D_DICE_SURFACE_PIECE_H
 
-#include "dice/dice_counts.h"
-#include "dice/edge_polylines.h"
+#include "scene/dice_counts.h"
+#include "dice/edges/edge_polylines.h"
 #include "dice/near_clip.h"
 #include "dice/net_piece.h"
 

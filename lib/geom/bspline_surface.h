@@ -3,7 +3,7 @@
 #ifndef L3D_GEOM_BSPLINE_SURFACE_H
 #define L3D_GEOM_BSPLINE_SURFACE_H
 
-#include "geom/patch_file.h"
+#include "geom/files/patch_file.h"
 
 #include <array>
 #include <cstddef>

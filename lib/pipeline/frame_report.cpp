@@ -2,7 +2,7 @@
 // l3d_frame_report: as JSON and in words.
 #include "pipeline/frame_report.h"
 
-#include "dice/facing_cones.h"
+#include "scene/facing_cones.h"
 #include "pipeline/report_json_p.h"
 
 #include <algorithm>

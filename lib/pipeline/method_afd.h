@@ -4,11 +4,11 @@
 #define L3D_PIPELINE_METHOD_AFD_H
 
 #include "dice/frame_dicer.h"
-#include "dice/frame_outlines.h"
-#include "dice/scene_culling.h"
+#include "dice/outlines/frame_outlines.h"
+#include "scene/scene_culling.h"
 #include "pipeline/surface_method.h"
 #include "raster/rasterizer_factory.h"
-#include "raster/workers.h"
+#include "raster/parallel/workers.h"
 
 #include <memory>
 

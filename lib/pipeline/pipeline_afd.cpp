@@ -2,14 +2,14 @@
 // l3d_pipeline_afd: the stages of a frame.
 #include "pipeline/pipeline_afd.h"
 
-#include "dice/camera_shading.h"
-#include "dice/drawn_pixels.h"
-#include "dice/edge_polyline.h"
+#include "scene/camera_shading.h"
+#include "scene/drawn_pixels.h"
+#include "dice/edges/edge_polyline.h"
 #include "dice/frame_dicer.h"
-#include "dice/placed_net.h"
+#include "scene/placed_net.h"
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/wire_lines_p.h"
-#include "raster/simd_target.h"
+#include "raster/parallel/simd_target.h"
 #include "tool_2d/error.h"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
     : screen_(std::move(screen)),
       workers_(checked(settings, camera, screen_->pixels().size()).threads),
       imp_(rasterizers.create_2d(screen_->pixels())), rasterizer_(*imp_),
-      method_(l3d_create_method(settings.method, rasterizers, workers_)), scene_(std::move(scene)),
+      method_(settings.method.create(rasterizers, workers_)), scene_(std::move(scene)),
       camera_(camera), settings_(settings),
       wire_dicer_(std::make_unique<l3d_frame_dicer<l3d_real>>(workers_)) {
     report_.frame = -1;

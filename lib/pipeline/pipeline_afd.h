@@ -4,16 +4,16 @@
 #define L3D_PIPELINE_PIPELINE_AFD_H
 
 #include "geom/real.h"
-#include "dice/camera.h"
+#include "scene/camera.h"
 #include "pipeline/frame_report.h"
-#include "dice/image_transform.h"
-#include "pipeline/method_choice.h"
-#include "dice/patch_scene.h"
+#include "scene/image_transform.h"
+#include "pipeline/method_factory.h"
+#include "scene/patch_scene.h"
 #include "pipeline/pipeline.h"
-#include "dice/scene_culling.h"
+#include "scene/scene_culling.h"
 #include "pipeline/surface_method.h"
 #include "raster/rasterizer_factory.h"
-#include "raster/workers.h"
+#include "raster/parallel/workers.h"
 #include "tool_2d/pixel_boxes.h"
 #include "tool_2d/screen.h"
 
@@ -51,7 +51,7 @@ struct l3d_afd_settings {
     std::int64_t most_samples = 0;
     bool outlines = false;      ///< report how many pixels outlines reach, and keep them
     int threads = 1;            ///< that draw; constant from the first frame on
-    l3d_method_choice method{}; ///< that fills surfaces; constant from the first frame on
+    l3d_method_factory method{}; ///< that fills surfaces; constant from the first frame on
 };
 
 /// Largest width and height of a picture: corners are then within half of l3d_guard_band.
@@ -62,7 +62,7 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
                               const l3d_afd_settings& settings);
 
 /// Draws models of bicubic patches with a certified error bound in every frame: by adaptive forward
-/// differencing, unless the settings name one of the methods that it is compared with.
+/// differencing, unless the settings have another method.
 ///
 /// A program that only wants the picture uses it as it is; one with keys or things of its own to
 /// draw is a subclass that changes camera() and settings() and calls draw_event.

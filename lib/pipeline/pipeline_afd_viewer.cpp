@@ -46,7 +46,7 @@ void l3d_pipeline_afd_viewer::take_next_shade() {
 
 /// The lines are the steps of one method, and no picture of what another one does.
 void l3d_pipeline_afd_viewer::switch_wireframe() {
-    if (settings().method.method == l3d_method::afd)
+    if (settings().method.is_default())
         settings().wireframe = !settings().wireframe;
     else
         controls_.say("no wireframe of " + settings().method.name());

@@ -3,11 +3,11 @@
 #ifndef L3D_PIPELINE_SURFACE_METHOD_H
 #define L3D_PIPELINE_SURFACE_METHOD_H
 
-#include "dice/camera.h"
-#include "dice/dice_counts.h"
-#include "dice/dice_view.h"
+#include "scene/camera.h"
+#include "scene/dice_counts.h"
+#include "scene/dice_view.h"
 #include "pipeline/frame_report.h"
-#include "dice/patch_scene.h"
+#include "scene/patch_scene.h"
 #include "raster/depth_buffer.h"
 #include "raster/outline_mask.h"
 #include "raster/surface_rasterizer.h"

@@ -3,7 +3,7 @@
 #include "pipeline/viewer_controls.h"
 
 #include "pipeline/formatted_p.h"
-#include "raster/text.h"
+#include "raster/shapes/text.h"
 
 #include <algorithm>
 #include <cassert>

@@ -3,7 +3,7 @@
 #ifndef L3D_PIPELINE_VIEWER_CONTROLS_H
 #define L3D_PIPELINE_VIEWER_CONTROLS_H
 
-#include "dice/camera.h"
+#include "scene/camera.h"
 #include "pipeline/pipeline.h"
 #include "raster/rasterizer_2d.h"
 #include "tool_2d/screen.h"

@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_MESA_TARGET_P_H
 #define L3D_RASTER_MESA_TARGET_P_H
 
-#include "tool_2d/mesa_context_p.h"
+#include "tool_2d/mesa/mesa_context_p.h"
 #include "tool_2d/pixels.h"
 #include "raster/depth_buffer.h"
 

@@ -5,7 +5,7 @@
 
 #include "raster/rasterizer_2d.h"
 #include "raster/surface_rasterizer.h"
-#include "raster/workers.h"
+#include "raster/parallel/workers.h"
 
 #include <memory>
 

@@ -3,8 +3,8 @@
 #include "raster/rasterizer_factory_mesa.h"
 
 #include "tool_2d/error.h"
-#include "raster/rasterizer_2d_mesa.h"
-#include "raster/surface_rasterizer_mesa.h"
+#include "raster/shapes/rasterizer_2d_mesa.h"
+#include "raster/surfaces/surface_rasterizer_mesa.h"
 
 namespace {
 

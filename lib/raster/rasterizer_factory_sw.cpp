@@ -2,8 +2,8 @@
 // l3d_rasterizer_factory_sw: what it makes, which users of the factory need not see.
 #include "raster/rasterizer_factory_sw.h"
 
-#include "raster/rasterizer_2d_sw.h"
-#include "raster/surface_rasterizer_sw.h"
+#include "raster/shapes/rasterizer_2d_sw.h"
+#include "raster/surfaces/surface_rasterizer_sw.h"
 
 std::unique_ptr<l3d_rasterizer_2d_imp>
 l3d_rasterizer_factory_sw::do_create_2d(l3d_pixels target) const {

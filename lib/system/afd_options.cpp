@@ -2,7 +2,7 @@
 // l3d_afd_options: declarations and what the values must be.
 #include "system/afd_options.h"
 
-#include "geom/model_file.h"
+#include "geom/files/model_file.h"
 #include "geom/teapot.h"
 #include "system/number_text.h"
 #include "system/places.h"
@@ -48,8 +48,6 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--model", model_file_,
                 "model to draw: a file, or the name of one of l3d's own; without it, the teapot",
                 "FILE");
-    options.add("--method", method_, "how surfaces are drawn: " + l3d_method_choice::all_names(),
-                "NAME");
     // Vertices lie on a grid of 1/256 pixel, which with the weights of docs/NUMERICS.md, section 9,
     // takes 0.0069: finer ones only add quads.
     options.add(
@@ -130,23 +128,6 @@ l3d_afd_settings l3d_afd_options::settings() const {
     result.outlines = !report_.empty() || explain_;
     const int processors = static_cast<int>(std::thread::hardware_concurrency());
     result.threads = threads_.value_or(std::clamp(processors, 1, most_threads_unasked));
-    std::string why;
-    const auto method = l3d_method_choice::from_name(method_, why);
-    if (!method)
-        throw l3d_error(l3d_exit::usage, "--method: " + why);
-    result.method = *method;
-    if (result.wireframe && method->method != l3d_method::afd)
-        throw l3d_error(l3d_exit::usage,
-                        "--wireframe: shows the steps of afd, not of --method " + method->name());
-    if (result.shade == l3d_shade::error && !method->has_bound())
-        throw l3d_error(l3d_exit::usage,
-                        "--shade: error shows a bound of the error, and --method " +
-                            method->name() + " has none; " + l3d_method_choice::names_with_bound() +
-                            " have one");
-    if (tolerance_ && !method->keeps_tolerance() && result.shade != l3d_shade::error)
-        throw l3d_error(l3d_exit::usage, "--tolerance: --method " + method->name() +
-                                             " has steps of its own and keeps none; " +
-                                             l3d_method_choice::names_with_tolerance() + " do");
     result.depth = !depth_output_.empty();
     if (keep_all_)
         result.keep = l3d_kept_work::all();

@@ -3,8 +3,8 @@
 #ifndef L3D_SYSTEM_AFD_OPTIONS_H
 #define L3D_SYSTEM_AFD_OPTIONS_H
 
-#include "dice/camera.h"
-#include "dice/patch_model.h"
+#include "scene/camera.h"
+#include "scene/patch_model.h"
 #include "pipeline/pipeline_afd.h"
 #include "system/options.h"
 
@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-/// Options for model, method, accuracy, camera and shading, added to a program's own.
+/// Options for model, accuracy, camera and shading, added to a program's own.
 ///
 /// Lives:   borrowed by the l3d_options until parse() is done.
 class l3d_afd_options {
@@ -24,8 +24,7 @@ public:
     /// Errors: l3d_error(usage) that names the option if the values do not make a camera.
     l3d_camera camera() const;
 
-    /// Errors: l3d_error(usage) for a light of no direction, an unknown method, or one that has not
-    ///         what is to be shown.
+    /// Errors: l3d_error(usage) for a light of no direction.
     l3d_afd_settings settings() const;
 
     /// The model asked for, or the teapot; notes on what is skipped go to stderr.
@@ -41,6 +40,9 @@ public:
     /// Whether --light says anything else than its default.
     bool places_light() const { return light_ != teapot_light; }
 
+    /// Whether --tolerance was given.
+    bool gives_tolerance() const { return tolerance_.has_value(); }
+
     double turntable() const { return turntable_; }
     const std::string& depth_output() const { return depth_output_; }
     const std::string& report() const { return report_; }
@@ -51,7 +53,6 @@ public:
 
 private:
     std::string model_file_;
-    std::string method_ = "afd";
     static constexpr std::array<double, 3> teapot_eye{3.2, 3.6, 7.4}, teapot_target{0.2, 1.3, 0};
     std::array<double, 3> eye_ = teapot_eye, target_ = teapot_target, up_{0, 1, 0};
     double fov_ = 38, near_ = 0.1, far_ = 1e13;

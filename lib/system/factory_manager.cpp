@@ -3,8 +3,8 @@
 #include "system/factory_manager.h"
 
 #include "tool_2d/screen_memory.h"
-#include "tool_2d/screen_mesa.h"
-#include "tool_2d/screen_x11.h"
+#include "tool_2d/mesa/screen_mesa.h"
+#include "tool_2d/x11/screen_x11.h"
 #include "raster/rasterizer_factory_mesa.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "system/backend_survey_p.h"

@@ -3,8 +3,8 @@
 #include "system/plugin_loader.h"
 
 #include "geom/mesh_cut.h"
-#include "geom/model_file.h"
-#include "pipeline/object_plugin.h"
+#include "geom/files/model_file.h"
+#include "pipeline/worlds/object_plugin.h"
 #include "system/text_file.h"
 #include "tool_2d/error.h"
 

@@ -4,7 +4,7 @@
 #define L3D_SYSTEM_PLUGIN_LOADER_H
 
 #include "geom/random.h"
-#include "pipeline/object.h"
+#include "pipeline/worlds/object.h"
 
 #include <cstdint>
 #include <memory>

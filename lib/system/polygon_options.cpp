@@ -2,8 +2,8 @@
 // l3d_polygon_options: declarations, the model, and the camera that frames it.
 #include "system/polygon_options.h"
 
-#include "geom/model_file.h"
-#include "pipeline/patch_tessellation.h"
+#include "geom/files/model_file.h"
+#include "pipeline/polygons/patch_tessellation.h"
 #include "system/places.h"
 #include "system/text_file.h"
 

@@ -3,8 +3,8 @@
 #ifndef L3D_SYSTEM_POLYGON_OPTIONS_H
 #define L3D_SYSTEM_POLYGON_OPTIONS_H
 
-#include "pipeline/pipeline_polygons.h"
-#include "pipeline/polygon_model.h"
+#include "pipeline/polygons/pipeline_polygons.h"
+#include "pipeline/polygons/polygon_model.h"
 #include "system/afd_options.h"
 #include "system/options.h"
 

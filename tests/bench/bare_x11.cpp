@@ -2,7 +2,7 @@
 // bare_x11: the shortest way to a window that Xlib offers.
 #include "bench/bare_x11.h"
 
-#include "tool_2d/x11_image_p.h"
+#include "tool_2d/x11/x11_image_p.h"
 
 #include <vector>
 

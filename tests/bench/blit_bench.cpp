@@ -8,7 +8,7 @@
 #include "bench/bare_x11.h"
 #include "processor_time.h"
 #include "tool_2d/image.h"
-#include "tool_2d/screen_x11.h"
+#include "tool_2d/x11/screen_x11.h"
 #include "tool_2d/xvfb.h"
 
 #include <algorithm>

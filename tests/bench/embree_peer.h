@@ -4,8 +4,8 @@
 #define L3D_TESTS_BENCH_EMBREE_PEER_H
 
 #include "bench/peer_mesh.h"
-#include "dice/camera.h"
-#include "raster/workers.h"
+#include "scene/camera.h"
+#include "raster/parallel/workers.h"
 #include "tool_2d/image.h"
 
 #include <memory>

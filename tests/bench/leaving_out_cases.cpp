@@ -2,7 +2,9 @@
 // leaving_out_cases: crowds of teapots, balls, a ring, walls and sheets.
 #include "bench/leaving_out_cases.h"
 
-#include "../dice/bodies.h"
+#include "compare/method_choice.h"
+
+#include "../scene/bodies.h"
 #include "../dice/scene.h"
 #include "geom/teapot.h"
 
@@ -135,8 +137,7 @@ constexpr rule drawing{"drawing", &l3d_kept_work::drawing, "pixels",
 
 /// Polygons have normals in the pixel; diced surfaces have levels instead.
 leaving_out_case tessellated(leaving_out_case result) {
-    result.settings.method.method = l3d_method::tessellation;
-    result.settings.method.resolution = 16;
+    result.settings.method = l3d_method_choice{l3d_method::tessellation, 16}.factory();
     result.settings.shade = l3d_shade::lambert;
     return result;
 }

@@ -2,8 +2,8 @@
 // mesa_peer: GL without a window, by the library's own way to it.
 #include "bench/mesa_peer.h"
 
-#include "tool_2d/mesa_context_p.h"
-#include "tool_2d/mesa_platform_p.h"
+#include "tool_2d/mesa/mesa_context_p.h"
+#include "tool_2d/mesa/mesa_platform_p.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

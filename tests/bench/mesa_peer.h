@@ -4,7 +4,7 @@
 #define L3D_TESTS_BENCH_MESA_PEER_H
 
 #include "bench/peer_mesh.h"
-#include "dice/camera.h"
+#include "scene/camera.h"
 #include "tool_2d/pixels.h"
 
 #include <cstdint>

@@ -4,8 +4,8 @@
 #define L3D_TESTS_BENCH_PEER_MESH_H
 
 #include "bench/patch_mesh.h"
-#include "dice/camera.h"
-#include "dice/patch_model.h"
+#include "scene/camera.h"
+#include "scene/patch_model.h"
 
 #include <cstdint>
 #include <string>

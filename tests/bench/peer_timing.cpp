@@ -5,7 +5,7 @@
 #include "bench/child_process.h"
 #include "bench/embree_peer.h"
 #include "bench/mesa_peer.h"
-#include "raster/simd_target.h"
+#include "raster/parallel/simd_target.h"
 
 #include <algorithm>
 #include <array>

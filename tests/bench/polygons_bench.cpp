@@ -6,9 +6,9 @@
 // and cutting, is the naive twin of zsort: its picture may be wrong. Then the exponent of the time
 // in the number of faces, by least squares over the logarithms.
 #include "geom/polygon_shapes.h"
-#include "pipeline/painter_order.h"
-#include "pipeline/pipeline_zbuffer.h"
-#include "pipeline/pipeline_zsort.h"
+#include "pipeline/polygons/painter_order.h"
+#include "pipeline/polygons/pipeline_zbuffer.h"
+#include "pipeline/polygons/pipeline_zsort.h"
 #include "raster/rasterizer_factory_mesa.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "tool_2d/screen_memory.h"

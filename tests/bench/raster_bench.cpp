@@ -8,8 +8,8 @@
 // with that of the slow twin in tests/raster/slow_2d.h. The same work is then done at the
 // original's price of a pixel (book_raster), so that both are timed on one machine.
 #include "book_raster.h"
-#include "raster/rasterizer_2d_sw.h"
-#include "raster/simd_target.h"
+#include "raster/shapes/rasterizer_2d_sw.h"
+#include "raster/parallel/simd_target.h"
 #include "raster/slow_2d.h"
 #include "tool_2d/screen_memory.h"
 

@@ -4,8 +4,8 @@
 #define L3D_TESTS_BENCH_SEEN_PATCH_H
 
 #include "geom/step_bound.h"
-#include "dice/camera.h"
-#include "dice/patch_model.h"
+#include "scene/camera.h"
+#include "scene/patch_model.h"
 
 #include <array>
 #include <vector>

@@ -4,10 +4,10 @@
 #define L3D_TESTS_BENCH_SURFACE_ERROR_H
 
 #include "geom/step_bound.h"
-#include "dice/camera.h"
-#include "dice/dice_view.h"
+#include "scene/camera.h"
+#include "scene/dice_view.h"
 #include "dice/diced_piece.h"
-#include "dice/patch_model.h"
+#include "scene/patch_model.h"
 
 #include <algorithm>
 #include <span>

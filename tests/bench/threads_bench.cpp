@@ -11,7 +11,7 @@
 #include "bench/peer_timing.h"
 #include "geom/teapot.h"
 #include "processor_time.h"
-#include "raster/simd_target.h"
+#include "raster/parallel/simd_target.h"
 
 #include <sys/wait.h>
 #include <unistd.h>

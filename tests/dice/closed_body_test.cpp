@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Bodies that are proven closed, and what is then left out of their pictures.
-#include "bodies.h"
+#include "scene/bodies.h"
 #include "picture.h"
 #include "scene.h"
 
-#include "dice/seen_from.h"
+#include "scene/seen_from.h"
 #include "reference/measure.h"
 #include "reference/random_patches.h"
 

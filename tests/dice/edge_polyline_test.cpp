@@ -2,9 +2,9 @@
 // Edges: the same from both sides, clipped the same from both sides, and near enough.
 #include "nasty.h"
 #include "odd_view.h"
-#include "dice/edge_polyline.h"
-#include "dice/slit.h"
-#include "raster/simd_target.h"
+#include "dice/edges/edge_polyline.h"
+#include "dice/edges/slit.h"
+#include "raster/parallel/simd_target.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Bounds of blocks in lanes, against those of each block by itself.
 #include "nasty.h"
 #include "odd_view.h"
-#include "dice/lane_bounds_p.h"
+#include "dice/lanes/lane_bounds_p.h"
 #include "dice/piece_nets.h"
 #include "planned_error.h"
 #include "scene.h"

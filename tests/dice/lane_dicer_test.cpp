@@ -2,10 +2,10 @@
 // Patches diced in lanes, against exact evaluation and the slow twin.
 #include "certificate.h"
 #include "nasty.h"
-#include "dice/lane_dicer.h"
+#include "dice/lanes/lane_dicer.h"
 #include "dice/normal_columns.h"
-#include "dice/visibility.h"
-#include "raster/simd_target.h"
+#include "scene/visibility.h"
+#include "raster/parallel/simd_target.h"
 #include "scene.h"
 
 #include "reference/random_patches.h"

@@ -3,7 +3,7 @@
 #ifndef L3D_TESTS_DICE_ODD_VIEW_H
 #define L3D_TESTS_DICE_ODD_VIEW_H
 
-#include "dice/dice_view.h"
+#include "scene/dice_view.h"
 
 namespace dice_tests {
 

@@ -3,9 +3,9 @@
 #ifndef L3D_TESTS_DICE_PICTURE_H
 #define L3D_TESTS_DICE_PICTURE_H
 
-#include "dice/camera_shading.h"
+#include "scene/camera_shading.h"
 #include "dice/diced_piece.h"
-#include "raster/surface_rasterizer_sw.h"
+#include "raster/surfaces/surface_rasterizer_sw.h"
 #include "reference/views.h"
 
 #include <cstdint>

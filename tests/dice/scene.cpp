@@ -2,7 +2,7 @@
 // Scenes, in the types of the library and of the reference.
 #include "scene.h"
 
-#include "bodies.h"
+#include "scene/bodies.h"
 
 #include <utility>
 

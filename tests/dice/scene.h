@@ -3,11 +3,12 @@
 #ifndef L3D_TESTS_DICE_SCENE_H
 #define L3D_TESTS_DICE_SCENE_H
 
-#include "dice/camera_shading.h"
+#include "scene/camera_shading.h"
 #include "dice/frame_dicer.h"
-#include "dice/image_transform.h"
-#include "dice/placed_net.h"
+#include "scene/image_transform.h"
+#include "scene/placed_net.h"
 #include "reference/views.h"
+#include "sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -17,18 +18,6 @@
 #include <vector>
 
 namespace dice_tests {
-
-#if defined(__SANITIZE_ADDRESS__)
-inline constexpr bool sanitized = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-inline constexpr bool sanitized = true;
-#else
-inline constexpr bool sanitized = false;
-#endif
-#else
-inline constexpr bool sanitized = false;
-#endif
 
 using fixed = l3d_fixed<std::int64_t, 32>;
 

@@ -2,7 +2,7 @@
 // Slits along whole sides, against the way that clips and looks at every triangle.
 #include "nasty.h"
 #include "odd_view.h"
-#include "dice/slit.h"
+#include "dice/edges/slit.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Planes and parabolas against exact points and normals.
 #include "surface_certificate.h"
 
-#include "exact_bends.h"
+#include "scene/exact_bends.h"
 
 #include <algorithm>
 #include <cmath>

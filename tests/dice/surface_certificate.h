@@ -3,7 +3,7 @@
 #ifndef L3D_TESTS_DICE_SURFACE_CERTIFICATE_H
 #define L3D_TESTS_DICE_SURFACE_CERTIFICATE_H
 
-#include "dice/surface_bends.h"
+#include "scene/bends/surface_bends.h"
 #include "scene.h"
 
 #include <array>

@@ -2,7 +2,7 @@
 // The bounds of depth and shade that every frame carries, against the exact surface.
 #include "surface_certificate.h"
 
-#include "bodies.h"
+#include "scene/bodies.h"
 #include "nasty.h"
 #include "reference/random_patches.h"
 

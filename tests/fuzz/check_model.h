@@ -3,7 +3,7 @@
 #ifndef L3D_TESTS_FUZZ_CHECK_MODEL_H
 #define L3D_TESTS_FUZZ_CHECK_MODEL_H
 
-#include "geom/model_file.h"
+#include "geom/files/model_file.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #define L3D_TESTS_GEOM_FIXED_FAILURE_H
 
 #include "geom/forward_difference_surface.h"
-#include "geom/patch_file.h"
+#include "geom/files/patch_file.h"
 #include "geom/step_bound.h"
 
 #include <algorithm>

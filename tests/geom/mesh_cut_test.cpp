@@ -2,7 +2,7 @@
 // l3d_cut_mesh: the row "Splitting objects" of the book's table; and import.
 #include "geom/mesh_cut.h"
 
-#include "geom/model_file.h"
+#include "geom/files/model_file.h"
 #include "geom/polygon_3d.h"
 #include "geom/polygon_shapes.h"
 

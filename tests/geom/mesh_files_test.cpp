@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files of polygons, format by format: what is read, what is skipped, and how errors are said.
-#include "geom/model_file.h"
+#include "geom/files/model_file.h"
 #include "geom/polygon_shapes.h"
 
 #include "model_text.h"

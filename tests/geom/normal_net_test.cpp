@@ -2,7 +2,7 @@
 // l3d_normal_net against cross products of derivatives: inside, at collapsed edges, of nothing.
 #include "geom/bezier_oracle.h"
 #include "geom/normal_net.h"
-#include "geom/patch_file.h"
+#include "geom/files/patch_file.h"
 
 #include <gtest/gtest.h>
 

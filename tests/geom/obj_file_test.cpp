@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Wavefront files: polygons, names and normals, and free-form surfaces.
-#include "geom/model_file.h"
+#include "geom/files/model_file.h"
 
 #include "model_text.h"
 

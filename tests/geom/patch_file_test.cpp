@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Patch files: what is read, what is refused and how it is said, and the teapots that we ship.
-#include "geom/patch_file.h"
+#include "geom/files/patch_file.h"
 
 #include "patch_points.h"
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # layers.awk: reads the compiler's dependency files and names every include that breaks the law.
-# Given: out, the variant's folder; law, "layer: layers it may use; ..."; with_reference, the folders
-# under tests and apps that may use tests/reference.
+# Given: out, the variant's folder; law, "layer: layers it may use; ..."; with_compare and
+# with_reference, the folders under tests and apps that may use these layers beside the library.
 
 BEGIN {
     count = split(law, rows, ";")
@@ -14,9 +14,14 @@ BEGIN {
         for (j = 1; j <= used; ++j)
             allow(layer, names[j])
     }
-    used = split(with_reference, names, " ")
+    allow_all(with_compare, "compare")
+    allow_all(with_reference, "reference")
+}
+
+function allow_all(folders, other,    names, used, j) {
+    used = split(folders, names, " ")
     for (j = 1; j <= used; ++j)
-        allow(names[j], "reference")
+        allow(names[j], other)
 }
 
 function allow(layer, other) { may[layer, other] = 1 }
@@ -26,7 +31,7 @@ function layer_of(path,    part) {
     split(path, part, "/")
     if (path ~ /^tests\/reference\//)
         return "reference"
-    return part[1] == "lib" ? part[2] : part[1] == "apps" ? "apps" : ""
+    return part[1] == "lib" ? part[2] : part[1] == "apps" || part[1] == "compare" ? part[1] : ""
 }
 
 function permitted(unit, other,    part) {

@@ -2,7 +2,7 @@
 // l3d_drawn_pixels: nothing is drawn beside what it names.
 #include "still_studio.h"
 
-#include "dice/drawn_pixels.h"
+#include "scene/drawn_pixels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures with and without all that can be left out: the same, or within what the frame reports.
-#include "../dice/bodies.h"
+#include "../scene/bodies.h"
 #include "drawn_picture.h"
 
 #include "reference/random_patches.h"

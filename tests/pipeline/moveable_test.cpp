@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_moveable and the left-handed camera: the rows of the book's table on flying and looking.
-#include "pipeline/camera_left_handed.h"
+#include "pipeline/worlds/camera_left_handed.h"
 
 #include <gtest/gtest.h>
 

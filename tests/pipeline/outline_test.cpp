@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pixels that outlines reach, against an exact judge; and that holes are nowhere else.
-#include "../dice/bodies.h"
+#include "../scene/bodies.h"
 #include "../dice/scene.h"
 #include "words_of.h"
 
@@ -153,7 +153,7 @@ void expect_few_are_close(const agreement& sum) {
 }
 
 constexpr double tolerances[] = {1, 0.25, 0.05};
-constexpr l3d_size small{dice_tests::sanitized ? 64 : 104, dice_tests::sanitized ? 48 : 78};
+constexpr l3d_size small{sanitized ? 64 : 104, sanitized ? 48 : 78};
 
 TEST(outlines, of_the_teapot_lie_in_the_mask_in_every_view) {
     agreement sum;
@@ -236,7 +236,7 @@ TEST(outlines, reach_the_holes_where_two_of_them_meet) {
 
 TEST(outlines, where_one_connected_sheet_covers_there_is_no_hole) {
     std::int64_t pixels = 0, uncovered = 0, marked = 0;
-    for (std::uint64_t seed = 1; seed <= (dice_tests::sanitized ? 8 : 60); ++seed) {
+    for (std::uint64_t seed = 1; seed <= (sanitized ? 8 : 60); ++seed) {
         reference::random_numbers random(seed);
         const reference::camera eye{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, random.between(20, 90), 0.1};
         const int k = static_cast<int>(random.of_any_size(1, 8.99));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The painter's pictures against the nearest triangle of each pixel, and against depth buffers.
-#include "pipeline/painter_order.h"
+#include "pipeline/polygons/painter_order.h"
 
 #include "painter_scenes.h"
-#include "raster/surface_rasterizer_scalar.h"
+#include "raster/surfaces/surface_rasterizer_scalar.h"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 #include "allocations.h"
 #include "geom/matrix.h"
 #include "geom/teapot.h"
-#include "dice/camera_shading.h"
+#include "scene/camera_shading.h"
 #include "raster/rasterizer_factory_sw.h"
-#include "raster/simd_target.h"
-#include "raster/surface_rasterizer_scalar.h"
+#include "raster/parallel/simd_target.h"
+#include "raster/surfaces/surface_rasterizer_scalar.h"
 #include "reference/views.h"
 #include "words_of.h"
 #include "dice/scene.h"
@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <random>
@@ -203,28 +204,46 @@ TEST(pipeline_afd, keeps_an_empty_depth_of_a_wireframe) {
     EXPECT_EQ(l3d_covered(program.depth()), 0);
 }
 
-/// Counting reads every pixel's depth, so it is left out unless somebody reports it.
-TEST(pipeline_afd, counts_covered_pixels_only_for_who_asks) {
-    for (const char* method : {"afd", "fd", "tessellation", "scanline", "voxels:32", "mesa"}) {
-        SCOPED_TRACE(method);
-        l3d_afd_settings settings = settings_of(0.5, 1);
-        std::string why;
-        settings.method = l3d_method_choice::from_name(method, why).value();
-        settings.count_pixels = settings.depth = true;
-        const scene s = teapot(reference::project_view("full"), picture_size);
-        tester with_depth(s, settings);
-        settings.depth = false;
-        tester counted(s, settings);
-        settings.count_pixels = false;
-        tester quiet(s, settings);
-        for (tester* const program : {&with_depth, &counted, &quiet})
-            program->draw_event();
-        EXPECT_GT(counted.report().surface.covered, 1000);
-        EXPECT_EQ(counted.report().surface.covered, l3d_covered(with_depth.depth()));
-        EXPECT_EQ(with_depth.report().surface.covered, counted.report().surface.covered);
-        EXPECT_EQ(quiet.report().surface.covered, l3d_surface_counts::none_counted);
-        EXPECT_EQ(quiet.words(), counted.words());
+/// A method of a program's own: fills the part with one colour, and has no bound.
+class one_color_method final : public l3d_surface_method {
+public:
+    static constexpr std::uint32_t color = 0x00123456;
+
+private:
+    void do_draw(const l3d_method_frame& frame, l3d_stage_times&) override {
+        for (int y = frame.part.top; y < frame.part.bottom; ++y)
+            for (std::uint32_t& word : frame.target.row(y))
+                word = color;
+        surface_.covered = frame.counts_pixels ? frame.part.area() : l3d_surface_counts::none_counted;
+        counts_.bound_px = std::numeric_limits<double>::infinity();
     }
+    const l3d_dice_counts& do_counts() const override { return counts_; }
+    const l3d_surface_counts& do_surface_counts() const override { return surface_; }
+
+    l3d_dice_counts counts_;
+    l3d_surface_counts surface_;
+};
+
+TEST(pipeline_afd, draws_with_the_method_of_its_settings) {
+    l3d_afd_settings settings = settings_of(0.5, 3);
+    int workers_of_method = 0;
+    settings.method = l3d_method_factory(
+        "one color", [&](const l3d_rasterizer_factory&, l3d_workers& workers) {
+            workers_of_method = workers.count();
+            return std::make_unique<one_color_method>();
+        });
+    settings.count_pixels = true;
+    const scene s = teapot(reference::project_view("full"), picture_size);
+    tester program(s, settings);
+    const std::vector<std::uint32_t> words = program.draw();
+    EXPECT_EQ(words, std::vector(words.size(), one_color_method::color));
+    EXPECT_EQ(workers_of_method, 3);
+    EXPECT_EQ(program.report().method, "one color");
+    EXPECT_EQ(program.report().surface.covered, l3d_whole(picture_size).area());
+    EXPECT_TRUE(std::isinf(program.report().dice.bound_px));
+    settings.shade = l3d_shade::error;
+    EXPECT_EQ(l3d_afd_complaint(s.camera, picture_size, settings),
+              "shade: error shows a bound of the error, and one color has none");
 }
 
 /// Frames follow each other as in a program: the eye goes round, things come and go.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Whole frames of polygons: zsort against zbuffer against Mesa, in every style and projection.
-#include "pipeline/pipeline_zbuffer.h"
-#include "pipeline/pipeline_zsort.h"
+#include "pipeline/polygons/pipeline_zbuffer.h"
+#include "pipeline/polygons/pipeline_zsort.h"
 
 #include "geom/polygon_shapes.h"
 #include "raster/rasterizer_factory_mesa.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_pipeline_world: rows "Free-fly keys" and "Status overlay" of the book's table.
-#include "pipeline/pipeline_world.h"
+#include "pipeline/worlds/pipeline_world.h"
 
 #include "raster/rasterizer_factory_sw.h"
 #include "tool_2d/screen_memory.h"

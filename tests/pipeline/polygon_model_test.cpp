@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // l3d_polygon_model: faces as triangles, normals, the centroid; and tessellated patches.
-#include "pipeline/polygon_model.h"
+#include "pipeline/polygons/polygon_model.h"
 
 #include "geom/polygon_shapes.h"
 #include "geom/teapot.h"
-#include "pipeline/patch_tessellation.h"
+#include "pipeline/polygons/patch_tessellation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pictures of scenes: nothing that would be seen is left out, and placed models look placed.
 #include "pipeline/pipeline_afd.h"
-#include "dice/teapot_studio.h"
+#include "scene/teapot_studio.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "tool_2d/screen_memory.h"
 

@@ -2,7 +2,7 @@
 // Frames that draw only what changed: the same bits as frames drawn whole, and no more work.
 #include "still_studio.h"
 
-#include "raster/surface_rasterizer_scalar.h"
+#include "raster/surfaces/surface_rasterizer_scalar.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #ifndef L3D_TESTS_PIPELINE_STILL_STUDIO_H
 #define L3D_TESTS_PIPELINE_STILL_STUDIO_H
 
-#include "dice/teapot_studio.h"
+#include "scene/teapot_studio.h"
 #include "pipeline/pipeline_afd.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "tool_2d/image.h"

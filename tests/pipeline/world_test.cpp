@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Objects, worlds and the painter: the rows of the book's table from "Original vs. transformed" on.
-#include "pipeline/world.h"
+#include "pipeline/worlds/world.h"
 
 #include "geom/polygon_shapes.h"
-#include "raster/rasterizer_2d_sw.h"
+#include "raster/shapes/rasterizer_2d_sw.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #ifndef L3D_TESTS_RASTER_CANVAS_2D_H
 #define L3D_TESTS_RASTER_CANVAS_2D_H
 
-#include "raster/rasterizer_2d_sw.h"
+#include "raster/shapes/rasterizer_2d_sw.h"
 
 #include <gtest/gtest.h>
 

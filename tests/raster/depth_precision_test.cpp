@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a depth buffer tells apart: ours by its bound, and against 24 and 32 bits of whole numbers.
-#include "raster/surface_rasterizer_scalar.h"
-#include "raster/surface_rasterizer_sw.h"
+#include "raster/surfaces/surface_rasterizer_scalar.h"
+#include "raster/surfaces/surface_rasterizer_sw.h"
 
 #include <gtest/gtest.h>
 

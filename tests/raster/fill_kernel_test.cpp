@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The fill kernel against edge functions and planes evaluated pixel by pixel, against itself in
 // bands, and every instruction set against the others.
-#include "raster/fill_kernel_p.h"
-#include "raster/simd_target.h"
+#include "raster/surfaces/fill_kernel_p.h"
+#include "raster/parallel/simd_target.h"
 #include "reference_light.h"
 #include "surface_fixture.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Levels and bends in lanes against the slow twin, which solves each quad's own map in each pixel.
-#include "raster/surface_rasterizer_scalar.h"
-#include "raster/surface_rasterizer_sw.h"
+#include "raster/surfaces/surface_rasterizer_scalar.h"
+#include "raster/surfaces/surface_rasterizer_sw.h"
 #include "tool_2d/image.h"
 
 #include <gtest/gtest.h>

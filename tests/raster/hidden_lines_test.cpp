@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines in a depth buffer: what is in front of them hides them, their own surface does not.
-#include "raster/hidden_lines.h"
+#include "raster/shapes/hidden_lines.h"
 
 #include <gtest/gtest.h>
 

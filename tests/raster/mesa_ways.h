@@ -3,7 +3,7 @@
 #ifndef L3D_TESTS_RASTER_MESA_WAYS_H
 #define L3D_TESTS_RASTER_MESA_WAYS_H
 
-#include "tool_2d/mesa_context_p.h"
+#include "tool_2d/mesa/mesa_context_p.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Polygons clipped before they are drawn, and cut off by the drawing, light the same pixels.
-#include "raster/polygon_2d_flatshaded.h"
+#include "raster/shapes/polygon_2d_flatshaded.h"
 
 #include "geom/random.h"
 #include "geom/real.h"
-#include "raster/rasterizer_2d_sw.h"
+#include "raster/shapes/rasterizer_2d_sw.h"
 #include "tool_2d/image.h"
 
 #include <algorithm>

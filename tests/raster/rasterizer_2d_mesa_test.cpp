@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // GL draws the same points, lines and polygons as the CPU, word for word, by every way to GL.
-#include "raster/rasterizer_2d_mesa.h"
+#include "raster/shapes/rasterizer_2d_mesa.h"
 
 #include "mesa_ways.h"
 

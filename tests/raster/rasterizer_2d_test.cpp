@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Points, lines and polygons: the book's reference values, exact rules, and awkward coordinates.
 #include "raster/rasterizer_factory_sw.h"
-#include "raster/simd_target.h"
-#include "raster/span_kernels_p.h"
+#include "raster/parallel/simd_target.h"
+#include "raster/shapes/span_kernels_p.h"
 
 #include "raster/canvas_2d.h"
 #include "raster/slow_2d.h"

@@ -3,7 +3,7 @@
 #ifndef L3D_TESTS_RASTER_REFERENCE_LIGHT_H
 #define L3D_TESTS_RASTER_REFERENCE_LIGHT_H
 
-#include "raster/away_from_eye_p.h"
+#include "raster/surfaces/away_from_eye_p.h"
 #include "raster/surface_rasterizer.h"
 #include "reference_fill.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Polygons that share an edge, outlines, shaded polygons and smooth lines against their slow twins.
 #include "raster/canvas_2d.h"
-#include "raster/simd_target.h"
+#include "raster/parallel/simd_target.h"
 #include "raster/slow_2d.h"
 
 #include <array>

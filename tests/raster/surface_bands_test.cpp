@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The surface rasterizer in bands: like its slow twin, whatever the bands, threads and order.
 #include "allocations.h"
-#include "raster/simd_target.h"
+#include "raster/parallel/simd_target.h"
 #include "surface_scene.h"
 
 #include <gtest/gtest.h>

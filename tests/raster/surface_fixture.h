@@ -3,8 +3,8 @@
 #ifndef L3D_TESTS_RASTER_SURFACE_FIXTURE_H
 #define L3D_TESTS_RASTER_SURFACE_FIXTURE_H
 
-#include "raster/surface_rasterizer_scalar.h"
-#include "raster/surface_rasterizer_sw.h"
+#include "raster/surfaces/surface_rasterizer_scalar.h"
+#include "raster/surfaces/surface_rasterizer_sw.h"
 #include "reference_fill.h"
 
 #include <algorithm>

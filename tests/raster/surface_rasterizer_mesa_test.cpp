@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // GL fills surfaces as the CPU does: the same pixels, nearly the same depth and shade.
-#include "raster/surface_rasterizer_mesa.h"
+#include "raster/surfaces/surface_rasterizer_mesa.h"
 
 #include "mesa_ways.h"
-#include "raster/rasterizer_2d_mesa.h"
+#include "raster/shapes/rasterizer_2d_mesa.h"
 #include "surface_fixture.h"
 
 #include <algorithm>

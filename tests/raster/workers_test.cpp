@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_workers: every item once, whoever does it.
-#include "raster/workers.h"
+#include "raster/parallel/workers.h"
 
 #include <gtest/gtest.h>
 

@@ -2,14 +2,14 @@
 // Frames in every number type.
 #include "arithmetics.h"
 
-#include "dice/camera_shading.h"
+#include "scene/camera_shading.h"
 #include "dice/frame_dicer.h"
-#include "dice/image_transform.h"
+#include "scene/image_transform.h"
 #include "pipeline/pipeline_afd.h"
-#include "dice/scene_culling.h"
+#include "scene/scene_culling.h"
 #include "processor_time.h"
 #include "raster/rasterizer_factory_sw.h"
-#include "raster/surface_rasterizer_sw.h"
+#include "raster/surfaces/surface_rasterizer_sw.h"
 #include "tool_2d/screen_memory.h"
 
 #include <limits>

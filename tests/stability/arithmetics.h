@@ -5,10 +5,10 @@
 
 #include "cases.h"
 
-#include "dice/camera.h"
-#include "dice/dice_counts.h"
+#include "scene/camera.h"
+#include "scene/dice_counts.h"
 #include "dice/diced_piece.h"
-#include "dice/patch_model.h"
+#include "scene/patch_model.h"
 
 #include <cstdint>
 #include <functional>

@@ -4,7 +4,7 @@
 
 #include "geom/real.h"
 #include "dice/patch_dicer.h"
-#include "raster/simd_target.h"
+#include "raster/parallel/simd_target.h"
 
 #include <chrono>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Contexts by every way, the choice among them, and what counts as software.
-#include "tool_2d/mesa_context_p.h"
+#include "tool_2d/mesa/mesa_context_p.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What we declare of EGL and OSMesa is what their headers say, where these are installed.
-#include "tool_2d/mesa_egl_p.h"
-#include "tool_2d/mesa_osmesa_p.h"
+#include "tool_2d/mesa/mesa_egl_p.h"
+#include "tool_2d/mesa/mesa_osmesa_p.h"
 
 #include <gtest/gtest.h>
 

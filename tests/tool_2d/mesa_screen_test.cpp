@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The mesa screens: a window where there is a display, else pixels that nobody sees.
-#include "tool_2d/screen_mesa.h"
+#include "tool_2d/mesa/screen_mesa.h"
 
 #include "xvfb.h"
 

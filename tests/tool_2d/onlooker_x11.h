@@ -7,7 +7,7 @@
 // Before Xlib, whose macros would change it.
 #include <gtest/gtest.h>
 
-#include "tool_2d/screen_x11.h"
+#include "tool_2d/x11/screen_x11.h"
 #include "shown_pixel.h"
 #include "xvfb.h"
 

@@ -2,7 +2,7 @@
 // X11 windows: every pixel right on every display, refusals, and what other programs are told.
 #include "onlooker_x11.h"
 
-#include "tool_2d/x11_image_p.h"
+#include "tool_2d/x11/x11_image_p.h"
 
 #include <array>
 #include <cstring>

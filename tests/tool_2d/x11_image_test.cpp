@@ -4,7 +4,7 @@
 #include "onlooker_x11.h"
 
 #include "tool_2d/image.h"
-#include "tool_2d/x11_image_p.h"
+#include "tool_2d/x11/x11_image_p.h"
 
 #include <thread>
 #include <vector>

@@ -2,8 +2,8 @@
 // X11 windows and their window manager: the whole screen, resizes that wait for pictures.
 #include "onlooker_x11.h"
 
-#include "tool_2d/x11_fullscreen_p.h"
-#include "tool_2d/x11_sync_p.h"
+#include "tool_2d/x11/x11_fullscreen_p.h"
+#include "tool_2d/x11/x11_sync_p.h"
 
 #include <array>
 #include <atomic>

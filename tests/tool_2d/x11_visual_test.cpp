@@ -4,7 +4,7 @@
 
 #include "tool_2d/image.h"
 #include "tool_2d/pixel_writer_p.h"
-#include "tool_2d/x11_window_p.h"
+#include "tool_2d/x11/x11_window_p.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 // X11 windows: names, scale, and what several of a display's pixels for one of ours change.
 #include "onlooker_x11.h"
 
-#include "tool_2d/x11_scale_p.h"
-#include "tool_2d/x11_visual_p.h"
-#include "tool_2d/x11_window_p.h"
+#include "tool_2d/x11/x11_scale_p.h"
+#include "tool_2d/x11/x11_visual_p.h"
+#include "tool_2d/x11/x11_window_p.h"
 
 #include <array>
 #include <utility>

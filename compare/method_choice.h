@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// l3d_method_choice: which method draws, and the table of all.
+#ifndef L3D_COMPARE_METHOD_CHOICE_H
+#define L3D_COMPARE_METHOD_CHOICE_H
+
+#include "compare/arithmetic.h"
+#include "pipeline/method_factory.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// Ways to draw bicubic patches.
+enum class l3d_method {
+    afd,           ///< adaptive forward differencing with a certified bound; the product
+    fd,            ///< one fixed forward difference step a patch
+    isocurves,     ///< curves on the surface, stepped pixel by pixel
+    subdivision,   ///< halved until flat, by de Casteljau's scheme
+    tessellation,  ///< n x n quads a patch, as a model of polygons
+    micropolygons, ///< quads of half a pixel
+    scanline,      ///< by Newton's iteration along scan lines
+    voxels,        ///< a cubic frame buffer, looked into by rays
+    mesa,          ///< triangles through GL
+};
+
+/// A method and what it is told.
+struct l3d_method_choice {
+    l3d_method method = l3d_method::afd;
+    int resolution = 0; ///< of tessellation, fd: quads along a patch (fd: 0 is what the tolerance
+                        ///< asks for); of voxels: cells along the model
+    l3d_arithmetic arithmetic = l3d_real_arithmetic(); ///< of afd (but 32-bit fixed) and fd
+
+    /// As the command line has it: "fd", "tessellation:16".
+    std::string name() const;
+
+    /// Whether `name` is read back; without a number methods take their usual one.
+    /// Errors: nothing, with the reason in `why`: unknown name, number missing sense or range.
+    static std::optional<l3d_method_choice> from_name(std::string_view name, std::string& why);
+
+    /// All names, with ":N" where a number may follow, separated by ", ".
+    static std::string all_names();
+
+    /// Whether frames have a certified bound of their error, which mode `error` shows.
+    bool has_bound() const;
+
+    /// Names of the methods that have one, separated by ", ".
+    static std::string names_with_bound();
+
+    /// Whether the settings' tolerance says anything to it. Else it has steps of its own, or those
+    /// that it is told.
+    bool keeps_tolerance() const;
+
+    /// Names of the methods to which it does, separated by ", ".
+    static std::string names_with_tolerance();
+
+    /// For a pipeline's settings.
+    /// Errors: creating `mesa` throws l3d_error(no_backend) where there is no software GL.
+    l3d_method_factory factory() const;
+};
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The method `mesa`: a scene as triangles in GL's memory.
+#ifndef L3D_COMPARE_METHOD_MESA_H
+#define L3D_COMPARE_METHOD_MESA_H
+
+#include "pipeline/surface_method.h"
+
+#include <memory>
+
+/// What a program does that leaves curves to GL: n x n quads a patch, each two triangles, in world
+/// coordinates and in GL's memory. A frame sends GL a few matrices, and reads the picture back.
+///
+/// n is that with which the bound of triangles keeps the tolerance in this view, rounded up to a
+/// multiple of 4 so that a turning model seldom needs new meshes; when it does, they are made, and
+/// timed as `dice`. What rounding GL does is not known, so there is no bound.
+/// `overlay`s and windows are the same as with every other method.
+/// Errors:  l3d_error(no_backend) if there is no software GL, or it cannot draw; from draw() if GL
+///          cannot hold a picture of that size.
+/// Expects: models do not change while the method lives.
+/// Units:   all GL's shades but flat and gouraud, which look like lambert, as there is a normal in
+///          every pixel; error is red.
+std::unique_ptr<l3d_surface_method> l3d_create_method_mesa();
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// l3d_method_patches: a frame's patches, as the methods that are compared take them.
+#ifndef L3D_COMPARE_METHOD_PATCHES_H
+#define L3D_COMPARE_METHOD_PATCHES_H
+
+#include "dice/diced_pieces.h"
+#include "dice/edges/edge_polylines.h"
+#include "dice/patch_dicer.h"
+#include "scene/scene_culling.h"
+#include "pipeline/stopwatch_p.h"
+#include "pipeline/surface_method.h"
+#include "raster/parallel/workers.h"
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+/// A patch in the image.
+struct l3d_method_patch {
+    l3d_image_patch net;
+    l3d_normal_net normals;
+};
+
+/// Whether a net lies wholly in front of the near plane, before the far one, and in the guard band.
+bool l3d_needs_no_clipping(const l3d_image_patch& net, const l3d_dice_view& view);
+
+/// The patches of a frame that may be seen, as culling finds them for every method alike.
+///
+/// The methods are compared in what they do with ordinary patches. Those that need clipping are
+/// diced by l3d_patch_dicer in every method, and counted as `clipped`.
+/// Lives: borrows the workers.
+class l3d_method_patches {
+public:
+    explicit l3d_method_patches(l3d_workers& workers)
+        : workers_(workers), each_worker_(static_cast<std::size_t>(workers.count())) {}
+
+    using dice_call = std::function<void(const l3d_method_patch&, const l3d_dice_view&, int worker,
+                                         l3d_diced_pieces&, l3d_dice_counts&)>;
+
+    /// Calls `dice` for each ordinary patch, on any worker, and returns what all patches became, in
+    /// an order that depends on the frame alone. Lives: parts until the next call.
+    std::span<const l3d_surface_part* const> dice_each(const l3d_method_frame& frame,
+                                                       const dice_call& dice);
+
+    /// Of the last frame.
+    const l3d_dice_counts& counts() const { return counts_; }
+
+private:
+    struct worker_space {
+        l3d_patch_dicer<double> clipping;
+        l3d_edge_polylines edges;
+        l3d_dice_counts counts;
+    };
+
+    void dice_one(const l3d_method_frame& frame, const l3d_placed_patch& placed,
+                  const dice_call& dice, int worker, l3d_diced_pieces& out);
+
+    l3d_workers& workers_;
+    std::vector<worker_space> each_worker_;
+    l3d_scene_culling culling_;
+    l3d_dice_counts counts_;
+    std::vector<l3d_diced_pieces> slots_; ///< one for each patch
+    std::vector<const l3d_surface_part*> parts_;
+};
+
+#endif

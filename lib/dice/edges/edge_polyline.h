@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// l3d_edge_polyline: the one polyline that all patches sharing an edge meet along.
+#ifndef L3D_DICE_EDGES_EDGE_POLYLINE_H
+#define L3D_DICE_EDGES_EDGE_POLYLINE_H
+
+#include "scene/dice_view.h"
+#include "dice/near_clip.h"
+#include "raster/surface_part.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+struct edge_strips;
+}
+
+/// Points of an edge (a patch boundary, or a line along which a patch was cut).
+///
+/// The points are a function of the edge's four control points and the view alone, not of the
+/// patch: both neighbours compute the same bits, also if one runs along it backwards. Each
+/// neighbour fills the slit between its own boundary row and this polyline.
+/// Shape: points in order of rising t, from 0 to 1, one array per component.
+/// Cost:  at most 32 points a strip; edges halve where that is too coarse. 150 ns an edge of 24
+///        points, if it needs no clipping and is one of four (AVX-512).
+class l3d_edge_polyline {
+public:
+    /// Four edges at once: lines[k] of edges[k], whose points have the share shares[k] of the
+    /// view's errors. Expects: the view's near is no farther than that of the least of these.
+    static void build(std::span<l3d_edge_polyline, 4> lines,
+                      const std::array<l3d_image_curve, 4>& edges, const l3d_dice_view& view,
+                      const std::array<double, 4>& shares = {1, 1, 1, 1});
+
+    /// One edge; the same points, but slower than a quarter of four.
+    void build(const l3d_image_curve& edge, const l3d_dice_view& view);
+
+    /// From now on, no edge allocates that would not in `other`.
+    void reserve_as(const l3d_edge_polyline& other);
+
+    std::size_t size() const { return size_; }
+    const double* t() const { return t_.data(); }
+    const std::int32_t* x() const { return x_.data(); }
+    const std::int32_t* y() const { return y_.data(); }
+    const float* inv_w() const { return inv_w_.data(); }
+
+    /// The point as clipping needs it, without parameters and normal.
+    l3d_clip_vertex clip_vertex(std::size_t i, const l3d_dice_view& view) const;
+
+    /// Equal parts, 16 at most, of an edge all points of which can be drawn: one, or as many as it
+    /// takes until 32 steps a strip are enough.
+    static constexpr std::size_t most_parts = 16;
+    std::size_t parts() const { return parts_; }
+
+    /// Where the strips of a part begin, one or four of equal length, as a patch's are, counted in
+    /// points of the whole edge; 0 blocks if not all points can be drawn.
+    const l3d_block_starts& strips(std::size_t part = 0) const { return strips_[part]; }
+
+    /// Those of the part from t0 to t1; null if there is none such.
+    const l3d_block_starts* strips_between(double t0, double t1) const {
+        const double part = t0 * static_cast<double>(parts_);
+        return (t1 - t0) * static_cast<double>(parts_) == 1 && part == std::floor(part)
+                   ? &strips_[static_cast<std::size_t>(part)]
+                   : nullptr;
+    }
+
+    /// The last point at t or before.
+    std::size_t point_before(double t) const {
+        if (t >= 1)
+            return size_ - 1;
+        const double* first = t_.data();
+        return static_cast<std::size_t>(std::upper_bound(first, first + size_ - 1, t) - first) - 1;
+    }
+
+    /// Certified image error of the visible segments, in pixels: that of chords between exact
+    /// points, and what the points' own errors add.
+    double chord_error() const { return chord_error_; }
+    double vertex_error() const { return vertex_error_; }
+    double bound() const { return chord_error_ + vertex_error_; }
+
+private:
+    l3d_detail::edge_strips room_for_strips(std::size_t part = 0);
+    void take(const l3d_detail::edge_strips& strips, const l3d_image_curve& edge,
+              const l3d_dice_view& view, double share);
+    bool take_parts(const l3d_image_curve& edge, const l3d_dice_view& view);
+    bool join(std::span<const l3d_image_curve> parts, const l3d_dice_view& view);
+    void cut(const l3d_image_curve& edge, const l3d_dice_view& view);
+    void add_strip(const l3d_image_curve& strip, double t0, double t1, int level,
+                   const l3d_dice_view& view);
+    void add_point(const l3d_image_point& h, double t, const l3d_dice_view& view);
+    void reverse();
+
+    std::size_t size_ = 0;
+    std::vector<double> t_; ///< this and the next three may be longer than size_
+    std::vector<std::int32_t> x_, y_;
+    std::vector<float> inv_w_;
+
+    // Only of edges without strips.
+    std::vector<l3d_image_point> h_;
+    std::vector<unsigned char> drawable_;
+
+    std::size_t parts_ = 1;
+    std::array<l3d_block_starts, most_parts> strips_;
+    double chord_error_ = 0, vertex_error_ = 0;
+};
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// l3d_edge_polylines: the edges of a patch and of the pieces it is cut into.
+#ifndef L3D_DICE_EDGES_EDGE_POLYLINES_H
+#define L3D_DICE_EDGES_EDGE_POLYLINES_H
+
+#include "dice/edges/edge_polyline.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+/// The polylines of one patch after the other, kept for their memory.
+///
+/// Shape: outer edges [0] v low, [1] v high (both along u), [2] u low, [3] u high (both along v);
+///        from 4 on, the edges along which the patch is cut.
+class l3d_edge_polylines {
+public:
+    static constexpr std::size_t sides = 4;
+
+    /// Builds the four outer edges of a patch, and forgets all others. Edges that patches share
+    /// must have the same share of the view's errors in all of them.
+    void build(const l3d_image_patch& net, const l3d_dice_view& view,
+               const std::array<double, sides>& shares = {1, 1, 1, 1}) {
+        l3d_edge_polyline::build(std::span(edges_).first<sides>(),
+                                 {net.row(0), net.row(3), net.column(0), net.column(3)}, view,
+                                 shares);
+        used_ = sides;
+    }
+
+    /// Builds one more, and returns its index.
+    std::size_t add(const l3d_image_curve& curve, const l3d_dice_view& view) {
+        if (used_ == edges_.size())
+            edges_.emplace_back();
+        edges_[used_].build(curve, view);
+        return used_++;
+    }
+
+    /// From now on, edges that are no more and no larger than any `other` has had allocate nothing.
+    void reserve_as(const l3d_edge_polylines& other) {
+        if (edges_.size() < other.edges_.size())
+            edges_.resize(other.edges_.size());
+        for (std::size_t i = 0; i < other.edges_.size(); ++i)
+            edges_[i].reserve_as(other.edges_[i]);
+    }
+
+    std::span<const l3d_edge_polyline, sides> outer() const {
+        return std::span(edges_).first<sides>();
+    }
+    const l3d_edge_polyline& operator[](std::size_t i) const { return edges_[i]; }
+
+private:
+    std::vector<l3d_edge_polyline> edges_ = std::vector<l3d_edge_polyline>(sides);
+    std::size_t used_ = 0;
+};
+
+#endif

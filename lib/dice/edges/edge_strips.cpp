@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+// Edges in lanes: bounds and steps of all strips side by side, then the points of each.
+#include "dice/edges/edge_strips_p.h"
+
+#include "geom/bezier_curve.h"
+#include "dice/drawn_error.h"
+#include "dice/near_clip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "dice/edges/edge_strips.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "dice/edges/edge_steps-inl.h"
+#include "raster/parallel/simd_dispatch_p.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The halves of curves, as l3d_bezier_curve::split makes them.
+void split(const cubic& p, cubic& HWY_RESTRICT low, cubic& HWY_RESTRICT high) {
+    for (std::size_t l = 0; l < lanes; ++l) {
+        const double a = (p[0].at[l] + p[1].at[l]) / 2, b = (p[1].at[l] + p[2].at[l]) / 2,
+                     c = (p[2].at[l] + p[3].at[l]) / 2;
+        const double ab = (a + b) / 2, bc = (b + c) / 2;
+        const double middle = (ab + bc) / 2;
+        low[0].at[l] = p[0].at[l];
+        low[1].at[l] = a;
+        low[2].at[l] = ab;
+        low[3].at[l] = middle;
+        high[0].at[l] = middle;
+        high[1].at[l] = bc;
+        high[2].at[l] = c;
+        high[3].at[l] = p[3].at[l];
+    }
+}
+
+/// `edges` has coordinate k of edge e in lane 4 k + e, a whole edge each.
+void cut_in_four(const cubic& edges, strip_nets& out) {
+    std::array<cubic, 2> halves;
+    std::array<cubic, most_strips> strips;
+    split(edges, halves[0], halves[1]);
+    split(halves[0], strips[0], strips[1]);
+    split(halves[1], strips[2], strips[3]);
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t s = 0; s < most_strips; ++s)
+                for (std::size_t e = 0; e < edges_at_once; ++e)
+                    out[k][i].at[4 * s + e] = strips[s][i].at[4 * k + e];
+}
+
+/// p(t) = c0 + t (c1 + t (c2 + t c3)).
+void to_powers(const cubic& p, cubic& HWY_RESTRICT c) {
+    for (std::size_t l = 0; l < lanes; ++l) {
+        double a0 = p[0].at[l], a1 = p[1].at[l], a2 = p[2].at[l], a3 = p[3].at[l];
+        l3d_to_powers(a0, a1, a2, a3);
+        c[0].at[l] = a0;
+        c[1].at[l] = a1;
+        c[2].at[l] = a2;
+        c[3].at[l] = a3;
+    }
+}
+
+/// Writes points and goes on behind them.
+class point_writer {
+public:
+    point_writer(const l3d_dice_view& view, const edge_strips& out)
+        : centre_x_(view.centre_x()), centre_y_(view.centre_y()),
+          depth_scale_(static_cast<float>(view.depth_scale)), t_(out.t), x_(out.x), y_(out.y),
+          inv_w_(out.inv_w) {}
+
+    /// Points i = 0 .. n - 1 of n steps of a strip, or in the opposite order; t = t_first + i
+    /// t_step along the edge as it was given. All but point 0 are moved by `balance` times the
+    /// second derivative.
+    void strip(const strip_nets& powers, std::size_t lane, int n, double balance, bool backwards,
+               double t_first, double t_step) {
+        const hn::ScalableTag<double> d;
+        const hn::Rebind<std::int32_t, decltype(d)> di;
+        const hn::Rebind<float, decltype(d)> df;
+        const auto last = hn::Set(d, n - 1), steps = hn::Set(d, n);
+        const auto first = hn::Set(d, backwards ? n - 1 : 0);
+        const auto direction = hn::Set(d, backwards ? -1 : 1), one = hn::Set(d, 1);
+        const auto count = static_cast<std::size_t>(n);
+        for (std::size_t at = 0; at < count; at += hn::Lanes(d)) {
+            // Lanes beyond the last point repeat it.
+            const auto rising = hn::Min(hn::Iota(d, static_cast<double>(at)), last);
+            const auto i = hn::Add(first, hn::Mul(rising, direction));
+            const auto t = hn::Div(i, steps);
+            const auto moved = hn::IfThenElseZero(hn::Gt(i, hn::Zero(d)), hn::Set(d, balance));
+            const auto w = hn::Div(one, value(d, powers[2], lane, t, moved));
+            const auto x = hn::Mul(value(d, powers[0], lane, t, moved), w);
+            const auto y = hn::Mul(value(d, powers[1], lane, t, moved), w);
+            hn::StoreU(hn::Add(hn::Set(d, t_first), hn::Mul(i, hn::Set(d, t_step))), d, t_ + at);
+            hn::StoreU(hn::Add(snapped(d, di, x), hn::Set(di, centre_x_)), di, x_ + at);
+            hn::StoreU(hn::Add(snapped(d, di, y), hn::Set(di, centre_y_)), di, y_ + at);
+            hn::StoreU(hn::Mul(hn::DemoteTo(df, w), hn::Set(df, depth_scale_)), df, inv_w_ + at);
+        }
+        advance(n);
+    }
+
+    /// An end of the edge, a corner of its patches.
+    void corner(const l3d_image_point& h, double t, const l3d_dice_view& view) {
+        const l3d_micro_vertex vertex = l3d_canonical_vertex(h, view).dice.vertex;
+        *t_ = t;
+        *x_ = vertex.x;
+        *y_ = vertex.y;
+        *inv_w_ = vertex.inv_w;
+        advance(1);
+    }
+
+private:
+    /// The cubic, less `moved` times its second derivative.
+    template <class D>
+    static hn::Vec<D> value(D d, const cubic& c, std::size_t lane, hn::Vec<D> t, hn::Vec<D> moved) {
+        auto sum = hn::Set(d, c[3].at[lane]);
+        for (std::size_t power = 3; power-- > 0;)
+            sum = hn::Add(hn::Mul(sum, t), hn::Set(d, c[power].at[lane]));
+        const auto second =
+            hn::Add(hn::Mul(hn::Set(d, 6 * c[3].at[lane]), t), hn::Set(d, 2 * c[2].at[lane]));
+        return hn::Sub(sum, hn::Mul(moved, second));
+    }
+
+    /// To sub-pixels as l3d_snap does: to nearest, ties away from zero.
+    template <class D, class I> static hn::Vec<I> snapped(D d, I di, hn::Vec<D> pixels) {
+        const auto scaled = hn::Mul(pixels, hn::Set(d, double{l3d_subpixel_one}));
+        const auto half = hn::CopySign(hn::Set(d, 0.5), scaled);
+        return hn::DemoteTo(di, hn::Add(scaled, half));
+    }
+
+    void advance(int by) {
+        t_ += by;
+        x_ += by;
+        y_ += by;
+        inv_w_ += by;
+    }
+
+    std::int32_t centre_x_, centre_y_;
+    float depth_scale_;
+    double* t_;
+    std::int32_t *x_, *y_;
+    float* inv_w_;
+};
+
+/// What is found out of a whole edge before its strips.
+struct edge_view {
+    bool drawable = false, one_strip = false, backwards = false;
+    double vertex_error = 0;
+};
+
+/// Whether a point can be drawn, and is by more than rounding of its neighbours can take.
+bool safely_drawable(const l3d_image_point& h, double near, const l3d_dice_view& view) {
+    constexpr double slack = 0x1p-30;
+    const double reach = l3d_guard_band * (1 - slack) * h[2];
+    return h[2] > near * (1 + slack) && h[2] < view.far * (1 - slack) && std::abs(h[0]) <= reach &&
+           std::abs(h[1]) <= reach;
+}
+
+edge_view view_edge(const l3d_image_curve& edge, double share, const l3d_dice_view& view) {
+    edge_view result;
+    const double near = view.near_of(share);
+    result.drawable = true;
+    for (const l3d_image_point& p : edge.points)
+        result.drawable = result.drawable && safely_drawable(p, near, view);
+    if (!result.drawable)
+        return result;
+    result.backwards = runs_backwards(edge);
+    const l3d_image_box whole = l3d_image_box_of(edge.points);
+    const l3d_image_box seen = whole.intersected(view.margin());
+    result.one_strip = seen.empty() || l3d_is_small(whole);
+    if (seen.empty())
+        return result;
+    double largest_xy = 0, largest_w = 0, least_w = edge.points[0][2];
+    for (const l3d_image_point& p : edge.points) {
+        largest_xy = std::max({largest_xy, std::abs(p[0]), std::abs(p[1])});
+        largest_w = std::max(largest_w, p[2]);
+        least_w = std::min(least_w, p[2]);
+    }
+    l3d_vertex_accuracy accuracy;
+    accuracy.error_xy = view.error_xy * share + l3d_power_form_error(largest_xy);
+    accuracy.error_w = view.error_w * share + l3d_power_form_error(largest_w);
+    accuracy.w_low = least_w;
+    accuracy.seen_reach = seen.reach();
+    accuracy.reach = whole.reach();
+    accuracy.snap_error = l3d_snap_error<double>(accuracy.reach);
+    result.vertex_error = accuracy.drawn_error(l3d_vertex_accuracy::in_front);
+    return result;
+}
+
+} // namespace
+
+void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
+                      const l3d_dice_view& view, const std::array<double, edges_at_once>& shares,
+                      std::array<edge_strips, edges_at_once>& results) {
+    std::array<edge_view, edges_at_once> seen;
+    cubic whole{};
+    strip_wishes wishes;
+    for (std::size_t e = 0; e < edges_at_once; ++e) {
+        seen[e] = view_edge(edges[e], shares[e], view);
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                whole[i].at[4 * k + e] =
+                    edges[e].points[seen[e].backwards ? 3 - i : i][static_cast<int>(k)];
+        for (std::size_t s = 0; s < most_strips; ++s) {
+            wishes.per_budget.at[4 * s + e] = 1 / (4 * view.chord_budget(seen[e].vertex_error));
+            wishes.balance.at[4 * s + e] = seen[e].one_strip ? 1 : 8 * l3d_balance;
+            wishes.grown_by.at[4 * s + e] = seen[e].one_strip ? 0 : view.most_moved();
+        }
+    }
+    strip_nets nets;
+    cut_in_four(whole, nets);
+    for (std::size_t e = 0; e < edges_at_once; ++e)
+        if (seen[e].one_strip)
+            for (std::size_t k = 0; k < 3; ++k)
+                for (std::size_t i = 0; i < 4; ++i)
+                    nets[k][i].at[e] = whole[i].at[4 * k + e];
+    row steps, chord_error;
+    plan_strips(nets, view.margin(), view.focal, wishes, steps, chord_error);
+    strip_nets powers;
+    for (std::size_t k = 0; k < 3; ++k)
+        to_powers(nets[k], powers[k]);
+
+    for (std::size_t e = 0; e < edges_at_once; ++e) {
+        edge_strips& out = results[e];
+        out.strips = {0, {}};
+        out.too_long = false;
+        if (!seen[e].drawable)
+            continue;
+        const std::size_t strips = seen[e].one_strip ? 1 : most_strips;
+        const bool backwards = seen[e].backwards;
+        std::array<int, most_strips> n{};
+        int most = 0;
+        out.chord_error = 0;
+        for (std::size_t s = 0; s < strips; ++s) {
+            const std::size_t lane = 4 * s + e;
+            n[s] = static_cast<int>(steps.at[lane]);
+            most = std::max(most, n[s]);
+            out.chord_error = std::max(out.chord_error, chord_error.at[lane]);
+        }
+        out.too_long = most > l3d_most_steps_whole;
+        if (out.too_long)
+            continue;
+        out.vertex_error = seen[e].vertex_error;
+        out.strips.blocks = static_cast<int>(strips);
+        point_writer writer(view, out);
+        if (backwards)
+            writer.corner(edges[e].points[0], 0, view);
+        for (std::size_t s = 0; s < strips; ++s) {
+            const std::size_t of = backwards ? strips - 1 - s : s;
+            const double t_start = static_cast<double>(of) / static_cast<double>(strips);
+            const double t_step = 1.0 / (static_cast<double>(strips) * n[of]);
+            const double balance = strips > 1 && n[of] > 1 ? l3d_balanced_error(n[of]) : 0.0;
+            writer.strip(powers, 4 * of + e, n[of], balance, backwards,
+                         backwards ? 1 - t_start : t_start, backwards ? -t_step : t_step);
+            out.strips.first[s + 1] = out.strips.first[s] + n[of];
+        }
+        if (!backwards)
+            writer.corner(edges[e].points[3], 1, view);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace l3d_detail {
+
+L3D_SIMD_TABLE(make_edge_strips);
+
+void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
+                      const l3d_dice_view& view, const std::array<double, edges_at_once>& shares,
+                      std::array<edge_strips, edges_at_once>& results) {
+    L3D_SIMD_CALL(make_edge_strips)(edges, view, shares, results);
+}
+
+} // namespace l3d_detail
+#endif

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: MIT
+// Bounds of the sixteen blocks of a patch in SIMD lanes.
+#include "dice/lanes/lane_bounds_p.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "dice/lanes/lane_bounds.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "dice/lanes/lane_blocks-inl.h"
+#include "raster/parallel/simd_dispatch_p.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using doubles = hn::CappedTag<double, points>;
+
+/// What the rounding of floats can add to a second or mixed difference d as it is seen in the
+/// image, |d (x, y) - X0 d w| + r |d w|, in units of the largest w times the reach of the centred
+/// box: the net is rounded, then summed up twice from four products, 9 roundings of 2^-24, of
+/// numbers up to 1 in these units; a difference has 4 of these points and 4 roundings of its own,
+/// 40 in all; with that of d w times X0 80 in x and in y, sqrt(2) times 80 in both, and with that
+/// of r |d w| 160, r being at most sqrt(2) times the reach, 170. What the norm's own eight
+/// operations add relative to it is in `relative`.
+constexpr float difference_rounding = 170 * 0x1p-24F, relative = 1 + 8 * 0x1p-23F;
+
+/// The same of third and fourth differences of a whole net: made in doubles and rounded once. In
+/// these units those of x and y are at most 16, those of w, which is positive, 8: seen, sqrt(2)
+/// times 16 + 8 for their own rounding, 8 for that of X0 d w, 8 for that of X0: 57.
+constexpr float mixed_rounding = 64 * 0x1p-24F;
+
+/// The same of w alone.
+constexpr float depth_rounding = 40 * 0x1p-24F;
+
+/// Rounding of a projected point, relative to the reach of the centred box: 9 roundings in x
+/// and in w, and two of the quotient.
+constexpr float projected_rounding = 20 * 0x1p-24F;
+
+/// Box and depths of the whole net; whether it is ordinary. The comparisons fail for NaN.
+HWY_ATTR void measure(const double* net, const l3d_dice_view& view, lane_bounds& out) {
+    const doubles d;
+    auto left = hn::Set(d, HUGE_VAL), top = left, nearest = left;
+    auto right = hn::Neg(left), bottom = right, farthest = right;
+    for (std::size_t i = 0; i < points; i += hn::Lanes(d)) {
+        auto x = hn::Zero(d), y = x, w = x;
+        hn::LoadInterleaved3(d, net + 3 * i, x, y, w);
+        hn::Store(x, d, out.net.points[0] + i);
+        hn::Store(y, d, out.net.points[1] + i);
+        hn::Store(w, d, out.net.points[2] + i);
+        const auto inverse = hn::Div(hn::Set(d, 1.0), w);
+        const auto px = hn::Mul(x, inverse), py = hn::Mul(y, inverse);
+        left = hn::Min(left, px);
+        right = hn::Max(right, px);
+        top = hn::Min(top, py);
+        bottom = hn::Max(bottom, py);
+        nearest = hn::Min(nearest, w);
+        farthest = hn::Max(farthest, w);
+    }
+    out.least_w = hn::GetLane(hn::MinOfLanes(d, nearest));
+    out.most_w = hn::GetLane(hn::MaxOfLanes(d, farthest));
+    out.hull = {hn::GetLane(hn::MinOfLanes(d, left)), hn::GetLane(hn::MinOfLanes(d, top)),
+                hn::GetLane(hn::MaxOfLanes(d, right)), hn::GetLane(hn::MaxOfLanes(d, bottom))};
+    // Min and Max may lose a NaN; a sum does not.
+    double sum = 0;
+    for (const auto& component : out.net.points)
+        for (const double number : component)
+            sum += number;
+    out.ordinary = sum - sum == 0 && out.least_w > view.near && out.most_w < view.far &&
+                   -out.hull.left < l3d_guard_band && -out.hull.top < l3d_guard_band &&
+                   out.hull.right < l3d_guard_band && out.hull.bottom < l3d_guard_band;
+}
+
+/// Moves the net to the middle of what is seen of it.
+HWY_ATTR void centre(lane_bounds& out) {
+    centred_net& net = out.net;
+    net.x = static_cast<std::int32_t>((out.seen.left + out.seen.right) / 2);
+    net.y = static_cast<std::int32_t>((out.seen.top + out.seen.bottom) / 2);
+    const doubles d;
+    const auto x = hn::Set(d, static_cast<double>(net.x));
+    const auto y = hn::Set(d, static_cast<double>(net.y));
+    auto largest = hn::Zero(d);
+    for (std::size_t i = 0; i < points; i += hn::Lanes(d)) {
+        const auto w = hn::Load(d, net.points[2] + i);
+        const auto px = hn::Sub(hn::Load(d, net.points[0] + i), hn::Mul(x, w));
+        const auto py = hn::Sub(hn::Load(d, net.points[1] + i), hn::Mul(y, w));
+        hn::Store(px, d, net.points[0] + i);
+        hn::Store(py, d, net.points[1] + i);
+        largest = hn::Max(largest, hn::Max(hn::Abs(px), hn::Abs(py)));
+    }
+    net.largest_xy = hn::GetLane(hn::MaxOfLanes(d, largest));
+}
+
+/// A number a lane, as doubles.
+HWY_ATTR HWY_INLINE void put(float_lanes value, l3d_block_needs::per_block& out, std::size_t lane) {
+    alignas(64) float numbers[points];
+    hn::Store(value, floats(), numbers);
+    for (std::size_t i = 0; i < hn::Lanes(floats()); ++i)
+        out[lane + i] = static_cast<double>(numbers[i]);
+}
+
+/// Largest |x' / w| or |y' / w| of the net, about its centre.
+double reach_of(const lane_bounds& of) {
+    const double x = of.net.x, y = of.net.y;
+    return std::max({x - of.hull.left, of.hull.right - x, y - of.hull.top, of.hull.bottom - y});
+}
+
+/// Image boxes in which width and height add up to less than this need bounds of depth too: see
+/// l3d_needs_of; 2.83 > 2 sqrt(2).
+double depth_matters_below(const l3d_dice_view& view, bool balanced) {
+    return (balanced ? 1 / l3d_balance : 8) * 2.83 * view.chord_budget(0);
+}
+
+/// Needs of the blocks in lanes `lane` on, given what is seen at most, about the net's centre.
+HWY_ATTR HWY_INLINE void bound_lanes(const block_nets& blocks, std::size_t lane,
+                                     const l3d_image_box& window, float reach, float grown_by,
+                                     float deep_below, float most_w, l3d_block_needs& needs) {
+    const floats d;
+    const auto limit = [&](double number)
+                           HWY_ATTR { return hn::Set(d, static_cast<float>(number)); };
+    const auto zero = hn::Zero(d), half = hn::Set(d, 0.5F);
+    const auto slack = hn::Set(d, projected_rounding * reach + grown_by);
+    const lane_boxes box = boxes_of(blocks, lane);
+    const auto left = hn::Max(hn::Sub(box.left, slack), limit(window.left));
+    const auto right = hn::Min(hn::Add(box.right, slack), limit(window.right));
+    const auto top = hn::Max(hn::Sub(box.top, slack), limit(window.top));
+    const auto bottom = hn::Min(hn::Add(box.bottom, slack), limit(window.bottom));
+    const auto width = hn::Sub(right, left), height = hn::Sub(bottom, top);
+    const auto visible = hn::And(hn::Ge(width, zero), hn::Ge(height, zero));
+    const auto deep = hn::And(visible, hn::Lt(hn::Add(width, height), hn::Set(d, deep_below)));
+    needs.visible = needs.visible || !hn::AllFalse(d, visible);
+    needs.keeps_depth = needs.keeps_depth || !hn::AllFalse(d, deep);
+
+    const auto diagonal = hn::Sqrt(hn::Add(hn::Mul(width, width), hn::Mul(height, height)));
+    const seen_norm norm{hn::Mul(half, hn::Add(left, right)), hn::Mul(half, hn::Add(top, bottom)),
+                         hn::Mul(half, diagonal)};
+    largest_of uu{zero, zero}, uv{zero, zero}, vv{zero, zero};
+    take_differences(blocks, lane, norm, uu, uv, vv);
+
+    const auto low_w = hn::Mul(box.least_w, hn::Set(d, 1 - projected_rounding));
+    const auto per_w = hn::Div(hn::Set(d, relative), low_w);
+    const auto six = hn::Mul(hn::Set(d, 6.0F), per_w), nine = hn::Mul(hn::Set(d, 9.0F), per_w);
+    const auto image_bound = [&](float_lanes factor, const largest_of& of) HWY_ATTR {
+        const auto rounding = hn::Set(d, difference_rounding * reach);
+        return hn::IfThenElseZero(visible, hn::Mul(factor, hn::Add(of.image, rounding)));
+    };
+    put(hn::Mul(low_w, hn::Set(d, most_w)), needs.least_w, lane);
+    put(image_bound(six, uu), needs.uu, lane);
+    put(image_bound(nine, uv), needs.uv, lane);
+    put(image_bound(six, vv), needs.vv, lane);
+    // In front of the near plane w may be off by an eighth.
+    const auto depth_bound = [&](float_lanes factor, const largest_of& of) HWY_ATTR {
+        const auto rounded_up = hn::Add(of.depth, hn::Set(d, depth_rounding));
+        return hn::IfThenElseZero(deep, hn::Mul(hn::Mul(hn::Set(d, 8.0F), factor), rounded_up));
+    };
+    put(depth_bound(six, uu), needs.depth_uu, lane);
+    put(depth_bound(nine, uv), needs.depth_uv, lane);
+    put(depth_bound(six, vv), needs.depth_vv, lane);
+    const auto per_gap = hn::Set(d, static_cast<float>(3 / l3d_largest_quad));
+    put(hn::IfThenElseZero(visible, hn::Mul(per_gap, box.gap_u)), needs.least_u, lane);
+    put(hn::IfThenElseZero(visible, hn::Mul(per_gap, box.gap_v)), needs.least_v, lane);
+}
+
+/// The norm for all of a net that is seen.
+HWY_ATTR seen_norm norm_of(const l3d_image_box& seen, const centred_net& net) {
+    const floats d;
+    const double width = seen.width(), height = seen.height();
+    const double diagonal = std::sqrt(width * width + height * height);
+    return {hn::Set(d, static_cast<float>((seen.left + seen.right) / 2 - net.x)),
+            hn::Set(d, static_cast<float>((seen.top + seen.bottom) / 2 - net.y)),
+            hn::Set(d, static_cast<float>(diagonal / 2))};
+}
+
+/// The norm of each of `Count` differences, whose components lie side by side.
+template <std::size_t Count>
+HWY_ATTR HWY_INLINE void norms_of(const float (&at)[3][Count], const seen_norm& norm,
+                                  float (&image)[Count]) {
+    const floats d;
+    for (std::size_t i = 0; i < Count; i += hn::Lanes(d)) {
+        const auto x = hn::Load(d, at[0] + i), y = hn::Load(d, at[1] + i);
+        hn::Store(norm(x, y, hn::Load(d, at[2] + i)), d, image + i);
+    }
+}
+
+/// Mixed third and fourth differences of a net, side by side.
+struct mixed_differences {
+    static constexpr std::size_t uuv = 0, uvv = 6, uuvv = 12, end = 16;
+    alignas(64) float at[3][end];
+
+    mixed_differences(const centred_net& net, double scale) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double* p = net.points[k];
+            double u[2][4], v[2][4]; // second differences along u, by row; along v, by column
+            for (std::size_t line = 0; line < 4; ++line)
+                for (std::size_t i = 0; i < 2; ++i) {
+                    const double *row = p + 4 * line + i, *column = p + 4 * i + line;
+                    u[i][line] = (row[0] - 2 * row[1] + row[2]) * scale;
+                    v[i][line] = (column[0] - 2 * column[4] + column[8]) * scale;
+                }
+            for (std::size_t i = 0; i < 2; ++i)
+                for (std::size_t j = 0; j < 3; ++j) {
+                    at[k][uuv + 3 * i + j] = static_cast<float>(u[i][j + 1] - u[i][j]);
+                    at[k][uvv + 3 * i + j] = static_cast<float>(v[i][j + 1] - v[i][j]);
+                    if (j < 2)
+                        at[k][uuvv + 2 * i + j] =
+                            static_cast<float>(u[i][j] - 2 * u[i][j + 1] + u[i][j + 2]);
+                }
+        }
+    }
+};
+
+/// What balanced vertices add: bounds for steps of the blocks, from the whole net.
+HWY_ATTR void bound_mixed(const l3d_dice_view& view, lane_bounds& out) {
+    const l3d_image_box box = view.margin().intersected(view.drawn_box(out.hull));
+    out.needs.uuv = out.needs.uvv = out.needs.uuvv = 0;
+    if (box.empty())
+        return;
+    const double scale = 1 / out.most_w;
+    using differences = mixed_differences;
+    const differences of(out.net, scale);
+    alignas(64) float image[differences::end];
+    norms_of(of.at, norm_of(box, out.net), image);
+    const auto bound = [&](std::size_t from, std::size_t to, double factor) {
+        const auto largest = static_cast<double>(*std::max_element(image + from, image + to));
+        return factor / (out.least_w * scale) * static_cast<double>(relative) *
+               (largest + static_cast<double>(mixed_rounding) * reach_of(out));
+    };
+    out.needs.uuv = bound(differences::uuv, differences::uvv, 18.0 / 64);
+    out.needs.uvv = bound(differences::uvv, differences::uuvv, 18.0 / 64);
+    out.needs.uuvv = bound(differences::uuvv, differences::end, 36.0 / 256);
+}
+
+/// Needs of sixteen blocks.
+HWY_ATTR void bound_blocks(const l3d_dice_view& view, lane_bounds& out) {
+    // Homogeneous points may be scaled: w to at most 1, so that squares stay in a float's range.
+    const double scale = 1 / out.most_w;
+    alignas(64) float net[3][points];
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < points; ++i)
+            net[k][i] = static_cast<float>(out.net.points[k][i] * scale);
+    block_nets blocks;
+    cut(net, blocks);
+
+    const l3d_image_box margin = view.margin();
+    const double x = out.net.x, y = out.net.y;
+    const l3d_image_box window{margin.left - x, margin.top - y, margin.right - x,
+                               margin.bottom - y};
+    out.needs.strips = l3d_block_needs::most_strips;
+    out.needs.visible = out.needs.keeps_depth = false;
+    out.needs.balanced = true;
+    for (std::size_t lane = 0; lane < points; lane += hn::Lanes(floats()))
+        bound_lanes(blocks, lane, window, static_cast<float>(reach_of(out)),
+                    static_cast<float>(view.most_moved()),
+                    static_cast<float>(depth_matters_below(view, true)),
+                    static_cast<float>(out.most_w * (1 - 0x1p-22)), out.needs);
+    bound_mixed(view, out);
+}
+
+/// Differences of a whole net, side by side: 8 second ones along u, 8 along v, 9 mixed ones.
+struct net_differences {
+    static constexpr std::size_t along_u = 0, along_v = 8, mixed = 16, end = 25, room = 32;
+    alignas(64) float at[3][room] = {};
+
+    /// The differences are of doubles, scaled and then rounded.
+    net_differences(const centred_net& net, double scale) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double* p = net.points[k];
+            const auto put_at = [&](std::size_t i, double difference) {
+                at[k][i] = static_cast<float>(difference * scale);
+            };
+            for (std::size_t line = 0; line < 4; ++line)
+                for (std::size_t i = 0; i < 2; ++i) {
+                    const double *u = p + 4 * line + i, *v = p + 4 * i + line;
+                    put_at(along_u + 2 * line + i, u[0] - 2 * u[1] + u[2]);
+                    put_at(along_v + 2 * line + i, v[0] - 2 * v[4] + v[8]);
+                }
+            for (std::size_t r = 0; r < 3; ++r)
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const double* q = p + 4 * r + c;
+                    put_at(mixed + 3 * r + c, (q[0] - q[1]) - (q[4] - q[5]));
+                }
+        }
+    }
+};
+
+/// Needs of a small net, which is one block: its differences in lanes.
+HWY_ATTR void bound_whole(const l3d_dice_view& view, lane_bounds& out) {
+    l3d_block_needs& needs = out.needs;
+    needs = {};
+    const l3d_image_box box = view.margin().intersected(out.hull);
+    needs.visible = !box.empty();
+    if (!needs.visible)
+        return;
+    needs.least_w[0] = out.least_w;
+    const double scale = 1 / out.most_w;
+    using differences = net_differences;
+    const differences of(out.net, scale);
+    alignas(64) float image[differences::room];
+    norms_of(of.at, norm_of(box, out.net), image);
+    const double low_w = out.least_w * scale;
+    const auto bound = [&](const float* numbers, std::size_t from, std::size_t to, double factor,
+                           double rounding) {
+        const auto largest = static_cast<double>(*std::max_element(numbers + from, numbers + to));
+        return factor / low_w * (largest + rounding);
+    };
+    const double rounding = static_cast<double>(difference_rounding) * reach_of(out);
+    const double six = 6 * static_cast<double>(relative), nine = six * 3 / 2;
+    needs.uu[0] = bound(image, differences::along_u, differences::along_v, six, rounding);
+    needs.vv[0] = bound(image, differences::along_v, differences::mixed, six, rounding);
+    needs.uv[0] = bound(image, differences::mixed, differences::end, nine, rounding);
+    needs.keeps_depth = box.width() + box.height() < depth_matters_below(view, false);
+    if (!needs.keeps_depth)
+        return;
+    const auto of_w = static_cast<double>(depth_rounding);
+    float depth[differences::end];
+    std::transform(of.at[2], of.at[2] + differences::end, depth,
+                   [](float dw) { return std::abs(dw); });
+    needs.depth_uu[0] = bound(depth, differences::along_u, differences::along_v, 8 * six, of_w);
+    needs.depth_vv[0] = bound(depth, differences::along_v, differences::mixed, 8 * six, of_w);
+    needs.depth_uv[0] = bound(depth, differences::mixed, differences::end, 8 * nine, of_w);
+}
+
+HWY_ATTR void bounds(const double* net, const l3d_dice_view& view, lane_bounds& out) {
+    measure(net, view, out);
+    if (!out.ordinary)
+        return;
+    out.seen = view.margin().intersected(out.hull);
+    if (out.seen.empty())
+        out.seen = view.margin();
+    centre(out);
+    if (l3d_is_small(out.hull))
+        bound_whole(view, out);
+    else
+        bound_blocks(view, out);
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace l3d_detail {
+
+L3D_SIMD_TABLE(bounds);
+
+void bounds_in_lanes(const l3d_image_patch& patch, const l3d_dice_view& view, lane_bounds& out) {
+    static_assert(sizeof patch == 48 * sizeof(double), "points without gaps");
+    L3D_SIMD_CALL(bounds)(&patch.points[0][0], view, out);
+}
+
+} // namespace l3d_detail
+#endif

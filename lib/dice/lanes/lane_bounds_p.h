@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What a patch needs, its blocks side by side in SIMD lanes.
+#ifndef L3D_DICE_LANES_LANE_BOUNDS_P_H
+#define L3D_DICE_LANES_LANE_BOUNDS_P_H
+
+#include "scene/dice_view.h"
+#include "dice/step_plan.h"
+
+#include <cstdint>
+
+namespace l3d_detail {
+
+/// A net around a point of its own: x' = x - X w, y' = y - Y w, so that x' / w is small where the
+/// patch is small, wherever it lies in the picture.
+///
+/// Shape: [component][4 * row + column].
+struct centred_net {
+    alignas(64) double points[3][16];
+    std::int32_t x = 0, y = 0; ///< X, Y: whole pixels from the picture's centre
+    double largest_xy = 0;     ///< of |x'|, |y'| of the points
+};
+
+/// All of a patch that is needed to choose steps and to judge its vertices.
+struct lane_bounds {
+    /// In front of the near plane, before the far one, within the guard band. If not, nothing else
+    /// is valid.
+    bool ordinary = false;
+    l3d_image_box hull, seen; ///< pixels from the picture's centre; `seen` as l3d_piece_nets has it
+    double least_w = 0, most_w = 0;
+    centred_net net;
+    l3d_block_needs needs; ///< one block, if the net is small
+};
+
+/// The slow twin is l3d_needs_of; needs are larger than its by the rounding of floats, at most:
+/// so they are bounds too.
+/// Cost: no more than one block takes in scalar code.
+void bounds_in_lanes(const l3d_image_patch& patch, const l3d_dice_view& view, lane_bounds& out);
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// l3d_lane_dicer: the stages of an ordinary patch.
+#include "dice/lanes/lane_dicer.h"
+
+#include "geom/block_fixed.h"
+#include "geom/forward_difference.h"
+#include "dice/drawn_error.h"
+#include "dice/piece_nets.h"
+#include "dice/edges/slit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace {
+
+using l3d_detail::lane_register;
+
+/// Rounding of the doubles that columns start from, relative to the largest centred coordinate.
+/// Power coefficients of a bicubic add up to at most 27^2 times its largest control value;
+/// centring, differences of differences, Horner's scheme in u, balance and the weights of forward
+/// differences are some 25 roundings in a row: 25 * 27^2 < 2^15.
+constexpr double start_rounding = 0x1p15 * 0x1p-53;
+
+/// Error of walking most_steps steps in T, for coordinates up to `largest`; differences of control
+/// values are at most 2, 4, 8 times those, and shrink in `strips` parts.
+template <class T> double walking_error(double largest, int strips) {
+    const double s = strips;
+    return l3d_forward_difference_error<T>(l3d_most_steps_whole, largest, 2 * largest / s,
+                                           4 * largest / (s * s), 8 * largest / (s * s * s));
+}
+
+l3d_block_starts starts_of(const l3d_step_plan& plan, const std::array<int, 4>& steps) {
+    l3d_block_starts starts;
+    starts.blocks = plan.strips;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(plan.strips); ++i)
+        starts.first[i + 1] = starts.first[i] + steps[i];
+    return starts;
+}
+
+} // namespace
+
+/// What rounding adds, if registers are off by walk_xy and walk_w at the end.
+template <class T>
+double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy, double walk_w,
+                                       double snap_error) const {
+    const l3d_detail::centred_net& net = bounds_.net;
+    const l3d_image_box& hull = bounds_.hull;
+    const l3d_image_box& seen = bounds_.seen;
+    const auto around_centre = [&](const l3d_image_box& box) {
+        return l3d_image_box{box.left - net.x, box.top - net.y, box.right - net.x,
+                             box.bottom - net.y}
+            .reach();
+    };
+    l3d_vertex_accuracy accuracy;
+    accuracy.error_xy = walk_xy + start_rounding * net.largest_xy;
+    accuracy.error_w = walk_w + start_rounding * bounds_.most_w;
+    accuracy.w_low = bounds_.least_w - view.error_w;
+    accuracy.seen_reach = around_centre(seen);
+    accuracy.reach = around_centre(view.drawn_box(hull));
+    accuracy.snap_error = snap_error;
+    // The transform's errors, and that of moving the centre, count at the picture's own place.
+    const double moved = 4 * 0x1p-53 * bounds_.most_w * hull.reach();
+    return accuracy.drawn_error(l3d_vertex_accuracy::in_front) +
+           l3d_vertex_error(view.error_xy + moved, view.error_w, seen.reach(),
+                            bounds_.least_w - accuracy.error_w);
+}
+
+/// Chooses the registers, and what 1 is in them; whether they are exact enough.
+template <class T> bool l3d_lane_dicer<T>::judge(const l3d_dice_view& view) {
+    const l3d_detail::centred_net& net = bounds_.net;
+    const int strips = bounds_.needs.strips;
+    const double most_w = l3d_balanced_reach * bounds_.most_w;
+    const double most_xy = std::max(l3d_balanced_reach * net.largest_xy, most_w / l3d_subpixel_one);
+    const double reach = bounds_.hull.reach() + std::max(std::abs(net.x), std::abs(net.y));
+    // The centre of a folded quad is rounded to sub-pixels once more.
+    const double centre_snap = l3d_snap_error<double>(0);
+    const double exact = vertex_error(view, 0, 0, l3d_snap_error<double>(reach) + centre_snap);
+    const auto judged = [&](double walk_xy, double walk_w, double snap, double allowance) {
+        vertex_error_ = vertex_error(view, walk_xy, walk_w, snap + centre_snap);
+        walk_w_ = walk_w;
+        return vertex_error_ - exact <= allowance;
+    };
+    register_xy_ = register_w_ = 1;
+    const double least = view.walk_allowance(exact);
+    if constexpr (l3d_is_fixed<T>) {
+        const int bits_xy = l3d_block_fraction_bits(most_xy);
+        const int bits_w = l3d_block_fraction_bits(most_w);
+        const auto walked_in = [&](lane_register kind, int more_bits, double snap,
+                                   double allowance) {
+            register_ = kind;
+            register_xy_ = std::ldexp(1.0, bits_xy + more_bits);
+            register_w_ = std::ldexp(1.0, bits_w + more_bits);
+            return judged(l3d_block_walk_error(bits_xy + more_bits, l3d_most_steps_whole),
+                          l3d_block_walk_error(bits_w + more_bits, l3d_most_steps_whole), snap,
+                          allowance);
+        };
+        // Both x and w are rounded to floats before the division: twice a float's snap error.
+        const double snap = 2 * l3d_snap_error<float>(reach) - l3d_snap_error<float>(0);
+        return walked_in(lane_register::fixed_32, 0, snap, std::min(view.tolerance / 16, least)) ||
+               walked_in(lane_register::fixed_64, 32, l3d_snap_error<double>(reach),
+                         view.walk_allowance());
+    } else {
+        const auto walked_in = [&]<class Number>(Number, lane_register kind, double allowance) {
+            register_ = kind;
+            return judged(walking_error<Number>(most_xy, strips),
+                          walking_error<Number>(most_w, strips), l3d_snap_error<Number>(reach),
+                          allowance);
+        };
+        return (sizeof(T) == 4 && walked_in(0.0F, lane_register::float_32, least)) ||
+               walked_in(0.0, lane_register::float_64, view.walk_allowance());
+    }
+}
+
+template <class T>
+const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_net_piece& piece, const l3d_dice_view& view,
+                                             double edge_vertex, const l3d_placed_bends& bends) {
+    l3d_detail::bounds_in_lanes(piece.net, view, bounds_);
+    if (!bounds_.ordinary || !judge(view))
+        return nullptr;
+    row_error_ = std::max(vertex_error_ - l3d_vertex_accuracy::of_centre(), edge_vertex);
+    vertex_error_ = std::max(vertex_error_, edge_vertex);
+    const double error_w = walk_w_ + start_rounding * bounds_.most_w + view.error_w;
+    depth_error_ = vertex_error_ + l3d_depth_vertex_error(view, error_w, bounds_.least_w);
+    const double budget = view.chord_budget(vertex_error_);
+    if (bends)
+        bends.ask(piece, view, budget, view.chord_budget(depth_error_), bounds_.needs);
+    plan_ = l3d_plan_steps(bounds_.needs, budget, l3d_quad_kind::whole);
+    return &plan_;
+}
+
+template <class T>
+l3d_surface_certificate
+l3d_lane_dicer<T>::certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
+                               const l3d_placed_bends& bends, const l3d_diced_piece& out) const {
+    l3d_surface_certificate result =
+        bends.certificate(piece, view, bounds_.needs, plan_, out.slits, false);
+    result.depth += depth_error_;
+    if (result.without_normals != 0)
+        result.depth += l3d_most_off_plane(out.part, result.without_normals, view);
+    return result;
+}
+
+template <class T>
+void l3d_lane_dicer<T>::fill(const l3d_net_piece& piece, const l3d_normal_net& normals,
+                             const l3d_dice_view& view, l3d_diced_piece& out) {
+    l3d_surface_part& part = out.part;
+    u_.fill(plan_.strips, plan_.nu, plan_.balanced);
+    v_.fill(plan_.strips, plan_.nv, plan_.balanced);
+    part.block_columns = starts_of(plan_, plan_.nu);
+    part.block_rows = starts_of(plan_, plan_.nv);
+    part.grid.resize(static_cast<int>(u_.count), static_cast<int>(v_.count));
+    const l3d_detail::centred_net& net = bounds_.net;
+    const l3d_detail::lane_walk walk{net,
+                                     u_,
+                                     plan_.strips,
+                                     plan_.balanced,
+                                     plan_.nv,
+                                     view.centre_x() + net.x * l3d_subpixel_one,
+                                     view.centre_y() + net.y * l3d_subpixel_one,
+                                     register_xy_,
+                                     register_w_,
+                                     static_cast<float>(view.depth_scale)};
+    l3d_detail::walk_in_lanes(walk, register_, part.grid);
+    u_.place(piece.u0, piece.u1);
+    v_.place(piece.v0, piece.v1);
+    out.has_levels = view.makes_levels();
+    if (out.has_levels)
+        l3d_detail::levels_in_lanes(normals, u_, v_, view.shading, numbers_, part.grid);
+    else
+        l3d_detail::normals_in_lanes(normals, u_, v_, view.shading, numbers_, part.grid);
+    out.u.assign(u_.at, u_.at + u_.count);
+    out.v.assign(v_.at, v_.at + v_.count);
+    out.bound = plan_.visible ? plan_.chord_error + vertex_error_ : 0;
+}
+
+template <class T>
+bool l3d_lane_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& normals,
+                             const l3d_dice_view& view, std::span<const l3d_edge_polyline, 4> edges,
+                             l3d_diced_piece& out, l3d_dice_counts& counts,
+                             const l3d_placed_bends& bends) {
+    double edge_chord = 0, edge_vertex = 0;
+    for (const l3d_edge_polyline& edge : edges) {
+        if (edge.strips().blocks == 0)
+            return false;
+        edge_chord = std::max(edge_chord, edge.chord_error());
+        edge_vertex = std::max(edge_vertex, edge.vertex_error());
+    }
+    const l3d_net_piece whole{net};
+    if (plan(whole, view, edge_vertex, bends) == nullptr ||
+        std::max(plan_.most_u(), plan_.most_v()) > l3d_most_steps_whole)
+        return false;
+
+    fill(whole, normals, view, out);
+    for (std::size_t side = 0; side < edges.size(); ++side) {
+        l3d_close_side(out, side, edges[side]);
+        counts.add_edge(edges[side].size(), edges[side].bound());
+    }
+    // Slits lie between vertices of the patch and of its edges, each off by its own error.
+    counts.bound_px = std::max({counts.bound_px, out.bound, edge_chord + row_error_});
+    counts.add_surface(certificate(whole, view, bends, out), edge_chord + depth_error_);
+    ++counts.drawn;
+    ++counts.pieces;
+    ++counts.in_lanes;
+    counts.samples += static_cast<std::int64_t>(u_.count * v_.count);
+    return true;
+}
+
+template class l3d_lane_dicer<float>;
+template class l3d_lane_dicer<double>;
+template class l3d_lane_dicer<l3d_fixed<std::int64_t, 32>>;

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// l3d_lane_dicer: dices ordinary patches, blocks and columns side by side in SIMD lanes.
+#ifndef L3D_DICE_LANES_LANE_DICER_H
+#define L3D_DICE_LANES_LANE_DICER_H
+
+#include "geom/normal_net.h"
+#include "geom/real.h"
+#include "scene/dice_counts.h"
+#include "scene/dice_view.h"
+#include "dice/diced_piece.h"
+#include "dice/edges/edge_polyline.h"
+#include "dice/lanes/lane_light_p.h"
+#include "dice/lanes/lane_rows_p.h"
+#include "dice/net_piece.h"
+#include "dice/placed_bends.h"
+
+#include <span>
+
+/// Dices patches, and pieces of patches, that need neither clipping nor cutting; the slow twin,
+/// which takes all, is l3d_patch_dicer.
+///
+/// Lives: one per worker.
+/// Cost:  no allocation but what `out` needs to be larger than ever before.
+template <class T> class l3d_lane_dicer {
+public:
+    /// The patch in one piece, grid and slits. What could be left out is not.
+    ///
+    /// Shape:   edges as l3d_edge_polylines::outer() has them, of this net and view.
+    /// Expects: tolerance > 0, near > 0.
+    /// Errors:  false, with nothing written, if the patch is not ordinary: if it reaches to the
+    ///          near or the far plane or out of the guard band, it or an edge needs more than 32
+    ///          steps in a strip, or it cannot be walked in T exactly enough.
+    bool dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
+              std::span<const l3d_edge_polyline, 4> edges, l3d_diced_piece& out,
+              l3d_dice_counts& counts, const l3d_placed_bends& bends = {});
+
+    /// The steps of a patch or piece whose edges' vertices are off by `edge_vertex`; more than 32 a
+    /// strip are too many to be filled.
+    /// Lives:  until the next one is planned.
+    /// Errors: null if it is not ordinary, or cannot be walked exactly enough.
+    const l3d_step_plan* plan(const l3d_net_piece& piece, const l3d_dice_view& view,
+                              double edge_vertex, const l3d_placed_bends& bends);
+
+    /// What is proven of depth and shade of what was planned last, rounding of vertices included.
+    l3d_surface_certificate certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
+                                        const l3d_placed_bends& bends,
+                                        const l3d_diced_piece& out) const;
+
+    /// How far vertices of what was planned last are from the surface. Units: pixels at their
+    /// depth.
+    double depth_error() const { return depth_error_; }
+
+    /// The grid of what was planned last, its parameters and its bound.
+    /// Expects: at most 32 steps a strip were planned, of the piece's own net.
+    void fill(const l3d_net_piece& piece, const l3d_normal_net& normals, const l3d_dice_view& view,
+              l3d_diced_piece& out);
+
+    /// What rounding of vertices adds to the chord error of slits along the sides of what was
+    /// planned last. Units: pixels.
+    double row_error() const { return row_error_; }
+
+private:
+    bool judge(const l3d_dice_view& view);
+    double vertex_error(const l3d_dice_view& view, double walk_xy, double walk_w,
+                        double snap_error) const;
+
+    l3d_detail::lane_bounds bounds_;
+    l3d_step_plan plan_;
+    l3d_detail::lane_parameters u_, v_;
+    l3d_detail::lane_register register_ = l3d_detail::lane_register::float_32;
+    double register_xy_ = 1, register_w_ = 1;
+    double vertex_error_ = 0, row_error_ = 0, depth_error_ = 0, walk_w_ = 0;
+    l3d_detail::vertex_numbers numbers_; ///< kept for its memory
+};
+
+#endif

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+// Normals and levels of a grid in SIMD lanes.
+#include "dice/lanes/lane_light_p.h"
+
+#include "dice/seen_sides.h"
+#include "scene/bends/surface_bends.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "dice/lanes/lane_light.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "raster/parallel/simd_dispatch_p.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using doubles = hn::CappedTag<double, lane_columns>;
+
+/// Values of the Bernstein polynomials of degree 5: [polynomial][parameter].
+struct quintic_weights {
+    static constexpr std::size_t order = 6;
+    alignas(64) float at[order][lane_parameters::room];
+
+    HWY_ATTR explicit quintic_weights(const lane_parameters& parameters) {
+        const doubles d;
+        const hn::Rebind<float, doubles> df;
+        const auto five = hn::Set(d, 5.0), ten = hn::Set(d, 10.0);
+        for (std::size_t i = 0; i < parameters.padded(); i += hn::Lanes(d)) {
+            const auto t = hn::Load(d, parameters.at + i), s = hn::Sub(hn::Set(d, 1.0), t);
+            const auto s2 = hn::Mul(s, s), t2 = hn::Mul(t, t);
+            const auto s4 = hn::Mul(s2, s2), t4 = hn::Mul(t2, t2);
+            const auto st10 = hn::Mul(ten, hn::Mul(s2, t2));
+            hn::Store(hn::DemoteTo(df, hn::Mul(s4, s)), df, at[0] + i);
+            hn::Store(hn::DemoteTo(df, hn::Mul(five, hn::Mul(s4, t))), df, at[1] + i);
+            hn::Store(hn::DemoteTo(df, hn::Mul(st10, s)), df, at[2] + i);
+            hn::Store(hn::DemoteTo(df, hn::Mul(st10, t)), df, at[3] + i);
+            hn::Store(hn::DemoteTo(df, hn::Mul(five, hn::Mul(t4, s))), df, at[4] + i);
+            hn::Store(hn::DemoteTo(df, hn::Mul(t4, t)), df, at[5] + i);
+        }
+    }
+};
+
+using floats = hn::CappedTag<float, lane_columns>;
+using float_lanes = hn::Vec<floats>;
+
+/// Sum of six products.
+HWY_ATTR HWY_INLINE float_lanes weighed(const float_lanes& a0, const float_lanes& a1,
+                                        const float_lanes& a2, const float_lanes& a3,
+                                        const float_lanes& a4, const float_lanes& a5,
+                                        const float_lanes& b0, const float_lanes& b1,
+                                        const float_lanes& b2, const float_lanes& b3,
+                                        const float_lanes& b4, const float_lanes& b5) {
+    const auto low = hn::Add(hn::Add(hn::Mul(a0, b0), hn::Mul(a1, b1)), hn::Mul(a2, b2));
+    const auto high = hn::Add(hn::Add(hn::Mul(a3, b3), hn::Mul(a4, b4)), hn::Mul(a5, b5));
+    return hn::Add(low, high);
+}
+
+using normal_lanes = std::array<float_lanes, 3>;
+
+HWY_ATTR HWY_INLINE float_lanes dot(const normal_lanes& a, const normal_lanes& b) {
+    return hn::Add(hn::Add(hn::Mul(a[0], b[0]), hn::Mul(a[1], b[1])), hn::Mul(a[2], b[2]));
+}
+
+HWY_ATTR HWY_INLINE normal_lanes direction_of(const std::array<float, 3>& v) {
+    const floats d;
+    return {hn::Set(d, v[0]), hn::Set(d, v[1]), hn::Set(d, v[2])};
+}
+
+/// 1 / length, or 0 where there is nothing but rounding.
+HWY_ATTR HWY_INLINE float_lanes over_length(const normal_lanes& n) {
+    const floats d;
+    const auto square = dot(n, n), rounding = hn::Set(d, normal_rounding * normal_rounding);
+    return hn::IfThenElseZero(hn::Gt(square, rounding),
+                              hn::Div(hn::Set(d, 1.0F), hn::Sqrt(square)));
+}
+
+/// A vector of the net's columns, as nets along v.
+struct net_columns {
+    static constexpr std::size_t order = quintic_weights::order;
+    alignas(64) float at[3][order][lane_columns];
+
+    HWY_ATTR HWY_INLINE void cut(const l3d_normal_net::float_net& net, const quintic_weights& in_u,
+                                 std::size_t column) {
+        const floats d;
+        const auto weight = [&](std::size_t i)
+                                HWY_ATTR { return hn::Load(d, in_u.at[i] + column); };
+        const auto u0 = weight(0), u1 = weight(1), u2 = weight(2);
+        const auto u3 = weight(3), u4 = weight(4), u5 = weight(5);
+        for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t r = 0; r < order; ++r) {
+                const auto& a = net[k][r];
+                hn::Store(weighed(hn::Set(d, a[0]), hn::Set(d, a[1]), hn::Set(d, a[2]),
+                                  hn::Set(d, a[3]), hn::Set(d, a[4]), hn::Set(d, a[5]), u0, u1, u2,
+                                  u3, u4, u5),
+                          d, at[k][r]);
+            }
+    }
+
+    HWY_ATTR HWY_INLINE normal_lanes normals(const quintic_weights& in_v, std::size_t row) const {
+        const floats d;
+        const auto weight = [&](std::size_t i) HWY_ATTR { return hn::Set(d, in_v.at[i][row]); };
+        const auto v0 = weight(0), v1 = weight(1), v2 = weight(2);
+        const auto v3 = weight(3), v4 = weight(4), v5 = weight(5);
+        const auto component = [&](const float(&a)[order][lane_columns]) HWY_ATTR {
+            return weighed(hn::Load(d, a[0]), hn::Load(d, a[1]), hn::Load(d, a[2]),
+                           hn::Load(d, a[3]), hn::Load(d, a[4]), hn::Load(d, a[5]), v0, v1, v2, v3,
+                           v4, v5);
+        };
+        return {component(at[0]), component(at[1]), component(at[2])};
+    }
+};
+
+/// The rays from the eye to vertices of a grid.
+class eye_rays {
+public:
+    HWY_ATTR HWY_INLINE explicit eye_rays(const l3d_shading& shading)
+        : ray_(direction_of(shading.ray)), right_(direction_of(shading.ray_right)),
+          down_(direction_of(shading.ray_down)) {}
+
+    /// l3d_away_from_eye, operation by operation.
+    HWY_ATTR HWY_INLINE float_lanes away(const normal_lanes& n, const l3d_micro_grid& grid,
+                                         std::size_t at) const {
+        const floats d;
+        const hn::Rebind<std::int32_t, floats> di;
+        const auto pixels = hn::Set(d, 1.0F / l3d_subpixel_one);
+        const auto x = hn::Mul(hn::ConvertTo(d, hn::LoadU(di, grid.x.data() + at)), pixels);
+        const auto y = hn::Mul(hn::ConvertTo(d, hn::LoadU(di, grid.y.data() + at)), pixels);
+        auto sum = hn::Zero(d);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto ray = hn::Add(hn::Add(ray_[k], hn::Mul(x, right_[k])), hn::Mul(y, down_[k]));
+            sum = hn::Add(sum, hn::Mul(n[k], ray));
+        }
+        return sum;
+    }
+
+private:
+    normal_lanes ray_, right_, down_;
+};
+
+/// Vertices column vector by column vector, from top to bottom.
+template <class Writer>
+HWY_ATTR HWY_INLINE void for_vertices(const lane_parameters& u, const lane_parameters& v,
+                                      const l3d_micro_grid& grid, Writer& writer) {
+    for (std::size_t column = 0; column < u.padded(); column += hn::Lanes(floats())) {
+        std::size_t at = column;
+        writer.begin(column);
+        for (std::size_t row = 0; row < v.count; ++row, at += static_cast<std::size_t>(grid.pitch))
+            writer.vertex(row, at);
+    }
+}
+
+struct normal_writer {
+    const l3d_normal_net::float_net& net;
+    const quintic_weights &in_u, &in_v;
+    const eye_rays& rays;
+    l3d_micro_grid& grid;
+    float* away;
+    net_columns columns;
+
+    HWY_ATTR HWY_INLINE void begin(std::size_t column) { columns.cut(net, in_u, column); }
+    HWY_ATTR HWY_INLINE void vertex(std::size_t row, std::size_t at) {
+        const floats d;
+        normal_lanes n = columns.normals(in_v, row);
+        const auto scale = over_length(n);
+        for (std::size_t k = 0; k < 3; ++k) {
+            n[k] = hn::Mul(n[k], scale);
+            hn::StoreU(n[k], d, grid.normal[k].data() + at);
+        }
+        hn::StoreU(rays.away(n, grid, at), d, away + at);
+    }
+};
+
+HWY_ATTR void normals(const l3d_normal_net::float_net& net, const lane_parameters& u,
+                      const lane_parameters& v, const l3d_shading& shading, vertex_numbers& memory,
+                      l3d_micro_grid& grid) {
+    const quintic_weights in_u(u), in_v(v);
+    const eye_rays rays(shading);
+    normal_writer writer{net, in_u, in_v, rays, grid, memory.away.data(), {}};
+    for_vertices(u, v, grid, writer);
+}
+
+/// Levels of vertices, and of the middles of sides in place of bends.
+struct level_writer {
+    const l3d_normal_net::float_net& net;
+    const quintic_weights &in_u, &in_v, &beside_u, &beside_v;
+    const eye_rays& rays;
+    const normal_lanes& light;
+    l3d_micro_grid& grid;
+    vertex_numbers& to;
+    net_columns columns, beside;
+
+    HWY_ATTR HWY_INLINE void begin(std::size_t column) {
+        columns.cut(net, in_u, column);
+        beside.cut(net, beside_u, column);
+    }
+    HWY_ATTR HWY_INLINE void vertex(std::size_t row, std::size_t at) {
+        const floats d;
+        const normal_lanes n = columns.normals(in_v, row);
+        const auto scale = over_length(n);
+        hn::StoreU(hn::Mul(dot(n, light), scale), d, to.level.data() + at);
+        hn::StoreU(hn::Mul(rays.away(n, grid, at), scale), d, to.away.data() + at);
+        const normal_lanes along_u = beside.normals(in_v, row);
+        hn::StoreU(hn::Mul(dot(along_u, light), over_length(along_u)), d,
+                   grid.normal[1].data() + at);
+        const normal_lanes along_v = columns.normals(beside_v, row);
+        hn::StoreU(hn::Mul(dot(along_v, light), over_length(along_v)), d,
+                   grid.normal[2].data() + at);
+    }
+};
+
+HWY_ATTR void levels(const l3d_normal_net::float_net& net, const lane_parameters& u,
+                     const lane_parameters& v, const l3d_shading& shading, vertex_numbers& memory,
+                     l3d_micro_grid& grid) {
+    const lane_parameters middle_u = u.middles(), middle_v = v.middles();
+    const quintic_weights in_u(u), in_v(v), beside_u(middle_u), beside_v(middle_v);
+    const eye_rays rays(shading);
+    normal_lanes light = direction_of(shading.light);
+    for (auto& component : light)
+        component = hn::Mul(component, hn::Set(floats(), l3d_level_of_cosine));
+    level_writer writer{net, in_u, in_v, beside_u, beside_v, rays, light, grid, memory, {}, {}};
+    for_vertices(u, v, grid, writer);
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace l3d_detail {
+
+L3D_SIMD_TABLE(normals);
+L3D_SIMD_TABLE(levels);
+
+lane_parameters lane_parameters::middles() const {
+    lane_parameters result;
+    result.count = count;
+    for (std::size_t i = 0; i + 1 < count; ++i)
+        result.at[i] = (at[i] + at[i + 1]) / 2;
+    std::fill(result.at + count - 1, result.at + padded(), at[count - 1]);
+    return result;
+}
+
+void normals_in_lanes(const l3d_normal_net& net, const lane_parameters& u, const lane_parameters& v,
+                      const l3d_shading& shading, vertex_numbers& memory, l3d_micro_grid& grid) {
+    L3D_SIMD_CALL(normals)(net.in_floats(), u, v, shading, memory, grid);
+    if (l3d_has_eye(shading))
+        l3d_turn_normals(memory.away, grid);
+}
+
+void levels_in_lanes(const l3d_normal_net& net, const lane_parameters& u, const lane_parameters& v,
+                     const l3d_shading& shading, vertex_numbers& memory, l3d_micro_grid& grid) {
+    L3D_SIMD_CALL(levels)(net.in_floats(), u, v, shading, memory, grid);
+    l3d_turn_levels(memory.away, memory.level, grid);
+}
+
+} // namespace l3d_detail
+#endif

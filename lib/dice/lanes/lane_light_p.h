@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The normals of a patch's vertices, or their levels, its columns side by side in SIMD lanes.
+#ifndef L3D_DICE_LANES_LANE_LIGHT_P_H
+#define L3D_DICE_LANES_LANE_LIGHT_P_H
+
+#include "geom/normal_net.h"
+#include "dice/lanes/lane_rows_p.h"
+#include "raster/micro_grid.h"
+#include "raster/surface_rasterizer.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace l3d_detail {
+
+/// A normal shorter than this is nothing but rounding, as in l3d_unit_normal: where the net's own
+/// coefficients vanish, as in the corner of a singular patch, weights of all others are exactly 0.
+inline constexpr float normal_rounding = 0x1p-43F;
+
+/// A number of every vertex of a grid, and of one vector more, kept for its memory.
+struct vertex_numbers {
+    std::vector<float> away = std::vector<float>(room), level = std::vector<float>(room);
+
+    static constexpr std::size_t room =
+        lane_parameters::room * lane_parameters::most + lane_columns;
+};
+
+/// Writes unit normals, or zero where there is none, turned to the eye if there is one. The slow
+/// twin is l3d_normal_columns.
+/// Expects: the grid's places are there.
+/// Errors:  before the normal is made a unit vector, some 16 * 2^-24 of the coefficients as they
+///          are weighed there (Bernstein polynomials are positive, so nothing else cancels).
+void normals_in_lanes(const l3d_normal_net& net, const lane_parameters& u, const lane_parameters& v,
+                      const l3d_shading& shading, vertex_numbers& memory, l3d_micro_grid& grid);
+
+/// Writes levels and bends, as l3d_micro_vertex has them, of normals that are turned to the eye.
+/// The slow twin is l3d_light_grid. What is expected: as above.
+/// Errors:  each level is good to 229.5 times what the unit normal is: 2^-16 where the normal's
+///          coefficients are not much larger than the normal.
+void levels_in_lanes(const l3d_normal_net& net, const lane_parameters& u, const lane_parameters& v,
+                     const l3d_shading& shading, vertex_numbers& memory, l3d_micro_grid& grid);
+
+} // namespace l3d_detail
+
+#endif

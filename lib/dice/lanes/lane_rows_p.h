@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The vertices of a patch, its columns side by side in SIMD lanes.
+#ifndef L3D_DICE_LANES_LANE_ROWS_P_H
+#define L3D_DICE_LANES_LANE_ROWS_P_H
+
+#include "dice/lanes/lane_bounds_p.h"
+#include "raster/micro_grid.h"
+
+#include <array>
+#include <cstdint>
+
+namespace l3d_detail {
+
+/// Columns and rows that are taken at a time; what is beyond the last one is there, and finite.
+inline constexpr std::size_t lane_columns = 16;
+
+/// Parameters along one direction of a grid of at most 4 strips.
+struct lane_parameters {
+    static constexpr std::size_t most = 4 * l3d_most_steps_whole + 1;
+    static constexpr std::size_t room = (most + lane_columns - 1) / lane_columns * lane_columns;
+    alignas(64) double at[room];
+    alignas(64) double moved[room]; ///< how much of its second derivative a vertex is moved by
+    std::size_t count = 0;
+
+    /// Rounded up to whole vectors.
+    std::size_t padded() const { return (count + lane_columns - 1) / lane_columns * lane_columns; }
+
+    /// The middle between each and the next; the last one again.
+    lane_parameters middles() const;
+
+    /// The points i / n of each of the strips; 1 from the last one on. Balanced or not.
+    void fill(int strips, const std::array<int, 4>& steps, bool balanced);
+
+    /// From now on those of the stretch from low to high.
+    void place(double low, double high);
+};
+
+/// The kinds of registers in which columns can be walked.
+enum class lane_register { float_32, float_64, fixed_32, fixed_64 };
+
+/// Where vertices come from and go to.
+struct lane_walk {
+    const centred_net& net;
+    const lane_parameters& u;
+    int strips;
+    bool balanced;
+    std::array<int, 4> rows;         ///< steps of each strip along v
+    std::int32_t origin_x, origin_y; ///< of x' / w' = 0, in sub-pixels from the picture's corner
+    double register_xy = 1, register_w = 1; ///< what 1 is in the registers: a power of two
+    float depth_scale = 1;
+};
+
+/// Walks all columns by forward differences, each started exactly in double at each strip, and
+/// writes them, projected and snapped. The slow twin is l3d_strip_walker.
+/// Expects: the grid's size is that of the parameters; every point is in the guard band.
+/// Cost:    9 additions a column and step, one division and a few products a vertex.
+void walk_in_lanes(const lane_walk& walk, lane_register kind, l3d_micro_grid& grid);
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Control nets of blocks as combinations of the whole net's control points.
+#ifndef L3D_DICE_LANES_LANE_WEIGHTS_P_H
+#define L3D_DICE_LANES_LANE_WEIGHTS_P_H
+
+#include <array>
+#include <cstddef>
+
+namespace l3d_detail {
+
+/// How much of control point `from` of a cubic is in control point `to` of its part on
+/// [strip / 4, (strip + 1) / 4].
+///
+/// A part's control point is the blossom at its ends, the one as often as the other: de Casteljau's
+/// scheme with another parameter at each level. A multiple of 1/64, so exact in a float.
+/// Source: Ramshaw, Blossoms are polar forms, CAGD 6, 1989.
+constexpr float quarter_weight(int strip, int to, int from) {
+    std::array<double, 4> p{};
+    p[static_cast<std::size_t>(from)] = 1;
+    for (int level = 0; level < 3; ++level) {
+        const double t = (level < to ? strip + 1 : strip) / 4.0;
+        for (std::size_t i = 0; i + static_cast<std::size_t>(level) < 3; ++i)
+            p[i] = (1 - t) * p[i] + t * p[i + 1];
+    }
+    return static_cast<float>(p[0]);
+}
+
+/// Block 4 * b + a, u-strip a of v-strip b, has lane 4 * b + a.
+struct quarter_weights {
+    static constexpr std::size_t lanes = 16;
+    alignas(16) float u[4][4][4];     ///< [to][from][a]
+    alignas(64) float v[4][4][lanes]; ///< [to][from][4 * b + a], the same for each a
+
+    constexpr quarter_weights() : u{}, v{} {
+        for (int to = 0; to < 4; ++to)
+            for (int from = 0; from < 4; ++from)
+                for (int lane = 0; lane < 16; ++lane) {
+                    u[to][from][lane % 4] = quarter_weight(lane % 4, to, from);
+                    v[to][from][lane] = quarter_weight(lane / 4, to, from);
+                }
+    }
+};
+inline constexpr quarter_weights in_quarters;
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// l3d_frame_outlines: the pixels of a frame in which outlines leave open what is seen.
+#ifndef L3D_DICE_OUTLINES_FRAME_OUTLINES_H
+#define L3D_DICE_OUTLINES_FRAME_OUTLINES_H
+
+#include "scene/dice_view.h"
+#include "dice/diced_piece.h"
+#include "scene/patch_scene.h"
+#include "scene/patch_sides.h"
+#include "scene/scene_culling.h"
+#include "raster/outline_mask.h"
+#include "raster/sheet_depths.h"
+
+#include <map>
+#include <span>
+
+/// Gathers what a frame draws, and finds its outlines when all is drawn (NUMERICS, Outlines).
+///
+/// Lives: borrows the scene from begin to finish, models as long as it is used.
+/// Cost:  36 bytes a pixel; drawing all once more on one thread; l3d_outline_search of all patches
+///        of the scene, also of those that cover no pixel.
+class l3d_frame_outlines {
+public:
+    /// Shape: to_image takes the world to the view's units. Units: focal in pixels.
+    void begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,
+               const l3d_dice_view& view, double focal);
+
+    /// What became of a patch of the frame. Patches of which nothing is drawn may be left out.
+    void add(const l3d_placed_patch& patch, std::span<const l3d_diced_piece> pieces);
+
+    /// Finds all outlines. Units: pixels; the nearest w drawn, in the view's, or 0.
+    void finish(double bound_px, double depth_bound_px, double near);
+
+    /// Of the last frame that was finished.
+    const l3d_outline_mask& mask() const { return mask_; }
+
+private:
+    const l3d_patch_sides& sides_of(const l3d_patch_model& model);
+
+    const l3d_patch_scene* scene_ = nullptr;
+    l3d_matrix<double> to_image_;
+    l3d_dice_view view_;
+    double focal_ = 1;
+    std::map<const l3d_patch_model*, l3d_patch_sides> sides_; ///< of the frame's models
+    l3d_sheet_depths depths_;
+    l3d_outline_mask mask_;
+};
+
+#endif

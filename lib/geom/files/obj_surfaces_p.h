@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// The free-form surfaces of an .obj file: statements between surf and end.
+#ifndef L3D_GEOM_FILES_OBJ_SURFACES_P_H
+#define L3D_GEOM_FILES_OBJ_SURFACES_P_H
+
+#include "geom/bspline_surface.h"
+#include "geom/polygon_mesh.h"
+#include "geom/files/text_cursor_p.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace l3d_detail {
+
+/// The index of a thing by its number in an .obj file: from 1 on, or back from the last, -1.
+/// Fails if the number names nothing among the `count` things so far.
+bool obj_index(text_cursor& text, std::string_view digits, std::size_t count, std::uint32_t& index);
+
+/// Reads cstype, deg, surf, parm and end, and makes patches of each surface.
+///
+/// Lives:   borrows cursor and patches.
+/// Source:  the appendix "Object Files" of Wavefront's Advanced Visualizer manual.
+class obj_surfaces {
+public:
+    using vector = l3d_polygon_mesh::vector;
+
+    obj_surfaces(text_cursor& text, std::vector<l3d_patch_points>& patches)
+        : text_(text), patches_(patches), text_bytes_(text.rest().size()) {}
+
+    static bool knows(std::string_view word);
+
+    /// Reads the rest of a statement that knows() is true of. `weights` may be shorter than
+    /// `vertices`; those left out are 1.
+    bool read_statement(std::string_view word, const std::vector<vector>& vertices,
+                        const std::vector<double>& weights);
+
+    /// Whether the last surface has ended.
+    bool finish();
+
+    /// Per vertex whether a surface uses it; may be shorter than there are vertices.
+    const std::vector<bool>& control_points() const { return is_control_point_; }
+
+private:
+    enum class kind { none, bezier, bspline, other };
+
+    bool read_kind();
+    bool read_degrees();
+    bool read_surface(std::size_t vertices);
+    bool read_parameters();
+    bool end_surface(const std::vector<vector>& vertices, const std::vector<double>& weights);
+    bool complete(l3d_bspline_direction& direction, const char* name);
+    bool number_in_line(double& value, const char* what);
+
+    text_cursor& text_;
+    std::vector<l3d_patch_points>& patches_;
+    std::size_t text_bytes_, patch_bytes_ = 0;
+    kind kind_ = kind::none;
+    bool is_rational_ = false, is_open_ = false;
+    int degree_u_ = 0, degree_v_ = 0;
+    l3d_bspline_direction u_, v_;
+    std::vector<std::uint32_t> indices_; ///< of the surface that is open
+    std::vector<bool> is_control_point_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// l3d_write_obj: polygons, then patches as Bezier surfaces.
+#include "geom/files/model_file.h"
+#include "geom/files/text_cursor_p.h"
+
+namespace {
+
+void append_vector(std::string& text, const char* word, double x, double y, double z) {
+    text += word;
+    l3d_detail::append(text, x, ' ');
+    l3d_detail::append(text, y, ' ');
+    l3d_detail::append(text, z, '\n');
+}
+
+void append_mesh(std::string& text, const l3d_polygon_mesh& mesh) {
+    for (const l3d_polygon_mesh::vector& v : mesh.vertices)
+        append_vector(text, "v ", v[0], v[1], v[2]);
+    for (const l3d_polygon_mesh::vector& n : mesh.vertex_normals)
+        append_vector(text, "vn ", n[0], n[1], n[2]);
+    // Materials are known in the order of their names' first appearance.
+    for (const std::string& material : mesh.materials)
+        text += "usemtl " + material + '\n';
+    auto part = mesh.parts.begin();
+    for (std::size_t i = 0; i <= mesh.faces(); ++i) {
+        for (; part != mesh.parts.end() && part->first_face <= i; ++part)
+            text += "g " + part->name + '\n';
+        if (i == mesh.faces())
+            break;
+        if (!mesh.face_materials.empty() &&
+            (i == 0 || mesh.face_materials[i] != mesh.face_materials[i - 1]))
+            text += "usemtl " + mesh.materials[mesh.face_materials[i]] + '\n';
+        text += 'f';
+        for (const std::uint32_t corner : mesh.face(i)) {
+            const std::string number = std::to_string(corner + std::size_t{1});
+            text += ' ' + number;
+            if (!mesh.vertex_normals.empty())
+                text += "//" + number;
+        }
+        text += '\n';
+    }
+}
+
+void append_patch(std::string& text, const l3d_patch_points& patch) {
+    for (const auto& [x, y, z] : patch.points)
+        append_vector(text, "v ", x, y, z);
+    text += "deg " + std::to_string(patch.degree_u) + ' ' + std::to_string(patch.degree_v) +
+            "\nsurf 0 1 0 1";
+    for (std::size_t i = patch.points.size(); i > 0; --i)
+        text += " -" + std::to_string(i);
+    text += "\nparm u 0 1\nparm v 0 1\nend\n";
+}
+
+} // namespace
+
+std::string l3d_write_obj(const l3d_model_file& model) {
+    std::string text;
+    append_mesh(text, model.mesh);
+    if (!model.patches.empty())
+        text += "cstype bezier\n";
+    for (const l3d_patch_points& patch : model.patches)
+        append_patch(text, patch);
+    return text;
+}

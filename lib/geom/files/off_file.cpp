@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+// Reader and writer of geomview's .off: polygons with colours, text or binary.
+#include "geom/files/model_reader_p.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace {
+
+using l3d_detail::text_cursor;
+
+/// What the first word says: [ST][C][N][4][n]OFF.
+struct off_kind {
+    bool texture = false, color = false, normal = false, four = false, dimension = false;
+};
+
+std::optional<off_kind> off_kind_of(std::string_view word) {
+    off_kind kind;
+    const auto takes = [&word](std::string_view prefix) {
+        const bool has = word.starts_with(prefix);
+        if (has)
+            word.remove_prefix(prefix.size());
+        return has;
+    };
+    kind.texture = takes("ST");
+    kind.color = takes("C");
+    kind.normal = takes("N");
+    kind.four = takes("4");
+    kind.dimension = takes("n");
+    return word == "OFF" ? std::optional(kind) : std::nullopt;
+}
+
+class off_reader {
+public:
+    off_reader(text_cursor& text, l3d_polygon_mesh& mesh) : text_(text), mesh_(mesh) {}
+
+    bool read() {
+        if (!read_header() || !read_counts())
+            return false;
+        mesh_.vertices.reserve(vertices_);
+        for (std::size_t i = 0; i < vertices_; ++i) {
+            text_.set_place(" of vertex", i, vertices_);
+            if (!read_vertex())
+                return false;
+        }
+        mesh_.face_ends.reserve(faces_);
+        for (std::size_t i = 0; i < faces_; ++i) {
+            text_.set_place(" of face", i, faces_);
+            if (!read_face())
+                return false;
+        }
+        text_.forget_place();
+        if (!mesh_.face_colors.empty())
+            mesh_.face_colors.resize(mesh_.faces(), uncolored);
+        return is_binary_
+                   ? text_.rest().empty() || text_.fail("more bytes follow the last face")
+                   : !text_.next() ||
+                         text_.fail(l3d_detail::quoted(text_.token()) + " follows the last face");
+    }
+
+private:
+    /// geomview draws faces without a colour in 2/3 grey: round(255 * 2 / 3) = 170.
+    static constexpr std::uint32_t uncolored = 0xaaaaaa;
+
+    bool read_header() {
+        if (!text_.next())
+            return text_.fail("the text ends where OFF should be");
+        const auto kind = off_kind_of(text_.token());
+        if (!kind)
+            return text_.fail(l3d_detail::quoted(text_.token()) + " is not a kind of OFF");
+        if (kind->four || kind->dimension)
+            return text_.fail(l3d_detail::quoted(text_.token()) +
+                              " has vertices of other than 3 coordinates");
+        kind_ = *kind;
+        if (kind_.color)
+            text_.note("the colours of vertices are skipped");
+        if (kind_.texture)
+            text_.note("texture coordinates are skipped");
+        return true;
+    }
+
+    bool read_counts() {
+        is_binary_ = text_.take_in_line("BINARY");
+        if (is_binary_ && !text_.next_line())
+            return text_.fail("the text ends after BINARY");
+        std::int64_t vertices = 0;
+        std::int64_t faces = 0;
+        std::int64_t edges = 0;
+        if (!whole(vertices, "the number of vertices", 0, l3d_detail::most_vertices) ||
+            !whole(faces, "the number of faces", 0, l3d_detail::most_vertices) ||
+            !whole(edges, "the number of edges", std::numeric_limits<std::int32_t>::min(),
+                   std::numeric_limits<std::int32_t>::max()))
+            return false;
+        // Three numbers of a digit and a blank; a face has at least its number of corners.
+        const std::size_t vertex = is_binary_ ? 3 * sizeof(float) : 3 * 2;
+        const std::size_t face = is_binary_ ? 2 * sizeof(std::int32_t) : 2;
+        vertices_ = static_cast<std::size_t>(vertices);
+        faces_ = static_cast<std::size_t>(faces);
+        return text_.plausible(vertices, "vertices", vertex) &&
+               text_.plausible(faces, "faces", face);
+    }
+
+    bool read_vertex() {
+        double v[3];
+        for (double& value : v)
+            if (!real(value, "a coordinate") || !text_.is_coordinate(value))
+                return false;
+        mesh_.vertices.emplace_back(v[0], v[1], v[2]);
+        if (kind_.normal) {
+            for (double& value : v)
+                if (!real(value, "a normal"))
+                    return false;
+            mesh_.vertex_normals.emplace_back(v[0], v[1], v[2]);
+        }
+        double skipped = 0;
+        for (int i = 0; i < (kind_.color ? 4 : 0) + (kind_.texture ? 2 : 0); ++i)
+            if (!real(skipped, i < 4 && kind_.color ? "a colour" : "a texture coordinate"))
+                return false;
+        return true;
+    }
+
+    bool read_face() {
+        std::int64_t corners = 0;
+        if (!whole(corners, "the number of corners", 0, l3d_detail::most_vertices) ||
+            !text_.plausible(corners, "corners", is_binary_ ? sizeof(std::int32_t) : 2))
+            return false;
+        const auto begin = mesh_.corners.size();
+        for (std::int64_t i = 0; i < corners; ++i) {
+            std::int64_t index = 0;
+            if (!whole(index, "a corner", 0, static_cast<std::int64_t>(vertices_) - 1))
+                return false;
+            mesh_.corners.push_back(static_cast<std::uint32_t>(index));
+        }
+        if (corners >= 3) {
+            mesh_.face_ends.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
+        } else {
+            mesh_.corners.resize(begin);
+            text_.note("a face of " + std::to_string(corners) + " corners is skipped");
+        }
+        std::size_t numbers = 0;
+        std::array<double, 4> color{};
+        return (is_binary_ ? binary_color(color, numbers) : text_color(color, numbers)) &&
+               (corners < 3 || give(color, numbers));
+    }
+
+    bool binary_color(std::array<double, 4>& color, std::size_t& numbers) {
+        std::int64_t count = 0;
+        if (!whole(count, "the number of colour components", 0, 4))
+            return false;
+        numbers = static_cast<std::size_t>(count);
+        for (std::size_t i = 0; i < numbers; ++i)
+            if (!real(color[i], "a colour"))
+                return false;
+        return true;
+    }
+
+    /// What is left of the face's line: whole numbers up to 255, or at least one fraction.
+    bool text_color(std::array<double, 4>& color, std::size_t& numbers) {
+        bool whole_numbers = true;
+        while (text_.next_in_line()) {
+            if (numbers == color.size())
+                return text_.fail(l3d_detail::quoted(text_.token()) + " follows a face");
+            if (!text_.number_in(text_.token(), color[numbers++], "a colour"))
+                return false;
+            whole_numbers =
+                whole_numbers && text_.token().find_first_of(".eE") == std::string_view::npos;
+        }
+        if (whole_numbers && numbers >= 3)
+            for (double& component : color)
+                component /= 255;
+        return true;
+    }
+
+    bool give(const std::array<double, 4>& color, std::size_t numbers) {
+        if (numbers < 3) {
+            if (numbers > 0)
+                text_.note("a colour by its place in a map is skipped");
+            return true;
+        }
+        std::uint32_t word = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!(color[i] >= 0 && color[i] <= 1))
+                return text_.fail("a colour is out of range");
+            word = 256 * word + static_cast<std::uint32_t>(std::lround(255 * color[i]));
+        }
+        mesh_.face_colors.resize(mesh_.faces() - 1, uncolored);
+        mesh_.face_colors.push_back(word);
+        return true;
+    }
+
+    bool real(double& value, const char* what) {
+        return text_.number_or_float(value, is_binary_, what);
+    }
+
+    bool whole(std::int64_t& value, const char* what, std::int64_t least, std::int64_t most) {
+        if (!is_binary_)
+            return text_.integer_in(value, what, least, most);
+        std::int32_t bits = 0;
+        if (!text_.binary(bits, std::endian::big, what))
+            return false;
+        value = bits;
+        return text_.is_in(value, what, least, most);
+    }
+
+    text_cursor& text_;
+    l3d_polygon_mesh& mesh_;
+    off_kind kind_;
+    bool is_binary_ = false;
+    std::size_t vertices_ = 0, faces_ = 0;
+};
+
+void append_vector(std::string& text, const l3d_polygon_mesh::vector& v, char after) {
+    l3d_detail::append(text, v[0], ' ');
+    l3d_detail::append(text, v[1], ' ');
+    l3d_detail::append(text, v[2], after);
+}
+
+} // namespace
+
+std::optional<l3d_model_file> l3d_read_off(std::string_view text, std::string_view name,
+                                           std::string& why) {
+    const auto read = [](text_cursor& cursor, l3d_model_file& model) {
+        return off_reader(cursor, model.mesh).read();
+    };
+    return l3d_detail::read_model_by(read, text, name, why, '#');
+}
+
+std::string l3d_write_off(const l3d_polygon_mesh& mesh) {
+    const bool normals = !mesh.vertex_normals.empty();
+    std::string text = normals ? "NOFF\n" : "OFF\n";
+    text += std::to_string(mesh.vertices.size()) + ' ' + std::to_string(mesh.faces()) + " 0\n";
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        append_vector(text, mesh.vertices[i], normals ? ' ' : '\n');
+        if (normals)
+            append_vector(text, mesh.vertex_normals[i], '\n');
+    }
+    for (std::size_t i = 0; i < mesh.faces(); ++i) {
+        text += std::to_string(mesh.face(i).size());
+        for (const std::uint32_t corner : mesh.face(i))
+            text += ' ' + std::to_string(corner);
+        for (int shift = 16; !mesh.face_colors.empty() && shift >= 0; shift -= 8)
+            text += ' ' + std::to_string(mesh.face_colors[i] >> shift & 255);
+        text += '\n';
+    }
+    return text;
+}

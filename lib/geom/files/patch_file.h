@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// l3d_patch_points: what a .bpt file of Bezier patches says; reader and writer of its text.
+#ifndef L3D_GEOM_FILES_PATCH_FILE_H
+#define L3D_GEOM_FILES_PATCH_FILE_H
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The control points of one Bezier patch of any degrees.
+///
+/// Shape: (degree_u + 1) * (degree_v + 1) points; index = row * (degree_u + 1) + column, columns
+///        along u, rows along v.
+struct l3d_patch_points {
+    int degree_u = 0, degree_v = 0;
+    std::vector<std::array<double, 3>> points;
+
+    friend bool operator==(const l3d_patch_points&, const l3d_patch_points&) = default;
+};
+
+/// Largest degree that l3d_read_bpt accepts: a patch of 16 by 16 points.
+inline constexpr int l3d_bpt_largest_degree = 15;
+
+/// Largest magnitude of a coordinate that l3d_read_bpt accepts. The pipeline refuses homogeneous
+/// coordinates from 1e12 on; the reader can say in which line they are.
+inline constexpr double l3d_bpt_largest_coordinate = 1e12;
+
+/// Reads patches: their number, then for each its two degrees and its points, u fastest.
+///
+/// Numbers stand apart by white space of any kind and amount, whatever the locale.
+/// Errors:  nothing, and `why` = "name:line: what is wrong", if a number is missing, malformed,
+///          NaN, infinite or out of range, a degree outside 1 to 15, the count not positive or
+///          more than the text can hold, or if something follows the last patch.
+/// Cost:    memory in proportion to the text, however large the numbers in it.
+/// Source:  R. Holmes' patch files; their two numbers per patch are degrees, as his examples show.
+std::optional<std::vector<l3d_patch_points>> l3d_read_bpt(std::string_view text,
+                                                          std::string_view name, std::string& why);
+
+/// The text of a .bpt file; reading it gives the same patches, bit for bit.
+/// Expects: what l3d_read_bpt would accept.
+std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
+
+/// The same surface with degrees 3 and 3: lower degrees are raised, higher ones reduced where the
+/// surface is no more than bicubic.
+///
+/// A common boundary stays common bit for bit, whichever way its two patches run along it.
+/// Shape:   index = 4 * row (v) + column (u).
+/// Errors:  nothing if a degree is outside 1 to 15, if the number of points is not what they say,
+///          or if no bicubic patch has these points but for rounding, 2^-46 of the largest
+///          coordinate.
+std::optional<std::array<std::array<double, 3>, 16>> l3d_as_bicubic(const l3d_patch_points& patch);
+
+#endif

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// text_cursor: tokens, numbers and their limits, errors and notes.
+#include "geom/files/text_cursor_p.h"
+
+#include "geom/files/patch_file.h"
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+namespace l3d_detail {
+
+std::string quoted(std::string_view token) {
+    constexpr std::size_t longest = 24;
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string result = "'";
+    for (const char c : token.substr(0, longest)) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code > ' ' && code < 127 && c != '\'' && c != '\\')
+            result += c;
+        else
+            result.append("\\x").append(1, digits[code / 16]).append(1, digits[code % 16]);
+    }
+    return result + (token.size() > longest ? "...'" : "'");
+}
+
+void append(std::string& text, double value, char after) {
+    char digits[32]; // -1.2345678901234567e-308 has 24
+    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
+    assert(error == std::errc());
+    text.append(digits, end).append(1, after);
+}
+
+bool text_cursor::fail(const std::string& what) {
+    const std::string byte = " (byte " + std::to_string(text_.size() - rest_.size()) + ")";
+    why_ = name_ + ":" + std::to_string(line_) + ": " + what + (is_binary_ ? byte : "");
+    return false;
+}
+
+void text_cursor::note(const std::string& what) {
+    if (notes_.size() < most_notes)
+        notes_.push_back(name_ + ":" + std::to_string(line_) + ": " + what);
+    else
+        ++unkept_notes_;
+}
+
+std::vector<std::string> text_cursor::take_notes() {
+    if (unkept_notes_ > 0)
+        notes_.push_back(name_ + ": " + std::to_string(unkept_notes_) + " more of such notes");
+    return std::move(notes_);
+}
+
+std::string text_cursor::place() const {
+    return of_what_ ? of_what_ + (' ' + std::to_string(index_)) + " of " + std::to_string(count_)
+                    : "";
+}
+
+std::string text_cursor::shown(double value) const {
+    if (!is_binary_)
+        return quoted(token_);
+    std::string text;
+    append(text, value, '\0');
+    text.pop_back();
+    return quoted(text);
+}
+
+bool text_cursor::ends(const char* what) {
+    line_ += is_binary_ ? 0 : std::count(rest_.begin(), rest_.end(), '\n');
+    rest_ = {};
+    return fail("the text ends where " + std::string(what) + place() + " should be");
+}
+
+void text_cursor::skip_blanks(bool over_lines) {
+    begin_line();
+    while (!rest_.empty()) {
+        const char c = rest_.front();
+        if (c == '\n') {
+            if (!over_lines)
+                return;
+            ++line_;
+        } else if (c == comment_ && comment_ != '\0') {
+            rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size()));
+            continue;
+        } else if (c == '\\' && joins_) {
+            const bool carriage = rest_.substr(1, 1) == "\r";
+            if (rest_.substr(carriage ? 2 : 1, 1) != "\n")
+                return;
+            ++line_;
+            rest_.remove_prefix(carriage ? 2 : 1);
+        } else if (c != ' ' && c != '\t' && c != '\r' && c != '\v' && c != '\f') {
+            return;
+        }
+        rest_.remove_prefix(1);
+    }
+}
+
+bool text_cursor::next_in_line() {
+    skip_blanks(false);
+    if (rest_.empty() || rest_.front() == '\n')
+        return false;
+    // A backslash that joins lines ends a token, but is one where it joins nothing.
+    constexpr std::string_view blanks = " \t\r\n\v\f";
+    std::size_t size = 1;
+    while (size < rest_.size() && blanks.find(rest_[size]) == blanks.npos &&
+           !(rest_[size] == comment_ && comment_ != '\0') && !(rest_[size] == '\\' && joins_))
+        ++size;
+    token_ = rest_.substr(0, size);
+    rest_.remove_prefix(size);
+    return true;
+}
+
+bool text_cursor::next() {
+    skip_blanks(true);
+    return next_in_line();
+}
+
+bool text_cursor::take_in_line(std::string_view word) {
+    skip_blanks(false);
+    const std::string_view rest = rest_;
+    const std::string_view token = token_;
+    if (next_in_line() && token_ == word)
+        return true;
+    rest_ = rest;
+    token_ = token;
+    return false;
+}
+
+bool text_cursor::at_end() {
+    skip_blanks(true);
+    return rest_.empty();
+}
+
+bool text_cursor::next_line() {
+    begin_line();
+    if (rest_.empty())
+        return false;
+    const std::size_t size = rest_.find('\n');
+    token_ = rest_.substr(0, size);
+    rest_.remove_prefix(token_.size() + (size == rest_.npos ? 0 : 1));
+    ended_line_ = size != rest_.npos;
+    return true;
+}
+
+template <class Number>
+bool text_cursor::parsed(std::string_view digits, Number& value, const char* what,
+                         const char* kind) {
+    // from_chars takes no plus sign, which printf("%+g") writes.
+    const bool plus = digits.size() > 1 && digits[0] == '+' && digits[1] != '-';
+    const char* const end = digits.data() + digits.size();
+    const auto [stop, error] = std::from_chars(digits.data() + (plus ? 1 : 0), end, value);
+    if (error == std::errc::result_out_of_range && stop == end)
+        return fail(quoted(digits) + ", " + what + place() + ", is out of range");
+    if (error != std::errc() || stop != end)
+        return fail(quoted(digits) + ", " + what + place() + ", is not " + kind);
+    return true;
+}
+
+bool text_cursor::number_in(std::string_view digits, double& value, const char* what) {
+    return parsed(digits, value, what, "a number") && is_finite(value, what);
+}
+
+bool text_cursor::integer_in_text(std::string_view digits, std::int64_t& value, const char* what) {
+    return parsed(digits, value, what, "a whole number");
+}
+
+bool text_cursor::number(double& value, const char* what) {
+    return next() ? number_in(token_, value, what) : ends(what);
+}
+
+bool text_cursor::integer(std::int64_t& value, const char* what) {
+    return next() ? integer_in_text(token_, value, what) : ends(what);
+}
+
+bool text_cursor::integer_in(std::int64_t& value, const char* what, std::int64_t least,
+                             std::int64_t most) {
+    return integer(value, what) && is_in(value, what, least, most);
+}
+
+bool text_cursor::coordinate(double& value) {
+    return number(value, "a coordinate") && is_coordinate(value);
+}
+
+bool text_cursor::is_finite(double value, const char* what) {
+    return std::isfinite(value) || fail(shown(value) + ", " + what + place() + ", is not finite");
+}
+
+bool text_cursor::is_coordinate(double value) {
+    if (!is_finite(value, "a coordinate"))
+        return false;
+    return std::abs(value) <= l3d_bpt_largest_coordinate ||
+           fail(shown(value) + ", a coordinate" + place() + ", is beyond 1e12");
+}
+
+bool text_cursor::is_in(std::int64_t value, const char* what, std::int64_t least,
+                        std::int64_t most) {
+    return (value >= least && value <= most) ||
+           fail("'" + std::to_string(value) + "', " + what + place() + ", is not in " +
+                std::to_string(least) + " to " + std::to_string(most));
+}
+
+bool text_cursor::plausible(std::int64_t count, const char* things, std::size_t shortest) {
+    if (count < 0)
+        return fail("the number of " + std::string(things) + " is " + std::to_string(count) +
+                    ", negative");
+    return static_cast<std::uint64_t>(count) <= rest_.size() / shortest ||
+           fail("the text is too short for " + std::to_string(count) + " " + things);
+}
+
+} // namespace l3d_detail

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// text_cursor: walks through a model file, token by token or byte by byte, and knows its line.
+#ifndef L3D_GEOM_FILES_TEXT_CURSOR_P_H
+#define L3D_GEOM_FILES_TEXT_CURSOR_P_H
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace l3d_detail {
+
+/// A token fit for a message: quoted, of bounded length, nothing in it but printable ASCII.
+std::string quoted(std::string_view token);
+
+/// Appends the shortest form of `value` that is read as the same bits, then `after`.
+void append(std::string& text, double value, char after);
+
+/// What all readers of model files share: tokens, numbers, limits, and errors that say where.
+///
+/// Every function that returns bool fails with the reason in why(): "name:line: what is wrong".
+/// Numbers do not depend on the locale. Tokens stand apart by white space of any kind.
+/// Lives:   borrows the text.
+/// Cost:    memory for the name, one error and at most most_notes notes.
+class text_cursor {
+public:
+    /// Notes are bounded, else a text of short odd lines would cost a multiple of its size.
+    static constexpr std::size_t most_notes = 20;
+
+    /// A comment begins with the character `comment` and ends with its line; 0: there are none.
+    text_cursor(std::string_view text, std::string_view name, char comment = '\0')
+        : text_(text), rest_(text), name_(name), comment_(comment) {}
+
+    /// Fails, for use as a result. The message names the line of the current token.
+    bool fail(const std::string& what);
+    /// Errors: the last one; empty if nothing has failed.
+    const std::string& why() const { return why_; }
+
+    /// Keeps a remark on what is skipped, with the line of the current token.
+    void note(const std::string& what);
+    std::vector<std::string> take_notes();
+
+    /// Where messages say a value is, until the next call: " of vertex 3 of 8".
+    /// Lives: `of_what` is kept, not copied.
+    void set_place(const char* of_what, std::size_t index, std::size_t count) {
+        of_what_ = of_what;
+        index_ = index;
+        count_ = count;
+    }
+    void forget_place() { of_what_ = nullptr; }
+
+    /// Takes the next token on this line or a later one; false, without error, at the end.
+    bool next();
+    /// Takes the next token of this line; false, without error, where the line or the text ends.
+    bool next_in_line();
+    /// Takes what is left of this line, its end included; the token is what stands before its end.
+    /// False, without error, at the end of the text.
+    bool next_line();
+
+    /// Takes the next token if it is `word` and on this line.
+    bool take_in_line(std::string_view word);
+    /// Whether nothing but white space and comments is left.
+    bool at_end();
+
+    std::string_view token() const { return token_; }
+    std::string_view rest() const { return rest_; }
+
+    /// From now on a newline after a backslash is white space like a blank, but still counts.
+    void join_lines_at_backslash() { joins_ = true; }
+
+    /// Takes the next token as a number; `what` names it in messages.
+    bool number(double& value, const char* what);
+    bool integer(std::int64_t& value, const char* what);
+    bool integer_in(std::int64_t& value, const char* what, std::int64_t least, std::int64_t most);
+    bool coordinate(double& value);
+
+    /// What the functions above demand, of a number that has been found in another way.
+    bool is_finite(double value, const char* what);
+    bool is_coordinate(double value);
+    bool is_in(std::int64_t value, const char* what, std::int64_t least, std::int64_t most);
+
+    /// The current token as a number; `digits` is the part of it that must be one.
+    bool number_in(std::string_view digits, double& value, const char* what);
+    bool integer_in_text(std::string_view digits, std::int64_t& value, const char* what);
+
+    /// Whether the text can hold so many things of at least `shortest` bytes each: to be asked
+    /// before memory is taken for them.
+    bool plausible(std::int64_t count, const char* things, std::size_t shortest);
+
+    /// Takes a number of that type and byte order, bits as they are in memory.
+    template <class T> bool binary(T& value, std::endian order, const char* what) {
+        begin_line();
+        is_binary_ = true;
+        if (rest_.size() < sizeof(T))
+            return ends(what);
+        char bytes[sizeof(T)];
+        for (std::size_t i = 0; i < sizeof(T); ++i)
+            bytes[order == std::endian::native ? i : sizeof(T) - 1 - i] = rest_[i];
+        std::memcpy(&value, bytes, sizeof(T));
+        token_ = rest_.substr(0, sizeof(T));
+        rest_.remove_prefix(sizeof(T));
+        return true;
+    }
+
+    /// A number as Geomview writes it: text, or a float of the file's binary part.
+    bool number_or_float(double& value, bool is_float, const char* what) {
+        if (!is_float)
+            return number(value, what);
+        float bits = 0;
+        if (!binary(bits, std::endian::big, what))
+            return false;
+        value = bits;
+        return is_finite(value, what);
+    }
+
+private:
+    bool ends(const char* what);
+    std::string place() const;
+    /// The value that a message is about: the token, or the bytes' meaning in a binary file.
+    std::string shown(double value) const;
+    template <class Number>
+    bool parsed(std::string_view digits, Number& value, const char* what, const char* kind);
+    void skip_blanks(bool over_lines);
+    void begin_line() {
+        line_ += ended_line_ ? 1 : 0;
+        ended_line_ = false;
+    }
+
+    std::string_view text_;
+    std::string_view rest_;  ///< what has not been taken yet
+    std::string_view token_; ///< what has been taken last
+    std::string name_, why_;
+    std::vector<std::string> notes_;
+    std::size_t unkept_notes_ = 0;
+    const char* of_what_ = nullptr;
+    std::size_t index_ = 0, count_ = 0;
+    std::ptrdiff_t line_ = 1;
+    char comment_;
+    bool ended_line_ = false; ///< the line's end has been taken, the next has not begun
+    bool joins_ = false, is_binary_ = false;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// painter_knot: cuts where members meet, then division by planes.
+#include "pipeline/polygons/painter_knot_p.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+namespace l3d_detail {
+
+namespace {
+
+/// In a set larger than this, all pairs are not looked at again after each division: halving is
+/// quicker than finding out whether an order exists.
+constexpr std::size_t few = 48;
+
+} // namespace
+
+painter_knot::fragment painter_knot::whole(std::uint32_t triangle) const {
+    const auto& v = triangles_[triangle].v;
+    fragment result{
+        {triangle, l3d_painter_cut::last}, l3d_picture_plane(v), region_of(v), 0, 0, 0, 0};
+    set_box(result);
+    return result;
+}
+
+void painter_knot::set_box(fragment& of) {
+    const auto [left, right] = std::ranges::minmax(of.region, {}, &picture_point::x);
+    const auto [top, bottom] = std::ranges::minmax(of.region, {}, &picture_point::y);
+    of.left = left.x;
+    of.right = right.x;
+    of.top = top.y;
+    of.bottom = bottom.y;
+}
+
+double painter_knot::tie(const fragment& a, const fragment& b) const {
+    return tie_of(triangles_[a.piece.triangle].v, triangles_[b.piece.triangle].v);
+}
+
+front_parts painter_knot::front(const fragment& a, const fragment& b) {
+    if (same(a, b) || !insides_meet(triangles_[a.piece.triangle].v, triangles_[b.piece.triangle].v))
+        return {};
+    intersect(a.region, b.region, common_, scratch_);
+    return front_over(common_, a.plane, b.plane, tie(a, b));
+}
+
+/// Calls visit(a, b), a < b, for fragments whose boxes meet: swept from left to right.
+template <class Visit> void painter_knot::visit_pairs(const fragments& set, const Visit& visit) {
+    std::vector<std::uint32_t> by_left(set.size()), open;
+    std::iota(by_left.begin(), by_left.end(), 0u);
+    std::ranges::stable_sort(by_left, {}, [&](std::uint32_t i) { return set[i].left; });
+    for (const std::uint32_t i : by_left) {
+        std::erase_if(open, [&](std::uint32_t j) { return set[j].right < set[i].left; });
+        for (const std::uint32_t j : open)
+            if (set[j].top <= set[i].bottom && set[i].top <= set[j].bottom)
+                visit(std::min(i, j), std::max(i, j));
+        open.push_back(i);
+    }
+}
+
+painter_knot::fragment painter_knot::cut_side(const fragment& of, const fragment& by,
+                                              bool in_front) {
+    fragment result{
+        {of.piece.triangle, static_cast<std::uint32_t>(cuts_->size())}, of.plane, {}, 0, 0, 0, 0};
+    cuts_->push_back({by.piece.triangle, in_front, of.piece.cut});
+    keep_side(of.region, of.plane, by.plane, in_front, result.region);
+    if (result.region.empty()) // rounded away, though some pixel's centre may be there
+        result.region = of.region;
+    set_box(result);
+    return result;
+}
+
+/// False, and nothing done, if there are too many such pairs: so many cuts would make more pieces
+/// than division does.
+bool painter_knot::cut_where_they_meet(fragments& set) {
+    std::vector<std::vector<std::uint32_t>> cutters(set.size());
+    std::size_t crossings = 0;
+    visit_pairs(set, [&](std::uint32_t a, std::uint32_t b) {
+        if (!front(set[a], set[b]).mixed())
+            return;
+        ++crossings;
+        const bool cut_first = cutters[a].size() <= cutters[b].size();
+        cutters[cut_first ? a : b].push_back(cut_first ? b : a);
+    });
+    constexpr std::size_t most_cuts_each = 3;
+    if (crossings > most_cuts_each * set.size())
+        return false;
+    fragments result;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        fragments parts{set[i]};
+        for (const std::uint32_t by : cutters[i]) {
+            const std::size_t count = parts.size();
+            for (std::size_t p = 0; p < count; ++p) {
+                if (!front(parts[p], set[by]).mixed())
+                    continue;
+                parts.push_back(cut_side(parts[p], set[by], true));
+                parts[p] = cut_side(parts[p], set[by], false);
+            }
+        }
+        std::ranges::move(parts, std::back_inserter(result));
+    }
+    set = std::move(result);
+    return true;
+}
+
+/// Puts the strong components of a set, in their order, on the list of tasks.
+void painter_knot::arrange(fragments&& set) {
+    std::vector<std::vector<std::uint32_t>> needs(set.size());
+    visit_pairs(set, [&](std::uint32_t a, std::uint32_t b) {
+        const front_parts parts = front(set[a], set[b]);
+        if (parts.first)
+            needs[a].push_back(b);
+        if (parts.second)
+            needs[b].push_back(a);
+    });
+    std::vector<task> found;
+    components_.walk(
+        static_cast<std::uint32_t>(set.size()),
+        [&](std::uint32_t node, std::vector<std::uint32_t>& out) {
+            out.insert(out.end(), needs[node].begin(), needs[node].end());
+        },
+        [&](std::span<const std::uint32_t> component) {
+            task& next = found.emplace_back();
+            next.cyclic = component.size() > 1;
+            for (const std::uint32_t i : component)
+                next.set.push_back(std::move(set[i]));
+        });
+    std::ranges::move(found.rbegin(), found.rend(), std::back_inserter(tasks_));
+}
+
+/// Of some eight members, the one whose plane cuts fewest, and leaves the most equal halves.
+std::size_t painter_knot::best_splitter(const fragments& set) const {
+    constexpr std::size_t tried = 8;
+    constexpr long price_of_cut = 4; // in members that one half has more than the other
+    std::size_t best = 0;
+    long least = -1;
+    const std::size_t step = std::max<std::size_t>(set.size() / tried, 1);
+    for (std::size_t s = 0; s < set.size(); s += step) {
+        long cut = 0, front_more = 0;
+        for (const fragment& f : set) {
+            const front_parts parts = front_over(f.region, f.plane, set[s].plane, tie(f, set[s]));
+            cut += parts.mixed();
+            front_more += parts.first - parts.second;
+        }
+        const long price = price_of_cut * cut + std::abs(front_more);
+        if (least < 0 || price < least) {
+            least = price;
+            best = s;
+        }
+    }
+    return best;
+}
+
+void painter_knot::divide(fragments&& set) {
+    const std::size_t at = best_splitter(set);
+    const fragment splitter = std::move(set[at]);
+    set.erase(set.begin() + static_cast<std::ptrdiff_t>(at));
+    fragments behind, in_front;
+    for (fragment& f : set) {
+        const front_parts parts =
+            same(f, splitter) ? front_parts{}
+                              : front_over(f.region, f.plane, splitter.plane, tie(f, splitter));
+        if (parts.mixed()) {
+            behind.push_back(cut_side(f, splitter, false));
+            in_front.push_back(cut_side(f, splitter, true));
+        } else {
+            (parts.first ? in_front : behind).push_back(std::move(f));
+        }
+    }
+    tasks_.push_back({std::move(in_front), false});
+    tasks_.push_back({{splitter}, false});
+    tasks_.push_back({std::move(behind), false});
+}
+
+void painter_knot::untie(std::span<const l3d_painter_triangle> triangles,
+                         std::span<const std::uint32_t> members,
+                         std::vector<l3d_painter_piece>& pieces,
+                         std::vector<l3d_painter_cut>& cuts) {
+    triangles_ = triangles;
+    pieces_ = &pieces;
+    cuts_ = &cuts;
+    fragments set;
+    for (const std::uint32_t member : members)
+        set.push_back(whole(member));
+    if (cut_where_they_meet(set))
+        arrange(std::move(set));
+    else
+        tasks_.push_back({std::move(set), true});
+    while (!tasks_.empty()) {
+        task next = std::move(tasks_.back());
+        tasks_.pop_back();
+        if (next.set.size() == 1)
+            emit(next.set.front());
+        else if (next.cyclic || next.set.size() > few)
+            divide(std::move(next.set));
+        else if (!next.set.empty())
+            arrange(std::move(next.set));
+    }
+}
+
+} // namespace l3d_detail

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// painter_knot: triangles that no order of whole ones paints right, cut until there is one.
+#ifndef L3D_PIPELINE_POLYGONS_PAINTER_KNOT_P_H
+#define L3D_PIPELINE_POLYGONS_PAINTER_KNOT_P_H
+
+#include "pipeline/polygons/painter_components_p.h"
+#include "pipeline/polygons/painter_overlap_p.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Unties one knot at a time.
+///
+/// First the members that go through each other are cut at each other's planes, only where they
+/// meet: along the curve where two surfaces cross, that is a cut or two each. What cycles are left,
+/// or a set where nearly all go through all, is divided by whole planes, each with what is behind
+/// it first and what is in front of it last; that always ends, since a piece that was divided by a
+/// plane is never divided by it again.
+/// Lives:   keeps its memory.
+class painter_knot {
+public:
+    /// Adds the members' pieces in painting order, and their cuts.
+    /// Expects: members name triangles, rising.
+    void untie(std::span<const l3d_painter_triangle> triangles,
+               std::span<const std::uint32_t> members, std::vector<l3d_painter_piece>& pieces,
+               std::vector<l3d_painter_cut>& cuts);
+
+private:
+    struct fragment {
+        l3d_painter_piece piece;
+        l3d_picture_plane plane;
+        picture_region region;
+        double left, right, top, bottom; ///< of the region
+    };
+    using fragments = std::vector<fragment>;
+
+    fragment whole(std::uint32_t triangle) const;
+    static void set_box(fragment& of);
+    double tie(const fragment& a, const fragment& b) const;
+    bool same(const fragment& a, const fragment& b) const {
+        return a.piece.triangle == b.piece.triangle;
+    }
+    front_parts front(const fragment& a, const fragment& b);
+    template <class Visit> void visit_pairs(const fragments& set, const Visit& visit);
+    fragment cut_side(const fragment& of, const fragment& by, bool in_front);
+
+    bool cut_where_they_meet(fragments& set);
+    void arrange(fragments&& set);
+    void divide(fragments&& set);
+    std::size_t best_splitter(const fragments& set) const;
+    void emit(const fragment& f) { pieces_->push_back(f.piece); }
+
+    std::span<const l3d_painter_triangle> triangles_;
+    std::vector<l3d_painter_piece>* pieces_ = nullptr;
+    std::vector<l3d_painter_cut>* cuts_ = nullptr;
+
+    struct task {
+        fragments set;
+        bool cyclic; ///< known to have no order
+    };
+    std::vector<task> tasks_; ///< the last is the next
+    ordered_components components_;
+    picture_region common_, scratch_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// l3d_tessellated: patches as a mesh of triangles.
+#ifndef L3D_PIPELINE_POLYGONS_PATCH_TESSELLATION_H
+#define L3D_PIPELINE_POLYGONS_PATCH_TESSELLATION_H
+
+#include "geom/polygon_mesh.h"
+#include "scene/patch_model.h"
+
+#include <cstddef>
+#include <vector>
+
+/// Largest n that programs take: 2 n^2 triangles for each patch are two millions of the teapot.
+inline constexpr int l3d_most_facets = 192;
+
+/// Patches as triangles.
+struct l3d_patch_mesh {
+    l3d_polygon_mesh mesh;
+    std::vector<std::size_t> face_ends; ///< patch by patch, the number of faces up to its last
+};
+
+/// Each patch as n by n quads of two triangles, counterclockwise where dS/du x dS/dv points to,
+/// with the patch's normals at the vertices.
+///
+/// Patches with a common boundary have the same points on it: these are a function of the
+/// boundary's control points, whichever way it runs. They are one vertex, unless the normals of the
+/// two differ, as at a crease. Triangles whose corners coincide, as at the teapot's knob, are left
+/// out.
+/// Expects: n >= 1.
+l3d_patch_mesh l3d_tessellated(const l3d_patch_model& model, int n);
+
+#endif

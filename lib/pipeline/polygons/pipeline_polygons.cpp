@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// l3d_pipeline_polygons: the stages of a frame, and the keys for polygons.
+#include "pipeline/polygons/pipeline_polygons.h"
+
+#include "geom/real.h"
+#include "pipeline/formatted_p.h"
+#include "pipeline/stopwatch_p.h"
+#include "raster/parallel/simd_target.h"
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+using l3d_detail::formatted;
+using l3d_detail::stopwatch;
+
+namespace {
+
+constexpr double key_degrees = 5;
+
+constexpr std::array<std::pair<l3d_polygon_style, const char*>, 3> styles{
+    {{l3d_polygon_style::solid, "solid"},
+     {l3d_polygon_style::wireframe, "wireframe"},
+     {l3d_polygon_style::hidden_lines, "hidden lines removed"}}};
+
+/// Those of l3d_shade_names before `error`: polygons have no bounds.
+constexpr std::size_t shade_count = l3d_shade_names.size() - 1;
+
+template <class Enum> constexpr std::size_t after(Enum value, std::size_t count) {
+    return (static_cast<std::size_t>(value) + 1) % count;
+}
+
+} // namespace
+
+l3d_pipeline_polygons::l3d_pipeline_polygons(l3d_canvas canvas, const l3d_polygon_model& model,
+                                             const l3d_camera& camera,
+                                             const l3d_polygon_settings& settings)
+    : screen_(std::move(canvas.screen)), workers_(settings.threads),
+      imp_(canvas.rasterizers->create_2d(screen_->pixels())), rasterizer_(*imp_), model_(model),
+      camera_(camera), settings_(settings), first_settings_(settings),
+      controls_(*this, *screen_, camera_, own_rows(), [this] { reset_view(); }) {
+    report_.frame = -1;
+    report_.real = l3d_real_name();
+    report_.simd = l3d_simd_target();
+    report_.threads = settings.threads;
+    report_.faces = static_cast<std::int64_t>(model.mesh().faces());
+    report_.triangles = static_cast<std::int64_t>(model.triangles().size());
+}
+
+void l3d_pipeline_polygons::resize_event(l3d_size) {
+    imp_->set_target(screen_->pixels());
+    stale_ = true;
+}
+
+void l3d_pipeline_polygons::draw_event() {
+    const stopwatch whole;
+    report_.method = name();
+    report_.size = screen_->pixels().size();
+    report_.time_ms = {};
+    report_.order = {};
+    report_.surface = {};
+    ++report_.frame;
+    draw_model(report_);
+    const stopwatch overlaying;
+    draw_overlay();
+    rasterizer_.finish();
+    report_.time_ms.overlay = overlaying.milliseconds();
+    report_.time_ms.total = whole.milliseconds();
+    stale_ = false;
+}
+
+void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
+    const stopwatch placing;
+    const l3d_pixels target = screen_->pixels();
+    const l3d_polygon_view view(camera_, target.size(), settings_.projection,
+                                l3d_euler_rotation(settings_.rotation, model_.centre()));
+    if (settings_.style == l3d_polygon_style::wireframe) {
+        const auto lines = wires_.make(model_, view, settings_.cull);
+        report.polygons = {};
+        report.time_ms.place = placing.milliseconds();
+        const stopwatch drawing;
+        rasterizer_.clear_buffer();
+        rasterizer_.draw_lines(lines, wire_color);
+        report.time_ms.raster = drawing.milliseconds();
+        return;
+    }
+    assert(settings_.shade != l3d_shade::error);
+    const bool smooth = settings_.shade != l3d_shade::flat;
+    frame_.make(model_, view, settings_.cull, smooth, workers_);
+    report.polygons = frame_.counts();
+    const scene what{target, frame_, view.shading(settings_.shade, settings_.light),
+                     settings_.count_pixels};
+    report.time_ms.place = placing.milliseconds();
+    if (settings_.style == l3d_polygon_style::solid)
+        draw_solid(what, report);
+    else
+        draw_hidden_lines(what, report);
+}
+
+std::vector<l3d_viewer_row> l3d_pipeline_polygons::own_rows() {
+    l3d_viewer_row turn{"x y z", "turn the model (X Y Z back)"};
+    for (int axis = 0; axis < 3; ++axis)
+        for (const auto& [key, degrees] :
+             {std::pair('x' + axis, key_degrees), std::pair('X' + axis, -key_degrees)})
+            turn.actions.emplace_back(key, [this, axis, by = degrees] {
+                double& angle = settings_.rotation[axis];
+                angle = std::remainder(angle + by, 360.0);
+            });
+    const auto shade = [this] {
+        const auto& next = l3d_shade_names[after(settings_.shade, shade_count)];
+        settings_.shade = next.second;
+        controls_.say(std::string("shading: ") + next.first);
+    };
+    const auto style = [this] {
+        const auto& next = styles[after(settings_.style, styles.size())];
+        settings_.style = next.first;
+        controls_.say(next.second);
+    };
+    const auto cull = [this] {
+        settings_.cull = !settings_.cull;
+        controls_.say(settings_.cull ? "faces seen from behind are left out"
+                                     : "all faces are drawn");
+    };
+    const auto project = [this] {
+        const bool parallel = settings_.projection == l3d_projection::parallel;
+        settings_.projection = parallel ? l3d_projection::perspective : l3d_projection::parallel;
+        controls_.say(parallel ? "perspective" : "parallel projection");
+    };
+    return {std::move(turn),
+            {"c", "shading", {{'c', shade}}},
+            {"w", "solid, wires, hidden lines", {{'w', style}}},
+            {"b", "faces seen from behind", {{'b', cull}}},
+            {"v", "perspective, parallel", {{'v', project}}}};
+}
+
+/// How the model is turned and projected belongs to the view; how it is painted does not.
+void l3d_pipeline_polygons::reset_view() {
+    settings_.rotation = first_settings_.rotation;
+    settings_.projection = first_settings_.projection;
+}
+
+void l3d_pipeline_polygons::key_event(int key) {
+    stale_ |= controls_.key(key);
+}
+
+void l3d_pipeline_polygons::pointer_event(const l3d_event& event) {
+    stale_ |= controls_.pointer(event);
+}
+
+void l3d_pipeline_polygons::update_event(double seconds) {
+    stale_ |= controls_.update(seconds);
+}
+
+void l3d_pipeline_polygons::draw_overlay() {
+    if (!controls_.shows_text())
+        return;
+    std::vector lines{formatted("%s  %lld of %lld polygons", name(),
+                                static_cast<long long>(report_.polygons.drawn),
+                                static_cast<long long>(report_.triangles))};
+    if (report_.order.knots > 0)
+        lines.push_back(formatted("%lld knots, %lld cuts",
+                                  static_cast<long long>(report_.order.knots),
+                                  static_cast<long long>(report_.order.cuts)));
+    const auto milliseconds =
+        report_.time_ms.place + report_.time_ms.order + report_.time_ms.raster;
+    controls_.draw(rasterizer_, milliseconds, lines);
+}
+
+void l3d_pipeline_polygons::frame_event(const l3d_frame_times& times) {
+    report_.time_ms.show = 1000 * times.show;
+    report_.time_ms.write = 1000 * times.write;
+}
+
+l3d_polygon_report l3d_pipeline_polygons::report() const {
+    l3d_polygon_report result = report_;
+    result.hash = l3d_hash(screen_->pixels());
+    return result;
+}

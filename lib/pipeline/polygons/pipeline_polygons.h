@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// l3d_pipeline_polygons: models of polygons that can be turned, zoomed and inspected.
+#ifndef L3D_PIPELINE_POLYGONS_PIPELINE_POLYGONS_H
+#define L3D_PIPELINE_POLYGONS_PIPELINE_POLYGONS_H
+
+#include "scene/camera.h"
+#include "pipeline/pipeline.h"
+#include "pipeline/pipeline_2d.h"
+#include "pipeline/polygons/polygon_frame.h"
+#include "pipeline/polygons/polygon_model.h"
+#include "pipeline/polygons/polygon_report.h"
+#include "pipeline/polygons/polygon_view.h"
+#include "pipeline/polygons/polygon_wires.h"
+#include "pipeline/viewer_controls.h"
+#include "raster/rasterizer_2d.h"
+#include "raster/parallel/workers.h"
+
+#include <memory>
+#include <vector>
+
+/// What is shown of faces.
+enum class l3d_polygon_style {
+    solid,
+    wireframe,    ///< the sides of all faces, of culled ones not
+    hidden_lines, ///< the sides, without what faces hide
+};
+
+/// How a model is to be drawn.
+struct l3d_polygon_settings {
+    l3d_polygon_style style = l3d_polygon_style::solid;
+    l3d_shade shade = l3d_shade::flat;
+    l3d_projection projection = l3d_projection::perspective;
+    l3d_vector<double, 3> light{0.4, 0.8, 0.45}; ///< towards the light, world space, any length
+    l3d_vector<double, 3> rotation{0.0, 0.0,
+                                   0.0}; ///< degrees about x, y, z, round the box's middle
+    bool cull = true;                    ///< faces seen from behind are left out
+    bool count_pixels = false;           ///< report how many are covered
+    int threads = 1;                     ///< constant from the first frame on
+};
+
+/// Draws a model of polygons; a subclass says who is in front of whom.
+///
+/// Has the controls that its help overlay lists.
+/// Expects: a valid camera; light not zero; threads >= 1; no shade `error`, as there are no bounds.
+/// Lives:   owns screen, rasterizers and workers; borrows the model.
+class l3d_pipeline_polygons : public l3d_pipeline {
+public:
+    l3d_screen& screen() { return *screen_; }
+
+    /// The last frame drawn; the hash is counted when asked for.
+    l3d_polygon_report report() const;
+
+    l3d_viewer_controls& controls() { return controls_; }
+
+    void key_event(int key) override;
+    void pointer_event(const l3d_event& event) override;
+    void resize_event(l3d_size size) override;
+    void update_event(double seconds) override;
+    void draw_event() override;
+    void frame_event(const l3d_frame_times& times) override;
+    bool skip_event() override {
+        ++report_.frame;
+        return true;
+    }
+    bool needs_redraw() const override { return stale_; }
+
+protected:
+    /// What a frame is made from.
+    struct scene {
+        l3d_pixels target;
+        const l3d_polygon_frame& frame;
+        l3d_shading shading;
+        bool count_pixels; ///< as in the settings
+    };
+
+    /// Errors:  as l3d_rasterizer_factory::create_2d.
+    l3d_pipeline_polygons(l3d_canvas canvas, const l3d_polygon_model& model,
+                          const l3d_camera& camera, const l3d_polygon_settings& settings);
+
+    l3d_workers& workers() { return workers_; }
+
+    static constexpr std::uint32_t wire_color = 0x0080d0ff;
+
+private:
+    /// Draw the whole picture, and add to times and counts of the report.
+    virtual void draw_solid(const scene& what, l3d_polygon_report& report) = 0;
+    virtual void draw_hidden_lines(const scene& what, l3d_polygon_report& report) = 0;
+    virtual const char* name() const = 0;
+
+    void draw_model(l3d_polygon_report& report);
+    void draw_overlay();
+    std::vector<l3d_viewer_row> own_rows();
+    void reset_view();
+
+    std::unique_ptr<l3d_screen> screen_;
+    l3d_workers workers_;
+    std::unique_ptr<l3d_rasterizer_2d_imp> imp_;
+    l3d_rasterizer_2d rasterizer_;
+
+    const l3d_polygon_model& model_;
+    l3d_camera camera_;
+    l3d_polygon_settings settings_, first_settings_;
+    l3d_polygon_frame frame_;
+    l3d_polygon_wires wires_;
+    l3d_polygon_report report_;
+    bool stale_ = true;
+    l3d_viewer_controls controls_;
+};
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// l3d_pipeline_zbuffer: all at once to a surface rasterizer.
+#include "pipeline/polygons/pipeline_zbuffer.h"
+
+#include "pipeline/stopwatch_p.h"
+#include "raster/shapes/hidden_lines.h"
+
+#include <algorithm>
+#include <utility>
+
+using l3d_detail::stopwatch;
+
+l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, const l3d_polygon_model& model,
+                                           const l3d_camera& camera,
+                                           const l3d_polygon_settings& settings,
+                                           const l3d_rasterizer_factory& surfaces,
+                                           const char* method)
+    : l3d_pipeline_polygons(std::move(canvas), model, camera, settings), method_(method),
+      rasterizer_(surfaces.create_surface(workers())) {}
+
+void l3d_pipeline_zbuffer::fill(const scene& what, l3d_depth_buffer* depth,
+                                l3d_polygon_report& report) {
+    rasterizer_->count_pixels(what.count_pixels);
+    rasterizer_->begin(what.target, depth, what.shading);
+    rasterizer_->draw(what.frame.parts());
+    rasterizer_->finish();
+    report.surface = rasterizer_->counts();
+}
+
+void l3d_pipeline_zbuffer::draw_solid(const scene& what, l3d_polygon_report& report) {
+    const stopwatch filling;
+    fill(what, nullptr, report);
+    report.time_ms.raster = filling.milliseconds();
+}
+
+void l3d_pipeline_zbuffer::draw_hidden_lines(const scene& what, l3d_polygon_report& report) {
+    const stopwatch filling;
+    depth_.resize(what.target.size());
+    fill(what, &depth_, report);
+    for (int y = 0; y < what.target.height; ++y)
+        std::ranges::fill(what.target.row(y), 0u);
+    what.frame.list(triangles_);
+    l3d_draw_seen_sides(what.target, depth_, triangles_, wire_color);
+    report.time_ms.raster = filling.milliseconds();
+}

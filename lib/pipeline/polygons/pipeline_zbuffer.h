@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// l3d_pipeline_zbuffer: polygons through a depth buffer.
+#ifndef L3D_PIPELINE_POLYGONS_PIPELINE_ZBUFFER_H
+#define L3D_PIPELINE_POLYGONS_PIPELINE_ZBUFFER_H
+
+#include "pipeline/polygons/pipeline_polygons.h"
+#include "raster/depth_buffer.h"
+#include "raster/surface_rasterizer.h"
+
+#include <memory>
+#include <vector>
+
+/// Any order; each pixel knows how near it is. Through the CPU's surface rasterizer or Mesa's.
+class l3d_pipeline_zbuffer : public l3d_pipeline_polygons {
+public:
+    /// `method` names it in reports; `surfaces` makes what fills, and may be of another kind than
+    /// the canvas'.
+    /// Errors:  as l3d_rasterizer_factory::create_surface.
+    l3d_pipeline_zbuffer(l3d_canvas canvas, const l3d_polygon_model& model,
+                         const l3d_camera& camera, const l3d_polygon_settings& settings,
+                         const l3d_rasterizer_factory& surfaces, const char* method = "zbuffer");
+
+private:
+    void draw_solid(const scene& what, l3d_polygon_report& report) override;
+    void draw_hidden_lines(const scene& what, l3d_polygon_report& report) override;
+    const char* name() const override { return method_; }
+
+    void fill(const scene& what, l3d_depth_buffer* depth, l3d_polygon_report& report);
+
+    const char* method_;
+    std::unique_ptr<l3d_surface_rasterizer> rasterizer_;
+    l3d_depth_buffer depth_;
+    std::vector<l3d_painter_triangle> triangles_; ///< with their sides, for hidden lines
+};
+
+#endif

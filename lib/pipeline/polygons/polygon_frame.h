@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// l3d_polygon_frame: the triangles of a model that may be seen, in the picture.
+#ifndef L3D_PIPELINE_POLYGONS_POLYGON_FRAME_H
+#define L3D_PIPELINE_POLYGONS_POLYGON_FRAME_H
+
+#include "scene/dice_view.h"
+#include "dice/diced_piece.h"
+#include "scene/seen_counts.h"
+#include "pipeline/polygons/polygon_model.h"
+#include "pipeline/polygons/polygon_view.h"
+#include "raster/shapes/painter.h"
+#include "raster/rasterizer_2d.h"
+#include "raster/surface_part.h"
+#include "raster/parallel/workers.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+/// What became of the triangles of a model in a frame.
+struct l3d_polygon_counts : l3d_seen_counts {
+    std::int64_t back = 0; ///< left out: seen from behind
+
+    /// Both together: of other triangles.
+    void add(const l3d_polygon_counts& other) {
+        l3d_seen_counts::add(other);
+        back += other.back;
+    }
+};
+
+/// Vertices once each to the picture, then faces: which are seen, clipped where they must be.
+///
+/// Projection is in double for every number type, then rounded to 1/256 pixel: l3d_real is for what
+/// is stepped. Of a parallel projection, inv_w is not 1 / distance but 2 at the nearest and 1 at
+/// the farthest end of the model's sphere, linear in between, as rasterizers need it. Expects:
+/// workers, model and view outlive each make(). Cost:    keeps its memory: 24 bytes per vertex and
+/// 72 per triangle drawn.
+class l3d_polygon_frame {
+public:
+    /// `cull` leaves out faces seen from behind; `smooth` takes the vertices' normals, else all of
+    /// a face have its own. Part i holds the model's triangles from `ends[i - 1]` up to `ends[i]`;
+    /// without ends, parts are of a size that suits the workers.
+    void make(const l3d_polygon_model& model, const l3d_polygon_view& view, bool cull, bool smooth,
+              l3d_workers& workers, std::span<const std::size_t> ends = {});
+
+    /// What mode `error` shows of a part.
+    void set_error_color(std::size_t part, std::uint32_t word) {
+        chunks_[part].part.error_color = word;
+    }
+
+    /// Triangles ready for a rasterizer; no grids.
+    /// Lives:   until the next make.
+    std::span<const l3d_surface_part* const> parts() const { return parts_; }
+
+    /// The same triangles one by one, with the sides that are sides of faces. Of a clipped triangle
+    /// the outline of what is left.
+    void list(std::vector<l3d_painter_triangle>& out) const;
+
+    const l3d_polygon_counts& counts() const { return counts_; }
+
+private:
+    /// Unasked, so many triangles of the model are one item of work, and one part.
+    static constexpr std::size_t chunk_triangles = 4096;
+
+    struct chunk {
+        l3d_surface_part part;
+        std::vector<std::uint8_t> sides; ///< of each triangle of the part
+        l3d_diced_piece clipped;         ///< pieces of one triangle
+        l3d_polygon_counts counts;
+    };
+
+    struct frame_input {
+        const l3d_polygon_model& model;
+        const l3d_polygon_view& view;
+        l3d_dice_view window;
+        bool cull, smooth;
+        std::span<const std::size_t> ends;
+    };
+
+    void place_vertices(const frame_input& in, std::size_t begin, std::size_t end);
+    void place_chunk(const frame_input& in, std::size_t index);
+    void set_normals(const frame_input& in, const l3d_model_triangle& triangle, bool from_behind,
+                     bool placed, std::array<l3d_micro_vertex, 3>& v) const;
+    void add_clipped(const frame_input& in, const l3d_model_triangle& triangle,
+                     const std::array<l3d_micro_vertex, 3>& v, chunk& to) const;
+    double depth_value(double distance) const { return depth_base_ + depth_step_ * distance; }
+
+    std::vector<l3d_micro_vertex> vertices_; ///< inv_w is 0 where a vertex cannot be drawn
+    std::vector<chunk> chunks_;
+    std::vector<const l3d_surface_part*> parts_;
+    l3d_polygon_counts counts_;
+    double depth_base_ = 0, depth_step_ = 0; ///< of a parallel projection
+};
+
+#endif

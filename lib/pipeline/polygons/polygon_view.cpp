@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// l3d_polygon_view: one matrix a frame.
+#include "pipeline/polygons/polygon_view.h"
+
+#include "geom/transform.h"
+#include "scene/camera_shading.h"
+
+namespace {
+
+using vector = l3d_polygon_view::vector;
+
+/// The inverse of a turn: its transpose.
+vector turned_back(const l3d_matrix<double>& placement, const vector& v) {
+    vector result{0.0, 0.0, 0.0};
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k)
+            result[i] += placement(k, i) * v[k];
+    return result;
+}
+
+} // namespace
+
+l3d_matrix<double> l3d_euler_rotation(const l3d_vector<double, 3>& degrees,
+                                      const l3d_vector<double, 3>& centre) {
+    return l3d_about({centre[0], centre[1], centre[2]}, l3d_rotation_z<double>(degrees[2]) *
+                                                            l3d_rotation_y<double>(degrees[1]) *
+                                                            l3d_rotation_x<double>(degrees[0]));
+}
+
+l3d_polygon_view::l3d_polygon_view(const l3d_camera& camera, l3d_size size,
+                                   l3d_projection projection, const l3d_matrix<double>& placement)
+    : camera_(camera), size_(size), projection_(projection), placement_(placement) {
+    l3d_matrix<double> image = camera.image_matrix(size);
+    const l3d_vector<double, 4> distance = image.row(3);
+    const double to_target = l3d_length(camera.target - camera.eye);
+    for (int i = 0; i < 4; ++i)
+        image(2, i) = distance[i];
+    if (is_parallel()) {
+        for (int i = 0; i < 4; ++i) {
+            image(0, i) /= to_target;
+            image(1, i) /= to_target;
+            image(3, i) = i == 3 ? 1 : 0;
+        }
+    }
+    matrix_ = image * placement;
+    const vector moved{placement(0, 3), placement(1, 3), placement(2, 3)};
+    eye_ = turned_back(placement, camera.eye - moved);
+    forward_ = turned_back(placement, camera.axes().forward);
+}
+
+l3d_shading l3d_polygon_view::shading(l3d_shade mode, const vector& light) const {
+    l3d_shading result = l3d_camera_shading(camera_, size_, mode, light);
+    result.ray = result.ray_right = result.ray_down = {0, 0, 0};
+    return result;
+}

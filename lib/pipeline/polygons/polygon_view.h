@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// l3d_polygon_view: how a model of polygons is placed and seen in a frame.
+#ifndef L3D_PIPELINE_POLYGONS_POLYGON_VIEW_H
+#define L3D_PIPELINE_POLYGONS_POLYGON_VIEW_H
+
+#include "geom/matrix.h"
+#include "scene/camera.h"
+#include "raster/surface_rasterizer.h"
+#include "tool_2d/pixels.h"
+
+/// How depth changes what is seen.
+enum class l3d_projection {
+    perspective,
+    parallel, ///< sizes as perspective has them at the camera's target; nothing is behind the eye
+};
+
+/// Turns about the x axis, then y, then z, through a centre that stays where it is.
+/// Units: degrees, counterclockwise for one at whom the axis points.
+l3d_matrix<double> l3d_euler_rotation(const l3d_vector<double, 3>& degrees,
+                                      const l3d_vector<double, 3>& centre);
+
+/// The one matrix of a frame, from the model to the picture, and what else depends on the view.
+///
+/// Shape:   matrix() takes model (x, y, z, 1) to (x, y, d, w): the pixel is the picture's centre
+/// plus
+///          (x / w, y / w); d is the distance along the view axis; w is d in perspective, else 1.
+/// Expects: a valid camera; a placement that turns and moves, and leaves lengths as they are.
+class l3d_polygon_view {
+public:
+    using vector = l3d_vector<double, 3>;
+
+    l3d_polygon_view(const l3d_camera& camera, l3d_size size, l3d_projection projection,
+                     const l3d_matrix<double>& placement);
+
+    const l3d_matrix<double>& matrix() const { return matrix_; }
+    const l3d_matrix<double>& placement() const { return placement_; }
+    const l3d_camera& camera() const { return camera_; }
+    l3d_size size() const { return size_; }
+    bool is_parallel() const { return projection_ == l3d_projection::parallel; }
+
+    /// Positive if a plane's front, where its normal points to, is seen: the sign of
+    /// N . (eye - p). All in model space.
+    double faces_eye(const vector& normal, const vector& point) const {
+        return is_parallel() ? -l3d_dot(normal, forward_) : l3d_dot(normal, eye_ - point);
+    }
+
+    /// For the rasterizers, the light in world space. The rays are zero, so that no pixel's normal
+    /// is turned round: which side of a face is seen, its plane says. The smooth normals of a face
+    /// at an outline point away from the eye in some of its pixels, and are right as they are.
+    l3d_shading shading(l3d_shade mode, const vector& light) const;
+
+private:
+    l3d_camera camera_;
+    l3d_size size_;
+    l3d_projection projection_;
+    l3d_matrix<double> placement_, matrix_;
+    vector eye_, forward_; ///< in model space
+};
+
+#endif

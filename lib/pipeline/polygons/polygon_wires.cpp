@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// l3d_polygon_wires: Cohen and Sutherland's clipping in homogeneous coordinates.
+#include "pipeline/polygons/polygon_wires.h"
+
+#include "scene/dice_view.h"
+#include "dice/snap.h"
+
+#include <array>
+#include <cstddef>
+
+namespace {
+
+/// A point that is drawn is on the inner side of all six: n . (x, y, w) >= d.
+struct clip_plane {
+    double x, y, w, d;
+};
+using clip_planes = std::array<clip_plane, 6>;
+
+struct homogeneous {
+    double x, y, w;
+};
+
+double inside(const clip_plane& plane, const homogeneous& h) {
+    return plane.x * h.x + plane.y * h.y + plane.w * h.w - plane.d;
+}
+
+std::uint8_t outcode(const clip_planes& planes, const homogeneous& h) {
+    unsigned code = 0;
+    for (std::size_t i = 0; i < planes.size(); ++i)
+        code |= static_cast<unsigned>(!(inside(planes[i], h) >= 0)) << i;
+    return static_cast<std::uint8_t>(code);
+}
+
+/// Cuts a line at plane after plane; false if nothing is left. Each cut takes the end that is
+/// outside, and a code of a cut end is made anew, so at most twelve cuts are made.
+/// Source:  Cohen and Sutherland, in Newman, Sproull: Principles of Interactive Computer Graphics.
+bool clip(const clip_planes& planes, homogeneous& a, homogeneous& b, unsigned code_a,
+          unsigned code_b) {
+    for (std::size_t i = 0; i < planes.size() && (code_a | code_b) != 0; ++i) {
+        if ((code_a & code_b) != 0)
+            return false;
+        if (!((code_a | code_b) >> i & 1))
+            continue;
+        const double at_a = inside(planes[i], a), at_b = inside(planes[i], b);
+        const double t = at_a / (at_a - at_b);
+        const homogeneous cut{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
+        const unsigned done = ~((2u << i) - 1); // rounding may leave the cut on the outer side
+        if (code_a >> i & 1) {
+            a = cut;
+            code_a = outcode(planes, a) & done;
+        } else {
+            b = cut;
+            code_b = outcode(planes, b) & done;
+        }
+    }
+    return (code_a & code_b) == 0;
+}
+
+/// The line between the pixels that two points lie in, rounded as the corners of filled faces are.
+l3d_line_2d line_of(const homogeneous& a, const homogeneous& b, l3d_size size) {
+    const l3d_snapped from = l3d_snap(a.x, a.y, a.w), to = l3d_snap(b.x, b.y, b.w);
+    const std::int32_t x = size.width * (l3d_subpixel_one / 2);
+    const std::int32_t y = size.height * (l3d_subpixel_one / 2);
+    return {(from.x + x) >> l3d_subpixel_bits, (from.y + y) >> l3d_subpixel_bits,
+            (to.x + x) >> l3d_subpixel_bits, (to.y + y) >> l3d_subpixel_bits};
+}
+
+} // namespace
+
+std::span<const l3d_line_2d> l3d_polygon_wires::make(const l3d_polygon_model& model,
+                                                     const l3d_polygon_view& view, bool cull) {
+    const double g = l3d_guard_band;
+    const double near = view.is_parallel() ? 0.5 : view.camera().near;
+    const double far = view.is_parallel() ? 2.0 : view.camera().far;
+    const clip_planes planes{{{0, 0, 1, near},
+                              {0, 0, -1, -far},
+                              {1, 0, g, 0},
+                              {-1, 0, g, 0},
+                              {0, 1, g, 0},
+                              {0, -1, g, 0}}};
+    places_.clear();
+    for (const auto& v : model.mesh().vertices) {
+        const auto h = view.matrix() * l3d_vector<double, 4>(v[0], v[1], v[2], 1.0);
+        places_.push_back({h[0], h[1], h[3], outcode(planes, {h[0], h[1], h[3]})});
+    }
+    lines_.clear();
+    for (const l3d_model_triangle& triangle : model.triangles()) {
+        if (cull && !(view.faces_eye(l3d_converted<double>(model.face_normals()[triangle.face]),
+                                     model.mesh().vertices[triangle.corners[0]]) > 0))
+            continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!(triangle.sides >> k & 1))
+                continue;
+            const place &from = places_[triangle.corners[k]],
+                        &to = places_[triangle.corners[(k + 1) % 3]];
+            homogeneous a{from.x, from.y, from.w}, b{to.x, to.y, to.w};
+            if (!clip(planes, a, b, from.outside, to.outside))
+                continue;
+            lines_.push_back(line_of(a, b, view.size()));
+        }
+    }
+    return lines_;
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// l3d_camera_left_handed: the camera of the book's programs, which flies.
+#ifndef L3D_PIPELINE_WORLDS_CAMERA_LEFT_HANDED_H
+#define L3D_PIPELINE_WORLDS_CAMERA_LEFT_HANDED_H
+
+#include "tool_2d/pixels.h"
+#include "scene/camera.h"
+#include "pipeline/worlds/moveable.h"
+
+/// The book's term for a field of view: the distance of a window from the eye over its width, as
+/// large as half the cotangent of half the angle. Units: degrees.
+double l3d_fov_term(double degrees);
+double l3d_fov_degrees(double term);
+
+/// A perspective camera in a left-handed world: x right, y up, z away from the viewer.
+///
+/// Units:   fovx and fovy are terms as of l3d_fov_term, of the picture's width and height; near_z
+///          and far_z are distances along the view axis.
+/// Expects: fovx, fovy > 0; 0 < near_z < far_z.
+template <class T> class l3d_camera_left_handed : public l3d_moveable<T> {
+public:
+    /// 100 degrees wide, about what a human eye sees; pixels are squares.
+    explicit l3d_camera_left_handed(l3d_size size);
+
+    double fovx, fovy;
+    double near_z = 5.5, far_z = 500;
+
+    /// The picture has another shape: what is square on it stays so.
+    void change_size(l3d_size from, l3d_size to);
+
+    /// Where a point in the camera's coordinates appears: the picture's centre is (width / 2,
+    /// height / 2), y is down. Expects: p[2] > 0.
+    struct pixel {
+        double x, y;
+    };
+    pixel project(const l3d_point<T>& p, l3d_size size) const;
+};
+
+/// The same view of the same world seen through our camera, whose world is this one with z
+/// reversed: a point (x, y, z) here is (x, y, -z) there, and pictures are alike.
+///
+/// A pixel's centre is where our camera samples, 1/2 beyond the book's in x and y.
+/// Expects: square pixels: fovx * width = fovy * height.
+template <class T> l3d_camera l3d_right_handed(const l3d_camera_left_handed<T>& camera);
+
+#endif

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// l3d_moveable: damped motion along and about own axes.
+#include "pipeline/worlds/moveable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+/// What is left of a velocity after one update of the book.
+constexpr double kept_velocity = 0.95;
+constexpr double kept_spin = 0.85;
+
+/// A step is at most half an update of the book. The fastest flight is over after
+/// ln(5400 / 0.01) / -ln 0.95 = 257 updates, 4.3 s, so no more steps are taken than for 10.
+constexpr double steps_per_second = 2 * l3d_book_rate;
+constexpr double longest_flight = 10;
+
+constexpr double twist_step = 5 * l3d_book_rate;
+constexpr double largest_velocity = 90 * l3d_book_rate;
+constexpr double largest_spin = 95 * l3d_book_rate;
+
+/// Slower is at rest: what is left to go is below 0.01 / 60 * 19 = 0.0032 units, or
+/// 0.05 / 60 * 5.7 = 0.0048 degrees.
+constexpr double slowest_velocity = 0.01;
+constexpr double slowest_spin = 0.05;
+
+void add_up_to(double& velocity, double step, double limit) {
+    if (std::abs(velocity) < limit || velocity * step < 0)
+        velocity += step;
+}
+
+/// The time in which a body that starts with a speed and is damped would cover, without damping,
+/// what it covers in `seconds`. Each update keeps k of the velocity, then moves: n updates move it
+/// by v (k + k^2 + ... + k^n) = v k (1 - k^n) / (1 - k).
+double effective_time(double kept, double seconds) {
+    return kept * (1 - std::pow(kept, seconds * l3d_book_rate)) / (1 - kept) / l3d_book_rate;
+}
+
+void slow_down(double& velocity, double factor, double slowest) {
+    velocity *= factor;
+    if (std::abs(velocity) < slowest)
+        velocity = 0;
+}
+
+template <class T>
+l3d_vector<T, 3> turned(const l3d_vector<T, 3>& v, const l3d_vector<T, 3>& axis, double degrees) {
+    const auto about = l3d_converted<double, T, 3>(axis);
+    return l3d_transformed(l3d_rotation<T>(about, degrees * (std::numbers::pi / 180)), v);
+}
+
+} // namespace
+
+template <class T> void l3d_moveable<T>::push(const by_axis& times) {
+    add_up_to(velocity.right, times.right * thrust.right, largest_velocity);
+    add_up_to(velocity.up, times.up * thrust.up, largest_velocity);
+    add_up_to(velocity.forward, times.forward * thrust.forward, largest_velocity);
+}
+
+template <class T> void l3d_moveable<T>::twist(const by_axis& times) {
+    add_up_to(spin.right, times.right * twist_step, largest_spin);
+    add_up_to(spin.up, times.up * twist_step, largest_spin);
+    add_up_to(spin.forward, times.forward * twist_step, largest_spin);
+}
+
+template <class T> void l3d_moveable<T>::turn_about_right(double degrees) {
+    forward_ = turned(forward_, right_, degrees);
+    up_ = l3d_cross(forward_, right_);
+    straighten();
+}
+
+template <class T> void l3d_moveable<T>::turn_about_up(double degrees) {
+    forward_ = turned(forward_, up_, degrees);
+    straighten();
+}
+
+template <class T> void l3d_moveable<T>::turn_about_forward(double degrees) {
+    up_ = turned(up_, forward_, degrees);
+    straighten();
+}
+
+/// Two cross products and two divisions: forward and up say all, right follows.
+template <class T> void l3d_moveable<T>::straighten() {
+    forward_ = l3d_normalized(forward_);
+    right_ = l3d_normalized(l3d_cross(up_, forward_));
+    up_ = l3d_cross(forward_, right_);
+}
+
+template <class T> void l3d_moveable<T>::spin_by(double share) {
+    if (spin.up != 0)
+        turn_about_up(spin.up * share);
+    if (spin.right != 0)
+        turn_about_right(spin.right * share);
+    if (spin.forward != 0)
+        turn_about_forward(spin.forward * share);
+}
+
+template <class T> void l3d_moveable<T>::update(double seconds) {
+    const int steps = std::max(
+        1, static_cast<int>(std::ceil(std::min(seconds, longest_flight) * steps_per_second)));
+    for (int i = 0; i < steps && moves(); ++i)
+        fly(seconds / steps);
+}
+
+template <class T> bool l3d_moveable<T>::moves() const {
+    const auto any = [](const by_axis& v) { return v.right != 0 || v.up != 0 || v.forward != 0; };
+    return any(velocity) || any(spin);
+}
+
+template <class T> void l3d_moveable<T>::fly(double seconds) {
+    // Half the turn, the way, the other half: the error of a step falls with its square.
+    const double half_turn = effective_time(kept_spin, seconds) / 2;
+    const double way = effective_time(kept_velocity, seconds);
+    spin_by(half_turn);
+    place += right_ * l3d_from_double<T>(velocity.right * way) +
+             up_ * l3d_from_double<T>(velocity.up * way) +
+             forward_ * l3d_from_double<T>(velocity.forward * way);
+    spin_by(half_turn);
+
+    const double turning = std::pow(kept_spin, seconds * l3d_book_rate);
+    const double moving = std::pow(kept_velocity, seconds * l3d_book_rate);
+    for (double* s : {&spin.right, &spin.up, &spin.forward})
+        slow_down(*s, turning, slowest_spin);
+    for (double* v : {&velocity.right, &velocity.up, &velocity.forward})
+        slow_down(*v, moving, slowest_velocity);
+}
+
+template <class T> l3d_matrix<T> l3d_moveable<T>::viewing_transform() const {
+    l3d_matrix<T> m = l3d_identity<T>();
+    for (int i = 0; i < 3; ++i) {
+        m(0, i) = right_[i];
+        m(1, i) = up_[i];
+        m(2, i) = forward_[i];
+    }
+    m(0, 3) = -l3d_dot(right_, place.from_origin);
+    m(1, 3) = -l3d_dot(up_, place.from_origin);
+    m(2, 3) = -l3d_dot(forward_, place.from_origin);
+    return m;
+}
+
+template <class T> l3d_matrix<T> l3d_moveable<T>::inverse_viewing_transform() const {
+    return l3d_from_axes(right_, up_, forward_, place);
+}
+
+template class l3d_moveable<float>;
+template class l3d_moveable<double>;
+template class l3d_moveable<l3d_fixed<std::int64_t, 32>>;

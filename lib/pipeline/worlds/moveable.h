@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// l3d_moveable: something that flies: a place, three axes of its own, and what it has been pushed
+// to.
+#ifndef L3D_PIPELINE_WORLDS_MOVEABLE_H
+#define L3D_PIPELINE_WORLDS_MOVEABLE_H
+
+#include "geom/transform.h"
+
+/// The rate that the book's programs are made for: their motion per update is ours per 1/60 s.
+/// Units: updates a second.
+inline constexpr double l3d_book_rate = 60;
+
+/// A place and three axes of its own, of which each push and turn is along or about one.
+///
+/// Motion is damped, and given per second: after a push the speed falls off exponentially, and the
+/// way made good in any time is its exact integral. So flights end in the same place at any frame
+/// rate; at l3d_book_rate they are the book's, but for its whole degrees.
+/// Shape:   left-handed: right x up = forward, up x forward = right, forward x right = up; the book
+///          calls them VRI, VUP and VFW, and the place VRP.
+/// Units:   world units, degrees, seconds; a turn is clockwise for one who sees its axis come at
+///          him.
+template <class T> class l3d_moveable {
+public:
+    using point = l3d_point<T>;
+    using vector = l3d_vector<T, 3>;
+
+    /// Numbers that belong to the three axes.
+    struct by_axis {
+        double right = 0, up = 0, forward = 0;
+    };
+
+    point place = point::of(50, 5, 50);
+
+    /// Units: per second.
+    by_axis velocity;
+    by_axis spin;
+
+    /// What one push adds to the velocity along each axis: 0.2 units per update in the book.
+    by_axis thrust{0.2 * l3d_book_rate, 0.2 * l3d_book_rate, 0.2 * l3d_book_rate};
+
+    const vector& right() const { return right_; }
+    const vector& up() const { return up_; }
+    const vector& forward() const { return forward_; }
+
+    /// One press of a key: `times` is +1 or -1 along or about an axis, 0 otherwise. A velocity that
+    /// has reached its limit (90 units, 95 degrees per update in the book) stays.
+    void push(const by_axis& times);
+    void twist(const by_axis& times);
+
+    /// Turns at once. Units: degrees.
+    void turn_about_right(double degrees);
+    void turn_about_up(double degrees);
+    void turn_about_forward(double degrees);
+
+    /// Flies on. Expects: seconds >= 0.
+    /// Cost:    one turn about each axis that spins; the axes are made perpendicular and of length
+    ///          1 again, so that no rounding adds up.
+    void update(double seconds);
+
+    /// World coordinates to those of the three axes with the place as origin, and back.
+    l3d_matrix<T> viewing_transform() const;
+    l3d_matrix<T> inverse_viewing_transform() const;
+
+private:
+    bool moves() const;
+    void fly(double seconds);
+    void straighten();
+    void spin_by(double share);
+
+    vector right_ = point::of(1, 0, 0).from_origin;
+    vector up_ = point::of(0, 1, 0).from_origin;
+    vector forward_ = point::of(0, 0, 1).from_origin;
+};
+
+#endif

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// l3d_object: a thing in a world: its polygons, where it is, and what it does.
+#ifndef L3D_PIPELINE_WORLDS_OBJECT_H
+#define L3D_PIPELINE_WORLDS_OBJECT_H
+
+#include "geom/polygon_3d.h"
+#include "geom/polygon_mesh.h"
+#include "geom/transform.h"
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+class l3d_object;
+
+/// What an object does from frame to frame, when that comes from outside its class: a plug-in.
+class l3d_object_behaviour {
+public:
+    l3d_object_behaviour() = default;
+    l3d_object_behaviour(const l3d_object_behaviour&) = delete;
+    l3d_object_behaviour& operator=(const l3d_object_behaviour&) = delete;
+    virtual ~l3d_object_behaviour() = default;
+
+    void update(l3d_object& object, double seconds) { do_update(object, seconds); }
+
+    /// The same behaviour with a state of its own, for a copy of the object.
+    /// Errors:  null if it cannot be copied.
+    std::unique_ptr<l3d_object_behaviour> clone(l3d_object& for_copy) const {
+        return do_clone(for_copy);
+    }
+
+private:
+    virtual void do_update(l3d_object& object, double seconds) = 0;
+    virtual std::unique_ptr<l3d_object_behaviour> do_clone(l3d_object& for_copy) const = 0;
+};
+
+/// Geometry, placement and behaviour.
+///
+/// The geometry is never transformed in place: every frame starts from it, so nothing is deformed
+/// by rounding. The placement is a list of matrices, the first one applied first; their product is
+/// brought up to date by itself. The behaviour is that of a subclass, or one that is plugged in.
+/// Shape:   faces are as of l3d_polygon_3d: clockwise from outside in left-handed axes.
+class l3d_object {
+public:
+    using real = l3d_real;
+
+    l3d_object() = default;
+    /// Expects: mesh.is_valid().
+    explicit l3d_object(l3d_polygon_mesh mesh) { set_mesh(std::move(mesh)); }
+    l3d_object& operator=(const l3d_object&) = delete;
+    virtual ~l3d_object() = default;
+
+    std::string name;
+
+    /// Expects: mesh.is_valid().
+    void set_mesh(l3d_polygon_mesh mesh);
+    const l3d_polygon_mesh& mesh() const { return mesh_; }
+
+    /// The mesh's vertices in the numbers that pictures are computed in.
+    std::span<const l3d_point<real>> vertices() const { return vertices_; }
+
+    /// Sets one of the matrices; those before it that were never set leave everything as it is.
+    void set_transform(std::size_t index, const l3d_matrix<real>& m);
+    std::span<const l3d_matrix<real>> transforms() const { return transforms_; }
+
+    /// All of them, multiplied: from the object's own coordinates to the world's.
+    const l3d_matrix<real>& modeling_transform() const;
+
+    void plug(std::unique_ptr<l3d_object_behaviour> behaviour) {
+        behaviour_ = std::move(behaviour);
+    }
+
+    /// Lets time pass. Units: seconds.
+    void update(double seconds) { do_update(seconds); }
+
+    /// A copy in depth, of the same class, with a behaviour of its own.
+    /// Errors:  none; a behaviour that cannot be copied is left out.
+    std::unique_ptr<l3d_object> clone() const;
+
+protected:
+    l3d_object(const l3d_object& other); // without its behaviour
+
+private:
+    virtual void do_update(double seconds);
+    virtual std::unique_ptr<l3d_object> do_clone() const;
+
+    l3d_polygon_mesh mesh_;
+    std::vector<l3d_point<real>> vertices_;
+    std::vector<l3d_matrix<real>> transforms_;
+    mutable l3d_matrix<real> product_ = l3d_identity<real>();
+    mutable bool product_is_old_ = false;
+    std::unique_ptr<l3d_object_behaviour> behaviour_; // last: it may refer to all above
+};
+
+#endif

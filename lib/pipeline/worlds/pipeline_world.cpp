@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// l3d_pipeline_world: what each key does to the camera, and the status lines.
+#include "pipeline/worlds/pipeline_world.h"
+
+#include "raster/shapes/text.h"
+
+#include <algorithm>
+#include <string>
+
+namespace {
+
+/// What a press of v adds to the thrust, and where it starts again from the least: in units per
+/// update of the book 0.2, 1.2, 2.2, 0.2.
+constexpr double thrust_step = 1 * l3d_book_rate;
+constexpr double largest_thrust = 3 * l3d_book_rate;
+
+constexpr double fov_step = 0.1;
+constexpr double least_fov = 0.05; // 169 degrees
+
+/// How many frames each figure of the frame rate is the mean of.
+constexpr int frames_of_mean = 64;
+
+constexpr std::uint32_t text_color = 0x00ffffff;
+constexpr int second_line = 16; // the book's; pixels from the top
+
+} // namespace
+
+l3d_pipeline_world::l3d_pipeline_world(l3d_canvas canvas, l3d_world& world)
+    : l3d_pipeline_2d(std::move(canvas)), world_(world), seen_size_(size()) {}
+
+void l3d_pipeline_world::key_event(int key) {
+    if (!turn_key(key) && !thrust_key(key) && !look_key(key))
+        l3d_pipeline_2d::key_event(key);
+}
+
+bool l3d_pipeline_world::turn_key(int key) {
+    switch (key) {
+    case 'j':
+        world_.camera.twist({.up = -1});
+        return true;
+    case 'l':
+        world_.camera.twist({.up = 1});
+        return true;
+    case 'I':
+        world_.camera.twist({.right = 1});
+        return true;
+    case 'K':
+        world_.camera.twist({.right = -1});
+        return true;
+    case 'J':
+        world_.camera.twist({.forward = 1});
+        return true;
+    case 'L':
+        world_.camera.twist({.forward = -1});
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool l3d_pipeline_world::thrust_key(int key) {
+    auto& thrust = world_.camera.thrust;
+    switch (key) {
+    case 'i':
+        world_.camera.push({.forward = 1});
+        return true;
+    case 'k':
+        world_.camera.push({.forward = -1});
+        return true;
+    case 's':
+        world_.camera.push({.right = -1});
+        return true;
+    case 'f':
+        world_.camera.push({.right = 1});
+        return true;
+    case 'e':
+        world_.camera.push({.up = 1});
+        return true;
+    case 'd':
+        world_.camera.push({.up = -1});
+        return true;
+    case 'v':
+    case 'V':
+        for (double* t : {&thrust.right, &thrust.up, &thrust.forward}) {
+            *t += thrust_step;
+            if (*t > largest_thrust)
+                *t -= largest_thrust;
+        }
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool l3d_pipeline_world::look_key(int key) {
+    const auto change = [](double& fov, double by) { fov = std::max(fov + by, least_fov); };
+    switch (key) {
+    case 'X':
+        change(world_.camera.fovx, fov_step);
+        return true;
+    case 'x':
+        change(world_.camera.fovx, -fov_step);
+        return true;
+    case 'Y':
+        change(world_.camera.fovy, fov_step);
+        return true;
+    case 'y':
+        change(world_.camera.fovy, -fov_step);
+        return true;
+    case 'n':
+    case 'N':
+        status_shown_ = !status_shown_;
+        return true;
+    case '0':
+    case '1':
+        world_.frozen = key == '0';
+        return true;
+    default:
+        return false;
+    }
+}
+
+void l3d_pipeline_world::resize_event(l3d_size size) {
+    l3d_pipeline_2d::resize_event(size);
+    world_.camera.change_size(seen_size_, size);
+    seen_size_ = size;
+}
+
+void l3d_pipeline_world::update_event(double seconds) {
+    world_.update_all(seconds);
+    seconds_ += seconds;
+    if (++frames_ == frames_of_mean) {
+        frame_rate_ = frames_ / std::max(seconds_, 1e-9);
+        frames_ = 0;
+        seconds_ = 0;
+    }
+}
+
+void l3d_pipeline_world::draw(l3d_rasterizer_2d& rasterizer) {
+    rasterizer.clear_buffer();
+    const std::size_t drawn = world_.draw_all(rasterizer, size());
+    if (!status_shown_)
+        return;
+    const auto whole = static_cast<long>(frame_rate_ + 0.5);
+    l3d_draw_text(rasterizer, 0, 0, "FPS " + std::to_string(whole), text_color);
+    l3d_draw_text(rasterizer, 0, second_line, std::to_string(drawn) + " polys drawn", text_color);
+}

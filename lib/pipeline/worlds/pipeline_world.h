@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// l3d_pipeline_world: a world one can fly through: the keys of the book's programs.
+#ifndef L3D_PIPELINE_WORLDS_PIPELINE_WORLD_H
+#define L3D_PIPELINE_WORLDS_PIPELINE_WORLD_H
+
+#include "pipeline/pipeline_2d.h"
+#include "pipeline/worlds/world.h"
+
+#include <cstddef>
+
+/// The keys, for --help.
+inline constexpr const char* l3d_world_keys =
+    "Keys: j l turn, I K pitch, J L roll, i k forward and back, s f left and right, e d up and "
+    "down, v thrust, X x Y y field of view, n status, 0 1 stop and start, q.";
+
+/// Keys, time and pictures of a world.
+///
+/// Lives:   borrows the world.
+class l3d_pipeline_world : public l3d_pipeline_2d {
+public:
+    l3d_pipeline_world(l3d_canvas canvas, l3d_world& world);
+
+    void key_event(int key) override;
+    void resize_event(l3d_size size) override;
+    void update_event(double seconds) override;
+    bool skip_event() override { return true; }
+
+private:
+    bool turn_key(int key);
+    bool thrust_key(int key);
+    bool look_key(int key);
+    void draw(l3d_rasterizer_2d& rasterizer) override;
+
+    l3d_world& world_;
+    l3d_size seen_size_;
+    bool status_shown_ = false;
+    int frames_ = 0; ///< since the frame rate was last computed
+    double seconds_ = 0;
+    double frame_rate_ = 0;
+};
+
+#endif

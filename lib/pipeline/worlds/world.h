@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// l3d_world: objects and the camera that looks at them.
+#ifndef L3D_PIPELINE_WORLDS_WORLD_H
+#define L3D_PIPELINE_WORLDS_WORLD_H
+
+#include "pipeline/worlds/facet_list.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+/// A left-handed world. A program populates it in the constructor of a subclass.
+class l3d_world {
+public:
+    /// The size of the pictures at first, for the camera.
+    explicit l3d_world(l3d_size size) : camera(size) {}
+    l3d_world(const l3d_world&) = delete;
+    l3d_world& operator=(const l3d_world&) = delete;
+    virtual ~l3d_world() = default;
+
+    l3d_camera_left_handed<l3d_real> camera;
+    std::vector<std::unique_ptr<l3d_object>> objects;
+    l3d_draw_order order = l3d_draw_order::far_first;
+    bool frozen = false; ///< only the camera moves
+
+    /// Lets time pass for every object, then for the camera. Units: seconds.
+    void update_all(double seconds);
+
+    /// Draws all that the camera sees. Returns the number of polygons drawn.
+    std::size_t draw_all(l3d_rasterizer_2d& rasterizer, l3d_size size);
+
+private:
+    l3d_facet_list facets_;
+};
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// height_order: things from the picture's top down, for l3d_workers::for_each_beside.
+#ifndef L3D_RASTER_PARALLEL_HEIGHT_ORDER_P_H
+#define L3D_RASTER_PARALLEL_HEIGHT_ORDER_P_H
+
+#include "raster/parallel/workers.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace l3d_detail {
+
+/// In which order things lie beside each other, as the bands of a picture do: who works on one
+/// then mostly fills it, too, and finds it in the cache of his core.
+///
+/// Lives: keeps its memory from frame to frame.
+class height_order {
+public:
+    void clear() { places_.clear(); }
+
+    /// Adds the next thing. Units: y of any kind, growing downwards, the same for all.
+    void add(std::int32_t y) { places_.push_back({y, static_cast<std::uint32_t>(places_.size())}); }
+
+    /// One worker alone minds no order.
+    void sort_for(const l3d_workers& workers) {
+        if (workers.count() > 1)
+            std::sort(places_.begin(), places_.end());
+    }
+
+    /// Which of the things is the i-th from the top.
+    std::size_t operator[](int i) const { return places_[static_cast<std::size_t>(i)].index; }
+
+private:
+    struct place {
+        std::int32_t y;
+        std::uint32_t index;
+
+        bool operator<(const place& other) const {
+            return std::tie(y, index) < std::tie(other.y, other.index);
+        }
+    };
+
+    std::vector<place> places_;
+};
+
+} // namespace l3d_detail
+
+#endif

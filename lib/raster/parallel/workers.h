@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// l3d_workers: the threads that share the work of a frame.
+#ifndef L3D_RASTER_PARALLEL_WORKERS_H
+#define L3D_RASTER_PARALLEL_WORKERS_H
+
+#include <concepts>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+/// A number of threads that do independent items of work.
+///
+/// The caller is one of them and goes on working until nothing is left to be taken, so a worker
+/// that the system does not let run holds nobody up but for the item it has begun.
+class l3d_workers {
+public:
+    /// Expects: threads >= 1. With 1, all work is done by the caller, in order.
+    explicit l3d_workers(int threads);
+    l3d_workers(const l3d_workers&) = delete;
+    l3d_workers& operator=(const l3d_workers&) = delete;
+    ~l3d_workers();
+
+    int count() const { return count_; }
+
+    /// Calls work(item, worker) once for each item in [0, items), on any worker in [0, count()),
+    /// and returns when all are done. Lower items are begun first. No two calls at a time have the
+    /// same worker.
+    /// Expects: work does not throw. Not called from within work.
+    template <std::invocable<int, int> Work> void for_each(int items, Work&& work) {
+        run(items, call_of<Work>, context_of(work));
+    }
+
+    /// The same for items in a row, of which neighbours use the same memory, and in no order: each
+    /// worker begins at a place of its own and goes on beside it, so that most items meet the same
+    /// worker whenever such a row is worked on, and what they use in the caches of its core.
+    template <std::invocable<int, int> Work> void for_each_beside(int items, Work&& work) {
+        run_beside(items, call_of<Work>, context_of(work));
+    }
+
+private:
+    using item_call = void (*)(void* context, int item, int worker);
+
+    template <class Work> static void call_of(void* context, int item, int worker) {
+        (*static_cast<std::remove_reference_t<Work>*>(context))(item, worker);
+    }
+    template <class Work> static void* context_of(Work& work) {
+        return const_cast<void*>(static_cast<const void*>(std::addressof(work)));
+    }
+
+    void run(int items, item_call call, void* context);
+    void run_beside(int items, item_call call, void* context);
+
+    struct threads;
+    int count_;
+    std::unique_ptr<threads> threads_;
+};
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// l3d_draw_seen_sides: a depth test along lines.
+#include "raster/shapes/hidden_lines.h"
+
+#include "raster/shapes/line_pixels_p.h"
+#include "raster/shapes/picture_plane.h"
+
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+
+void l3d_draw_seen_sides(l3d_pixels target, const l3d_depth_buffer& depth,
+                         std::span<const l3d_painter_triangle> triangles, std::uint32_t color) {
+    assert(target.size() == depth.size());
+    constexpr double rounding = 0x1p-20; // of a float, some steps of it
+    for (const l3d_painter_triangle& t : triangles) {
+        const l3d_picture_plane plane(t.v);
+        const double rise = l3d_subpixel_one * (std::abs(plane.along_x) + std::abs(plane.along_y));
+        if (!std::isfinite(rise))
+            continue; // no area: seen from its edge
+        for (std::size_t k = 0; k < t.v.size(); ++k) {
+            if (!(t.sides >> k & 1))
+                continue;
+            const l3d_micro_vertex &a = t.v[k], &b = t.v[(k + 1) % 3];
+            const double from = a.inv_w, change = double(b.inv_w) - a.inv_w;
+            l3d_detail::visit_line(l3d_detail::side_of(a, b), target.size(),
+                                   [&](int x, int y, double along) {
+                                       const double inv_w = from + along * change;
+                                       const auto column = static_cast<std::size_t>(x);
+                                       if (inv_w * (1 + rounding) + rise >= depth.row(y)[column])
+                                           target.row(y)[column] = color;
+                                   });
+        }
+    }
+}

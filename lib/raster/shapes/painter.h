@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// l3d_painter: fills triangles over each other in a given order, without any depth buffer.
+#ifndef L3D_RASTER_SHAPES_PAINTER_H
+#define L3D_RASTER_SHAPES_PAINTER_H
+
+#include "raster/micro_grid.h"
+#include "raster/surface_rasterizer.h"
+#include "tool_2d/pixels.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+/// A triangle of the picture.
+struct l3d_painter_triangle {
+    std::array<l3d_micro_vertex, 3> v;
+    std::uint32_t color = 0; ///< in mode `error`, a pixel word; else of no meaning
+    std::uint32_t sides = 7; ///< bit k: the side from corner k to the next is drawn as a line
+};
+
+/// Keeps of a triangle the pixels in which it is in front of another one's plane (or behind it).
+///
+/// Where two planes meet is a line in the picture, as 1/w of a plane is linear there. The pixels
+/// are divided at it without gap and without overlap, and no corner is made, so that what is left
+/// keeps the outline and the shading of the whole triangle.
+struct l3d_painter_cut {
+    static constexpr std::uint32_t last = ~0u;
+
+    std::uint32_t splitter = 0; ///< the triangle of the other plane
+    bool in_front = false;      ///< what is kept; where both are equally near is in front
+    std::uint32_t next = last;  ///< a further cut of the same piece
+};
+
+/// What is painted: a triangle, or what cuts leave of it.
+struct l3d_painter_piece {
+    std::uint32_t triangle = 0;
+    std::uint32_t cut = l3d_painter_cut::last; ///< the first of its cuts
+};
+
+/// Fills by the coverage, the planes and the shaders of the surface rasterizers, so that a pixel of
+/// a triangle has the same colour as there.
+///
+/// Cost:    keeps its memory; one thread.
+class l3d_painter {
+public:
+    l3d_painter();
+    ~l3d_painter();
+    l3d_painter(const l3d_painter&) = delete;
+    l3d_painter& operator=(const l3d_painter&) = delete;
+
+    /// Clears the picture and paints the pieces, the first at the bottom.
+    /// Expects: indices of pieces and cuts name what is there.
+    void paint(l3d_pixels target, const l3d_shading& shading,
+               std::span<const l3d_painter_triangle> triangles,
+               std::span<const l3d_painter_piece> pieces, std::span<const l3d_painter_cut> cuts);
+
+    /// Clears the picture and draws the sides of the pieces as lines, without what is hidden: each
+    /// piece is painted in black, the ground's colour, before its own sides.
+    void paint_lines(l3d_pixels target, std::span<const l3d_painter_triangle> triangles,
+                     std::span<const l3d_painter_piece> pieces,
+                     std::span<const l3d_painter_cut> cuts, std::uint32_t line_color);
+
+    /// Of the last call; samples are all pixels painted.
+    const l3d_surface_counts& counts() const { return counts_; }
+
+private:
+    struct work_space;
+    std::unique_ptr<work_space> work_;
+    l3d_surface_counts counts_;
+};
+
+#endif

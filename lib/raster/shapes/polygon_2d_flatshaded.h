@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// l3d_polygon_2d_flatshaded: a polygon of one colour.
+#ifndef L3D_RASTER_SHAPES_POLYGON_2D_FLATSHADED_H
+#define L3D_RASTER_SHAPES_POLYGON_2D_FLATSHADED_H
+
+#include "geom/polygon_2d.h"
+#include "raster/rasterizer_2d.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+/// A convex polygon with what the rasterizer needs to know besides.
+///
+/// Lives:   a value; copies are deep, and of the same type.
+class l3d_polygon_2d_flatshaded : public l3d_polygon_2d {
+public:
+    l3d_polygon_2d_flatshaded(std::vector<std::uint32_t> ivertices, std::uint32_t color)
+        : l3d_polygon_2d(std::move(ivertices)), final_color(color) {}
+
+    /// Fills what clipping has left.
+    template <class Vertex>
+    void draw(const l3d_two_part_list<Vertex>& vertices, l3d_rasterizer_2d& rasterizer) {
+        corners_.clear();
+        for (const std::uint32_t i : clip_ivertices()) {
+            const auto place = l3d_in_picture(vertices[i]);
+            corners_.push_back({l3d_to_double(place[0]), l3d_to_double(place[1])});
+        }
+        rasterizer.draw_polygon_flatshaded(corners_, final_color);
+    }
+
+    std::uint32_t final_color; ///< a pixel word
+
+private:
+    std::vector<l3d_point_2d> corners_; ///< kept, so that no frame allocates
+};
+
+#endif

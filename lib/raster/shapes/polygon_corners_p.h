@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// polygon_corners: the corners of 2D polygons on the lattice of 1/256 pixel.
+#ifndef L3D_RASTER_SHAPES_POLYGON_CORNERS_P_H
+#define L3D_RASTER_SHAPES_POLYGON_CORNERS_P_H
+
+#include "raster/shapes/exact_steps_p.h"
+#include "raster/rasterizer_2d.h"
+#include "raster/shapes/scan_edge_p.h"
+
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// The lattice point of a position, where pixel (x, y) is sampled at x + 1/2, y + 1/2: half a pixel
+/// further than in l3d_rasterizer_2d. Positions beyond far_limit are moved to it, axis by axis.
+/// Expects: numbers.
+far_point lattice_point(l3d_point_2d position);
+
+/// Whether neither coordinate is a NaN.
+bool is_number(l3d_point_2d position);
+
+/// The corners of one polygon.
+///
+/// Cost: allocates when there are more corners than ever before.
+class polygon_corners {
+public:
+    /// Takes the corners of a polygon. False if nothing is to be drawn: fewer than three, no area,
+    /// or one that is not a number.
+    bool set(std::span<const l3d_point_2d> corners);
+
+    /// As seen on the screen, y down.
+    bool clockwise() const { return clockwise_; }
+
+    /// Whether near() has the corners: all are within scan_limit, where scanning is fastest.
+    bool all_near() const { return all_near_; }
+    std::span<const scan_point> near() const { return near_; }
+    std::span<const far_point> far() const { return far_; }
+
+private:
+    bool clockwise_ = false, all_near_ = false;
+    std::vector<scan_point> near_;
+    std::vector<far_point> far_;
+};
+
+} // namespace l3d_detail
+
+#endif

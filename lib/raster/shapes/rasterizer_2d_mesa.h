@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// l3d_rasterizer_2d_mesa_imp: points, lines and polygons through GL.
+#ifndef L3D_RASTER_SHAPES_RASTERIZER_2D_MESA_H
+#define L3D_RASTER_SHAPES_RASTERIZER_2D_MESA_H
+
+#include "raster/mesa_target_p.h"
+#include "raster/shapes/rasterizer_2d_sw.h"
+
+#include <array>
+#include <vector>
+
+/// Draws the same pixels as l3d_rasterizer_2d_sw_imp, by another's hand.
+///
+/// All becomes triangles on the lattice of 1/256 pixel, which GL fills by the same rule. Points,
+/// the straight runs of a line and the spans of outlines are rectangles: GL's own lines leave open
+/// which of two equally near pixels is lit, and its polygons must be convex. The words are the
+/// same, too; only where GL computes colours, in Gouraud-shaded polygons and smooth lines, may red,
+/// green and blue differ by 1. What GL cannot do exactly is left to the CPU: polygons that reach
+/// further than 8191 pixels from the middle of the picture, and pictures larger than GL's largest.
+/// Cost:    drawing gathers; the picture goes to GL with the first batch after finish, set_target
+///          or a change of hands, and comes back in finish.
+class l3d_rasterizer_2d_mesa_imp final : public l3d_rasterizer_2d_imp {
+public:
+    /// Errors:  l3d_error(no_backend) if this GL does not compile the shaders.
+    l3d_rasterizer_2d_mesa_imp(std::unique_ptr<l3d_detail::mesa_context> context,
+                               l3d_pixels target);
+
+private:
+    void do_set_target(l3d_pixels target) override;
+    void do_finish() override;
+    void do_clear_buffer() override;
+    void do_draw_point(int x, int y, std::uint32_t color) override;
+    void do_draw_lines(std::span<const l3d_line_2d> lines, std::uint32_t color) override;
+    void do_draw_line_antialiased(l3d_point_2d from, l3d_point_2d to, std::uint32_t color) override;
+    void do_draw_polygon_flatshaded(l3d_outline_2d corners, std::uint32_t color) override;
+    void do_draw_polygon_gouraudshaded(std::span<const l3d_colored_point_2d> corners) override;
+    void do_draw_outlines(std::span<const l3d_outline_2d> outlines, l3d_winding inside,
+                          std::uint32_t color) override;
+
+    struct vertex {
+        float x, y;
+        std::array<std::uint8_t, 4> color; ///< red, green, blue, and the word's highest byte
+    };
+    /// Where the picture is up to date besides, or instead of, the target.
+    enum class held { not_at_all, as_black, newer_than_target };
+    /// What the highest byte of the batch's colours is: the word's, or the coverage.
+    enum class blending { off, by_coverage };
+
+    void draw_line(const l3d_line_2d& line, std::uint32_t color);
+    void add_rectangle(int left, int top, int right, int bottom, std::uint32_t color);
+    void add(float x, float y, std::uint32_t color);
+    void add(const l3d_detail::far_point& corner, std::uint32_t color);
+    bool reaches(const l3d_detail::far_point& corner) const;
+    void set_blending(blending wanted);
+    void flush();
+
+    l3d_detail::mesa_target gl_target_;
+    l3d_pixels target_;
+    bool fits_ = false; ///< GL can hold the picture
+    held held_ = held::not_at_all;
+    blending blending_ = blending::off;
+    std::vector<vertex> batch_;
+    l3d_detail::polygon_corners corners_;
+    l3d_detail::winding_scan winding_;
+    l3d_rasterizer_2d_sw_imp cpu_imp_;
+    l3d_rasterizer_2d cpu_;
+};
+
+#endif

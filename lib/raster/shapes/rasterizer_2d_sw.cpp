@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// l3d_rasterizer_2d_sw_imp: from steps and spans to words.
+#include "raster/shapes/rasterizer_2d_sw.h"
+
+#include "raster/shapes/line_steps_p.h"
+#include "raster/shapes/smooth_line_p.h"
+#include "raster/shapes/span_kernels_p.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace {
+
+using namespace l3d_detail;
+
+/// Lights the pixels of the steps seen; strides are in words. Those so many steps `ahead` are asked
+/// for, if not 0.
+template <int ahead, class Minors>
+void light(const line_steps& line, Minors minors, const l3d_pixels& target, std::uint32_t color) {
+    const std::ptrdiff_t along = line.x_major ? 1 : target.stride;
+    const std::ptrdiff_t across = line.x_major ? target.stride : 1;
+    std::uint32_t* at = target.words + (line.major + line.first) * along + line.minor * across;
+    for (std::int64_t left = line.last - line.first + 1; left > 0; --left, at += along) {
+        if constexpr (ahead > 0)
+            __builtin_prefetch(at + minors.floor_after(ahead) * across + ahead * along, 1);
+        at[minors.floor() * across] = color;
+        minors.step();
+    }
+}
+
+/// Each pixel of a steep line is in a row, and so in a cache line, of its own: a picture that the
+/// cache does not hold is written a third faster if asked for ahead. Short lines end too soon.
+constexpr int pixels_ahead = 4;
+bool gains_ahead(const line_steps& line) {
+    return !line.x_major && line.last - line.first > 8 * pixels_ahead;
+}
+
+/// A word whose three lower bytes are moved towards the colour's by coverage / 255, to nearest.
+std::uint32_t blended(std::uint32_t word, std::uint32_t color, int coverage) {
+    std::uint32_t result = word & 0xff000000;
+    for (const int shift : {0, 8, 16}) {
+        const int from = static_cast<int>(word >> shift & 255);
+        const int to = static_cast<int>(color >> shift & 255);
+        const int sum = from * (255 - coverage) + to * coverage;
+        result |= static_cast<std::uint32_t>((sum + 127) / 255) << shift;
+    }
+    return result;
+}
+
+shaded_corner corner_of(const l3d_colored_point_2d& p) {
+    const auto channel = [&p](int shift) { return static_cast<double>(p.color >> shift & 255); };
+    return {lattice_point({p.x, p.y}), {channel(16), channel(8), channel(0)}};
+}
+
+} // namespace
+
+void l3d_rasterizer_2d_sw_imp::do_set_target(l3d_pixels target) {
+    target_ = target;
+    constexpr double most = scan_limit / l3d_subpixel_one;
+    ends_ = {std::min<double>(target.width, most), std::min<double>(target.height, most)};
+    scan_.set_rows({0, target.height});
+}
+
+void l3d_rasterizer_2d_sw_imp::do_clear_buffer() {
+    for (int y = 0; y < target_.height; ++y)
+        std::ranges::fill(target_.row(y), 0u);
+}
+
+void l3d_rasterizer_2d_sw_imp::do_draw_point(int x, int y, std::uint32_t color) {
+    if (x >= 0 && x < target_.width && y >= 0 && y < target_.height)
+        target_.row(y)[static_cast<std::size_t>(x)] = color;
+}
+
+void l3d_rasterizer_2d_sw_imp::do_draw_lines(std::span<const l3d_line_2d> lines,
+                                             std::uint32_t color) {
+    for (const l3d_line_2d& line : lines)
+        draw_line(line, color);
+}
+
+void l3d_rasterizer_2d_sw_imp::draw_line(const l3d_line_2d& line, std::uint32_t color) {
+    if (line.x0 == line.x1 && line.y0 == line.y1)
+        return do_draw_point(line.x0, line.y0, color);
+    const line_steps steps = steps_of(line, target_.size());
+    if (steps.first > steps.last)
+        return;
+    if (!swift_minors::serves(steps))
+        light<0>(steps, steps.minors(), target_, color);
+    else if (gains_ahead(steps))
+        light<pixels_ahead>(steps, swift_minors(steps), target_, color);
+    else
+        light<0>(steps, swift_minors(steps), target_, color);
+}
+
+void l3d_rasterizer_2d_sw_imp::do_draw_line_antialiased(l3d_point_2d from, l3d_point_2d to,
+                                                        std::uint32_t color) {
+    if (!is_number(from) || !is_number(to))
+        return;
+    smooth_line(from, to, target_.size()).for_each_pixel([&](int x, int y, int coverage) {
+        std::uint32_t& word = target_.row(y)[static_cast<std::size_t>(x)];
+        word = blended(word, color, coverage);
+    });
+}
+
+void l3d_rasterizer_2d_sw_imp::do_draw_polygon_flatshaded(l3d_outline_2d corners,
+                                                          std::uint32_t color) {
+    if (corners.size() == 3 && fill_small_triangle(target_, corners.first<3>(), ends_, color))
+        return;
+    if (!corners_.set(corners))
+        return;
+    if (corners_.all_near())
+        fill_convex(corners_.near(), color);
+    else
+        fill_convex(corners_.far(), color);
+}
+
+template <class Point>
+void l3d_rasterizer_2d_sw_imp::fill_convex(std::span<const Point> corners, std::uint32_t color) {
+    const scan_rows rows = scan_.convert(corners, corners_.clockwise());
+    if (rows.top < rows.bottom)
+        fill_rows(target_, rows.top, scan_.ends(rows), color);
+}
+
+void l3d_rasterizer_2d_sw_imp::do_draw_polygon_gouraudshaded(
+    std::span<const l3d_colored_point_2d> corners) {
+    if (!std::ranges::all_of(corners, [](const auto& p) { return is_number({p.x, p.y}); }))
+        return;
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        const std::array<shaded_corner, 3> triangle{
+            corner_of(corners[0]), corner_of(corners[i - 1]), corner_of(corners[i])};
+        shade_spans(target_, triangle_.convert(triangle, target_.size()));
+    }
+}
+
+void l3d_rasterizer_2d_sw_imp::do_draw_outlines(std::span<const l3d_outline_2d> outlines,
+                                                l3d_winding inside, std::uint32_t color) {
+    fill_spans(target_, winding_.convert(outlines, inside, target_.size()), color);
+}

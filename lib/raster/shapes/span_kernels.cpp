@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+// span_kernels: for every instruction set that the processor may have.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/shapes/span_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "raster/parallel/simd_dispatch_p.h"
+#include "raster/shapes/span_kernels_p.h"
+#include "raster/parallel/store_where-inl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr hn::CappedTag<std::uint32_t, 16> words;
+constexpr hn::RebindToSigned<decltype(words)> integers;
+constexpr hn::RebindToFloat<decltype(words)> floats;
+using word_lanes = hn::Vec<decltype(words)>;
+using integer_lanes = hn::Vec<decltype(integers)>;
+
+/// Two halves of a vector, which may overlap, or less. Expects: 1 <= count < Lanes, or both 1.
+template <std::size_t Lanes>
+HWY_INLINE void fill_short_span(std::uint32_t* at, std::size_t count, std::uint32_t color) {
+    if constexpr (Lanes == 1) {
+        *at = color;
+    } else {
+        const hn::CappedTag<std::uint32_t, Lanes / 2> half;
+        if (count < Lanes / 2)
+            return fill_short_span<Lanes / 2>(at, count, color);
+        hn::StoreU(hn::Set(half, color), half, at);
+        hn::StoreU(hn::Set(half, color), half, at + count - Lanes / 2);
+    }
+}
+
+/// The last vector ends where the span does and may overlap the one before. Expects: count >= 1.
+HWY_INLINE void fill_span(std::uint32_t* at, std::size_t count, std::uint32_t color) {
+    constexpr std::size_t lanes = hn::MaxLanes(words);
+    const word_lanes colors = hn::Set(words, color);
+    if (count < lanes) {
+        if constexpr (masked_stores_are_cheap)
+            return hn::BlendedStore(colors, hn::FirstN(words, count), words, at);
+        else
+            return fill_short_span<lanes>(at, count, color);
+    }
+    for (std::size_t i = 0; i < count - lanes; i += lanes)
+        hn::StoreU(colors, words, at + i);
+    hn::StoreU(colors, words, at + count - lanes);
+}
+
+void fill_rows_in_lanes(const l3d_pixels& target, std::int32_t top, std::span<const scan_ends> rows,
+                        std::uint32_t color) {
+    std::uint32_t* row = target.words + top * target.stride;
+    for (const scan_ends& ends : rows) {
+        const std::int32_t first = std::max(ends[0], 0), last = std::min(ends[1], target.width);
+        if (first < last)
+            fill_span(row + first, static_cast<std::size_t>(last - first), color);
+        row += target.stride;
+    }
+}
+
+void fill_spans_in_lanes(const l3d_pixels& target, std::span<const pixel_span> spans,
+                         std::uint32_t color) {
+    for (const pixel_span& s : spans)
+        fill_span(target.words + s.row * target.stride + s.first,
+                  static_cast<std::size_t>(s.last - s.first), color);
+}
+
+/// A channel of neighbouring columns; no bound is needed, for the numbers leave [0, 255] by less
+/// than rounding forgives.
+HWY_INLINE word_lanes channel_at(const shaded_span& span, std::size_t channel,
+                                 hn::Vec<decltype(floats)> i) {
+    const auto value = hn::Add(hn::Set(floats, span.start[channel]),
+                               hn::Mul(hn::Set(floats, span.step[channel]), i));
+    return hn::BitCast(words, hn::ConvertTo(integers, hn::Add(value, hn::Set(floats, 0.5f))));
+}
+
+HWY_INLINE word_lanes colors_at(const shaded_span& span, std::int32_t column) {
+    const auto i = hn::ConvertTo(floats, hn::Iota(integers, column - span.anchor));
+    return hn::Or(
+        hn::Or(hn::ShiftLeft<16>(channel_at(span, 0, i)), hn::ShiftLeft<8>(channel_at(span, 1, i))),
+        channel_at(span, 2, i));
+}
+
+void shade_spans_in_lanes(const l3d_pixels& target, std::span<const shaded_span> spans) {
+    const auto lanes = static_cast<std::int32_t>(hn::Lanes(words));
+    for (const shaded_span& s : spans) {
+        std::uint32_t* row = target.words + s.row * target.stride;
+        const std::int32_t last_begin = s.last - lanes;
+        for (std::int32_t x = s.first; x < last_begin; x += lanes)
+            hn::StoreU(colors_at(s, x), words, row + x);
+        if (s.first <= last_begin)
+            hn::StoreU(colors_at(s, last_begin), words, row + last_begin);
+        else
+            hn::BlendedStore(colors_at(s, s.first),
+                             hn::FirstN(words, static_cast<std::size_t>(s.last - s.first)), words,
+                             row + s.first);
+    }
+}
+
+/// To whole units of 1/256 pixel. Expects: |position| <= 2^15.
+HWY_INLINE std::int32_t units(double position) {
+    return static_cast<std::int32_t>(std::lrint(position * l3d_subpixel_one));
+}
+
+/// Where three coordinates lie, in pixels.
+struct bounds {
+    double low, high;
+
+    HWY_INLINE bounds(double a, double b, double c)
+        : low(std::min(std::min(a, b), c)), high(std::max(std::max(a, b), c)) {}
+
+    HWY_INLINE bool small_within(double end) const {
+        return low >= 0 && high <= end && high - low <= small_side;
+    }
+    /// The pixels whose samples are not before the low or the high end.
+    HWY_INLINE std::int32_t first() const { return first_sample(low); }
+    HWY_INLINE std::int32_t last() const { return first_sample(high); }
+
+private:
+    HWY_INLINE static std::int32_t first_sample(double position) {
+        return (units(position) + l3d_subpixel_one - 1) >> l3d_subpixel_bits;
+    }
+};
+
+/// An edge function in a row of samples, and what it gains from row to row: not below 0 where
+/// the sample is inside. On an edge that is neither left nor top it is -1.
+struct edge_lanes {
+    integer_lanes value, per_row;
+    std::int32_t per_column;
+
+    /// Corners as seen from the first sample.
+    HWY_INLINE edge_lanes(scan_point from, scan_point to) {
+        const std::int32_t dx = to.x - from.x, dy = to.y - from.y;
+        // negative on a left or top edge, where dy < 0, or dy = 0 and dx > 0; for |dx| < 2^14
+        const std::int32_t order = dy * (1 << 14) - dx;
+        const std::int32_t first = dy * from.x - dx * from.y - 1 - (order >> 31);
+        per_column = -l3d_subpixel_one * dy;
+        value = hn::Add(hn::Set(integers, first),
+                        hn::Mul(hn::Iota(integers, 0), hn::Set(integers, per_column)));
+        per_row = hn::Set(integers, l3d_subpixel_one * dx);
+    }
+
+    /// To the next vector of columns.
+    HWY_INLINE void step_right() {
+        const auto lanes = static_cast<std::int32_t>(hn::Lanes(words));
+        value = hn::Add(value, hn::Set(integers, lanes * per_column));
+    }
+};
+
+bool fill_small_triangle_in_lanes(const l3d_pixels& target,
+                                  std::span<const l3d_point_2d, 3> corners,
+                                  const std::array<double, 2>& ends, std::uint32_t color) {
+    const l3d_point_2d &a = corners[0], &b = corners[1], &c = corners[2];
+    if (std::isnan(a.x + b.x + c.x + a.y + b.y + c.y))
+        return false; // comparisons may lose a NaN, a sum does not
+    const bounds x(a.x, b.x, c.x), y(a.y, b.y, c.y);
+    if (!x.small_within(ends[0]) || !y.small_within(ends[1]))
+        return false;
+    const std::int32_t left = x.first(), right = x.last(), top = y.first(), bottom = y.last();
+    const auto seen = [=](const l3d_point_2d& at) {
+        return scan_point{units(at.x) - l3d_subpixel_one * left,
+                          units(at.y) - l3d_subpixel_one * top};
+    };
+    const scan_point p = seen(a);
+    scan_point q = seen(b), r = seen(c);
+    const std::int32_t area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    if (area <= 0) {
+        if (area == 0)
+            return true;
+        std::swap(q, r);
+    }
+    edge_lanes pq(p, q), qr(q, r), rp(r, p);
+    const word_lanes colors = hn::Set(words, color);
+    const auto lanes = static_cast<std::int32_t>(hn::Lanes(words));
+    const std::ptrdiff_t stride = target.stride;
+    std::uint32_t* block = target.words + top * stride + left;
+    std::int32_t room = target.width - left;
+    for (std::int32_t columns = right - left; columns > 0; columns -= lanes, block += lanes) {
+        integer_lanes u = pq.value, v = qr.value, w = rp.value;
+        std::uint32_t* at = block;
+        for (std::int32_t rows = bottom - top; rows > 0; --rows, at += stride) {
+            const auto inside = hn::Gt(hn::Or(hn::Or(u, v), w), hn::Set(integers, -1));
+            if (HWY_LIKELY(room >= lanes))
+                store_where(hn::RebindMask(floats, inside), colors, words, at);
+            else
+                hn::BlendedStore(colors, hn::RebindMask(words, inside), words, at);
+            u = hn::Add(u, pq.per_row);
+            v = hn::Add(v, qr.per_row);
+            w = hn::Add(w, rp.per_row);
+        }
+        room -= lanes;
+        if (columns > lanes) {
+            pq.step_right();
+            qr.step_right();
+            rp.step_right();
+        }
+    }
+    return true;
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace l3d_detail {
+
+L3D_SIMD_TABLE(fill_rows_in_lanes);
+L3D_SIMD_TABLE(fill_spans_in_lanes);
+L3D_SIMD_TABLE(shade_spans_in_lanes);
+L3D_SIMD_TABLE(fill_small_triangle_in_lanes);
+
+void fill_rows(const l3d_pixels& target, std::int32_t top, std::span<const scan_ends> rows,
+               std::uint32_t color) {
+    L3D_SIMD_CALL(fill_rows_in_lanes)(target, top, rows, color);
+}
+
+void fill_spans(const l3d_pixels& target, std::span<const pixel_span> spans, std::uint32_t color) {
+    L3D_SIMD_CALL(fill_spans_in_lanes)(target, spans, color);
+}
+
+void shade_spans(const l3d_pixels& target, std::span<const shaded_span> spans) {
+    L3D_SIMD_CALL(shade_spans_in_lanes)(target, spans);
+}
+
+bool fill_small_triangle(const l3d_pixels& target, std::span<const l3d_point_2d, 3> corners,
+                         const std::array<double, 2>& ends, std::uint32_t color) {
+    return L3D_SIMD_CALL(fill_small_triangle_in_lanes)(target, corners, ends, color);
+}
+
+} // namespace l3d_detail
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The inner loops of the 2D rasterizer, in SIMD lanes.
+#ifndef L3D_RASTER_SHAPES_SPAN_KERNELS_P_H
+#define L3D_RASTER_SHAPES_SPAN_KERNELS_P_H
+
+#include "raster/rasterizer_2d.h"
+#include "raster/shapes/scan_polygon_p.h"
+#include "raster/shapes/shaded_triangle_p.h"
+#include "raster/shapes/winding_scan_p.h"
+#include "tool_2d/pixels.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace l3d_detail {
+
+/// Fills columns first <= x < last of rows from `top` on, as far as they are in the picture.
+/// Expects: the rows are in the picture.
+void fill_rows(const l3d_pixels& target, std::int32_t top, std::span<const scan_ends> rows,
+               std::uint32_t color);
+
+/// Fills spans. Expects: they are in the picture, and not empty.
+void fill_spans(const l3d_pixels& target, std::span<const pixel_span> spans, std::uint32_t color);
+
+/// Fills spans, each pixel in its colour, to nearest. Expects: they are in the picture.
+void shade_spans(const l3d_pixels& target, std::span<const shaded_span> spans);
+
+/// The longest side of a triangle that fill_small_triangle takes: 2^13 lattice units. Products of
+/// two differences and their sums then stay below 2^28.
+inline constexpr int small_side = 32;
+
+/// Fills a triangle by its three edge functions, at all pixels of its box: for a small one that
+/// costs less than finding spans. False if it is not small, or not wholly in the picture, and
+/// nothing is drawn.
+/// Shape:   three corners of any winding; NaN may be among them.
+/// Expects: `ends` = {width, height} of the picture, or less, and at most 2^15.
+bool fill_small_triangle(const l3d_pixels& target, std::span<const l3d_point_2d, 3> corners,
+                         const std::array<double, 2>& ends, std::uint32_t color);
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// winding_scan: the pixels inside of outlines of any form, span by span.
+#ifndef L3D_RASTER_SHAPES_WINDING_SCAN_P_H
+#define L3D_RASTER_SHAPES_WINDING_SCAN_P_H
+
+#include "raster/rasterizer_2d.h"
+#include "raster/shapes/scan_edge_p.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Columns first <= column < last of a row.
+struct pixel_span {
+    std::int32_t row, first, last;
+};
+
+/// Walks down the rows with the edges that cross them, in order of their columns.
+///
+/// An edge counts for a pixel if its column is not right of it, so that what is inside is exact for
+/// every pixel, however close edges cross.
+/// Cost: for each row, one step and about one comparison for each edge that crosses it; allocates
+///       when there are more edges or spans than ever before.
+class winding_scan {
+public:
+    /// The spans of a picture of that size, from top to bottom and left to right, without overlap.
+    /// Lives: until the next call.
+    std::span<const pixel_span> convert(std::span<const l3d_outline_2d> outlines,
+                                        l3d_winding inside, l3d_size size);
+
+private:
+    struct edge {
+        std::int32_t top, bottom; ///< rows top <= row < bottom are crossed
+        int direction;            ///< 1 if it leads upwards: what is right of it is wound clockwise
+        exact_edge columns;
+    };
+    struct crossing {
+        std::int32_t column;
+        int direction;
+        std::size_t edge;
+    };
+
+    void add_outline(l3d_outline_2d outline, std::int32_t height);
+    void add_edge(far_point from, far_point to, std::int32_t height);
+    void sort_crossings();
+    void add_spans(std::int32_t row, l3d_winding inside, std::int32_t width);
+    void step_to(std::int32_t row);
+
+    std::vector<edge> edges_;
+    std::vector<crossing> crossings_;
+    std::vector<pixel_span> spans_;
+};
+
+} // namespace l3d_detail
+
+#endif

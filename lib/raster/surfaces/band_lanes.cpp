@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// band_lanes: for every instruction set that the processor may have.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/surfaces/band_lanes.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "raster/surfaces/band_lanes_p.h"
+#include "raster/shapes/scan_edge_p.h"
+#include "raster/parallel/simd_dispatch_p.h"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr hn::CappedTag<float, 16> floats;
+constexpr hn::RebindToSigned<decltype(floats)> integers;
+using float_lanes = hn::Vec<decltype(floats)>;
+using integer_lanes = hn::Vec<decltype(integers)>;
+
+struct lane_bounds {
+    integer_lanes left, top, right, bottom;
+    float_lanes nearest;
+};
+
+HWY_INLINE lane_bounds nothing() {
+    constexpr std::int32_t most = 0x7fffffff;
+    return {hn::Set(integers, most), hn::Set(integers, most), hn::Set(integers, -most),
+            hn::Set(integers, -most), hn::Zero(floats)};
+}
+
+/// Takes `count` elements from `begin` into account. Lanes of others are masked; the vector starts
+/// earlier where it would end outside of the `size` elements that there are.
+/// Expects: size >= 16.
+HWY_INLINE void take(lane_bounds& b, const std::int32_t* x, const std::int32_t* y,
+                     const float* inv_w, std::size_t begin, std::size_t count, std::size_t size) {
+    const std::size_t lanes = hn::Lanes(integers);
+    const integer_lanes first = hn::Set(integers, static_cast<std::int32_t>(begin));
+    const integer_lanes end = hn::Set(integers, static_cast<std::int32_t>(begin + count));
+    for (std::size_t i = begin; i < begin + count; i += lanes) {
+        const std::size_t at = std::min(i, size - lanes);
+        const integer_lanes place =
+            hn::Add(hn::Iota(integers, 0), hn::Set(integers, static_cast<std::int32_t>(at)));
+        const auto inside = hn::AndNot(hn::Lt(place, first), hn::Lt(place, end));
+        const integer_lanes xs = hn::LoadU(integers, x + at), ys = hn::LoadU(integers, y + at);
+        b.left = hn::IfThenElse(inside, hn::Min(b.left, xs), b.left);
+        b.right = hn::IfThenElse(inside, hn::Max(b.right, xs), b.right);
+        b.top = hn::IfThenElse(inside, hn::Min(b.top, ys), b.top);
+        b.bottom = hn::IfThenElse(inside, hn::Max(b.bottom, ys), b.bottom);
+        const float_lanes depths = hn::LoadU(floats, inv_w + at);
+        b.nearest =
+            hn::IfThenElse(hn::RebindMask(floats, inside), hn::Max(b.nearest, depths), b.nearest);
+    }
+}
+
+HWY_INLINE std::int32_t least(integer_lanes v) {
+    return hn::GetLane(hn::MinOfLanes(integers, v));
+}
+HWY_INLINE std::int32_t greatest(integer_lanes v) {
+    return hn::GetLane(hn::MaxOfLanes(integers, v));
+}
+
+HWY_INLINE polygon_bounds reduced(const lane_bounds& b) {
+    return {{least(b.left), least(b.top), greatest(b.right), greatest(b.bottom)},
+            hn::GetLane(hn::MaxOfLanes(floats, b.nearest))};
+}
+
+polygon_bounds bounds_of_cells(const l3d_micro_grid& grid, const grid_cells& cells,
+                               band_rows* rows) {
+    const auto count = static_cast<std::size_t>(cells.column_end - cells.column_begin) + 1;
+    lane_bounds all = nothing();
+    band_rows above{};
+    for (int row = cells.row_begin; row <= cells.row_end; ++row) {
+        lane_bounds here = all;
+        here.top = nothing().top;
+        here.bottom = nothing().bottom;
+        take(here, grid.x.data(), grid.y.data(), grid.inv_w.data(),
+             grid.index(row, cells.column_begin), count, grid.x.size());
+        const band_rows below{least(here.top), greatest(here.bottom)};
+        if (row > cells.row_begin)
+            *rows++ = {first_centre(std::min(above.top, below.top)),
+                       first_centre(std::max(above.bottom, below.bottom))};
+        above = below;
+        here.top = hn::Min(here.top, all.top);
+        here.bottom = hn::Max(here.bottom, all.bottom);
+        all = here;
+    }
+    return reduced(all);
+}
+
+polygon_bounds bounds_of_triangles(const l3d_micro_triangles& triangles, std::size_t first,
+                                   std::size_t last) {
+    lane_bounds all = nothing();
+    for (const l3d_micro_triangles::corner& c : triangles.corners)
+        take(all, c.x.data(), c.y.data(), c.inv_w.data(), first, last - first, c.x.size());
+    return reduced(all);
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace l3d_detail {
+
+L3D_SIMD_TABLE(bounds_of_cells);
+L3D_SIMD_TABLE(bounds_of_triangles);
+
+polygon_bounds bounds_of(const l3d_micro_grid& grid, const grid_cells& cells, band_rows* rows) {
+    return L3D_SIMD_CALL(bounds_of_cells)(grid, cells, rows);
+}
+
+polygon_bounds bounds_of(const l3d_micro_triangles& triangles, std::size_t first,
+                         std::size_t last) {
+    return L3D_SIMD_CALL(bounds_of_triangles)(triangles, first, last);
+}
+
+} // namespace l3d_detail
+#endif

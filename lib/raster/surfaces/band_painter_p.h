@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// band_painter: fills one band of a picture after the other, for one worker.
+#ifndef L3D_RASTER_SURFACES_BAND_PAINTER_P_H
+#define L3D_RASTER_SURFACES_BAND_PAINTER_P_H
+
+#include "raster/surfaces/band_list_p.h"
+#include "raster/surfaces/band_scalar_p.h"
+#include "raster/surfaces/coarse_depth_p.h"
+#include "raster/surfaces/fill_kernel_p.h"
+
+#include <cstddef>
+#include <span>
+
+namespace l3d_detail {
+
+/// What all bands of a frame have in common.
+struct band_frame {
+    l3d_shading shading;
+    bool by_lanes = false;         ///< mode and width are such that the fill kernel can serve
+    bool leaves_out_hidden = true; ///< what is behind the coarse depth is not looked at
+};
+
+/// A worker's own work space, and what it has counted.
+///
+/// Shape: begins a cache line, so that workers do not take each other's.
+class alignas(64) band_painter {
+public:
+    /// So that drawing bands of so many rows allocates nothing.
+    void reserve(int rows) { scalar_.reserve(rows); }
+
+    /// Makes as much room as another worker had to: which band comes to whom is chance.
+    void reserve_as(const band_painter& other);
+
+    /// Draws the items into the band, in this order, and notes them in the coarse depth.
+    void draw(const band_frame& frame, const fill_band& band, const band_list& list,
+              std::span<const std::uint32_t> items, coarse_depth& coarse);
+
+    /// What was counted since the last call.
+    fill_counts take_counts();
+
+private:
+    void draw_triangles(const band_frame& frame, const fill_band& band, const band_item& item);
+    void draw_cells(const band_frame& frame, const fill_band& band, const band_list& list,
+                    const band_item& item);
+    void draw_run(const band_frame& frame, const fill_band& band, const band_list& list,
+                  const band_item& item, const grid_cells& cells);
+    void draw_rest(const band_frame& frame, const fill_band& band);
+    fill_target by_lanes(const band_frame& frame, const fill_band& band) {
+        return {band, frame.shading, queue_, by_lanes_, rest_, frame.leaves_out_hidden};
+    }
+
+    band_scalar scalar_;
+    fill_queue queue_;
+    fill_rest rest_;
+    fill_counts by_lanes_, by_scalar_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// band_scalar: choosing the shader, and the walk over a grid's cells.
+#include "raster/surfaces/band_scalar_p.h"
+
+#include "raster/surfaces/surface_fill_p.h"
+#include "raster/surfaces/levels_shader_p.h"
+#include "raster/surfaces/surface_shader_p.h"
+
+#include <algorithm>
+#include <array>
+
+namespace l3d_detail {
+
+namespace {
+
+/// Whether no pixel centre of [begin, end) lies between the least and the greatest of four numbers.
+bool misses(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d, std::int32_t begin,
+            std::int32_t end) {
+    const std::int32_t first = first_centre(std::min(std::min(a, b), std::min(c, d)));
+    const std::int32_t last = first_centre(std::max(std::max(a, b), std::max(c, d)));
+    return std::max(first, begin) >= std::min(last, end);
+}
+
+/// Fills the quad whose first corner is at p00.
+template <class Shader>
+void fill_cell(surface_fill<Shader>& fill, const fill_band& band, const l3d_micro_grid& grid,
+               std::size_t p00) {
+    const std::size_t p10 = p00 + 1, p01 = p00 + static_cast<std::size_t>(grid.pitch);
+    const std::size_t p11 = p01 + 1;
+    if (misses(grid.x[p00], grid.x[p10], grid.x[p11], grid.x[p01], 0, band.width) ||
+        misses(grid.y[p00], grid.y[p10], grid.y[p11], grid.y[p01], band.top, band.bottom))
+        return;
+    fill.quad({grid.vertex(p00), grid.vertex(p10), grid.vertex(p11), grid.vertex(p01)});
+}
+
+template <class Shader>
+void fill_triangle(surface_fill<Shader>& fill, const l3d_micro_triangles& triangles,
+                   std::size_t i) {
+    fill.triangle({triangles.vertex(i, 0), triangles.vertex(i, 1), triangles.vertex(i, 2)});
+}
+
+} // namespace
+
+void band_scalar::begin(const fill_band& band, const l3d_shading& shading) {
+    target_.band = band;
+    target_.scan.set_rows({band.top, band.bottom});
+    target_.counts = {};
+    shading_ = &shading;
+}
+
+/// Calls draw with a filler for the frame's shader: one switch per batch, none per pixel.
+template <class Draw> void band_scalar::with_shader(std::uint32_t error_color, const Draw& draw) {
+    switch (shading_->mode) {
+    case l3d_shade::lambert:
+        return draw(surface_fill(target_, lambert_shader(*shading_)));
+    case l3d_shade::gouraud:
+        return draw(surface_fill(target_, gouraud_shader(*shading_)));
+    case l3d_shade::flat:
+        return draw(surface_fill(target_, flat_shader(*shading_)));
+    case l3d_shade::normals:
+        return draw(surface_fill(target_, normals_shader(*shading_)));
+    case l3d_shade::error:
+        return draw(surface_fill(target_, constant_shader(error_color)));
+    case l3d_shade::levels:
+        return draw(surface_fill(target_, levels_shader()));
+    }
+}
+
+void band_scalar::fill(const l3d_surface_part& part, const grid_cells& cells) {
+    with_shader(part.error_color, [&](auto fill) {
+        for (int row = cells.row_begin; row < cells.row_end; ++row)
+            for (int column = cells.column_begin; column < cells.column_end; ++column)
+                fill_cell(fill, target_.band, part.grid, part.grid.index(row, column));
+    });
+}
+
+void band_scalar::fill(const l3d_surface_part& part, std::size_t first, std::size_t last) {
+    with_shader(part.error_color, [&](auto fill) {
+        for (std::size_t i = first; i < last; ++i)
+            fill_triangle(fill, part.triangles, i);
+    });
+}
+
+void band_scalar::fill(const fill_rest& rest) {
+    constexpr std::uint32_t no_color = 0; // the kernel does not take mode `error`
+    with_shader(no_color, [&](auto fill) {
+        for (const fill_rest::quad& quad : rest.quads)
+            fill_cell(fill, target_.band, *quad.grid, quad.index);
+        for (const fill_rest::triangle& triangle : rest.triangles)
+            fill_triangle(fill, *triangle.triangles, triangle.index);
+    });
+}
+
+} // namespace l3d_detail

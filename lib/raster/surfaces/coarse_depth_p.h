@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// coarse_depth: what is known of a picture's depth tile by tile.
+#ifndef L3D_RASTER_SURFACES_COARSE_DEPTH_P_H
+#define L3D_RASTER_SURFACES_COARSE_DEPTH_P_H
+
+#include "raster/surfaces/fill_kernel_p.h"
+#include "raster/surfaces/pixel_box_p.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace l3d_detail {
+
+/// A tile of a picture. A cache line of depths wide; about as large as a micro-quad at a tolerance
+/// of 1/4 pixel.
+struct depth_tile {
+    static constexpr std::int32_t width = 16, height = 8;
+};
+
+/// What is known of a picture's tiles. Shape: rows of `columns` numbers, and of `words` with a bit
+/// for each tile.
+struct tile_table {
+    std::size_t columns = 0, words = 0;
+    std::vector<float> farthest;      ///< no pixel has a smaller inv_w
+    std::vector<std::uint64_t> drawn; ///< something may be there; else depths are not even defined
+    std::vector<std::uint64_t> newer; ///< something may have come since `farthest` was found
+};
+
+/// The tiles of a picture: they tell what is behind what is there, and which depths nobody has set
+/// to 0 yet. That is done when something comes to them and they are wanted in the nearest cache.
+///
+/// Depth only ever comes nearer in a frame, so what was found for a tile stays a bound.
+/// Expects: boxes not empty, inside the window, and inside the band where there is one; bands of
+///          whole rows of tiles. Threads that change different bands do not meet.
+class coarse_depth {
+public:
+    void resize(l3d_size size);
+
+    /// Sets the words of tiles that something was drawn to, to 0.
+    void clear_words(const fill_band& band) const;
+
+    /// Nothing is in rows [top, bottom), whatever their depths say.
+    void forget(std::int32_t top, std::int32_t bottom);
+
+    /// Something will be drawn in the box: sets the depths of its tiles to 0 unless that was done.
+    void open(const l3d_pixel_box& box, const fill_band& band);
+
+    /// All depths of the band will be looked at: sets those of other tiles to 0, too.
+    void open_others(const fill_band& band);
+
+    /// Whether nothing in the box that is no nearer than `nearest` would be seen.
+    /// Cost:    for a tile that may hide it, one to eight cache lines of depths.
+    bool hidden(const l3d_pixel_box& box, float nearest, const fill_band& band);
+
+    /// The same from what is known already.
+    bool hidden(const l3d_pixel_box& box, float nearest) const;
+
+    /// Finds out about all tiles of the band that something came to.
+    void refresh(const fill_band& band);
+
+    /// Pixels of the band in which something is.
+    std::int64_t covered(const fill_band& band) const;
+
+private:
+    tile_table table_;
+};
+
+} // namespace l3d_detail
+
+#endif

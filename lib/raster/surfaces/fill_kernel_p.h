@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// fill_kernel: micro-quads and triangles into a band of rows, many at a time in SIMD lanes.
+#ifndef L3D_RASTER_SURFACES_FILL_KERNEL_P_H
+#define L3D_RASTER_SURFACES_FILL_KERNEL_P_H
+
+#include "raster/micro_grid.h"
+#include "raster/micro_triangles.h"
+#include "raster/surface_rasterizer.h"
+
+#include <array>
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Rows [top, bottom) of a picture while they are filled.
+///
+/// Shape:   words and depths point at column 0 of row `top`. Pitches in elements, >= width.
+/// Expects: width >= fill_least_width; depths not negative, also where nobody has set them yet.
+///          Nothing outside [0, width) x [top, bottom) is touched; inside, what lies beside
+///          polygons may be read and written back, so nobody else writes there meanwhile.
+struct fill_band {
+    std::uint32_t* words;
+    std::ptrdiff_t word_pitch;
+    float* depths;
+    std::ptrdiff_t depth_pitch;
+    std::int32_t width, top, bottom;
+};
+
+/// A whole vector of pixels must fit a row.
+inline constexpr std::int32_t fill_least_width = 16;
+
+/// The modes that the lanes can shade.
+inline bool fill_shades(l3d_shade mode) {
+    return mode == l3d_shade::lambert || mode == l3d_shade::gouraud || mode == l3d_shade::flat ||
+           mode == l3d_shade::levels;
+}
+
+struct fill_counts {
+    std::int64_t samples = 0; ///< pixel centres tested against the depth buffer
+    std::int64_t written = 0; ///< of those, nearer than what was there
+
+    /// Polygons, each in every band, whose light is a plane instead of that of a unit normal in
+    /// each pixel.
+    std::int64_t by_plane = 0;
+
+    /// Mode `levels`: as l3d_surface_counts has them.
+    float level_error = 0;
+    std::int64_t loose_levels = 0;
+
+    void note_level_error(float error) {
+        if (error <= static_cast<float>(l3d_most_level_error))
+            level_error = std::max(level_error, error);
+        else
+            ++loose_levels;
+    }
+
+    void add(const fill_counts& other) {
+        samples += other.samples;
+        written += other.written;
+        by_plane += other.by_plane;
+        level_error = std::max(level_error, other.level_error);
+        loose_levels += other.loose_levels;
+    }
+};
+
+/// Polygons that the lanes do not take: larger than 64 pixels, or, for lambert, of too different
+/// normals. The caller fills them by the scalar filler after fill_finish.
+struct fill_rest {
+    struct quad {
+        const l3d_micro_grid* grid;
+        std::size_t index; ///< l3d_micro_grid::index of the first corner
+    };
+    struct triangle {
+        const l3d_micro_triangles* triangles;
+        std::size_t index;
+    };
+
+    std::vector<quad> quads;
+    std::vector<triangle> triangles;
+
+    void clear() {
+        quads.clear();
+        triangles.clear();
+    }
+};
+
+/// A piece of a folded or skew quad. Shape: [corner][component], as in fill_queue.
+using fill_piece = std::array<std::array<std::int32_t, 6>, 3>;
+
+/// Polygons that wait until a vector of them can be set up together.
+///
+/// Shape: polygon i is in element i of each array; [corner][component], components being x, y, 1/w
+///        and what the light needs: the vertex's three numbers for lambert and levels, else the
+///        grey level. Floats as their bits. A triangle's last corner is there twice.
+/// Lives: of one worker, kept for its memory. Empty between bands.
+struct fill_queue {
+    static constexpr std::size_t widest_vector = 16, components = fill_piece::value_type().size();
+    /// So many are filled together: whole vectors of every width, so that what waits, and with it
+    /// what is drawn when somebody asks what is hidden, does not depend on the width.
+    static constexpr std::size_t enough = 3 * widest_vector;
+    static constexpr std::size_t room = enough + 2 * widest_vector;
+
+    alignas(64) std::int32_t corner[4][components][room];
+    /// Of a quad its index, of a triangle minus its index - 1; `piece` of what comes from a quad.
+    alignas(64) std::int32_t name[room];
+    static constexpr std::int32_t piece = std::numeric_limits<std::int32_t>::min();
+
+    alignas(64) std::array<const void*, room> source; ///< the grid or triangles it comes from
+    alignas(64) std::int32_t seen[room]; ///< 0: hidden; found out when the polygon is to be filled
+    std::size_t count = 0;
+
+    /// Folded and skew quads in pieces: filled when all others are, so that what comes first where
+    /// two are equally near does not depend on how many waited together.
+    std::vector<fill_piece> pieces;
+
+    /// Grey levels of a run of polygons' corners, made and read a vector at a time.
+    static constexpr std::size_t run = 256;
+    static_assert(run % widest_vector == 0);
+    alignas(64) float greys[3][run] = {};
+};
+
+/// Where polygons go, and what is written down of it: counts and rest are added to.
+struct fill_target {
+    const fill_band& band;
+    const l3d_shading& shading;
+    fill_queue& queue;
+    fill_counts& counts;
+    fill_rest& rest;
+    bool leaves_out_hidden = true; ///< polygons behind what is there; `samples` then lacks theirs
+};
+
+/// A grid and, for gouraud, the grey levels of its vertices, from light_vertices.
+struct fill_grid {
+    const l3d_micro_grid& vertices;
+    const float* levels;
+};
+
+/// The grey level of every vertex, as gouraud interpolates it. Shape: levels like the grid's
+/// arrays.
+void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, float* levels);
+
+/// Fills the quads of a grid whose first corner is in rows [row_begin, row_end) and columns
+/// [column_begin, column_end), now or later: at the latest in fill_finish.
+///
+/// The same picture as surface_fill with the mode's shader: coverage exactly, and `samples` too
+/// unless what is hidden is left out; depth within 1e-5 of the corners' range, grey within one
+/// level. The same bits whatever the processor and however a picture is divided into bands.
+/// Expects: fill_shades(mode); 0 <= row_begin, row_end < grid.rows, and so for columns; normals of
+///          unit length, or zero; inv_w > 0. Band and shading are the same until fill_finish, and
+///          grids stay.
+void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int row_end,
+                int column_begin, int column_end);
+
+/// Fills triangles [first, last); otherwise like fill_quads.
+void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles, std::size_t first,
+                    std::size_t last);
+
+/// Fills what still waits, and only now is the band done but for the rest.
+void fill_finish(const fill_target& to);
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// fill_levels: grey from levels that were made with the surface, one polygon a lane.
+#if defined(L3D_RASTER_SURFACES_FILL_LEVELS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef L3D_RASTER_SURFACES_FILL_LEVELS_INL_H
+#undef L3D_RASTER_SURFACES_FILL_LEVELS_INL_H
+#else
+#define L3D_RASTER_SURFACES_FILL_LEVELS_INL_H
+#endif
+
+#include "raster/surfaces/fill_pixels-inl.h"
+#include "raster/surfaces/fill_setup-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// The light of a group's polygons. The queue has their corners' levels and their sides' bends.
+///
+/// The level is a parabola over the polygon. It has the corners' levels, and above the middle of
+/// each side what that side bends by, of opposite sides of a quad the mean. NUMERICS, section 14.
+class level_lanes {
+public:
+    static constexpr std::size_t numbers = 3; ///< in the queue, of each corner
+
+    HWY_INLINE void load(const fill_queue& queue, std::size_t at) {
+        for (int i = 0; i < 4; ++i)
+            level_[i] = load_float(queue.corner[i][3] + at);
+        side_ab_ = load_float(queue.corner[0][4] + at);
+        side_ad_ = load_float(queue.corner[0][5] + at);
+        side_bc_ = load_float(queue.corner[1][5] + at);
+        side_dc_ = load_float(queue.corner[3][4] + at);
+    }
+
+    /// A parabola in the picture is none in the parameters of a quad far from a parallelogram.
+    HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask skewed) const {
+        return hn::Or(unfit, skewed);
+    }
+    HWY_INLINE int_mask fit_in_pieces(int_mask polygons) const { return polygons; }
+
+    HWY_INLINE void set_up(const l3d_shading&, const lane_places& at, fill_table& table,
+                           fill_counts& counts) {
+        const floats d;
+        const auto triangle = hn::RebindMask(d, at.triangle);
+        const float_vec along1 = hn::Sub(level_[2], level_[0]);
+        const float_vec along2 = hn::Sub(level_[3], level_[1]);
+        const float_vec mean = hn::Mul(
+            set(0.25f), hn::Add(hn::Add(level_[0], level_[2]), hn::Add(level_[1], level_[3])));
+        const mean_parabola of_quad = quad(at, mean, along1, along2);
+        const mean_parabola of_triangle = this->triangle(mean, along1, along2);
+        const auto choose = [&](float_vec mean_parabola::*number) HWY_ATTR {
+            return hn::IfThenElse(triangle, of_triangle.*number, of_quad.*number);
+        };
+        level_of_ = at.frame.parabola({choose(&mean_parabola::base), choose(&mean_parabola::y),
+                                       choose(&mean_parabola::z), choose(&mean_parabola::yy),
+                                       choose(&mean_parabola::yz), choose(&mean_parabola::zz)});
+        slope_ = level_of_.slope(at.column_s, at.column_t);
+        hn::Store(level_of_.square(at.column_s, at.column_t), d, table.lit_xx.of);
+        note_error(at, table, counts);
+    }
+
+    HWY_INLINE void put(float_vec s, float_vec t, fill_table& table, std::int32_t row) const {
+        const floats d;
+        hn::Store(level_of_.at(s, t), d, table.rows[row].lit.of);
+        hn::Store(slope_.at(s, t), d, table.bent_rows[row].of);
+    }
+
+    HWY_INLINE std::int64_t fill(const fill_band& band, const fill_table& table) const {
+        return fill_pixels<fill_shape::bent>(band, table);
+    }
+
+private:
+    /// With (y, z) from the corners' mean in parts of the diagonals, the parameters along the sides
+    /// are y - z and y + z, from -1/2 to 1/2. What the corners are off their plane by goes with the
+    /// product of both, what the sides bend by with the square of either.
+    HWY_INLINE mean_parabola quad(const lane_places& at, float_vec mean, float_vec along1,
+                                  float_vec along2) {
+        const float_vec four = set(4.0f), half = set(0.5f);
+        const float_vec on_plane = hn::Sub(
+            mean, hn::Add(hn::Mul(at.frame.mean_s, along1), hn::Mul(at.frame.mean_t, along2)));
+        off_plane_ = hn::Sub(level_[0], on_plane);
+        const float_vec bend_u = hn::Mul(half, hn::Add(side_ab_, side_dc_));
+        const float_vec bend_v = hn::Mul(half, hn::Add(side_ad_, side_bc_));
+        const float_vec both = hn::Add(bend_u, bend_v);
+        return {hn::Add(mean, both),
+                along1,
+                along2,
+                hn::Mul(four, hn::Sub(off_plane_, both)),
+                hn::Mul(set(8.0f), hn::Sub(bend_u, bend_v)),
+                hn::Neg(hn::Mul(four, hn::Add(off_plane_, both)))};
+    }
+
+    /// The parabola through three corners and the middles of three sides; corner d is c.
+    HWY_INLINE mean_parabola triangle(float_vec mean, float_vec along1, float_vec along2) const {
+        const float_vec four = set(4.0f), half = set(0.5f);
+        const float_vec to_c = hn::Add(side_ad_, side_bc_), unlike = hn::Sub(side_bc_, side_ad_);
+        return {hn::Add(mean, hn::Add(hn::Mul(half, to_c), hn::Mul(set(0.25f), side_ab_))),
+                hn::Add(along1, hn::Sub(unlike, side_ab_)),
+                hn::Sub(along2, hn::Add(unlike, side_ab_)),
+                hn::Neg(hn::Mul(four, side_ad_)),
+                hn::Mul(four, hn::Sub(side_ab_, to_c)),
+                hn::Neg(hn::Mul(four, side_bc_))};
+    }
+
+    /// How far the parabola can be from the levels of the same parameters, because the picture of a
+    /// quad is no parallelogram, and because w is not the same in all of it.
+    HWY_INLINE void note_error(const lane_places& at, const fill_table& table,
+                               fill_counts& counts) const {
+        const floats d;
+        const auto quads = hn::Not(hn::RebindMask(d, at.triangle));
+        const auto size = [](float_vec a) HWY_ATTR { return hn::Abs(a); };
+        const float_vec bends =
+            hn::Mul(set(0.5f), hn::Add(hn::Add(size(side_ab_), size(side_dc_)),
+                                       hn::Add(size(side_ad_), size(side_bc_))));
+        const float_vec uneven = hn::Mul(set(4.0f), at.uneven);
+        const float_vec grown = hn::Add(uneven, hn::Mul(set(0.25f), square_of(uneven)));
+        const float_vec of_shape =
+            hn::IfThenElseZero(quads, hn::Mul(grown, hn::Add(size(off_plane_), bends)));
+        const float_vec ratio =
+            hn::Div(hn::Load(d, table.nearest.of), hn::Load(d, table.farthest.of));
+        const float_vec range =
+            hn::Add(hn::Sub(most_of(level_), least_of(level_)), hn::Add(bends, bends));
+        const float_vec of_depth = hn::Mul(hn::Mul(set(0.25f), hn::Sub(ratio, set(1.0f))), range);
+        const float_vec error =
+            hn::IfThenElseZero(hn::RebindMask(d, at.fits), hn::Add(of_shape, of_depth));
+        const auto tight = hn::Le(error, set(static_cast<float>(l3d_most_level_error)));
+        const float_vec most = hn::IfThenElseZero(tight, error);
+        counts.level_error = std::max(counts.level_error, hn::GetLane(hn::MaxOfLanes(d, most)));
+        counts.loose_levels += static_cast<std::int64_t>(hn::CountTrue(d, hn::Not(tight)));
+    }
+
+    float_vec level_[4];
+    float_vec side_ab_, side_ad_, side_bc_, side_dc_; ///< what their middles are above the corners'
+    float_vec off_plane_; ///< of corners a and c above the quad's plane, of b and d below it
+    lane_parabola level_of_;
+    lane_plane slope_;
+};
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// fill_lights: what a mode needs of polygons' corners, as arrays that can be queued.
+#if defined(L3D_RASTER_SURFACES_FILL_LIGHTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef L3D_RASTER_SURFACES_FILL_LIGHTS_INL_H
+#undef L3D_RASTER_SURFACES_FILL_LIGHTS_INL_H
+#else
+#define L3D_RASTER_SURFACES_FILL_LIGHTS_INL_H
+#endif
+
+#include "raster/surfaces/fill_grey-inl.h"
+#include "raster/surfaces/fill_lambert-inl.h"
+#include "raster/surfaces/fill_levels-inl.h"
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// Vertices side by side in memory.
+///
+/// Shape: `size` elements in each array may be read.
+struct vertex_arrays {
+    const std::int32_t* x;
+    const std::int32_t* y;
+    const float* inv_w;
+    std::array<const float*, 3> normal;
+    std::size_t size;
+
+    /// Of an l3d_micro_grid or a corner of l3d_micro_triangles.
+    template <class Arrays>
+    explicit vertex_arrays(const Arrays& of)
+        : x(of.x.data()), y(of.y.data()),
+          inv_w(of.inv_w.data()), normal{of.normal[0].data(), of.normal[1].data(),
+                                         of.normal[2].data()},
+          size(of.x.size()) {}
+};
+
+/// The four corners of polygons side by side; the last of a triangle is there twice.
+using corner_arrays = std::array<vertex_arrays, 4>;
+
+/// Where the first polygon's corners are in each of four arrays.
+using corner_places = std::array<std::size_t, 4>;
+
+/// What is queued of the corners' light; as many elements as of the corners may be read.
+template <std::size_t Count> struct light_arrays {
+    std::array<std::array<const float*, Count>, 4> of;
+    corner_places at;
+};
+
+/// A vector from an array's element `at` on; unless it is all `inside`, zeros behind the end.
+template <bool Inside, class D, class T>
+HWY_INLINE hn::Vec<D> load_within(D d, const T* array, std::size_t at, std::size_t size) {
+    if constexpr (Inside)
+        return hn::LoadU(d, array + at);
+    HWY_ALIGN T part[hn::MaxLanes(D())] = {};
+    std::copy(array + std::min(at, size), array + std::min(at + hn::MaxLanes(D()), size), part);
+    return hn::Load(d, part);
+}
+
+/// Calls action(std::bool_constant, i) for each vector of `count` elements: whether it is inside of
+/// the `size` that may be read, and where it begins.
+template <class Action>
+HWY_INLINE void for_vectors(std::size_t count, std::size_t size, const Action& action) {
+    for (std::size_t i = 0; i < count; i += lanes)
+        if (HWY_LIKELY(i + lanes <= size))
+            action(std::true_type(), i);
+        else
+            action(std::false_type(), i);
+}
+
+/// The grey level of a cosine, where the normal points to the eye or `away`.
+HWY_INLINE float_vec level_of(float_vec cosine, float_vec away) {
+    const float_vec zero = hn::Zero(floats()), one = set(1.0f);
+    const float_vec turned = hn::IfThenElse(hn::Gt(away, zero), hn::Neg(cosine), cosine);
+    const float_vec lit = hn::Min(hn::Max(turned, zero), one);
+    return hn::Add(set(25.5f), hn::Mul(set(grey_of_cosine), lit));
+}
+
+/// A vector of vertices' normals, and how far they point away from the eye.
+struct lane_normals {
+    float_vec normal[3], away;
+
+    template <bool Inside>
+    HWY_INLINE void load(const vertex_arrays& v, std::size_t at, const l3d_shading& shading) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            normal[axis] = load_within<Inside>(floats(), v.normal[axis], at, v.size);
+        away = away_of(shading, load_within<Inside>(ints(), v.x, at, v.size),
+                       load_within<Inside>(ints(), v.y, at, v.size), normal);
+    }
+};
+
+/// Every corner's normal, or its level and what its sides bend by.
+template <class Lanes> class corner_lights {
+public:
+    using lanes_type = Lanes;
+
+    HWY_INLINE corner_lights(const fill_target&, const float*) {}
+
+    HWY_INLINE light_arrays<3> quads(const corner_arrays& v, const corner_places& at,
+                                     std::size_t) const {
+        return {{v[0].normal, v[1].normal, v[2].normal, v[3].normal}, at};
+    }
+    HWY_INLINE light_arrays<3> triangles(const corner_arrays& v, std::size_t first,
+                                         std::size_t count) const {
+        return quads(v, {first, first, first, first}, count);
+    }
+};
+
+using normal_lights = corner_lights<lambert_lanes>;
+using level_lights = corner_lights<level_lanes>;
+
+/// The grey levels of `count` vertices from `at` on. Expects: room for whole vectors.
+HWY_INLINE void make_levels(const l3d_shading& shading, const vertex_arrays& v, std::size_t at,
+                            std::size_t count, float* levels) {
+    for_vectors(count, v.size - at, [&](auto inside, std::size_t i) HWY_ATTR {
+        lane_normals n;
+        n.load<inside()>(v, at + i, shading);
+        hn::StoreU(level_of(lit_of(shading, n.normal), n.away), floats(), levels + i);
+    });
+}
+
+/// Gouraud: every vertex's level; a grid's were made before.
+class vertex_lights {
+public:
+    using lanes_type = grey_lanes;
+
+    HWY_INLINE vertex_lights(const fill_target& to, const float* of_grid)
+        : to_(to), of_grid_(of_grid) {}
+
+    HWY_INLINE light_arrays<1> quads(const corner_arrays&, const corner_places& at,
+                                     std::size_t) const {
+        return {{{{of_grid_}, {of_grid_}, {of_grid_}, {of_grid_}}}, at};
+    }
+    HWY_INLINE light_arrays<1> triangles(const corner_arrays& v, std::size_t first,
+                                         std::size_t count) const {
+        auto& levels = to_.queue.greys;
+        for (std::size_t k = 0; k < 3; ++k)
+            make_levels(to_.shading, v[k], first, count, levels[k]);
+        return {{{{levels[0]}, {levels[1]}, {levels[2]}, {levels[2]}}}, {}};
+    }
+
+private:
+    const fill_target& to_;
+    const float* of_grid_;
+};
+
+/// Flat: every polygon's level, from the sum of its normals, at all its corners.
+class polygon_lights {
+public:
+    using lanes_type = grey_lanes;
+
+    HWY_INLINE polygon_lights(const fill_target& to, const float*)
+        : shading_(to.shading), levels_(to.queue.greys[0]) {}
+
+    HWY_INLINE light_arrays<1> quads(const corner_arrays& v, const corner_places& at,
+                                     std::size_t count) const {
+        return make<4>(v, at, count);
+    }
+    HWY_INLINE light_arrays<1> triangles(const corner_arrays& v, std::size_t first,
+                                         std::size_t count) const {
+        return make<3>(v, {first, first, first, first}, count);
+    }
+
+private:
+    template <std::size_t Corners>
+    HWY_INLINE light_arrays<1> make(const corner_arrays& v, const corner_places& at,
+                                    std::size_t count) const {
+        std::size_t size = v[0].size - at[0];
+        for (std::size_t k = 1; k < Corners; ++k)
+            size = std::min(size, v[k].size - at[k]);
+        for_vectors(count, size, [&](auto inside, std::size_t i) HWY_ATTR {
+            lane_normals sum, n;
+            sum.load<inside()>(v[0], at[0] + i, shading_);
+            for (std::size_t k = 1; k < Corners; ++k) {
+                n.load<inside()>(v[k], at[k] + i, shading_);
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    sum.normal[axis] = hn::Add(sum.normal[axis], n.normal[axis]);
+                sum.away = hn::Add(sum.away, n.away);
+            }
+            const float_vec square =
+                hn::Add(hn::Add(square_of(sum.normal[0]), square_of(sum.normal[1])),
+                        square_of(sum.normal[2]));
+            const float_vec length = hn::Sqrt(hn::Max(square, set(least_square)));
+            const float_vec cosine = hn::Div(lit_of(shading_, sum.normal), length);
+            hn::Store(level_of(cosine, sum.away), floats(), levels_ + i);
+        });
+        return {{{{levels_}, {levels_}, {levels_}, {levels_}}}, {}};
+    }
+
+    /// Of normals that cancel each other; no light comes of them.
+    static constexpr float least_square = 1e-30f;
+
+    const l3d_shading& shading_;
+    float* levels_;
+};
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// fill_pieces: folded quads round their projective centre, skew ones in halves.
+#include "raster/surfaces/fill_pieces_p.h"
+
+#include "raster/surfaces/quad_cut_p.h"
+#include "raster/surfaces/surface_shader_p.h"
+
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cstdint>
+#include <vector>
+
+namespace l3d_detail {
+namespace {
+
+quad_corners corners_of(const l3d_micro_grid& grid, std::size_t p00) {
+    const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
+    return {grid.vertex(p00), grid.vertex(p00 + 1), grid.vertex(p01 + 1), grid.vertex(p01)};
+}
+
+/// Adds a triangle to the queue's pieces.
+class piece_maker {
+public:
+    explicit piece_maker(const fill_target& to) : shading_(to.shading), pieces_(to.queue.pieces) {}
+
+    void add(const std::array<l3d_micro_vertex, 3>& v) {
+        const float of_all =
+            shading_.mode == l3d_shade::flat ? 255 * polygon_intensity(v, shading_) : 0;
+        fill_piece& piece = pieces_.emplace_back();
+        for (std::size_t i = 0; i < v.size(); ++i) {
+            const std::array<float, 3> light = light_of(v[i], of_all);
+            piece[i] = {v[i].x,         v[i].y,         bits(v[i].inv_w),
+                        bits(light[0]), bits(light[1]), bits(light[2])};
+        }
+    }
+
+private:
+    static std::int32_t bits(float number) { return std::bit_cast<std::int32_t>(number); }
+
+    std::array<float, 3> light_of(const l3d_micro_vertex& vertex, float of_all) const {
+        switch (shading_.mode) {
+        case l3d_shade::gouraud:
+            return {255 * vertex_intensity(vertex, shading_), 0, 0};
+        case l3d_shade::flat:
+            return {of_all, 0, 0};
+        default:
+            return {vertex.normal[0], vertex.normal[1], vertex.normal[2]};
+        }
+    }
+
+    const l3d_shading& shading_;
+    std::vector<fill_piece>& pieces_;
+};
+
+} // namespace
+
+void fill_put_by(const fill_target& to, std::size_t i, bool in_pieces) {
+    const fill_queue& queue = to.queue;
+    const std::int32_t name = queue.name[i];
+    assert(name != fill_queue::piece); // pieces are no more unlike than lanes take
+    if (name < 0) {
+        to.rest.triangles.push_back({static_cast<const l3d_micro_triangles*>(queue.source[i]),
+                                     static_cast<std::size_t>(-1 - name)});
+        return;
+    }
+    const auto* const grid = static_cast<const l3d_micro_grid*>(queue.source[i]);
+    const auto index = static_cast<std::size_t>(name);
+    if (!in_pieces) {
+        to.rest.quads.push_back({grid, index});
+        return;
+    }
+    const quad_corners corners = corners_of(*grid, index);
+    piece_maker pieces(to);
+    const auto add = [&](const auto& piece) { pieces.add(piece); };
+    if (to.shading.mode == l3d_shade::levels)
+        cut_folded_levels(corners, add);
+    else
+        cut_quad(corners, quad_turns(corners), add);
+}
+
+} // namespace l3d_detail

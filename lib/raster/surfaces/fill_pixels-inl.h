@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: MIT
+// fill_pixels: the rows of a table into picture and depth. The product's inner loop.
+#if defined(L3D_RASTER_SURFACES_FILL_PIXELS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef L3D_RASTER_SURFACES_FILL_PIXELS_INL_H
+#undef L3D_RASTER_SURFACES_FILL_PIXELS_INL_H
+#else
+#define L3D_RASTER_SURFACES_FILL_PIXELS_INL_H
+#endif
+
+#include "raster/surfaces/fill_table-inl.h"
+#include "raster/parallel/store_where-inl.h"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// Three bytes like the lowest one of each sum.
+template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> three_bytes(D, hn::Vec<D> sum) {
+    const hn::RebindToUnsigned<D> dw;
+#if HWY_TARGET == HWY_SCALAR // has no bytes to shuffle
+    return hn::Mul(hn::And(hn::BitCast(dw, sum), hn::Set(dw, 0xffu)), hn::Set(dw, 0x010101u));
+#else
+    const hn::Repartition<std::uint8_t, D> bytes;
+    alignas(16) static constexpr std::uint8_t lowest[16] = {0, 0, 0, 0x80, 4,  4,  4,  0x80,
+                                                            8, 8, 8, 0x80, 12, 12, 12, 0x80};
+    return hn::BitCast(
+        dw, hn::TableLookupBytesOr0(hn::BitCast(bytes, sum), hn::LoadDup128(bytes, lowest)));
+#endif
+}
+
+/// Where this is added to a number below it, the last bits of the sum are the nearest integer.
+constexpr float whole_numbers = 8388608.0f; // 2^23
+
+/// Words from grey levels. Expects: levels in [0, 255].
+template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> level_words(D d, hn::Vec<D> level) {
+    return three_bytes(d, hn::Add(level, hn::Set(d, whole_numbers)));
+}
+
+/// Words of the levels 26 + floor(max(0, lit)), at most 255. Expects: lit < 256.
+template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> cosine_words(D d, hn::Vec<D> lit) {
+    const hn::RebindToUnsigned<D> dw;
+    const auto sum =
+        hn::Max(hn::Add(lit, hn::Set(d, whole_numbers - 0.5f)), hn::Set(d, whole_numbers));
+#if HWY_TARGET == HWY_SCALAR
+    const auto level = hn::And(hn::BitCast(dw, sum), hn::Set(dw, 0xffu));
+    const auto grey = hn::Min(hn::Add(level, hn::Set(dw, 26u)), hn::Set(dw, 255u));
+    return hn::Mul(grey, hn::Set(dw, 0x010101u));
+#else
+    const hn::Repartition<std::uint8_t, D> bytes;
+    const auto ambient = hn::BitCast(bytes, hn::Set(dw, 0x001a1a1au));
+    return hn::BitCast(dw, hn::SaturatedAdd(hn::BitCast(bytes, three_bytes(d, sum)), ambient));
+#endif
+}
+
+/// 1 / sqrt(q) over [0.75, 1.02] by a parabola through its Chebyshev points: within 3e-4, that is
+/// 0.07 grey levels.
+constexpr float unit_parabola[3] = {2.0041274f, -1.5196685f, 0.5155188f};
+
+/// Adds 1 where `mask` is.
+template <class D> HWY_INLINE hn::Vec<D> one_more_where(hn::Mask<D> mask, hn::Vec<D> count, D d) {
+    if constexpr (masked_stores_are_cheap) // there masks are no vectors
+        return hn::IfThenElse(mask, hn::Add(count, hn::Set(d, 1)), count);
+    else
+        return hn::Sub(count, hn::VecFromMask(d, mask));
+}
+
+/// One polygon of a table, `Pixels` of a row at a time.
+template <class D, std::int32_t Pixels, fill_shape Shape> class fill_polygon {
+public:
+    using int_tag = hn::RebindToSigned<D>;
+    using count_vec = hn::Vec<int_tag>; ///< pixels written, by lanes
+
+    HWY_INLINE fill_polygon(const fill_band& band, const fill_table& table, std::size_t i)
+        : words_(band.words), depths_(band.depths), pitch_{band.word_pitch, band.depth_pitch},
+          table_(table), i_(i) {
+        const D d;
+        farthest_ = hn::Set(d, table.farthest[i]);
+        nearest_ = hn::Set(d, table.nearest[i]);
+        if constexpr (is_grey) {
+            darkest_ = hn::Set(d, table.darkest[i]);
+            brightest_ = hn::Set(d, table.brightest[i]);
+        }
+        for (std::size_t v = 0; v < vectors; ++v) {
+            columns_[v] = hn::Load(int_tag(), run_columns + v * width);
+            const vec x = hn::ConvertTo(d, columns_[v]);
+            inv_w_x_[v] = hn::Mul(hn::Set(d, table.inv_w_x[i]), x);
+            if constexpr (is_bent) {
+                x_[v] = x;
+                lit_xx_[v] = hn::Mul(hn::Set(d, table.lit_xx[i]), hn::Mul(x, x));
+            } else {
+                lit_x_[v] = hn::Mul(hn::Set(d, table.lit_x[i]), x);
+            }
+            if constexpr (is_twisted) {
+                x_[v] = x;
+                bend_xx_[v] = hn::Mul(hn::Set(d, table.bend_xx[i]), hn::Mul(x, x));
+                facing_x_[v] = hn::Mul(hn::Set(d, table.facing_x[i]), x);
+            }
+        }
+    }
+
+    /// Expects: no row is longer than a run, or at the edge.
+    HWY_INLINE void fill(count_vec& written) const {
+        for_rows([&](const fill_row& row, const run_place& at) HWY_ATTR {
+            one_run(first_start(row), at, written, columns_below(row.pixels[i_]));
+        });
+    }
+
+    /// All runs of each row. Expects: none is at the edge.
+    HWY_INLINE void fill_wide(count_vec& written) const {
+        for_rows([&](const fill_row& row, const run_place& at) HWY_ATTR {
+            const std::int32_t pixels = row.pixels[i_];
+            for (std::int32_t done = 0; done < pixels; done += Pixels)
+                one_run(start_at(row, done), at.moved_by(done), written,
+                        columns_below(pixels - done));
+        });
+    }
+
+    /// The same at the edge: what would not fit the picture ends where the row does.
+    HWY_INLINE void fill_at_edge(count_vec& written) const {
+        for_rows([&](const fill_row& row, const run_place& at) HWY_ATTR {
+            if (row.pixels[i_] == 0)
+                return;
+            std::int32_t done = row.from[i_] - row.begin[i_];
+            const std::int32_t end = done + row.pixels[i_];
+            for (std::int32_t next = Pixels; done < end; done = next, next += Pixels) {
+                const std::int32_t begin = std::max(std::min(next, end) - Pixels, 0);
+                one_run(start_at(row, begin), at.moved_by(begin), written,
+                        columns_in(done - begin, end - begin));
+            }
+        });
+    }
+
+private:
+    using vec = hn::Vec<D>;
+    static constexpr bool is_grey = Shape == fill_shape::grey;
+    static constexpr bool is_twisted = Shape == fill_shape::twisted;
+    static constexpr bool is_bent = Shape == fill_shape::bent;
+    static constexpr std::size_t width = hn::MaxLanes(D()), vectors = Pixels / width;
+
+    /// Numbers at a run's first pixel, in all lanes.
+    struct run_start {
+        vec inv_w, lit, lit_x, bend, bend_x, facing;
+    };
+
+    /// Where something is in the band, or how far from something else.
+    struct run_place {
+        std::ptrdiff_t word, depth;
+
+        HWY_INLINE run_place moved_by(std::int32_t columns) const {
+            return {word + columns, depth + columns};
+        }
+    };
+
+    /// Calls action(row, place of its first run) for each row.
+    template <class Action> HWY_INLINE void for_rows(const Action& action) const {
+        run_place at{table_.word_at[i_], table_.depth_at[i_]};
+        const fill_row* const end = table_.rows + table_.height[i_];
+        for (const fill_row* row = table_.rows; row != end; ++row) {
+            action(*row, at.moved_by(row->begin[i_]));
+            at.word += pitch_.word;
+            at.depth += pitch_.depth;
+        }
+    }
+
+    HWY_INLINE const fill_row_twisted& twisted_of(const fill_row& row) const {
+        return table_.twisted_rows[&row - table_.rows];
+    }
+
+    HWY_INLINE float bent_of(const fill_row& row) const {
+        return table_.bent_rows[&row - table_.rows][i_];
+    }
+
+    HWY_INLINE run_start first_start(const fill_row& row) const {
+        const D d;
+        run_start start{hn::Set(d, row.inv_w[i_]), hn::Set(d, row.lit[i_]), {}, {}, {}, {}};
+        if constexpr (is_bent)
+            start.lit_x = hn::Set(d, bent_of(row));
+        if constexpr (is_twisted) {
+            const fill_row_twisted& twisted = twisted_of(row);
+            start.bend = hn::Set(d, twisted.bend[i_]);
+            start.bend_x = hn::Set(d, twisted.bend_x[i_]);
+            start.facing = hn::Set(d, twisted.facing[i_]);
+        }
+        return start;
+    }
+
+    HWY_INLINE run_start start_at(const fill_row& row, std::int32_t column) const {
+        const D d;
+        const auto x = static_cast<float>(column);
+        run_start there;
+        there.inv_w = hn::Set(d, row.inv_w[i_] + x * table_.inv_w_x[i_]);
+        if constexpr (is_bent) {
+            const float slope = bent_of(row), xx = x * table_.lit_xx[i_];
+            there.lit = hn::Set(d, row.lit[i_] + x * (slope + xx));
+            there.lit_x = hn::Set(d, slope + 2.0f * xx);
+        } else {
+            there.lit = hn::Set(d, row.lit[i_] + x * table_.lit_x[i_]);
+        }
+        if constexpr (is_twisted) {
+            const fill_row_twisted& twisted = twisted_of(row);
+            const float xx = x * table_.bend_xx[i_];
+            there.bend = hn::Set(d, twisted.bend[i_] + x * (twisted.bend_x[i_] + xx));
+            there.bend_x = hn::Set(d, twisted.bend_x[i_] + 2.0f * xx);
+            there.facing = hn::Set(d, twisted.facing[i_] + x * table_.facing_x[i_]);
+        }
+        return there;
+    }
+
+    /// Of a run's vectors, the columns below `end`.
+    HWY_INLINE auto columns_below(std::int32_t end) const {
+        return [this, end = hn::Set(int_tag(), end)](std::size_t v)
+                   HWY_ATTR { return hn::Lt(columns_[v], end); };
+    }
+    HWY_INLINE auto columns_in(std::int32_t first, std::int32_t end) const {
+        return [below = columns_below(first), in = columns_below(end)](std::size_t v)
+                   HWY_ATTR { return hn::AndNot(below(v), in(v)); };
+    }
+
+    template <class Covered>
+    HWY_INLINE void one_run(const run_start& start, const run_place& at, count_vec& written,
+                            const Covered& covered) const {
+        for (std::size_t v = 0; v < vectors; ++v)
+            one_vector(start, v, covered(v), words_ + at.word + v * width,
+                       depths_ + at.depth + v * width, written);
+    }
+
+    HWY_INLINE void one_vector(const run_start& start, std::size_t v, hn::Mask<int_tag> covered,
+                               std::uint32_t* to_words, float* to_depths,
+                               count_vec& written) const {
+        const D d;
+        const vec inv_w = hn::IfThenElseZero(
+            hn::RebindMask(d, covered),
+            hn::Min(hn::Max(hn::Add(start.inv_w, inv_w_x_[v]), farthest_), nearest_));
+        const vec there = hn::LoadU(d, to_depths);
+        const auto seen = hn::Gt(inv_w, there);
+        hn::StoreU(hn::Max(inv_w, there), d, to_depths);
+        store_where(seen, words_of(start, v), hn::RebindToUnsigned<D>(), to_words);
+        written = one_more_where(hn::RebindMask(int_tag(), seen), written, int_tag());
+    }
+
+    HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> words_of(const run_start& start,
+                                                         std::size_t v) const {
+        const D d;
+        if constexpr (is_bent)
+            return cosine_words(
+                d, hn::Add(start.lit, hn::Add(hn::Mul(start.lit_x, x_[v]), lit_xx_[v])));
+        vec lit = hn::Add(start.lit, lit_x_[v]);
+        if constexpr (is_grey)
+            return level_words(d, hn::Min(hn::Max(lit, darkest_), brightest_));
+        if constexpr (is_twisted) {
+            const vec bend =
+                hn::Add(start.bend, hn::Add(hn::Mul(start.bend_x, x_[v]), bend_xx_[v]));
+            const vec line =
+                hn::Add(hn::Set(d, unit_parabola[1]), hn::Mul(hn::Set(d, unit_parabola[2]), bend));
+            lit = hn::Mul(lit, hn::Add(hn::Set(d, unit_parabola[0]), hn::Mul(bend, line)));
+            lit = hn::Xor(lit, hn::And(hn::Add(start.facing, facing_x_[v]), hn::SignBit(d)));
+        }
+        return cosine_words(d, lit);
+    }
+
+    std::uint32_t* words_; ///< of the band, copied: what is stored might be the band's own members
+    float* depths_;
+    run_place pitch_;
+    const fill_table& table_;
+    std::size_t i_;
+    count_vec columns_[vectors];
+    vec inv_w_x_[vectors], lit_x_[vectors], farthest_, nearest_;
+    vec darkest_, brightest_;
+    vec x_[vectors], bend_xx_[vectors], facing_x_[vectors], lit_xx_[vectors];
+};
+
+/// Fills polygons of a table, and counts the pixels that were written.
+///
+/// Most rows are short, and short vectors do: more of them fit the processor's ports.
+class fill_polygons {
+public:
+    HWY_INLINE fill_polygons(const fill_band& band, const fill_table& table)
+        : band_(band), table_(table), written_(hn::Zero(ints())),
+          half_written_(hn::Zero(half_ints())) {}
+
+    template <fill_shape Shape> HWY_INLINE void fill(std::size_t i) {
+        if (table_.longest[i] <= half)
+            fill_polygon<half_floats, half, Shape>(band_, table_, i).fill(half_written_);
+        else if (table_.longest[i] <= run)
+            fill_polygon<floats, run, Shape>(band_, table_, i).fill(written_);
+        else if (table_.longest[i] <= most_pixels)
+            fill_polygon<floats, run, Shape>(band_, table_, i).fill_wide(written_);
+        else
+            fill_polygon<floats, run, Shape>(band_, table_, i).fill_at_edge(written_);
+    }
+
+    HWY_INLINE std::int64_t written() const {
+        return std::int64_t{hn::GetLane(hn::SumOfLanes(ints(), written_))} +
+               hn::GetLane(hn::SumOfLanes(half_ints(), half_written_));
+    }
+
+private:
+    static constexpr std::int32_t half = run / 2;
+    using half_floats = hn::CappedTag<float, half>;
+    using half_ints = hn::RebindToSigned<half_floats>;
+
+    const fill_band& band_;
+    const fill_table& table_;
+    int_vec written_;
+    hn::Vec<half_ints> half_written_;
+};
+
+/// Fills the polygons of a table, in their order. Returns how many pixels were written.
+/// Shape: `Shape` is that of all of them, but among twisted ones there may be flat ones.
+template <fill_shape Shape>
+HWY_INLINE std::int64_t fill_pixels(const fill_band& band, const fill_table& table) {
+    fill_polygons polygons(band, table);
+    for (std::size_t i = 0; i < lanes; ++i) {
+        if (table.height[i] == 0)
+            continue;
+        if constexpr (Shape == fill_shape::twisted)
+            if (table.twisted[i] == 0) {
+                polygons.fill<fill_shape::flat>(i);
+                continue;
+            }
+        polygons.fill<Shape>(i);
+    }
+    return polygons.written();
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#endif

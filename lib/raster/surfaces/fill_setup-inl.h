@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+// fill_setup: from corners to rows, one polygon a lane.
+#if defined(L3D_RASTER_SURFACES_FILL_SETUP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef L3D_RASTER_SURFACES_FILL_SETUP_INL_H
+#undef L3D_RASTER_SURFACES_FILL_SETUP_INL_H
+#else
+#define L3D_RASTER_SURFACES_FILL_SETUP_INL_H
+#endif
+
+#include "raster/surfaces/fill_table-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// A pixel in sub-pixel units.
+constexpr std::int32_t pixel = l3d_subpixel_one;
+
+HWY_INLINE int_vec load(const std::int32_t* p) {
+    return hn::LoadU(ints(), p);
+}
+
+HWY_INLINE float_vec load_float(const std::int32_t* p) {
+    return hn::BitCast(floats(), load(p));
+}
+
+HWY_INLINE float_vec set(float value) {
+    return hn::Set(floats(), value);
+}
+
+HWY_INLINE int_vec set(std::int32_t value) {
+    return hn::Set(ints(), value);
+}
+
+HWY_INLINE int_mask mask_of(hn::Mask<floats> mask) {
+    return hn::RebindMask(ints(), mask);
+}
+
+/// first_centre of scan_edge_p.h.
+template <class D> HWY_INLINE hn::Vec<D> first_centre_of(D d, hn::Vec<D> position) {
+    return hn::ShiftRight<l3d_subpixel_bits>(hn::Add(position, hn::Set(d, pixel / 2 - 1)));
+}
+
+HWY_INLINE int_vec cross_of(int_vec ax, int_vec ay, int_vec bx, int_vec by) {
+    return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
+}
+
+HWY_INLINE float_vec to_float(int_vec v) {
+    return hn::ConvertTo(floats(), v);
+}
+
+HWY_INLINE int_vec blend(int_mask yes, int_vec if_yes, int_vec if_no) {
+    return hn::IfThenElse(yes, if_yes, if_no);
+}
+
+/// floor(n / d) and the remainder. Expects: d > 0, |n| < 2^30, |n / d| < 2^21.
+///
+/// The quotient of floats is off by at most 3 roundings, 3 * 2^-24 * 2^21 < 1/2, and rounding it
+/// minus 1/2 by another 1/2: one too much or too little, which the remainder tells.
+HWY_INLINE void divide(int_vec n, int_vec d, float_vec inverse, int_vec& quotient,
+                       int_vec& remainder) {
+    const floats df;
+    const float_vec estimate = hn::Mul(to_float(n), inverse);
+    const int_vec q = hn::NearestInt(hn::Sub(estimate, hn::Set(df, 0.5f)));
+    const int_vec r = hn::Sub(n, hn::Mul(q, d));
+    const int_mask less = hn::Lt(r, hn::Zero(ints()));
+    const int_mask more = hn::Gt(r, hn::Sub(d, hn::Set(ints(), 1)));
+    const int_vec one = hn::Set(ints(), 1);
+    quotient = hn::Sub(hn::Add(q, hn::IfThenElseZero(more, one)), hn::IfThenElseZero(less, one));
+    remainder = hn::Add(hn::Sub(r, hn::IfThenElseZero(more, d)), hn::IfThenElseZero(less, d));
+}
+
+/// One edge of each polygon, stepped from row to row like Bresenham's line: the first column whose
+/// centre is on the edge's line or right of it is `column`, exactly.
+///
+/// An edge limits the rows outside its own, too: a convex polygon lies on one side of all of the
+/// line. Where the line is nearly level, columns reach 2^14 a row, 2^20 in all.
+struct lane_edge {
+    int_vec column, column_step;
+    int_vec room, room_step, whole; ///< the remainder, counted down from whole - 1
+    int_vec left;   ///< all bits set if columns left of the edge are outside, else none
+    int_vec beyond; ///< 0 if those right of it are, else more than any column
+
+    /// Units: corners from the centre of pixel (0, 0). Expects: |corners| <= 2^14 + 2^8.
+    HWY_INLINE void set(int_vec ax, int_vec ay, int_vec bx, int_vec by, int_mask clockwise,
+                        int_vec row) {
+        const ints d;
+        const int_mask down = hn::Lt(ay, by);
+        const int_mask level = hn::Eq(ay, by);
+        const int_mask is_left = hn::AndNot(level, hn::Xor(down, clockwise));
+        left = hn::VecFromMask(d, is_left);
+        beyond = hn::IfThenElseZero(hn::Or(is_left, level), hn::Set(d, 1 << 24));
+        const int_vec ux = blend(down, ax, bx), uy = hn::Min(ay, by);
+        const int_vec dx = hn::Sub(blend(down, bx, ax), ux);
+        const int_vec dy = hn::Max(hn::Sub(hn::Max(ay, by), uy), hn::Set(d, 1));
+        const float_vec inverse = hn::Div(hn::Set(floats(), 1.0f), to_float(dy));
+
+        // ceil(n / whole) = floor((n + whole - 1) / whole)
+        whole = hn::ShiftLeft<l3d_subpixel_bits>(dy);
+        const int_vec down_to_row = hn::Sub(hn::ShiftLeft<l3d_subpixel_bits>(row), uy);
+        const int_vec n = hn::Add(hn::Mul(ux, dy), hn::Mul(dx, down_to_row));
+        const int_vec most = hn::Sub(whole, hn::Set(d, 1));
+        int_vec rest;
+        divide(hn::Add(n, most), whole, hn::Mul(inverse, hn::Set(floats(), 1.0f / pixel)), column,
+               rest);
+        room = hn::Sub(most, rest);
+        divide(dx, dy, inverse, column_step, rest);
+        room_step = hn::ShiftLeft<l3d_subpixel_bits>(rest);
+    }
+
+    /// Expects: from not negative.
+    HWY_INLINE void limit(int_vec& from, int_vec& to) const {
+        from = hn::Max(from, hn::And(left, column));
+        to = hn::Min(to, hn::Add(beyond, column));
+    }
+
+    HWY_INLINE void step() {
+        room = hn::Sub(room, room_step);
+        const int_vec over = hn::BroadcastSignBit(room); // -1 if it is
+        room = hn::Add(room, hn::And(over, whole));
+        column = hn::Sub(hn::Add(column, column_step), over);
+    }
+};
+
+/// A number over the polygon: base + first s + second t, where s and t are whole numbers that
+/// measure, from corner a, along the polygon's two differences.
+struct lane_plane {
+    float_vec base, first, second;
+
+    HWY_INLINE float_vec at(float_vec s, float_vec t) const {
+        return hn::Add(base, hn::Add(hn::Mul(s, first), hn::Mul(t, second)));
+    }
+    HWY_INLINE float_vec along(float_vec s, float_vec t) const {
+        return hn::Add(hn::Mul(s, first), hn::Mul(t, second));
+    }
+};
+
+/// base + s s1 + t t1 + s^2 ss + s t st + t^2 tt.
+struct lane_parabola {
+    float_vec base, s, t, ss, st, tt;
+
+    HWY_INLINE float_vec at(float_vec s1, float_vec t1) const {
+        const float_vec along_s = hn::Add(s, hn::Add(hn::Mul(s1, ss), hn::Mul(t1, st)));
+        const float_vec along_t = hn::Add(t, hn::Mul(t1, tt));
+        return hn::Add(base, hn::Add(hn::Mul(s1, along_s), hn::Mul(t1, along_t)));
+    }
+
+    /// What a step by (ds, dt) adds: the part that depends on the place, and that of the step's
+    /// square.
+    HWY_INLINE lane_plane slope(float_vec ds, float_vec dt) const {
+        const float_vec half_s = half_slope(ss, ds, dt), half_t = half_slope(tt, dt, ds);
+        return {hn::Add(hn::Mul(s, ds), hn::Mul(t, dt)), hn::Add(half_s, half_s),
+                hn::Add(half_t, half_t)};
+    }
+    HWY_INLINE float_vec square(float_vec ds, float_vec dt) const {
+        return hn::Add(hn::Mul(half_slope(ss, ds, dt), ds), hn::Mul(half_slope(tt, dt, ds), dt));
+    }
+
+private:
+    HWY_INLINE float_vec half_slope(float_vec own, float_vec step, float_vec other) const {
+        return hn::Add(hn::Mul(own, step), hn::Mul(hn::Mul(hn::Set(floats(), 0.5f), st), other));
+    }
+};
+
+/// base + y y1 + z z1 + yy y1^2 + yz y1 z1 + zz z1^2, where (y1, z1) is the way from the mean of a
+/// polygon's corners, in parts of its two differences.
+struct mean_parabola {
+    float_vec base, y, z, yy, yz, zz;
+};
+
+/// A polygon's two differences, from corner a to c and from b to d. They span 2 of its area; a
+/// triangle, whose d is c, too.
+struct lane_frame {
+    float_vec mean_s, mean_t; ///< the mean of the corners, as parts of the differences
+    float_vec inverse;        ///< 1 / area2
+
+    HWY_INLINE lane_plane plane(const float_vec (&v)[4]) const {
+        const float_vec d1 = hn::Sub(v[2], v[0]), d2 = hn::Sub(v[3], v[1]);
+        const float_vec mean =
+            hn::Mul(hn::Add(hn::Add(v[0], v[2]), hn::Add(v[1], v[3])), hn::Set(floats(), 0.25f));
+        const float_vec base = hn::Sub(mean, hn::Add(hn::Mul(mean_s, d1), hn::Mul(mean_t, d2)));
+        return {base, hn::Mul(d1, inverse), hn::Mul(d2, inverse)};
+    }
+
+    HWY_INLINE lane_parabola parabola(const mean_parabola& p) const {
+        const float_vec yy = hn::Mul(p.yy, mean_s), zz = hn::Mul(p.zz, mean_t);
+        const float_vec y = hn::Sub(p.y, hn::Add(yy, hn::Mul(p.yz, mean_t)));
+        const float_vec z = hn::Sub(p.z, zz);
+        const float_vec square = hn::Mul(inverse, inverse);
+        return {hn::Sub(p.base, hn::Add(hn::Mul(mean_s, y), hn::Mul(mean_t, z))),
+                hn::Mul(inverse, hn::Sub(y, yy)),
+                hn::Mul(inverse, hn::Sub(hn::Sub(z, zz), hn::Mul(p.yz, mean_s))),
+                hn::Mul(square, p.yy),
+                hn::Mul(square, p.yz),
+                hn::Mul(square, p.zz)};
+    }
+};
+
+/// What the light of a group's polygons depends on beside their normals or greys.
+struct lane_places {
+    int_vec x[4], y[4]; ///< corners in the picture, in sub-pixels
+    lane_frame frame;
+    float_vec column_s, column_t; ///< what a column adds to s and t
+    int_mask fits, piece;         ///< which are filled here, which come from a quad in pieces
+    int_mask triangle;            ///< which have their last corner twice
+    float_vec uneven; ///< how far the middles of a quad's diagonals are apart, in parts of these
+};
+
+HWY_INLINE float_vec square_of(float_vec v) {
+    return hn::Mul(v, v);
+}
+
+template <class V> HWY_INLINE V least_of(const V (&v)[4]) {
+    return hn::Min(hn::Min(hn::Min(v[0], v[1]), v[2]), v[3]);
+}
+
+template <class V> HWY_INLINE V most_of(const V (&v)[4]) {
+    return hn::Max(hn::Max(hn::Max(v[0], v[1]), v[2]), v[3]);
+}
+
+/// The corners of a vector of polygons in a queue, in sub-pixels, and the box around them.
+struct lane_corners {
+    int_vec x[4], y[4];
+    int_vec left, top, right, bottom;
+
+    HWY_INLINE lane_corners(const fill_queue& queue, std::size_t at) {
+        for (int i = 0; i < 4; ++i) {
+            x[i] = load(queue.corner[i][0] + at);
+            y[i] = load(queue.corner[i][1] + at);
+        }
+        left = least_of(x);
+        top = least_of(y);
+        right = most_of(x);
+        bottom = most_of(y);
+    }
+};
+
+/// The cosine of the light on a unit normal.
+HWY_INLINE float_vec lit_of(const l3d_shading& shading, const float_vec (&normal)[3]) {
+    return hn::Add(hn::Add(hn::Mul(normal[0], set(shading.light[0])),
+                           hn::Mul(normal[1], set(shading.light[1]))),
+                   hn::Mul(normal[2], set(shading.light[2])));
+}
+
+/// away_from_eye, operation by operation.
+HWY_INLINE float_vec away_of(const l3d_shading& shading, int_vec place_x, int_vec place_y,
+                             const float_vec (&normal)[3]) {
+    const float_vec x = hn::Mul(to_float(place_x), set(1.0f / pixel));
+    const float_vec y = hn::Mul(to_float(place_y), set(1.0f / pixel));
+    float_vec away = hn::Zero(floats());
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float_vec ray =
+            hn::Add(hn::Add(set(shading.ray[k]), hn::Mul(x, set(shading.ray_right[k]))),
+                    hn::Mul(y, set(shading.ray_down[k])));
+        away = hn::Add(away, hn::Mul(normal[k], ray));
+    }
+    return away;
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#endif

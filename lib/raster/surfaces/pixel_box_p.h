@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// pixels_in: which pixels polygons in a box may cover.
+#ifndef L3D_RASTER_SURFACES_PIXEL_BOX_P_H
+#define L3D_RASTER_SURFACES_PIXEL_BOX_P_H
+
+#include "raster/shapes/scan_edge_p.h"
+#include "raster/surface_rasterizer.h"
+#include "tool_2d/pixels.h"
+
+namespace l3d_detail {
+
+/// The pixels that a polygon in the box may cover: by the fill rule, a centre on its right or lower
+/// end belongs to no polygon in it.
+inline l3d_pixel_box pixels_in(const l3d_subpixel_box& box) {
+    return {first_centre(box.left), first_centre(box.top), first_centre(box.right),
+            first_centre(box.bottom)};
+}
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// quad_cut: how a quad turns, and the triangles that a folded or skew one is filled as.
+#ifndef L3D_RASTER_SURFACES_QUAD_CUT_P_H
+#define L3D_RASTER_SURFACES_QUAD_CUT_P_H
+
+#include "raster/shapes/attribute_plane_p.h"
+#include "raster/micro_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+namespace l3d_detail {
+
+inline scan_point position(const l3d_micro_vertex& vertex) {
+    return {vertex.x, vertex.y};
+}
+
+/// Corners p00 p10 p11 p01 of a grid cell.
+using quad_corners = std::array<l3d_micro_vertex, 4>;
+
+/// Twice the areas of the triangles that a quad's corners make with their neighbours, positive
+/// where it turns to the right.
+class quad_turns {
+public:
+    explicit quad_turns(const quad_corners& v) {
+        for (std::size_t i = 0; i < at_.size(); ++i) {
+            const scan_point corner = position(v[i]);
+            at_[i] = cross(corner - position(v[(i + 3) % 4]), position(v[(i + 1) % 4]) - corner);
+        }
+    }
+
+    std::int64_t area2() const { return at_[0] + at_[2]; }
+
+    /// All corners on one line: it covers nothing.
+    bool level() const { return !left() && !right(); }
+    bool folded() const { return left() && right(); }
+
+    /// A plane of the corners' numbers is taken where the diagonals' middles are. The farther these
+    /// are apart, the farther it runs past the corners' numbers: by their range times
+    /// skew / area2 / 4, of what is not skew at most an eighth.
+    bool skew() const {
+        const std::int64_t skew = std::abs(at_[0] - at_[2]) + std::abs(at_[1] - at_[3]);
+        return 2 * skew > std::abs(area2());
+    }
+
+    /// The corner, 0 or 1, at which the diagonal begins whose smaller half is the larger.
+    std::size_t diagonal() const {
+        const auto smaller = [this](std::size_t i) {
+            return std::min(std::abs(at_[i]), std::abs(at_[i + 2]));
+        };
+        return smaller(0) > smaller(1) ? 1 : 0;
+    }
+
+private:
+    bool left() const { return *std::ranges::min_element(at_) < 0; }
+    bool right() const { return *std::ranges::max_element(at_) > 0; }
+
+    std::array<std::int64_t, 4> at_;
+};
+
+/// The point round which a folded quad is filled: the mean of the corners, taken before projection.
+/// Its w is the mean w, its place in the picture and its normal are means weighted by w.
+inline l3d_micro_vertex projective_centre(const quad_corners& corners) {
+    double sum = 0, x = 0, y = 0;
+    std::array<double, 3> normal{};
+    for (const l3d_micro_vertex& corner : corners) {
+        const double w = 1 / double(corner.inv_w);
+        sum += w;
+        x += w * corner.x;
+        y += w * corner.y;
+        for (std::size_t axis = 0; axis < normal.size(); ++axis)
+            normal[axis] += w * double(corner.normal[axis]);
+    }
+    const auto mean = [sum](double total) { return static_cast<float>(total / sum); };
+    return {static_cast<std::int32_t>(std::lrint(x / sum)),
+            static_cast<std::int32_t>(std::lrint(y / sum)),
+            static_cast<float>(4 / sum),
+            {mean(normal[0]), mean(normal[1]), mean(normal[2])}};
+}
+
+/// Calls add(triangle) for those round the centre of a folded quad.
+template <class Add> void cut_folded(const quad_corners& v, const Add& add) {
+    const l3d_micro_vertex centre = projective_centre(v);
+    for (std::size_t i = 0; i < v.size(); ++i)
+        add(std::array{v[i], v[(i + 1) % v.size()], centre});
+}
+
+/// What the middles of a quad's sides are above their ends, in mode l3d_shade::levels, and those of
+/// its diagonals: the level at the parameters' middle is the corners' mean and what both pairs of
+/// opposite sides bend by in the mean.
+struct quad_bends {
+    float ab, ad, bc, dc, ac, bd;
+
+    explicit quad_bends(const quad_corners& v)
+        : ab(v[0].normal[1]), ad(v[0].normal[2]), bc(v[1].normal[2]), dc(v[3].normal[1]) {
+        const float unlike =
+            0.25f * (v[0].normal[0] - v[1].normal[0] + v[2].normal[0] - v[3].normal[0]);
+        ac = both() - unlike;
+        bd = both() + unlike;
+    }
+
+    float both() const { return 0.5f * (ab + dc + ad + bc); }
+};
+
+/// cut_folded in mode l3d_shade::levels. Half a diagonal bends by a quarter of what the whole does.
+template <class Add> void cut_folded_levels(const quad_corners& v, const Add& add) {
+    const quad_bends bends(v);
+    const std::array<float, 4> sides{bends.ab, bends.bc, bends.dc, bends.ad};
+    const std::array<float, 4> to_centre{0.25f * bends.ac, 0.25f * bends.bd, 0.25f * bends.ac,
+                                         0.25f * bends.bd};
+    std::size_t side = 0;
+    cut_folded(v, [&](std::array<l3d_micro_vertex, 3> piece) {
+        auto& [from, to, centre] = piece;
+        from.normal[1] = sides[side];
+        from.normal[2] = to_centre[side];
+        to.normal[1] = 0;
+        to.normal[2] = to_centre[(side + 1) % 4];
+        centre.normal[0] += bends.both();
+        centre.normal[1] = centre.normal[2] = 0;
+        ++side;
+        add(piece);
+    });
+}
+
+/// Calls add(triangle) for those of a quad that is folded or skew.
+template <class Add> void cut_quad(const quad_corners& v, const quad_turns& turns, const Add& add) {
+    if (turns.folded())
+        return cut_folded(v, add);
+    const std::size_t first = turns.diagonal();
+    add(std::array{v[first], v[first + 1], v[first + 2]});
+    add(std::array{v[first], v[first + 2], v[(first + 3) % 4]});
+}
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// surface_fill: quads and triangles into picture and depth buffer, pixel by pixel.
+#ifndef L3D_RASTER_SURFACES_SURFACE_FILL_P_H
+#define L3D_RASTER_SURFACES_SURFACE_FILL_P_H
+
+#include "raster/shapes/attribute_plane_p.h"
+#include "raster/surfaces/quad_cut_p.h"
+#include "raster/surfaces/surface_target_p.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace l3d_detail {
+
+/// Whether a shader takes levels and bends, and wants to know which quad a piece belongs to.
+template <class Shader>
+concept has_bends = requires(Shader shader, const quad_corners& v) {
+    shader.begin_quad(v);
+};
+
+/// Fills polygons with one shader, known at compile time.
+///
+/// Lives: borrows the target for one call.
+template <class Shader> class surface_fill {
+public:
+    surface_fill(surface_target& target, const Shader& shader) : target_(target), shader_(shader) {}
+
+    void quad(const quad_corners& v) {
+        const quad_turns turns(v);
+        if (turns.level())
+            return;
+        if (!turns.folded() && !turns.skew())
+            return convex(v, turns.area2());
+        const auto fill_triangle = [this](const auto& piece) { triangle(piece); };
+        if constexpr (has_bends<Shader>) {
+            if (turns.folded())
+                return cut_folded_levels(v, fill_triangle);
+            shader_.begin_quad(v);
+            cut_quad(v, turns, fill_triangle);
+            shader_.end_quad();
+        } else {
+            cut_quad(v, turns, fill_triangle);
+        }
+    }
+
+    void triangle(const std::array<l3d_micro_vertex, 3>& v) {
+        const std::int64_t area2 =
+            cross(position(v[1]) - position(v[0]), position(v[2]) - position(v[0]));
+        if (area2 != 0)
+            convex(v, area2);
+    }
+
+private:
+    static constexpr std::size_t count = 1 + Shader::components;
+    using planes = attribute_planes<count>;
+    using numbers = typename planes::numbers;
+
+    template <std::size_t Corners>
+    void convex(const std::array<l3d_micro_vertex, Corners>& v, std::int64_t area2) {
+        std::array<scan_point, Corners> points;
+        for (std::size_t i = 0; i < Corners; ++i)
+            points[i] = position(v[i]);
+        const scan_rows rows =
+            target_.scan.convert(std::span<const scan_point, Corners>(points), area2 > 0);
+        if (rows.top >= rows.bottom)
+            return;
+
+        shader_.begin_polygon(v);
+        if constexpr (has_bends<Shader>)
+            target_.counts.note_level_error(shader_.error());
+        std::array<numbers, Corners> values;
+        float farthest = v[0].inv_w, nearest = v[0].inv_w;
+        for (std::size_t i = 0; i < Corners; ++i) {
+            values[i][0] = v[i].inv_w;
+            shader_.corner(v[i], values[i].data() + 1);
+            farthest = std::min(farthest, v[i].inv_w);
+            nearest = std::max(nearest, v[i].inv_w);
+        }
+        const planes plane(points, values, area2);
+        const numbers step = plane.per_column();
+        for (std::int32_t row = rows.top; row < rows.bottom; ++row)
+            fill_row(row, plane, step, farthest, nearest);
+    }
+
+    /// Values are counted from the span's own start, clipped or not, so that a pixel's colour does
+    /// not depend on where the picture ends.
+    void fill_row(std::int32_t row, const planes& plane, const numbers& step, float farthest,
+                  float nearest) {
+        const std::int32_t start = target_.scan.first(row);
+        const std::int32_t begin = std::max(start, 0);
+        const std::int32_t end = std::min(target_.scan.last(row), target_.band.width);
+        if (begin >= end)
+            return;
+        const numbers value = plane.at(start, row);
+        float* const depths = target_.depths(row);
+        std::uint32_t* const words = target_.words(row);
+        std::int64_t written = 0;
+        for (std::int32_t x = begin; x < end; ++x) {
+            const auto k = static_cast<float>(x - start);
+            const float inv_w = std::min(std::max(value[0] + step[0] * k, farthest), nearest);
+            if (!(inv_w > depths[x]))
+                continue;
+            depths[x] = inv_w;
+            std::array<float, count> here;
+            for (std::size_t i = 1; i < count; ++i)
+                here[i] = value[i] + step[i] * k;
+            words[x] = shader_.word(here.data() + 1);
+            ++written;
+        }
+        target_.counts.samples += end - begin;
+        target_.counts.written += written;
+    }
+
+    surface_target& target_;
+    Shader shader_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// l3d_surface_rasterizer_mesa: the surface rasterizer through GL.
+#ifndef L3D_RASTER_SURFACES_SURFACE_RASTERIZER_MESA_H
+#define L3D_RASTER_SURFACES_SURFACE_RASTERIZER_MESA_H
+
+#include "raster/mesa_target_p.h"
+#include "raster/surfaces/surface_rasterizer_scalar.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+/// A second opinion on every picture of surfaces: another's coverage, interpolation and depth test,
+/// and shaders of its own language.
+///
+/// A convex quad is two triangles, so inside one that is no parallelogram depth and shade differ a
+/// little from the plane that the CPU lays through it; the outline does not. Positions are exact
+/// within 8192 pixels of the middle of the picture; what reaches further is clipped there, rounded.
+/// A picture larger than GL's largest is left to the CPU.
+/// Units:   as l3d_surface_rasterizer_scalar, and inv_w from 2^-94 to 2^32.
+/// Cost:    drawing gathers; every batch is drawn twice if pixels are counted, once only for its
+///          samples.
+class l3d_surface_rasterizer_mesa final : public l3d_surface_rasterizer {
+public:
+    /// Errors:  l3d_error(no_backend) if this GL does not compile the shaders.
+    explicit l3d_surface_rasterizer_mesa(std::unique_ptr<l3d_detail::mesa_context> context);
+
+private:
+    void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
+                  bool untouched) override;
+    void do_draw(std::span<const l3d_surface_part* const> parts) override;
+    void do_finish() override;
+    const l3d_surface_counts& do_counts() const override;
+
+    struct vertex {
+        float position[3]; ///< x, y in pixels, inv_w
+        float normal[3];   ///< or, in mode `error`, red, green, blue
+    };
+
+    void add_part(const l3d_surface_part& part);
+    void add_quad(const std::array<l3d_micro_vertex, 4>& corners);
+    void add(std::span<const l3d_micro_vertex> convex);
+    void flush();
+    std::int64_t draw();
+
+    l3d_detail::mesa_target gl_target_;
+    l3d_pixels target_;
+    l3d_depth_buffer own_depth_; ///< where nobody wants it but to count what is covered, if that
+    l3d_depth_buffer* depth_ = nullptr;
+    l3d_shading shading_;
+    l3d_surface_counts counts_;
+    std::uint32_t error_color_ = 0x00ffffff;
+    std::vector<vertex> batch_;
+    l3d_size held_size_;
+    bool fits_ = false;    ///< GL can hold the picture
+    bool cleared_ = false; ///< GL's picture is that of this frame
+    unsigned query_ = 0;
+    l3d_surface_rasterizer_scalar cpu_;
+};
+
+#endif

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// l3d_surface_rasterizer_sw: bands, and who fills them.
+#include "raster/surfaces/surface_rasterizer_sw.h"
+
+#include "raster/surfaces/band_painter_p.h"
+#include "tool_2d/image.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace {
+
+using namespace l3d_detail;
+
+/// So that workers have a dozen bands to share, and colour and depth of none take more than half a
+/// megabyte: what a core of 2020 has as second level cache, or half of it.
+/// Not more of them for more workers: what is counted would depend on it.
+int rows_of_band(l3d_size size) {
+    constexpr int most_bytes = 512 << 10, bytes_of_pixel = 4 + 4, bands_wanted = 12;
+    constexpr int tile = depth_tile::height;
+    const int fitting = most_bytes / bytes_of_pixel / std::max(size.width, 1) / tile * tile;
+    const int sharing = (size.height + bands_wanted * tile - 1) / (bands_wanted * tile) * tile;
+    return std::max(std::min(fitting, sharing), tile);
+}
+
+/// The tiles that a box meets, so far as they are in the picture.
+l3d_pixel_box in_whole_tiles(const l3d_pixel_box& box, l3d_size size) {
+    constexpr std::int32_t width = depth_tile::width, height = depth_tile::height;
+    return l3d_pixel_box{box.left / width * width, box.top / height * height,
+                         (box.right + width - 1) / width * width,
+                         (box.bottom + height - 1) / height * height}
+        .intersected(l3d_whole(size));
+}
+
+} // namespace
+
+struct l3d_surface_rasterizer_sw::work_space {
+    band_frame frame;
+    band_list list;
+    coarse_depth coarse;
+    std::vector<band_painter> painters;          ///< one for each worker
+    std::vector<l3d_depth_buffer> worker_depths; ///< of a band, if nobody wants it afterwards
+    std::vector<std::int64_t> covered;           ///< in each band, if that is counted
+    l3d_image picture;                           ///< in which parts of pictures are drawn
+};
+
+l3d_surface_rasterizer_sw::l3d_surface_rasterizer_sw(l3d_workers& workers,
+                                                     l3d_band_settings settings)
+    : workers_(workers), settings_(settings), work_(std::make_unique<work_space>()) {
+    assert(settings.rows >= 0 && settings.rows % depth_tile::height == 0);
+    work_->painters.resize(static_cast<std::size_t>(workers.count()));
+    work_->worker_depths.resize(static_cast<std::size_t>(workers.count()));
+}
+
+l3d_surface_rasterizer_sw::~l3d_surface_rasterizer_sw() = default;
+
+void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer* depth,
+                                         const l3d_shading& shading, bool untouched) {
+    assert(!depth || target.size() == depth->size());
+    untouched_ = untouched && finished_ && target.words == target_.words &&
+                 target.size() == target_.size() && target.stride == target_.stride;
+    target_ = target;
+    window_ = l3d_whole(target.size());
+    part_ = {};
+    start(depth, shading);
+}
+
+/// Polygons are drawn whole, so that no number in them depends on where the part ends, into a
+/// picture that is there for that; what they cover beside the part is not copied.
+void l3d_surface_rasterizer_sw::do_begin_part(l3d_pixels target, l3d_depth_buffer* depth,
+                                              const l3d_shading& shading,
+                                              const l3d_pixel_box& part) {
+    assert(!depth || target.size() == depth->size());
+    assert(!part.empty() && part.intersected(l3d_whole(target.size())) == part);
+    l3d_image& picture = work_->picture;
+    if (picture.pixels().size() != target.size())
+        picture = l3d_image(target.size(), l3d_padded_stride(target.width));
+    untouched_ = false;
+    target_ = picture.pixels();
+    window_ = in_whole_tiles(part, target.size());
+    part_ = part;
+    part_target_ = target;
+    start(depth, shading);
+}
+
+void l3d_surface_rasterizer_sw::start(l3d_depth_buffer* depth, const l3d_shading& shading) {
+    finished_ = false;
+    depth_ = depth;
+    const l3d_size size{target_.width, window_.bottom - window_.top};
+    rows_ = settings_.rows ? settings_.rows : rows_of_band(size);
+    drawn_ = false;
+    counts_ = {};
+    work_->frame = {shading, fill_shades(shading.mode) && target_.width >= fill_least_width,
+                    settings_.leave_out_hidden};
+    work_->coarse.resize(target_.size());
+    const int bands = (size.height + rows_ - 1) / rows_;
+    work_->covered.assign(static_cast<std::size_t>(bands), 0);
+    if (!depth)
+        for (l3d_depth_buffer& worker_depth : work_->worker_depths)
+            worker_depth.resize({target_.width, rows_});
+}
+
+void l3d_surface_rasterizer_sw::do_draw(std::span<const l3d_surface_part* const> parts) {
+    assert(depth_ || !drawn_);
+    const band_list& list = work_->list;
+    const band_frame& frame = work_->frame;
+    const bool with_levels = frame.by_lanes && frame.shading.mode == l3d_shade::gouraud;
+    work_->list.make(parts, window_, rows_, with_levels ? &frame.shading : nullptr, workers_);
+
+    for (band_painter& painter : work_->painters)
+        painter.reserve(rows_);
+    workers_.for_each_beside(static_cast<int>(work_->covered.size()), [&](int band, int worker) {
+        draw_band(band, static_cast<std::size_t>(worker));
+    });
+
+    drawn_ = true;
+    counts_.quads += list.polygons();
+    for (band_painter& painter : work_->painters) {
+        for (const band_painter& other : work_->painters)
+            painter.reserve_as(other);
+        const fill_counts counts = painter.take_counts();
+        counts_.samples += counts.samples;
+        counts_.written += counts.written;
+        counts_.by_plane += counts.by_plane;
+        counts_.level_error = std::max(counts_.level_error, double{counts.level_error});
+        counts_.loose_levels += counts.loose_levels;
+    }
+}
+
+void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
+    const std::span<const std::uint32_t> items = work_->list.items(index);
+    if (drawn_ && items.empty())
+        return;
+    const int top = window_.top + index * rows_, bottom = std::min(top + rows_, window_.bottom);
+    l3d_depth_buffer& depth = depth_ ? *depth_ : work_->worker_depths[worker];
+    const fill_band band{target_.row(top).data(),
+                         target_.stride,
+                         depth.row(depth_ ? top : 0).data(),
+                         depth.pitch(),
+                         target_.width,
+                         top,
+                         bottom};
+    coarse_depth& coarse = work_->coarse;
+    if (!drawn_) {
+        clear_words(band);
+        coarse.forget(top, bottom);
+    }
+    work_->painters[worker].draw(work_->frame, band, work_->list, items, coarse);
+    if (!drawn_ && depth_ && part_.empty())
+        coarse.open_others(band);
+    if (depth_)
+        coarse.refresh(band); // `hidden` may be asked by many, so it finds nothing itself
+    if (counts_pixels())
+        work_->covered[static_cast<std::size_t>(index)] = coarse.covered(band);
+}
+
+void l3d_surface_rasterizer_sw::clear_words(const fill_band& band) {
+    if (untouched_)
+        return work_->coarse.clear_words(band);
+    const std::int32_t width = window_.right - window_.left;
+    for (int row = band.top; row < band.bottom; ++row)
+        std::fill_n(target_.row(row).data() + window_.left, width, 0u);
+}
+
+bool l3d_surface_rasterizer_sw::do_hidden(const l3d_subpixel_box& box, float nearest_inv_w) const {
+    const l3d_pixel_box pixels = pixels_in(box).intersected(window_);
+    return drawn_ && !finished_ && (pixels.empty() || work_->coarse.hidden(pixels, nearest_inv_w));
+}
+
+void l3d_surface_rasterizer_sw::do_finish() {
+    if (!drawn_)
+        do_draw({});
+    for (int row = part_.top; row < part_.bottom; ++row)
+        std::copy_n(target_.row(row).data() + part_.left, part_.right - part_.left,
+                    part_target_.row(row).data() + part_.left);
+    finished_ = true;
+    counts_.covered =
+        counts_pixels() ? std::reduce(work_->covered.begin(), work_->covered.end(), std::int64_t{0})
+                        : l3d_surface_counts::none_counted;
+}

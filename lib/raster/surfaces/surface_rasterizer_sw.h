@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// l3d_surface_rasterizer_sw: the surface rasterizer on the CPU, by all its lanes and cores.
+#ifndef L3D_RASTER_SURFACES_SURFACE_RASTERIZER_SW_H
+#define L3D_RASTER_SURFACES_SURFACE_RASTERIZER_SW_H
+
+#include "raster/surface_rasterizer.h"
+#include "raster/parallel/workers.h"
+
+#include <cstddef>
+#include <memory>
+
+namespace l3d_detail {
+struct fill_band;
+}
+
+/// How the work is divided. The picture does not depend on it.
+struct l3d_band_settings {
+    int rows = 0; ///< of pixels in a band, a multiple of 8; 0: such that a band fits the cache
+    bool leave_out_hidden = true; ///< what is provably hidden is not filled
+};
+
+/// Fills surfaces in horizontal bands whose colour and depth stay in a core's own cache: in each
+/// first what is nearest, leaving out blocks that are behind what is there.
+///
+/// Units:   as l3d_surface_rasterizer_scalar, its slow twin.
+/// Lives:   borrows the workers.
+/// Cost:    a frame allocates only where there is more of something than in any frame before.
+///          Lambert, gouraud and flat shading in pictures at least 16 pixels wide is filled in SIMD
+///          lanes, all else pixel by pixel. Gouraud and flat cost least.
+class l3d_surface_rasterizer_sw final : public l3d_surface_rasterizer {
+public:
+    explicit l3d_surface_rasterizer_sw(l3d_workers& workers, l3d_band_settings settings = {});
+    ~l3d_surface_rasterizer_sw() override;
+
+private:
+    void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
+                  bool untouched) override;
+    bool do_takes_levels() const override { return true; }
+    bool do_draws_parts() const override { return true; }
+    void do_begin_part(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
+                       const l3d_pixel_box& part) override;
+    void do_draw(std::span<const l3d_surface_part* const> parts) override;
+    bool do_hidden(const l3d_subpixel_box& box, float nearest_inv_w) const override;
+    void do_finish() override;
+    const l3d_surface_counts& do_counts() const override { return counts_; }
+
+    struct work_space;
+
+    void start(l3d_depth_buffer* depth, const l3d_shading& shading);
+    void clear_words(const l3d_detail::fill_band& band);
+    void draw_band(int index, std::size_t worker);
+
+    l3d_workers& workers_;
+    l3d_band_settings settings_;
+    std::unique_ptr<work_space> work_;
+    l3d_pixels target_;
+    l3d_pixel_box window_; ///< what is drawn of the target, in whole tiles
+    l3d_pixel_box part_;   ///< what of it goes from the work space to part_target_; may be empty
+    l3d_pixels part_target_;
+    l3d_depth_buffer* depth_ = nullptr;
+    int rows_ = 0;           ///< of a band
+    bool drawn_ = false;     ///< something of this frame; picture and depth are cleared then
+    bool finished_ = false;  ///< tiles that are not drawn are empty in the picture
+    bool untouched_ = false; ///< and still are when this frame begins
+    l3d_surface_counts counts_;
+};
+
+#endif

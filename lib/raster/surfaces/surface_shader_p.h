@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// The shaders: what is interpolated over a polygon, and the pixel word made of it.
+#ifndef L3D_RASTER_SURFACES_SURFACE_SHADER_P_H
+#define L3D_RASTER_SURFACES_SURFACE_SHADER_P_H
+
+#include "raster/surfaces/away_from_eye_p.h"
+#include "raster/micro_grid.h"
+#include "raster/surface_rasterizer.h"
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+// A shader is a class with
+//   components         how many numbers are interpolated beside inv_w
+//   begin_polygon(v)   told the corners
+//   corner(v, out)     the numbers of one corner
+//   word(values)       the pixel word for interpolated numbers
+
+namespace l3d_detail {
+
+using vector3 = std::array<float, 3>;
+
+inline float dot(const vector3& a, const float* b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// Least |n|^2 that is divided by: a zero normal then has cosine 0 instead of NaN.
+inline float safe_square(float square) {
+    return square > FLT_MIN ? square : FLT_MIN;
+}
+
+/// Cosine of the angle between a unit vector and a vector of any length.
+inline float cosine(const vector3& light, const float* normal) {
+    const float square = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
+    return dot(light, normal) / std::sqrt(safe_square(square));
+}
+
+/// 0.1 + 0.9 max(0, cosine). Written so that NaN gives 0.1.
+inline float intensity(float cosine) {
+    const float lit = cosine > 0.0f ? cosine : 0.0f;
+    return 0.1f + 0.9f * (lit < 1.0f ? lit : 1.0f);
+}
+
+/// A grey pixel. Expects: intensity in [0, 1].
+inline std::uint32_t grey_word(float intensity) {
+    const auto level = static_cast<std::uint32_t>(static_cast<int>(255.0f * intensity + 0.5f));
+    return level * 0x010101u;
+}
+
+/// What a vertex's normal, turned to the eye, gives.
+inline float vertex_intensity(const l3d_micro_vertex& vertex, const l3d_shading& shading) {
+    const float lit = cosine(shading.light, vertex.normal);
+    return intensity(away_from_eye(vertex, shading) > 0 ? -lit : lit);
+}
+
+/// What the sum of a polygon's normals gives.
+inline float polygon_intensity(std::span<const l3d_micro_vertex> corners,
+                               const l3d_shading& shading) {
+    vector3 sum{0, 0, 0};
+    float away = 0;
+    for (const l3d_micro_vertex& vertex : corners) {
+        for (std::size_t i = 0; i < sum.size(); ++i)
+            sum[i] += vertex.normal[i];
+        away += away_from_eye(vertex, shading);
+    }
+    const float lit = cosine(shading.light, sum.data());
+    return intensity(away > 0 ? -lit : lit);
+}
+
+/// The normal's components, and how far it points away from the eye.
+inline void put_normal(const l3d_micro_vertex& vertex, const l3d_shading& shading, float* out) {
+    for (std::size_t i = 0; i < 3; ++i)
+        out[i] = vertex.normal[i];
+    out[3] = away_from_eye(vertex, shading);
+}
+
+/// Grey from the interpolated normal, turned to the eye.
+class lambert_shader {
+public:
+    static constexpr std::size_t components = 4;
+
+    explicit lambert_shader(const l3d_shading& shading) : shading_(shading) {}
+
+    void begin_polygon(std::span<const l3d_micro_vertex>) {}
+    void corner(const l3d_micro_vertex& vertex, float* out) const {
+        put_normal(vertex, shading_, out);
+    }
+    std::uint32_t word(const float* normal) const {
+        const float lit = cosine(shading_.light, normal);
+        return grey_word(intensity(normal[3] > 0 ? -lit : lit));
+    }
+
+private:
+    const l3d_shading& shading_;
+};
+
+/// Grey interpolated from the corners' greys.
+class gouraud_shader {
+public:
+    static constexpr std::size_t components = 1;
+
+    explicit gouraud_shader(const l3d_shading& shading) : shading_(shading) {}
+
+    void begin_polygon(std::span<const l3d_micro_vertex> corners) {
+        darkest_ = 1;
+        brightest_ = 0;
+        for (const l3d_micro_vertex& vertex : corners) {
+            darkest_ = std::min(darkest_, grey(vertex));
+            brightest_ = std::max(brightest_, grey(vertex));
+        }
+    }
+    void corner(const l3d_micro_vertex& vertex, float* out) const { *out = grey(vertex); }
+
+    /// The plane of four corners that are not in one plane runs past their greys near a corner.
+    std::uint32_t word(const float* value) const {
+        const float least = *value > darkest_ ? *value : darkest_;
+        return grey_word(least < brightest_ ? least : brightest_);
+    }
+
+private:
+    float grey(const l3d_micro_vertex& vertex) const { return vertex_intensity(vertex, shading_); }
+
+    const l3d_shading& shading_;
+    float darkest_ = 0, brightest_ = 1;
+};
+
+/// One grey for the polygon, from the sum of its normals.
+class flat_shader {
+public:
+    static constexpr std::size_t components = 0;
+
+    explicit flat_shader(const l3d_shading& shading) : shading_(shading) {}
+
+    void begin_polygon(std::span<const l3d_micro_vertex> corners) {
+        word_ = grey_word(polygon_intensity(corners, shading_));
+    }
+    void corner(const l3d_micro_vertex&, float*) const {}
+    std::uint32_t word(const float*) const { return word_; }
+
+private:
+    const l3d_shading& shading_;
+    std::uint32_t word_ = 0;
+};
+
+/// The unit normal, turned to the eye, as a colour.
+class normals_shader {
+public:
+    static constexpr std::size_t components = 4;
+
+    explicit normals_shader(const l3d_shading& shading) : shading_(shading) {}
+
+    void begin_polygon(std::span<const l3d_micro_vertex>) {}
+    void corner(const l3d_micro_vertex& vertex, float* out) const {
+        put_normal(vertex, shading_, out);
+    }
+    std::uint32_t word(const float* normal) const {
+        std::uint32_t word = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            vector3 axis{0, 0, 0};
+            axis[i] = normal[3] > 0 ? -1.0f : 1.0f;
+            word = word << 8 | level(cosine(axis, normal));
+        }
+        return word;
+    }
+
+private:
+    static std::uint32_t level(float component) {
+        const float least = component > -1.0f ? component : -1.0f;
+        const float inside = least < 1.0f ? least : 1.0f;
+        return static_cast<std::uint32_t>(static_cast<int>(127.5f * (inside + 1.0f) + 0.5f));
+    }
+
+    const l3d_shading& shading_;
+};
+
+/// The same word everywhere.
+class constant_shader {
+public:
+    static constexpr std::size_t components = 0;
+
+    explicit constant_shader(std::uint32_t word) : word_(word) {}
+
+    void begin_polygon(std::span<const l3d_micro_vertex>) {}
+    void corner(const l3d_micro_vertex&, float*) const {}
+    std::uint32_t word(const float*) const { return word_; }
+
+private:
+    std::uint32_t word_;
+};
+
+} // namespace l3d_detail
+
+#endif

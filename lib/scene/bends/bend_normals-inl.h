@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// Bounds of a unit normal's derivatives over parts of a patch, and of what bends along it.
+#if defined(L3D_SCENE_BENDS_BEND_NORMALS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef L3D_SCENE_BENDS_BEND_NORMALS_INL_H
+#undef L3D_SCENE_BENDS_BEND_NORMALS_INL_H
+#else
+#define L3D_SCENE_BENDS_BEND_NORMALS_INL_H
+#endif
+
+#include "scene/bends/bend_series-inl.h"
+#include "scene/bends/surface_bends_p.h"
+
+#include <cmath>
+#include <cstddef>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// Coefficients of Taylor's about the middles of parts, for parameters from -1 to 1 across them:
+/// [power of u][power of v].
+template <std::size_t Degree> struct taylor_net { vector at[Degree + 1][Degree + 1]; };
+
+constexpr double factorial(std::size_t n) {
+    return n == 0 ? 1 : static_cast<double>(n) * factorial(n - 1);
+}
+
+/// From a coefficient to a derivative by parameters of the part, which are half as fast.
+constexpr double as_derivative(std::size_t k, std::size_t l) {
+    return factorial(k) * factorial(l) * static_cast<double>(std::size_t{1} << (k + l));
+}
+
+/// The largest of |a + b s + c t| for s and t from -1 to 1: in a corner, as it is convex.
+HWY_ATTR HWY_INLINE number largest_size(const vector& a, const vector& b, const vector& c) {
+    const vector low = a - b, high = a + b;
+    const number one = largest(squared(low - c), squared(low + c));
+    return root(largest(one, largest(squared(high - c), squared(high + c))));
+}
+
+/// What rounding may add, over the length of the normal in the middle: see docs/NUMERICS.md.
+constexpr double normal_noise = 0x1p-39;
+
+/// Shorter normals, of 1 in the longest coefficient, are mostly noise.
+constexpr double no_length = 0x1p-32;
+
+/// What rounding may add to a second or third derivative of points, over the largest of them.
+constexpr double point_noise = 0x1p-44;
+
+/// More than the relative rounding of sums of positive numbers here.
+constexpr double relative = 1 + 0x1p-40;
+
+/// The unit normals of parts: Taylor's coefficients about the middle up to series_order, and bounds
+/// of derivatives over all of the part.
+///
+/// m is M over its length in the middle. Let p be the series of (m . m)^(-1/2), cut off. Then p m
+/// is as good a normal as m: it has the coefficients of N up to series_order, and (p m) . (p m) is
+/// 1 but for w, whose first coefficients are none. So N = p m (1 - w)^(-1/2) for that w, and the
+/// absolute values of all coefficients are at most those of the same expression in sums of absolute
+/// values, of which a sign is lost only beyond the order. Their sum, the value in the corner (1,
+/// 1), and derivatives there, are bounds everywhere. Source: Cauchy's method of majorants.
+class part_normals {
+public:
+    HWY_ATTR explicit part_normals(taylor_net<5> m);
+
+    HWY_ATTR HWY_INLINE const vector& at(std::size_t k, std::size_t l) const { return n_[k][l]; }
+    HWY_ATTR HWY_INLINE number size(std::size_t k, std::size_t l) const { return sizes_[k][l]; }
+
+    /// How far N may be from its value in the middle.
+    HWY_ATTR HWY_INLINE number change() const { return most_[0][0] - same(1) + noise_; }
+    HWY_ATTR HWY_INLINE number noise() const { return noise_; }
+
+    /// Whether all this holds; false where there is no normal.
+    HWY_ATTR HWY_INLINE auto known() const { return known_; }
+
+    HWY_ATTR HWY_INLINE number in_middle(std::size_t k, std::size_t l) const {
+        return sizes_[k][l] * same(as_derivative(k, l));
+    }
+
+    /// The first two terms are exact, the others are sums of sizes.
+    HWY_ATTR HWY_INLINE number bound(std::size_t k, std::size_t l) const {
+        const number u = same(static_cast<double>(k + 1)), v = same(static_cast<double>(l + 1));
+        const number exact = largest_size(n_[k][l], n_[k + 1][l] * u, n_[k][l + 1] * v);
+        const number others =
+            most_[k][l] - (sizes_[k][l] + sizes_[k + 1][l] * u + sizes_[k][l + 1] * v);
+        return (exact + others + noise_) * same(as_derivative(k, l) * relative);
+    }
+
+private:
+    HWY_ATTR void bound_products(const taylor_net<5>& m, const series& p);
+
+    vector n_[series_order][series_order];
+    series sizes_, most_;
+    number noise_;
+    hn::Mask<eight_doubles> known_;
+};
+
+HWY_ATTR part_normals::part_normals(taylor_net<5> m) {
+    const number length = root(squared(m.at[0][0])), inverse = same(1) / length;
+    known_ = hn::Gt(length.v, same(no_length).v);
+    noise_ = same(normal_noise) * inverse;
+    for (auto& column : m.at)
+        for (vector& c : column)
+            c = c * inverse;
+    series square, p;
+    for_powers(series_order - 1, [&](std::size_t k, std::size_t l) HWY_ATTR {
+        number sum = same(0);
+        for (std::size_t i = k > 5 ? k - 5 : 0; i <= k && i <= 5; ++i)
+            for (std::size_t j = l > 5 ? l - 5 : 0; j <= l && j <= 5; ++j)
+                sum = sum + dot(m.at[i][j], m.at[k - i][l - j]);
+        square[k][l] = sum;
+    });
+    inverse_root(square, series_order - 1, p);
+    for_powers(series_order - 1, [&](std::size_t k, std::size_t l) HWY_ATTR {
+        vector sum{same(0), same(0), same(0)};
+        for (std::size_t i = 0; i <= k && i <= 5; ++i)
+            for (std::size_t j = 0; j <= l && j <= 5; ++j)
+                sum = sum + m.at[i][j] * p[k - i][l - j];
+        n_[k][l] = sum;
+        sizes_[k][l] = root(squared(sum));
+    });
+    bound_products(m, p);
+}
+
+/// Of a product of sums of sizes: its value and derivatives in the corner, and the part of them
+/// that comes from coefficients beyond the order: all of it less the first coefficients.
+struct product_in_corner {
+    series all, beyond;
+
+    HWY_ATTR product_in_corner(const series& p, const series& p_in_corner, number (&m)[6][6]) {
+        series first, low;
+        for_powers(series_order - 1, [&](std::size_t k, std::size_t l) HWY_ATTR {
+            first[k][l] = k < 6 && l < 6 ? m[k][l] : same(0);
+        });
+        multiply(p, first, series_order - 1, low);
+        move_to_corner(low);
+        move_to_corner(m, [](std::size_t) { return std::size_t{6}; });
+        for_powers(wanted_order,
+                   [&](std::size_t k, std::size_t l) HWY_ATTR { first[k][l] = m[k][l]; });
+        multiply(p_in_corner, first, wanted_order, all);
+        for_powers(wanted_order, [&](std::size_t k, std::size_t l) HWY_ATTR {
+            beyond[k][l] = largest(all[k][l] - low[k][l], same(0));
+        });
+    }
+};
+
+/// With a the normal in the middle, p m = f + z a + x, where f is exact, z and x are what is beyond
+/// the order along a and across it. Over 1 + z, which changes no direction, that is
+/// f + (x - z (f - a)) / (1 + z): in a plane there is nothing beyond, and elsewhere less.
+HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series& p) {
+    const vector a = m.at[0][0];
+    number sizes_along[6][6], sizes_across[6][6];
+    for (std::size_t k = 0; k < 6; ++k)
+        for (std::size_t l = 0; l < 6; ++l) {
+            const number along = dot(m.at[k][l], a);
+            sizes_along[k][l] = magnitude(along);
+            sizes_across[k][l] = root(squared(m.at[k][l] - a * along));
+        }
+    series of_p, p_in_corner;
+    for_powers(series_order - 1, [&](std::size_t k, std::size_t l) HWY_ATTR {
+        p_in_corner[k][l] = of_p[k][l] = magnitude(p[k][l]);
+    });
+    move_to_corner(p_in_corner);
+    const product_in_corner along(of_p, p_in_corner, sizes_along);
+    const product_in_corner across(of_p, p_in_corner, sizes_across);
+    number most = same(0);
+    for_powers(wanted_order, [&](std::size_t k, std::size_t l) HWY_ATTR {
+        most = largest(most, along.all[k][l] + across.all[k][l]);
+    });
+    noise_ = noise_ * most * most;
+    series first, first_squared;
+    for_powers(series_order - 1,
+               [&](std::size_t k, std::size_t l) HWY_ATTR { first[k][l] = sizes_[k][l]; });
+    multiply(first, first, series_order - 1, first_squared);
+    move_to_corner(first_squared);
+    move_to_corner(first);
+    series turned, one_less_z, by_z, beyond, pm, square, w, g;
+    for_powers(wanted_order, [&](std::size_t k, std::size_t l) HWY_ATTR {
+        const number one = same(k + l == 0 ? 1 : 0);
+        turned[k][l] = largest(first[k][l] - one, same(0));
+        one_less_z[k][l] = one - along.beyond[k][l];
+    });
+    multiply(along.beyond, turned, wanted_order, w);
+    for_powers(wanted_order, [&](std::size_t k, std::size_t l)
+                                 HWY_ATTR { w[k][l] = w[k][l] + across.beyond[k][l]; });
+    invert(one_less_z, wanted_order, by_z);
+    multiply(w, by_z, wanted_order, beyond);
+    for_powers(wanted_order, [&](std::size_t k, std::size_t l)
+                                 HWY_ATTR { pm[k][l] = first[k][l] + beyond[k][l] + noise_; });
+    multiply(pm, pm, wanted_order, square);
+    for_powers(wanted_order, [&](std::size_t k, std::size_t l) HWY_ATTR {
+        const number more = largest(square[k][l] - first_squared[k][l], same(0)) + noise_;
+        w[k][l] = same(k + l == 0 ? 1 : 0) - more;
+    });
+    const auto small = same(0x1p-20).v;
+    known_ = hn::And(known_, hn::And(hn::Gt(one_less_z[0][0].v, small), hn::Gt(w[0][0].v, small)));
+    inverse_root(w, wanted_order, g);
+    multiply(pm, g, wanted_order, most_);
+}
+
+/// Bounds of |N . S_b| over parts for the derivatives b of second and third order.
+///
+/// With n the normal in the middle, N . S_b = n . S_b + (N - n) . S_b. Terms of order 0 and 1 are
+/// exact; of the others the first product's are |n . coefficient|, nothing where the surface is
+/// flat, and the second's sums of sizes.
+class part_points {
+public:
+    HWY_ATTR part_points(const taylor_net<3>& s, const part_normals& n, double size)
+        : s_(s), n_(n), noise_(same(size * point_noise)) {
+        for (std::size_t k = 0; k < 4; ++k)
+            for (std::size_t l = 0; l < 4; ++l) {
+                heights_[k][l] = dot(n.at(0, 0), s.at[k][l]);
+                sizes_[k][l] = root(squared(s.at[k][l]));
+            }
+    }
+
+    HWY_ATTR HWY_INLINE number bound(std::size_t k, std::size_t l) const {
+        number all = same(0), far = all;
+        for (std::size_t i = 0; i + k < 4; ++i)
+            for (std::size_t j = 0; j + l < 4; ++j) {
+                const number times = same(taken_out(k, i) * taken_out(l, j));
+                all = all + sizes_[k + i][l + j] * times;
+                if (i + j > 1)
+                    far = far + magnitude(heights_[k + i][l + j]) * times;
+            }
+        const number middle = same(factorial(k) * factorial(l));
+        const vector d = s_.at[k][l] * middle;
+        number u = dot(n_.at(1, 0), d), v = dot(n_.at(0, 1), d);
+        if (k < 3)
+            u = u + heights_[k + 1][l] * same(taken_out(k, 1) * factorial(l));
+        if (l < 3)
+            v = v + heights_[k][l + 1] * same(factorial(k) * taken_out(l, 1));
+        const number near = magnitude(heights_[k][l]) * middle + magnitude(u) + magnitude(v);
+        const number turned =
+            n_.change() * all - (n_.size(1, 0) + n_.size(0, 1)) * sizes_[k][l] * middle;
+        return (near + far + turned + n_.noise() * all + noise_) *
+               same(static_cast<double>(std::size_t{1} << (k + l)) * relative);
+    }
+
+    HWY_ATTR HWY_INLINE number in_middle(std::size_t k, std::size_t l) const {
+        return magnitude(heights_[k][l]) * same(as_derivative(k, l));
+    }
+
+    /// Of |S_uuvv|, which is bilinear: in a corner.
+    HWY_ATTR HWY_INLINE number bound_uuvv() const {
+        const vector a = s_.at[2][2] * same(4), u = s_.at[3][2] * same(12);
+        const vector v = s_.at[2][3] * same(12), uv = s_.at[3][3] * same(36);
+        const number at_end = largest_size(a + u, v + uv, {same(0), same(0), same(0)});
+        const number at_start = largest_size(a - u, v - uv, {same(0), same(0), same(0)});
+        return (largest(at_end, at_start) + noise_) * same(16 * relative);
+    }
+
+private:
+    /// The factor of a derivative of order k by one parameter at the power `rest` that is left.
+    static constexpr double taken_out(std::size_t k, std::size_t rest) {
+        return factorial(k + rest) / factorial(rest);
+    }
+
+    const taylor_net<3>& s_;
+    const part_normals& n_;
+    number noise_, heights_[4][4], sizes_[4][4];
+};
+
+/// Into lanes i on of the result.
+HWY_ATTR void take_bounds(const taylor_net<5>& normals, const taylor_net<3>& points, double size,
+                          group_bounds& result, std::size_t i) {
+    constexpr struct {
+        bend_number number;
+        std::size_t k, l;
+    } turns[]{{turn_u, 1, 0},   {turn_v, 0, 1},   {turn_uu, 2, 0},
+              {turn_uv, 1, 1},  {turn_vv, 0, 2},  {turn_uuu, 3, 0},
+              {turn_uuv, 2, 1}, {turn_uvv, 1, 2}, {turn_vvv, 0, 3}},
+        bends[]{{bend_uu, 2, 0},  {bend_uv, 1, 1},  {bend_vv, 0, 2}, {bend_uuu, 3, 0},
+                {bend_uuv, 2, 1}, {bend_uvv, 1, 2}, {bend_vvv, 0, 3}};
+    const part_normals n(normals);
+    const part_points s(points, n, size);
+    const auto put = [&](const auto& all, const auto& of) HWY_ATTR {
+        for (const auto& [which, k, l] : all) {
+            const auto bound = of.bound(k, l).v, infinite = same(HUGE_VAL).v;
+            const auto known = hn::And(n.known(), hn::Lt(bound, infinite)); // and not a NaN
+            store({hn::IfThenElse(known, bound, infinite)}, result.most[which] + i);
+            store(of.in_middle(k, l), result.middle[which] + i);
+        }
+    };
+    put(turns, n);
+    put(bends, s);
+    store(s.bound_uuvv(), result.most[bend_uuvv] + i);
+    store(same(0), result.middle[bend_uuvv] + i);
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#endif

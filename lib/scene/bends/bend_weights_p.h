@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Weights of Bernstein coefficients in Taylor's about the middles of the parts of a patch.
+#ifndef L3D_SCENE_BENDS_BEND_WEIGHTS_P_H
+#define L3D_SCENE_BENDS_BEND_WEIGHTS_P_H
+
+#include "scene/bends/surface_bends_p.h"
+
+#include <array>
+#include <cstddef>
+
+namespace l3d_detail {
+
+constexpr double choose(std::size_t n, std::size_t k) {
+    return k == 0 ? 1 : choose(n - 1, k - 1) * static_cast<double>(n) / static_cast<double>(k);
+}
+
+/// How much of Bernstein coefficient `from` is in the coefficient of t^power about the middle of a
+/// part, t from -1 to 1 across it.
+///
+/// De Casteljau's scheme at the middle, `power` of its levels being differences, which are those of
+/// derivatives but for degree! / (degree - power)!; over power! that is a binomial coefficient. A
+/// part is 1/8 of the patch, t = 1 half of that. A multiple of 2^-20, hence exact: for degree 5
+/// five products with sixteenths.
+template <std::size_t Degree>
+constexpr double taylor_weight(std::size_t part, std::size_t power, std::size_t from) {
+    constexpr double half = 0.5 / bend_parts;
+    const double middle = static_cast<double>(2 * part + 1) * half;
+    std::array<double, Degree + 1> p{};
+    p[from] = 1;
+    for (std::size_t level = 0; level < Degree; ++level)
+        for (std::size_t i = 0; i + level < Degree; ++i)
+            p[i] =
+                level < power ? (p[i + 1] - p[i]) * half : (1 - middle) * p[i] + middle * p[i + 1];
+    return p[0] * choose(Degree, power);
+}
+
+template <std::size_t Degree> struct taylor_weights {
+    alignas(64) double at[Degree + 1][Degree + 1][bend_parts]; ///< [power][from][part]
+
+    constexpr taylor_weights() : at{} {
+        for (std::size_t power = 0; power <= Degree; ++power)
+            for (std::size_t from = 0; from <= Degree; ++from)
+                for (std::size_t part = 0; part < bend_parts; ++part)
+                    at[power][from][part] = taylor_weight<Degree>(part, power, from);
+    }
+};
+template <std::size_t Degree> inline constexpr taylor_weights<Degree> weights_of_taylor;
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// bends_of_blocks: which parts are quartered, and the largest of all.
+#include "scene/bends/bends_of_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace l3d_detail {
+namespace {
+
+/// The numbers of one kind and order. Bounds that are at most so many times the true number are
+/// good enough, and so are those of a number that is no more than an eighth of the largest of its
+/// kind, or less than what does not matter: a thousandth of a radian, and of bends that part of the
+/// patch's size that is a 16th of a pixel where the patch is a thousand pixels long.
+constexpr double of_its_kind = 1.0 / 8, no_turn = 0x1p-10, no_bend = 0x1p-14;
+constexpr struct {
+    std::size_t first, end;
+    double good_enough;
+} kinds[]{{turn_u, turn_uu, 1.2},
+          {turn_uu, turn_uuu, 1.3},
+          {turn_uuu, bend_numbers, 1.6},
+          {bend_uu, bend_uuu, 1.2},
+          {bend_uuu, bend_uuvv, 1.5}};
+
+/// How often a block's sides are halved at most, and where nothing is known, as about a corner that
+/// has no normal.
+constexpr int most_halvings = 4, most_halvings_of_unknown = 3;
+
+/// By the block's parameters instead of the part's.
+double of_block(double x, std::size_t number, int halvings) {
+    return x * static_cast<double>(1 << (bend_orders[number] * halvings));
+}
+
+bend_nets nets_of(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals) {
+    bend_nets nets;
+    nets.size = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const int component = static_cast<int>(c);
+        for (int row = 0; row < 6; ++row)
+            for (int column = 0; column < 6; ++column)
+                nets.normals[c][row][column] = normals.at(row, column)[component];
+        for (int row = 0; row < 4; ++row)
+            for (int column = 0; column < 4; ++column) {
+                const double from_first =
+                    patch.at(row, column)[component] - patch.at(0, 0)[component];
+                nets.points[c][row][column] = from_first;
+                nets.size = std::max(nets.size, std::abs(from_first));
+            }
+    }
+    return nets;
+}
+
+void copy_lane(const part_group& from, std::size_t lane, part_group& to, std::size_t to_lane) {
+    for (std::size_t k = 0; k < 6; ++k)
+        for (std::size_t l = 0; l < 6; ++l)
+            for (std::size_t c = 0; c < 3; ++c)
+                to.normals[k][l][c][to_lane] = from.normals[k][l][c][lane];
+    for (std::size_t k = 0; k < 4; ++k)
+        for (std::size_t l = 0; l < 4; ++l)
+            for (std::size_t c = 0; c < 3; ++c)
+                to.points[k][l][c][to_lane] = from.points[k][l][c][lane];
+}
+
+} // namespace
+
+bends_of_blocks::bends_of_blocks(const l3d_bezier_patch<double, 3>& patch,
+                                 const l3d_normal_net& normals)
+    : least_{}, most_{} {
+    const bend_nets nets = nets_of(patch, normals);
+    size_ = nets.size;
+    make_parts(nets, parts_);
+    leaves_.reserve(groups * part_lanes);
+    for (std::size_t row = 0; row < bend_parts; ++row) {
+        bound_parts(parts_[row], size_, bounds_[row]);
+        for (std::size_t lane = 0; lane < part_lanes; ++lane)
+            add(row, lane, row / 2 * 4 + lane / 2, 1);
+    }
+    judge();
+    for (part& p : leaves_)
+        p.looseness = looseness(p);
+    while (used_ < groups && quarter_loosest()) {
+    }
+    for (const part& p : leaves_)
+        for (std::size_t n = 0; n < bend_numbers; ++n)
+            most_[n][p.block] = std::max(most_[n][p.block],
+                                         of_block(bounds_[p.group].most[n][p.lane], n, p.halvings));
+}
+
+void bends_of_blocks::add(std::size_t group, std::size_t lane, std::size_t block, int halvings) {
+    leaves_.push_back({group, lane, block, halvings, 0});
+    const group_bounds& of = bounds_[group];
+    if (!std::isfinite(of.most[turn_u][lane]))
+        return;
+    for (std::size_t n = 0; n < bend_numbers; ++n)
+        least_[n][block] = std::max(least_[n][block], of_block(of.middle[n][lane], n, halvings));
+}
+
+/// What is good enough in each block.
+void bends_of_blocks::judge() {
+    for (const auto& kind : kinds)
+        for (std::size_t block = 0; block < blocks; ++block) {
+            double matters = kind.first < turn_u ? no_bend * size_ : no_turn;
+            for (std::size_t n = kind.first; n < kind.end; ++n)
+                matters = std::max(matters, least_[n][block] * of_its_kind);
+            for (std::size_t n = kind.first; n < kind.end; ++n)
+                by_good_[n][block] = 1 / (std::max(least_[n][block], matters) * kind.good_enough);
+        }
+}
+
+/// How many times larger than good enough the part's worst bound may be. Where nothing is known,
+/// the most, if there is hope: if something is known of the block.
+double bends_of_blocks::looseness(const part& p) const {
+    if (p.halvings == most_halvings)
+        return 0;
+    if (!std::isfinite(bounds_[p.group].most[turn_u][p.lane])) {
+        const bool hope = least_[turn_u][p.block] + least_[turn_v][p.block] > 0;
+        return hope && p.halvings < most_halvings_of_unknown ? HUGE_VAL : 0;
+    }
+    double worst = 0;
+    for (const auto& kind : kinds)
+        for (std::size_t n = kind.first; n < kind.end; ++n)
+            worst = std::max(worst, of_block(bounds_[p.group].most[n][p.lane], n, p.halvings) *
+                                        by_good_[n][p.block]);
+    return worst;
+}
+
+/// The two loosest parts become a group of eight quarters. False if all are good enough.
+bool bends_of_blocks::quarter_loosest() {
+    constexpr std::size_t quarters = 4;
+    std::array<part, part_lanes / quarters> parents;
+    std::size_t found = 0;
+    for (part& parent : parents) {
+        const auto loosest =
+            std::max_element(leaves_.begin(), leaves_.end(), [](const part& a, const part& b) {
+                return a.looseness < b.looseness;
+            });
+        parent = *loosest;
+        if (!(parent.looseness > 1))
+            break;
+        ++found;
+        *loosest = leaves_.back();
+        leaves_.pop_back();
+    }
+    if (found == 0)
+        return false;
+    part_group& quartered = parts_[used_];
+    for (std::size_t lane = 0; lane < part_lanes; ++lane) {
+        const part& parent = parents[std::min(lane / quarters, found - 1)];
+        copy_lane(parts_[parent.group], parent.lane, quartered, lane);
+    }
+    quarter_parts(quartered);
+    bound_parts(quartered, size_, bounds_[used_]);
+    for (std::size_t lane = 0; lane < found * quarters; ++lane) {
+        const part& parent = parents[lane / quarters];
+        add(used_, lane, parent.block, parent.halvings + 1);
+    }
+    for (std::size_t lane = 0; lane < found * quarters; ++lane) {
+        part& p = leaves_[leaves_.size() - 1 - lane];
+        p.looseness = looseness(p);
+    }
+    ++used_;
+    return true;
+}
+
+} // namespace l3d_detail

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// bends_of_blocks: parts of a patch, those quartered whose bounds are loose.
+#ifndef L3D_SCENE_BENDS_BENDS_OF_BLOCKS_H
+#define L3D_SCENE_BENDS_BENDS_OF_BLOCKS_H
+
+#include "scene/bends/surface_bends_p.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace l3d_detail {
+
+/// The numbers of a patch's blocks: the largest of the bounds of their parts.
+///
+/// At first a block has four parts. What is in a part's middle is less than the block's true
+/// number, so it is known how loose a bound can be at most. The loosest parts are quartered, as
+/// long as there is room.
+class bends_of_blocks {
+public:
+    bends_of_blocks(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals);
+
+    /// By the parameters of the block.
+    double most(std::size_t number, std::size_t block) const { return most_[number][block]; }
+
+private:
+    /// The first rows of parts, and five groups of quarters: as many as 60 us a patch allow.
+    static constexpr std::size_t groups = bend_parts + 5;
+    static constexpr std::size_t blocks = l3d_surface_bends::blocks;
+
+    struct part {
+        std::size_t group, lane, block;
+        int halvings; ///< of the block's sides
+        double looseness;
+    };
+
+    void add(std::size_t group, std::size_t lane, std::size_t block, int halvings);
+    void judge();
+    double looseness(const part& p) const;
+    bool quarter_loosest();
+
+    part_group parts_[groups];
+    group_bounds bounds_[groups];
+    std::size_t used_ = bend_parts;
+    std::vector<part> leaves_;
+    double size_ = 0;
+    double least_[bend_numbers][blocks], most_[bend_numbers][blocks];
+    double by_good_[bend_numbers][blocks];
+};
+
+} // namespace l3d_detail
+
+#endif

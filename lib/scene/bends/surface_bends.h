@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// l3d_surface_bends: how much a patch and its blocks bend along the normal, and how normals turn.
+#ifndef L3D_SCENE_BENDS_SURFACE_BENDS_H
+#define L3D_SCENE_BENDS_SURFACE_BENDS_H
+
+#include "geom/bezier_patch.h"
+#include "geom/matrix.h"
+#include "geom/normal_net.h"
+
+#include <array>
+#include <cstddef>
+
+/// Upper bounds of derivatives by the parameters of one block, which run from 0 to 1 across it.
+///
+/// N is the unit normal: that of the normal net, at the same point as the derivative of S.
+/// Units: those of the model where S takes part; radians, or pure numbers, where only N does.
+template <class T> struct l3d_bend_numbers {
+    T uu, uv, vv;                 ///< |N . S_uu|, and so on
+    T uuu, uuv, uvv, vvv;         ///< |N . S_uuu|, and so on
+    T uuvv;                       ///< |S_uuvv|
+    T turn_u, turn_v;             ///< |N_u|, |N_v|
+    T n_uu, n_uv, n_vv;           ///< |N_uu|, and so on
+    T n_uuu, n_uuv, n_uvv, n_vvv; ///< |N_uuu|, and so on
+};
+
+/// The level of a cosine, in levels of 255: the grey is round(25.5 + max(0, level)).
+inline constexpr float l3d_level_of_cosine = 229.5F;
+
+/// Quadratic interpolation at both ends and the middle of a step h errs by this times h^3 and the
+/// third derivative: the largest value of |s (s - 1/2) (s - 1)| / 6.
+inline constexpr double l3d_of_thirds = 0.0080187537387448;
+
+/// How far the level of a quad with sides h_u, h_v, drawn as a parabola through the levels of its
+/// corners and of the middles of its sides, can be from the exact one at the same parameters. Of
+/// opposite sides only the mean of what they bend by is drawn. Units: levels. NUMERICS, section 14.
+double l3d_levels_off(const l3d_bend_numbers<double>& bends, double h_u, double h_v);
+
+/// Of a patch, and of each of its 4 x 4 blocks: bounds over all of it, its edges included.
+///
+/// They hold whatever is rounded; what that adds is stated in docs/NUMERICS.md, section 11. They
+/// are infinite, but for uuvv, where the normal vanishes or cannot be proven not to.
+/// Shape: block 4 * row + column, columns along u, as l3d_facing_cones has it. Each number of the
+///        blocks begins with a line of the cache.
+/// Cost:  1280 bytes.
+class alignas(64) l3d_surface_bends {
+public:
+    static constexpr std::size_t blocks = 16;
+    using lanes = std::array<float, blocks>;
+
+    /// Expects: finite coordinates of magnitude at most 1e12; the patch's own normals.
+    /// Cost:    some 50 us, once a model.
+    l3d_surface_bends(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals);
+
+    const l3d_bend_numbers<lanes>& of_blocks() const { return of_blocks_; }
+
+    /// Steps of each block with which levels are off by one at most (l3d_levels_off), those along u
+    /// and v being as many as it takes to turn by the same angle; they go with the power -1/3 of
+    /// the levels. 1 where nothing can be said.
+    const lanes& steps_u() const { return steps_u_; }
+    const lanes& steps_v() const { return steps_v_; }
+
+    /// The whole patch as one block.
+    const l3d_bend_numbers<float>& of_whole() const { return of_whole_; }
+
+    /// Bounds of the patch that was moved by an affine map, of which the upper left three by three
+    /// count. A similarity, mirrored or not, multiplies what has a length by its scale and leaves
+    /// the rest; any other map adds the more, the more unlike one it is.
+    /// Errors: infinite, but for uuvv, if the map cannot be inverted.
+    /// Cost:   some 2000 operations.
+    l3d_surface_bends under(const l3d_matrix<double>& placement) const;
+
+private:
+    l3d_surface_bends() = default;
+    void set_steps();
+
+    l3d_bend_numbers<lanes> of_blocks_;
+    lanes steps_u_, steps_v_;
+    l3d_bend_numbers<float> of_whole_;
+};
+
+#endif

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// l3d_camera: axes, image matrix and orbiting.
+#include "scene/camera.h"
+
+#include "geom/files/patch_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <utility>
+
+namespace {
+
+using vector = l3d_camera::vector;
+
+/// `v` turned about an axis through the origin. Units: radians.
+vector turned(const vector& v, const vector& axis, double angle) {
+    const auto m = l3d_rotation<double>(axis, angle);
+    const auto r = m * l3d_vector<double, 4>(v[0], v[1], v[2], 0.0);
+    return {r[0], r[1], r[2]};
+}
+
+/// Squares of what is very long or short would leave a double's range.
+vector unit_of_any_length(const vector& v) {
+    const double longest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+    return l3d_normalized(vector{v[0] / longest, v[1] / longest, v[2] / longest});
+}
+
+std::string text_of(double value) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%g", value);
+    return digits;
+}
+
+std::string text_of(const vector& v) {
+    return text_of(v[0]) + ',' + text_of(v[1]) + ',' + text_of(v[2]);
+}
+
+} // namespace
+
+l3d_camera::frame l3d_camera::axes() const {
+    const vector forward = l3d_normalized(target - eye);
+    const vector right = l3d_normalized(l3d_cross(forward, unit_of_any_length(up)));
+    return {right, l3d_cross(right, forward), forward};
+}
+
+double l3d_camera::up_sine() const {
+    return l3d_length(l3d_cross(l3d_normalized(target - eye), unit_of_any_length(up)));
+}
+
+std::string l3d_camera::complaint() const {
+    for (const auto& [name, place] : {std::pair{"eye", eye}, {"target", target}}) {
+        for (int i = 0; i < 3; ++i)
+            if (!(std::abs(place[i]) <= l3d_bpt_largest_coordinate))
+                return std::string("camera: ") + name + ' ' + text_of(place) +
+                       " is not within 1e12 of the origin";
+    }
+    if (!(l3d_length(target - eye) >= l3d_least_distance))
+        return "camera: target " + text_of(target) + " is within 1e-32 of the eye";
+    if (!(up_sine() >= l3d_least_up_sine))
+        return "camera: up " + text_of(up) + " is zero, not finite or along the line of sight";
+    if (!(fov > 0 && fov < 180))
+        return "camera: fov " + text_of(fov) + " is not between 0 and 180 degrees";
+    if (!(near >= l3d_least_distance && near < far && std::isfinite(far)))
+        return "camera: near " + text_of(near) + " and far " + text_of(far) +
+               " are not 1e-32 <= near < far, finite";
+    return "";
+}
+
+double l3d_camera::focal_length(l3d_size size) const {
+    return size.height / 2.0 / std::tan(fov * std::numbers::pi / 360);
+}
+
+l3d_matrix<double> l3d_camera::image_matrix(l3d_size size) const {
+    const frame f = axes();
+    const double focal = focal_length(size);
+    l3d_matrix<double> m;
+    const auto set_row = [&](int row, const vector& direction, double scale) {
+        for (int i = 0; i < 3; ++i)
+            m(row, i) = direction[i] * scale;
+        m(row, 3) = -l3d_dot(direction, eye) * scale;
+    };
+    set_row(0, f.right, focal);
+    set_row(1, f.up, -focal);
+    set_row(2, f.forward, 0);
+    set_row(3, f.forward, 1);
+    return m;
+}
+
+void l3d_camera::orbit(double around_up, double around_right) {
+    const frame f = axes();
+    vector arm = turned(eye - target, up, around_up);
+    const vector right = turned(f.right, up, around_up);
+    arm = turned(arm, right, around_right);
+    // Stop short of looking straight along `up`, where the picture has no upright direction.
+    const vector axis = l3d_cross(arm, up);
+    if (l3d_length(axis) > 0.02 * l3d_length(arm) * l3d_length(up))
+        eye = target + arm;
+}
+
+void l3d_camera::approach(double factor) {
+    eye = target + (eye - target) * factor;
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// l3d_camera: where the eye is, and the way from world to image.
+#ifndef L3D_SCENE_CAMERA_H
+#define L3D_SCENE_CAMERA_H
+
+#include "geom/matrix.h"
+#include "geom/vector.h"
+#include "tool_2d/pixels.h"
+
+#include <string>
+
+/// Least near distance, and of the target from the eye. Depth is kept as 1 / distance in a float,
+/// which goes up to 3e38.
+inline constexpr double l3d_least_distance = 1e-32;
+
+/// Least sine of the angle between `up` and the line of sight: below, rounding alone would turn the
+/// picture by a part in 10^9 and more.
+inline constexpr double l3d_least_up_sine = 1e-6;
+
+/// A perspective camera in a right-handed world with y up, looking along target - eye.
+///
+/// Units:   world units; fov in degrees, vertical, over the whole picture height.
+/// Expects: eye != target, up not parallel to target - eye, 0 < fov < 180, 0 < near < far.
+struct l3d_camera {
+    using vector = l3d_vector<double, 3>;
+    vector eye{3.2, 3.6, 7.4};
+    vector target{0.2, 1.3, 0.0};
+    vector up{0.0, 1.0, 0.0};
+    double fov = 38;
+    double near = 0.1;
+    double far = 1e13; ///< farther than any two points that are allowed, 2 sqrt(3) 1e12
+
+    /// Unit vectors to the right, up and forward in the picture.
+    struct frame {
+        vector right, up, forward;
+    };
+    frame axes() const;
+
+    /// Sine of the angle between `up` and the line of sight.
+    double up_sine() const;
+
+    /// Why no picture is defined, naming the value at fault; "" if one is. What it asks for: finite
+    /// numbers, eye and target within 1e12 and not in one place, up_sine() at least
+    /// l3d_least_up_sine, 0 < fov < 180, l3d_least_distance <= near < far.
+    std::string complaint() const;
+
+    bool is_valid() const { return complaint().empty(); }
+
+    /// Pixels per world unit at distance 1.
+    double focal_length(l3d_size size) const;
+
+    /// World (x, y, z, 1) to homogeneous image (x, y, 0, w): the pixel is the picture's centre
+    /// plus (x / w, y / w), y down; w is the distance along the view axis.
+    l3d_matrix<double> image_matrix(l3d_size size) const;
+
+    /// Turns eye and up about the target. Units: radians, about the up axis and the right axis.
+    void orbit(double around_up, double around_right);
+
+    /// Moves the eye towards the target: distance times `factor`. Expects: factor > 0.
+    void approach(double factor);
+};
+
+#endif

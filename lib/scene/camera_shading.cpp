@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// l3d_camera_shading: the rays of a picture, in floats.
+#include "scene/camera_shading.h"
+
+namespace {
+
+std::array<float, 3> to_floats(const l3d_camera::vector& v) {
+    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+} // namespace
+
+l3d_shading l3d_camera_shading(const l3d_camera& camera, l3d_size size, l3d_shade mode,
+                               const l3d_camera::vector& light) {
+    const l3d_camera::frame axes = camera.axes();
+    const auto corner = axes.forward * camera.focal_length(size) - axes.right * (size.width / 2.0) +
+                        axes.up * (size.height / 2.0);
+    return {mode, to_floats(l3d_normalized(light)), to_floats(corner), to_floats(axes.right),
+            to_floats(axes.up * -1.0)};
+}
+
+l3d_shading l3d_lit_while_diced(l3d_dice_view& view, const l3d_shading& shading, bool with_levels) {
+    view.shading = shading;
+    if (with_levels && shading.mode == l3d_shade::lambert)
+        view.shading.mode = l3d_shade::levels;
+    l3d_shading rest = view.shading;
+    rest.ray = rest.ray_right = rest.ray_down = {};
+    return rest;
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// l3d_orientation_of: edges that meet their like, and one point that all normals turn away from.
+#include "scene/closed_body.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+using patch = l3d_bezier_patch<double, 3>;
+using curve = patch::curve;
+using vector = l3d_facing_cones::vector;
+
+curve reversed(const curve& c) {
+    return {{c.points[3], c.points[2], c.points[1], c.points[0]}};
+}
+
+/// The edges in the order in which one walks round the patch.
+std::array<curve, 4> edges_of(const patch& p) {
+    return {p.row(0), p.column(3), reversed(p.row(3)), reversed(p.column(0))};
+}
+
+std::array<double, 12> numbers_of(const curve& c) {
+    std::array<double, 12> numbers;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (int k = 0; k < 3; ++k)
+            numbers[3 * i + static_cast<std::size_t>(k)] = c.points[i][k];
+    return numbers;
+}
+
+/// Whether each edge is met by exactly one other, which runs the other way.
+bool has_no_boundary(std::span<const patch> patches) {
+    std::vector<std::array<double, 12>> there, back;
+    for (const patch& p : patches)
+        for (const curve& edge : edges_of(p)) {
+            if (std::all_of(edge.points.begin(), edge.points.end(),
+                            [&](const vector& q) { return q == edge.points[0]; }))
+                continue;
+            there.push_back(numbers_of(edge));
+            back.push_back(numbers_of(reversed(edge)));
+        }
+    std::sort(there.begin(), there.end());
+    std::sort(back.begin(), back.end());
+    return there == back && std::adjacent_find(there.begin(), there.end()) == there.end();
+}
+
+} // namespace
+
+int l3d_orientation_of(std::span<const patch> patches, std::span<const l3d_facing_cones> cones) {
+    if (patches.empty() || !has_no_boundary(patches))
+        return 0;
+    auto [least, most] = patches[0].bounds();
+    for (const patch& p : patches) {
+        const auto [low, high] = p.bounds();
+        for (int k = 0; k < 3; ++k) {
+            least[k] = std::min(least[k], low[k]);
+            most[k] = std::max(most[k], high[k]);
+        }
+    }
+    const vector middle = (least + most) * 0.5;
+    for (const int side : {1, -1})
+        if (std::all_of(cones.begin(), cones.end(), [&](const l3d_facing_cones& c) {
+                return c.away_from(middle, side) == l3d_facing_cones::all;
+            }))
+            return side;
+    return 0;
+}

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// l3d_dice_counts: what a frame's dicing did.
+#ifndef L3D_SCENE_DICE_COUNTS_H
+#define L3D_SCENE_DICE_COUNTS_H
+
+#include "scene/seen_counts.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+
+/// A patch of a scene, and its bound.
+struct l3d_coarse_patch {
+    double bound_px = 0;
+    std::int64_t instance = 0, patch = 0;
+
+    /// By bound; of equals the first of the scene is the greatest.
+    friend bool operator<(const l3d_coarse_patch& a, const l3d_coarse_patch& b) {
+        return std::tie(a.bound_px, b.instance, b.patch) <
+               std::tie(b.bound_px, a.instance, a.patch);
+    }
+};
+
+/// What is proven of a diced piece beside the places of its points. Infinite where nothing is.
+struct l3d_surface_certificate {
+    /// Of chords, along the exact normal at the same parameters. Units: pixels at that depth.
+    double depth = 0;
+    /// Of the level, from the exact one at the same parameters. Units: levels of 255.
+    double shade = 0;
+    /// Quads of which `shade` says nothing, as their block may be off by more than the tolerance:
+    /// its normals turn faster than quads of six pixels can follow, or one of them vanishes. Slits
+    /// beside a block that may be off by more count as one quad.
+    std::int64_t unshaded_quads = 0;
+    unsigned without_normals = 0; ///< bit 4 * row + column, or 0, of blocks that are seen and may
+                                  ///< have none: l3d_most_off_plane is to be added to `depth`
+};
+
+/// What a frame's dicing did, and which patches were left out, as control nets or the boxes around
+/// them prove. What is `clipped` are grids.
+struct l3d_dice_counts : l3d_seen_counts {
+    std::int64_t behind = 0;      ///< patches left out: behind the near plane
+    std::int64_t beyond = 0;      ///< patches left out: beyond the far plane
+    std::int64_t hidden = 0;      ///< patches left out: behind what had been drawn before
+    std::int64_t unchanged = 0;   ///< patches left out: beside the part that was drawn anew
+    std::int64_t backfacing = 0;  ///< patches left out: nothing but their back is turned to the eye
+    std::int64_t back_blocks = 0; ///< blocks of patches that were drawn, left out for the same
+    std::int64_t back_quads = 0;  ///< quads of these blocks
+    std::int64_t as_points = 0;   ///< of those drawn, as a point each, without dicing
+    std::int64_t pieces = 0;      ///< grids made; more than `drawn` if patches had to be cut
+    std::int64_t in_lanes = 0;    ///< of these, made by l3d_lane_dicer
+    std::int64_t samples = 0;     ///< vertices evaluated
+    std::int64_t failures = 0;    ///< pixels left out as an iteration came to no rest
+    double near = 0;              ///< nearest w drawn, if it is not the view's near
+    double bound_px = 0;          ///< certified image error of all that was drawn
+    std::int64_t coarse = 0;      ///< patches drawn with a bound above the tolerance
+    std::int64_t unfinished = 0;  ///< of these, such as would be finer with a larger budget
+    l3d_coarse_patch coarsest;    ///< the worst of those
+
+    /// Certified distance of all that was drawn from the exact surface, along its normal at the
+    /// same parameters. Units: pixels at that depth.
+    double depth_bound_px = 0;
+
+    /// How far greys are from those of the exact surface at the same parameters. Units: levels.
+    double shade_bound = 0;
+    std::int64_t unshaded_quads = 0; ///< of which that says nothing
+
+    /// Both together: of other patches.
+    void add(const l3d_dice_counts& other) {
+        l3d_seen_counts::add(other);
+        behind += other.behind;
+        beyond += other.beyond;
+        hidden += other.hidden;
+        unchanged += other.unchanged;
+        backfacing += other.backfacing;
+        back_blocks += other.back_blocks;
+        back_quads += other.back_quads;
+        as_points += other.as_points;
+        pieces += other.pieces;
+        in_lanes += other.in_lanes;
+        samples += other.samples;
+        failures += other.failures;
+        coarse += other.coarse;
+        unfinished += other.unfinished;
+        coarsest = std::max(coarsest, other.coarsest);
+        near = std::max(near, other.near);
+        bound_px = std::max(bound_px, other.bound_px);
+        depth_bound_px = std::max(depth_bound_px, other.depth_bound_px);
+        shade_bound = std::max(shade_bound, other.shade_bound);
+        unshaded_quads += other.unshaded_quads;
+    }
+
+    /// A piece of surface, and the slits along its sides.
+    void add_surface(const l3d_surface_certificate& of, double slit_depth) {
+        depth_bound_px = std::max({depth_bound_px, of.depth, slit_depth});
+        shade_bound = std::max(shade_bound, of.shade);
+        unshaded_quads += of.unshaded_quads;
+    }
+
+    /// An edge polyline of so many points, and its certified error.
+    void add_edge(std::size_t points, double bound) {
+        samples += static_cast<std::int64_t>(points);
+        bound_px = std::max(bound_px, bound);
+    }
+};
+
+#endif

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// l3d_dice_view: what dicing has to know of the picture.
+#ifndef L3D_SCENE_DICE_VIEW_H
+#define L3D_SCENE_DICE_VIEW_H
+
+#include "geom/step_bound.h"
+#include "raster/micro_grid.h"
+#include "raster/surface_rasterizer.h"
+#include "tool_2d/pixels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+/// Whether a net is small: those smaller than 24 pixels in both directions are not divided into
+/// strips for the bound. A quarter of that is a few quads, and strips would cost more than they
+/// save.
+inline bool l3d_is_small(const l3d_image_box& hull) {
+    return hull.width() < 24 && hull.height() < 24;
+}
+
+/// Whether two points are plainly farther apart in the picture than so many pixels, along x (0) or
+/// y (1). Without a division, for questions that most patches answer alike.
+/// Expects: both before the eye.
+inline bool l3d_far_apart(const l3d_image_point& a, const l3d_image_point& b, int along,
+                          double pixels) {
+    return std::abs(a[along] * b[2] - b[along] * a[2]) > pixels * a[2] * b[2];
+}
+
+/// Which patches, and parts of them, are done although they need not be. Only who measures or
+/// judges a rule has a use for that.
+struct l3d_kept_patches {
+    bool outside = false;    ///< such that nothing of them lies in the picture
+    bool centreless = false; ///< such that cover no pixel's centre
+    bool hidden = false;     ///< such that lie behind what is drawn
+    bool backs = false;      ///< whose back alone is turned to the eye
+    bool dicing = false;     ///< of what a point may stand for
+
+    static constexpr l3d_kept_patches all() { return {true, true, true, true, true}; }
+
+    friend bool operator==(const l3d_kept_patches&, const l3d_kept_patches&) = default;
+};
+
+/// What a frame may spend on patches that have to be cut or clipped, unless somebody says
+/// otherwise: two samples a pixel are more than any picture shows, and 2^16 take a millisecond or
+/// two. Quads grow with 1 / tolerance: the teapot has one for two pixels that it covers at 0.05 px,
+/// so finer tolerances get more. Patches that need neither are always done, in at most 129 x 129
+/// samples. Units: samples that are walked, see l3d_dice_budget; tolerance in pixels.
+constexpr std::int64_t l3d_usual_samples(l3d_size size, double tolerance) {
+    const double a_pixel = 2 * std::max(1.0, 0.05 / tolerance);
+    return (std::int64_t{1} << 16) +
+           static_cast<std::int64_t>(a_pixel * static_cast<double>(size.width) * size.height);
+}
+
+/// The picture and the accuracy asked for; constant for a frame.
+///
+/// Units: pixels from the picture's centre; near, far and depths in the image transform's scaled w.
+struct l3d_dice_view {
+    l3d_size size;
+    double near = 0, far = std::numeric_limits<double>::infinity();
+    double tolerance = 0.25;
+
+    /// Pixels that a length of 1 takes at a distance of 1: depth is kept within the tolerance, too.
+    /// 0: places in the picture alone are.
+    double focal = 0;
+    double shade_tolerance = 2; ///< levels of 255 that greys may be off by, if depth is kept
+    double depth_scale = 1;     ///< scaled w / distance along the view axis
+    double error_xy = 0;        ///< of a transformed control point
+    double error_w = 0;
+
+    /// Bound of the terms that the points' coordinates are summed up from, those of the eye among
+    /// them: errors are in proportion to it. 0: that is not known, and errors are what they are.
+    double terms = 0;
+    double eye_terms = 0;   ///< those of the eye
+    double camera_near = 0; ///< near, before errors of w pushed it away; 0: that is near itself
+    l3d_kept_patches keep;
+    std::int64_t most_samples = 0; ///< the frame's budget; 0: l3d_usual_samples
+    bool one_sided = false;        ///< nobody wants to see the back of dS/du x dS/dv
+
+    /// How vertices are lit: in mode `levels` they get levels, else unit normals, turned to the eye
+    /// if there is one.
+    l3d_shading shading{.ray = {0, 0, 0}};
+
+    bool makes_levels() const { return shading.mode == l3d_shade::levels; }
+
+    friend bool operator==(const l3d_dice_view&, const l3d_dice_view&) = default;
+
+    std::int64_t budget() const {
+        return most_samples > 0 ? most_samples : l3d_usual_samples(size, tolerance);
+    }
+
+    /// The same picture, its near plane where the camera's is.
+    l3d_dice_view unlifted() const {
+        l3d_dice_view result = *this;
+        if (camera_near > 0)
+            result.near = camera_near;
+        return result;
+    }
+
+    /// The part of the view's errors that points have whose own terms add up to `reach`.
+    double share_of(double reach) const {
+        return terms > 0 ? std::min((reach + eye_terms) / terms, 1.0) : 1.0;
+    }
+
+    /// The near plane of points that have this share of the errors. Nearer than 32 errors of w, w
+    /// is hardly known any more, and what is divided by it neither.
+    double near_of(double share) const {
+        return std::max(camera_near > 0 ? camera_near : near, 32 * (share * error_w));
+    }
+
+    /// The same picture, as points of this share of the errors need it.
+    l3d_dice_view of_share(double share) const {
+        l3d_dice_view result = *this;
+        result.take_share(*this, share);
+        return result;
+    }
+
+    /// Becomes whole.of_share(share). Expects: all else is that of `whole`.
+    void take_share(const l3d_dice_view& whole, double share) {
+        near = whole.near_of(share);
+        error_xy = whole.error_xy * share;
+        error_w = whole.error_w * share;
+        terms = whole.terms * share;
+    }
+
+    /// What the chord error may be where rounding of vertices already takes `vertex_error`. Where
+    /// that is most of the tolerance, a quarter is left, and the bound says that it is exceeded;
+    /// but never less than a 16th of a sub-pixel, which moves hardly any vertex.
+    double chord_budget(double vertex_error) const {
+        constexpr double finest = 1.0 / (16 * l3d_subpixel_one);
+        return std::max({tolerance - vertex_error, tolerance / 4, finest});
+    }
+
+    /// How far balanced vertices (l3d_balance) may lie beside the surface: no budget is larger.
+    double most_moved() const { return chord_budget(0); }
+
+    /// What walking may add to a vertex' error, else it is evaluated. Slits along edges, which get
+    /// half their budget for balanced chords, may be off by 1 / (16 l3d_balance) = 0.73 of it; with
+    /// an eighth for walking, that is within the tolerance while all else takes less than a half.
+    double walk_allowance() const { return tolerance / 8; }
+
+    /// The same where vertices err by `exact` already: no more than an eighth of what is left, for
+    /// quads grow by what it takes, nor so much that a quarter of the tolerance is not left.
+    double walk_allowance(double exact) const {
+        const double left = tolerance - exact;
+        return std::max(0.0, std::min(left / 8, left - tolerance / 4));
+    }
+
+    /// The least exact w where something is drawn of a net whose least w is `least`: steps are
+    /// chosen so that where a chord is in front of the near plane, the exact w is over half of it.
+    double drawn_w(double least) const { return std::max(least, near / 2); }
+
+    /// How much w of a chord may differ from the exact w: an eighth in front of the near plane
+    /// (l3d_vertex_accuracy counts on it), else what drawn_w allows.
+    double depth_budget(double least) const { return least > near ? least / 8 : near / 2; }
+
+    /// What is drawn of a net whose exact points are in `hull`: vertices of nets that are not small
+    /// may lie beside it.
+    l3d_image_box drawn_box(const l3d_image_box& hull) const {
+        return l3d_is_small(hull) ? hull : hull.grown(most_moved());
+    }
+
+    l3d_image_box window() const {
+        return {-size.width / 2.0, -size.height / 2.0, size.width / 2.0, size.height / 2.0};
+    }
+
+    /// A part of the picture.
+    l3d_image_box window(const l3d_pixel_box& part) const {
+        const double x = -size.width / 2.0, y = -size.height / 2.0;
+        return {x + part.left, y + part.top, x + part.right, y + part.bottom};
+    }
+
+    /// The window, a pixel around it and what vertices are moved by: what is outside this touches
+    /// no pixel centre, whatever the snapping to sub-pixels and wherever balanced vertices lie.
+    l3d_image_box margin() const { return margin(window()); }
+
+    /// The same of a part of the picture.
+    l3d_image_box margin(const l3d_image_box& part) const { return part.grown(1 + most_moved()); }
+
+    /// Position of the picture's centre in 1/256 pixel; a half pixel is 128, so this is exact.
+    std::int32_t centre_x() const { return size.width * (l3d_subpixel_one / 2); }
+    std::int32_t centre_y() const { return size.height * (l3d_subpixel_one / 2); }
+};
+
+/// Farthest a vertex may lie from the picture's centre. Beyond, surfaces are clipped.
+/// 2^14 pixels are 2^22 sub-pixels: exact in a float, and half the rasterizer's range, so that
+/// the picture's centre (at most 2^13 pixels from its corner) still fits.
+inline constexpr double l3d_guard_band = 16384;
+
+/// Steps per strip above which a piece or an edge is cut: the bound of halves is tighter, and 32
+/// steps keep round-off of a strip small in every number type.
+inline constexpr int l3d_most_steps_whole = 32;
+
+#endif

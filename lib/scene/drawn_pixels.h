@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// l3d_drawn_pixels: which pixels may show what is in some boxes.
+#ifndef L3D_SCENE_DRAWN_PIXELS_H
+#define L3D_SCENE_DRAWN_PIXELS_H
+
+#include "geom/matrix.h"
+#include "scene/box_lanes.h"
+#include "scene/dice_view.h"
+#include "tool_2d/pixel_boxes.h"
+
+#include <cstdint>
+#include <limits>
+
+/// Adds the pixels that may be covered by what is drawn of patches in boxes: wherever vertices are
+/// snapped, balanced or off. All of the picture if a box reaches the near plane.
+///
+/// Once there are more than `enough` pixels, no more boxes are looked at.
+/// Shape:   to_image takes the boxes' space to (x, y, -, w) in the view's units.
+/// Cost:    l3d_detail::cull_boxes.
+void l3d_drawn_pixels(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
+                      const l3d_dice_view& view, l3d_pixel_boxes& result,
+                      std::int64_t enough = std::numeric_limits<std::int64_t>::max());
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// l3d_image_transform: patches from world space to homogeneous image space.
+#ifndef L3D_SCENE_IMAGE_TRANSFORM_H
+#define L3D_SCENE_IMAGE_TRANSFORM_H
+
+#include "geom/matrix.h"
+#include "geom/step_bound.h"
+#include "scene/camera.h"
+#include "scene/dice_view.h"
+#include "scene/patch_scene.h"
+
+/// The camera's matrix, scaled so that what it makes fits the registers of every number type.
+///
+/// Homogeneous points may be scaled freely: by a power of two, which is exact, w is brought to at
+/// most 2^8, |x| and |y| to at most 2^28 (32.32 has 31 integer bits; differences of third order
+/// may grow eightfold).
+class l3d_image_transform {
+public:
+    l3d_image_transform() = default;
+    l3d_image_transform(const l3d_camera& camera, l3d_size size, const l3d_patch_scene& scene);
+
+    /// World (x, y, z, 1) to (x, y, -, w).
+    const l3d_matrix<double>& matrix() const { return matrix_; }
+
+    /// The picture as dicing needs to know it, in the units of the transformed points. Its errors
+    /// hold for all points of the scene; l3d_dice_view::of_share tells those of some. Its near
+    /// plane is the camera's, or farther where rounding leaves too little of w.
+    /// Units: tolerance in pixels.
+    l3d_dice_view view(double tolerance) const;
+
+private:
+    l3d_matrix<double> matrix_;
+    l3d_size size_;
+    double near_ = 0, far_ = 0;
+    double focal_ = 0;
+    double depth_scale_ = 1;
+    double error_xy_ = 0;
+    double error_w_ = 0;
+    double terms_ = 0, eye_terms_ = 0;
+};
+
+#endif

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// l3d_patch_model: bounds and normal nets, once per model.
+#include "scene/patch_model.h"
+
+#include "scene/closed_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <utility>
+
+namespace {
+
+using vector = l3d_patch_model::vector;
+
+l3d_slanted_box upright_box(const vector& least, const vector& most) {
+    l3d_slanted_box box;
+    box.centre = (least + most) * 0.5;
+    for (int k = 0; k < 3; ++k)
+        box.axes[static_cast<std::size_t>(k)][k] = (most[k] - least[k]) * 0.5;
+    return box;
+}
+
+/// Of points from, from + step, ... four of them, or all sixteen.
+vector largest_of(const l3d_patch_model::patch& p, std::size_t from, std::size_t step,
+                  std::size_t count) {
+    vector result{0.0, 0.0, 0.0};
+    for (std::size_t i = 0; i < count; ++i)
+        for (int k = 0; k < 3; ++k)
+            result[k] = std::max(result[k], std::abs(p.points[from + i * step][k]));
+    return result;
+}
+
+l3d_patch_reach reach_of(const l3d_patch_model::patch& p) {
+    return {largest_of(p, 0, 1, 16),
+            {largest_of(p, 0, 1, 4), largest_of(p, 12, 1, 4), largest_of(p, 0, 4, 4),
+             largest_of(p, 3, 4, 4)}};
+}
+
+} // namespace
+
+l3d_patch_model::l3d_patch_model(std::vector<patch> patches) : patches_(std::move(patches)) {
+    normals_.reserve(patches_.size());
+    for (const patch& p : patches_) {
+        normals_.emplace_back(p);
+        facing_.emplace_back(p, normals_.back());
+        bends_.emplace_back(p, normals_.back());
+        reaches_.push_back(reach_of(p));
+        const auto [least, most] = p.bounds();
+        boxes_.add(upright_box(least, most));
+        if (normals_.size() == 1) {
+            least_ = least;
+            most_ = most;
+        }
+        for (int i = 0; i < 3; ++i) {
+            least_[i] = std::min(least_[i], least[i]);
+            most_[i] = std::max(most_[i], most[i]);
+        }
+    }
+    orientation_ = l3d_orientation_of(patches_, facing_);
+}
+
+std::optional<l3d_patch_model> l3d_patch_model::checked(std::vector<patch> patches,
+                                                        std::string_view name, std::string& why) {
+    for (std::size_t p = 0; p < patches.size(); ++p)
+        for (std::size_t i = 0; i < 16; ++i)
+            for (int k = 0; k < 3; ++k) {
+                const double value = patches[p].points[i][k];
+                if (std::abs(value) <= l3d_bpt_largest_coordinate)
+                    continue;
+                char text[96];
+                std::snprintf(text, sizeof text, "row %zu, column %zu: %c is %g, ", i / 4 + 1,
+                              i % 4 + 1, "xyz"[k], value);
+                why = std::string(name) + ": patch " + std::to_string(p + 1) + ", " + text +
+                      (std::isfinite(value) ? "beyond 1e12" : "not finite");
+                return std::nullopt;
+            }
+    return l3d_patch_model(std::move(patches));
+}
+
+std::optional<l3d_patch_model> l3d_patch_model::from_bpt(std::string_view text,
+                                                         std::string_view name, std::string& why) {
+    const auto read = l3d_read_bpt(text, name, why);
+    return read ? from_patches(*read, name, why) : std::nullopt;
+}
+
+std::optional<l3d_patch_model> l3d_patch_model::from_patches(std::span<const l3d_patch_points> read,
+                                                             std::string_view name,
+                                                             std::string& why) {
+    std::vector<patch> patches;
+    patches.reserve(read.size());
+    for (const l3d_patch_points& points : read) {
+        const auto bicubic = l3d_as_bicubic(points);
+        if (!bicubic) {
+            why = std::string(name) + ": patch " + std::to_string(patches.size() + 1) +
+                  " has degree " + std::to_string(points.degree_u) + " by " +
+                  std::to_string(points.degree_v) + " and is no bicubic one; at most 3 by 3 can " +
+                  "be drawn";
+            return std::nullopt;
+        }
+        patch& p = patches.emplace_back();
+        for (std::size_t i = 0; i < 16; ++i)
+            for (int k = 0; k < 3; ++k)
+                p.points[i][k] = (*bicubic)[i][static_cast<std::size_t>(k)];
+    }
+    return checked(std::move(patches), name, why);
+}

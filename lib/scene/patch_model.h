@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// l3d_patch_model: bicubic patches with what can be known of them before any frame.
+#ifndef L3D_SCENE_PATCH_MODEL_H
+#define L3D_SCENE_PATCH_MODEL_H
+
+#include "geom/bezier_patch.h"
+#include "geom/normal_net.h"
+#include "geom/files/patch_file.h"
+#include "scene/box_lanes.h"
+#include "scene/facing_cones.h"
+#include "scene/bends/surface_bends.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The largest coordinates, as magnitudes, of a patch's control points and of those of its edges.
+///
+/// Shape: edges in the order of l3d_edge_polylines.
+struct l3d_patch_reach {
+    l3d_vector<double, 3> whole{0.0, 0.0, 0.0};
+    std::array<l3d_vector<double, 3>, 4> edges{};
+};
+
+/// A set of bicubic patches, each with its exact normal net and its box. In world space, unless a
+/// l3d_patch_scene places them elsewhere.
+class l3d_patch_model {
+public:
+    using patch = l3d_bezier_patch<double, 3>;
+    using vector = l3d_vector<double, 3>;
+
+    l3d_patch_model() = default;
+
+    /// Expects: finite coordinates of magnitude at most 1e12.
+    explicit l3d_patch_model(std::vector<patch> patches);
+
+    /// The model of patches that may be anything.
+    /// Errors: nothing, with "name: patch and point: what" in `why`, if a coordinate is NaN,
+    ///         infinite or beyond 1e12.
+    static std::optional<l3d_patch_model> checked(std::vector<patch> patches, std::string_view name,
+                                                  std::string& why);
+
+    /// Reads a .bpt text.
+    /// Errors: nothing, with "name:line: what" in `why`.
+    static std::optional<l3d_patch_model> from_bpt(std::string_view text, std::string_view name,
+                                                   std::string& why);
+
+    /// Patches as files have them, brought to degree 3 by 3.
+    /// Errors: nothing, with the patch and its degrees in `why`, if it is no bicubic one.
+    static std::optional<l3d_patch_model> from_patches(std::span<const l3d_patch_points> patches,
+                                                       std::string_view name, std::string& why);
+
+    std::span<const patch> patches() const { return patches_; }
+    const l3d_normal_net& normals(std::size_t index) const { return normals_[index]; }
+    const l3d_facing_cones& facing(std::size_t index) const { return facing_[index]; }
+    const l3d_surface_bends& bends(std::size_t index) const { return bends_[index]; }
+    const l3d_patch_reach& reach(std::size_t index) const { return reaches_[index]; }
+
+    /// Whether it is proven to be a body, and where its normals point: l3d_orientation_of.
+    int orientation() const { return orientation_; }
+
+    /// The box of all control points.
+    const vector& least() const { return least_; }
+    const vector& most() const { return most_; }
+
+    /// The boxes of the patches' control points, in their order; upright.
+    const l3d_box_lanes& boxes() const { return boxes_; }
+
+private:
+    std::vector<patch> patches_;
+    std::vector<l3d_normal_net> normals_;
+    std::vector<l3d_facing_cones> facing_;
+    std::vector<l3d_surface_bends> bends_;
+    std::vector<l3d_patch_reach> reaches_;
+    int orientation_ = 0;
+    vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
+    l3d_box_lanes boxes_;
+};
+
+#endif

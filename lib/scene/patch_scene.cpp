@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// l3d_patch_scene: boxes and normals of what has been placed.
+#include "scene/patch_scene.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace {
+
+using vector = l3d_patch_scene::vector;
+
+[[maybe_unused]] bool is_affine(const l3d_matrix<double>& m) {
+    return m(3, 0) == 0 && m(3, 1) == 0 && m(3, 2) == 0 && m(3, 3) == 1;
+}
+
+vector placed_direction(const l3d_matrix<double>& placement, const vector& d) {
+    const auto p = placement * l3d_vector<double, 4>(d[0], d[1], d[2], 0.0);
+    return {p[0], p[1], p[2]};
+}
+
+vector placed_point(const l3d_matrix<double>& placement, const vector& d) {
+    const auto p = placement * l3d_vector<double, 4>(d[0], d[1], d[2], 1.0);
+    return {p[0], p[1], p[2]};
+}
+
+/// Largest magnitude in the upper left three by three.
+double largest(const l3d_matrix<double>& m) {
+    double result = 0;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            result = std::max(result, std::abs(m(row, column)));
+    return result;
+}
+
+/// The cofactors of the upper left three by three, the largest scaled to 1. Scaled before, too,
+/// so that their products neither overflow nor vanish.
+l3d_matrix<double> cofactors(const l3d_matrix<double>& m) {
+    const double scale = 1 / largest(m);
+    const auto at = [&](int row, int column) { return m(row % 3, column % 3) * scale; };
+    l3d_matrix<double> result = l3d_identity<double>();
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            result(row, column) = at(row + 1, column + 1) * at(row + 2, column + 2) -
+                                  at(row + 1, column + 2) * at(row + 2, column + 1);
+    const double most = largest(result);
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            result(row, column) /= most;
+    return result;
+}
+
+std::int64_t patches_of(const l3d_patch_model& model) {
+    return static_cast<std::int64_t>(model.patches().size());
+}
+
+/// The factor of a similarity, rounded up; 0 of any other map.
+double scale_of(const l3d_matrix<double>& placement) {
+    constexpr double rounding = 0x1p-40; // some roundings of 2^-53
+    double products[3][3] = {};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            for (int k = 0; k < 3; ++k)
+                products[i][j] += placement(k, i) * placement(k, j);
+    const double square = products[0][0];
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            if (!(std::abs(products[i][j] - (i == j ? square : 0)) <= rounding * square))
+                return 0;
+    return std::sqrt(square) * (1 + rounding);
+}
+
+} // namespace
+
+l3d_patch_instance::l3d_patch_instance(const l3d_patch_model& model,
+                                       const l3d_matrix<double>& placement)
+    : model_(&model), placement_(placement), normal_matrix_(cofactors(placement)),
+      turns_normals_(!(normal_matrix_ == l3d_identity<double>())), scale_(scale_of(placement)) {
+    assert(is_affine(placement));
+    for (int row = 0; row < 3; ++row) {
+        for (int k = 0; k < 3; ++k)
+            terms_[k] += std::abs(placement(row, k));
+        shift_ += std::abs(placement(row, 3));
+    }
+}
+
+l3d_slanted_box l3d_patch_instance::box() const {
+    l3d_slanted_box box;
+    box.centre = placed_point(placement_, (model_->least() + model_->most()) * 0.5);
+    const vector half = (model_->most() - model_->least()) * 0.5;
+    for (int k = 0; k < 3; ++k) {
+        vector axis{0.0, 0.0, 0.0};
+        axis[k] = half[k];
+        box.axes[static_cast<std::size_t>(k)] = placed_direction(placement_, axis);
+    }
+    box.reach = reach();
+    return box;
+}
+
+double l3d_patch_instance::reach() const {
+    vector most{0.0, 0.0, 0.0};
+    for (int k = 0; k < 3; ++k)
+        most[k] = std::max(std::abs(model_->least()[k]), std::abs(model_->most()[k]));
+    return reach(most);
+}
+
+void l3d_patch_scene::add(const l3d_patch_model& model, const l3d_matrix<double>& placement) {
+    boxes_.add(instances_.emplace_back(model, placement).box());
+    patch_count_ += patches_of(model);
+    is_moved_.push_back(false);
+    is_rebuilt_ = true;
+}
+
+void l3d_patch_scene::place(std::size_t index, const l3d_patch_model& model,
+                            const l3d_matrix<double>& placement) {
+    l3d_patch_instance& instance = instances_[index];
+    if (&model == &instance.model() && placement == instance.placement())
+        return;
+    if (!is_moved_[index]) {
+        is_moved_[index] = true;
+        moved_.push_back(index);
+        moved_from_.add(instance.box());
+    }
+    patch_count_ += patches_of(model) - patches_of(instance.model());
+    instance = l3d_patch_instance(model, placement);
+    boxes_.set(index, instance.box());
+    extent_count_ = 0;
+}
+
+/// Looks at those instances that it has not seen; at all of them once one was moved, since nobody
+/// knows what the box would be without it.
+const l3d_patch_scene::whole& l3d_patch_scene::extent() const {
+    if (extent_count_ == 0)
+        extent_ = {};
+    for (; extent_count_ < instances_.size(); ++extent_count_) {
+        const l3d_patch_instance& instance = instances_[extent_count_];
+        const l3d_slanted_box box = instance.box();
+        for (int i = 0; i < 3; ++i) {
+            const double half =
+                std::abs(box.axes[0][i]) + std::abs(box.axes[1][i]) + std::abs(box.axes[2][i]);
+            const double low = box.centre[i] - half, high = box.centre[i] + half;
+            const bool is_first = extent_count_ == 0;
+            extent_.least[i] = is_first ? low : std::min(extent_.least[i], low);
+            extent_.most[i] = is_first ? high : std::max(extent_.most[i], high);
+        }
+        extent_.reach = std::max(extent_.reach, box.reach);
+    }
+    return extent_;
+}
+
+void l3d_patch_scene::clear() {
+    instances_.clear();
+    boxes_.clear();
+    patch_count_ = 0;
+    extent_ = {};
+    extent_count_ = 0;
+    forget_changes();
+    is_moved_.clear();
+    is_rebuilt_ = true;
+}
+
+void l3d_patch_scene::forget_changes() {
+    for (const std::size_t index : moved_)
+        is_moved_[index] = false;
+    moved_.clear();
+    moved_from_.clear();
+    is_rebuilt_ = false;
+}

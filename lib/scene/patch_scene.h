@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// l3d_patch_scene: what a pipeline draws: models, and where each of them stands.
+#ifndef L3D_SCENE_PATCH_SCENE_H
+#define L3D_SCENE_PATCH_SCENE_H
+
+#include "geom/matrix.h"
+#include "scene/box_lanes.h"
+#include "scene/patch_model.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+/// A model at a place in the world.
+///
+/// Lives: borrows the model.
+class l3d_patch_instance {
+public:
+    /// Expects: as l3d_patch_scene::add.
+    l3d_patch_instance(const l3d_patch_model& model, const l3d_matrix<double>& placement);
+
+    const l3d_patch_model& model() const { return *model_; }
+
+    /// From the model's space to the world.
+    const l3d_matrix<double>& placement() const { return placement_; }
+
+    /// Whether the model's normals have other directions in the world: not if it was only moved,
+    /// or scaled by one positive number.
+    bool turns_normals() const { return turns_normals_; }
+
+    /// From the model's normals to the world's: the cofactors of the placement, since
+    /// (A a) x (A b) = cof(A) (a x b). Their common scale is such that the largest is 1.
+    /// Shape:   the upper left three by three; the rest as in the identity.
+    const l3d_matrix<double>& normal_matrix() const { return normal_matrix_; }
+
+    /// What the placement multiplies all lengths by; 0 if it does not all alike.
+    double scale() const { return scale_; }
+
+    /// The model's box in the world, with its reach.
+    l3d_slanted_box box() const;
+
+    /// Bound of the terms that the coordinates in the world of the model's points are summed up
+    /// from, in all, if the points' own are at most `most` in magnitude.
+    double reach(const l3d_vector<double, 3>& most) const { return l3d_dot(terms_, most) + shift_; }
+
+    /// The same for all of the model.
+    double reach() const;
+
+    /// The sums of the magnitudes in the placement's columns: of what a model's coordinates are
+    /// multiplied by, and of what is added.
+    const l3d_vector<double, 3>& terms() const { return terms_; }
+    double shift() const { return shift_; }
+
+private:
+    const l3d_patch_model* model_;
+    l3d_matrix<double> placement_;
+    l3d_matrix<double> normal_matrix_;
+    l3d_vector<double, 3> terms_{0.0, 0.0, 0.0};
+    double shift_ = 0;
+    bool turns_normals_ = false;
+    double scale_ = 1;
+};
+
+/// Models of bicubic patches, each standing anywhere any number of times.
+///
+/// Patches of one instance meet without a gap where their control points do. Between instances
+/// that holds only where their placements are the same numbers.
+/// Lives: borrows the models.
+/// Cost:  104 bytes an instance to find out whether it is seen, 330 more if it is.
+class l3d_patch_scene {
+public:
+    using vector = l3d_vector<double, 3>;
+
+    l3d_patch_scene() = default;
+
+    /// One instance, where the model is. Not explicit: a model is a scene.
+    l3d_patch_scene(const l3d_patch_model& model) { add(model); }
+
+    /// Expects: an affine placement (last row 0, 0, 0, 1) of finite numbers that can be inverted,
+    ///          and that leaves coordinates at most 1e12.
+    void add(const l3d_patch_model& model,
+             const l3d_matrix<double>& placement = l3d_identity<double>());
+
+    /// Moves an instance, or puts another model in its place.
+    ///
+    /// Expects: as add; an index of instances().
+    /// Cost:    the box of the whole scene is found anew when it is next asked for, by looking at
+    ///          each instance.
+    void place(std::size_t index, const l3d_matrix<double>& placement) {
+        place(index, instances_[index].model(), placement);
+    }
+    void place(std::size_t index, const l3d_patch_model& model,
+               const l3d_matrix<double>& placement);
+
+    /// Takes all instances away, and keeps their memory.
+    void clear();
+
+    /// Whether anything differs from what it was at the last forget_changes().
+    bool is_changed() const { return is_rebuilt_ || !moved_.empty(); }
+
+    /// Whether instances came or went since then: moved() does not tell of all changes.
+    bool is_rebuilt() const { return is_rebuilt_; }
+
+    /// The instances that were placed anew since then, each once, and the boxes that they had then,
+    /// in the same order. Without meaning if is_rebuilt().
+    std::span<const std::size_t> moved() const { return moved_; }
+    const l3d_box_lanes& moved_from() const { return moved_from_; }
+
+    /// For who has drawn the scene as it is now.
+    void forget_changes();
+
+    std::span<const l3d_patch_instance> instances() const { return instances_; }
+
+    /// Of all instances together.
+    std::int64_t patch_count() const { return patch_count_; }
+
+    /// The box of everything; two points at the origin if there is nothing.
+    const vector& least() const { return extent().least; }
+    const vector& most() const { return extent().most; }
+
+    /// Bound of the terms that a world point's coordinates are summed up from, in all: their
+    /// roundings are in proportion to this, however small the coordinates become.
+    double reach() const { return extent().reach; }
+
+    /// The instances' boxes, in their order.
+    const l3d_box_lanes& boxes() const { return boxes_; }
+
+private:
+    struct whole {
+        vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
+        double reach = 0;
+    };
+
+    const whole& extent() const;
+
+    std::vector<l3d_patch_instance> instances_;
+    std::int64_t patch_count_ = 0;
+    l3d_box_lanes boxes_;
+    mutable whole extent_; ///< of the first extent_count_ instances
+    mutable std::size_t extent_count_ = 0;
+    bool is_rebuilt_ = true;
+    std::vector<std::size_t> moved_;
+    std::vector<bool> is_moved_; ///< of each instance, whether it is in moved_
+    l3d_box_lanes moved_from_;
+};
+
+#endif

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// l3d_scene_culling: which patches of a scene have to be drawn, nearest first.
+#ifndef L3D_SCENE_SCENE_CULLING_H
+#define L3D_SCENE_SCENE_CULLING_H
+
+#include "geom/matrix.h"
+#include "scene/dice_counts.h"
+#include "scene/dice_view.h"
+#include "scene/patch_scene.h"
+#include "raster/surface_rasterizer.h"
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+struct culled_boxes;
+struct placing_terms;
+} // namespace l3d_detail
+
+/// A patch of an instance that may be seen.
+struct l3d_placed_patch {
+    std::uint32_t instance = 0; ///< index in the scene
+    std::uint32_t patch = 0;    ///< index in the instance's model
+    std::uint32_t matrix = 0;   ///< for l3d_scene_culling::matrix
+    float nearest_w = 0;        ///< least w of its box, or near. In the view's units
+    std::int32_t middle = 0;    ///< row in the picture of its box; 0 if that is not known
+};
+
+/// Hands out the visible patches of a scene in batches, nearest first.
+///
+/// Whole instances are looked at first, by their boxes: a patch of an instance that is not seen
+/// costs nothing of its own. When their turn has come, the nearest first, the others are opened,
+/// that is, the boxes of their patches are looked at. The proofs hold for all that is inside a
+/// box, so they let pass some of what control nets would prove unseen.
+/// Lives: kept from frame to frame for its memory; borrows the scene for a frame.
+/// Cost:  tests/bench/scaling_bench.cpp; no allocation once the largest frame has been seen.
+class l3d_scene_culling {
+public:
+    /// Starts a frame.
+    ///
+    /// Shape:   to_image takes the world to (x, y, -, w) in the view's units.
+    /// Expects: the scene is not changed during the frame.
+    void begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,
+               const l3d_dice_view& view) {
+        begin(scene, to_image, view, l3d_whole(view.size));
+    }
+
+    /// Starts a frame of which only a part is wanted: what touches no pixel of it is left out.
+    void begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,
+               const l3d_dice_view& view, const l3d_pixel_box& part);
+
+    /// The next batch, its nearest patch first; empty if there are no more.
+    ///
+    /// A batch takes the nearest patches of those instances that are open then; so some may be
+    /// farther than some of the next batch, by the depth of their instance at most.
+    /// `hidden(box, inv_w)` tells whether what lies in a box and no nearer than inv_w (1 / distance
+    /// along the view axis) would change no pixel; it is asked from the second batch on. So the
+    /// caller is to draw each batch before he asks for the next. Batches grow, as what is near
+    /// hides most and each has its price. Lives: until the next call.
+    template <std::predicate<const l3d_subpixel_box&, float> Hidden>
+    std::span<const l3d_placed_patch> next(const Hidden& hidden) {
+        return next_batch(
+            [](const void* context, const l3d_subpixel_box& box, float inv_w) -> bool {
+                return (*static_cast<const Hidden*>(context))(box, inv_w);
+            },
+            std::addressof(hidden));
+    }
+
+    /// Whether next() has nothing more to hand out.
+    bool is_done() const { return left_ == 0; }
+
+    /// From an instance's model to the image: to_image times its placement.
+    const l3d_matrix<double>& matrix(const l3d_placed_patch& p) const {
+        return matrices_[p.matrix];
+    }
+
+    /// What has been left out in this frame until now.
+    const l3d_dice_counts& counts() const { return counts_; }
+
+private:
+    using hidden_call = bool (*)(const void*, const l3d_subpixel_box&, float);
+
+    /// Where something is in the picture.
+    struct extent {
+        float nearest_w;
+        float inv_w; ///< for the caller's `hidden`; infinite if he cannot be asked
+        l3d_subpixel_box box;
+    };
+    struct seen_instance {
+        extent where;
+        std::uint32_t index;
+    };
+    struct seen_patch {
+        extent where;
+        std::uint32_t instance, patch, matrix;
+    };
+    /// What stands in line: a place in instances_ or patches_, and above it the bits of nearest_w.
+    /// Floats from 0 up are in the order of their bits.
+    using ticket = std::uint64_t;
+
+    static ticket ticket_of(const extent& where, std::size_t at);
+    extent extent_of(const l3d_detail::culled_boxes& boxes, std::size_t i) const;
+    template <class See, class LeaveOut>
+    void look_at(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
+                 const l3d_detail::placing_terms& terms, See see, LeaveOut leave_out);
+    void leave_out(const l3d_patch_instance& instance, std::int64_t& count);
+    void open_next_instance(hidden_call hidden, const void* context);
+    void sort_nearest(std::size_t count);
+    void take_from_line(std::size_t count, hidden_call hidden, const void* context);
+    std::span<const l3d_placed_patch> next_batch(hidden_call hidden, const void* context);
+
+    const l3d_patch_scene* scene_ = nullptr;
+    l3d_matrix<double> to_image_;
+    l3d_dice_view view_;
+    l3d_image_box margin_; ///< of the part of the picture that is wanted
+    bool is_part_ = false;
+    l3d_dice_counts counts_;
+
+    std::vector<seen_instance> instances_;
+    std::vector<ticket> instance_line_; ///< farthest first
+    std::vector<seen_patch> patches_;   ///< of the instances that were opened
+    std::vector<ticket> patch_line_;
+    std::size_t sorted_ = 0; ///< so many at the end of patch_line_ are its nearest, nearest last
+    std::vector<l3d_matrix<double>> matrices_;
+    std::vector<l3d_placed_patch> batch_;
+    std::int64_t left_ = 0; ///< patches not yet handed out or left out
+    std::size_t batch_size_ = 0;
+};
+
+#endif

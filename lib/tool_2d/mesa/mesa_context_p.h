@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// mesa_context: GL on the CPU, without a window, by whichever library is there.
+#ifndef L3D_TOOL_2D_MESA_MESA_CONTEXT_P_H
+#define L3D_TOOL_2D_MESA_MESA_CONTEXT_P_H
+
+#include "tool_2d/mesa/mesa_gl_p.h"
+#include "tool_2d/mesa/mesa_platform_p.h"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace l3d_detail {
+
+/// The ways to a context, in the order in which they are tried: EGL is what has a future.
+enum class mesa_way { egl_surfaceless, egl_device, osmesa };
+inline constexpr std::array mesa_ways{mesa_way::egl_surfaceless, mesa_way::egl_device,
+                                      mesa_way::osmesa};
+
+const char* name_of(mesa_way way);
+
+/// Whether L3D_MESA (auto, egl or osmesa; unset and empty are auto) lets a way be tried.
+bool may_try(mesa_way way);
+
+/// Whether a GL_RENDERER draws on the CPU.
+bool is_software_renderer(std::string_view renderer);
+
+/// What to install for a way, by Debian's names.
+const char* packages_of(mesa_way way);
+
+/// A GL context that belongs to the thread that made it.
+///
+/// Each has objects and state of its own. One that is made current stays so until another is, or
+/// until it ends.
+class mesa_context {
+public:
+    /// The first way that serves, of those that L3D_MESA allows.
+    /// Errors:  null, with one line in `why` that has all reasons and the packages, or says that
+    ///          L3D_MESA has an unknown value.
+    /// Cost:    10 to 60 ms.
+    static std::unique_ptr<mesa_context> open(std::string& why);
+
+    /// Errors:  null, with the reason in `why`: no library, no context, a graphics card, no GL 3.
+    static std::unique_ptr<mesa_context> open(mesa_way way, std::string& why);
+
+    /// GL, for calls into this context.
+    const mesa_gl& make_current() {
+        platform_->make_current();
+        return gl_;
+    }
+
+    mesa_way way() const { return way_; }
+
+    /// GL_RENDERER.
+    const std::string& renderer() const { return renderer_; }
+
+private:
+    mesa_context(std::unique_ptr<mesa_platform> platform, mesa_way way)
+        : platform_(std::move(platform)), way_(way) {}
+
+    /// Errors:  as open.
+    bool load(std::string& why);
+
+    std::unique_ptr<mesa_platform> platform_;
+    mesa_way way_;
+    mesa_gl gl_;
+    std::string renderer_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// mesa_library: a shared library found at run time.
+#ifndef L3D_TOOL_2D_MESA_MESA_LIBRARY_P_H
+#define L3D_TOOL_2D_MESA_MESA_LIBRARY_P_H
+
+#include <initializer_list>
+#include <string>
+
+namespace l3d_detail {
+
+/// A library that the program runs without, if need be.
+///
+/// Lives:   stays loaded until the program ends: Mesa has threads and destructors of its own,
+///          which must not lose their code.
+class mesa_library {
+public:
+    /// Loads the first of the names that can be loaded; its symbols are nobody else's.
+    explicit mesa_library(std::initializer_list<const char*> names);
+
+    /// Why none was loaded, in one line; empty if one was.
+    const std::string& problem() const { return problem_; }
+
+    /// Errors:  null if there is no such symbol, or no library.
+    void* find(const char* name) const;
+
+    /// Finds a function by name. Errors: false if there is none.
+    template <class Function> bool find(Function*& function, const char* name) const {
+        function = reinterpret_cast<Function*>(find(name));
+        return function != nullptr;
+    }
+
+private:
+    void* handle_ = nullptr;
+    std::string problem_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// l3d_screen_factory_mesa: screens for pictures that Mesa's software GL draws.
+#ifndef L3D_TOOL_2D_MESA_SCREEN_MESA_H
+#define L3D_TOOL_2D_MESA_SCREEN_MESA_H
+
+#include "tool_2d/screen.h"
+#include "tool_2d/screen_memory.h"
+#include "tool_2d/x11/screen_x11.h"
+
+/// Makes windows where a display can show them, else screens that nobody sees.
+///
+/// GL draws off-screen and its picture is copied, so any screen serves; what this kind asks for is
+/// a software GL. L3D_MESA (auto, egl, osmesa) says by which way.
+class l3d_screen_factory_mesa final : public l3d_screen_factory {
+private:
+    /// Errors:  not_here, with one line that has all reasons and what to install; display_lost.
+    /// Cost:    a GL context, closed again, and what windows cost.
+    l3d_service do_service() const override;
+
+    /// Errors:  null: no memory, display lost. Whether there is GL is not asked again: the
+    ///          rasterizers need contexts of their own.
+    std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
+                                          l3d_service& refusal) const override;
+
+    void do_release() const override { windows_.release(); }
+
+    /// One probe for each way to GL, with the renderer. The display is for others to tell of.
+    void do_diagnose(l3d_probes& probes) const override;
+
+    l3d_screen_factory_xshm windows_;
+    l3d_screen_factory_memory memory_;
+};
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// x11_colormap: what makes the pixels of a window's visual show our colours.
+#ifndef L3D_TOOL_2D_X11_X11_COLORMAP_P_H
+#define L3D_TOOL_2D_X11_X11_COLORMAP_P_H
+
+#include "tool_2d/screen.h"
+#include "tool_2d/x11/x11_connection_p.h"
+#include "tool_2d/x11/x11_palette_p.h"
+#include "tool_2d/x11/x11_visual_p.h"
+
+#include <memory>
+#include <vector>
+
+namespace l3d_detail {
+
+/// A colormap, the cells of it that are ours, and what pixels look like through it.
+///
+/// - TrueColor: nothing need be written. Masks of fewer than five bits are dithered.
+/// - DirectColor: a map of our own, with a straight ramp in each channel; then like TrueColor.
+/// - StaticColor, StaticGray: the largest palette_of_cells.
+/// - PseudoColor, GrayScale, if the visual is the screen's default: cells of the default map,
+///   shared with whoever asks for the same colours: 6x6x6 of them, or 64 grays. If there is no
+///   room, fewer levels, down to 4x4x4 or 16 grays. If there is none for those either, the same
+///   once more, now with cells of other programs where no channel is off by more than half a step.
+/// - If not even that can be had, or the visual is another one: a map of our own with an exact
+///   palette. On a display with one map in its hardware other windows show wrong colours while
+///   ours has the focus; so cells that are left over are those of the default map, which hold
+///   the colours of menus and borders.
+class x11_colormap {
+public:
+    /// Errors:  null, with `refusal` filled: a map that nobody can change has too few colours, or
+    ///          the server went away.
+    /// Lives:   the connection outlives the colormap.
+    /// Cost:    with masks nothing, or one request; with static maps one round trip. A shared map
+    ///          gives cells singly: a round trip for each, and four to look. That is at most 220
+    ///          if there is room, 5 ms locally and 4 s on a line of 20 ms; and three times as many
+    ///          if there is none: 216 + 125 + 64 tries for the three cubes, and one for each of
+    ///          256 cells that turn out to be private.
+    static std::unique_ptr<x11_colormap> make(const x11_connection& connection,
+                                              const x11_visual& visual, l3d_service& refusal);
+
+    x11_colormap(const x11_colormap&) = delete;
+    x11_colormap& operator=(const x11_colormap&) = delete;
+    ~x11_colormap();
+
+    Colormap id() const { return id_; }
+    const l3d_screen_info& info() const { return info_; }
+
+    /// Whether it is the default one, which other programs use too.
+    bool is_shared() const { return !owned_; }
+
+    /// Shows a map of our own, as a window manager does for the window that has the focus.
+    void install() const {
+        if (owned_)
+            XInstallColormap(connection_.display(), id_);
+    }
+
+private:
+    x11_colormap(const x11_connection& connection, const x11_visual& visual);
+
+    bool is_of_default_visual() const;
+    void own(int alloc);
+    void use_masks();
+    bool use_fixed_cells();
+    bool share_cells();
+    void store_cells();
+    void store_ramps();
+
+    const x11_connection& connection_;
+    x11_visual visual_;
+    l3d_screen_info info_;
+    Colormap id_;
+    bool owned_ = false;
+    std::vector<unsigned long> allocated_; ///< cells of a shared map
+};
+
+} // namespace l3d_detail
+
+#endif

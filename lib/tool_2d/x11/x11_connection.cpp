@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+// x11_connection: opening, error handlers, sleeping.
+#include "tool_2d/x11/x11_connection_p.h"
+
+#include "tool_2d/x11/x11_reach_p.h"
+
+#include <algorithm>
+#include <cassert>
+#include <csetjmp>
+#include <csignal>
+#include <cstdlib>
+#include <mutex>
+#include <vector>
+
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace l3d_detail {
+
+/// The state of the process-wide handlers, which Xlib calls without any argument of ours.
+struct x11_handlers {
+    std::mutex mutex;
+    std::vector<x11_connection*> connections;
+    std::vector<Display*> lost;
+    XErrorHandler previous_error = nullptr;
+    XIOErrorHandler previous_io_error = nullptr;
+    struct sigaction previous_pipe {};
+
+    /// Of a display that is not closed there is one record more until the end of the program.
+    void keep_lost(Display* display) {
+        const std::lock_guard lock(mutex);
+        lost.push_back(display);
+    }
+
+    static bool is_default(const struct sigaction& action) {
+        return (action.sa_flags & SA_SIGINFO) == 0 && action.sa_handler == SIG_DFL;
+    }
+
+    static x11_handlers& instance() {
+        // Not destroyed at the end of the program, when lost displays have to be known still.
+        static auto& handlers = *std::make_unique<x11_handlers>().release();
+        return handlers;
+    }
+
+    void add(x11_connection& connection);
+    void remove(x11_connection& connection);
+
+    x11_connection* find(Display* display) {
+        const std::lock_guard lock(mutex);
+        const auto found = std::ranges::find(connections, display, &x11_connection::display_);
+        return found == connections.end() ? nullptr : *found;
+    }
+
+    static int on_error(Display* display, XErrorEvent* error);
+    static int on_io_error(Display* display);
+    static void on_pipe(int) {} // Writing then fails; and programs that we start do not inherit it.
+    static void on_io_exit(Display*, void* connection) {
+        static_cast<x11_connection*>(connection)->lost_ = true;
+    }
+};
+
+namespace {
+
+/// Where to go on if the server dies while this thread connects to it; else null.
+thread_local std::jmp_buf* way_out_of_opening = nullptr;
+
+// 8 MiB: two pictures of 1024 x 768. The system gives what it allows, Linux 208 KiB unless told
+// otherwise. Pictures go in pieces of at most one request of the protocol (262 KB, without the
+// extension for larger ones), and before each it is asked whether there is room. So a large buffer
+// does not make pieces large; it lets many go before anybody waits: half of what was given, 2 MiB
+// where the system allows 4.
+constexpr int wanted_buffer = 1 << 23;
+// What a request holds beside its data: 24 bytes for a picture.
+constexpr std::size_t own_size = 32;
+// What every system's sockets hold.
+constexpr std::size_t least_writable = std::size_t{1} << 13;
+
+// Longer than any display worth drawing on needs to answer, shorter than anyone's patience.
+constexpr std::chrono::seconds longest_connect{3};
+// A server that is well closes its end at once; one that is stopped is not waited for.
+constexpr std::chrono::milliseconds longest_leave{200};
+
+/// XOpenDisplay, which ends the process if the server goes away in the middle: before it
+/// returns there is no display to set the exit handler of. The jump leaves Xlib's half-made
+/// display behind; that is the price, once, of going on.
+Display* open_display(const char* name, bool& lost) {
+    if (!can_reach_x11_host(name, longest_connect))
+        return nullptr;
+    std::jmp_buf way_out;
+    if (setjmp(way_out) != 0) {
+        way_out_of_opening = nullptr;
+        lost = true;
+        return nullptr;
+    }
+    way_out_of_opening = &way_out;
+    Display* display = XOpenDisplay(name);
+    way_out_of_opening = nullptr;
+    return display;
+}
+
+} // namespace
+
+void x11_handlers::add(x11_connection& connection) {
+    const std::lock_guard lock(mutex);
+    if (connections.empty()) {
+        previous_error = XSetErrorHandler(on_error);
+        previous_io_error = XSetIOErrorHandler(on_io_error);
+        sigaction(SIGPIPE, nullptr, &previous_pipe);
+        if (is_default(previous_pipe)) {
+            struct sigaction ours {};
+            ours.sa_handler = on_pipe;
+            sigaction(SIGPIPE, &ours, nullptr);
+        }
+    }
+    connections.push_back(&connection);
+}
+
+void x11_handlers::remove(x11_connection& connection) {
+    const std::lock_guard lock(mutex);
+    std::erase(connections, &connection);
+    if (!connections.empty())
+        return;
+    // Someone who came after us may stand in front now; then their handler stays.
+    if (const auto current = XSetErrorHandler(previous_error); current != on_error)
+        XSetErrorHandler(current);
+    if (const auto current = XSetIOErrorHandler(previous_io_error); current != on_io_error)
+        XSetIOErrorHandler(current);
+    struct sigaction current {};
+    sigaction(SIGPIPE, nullptr, &current);
+    if (current.sa_handler == on_pipe)
+        sigaction(SIGPIPE, &previous_pipe, nullptr);
+}
+
+int x11_handlers::on_error(Display* display, XErrorEvent* error) {
+    auto& handlers = instance();
+    auto* connection = handlers.find(display);
+    if (connection == nullptr)
+        return handlers.previous_error(display, error);
+    if (connection->trap_serial_ == 0 || error->serial < connection->trap_serial_)
+        connection->keep({error->serial, error->error_code});
+    else if (connection->trapped_error_ == 0)
+        connection->trapped_error_ = error->error_code;
+    return 0;
+}
+
+int x11_handlers::on_io_error(Display* display) {
+    auto& handlers = instance();
+    if (handlers.find(display) != nullptr)
+        return 0; // on_io_exit follows.
+    if (way_out_of_opening == nullptr)
+        return handlers.previous_io_error(display);
+    close(ConnectionNumber(display));
+    handlers.keep_lost(display);
+    std::longjmp(*way_out_of_opening, 1);
+}
+
+std::unique_ptr<x11_connection> x11_connection::open(std::string& why) {
+    const char* name = std::getenv("DISPLAY");
+    if (name == nullptr || *name == '\0') {
+        why = name == nullptr ? "DISPLAY is not set" : "DISPLAY is empty";
+        return nullptr;
+    }
+    std::unique_ptr<x11_connection> connection(new x11_connection(name));
+    if (connection->display_ == nullptr && !connection->lost_) {
+        why = std::string("cannot open the display that DISPLAY names, '") + name + "'";
+        return nullptr;
+    }
+    return connection;
+}
+
+x11_connection::x11_connection(const char* name) {
+    x11_handlers::instance().add(*this);
+    display_ = open_display(name, lost_);
+    if (display_ == nullptr)
+        return;
+    XSetIOErrorExitHandler(display_, x11_handlers::on_io_exit, this);
+    // Asked now, because a connection that broke has no other end.
+    sockaddr_storage peer{};
+    socklen_t size = sizeof peer;
+    local_ =
+        getpeername(ConnectionNumber(display_), reinterpret_cast<sockaddr*>(&peer), &size) != 0 ||
+        peer.ss_family == AF_UNIX;
+    widen();
+}
+
+/// Finds out how much fits into the socket; into a local one, as much as the system allows. (The
+/// buffers of others are the network's business.)
+void x11_connection::widen() {
+    const int server = ConnectionNumber(display_);
+    if (local_)
+        setsockopt(server, SOL_SOCKET, SO_SNDBUF, &wanted_buffer, sizeof wanted_buffer);
+    int buffer = 0;
+    socklen_t size = sizeof buffer;
+    if (getsockopt(server, SOL_SOCKET, SO_SNDBUF, &buffer, &size) != 0)
+        buffer = 0;
+    // Linux calls a local socket writable when at most a quarter of its buffer is full. Of the
+    // other three, a fifth is left for the kernel's own records. Xlib cuts larger requests than
+    // these, which are counted in fours, and waits before each piece.
+    const auto largest = 4 * static_cast<std::size_t>(XMaxRequestSize(display_)) - own_size;
+    writable_size_ = std::clamp(static_cast<std::size_t>(buffer) / 5 * 3, least_writable, largest);
+}
+
+x11_connection::~x11_connection() {
+    if (display_ == nullptr) {
+        // There is nothing to end.
+    } else if (lost_) {
+        // Xlib's extensions may be half set up, and crash XCloseDisplay.
+        close(ConnectionNumber(display_));
+        x11_handlers::instance().keep_lost(display_);
+    } else {
+        leave();
+        XCloseDisplay(display_);
+    }
+    x11_handlers::instance().remove(*this);
+}
+
+/// Breaks the connection once the server has done all that it was asked, or does not get to it;
+/// what was ours there is freed then. XCloseDisplay would wait as long as it takes for a reply.
+void x11_connection::leave() {
+    const int server = ConnectionNumber(display_);
+    const auto deadline = std::chrono::steady_clock::now() + longest_leave;
+    if (wait_writable({}))
+        XFlush(display_);
+    shutdown(server, SHUT_WR);
+    // Having read everything, the server closes its end.
+    std::array<char, 4096> unread;
+    while (wait_readable(deadline) && recv(server, unread.data(), unread.size(), MSG_DONTWAIT) > 0)
+        ;
+    // Xlib finds out by reading: writing could raise SIGPIPE.
+    shutdown(server, SHUT_RD);
+    if (!lost_)
+        XEventsQueued(display_, QueuedAfterReading);
+}
+
+void x11_connection::keep(const failure& error) {
+    failures_[failure_count_++ % failures_.size()] = error;
+}
+
+int x11_connection::error_of(unsigned long serial) const {
+    const auto found = std::ranges::find(failures_, serial, &failure::serial);
+    return found == failures_.end() ? 0 : found->code;
+}
+
+bool has_x11_manager(const x11_connection& connection) {
+    // A window manager is who redirects the root's children; only one client can.
+    XWindowAttributes root{};
+    return XGetWindowAttributes(connection.display(), connection.root(), &root) != 0 &&
+           (root.all_event_masks & SubstructureRedirectMask) != 0;
+}
+
+std::string x11_error_text(const x11_connection& connection, int code) {
+    std::array<char, 128> text{};
+    XGetErrorText(connection.display(), code, text.data(), static_cast<int>(text.size()));
+    return text.data();
+}
+
+bool x11_connection::wait_readable(std::chrono::steady_clock::time_point deadline) const {
+    return wait(POLLIN, deadline);
+}
+
+bool x11_connection::wait_writable(std::chrono::steady_clock::time_point deadline) const {
+    return wait(POLLOUT, deadline);
+}
+
+bool x11_connection::wait_ready(std::chrono::steady_clock::time_point deadline) const {
+    return wait(POLLIN | POLLOUT, deadline);
+}
+
+bool x11_connection::wait(short events, std::chrono::steady_clock::time_point deadline) const {
+    using namespace std::chrono;
+    const auto left = std::max(deadline - steady_clock::now(), steady_clock::duration::zero());
+    if (lost_)
+        return false;
+    const auto whole = duration_cast<seconds>(left);
+    const timespec timeout{whole.count(), duration_cast<nanoseconds>(left - whole).count()};
+    pollfd server{ConnectionNumber(display_), events, 0};
+    return ppoll(&server, 1, &timeout, nullptr) > 0;
+}
+
+x11_error_trap::x11_error_trap(x11_connection& connection) : connection_(connection) {
+    assert(connection.trap_serial_ == 0);
+    connection.trap_serial_ = NextRequest(connection.display_);
+    connection.trapped_error_ = 0;
+}
+
+x11_error_trap::~x11_error_trap() {
+    connection_.trap_serial_ = 0;
+}
+
+int x11_error_trap::sync() {
+    XSync(connection_.display_, False);
+    return connection_.trapped_error_;
+}
+
+} // namespace l3d_detail

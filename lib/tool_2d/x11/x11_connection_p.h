@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// x11_connection: one connection to an X server, which may break without ending the program.
+#ifndef L3D_TOOL_2D_X11_X11_CONNECTION_P_H
+#define L3D_TOOL_2D_X11_X11_CONNECTION_P_H
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include <X11/Xlib.h>
+
+namespace l3d_detail {
+
+/// Why there is no screen, if the display was lost while it was asked.
+inline constexpr auto x11_server_went_away = "the X server went away";
+
+/// Owns a Display.
+///
+/// Xlib's two error handlers belong to the whole process, and its own ones end it. While
+/// connections of this class exist, ours stand in front: they keep what concerns these
+/// connections and hand everything else to the handlers found there, which come back with the
+/// end of the last connection. So it is with SIGPIPE, unless the program handles or ignores it:
+/// Xlib's writing to a dead server raises it.
+class x11_connection {
+public:
+    /// Connects to the display that the environment names.
+    /// Errors:  null, with one line in `why` that gives the value of DISPLAY; a connection that is
+    ///          lost(), and without a display(), if the server went away while it answered.
+    static std::unique_ptr<x11_connection> open(std::string& why);
+
+    x11_connection(const x11_connection&) = delete;
+    x11_connection& operator=(const x11_connection&) = delete;
+    ~x11_connection();
+
+    Display* display() const { return display_; }
+    int screen() const { return DefaultScreen(display_); }
+    Window root() const { return RootWindow(display_, screen()); }
+
+    /// As DISPLAY named it.
+    std::string name() const { return DisplayString(display_); }
+
+    /// Whether the server is reached without a network, so that it can share memory with us.
+    bool is_local() const { return local_; }
+
+    /// Whether it has been proven that the server attaches our segments, and not others.
+    bool shares_memory() const { return shares_memory_; }
+    void set_shares_memory() { shares_memory_ = true; }
+
+    /// Whether the server is gone. From then on no call reaches it, and none may wait for it.
+    bool lost() const { return lost_; }
+
+    /// Sleeps until the server sent something.
+    /// Expects: nothing was read since XPending last said 0; else there may be nothing to wait for.
+    /// Errors:  false when the time is over or a signal came.
+    bool wait_readable(std::chrono::steady_clock::time_point deadline) const;
+
+    /// Sleeps until so much can be sent at once that a request with writable_size() bytes of data
+    /// does not block.
+    /// Errors:  likewise.
+    bool wait_writable(std::chrono::steady_clock::time_point deadline) const;
+
+    /// Sleeps until either is the case. Expects, Errors: likewise.
+    bool wait_ready(std::chrono::steady_clock::time_point deadline) const;
+
+    std::size_t writable_size() const { return writable_size_; }
+
+    /// The error code of a request made outside any trap; 0 if none was reported. The last few
+    /// errors are remembered, so ask soon.
+    int error_of(unsigned long serial) const;
+
+private:
+    friend class x11_error_trap;
+    friend struct x11_handlers;
+
+    /// A request that the server refused.
+    struct failure {
+        unsigned long serial = 0;
+        int code = 0;
+    };
+
+    explicit x11_connection(const char* name);
+    void widen();
+    void keep(const failure& error);
+    bool wait(short events, std::chrono::steady_clock::time_point deadline) const;
+    void leave();
+
+    Display* display_ = nullptr;
+    bool local_ = false;
+    std::size_t writable_size_ = 0;
+    bool lost_ = false;
+    bool shares_memory_ = false;
+    unsigned long trap_serial_ = 0; ///< first request whose errors are asked for; 0: none
+    int trapped_error_ = 0;
+    // Two pictures may be under way; the rest is room for errors that nobody asks about.
+    std::array<failure, 16> failures_{};
+    std::size_t failure_count_ = 0; ///< in all; the array is a ring
+};
+
+/// Whether a window manager looks after the windows of this display.
+/// Errors:  false if the server goes away meanwhile.
+/// Cost:    one round trip; the errors of all requests before are known then.
+bool has_x11_manager(const x11_connection& connection);
+
+/// What the error code means, in words. No request is made.
+std::string x11_error_text(const x11_connection& connection, int code);
+
+/// Collects the X errors of the requests made while it lives.
+///
+/// Expects: at most one per connection at a time.
+class x11_error_trap {
+public:
+    explicit x11_error_trap(x11_connection& connection);
+    x11_error_trap(const x11_error_trap&) = delete;
+    x11_error_trap& operator=(const x11_error_trap&) = delete;
+    ~x11_error_trap();
+
+    /// The error code of the first request that failed, 0 if all went well.
+    /// Cost:    one round trip.
+    int sync();
+
+    /// The same for the requests before the last one that waited for a reply.
+    int error() const { return connection_.trapped_error_; }
+
+private:
+    x11_connection& connection_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+// x11_events: keys, pointer, window.
+#include "tool_2d/x11/x11_events_p.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include <X11/Xutil.h>
+#include <X11/keysym.h>
+
+namespace l3d_detail {
+namespace {
+
+constexpr std::array<std::pair<KeySym, int>, 22> named_keys{{
+    {XK_BackSpace, l3d_key_backspace},
+    {XK_Tab, l3d_key_tab},
+    {XK_Return, l3d_key_return},
+    {XK_KP_Enter, l3d_key_return},
+    {XK_Escape, l3d_key_escape},
+    {XK_Left, l3d_key_left},
+    {XK_Right, l3d_key_right},
+    {XK_Up, l3d_key_up},
+    {XK_Down, l3d_key_down},
+    {XK_Page_Up, l3d_key_page_up},
+    {XK_Page_Down, l3d_key_page_down},
+    {XK_Home, l3d_key_home},
+    {XK_End, l3d_key_end},
+    {XK_KP_Left, l3d_key_left},
+    {XK_KP_Right, l3d_key_right},
+    {XK_KP_Up, l3d_key_up},
+    {XK_KP_Down, l3d_key_down},
+    {XK_KP_Page_Up, l3d_key_page_up},
+    {XK_KP_Page_Down, l3d_key_page_down},
+    {XK_KP_Home, l3d_key_home},
+    {XK_KP_End, l3d_key_end},
+    {XK_ISO_Left_Tab, l3d_key_tab},
+}};
+
+/// The key of a keysym, 0 if it is none of ours.
+int key_of_keysym(KeySym keysym) {
+    const auto* named = std::ranges::find(named_keys, keysym, &std::pair<KeySym, int>::first);
+    if (named != named_keys.end())
+        return named->second;
+    if (keysym >= XK_F1 && keysym <= XK_F10)
+        return l3d_key_f1 + static_cast<int>(keysym - XK_F1);
+    // X numbers the characters of ASCII as ASCII does.
+    return keysym >= ' ' && keysym <= '~' ? static_cast<int>(keysym) : 0;
+}
+
+/// The first three rows of letters and the signs right of them on an American keyboard, by key
+/// code. PCs number their keys alike under every layout.
+int key_in_place(unsigned code) {
+    struct row {
+        unsigned first_code;
+        std::string_view keys;
+    };
+    constexpr std::array<row, 3> rows{
+        {{24, "qwertyuiop[]"}, {38, "asdfghjkl;'`"}, {52, "zxcvbnm,./"}}};
+    for (const auto& [first_code, keys] : rows)
+        if (code >= first_code && code - first_code < keys.size())
+            return keys[code - first_code];
+    return 0;
+}
+
+/// The key of an event: by its own group and level, and if that gives no ASCII character, as on
+/// a Cyrillic layout, by the first group that does, or by the key's place.
+int key_of(XKeyEvent& event) {
+    std::array<char, 8> text{};
+    KeySym keysym = NoSymbol;
+    const int length = XLookupString(&event, text.data(), text.size(), &keysym, nullptr);
+    if (const int key = key_of_keysym(keysym); key != 0)
+        return key;
+    // The digits and signs of the number pad have keysyms of their own, but plain text.
+    if (length == 1 && text[0] >= ' ' && text[0] <= '~')
+        return text[0];
+    // Xlib numbers symbols by group and level: 0 and 1 are the plain and shifted first group.
+    const int shifted = (event.state & ShiftMask) != 0 ? 1 : 0;
+    for (const int index : {shifted, 2 + shifted}) {
+        if (const int key = key_of_keysym(XLookupKeysym(&event, index)); key != 0)
+            return key;
+    }
+    return key_in_place(event.keycode);
+}
+
+/// What held_ has for a key that is not told to the program.
+constexpr int untold = -1;
+
+bool is_fullscreen_key(const XKeyEvent& event, KeySym keysym, int key) {
+    return keysym == XK_F11 || (key == l3d_key_return && (event.state & Mod1Mask) != 0);
+}
+
+int held_button(unsigned state) {
+    if ((state & Button1Mask) != 0)
+        return 1;
+    if ((state & Button2Mask) != 0)
+        return 2;
+    return (state & Button3Mask) != 0 ? 3 : 0;
+}
+
+} // namespace
+
+void x11_events::take(XEvent& event) {
+    switch (event.type) {
+    case KeyPress:
+        return take_press(event.xkey);
+    case KeyRelease:
+        return take_release(event.xkey);
+    case FocusOut:
+        return release_all();
+    case ButtonPress:
+        return take_button(event.xbutton, l3d_event_type::button_press);
+    case ButtonRelease:
+        return take_button(event.xbutton, l3d_event_type::button_release);
+    case MotionNotify:
+        return take_motion(event.xmotion);
+    case ClientMessage:
+        return take_message(event.xclient);
+    case ConfigureNotify:
+        return push_instead_of(
+            {l3d_event_type::resize},
+            {.type = l3d_event_type::resize,
+             .size = window_.ours({event.xconfigure.width, event.xconfigure.height})});
+    case Expose:
+        if (event.xexpose.count == 0) {
+            exposed_ = true;
+            expose();
+        }
+        return;
+    case VisibilityNotify:
+        if (event.xvisibility.state == VisibilityFullyObscured)
+            hide();
+        else if (hidden_)
+            reveal();
+        return;
+    case MapNotify:
+        mapped_ = true;
+        return;
+    case UnmapNotify:
+        return hide();
+    case DestroyNotify:
+        return push({.type = l3d_event_type::close});
+    case MappingNotify:
+        XRefreshKeyboardMapping(&event.xmapping);
+        return;
+    default:
+        return;
+    }
+}
+
+bool x11_events::next(l3d_event& event) {
+    if (queue_.empty())
+        return false;
+    event = queue_.front();
+    queue_.pop_front();
+    return true;
+}
+
+/// The latest event of these types is enough.
+void x11_events::push_instead_of(std::initializer_list<l3d_event_type> types,
+                                 const l3d_event& event) {
+    std::erase_if(queue_, [types](const l3d_event& earlier) {
+        return std::ranges::find(types, earlier.type) != types.end();
+    });
+    push(event);
+}
+
+void x11_events::hide() {
+    hidden_ = true;
+    push_instead_of({l3d_event_type::hide, l3d_event_type::reveal}, {.type = l3d_event_type::hide});
+}
+
+/// A server that keeps what is covered does not ask for it.
+void x11_events::reveal() {
+    hidden_ = false;
+    push_instead_of({l3d_event_type::hide, l3d_event_type::reveal},
+                    {.type = l3d_event_type::reveal});
+}
+
+void x11_events::expose() {
+    hidden_ = false;
+    push_instead_of({l3d_event_type::expose, l3d_event_type::hide, l3d_event_type::reveal},
+                    {.type = l3d_event_type::expose});
+}
+
+void x11_events::take_press(XKeyEvent& event) {
+    const int key = key_of(event);
+    int& held = held_.at(event.keycode & 255);
+    if (is_fullscreen_key(event, XLookupKeysym(&event, 0), key)) {
+        if (std::exchange(held, untold) == 0)
+            push({.type = l3d_event_type::fullscreen});
+    } else if (key != 0) {
+        held = key;
+        push({.type = l3d_event_type::key_press,
+              .key = key,
+              .x = window_.ours(event.x),
+              .y = window_.ours(event.y)});
+    }
+}
+
+/// The key that was pressed, whatever modifiers are held now.
+void x11_events::take_release(const XKeyEvent& event) {
+    if (is_autorepeat(event))
+        return;
+    const int key = std::exchange(held_.at(event.keycode & 255), 0);
+    if (key != 0 && key != untold)
+        push({.type = l3d_event_type::key_release,
+              .key = key,
+              .x = window_.ours(event.x),
+              .y = window_.ours(event.y)});
+}
+
+/// Without the keyboard we do not hear of its keys.
+void x11_events::release_all() {
+    for (int& held : held_)
+        if (const int key = std::exchange(held, 0); key != 0 && key != untold)
+            push({.type = l3d_event_type::key_release, .key = key});
+}
+
+/// Servers without detectable autorepeat send a release with each repeated press, at one time.
+bool x11_events::is_autorepeat(const XKeyEvent& release) const {
+    if (XEventsQueued(window_.display(), QueuedAfterReading) == 0)
+        return false;
+    XEvent next;
+    XPeekEvent(window_.display(), &next);
+    return next.type == KeyPress && next.xkey.keycode == release.keycode &&
+           next.xkey.time == release.time;
+}
+
+void x11_events::take_button(const XButtonEvent& event, l3d_event_type type) {
+    // X has no wheel: a notch is a click of button 4 or 5. Above these are sideways wheels.
+    if (event.button == Button4 || event.button == Button5) {
+        if (type == l3d_event_type::button_press)
+            push({.type = l3d_event_type::wheel, .y = event.button == Button4 ? 1 : -1});
+    } else if (event.button <= Button3) {
+        push({.type = type,
+              .button = static_cast<int>(event.button),
+              .x = window_.ours(event.x),
+              .y = window_.ours(event.y)});
+    }
+}
+
+void x11_events::take_motion(const XMotionEvent& event) {
+    const int button = held_button(event.state);
+    if (button == 0)
+        return;
+    const l3d_event motion{.type = l3d_event_type::pointer_motion,
+                           .button = button,
+                           .x = window_.ours(event.x),
+                           .y = window_.ours(event.y)};
+    if (!queue_.empty() && queue_.back().type == motion.type &&
+        queue_.back().button == motion.button)
+        queue_.back() = motion;
+    else
+        push(motion);
+}
+
+void x11_events::take_message(XClientMessageEvent& event) {
+    const auto& atoms = window_.atoms();
+    if (event.message_type != atoms.wm_protocols || event.format != 32)
+        return;
+    const auto protocol = static_cast<Atom>(event.data.l[0]);
+    if (protocol == atoms.wm_delete_window) {
+        push({.type = l3d_event_type::close});
+    } else if (protocol == atoms.net_wm_ping) {
+        // Sent back to the root it says that we are alive.
+        const auto root = window_.connection().root();
+        event.window = root;
+        XSendEvent(window_.display(), root, False,
+                   SubstructureNotifyMask | SubstructureRedirectMask,
+                   reinterpret_cast<XEvent*>(&event));
+    }
+}
+
+} // namespace l3d_detail

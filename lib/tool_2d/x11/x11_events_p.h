@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// x11_events: X events become l3d_events.
+#ifndef L3D_TOOL_2D_X11_X11_EVENTS_P_H
+#define L3D_TOOL_2D_X11_X11_EVENTS_P_H
+
+#include "tool_2d/event.h"
+#include "tool_2d/x11/x11_window_p.h"
+
+#include <array>
+#include <deque>
+#include <initializer_list>
+
+namespace l3d_detail {
+
+/// Translates the events of one window and keeps them until they are asked for.
+///
+/// What only the latest value of matters is kept once: the size, whether the window can be seen,
+/// that it lost its picture, and the pointer's place until something else happens. Every key that
+/// is told pressed is told released, by the time the window loses the keyboard at the latest.
+class x11_events {
+public:
+    explicit x11_events(const x11_window& window) : window_(window) {}
+
+    /// Translates one event. A ping of the window manager is answered here.
+    void take(XEvent& event);
+
+    /// The server is gone: the last event of all.
+    void take_display_lost() { push({.type = l3d_event_type::display_lost}); }
+
+    bool empty() const { return queue_.empty(); }
+
+    /// Takes the oldest; false if there is none.
+    bool next(l3d_event& event);
+
+    bool is_mapped() const { return mapped_; }
+    bool was_exposed() const { return exposed_; }
+
+private:
+    void push(const l3d_event& event) { queue_.push_back(event); }
+    void push_instead_of(std::initializer_list<l3d_event_type> types, const l3d_event& event);
+    void hide();
+    void reveal();
+    void expose();
+    void take_press(XKeyEvent& event);
+    void take_release(const XKeyEvent& event);
+    void release_all();
+    void take_button(const XButtonEvent& event, l3d_event_type type);
+    void take_motion(const XMotionEvent& event);
+    void take_message(XClientMessageEvent& event);
+    bool is_autorepeat(const XKeyEvent& release) const;
+
+    const x11_window& window_;
+    std::deque<l3d_event> queue_;
+    bool mapped_ = false, exposed_ = false, hidden_ = false;
+    std::array<int, 256> held_{}; ///< by key code: the key told pressed; 0: it is up
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// x11_image: the way a window's pictures take to the server.
+#ifndef L3D_TOOL_2D_X11_X11_IMAGE_P_H
+#define L3D_TOOL_2D_X11_X11_IMAGE_P_H
+
+#include "tool_2d/pixels.h"
+#include "tool_2d/x11/x11_window_p.h"
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+namespace l3d_detail {
+
+/// The buffers in which the pictures of one window travel, for one size of it.
+class x11_image {
+public:
+    using time_point = std::chrono::steady_clock::time_point;
+
+    x11_image() = default;
+    x11_image(const x11_image&) = delete;
+    x11_image& operator=(const x11_image&) = delete;
+    virtual ~x11_image() = default;
+
+    /// Whether a buffer is free: what the server still reads may not be written, and what it has
+    /// not read yet must not pile up.
+    bool is_free() const { return do_is_free(); }
+
+    /// Sends a part of the picture, and asks the server for an event once it has it. What Xlib
+    /// still buffers goes out when events are next asked for. The words may change afterwards.
+    /// Expects: is_free(); a picture of the size this was made for, the same as in the put before
+    ///          but for the part, which is not empty and all of it the first time.
+    /// Cost:    in proportion to the part. Waits for a slow connection until the deadline, and
+    ///          copies what is left.
+    void put(const l3d_pixels& picture, const l3d_pixel_box& part, time_point deadline) {
+        do_put(picture, part, deadline);
+    }
+
+    /// Goes on with what put could not do without blocking, and asks after an answer that is
+    /// overdue. To be called now and then before events are read.
+    void look_after() { do_look_after(); }
+
+    /// Whether part of a picture is still to be sent, as soon as the connection takes it.
+    bool is_sending() const { return do_is_sending(); }
+
+    /// Whether the server has answered to all that was put.
+    bool is_idle() const { return do_is_idle(); }
+
+    /// The window may no longer show what was put: the next picture has to be whole.
+    void forget_shown() { do_forget_shown(); }
+
+    /// Takes the event if it is an answer to put; false if it is not.
+    bool take(const XEvent& event) { return do_take(event); }
+
+    /// Whether this way has turned out not to work. Pictures that were put may not have been seen;
+    /// another x11_image has to go on.
+    /// Errors:  true, with one line in `why`.
+    bool has_failed(std::string& why) const { return do_has_failed(why); }
+
+    /// One phrase for describe(): how words become what travels.
+    std::string describe() const { return do_describe(); }
+
+private:
+    virtual bool do_is_free() const = 0;
+    virtual void do_put(const l3d_pixels& picture, const l3d_pixel_box& part,
+                        time_point deadline) = 0;
+    virtual void do_look_after() = 0;
+    virtual bool do_is_sending() const { return false; }
+    virtual bool do_is_idle() const = 0;
+    virtual void do_forget_shown() {}
+    virtual bool do_take(const XEvent& event) = 0;
+    virtual bool do_has_failed(std::string&) const { return false; }
+    virtual std::string do_describe() const = 0;
+};
+
+/// The picture travels over the connection, in the display's own pixels. Over a network only
+/// those rows of the part travel that differ from what was sent before.
+/// Shape:   `size` in pixel words; the window's own pixels are scale() times as many.
+/// Errors:  std::bad_alloc.
+/// Lives:   the window outlives the image.
+std::unique_ptr<x11_image> make_x11_image_put(const x11_window& window, l3d_size size);
+
+/// The picture is in memory that the server shares.
+/// Errors:  null, with one line in `why`, if that cannot be done here; std::bad_alloc.
+/// Cost:    as x11_shm_segment::make.
+std::unique_ptr<x11_image> make_x11_image_shm(const x11_window& window, l3d_size size,
+                                              std::string& why);
+
+} // namespace l3d_detail
+
+#endif

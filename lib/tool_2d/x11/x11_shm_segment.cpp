@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// x11_shm_segment: System V memory, and the proof that two programs see the same.
+#include "tool_2d/x11/x11_shm_segment_p.h"
+
+#include "tool_2d/x11/x11_extension_p.h"
+#include "tool_2d/x11/x11_ximage_p.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstdlib>
+#include <random>
+#include <system_error>
+#include <utility>
+
+#include <sys/ipc.h>
+#include <sys/shm.h>
+
+namespace l3d_detail {
+namespace {
+
+// Linux attaches a segment by its number even after its name was removed; others may not.
+#ifdef __linux__
+constexpr bool attaches_nameless = true;
+#else
+constexpr bool attaches_nameless = false;
+#endif
+
+// The proof is a row of so many pixels. At 8 bits each, memory of someone else looks like it by
+// chance once in 2^512.
+constexpr int proof_width = 64;
+// Room for such a row, at 32 bits each.
+constexpr std::size_t proof_size = std::size_t{4} * proof_width;
+
+/// Frees an image that Xlib made, pixels included.
+struct copy_freer {
+    void operator()(XImage* image) const { XDestroyImage(image); }
+};
+using unique_copy = std::unique_ptr<XImage, copy_freer>;
+
+std::string kernel_reason(const char* call) {
+    return std::string(call) + ": " + std::generic_category().message(errno);
+}
+
+/// Whether there is no need to try.
+bool is_hopeless(const x11_connection& connection, std::string& why) {
+    const char* const refusal = std::getenv("L3D_NO_SHM");
+    if (refusal != nullptr && *refusal != '\0')
+        why = "L3D_NO_SHM is set";
+    else if (!connection.is_local())
+        why = "the X server is reached over a network";
+    else if (ask_for_extension([&] { return XShmQueryExtension(connection.display()); }) == 0)
+        why = connection.lost() ? x11_server_went_away : "the X server does not have MIT-SHM";
+    else
+        return false;
+    return true;
+}
+
+/// Has the server copy pixels from the segment, and reads them back over the connection. Null if
+/// the server refuses.
+unique_copy copy_by_server(const x11_connection& connection, XImage& row) {
+    auto* const display = connection.display();
+    const auto pixmap =
+        XCreatePixmap(display, connection.root(), proof_width, 1, static_cast<unsigned>(row.depth));
+    // Each display comes with a context for pixmaps of its usual depth.
+    GC graphics = DefaultGC(display, connection.screen());
+    const bool is_usual = row.depth == DefaultDepth(display, connection.screen());
+    if (!is_usual)
+        graphics = XCreateGC(display, pixmap, 0, nullptr);
+    XShmPutImage(display, pixmap, graphics, &row, 0, 0, 0, 0, proof_width, 1, False);
+    unique_copy copy(XGetImage(display, pixmap, 0, 0, proof_width, 1, AllPlanes, ZPixmap));
+    if (!is_usual)
+        XFreeGC(display, graphics);
+    XFreePixmap(display, pixmap);
+    return copy;
+}
+
+bool have_same_pixels(XImage& one, XImage& other) {
+    for (int x = 0; x < proof_width; ++x) {
+        if (XGetPixel(&one, x, 0) != XGetPixel(&other, x, 0))
+            return false;
+    }
+    return true;
+}
+
+/// Expects: a trap since before the server was told of the segment.
+bool server_sees(x11_shm_segment& segment, XImage& row, const x11_connection& connection,
+                 const x11_error_trap& trap, std::string& why) {
+    std::random_device random;
+    std::generate_n(segment.bytes(), ximage_size(row),
+                    [&] { return static_cast<std::uint8_t>(random()); });
+    row.data = reinterpret_cast<char*>(segment.bytes());
+    row.obdata = reinterpret_cast<char*>(&segment.info());
+    const auto copy = copy_by_server(connection, row);
+    if (connection.lost())
+        why = x11_server_went_away;
+    else if (trap.error() != 0 || !copy)
+        why = "the X server refuses shared memory: " + x11_error_text(connection, trap.error());
+    else if (!have_same_pixels(row, *copy))
+        why = "the X server sees other memory than ours (it is in another IPC namespace)";
+    else
+        return true;
+    return false;
+}
+
+} // namespace
+
+std::unique_ptr<x11_shm_segment> x11_shm_segment::make(x11_connection& connection, Visual* visual,
+                                                       const l3d_pixel_layout& layout,
+                                                       std::size_t size, std::string& why) {
+    if (is_hopeless(connection, why))
+        return nullptr;
+    const auto row = make_ximage(connection.display(), visual, layout, {proof_width, 1});
+    std::unique_ptr<x11_shm_segment> segment(new x11_shm_segment(connection.display()));
+    if (attaches_nameless && connection.shares_memory())
+        return segment->attach(size, why) ? std::move(segment) : nullptr;
+    x11_error_trap trap(connection);
+    if (!segment->attach(std::max(size, proof_size), why) ||
+        !server_sees(*segment, *row, connection, trap, why))
+        return nullptr;
+    segment->forget_name();
+    connection.set_shares_memory();
+    return segment;
+}
+
+bool x11_shm_segment::attach(std::size_t size, std::string& why) {
+    info_.shmid = shmget(IPC_PRIVATE, size, IPC_CREAT | 0600);
+    if (info_.shmid < 0) {
+        why = kernel_reason("shmget");
+        return false;
+    }
+    is_named_ = true;
+    void* const address = shmat(info_.shmid, nullptr, 0);
+    if (reinterpret_cast<std::intptr_t>(address) == -1) {
+        why = kernel_reason("shmat");
+        forget_name();
+        return false;
+    }
+    // At once, so that a process that is killed leaves nothing behind.
+    if (attaches_nameless)
+        forget_name();
+    info_.shmaddr = static_cast<char*>(address);
+    info_.readOnly = True;
+    XShmAttach(display_, &info_);
+    return true;
+}
+
+/// Takes the name away, by which others could find the segment, and which would outlive us.
+void x11_shm_segment::forget_name() {
+    if (std::exchange(is_named_, false))
+        shmctl(info_.shmid, IPC_RMID, nullptr);
+}
+
+x11_shm_segment::~x11_shm_segment() {
+    if (info_.shmaddr == nullptr)
+        return;
+    XShmDetach(display_, &info_);
+    forget_name();
+    shmdt(info_.shmaddr);
+}
+
+} // namespace l3d_detail

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// x11_window: attributes and properties.
+#include "tool_2d/x11/x11_window_p.h"
+
+#include "tool_2d/x11/x11_scale_p.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include <unistd.h>
+
+#include <X11/XKBlib.h>
+#include <X11/Xatom.h>
+#include <X11/Xutil.h>
+
+namespace l3d_detail {
+namespace {
+
+x11_atoms intern_atoms(Display* display) {
+    constexpr std::array names{"WM_PROTOCOLS", "WM_DELETE_WINDOW", "_NET_WM_PING", "_NET_WM_PID",
+                               "_NET_WM_NAME", "UTF8_STRING",      "_L3D_PUT_DONE"};
+    std::array<Atom, names.size()> atoms{};
+    XInternAtoms(display, const_cast<char**>(names.data()), static_cast<int>(names.size()), False,
+                 atoms.data());
+    return {atoms[0], atoms[1], atoms[2], atoms[3], atoms[4], atoms[5], atoms[6]};
+}
+
+constexpr long events_always = KeyPressMask | KeyReleaseMask | ButtonPressMask | ButtonReleaseMask |
+                               Button1MotionMask | Button2MotionMask | Button3MotionMask |
+                               StructureNotifyMask | ExposureMask | VisibilityChangeMask |
+                               FocusChangeMask | PropertyChangeMask;
+
+l3d_service too_large(l3d_size size, int scale) {
+    return {l3d_service::level::not_here,
+            "the X server does not make a window of " + std::to_string(size.width) + "x" +
+                std::to_string(size.height) +
+                (scale == 1 ? "" : " at scale " + std::to_string(scale))};
+}
+
+} // namespace
+
+std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> connection,
+                                             const x11_visual& visual,
+                                             const l3d_screen_request& request,
+                                             l3d_service& refusal) {
+    assert(request.size.width >= 1 && request.size.height >= 1);
+    const int scale = x11_scale(*connection, request);
+    if (std::max(request.size.width, request.size.height) > largest_x11_side / scale) {
+        refusal = too_large(request.size, scale);
+        return nullptr;
+    }
+    auto colormap = x11_colormap::make(*connection, visual, refusal);
+    if (!colormap)
+        return nullptr;
+    std::unique_ptr<x11_window> window(
+        new x11_window(std::move(connection), std::move(colormap), visual, scale));
+    const l3d_size native{request.size.width * scale, request.size.height * scale};
+    const x11_error_trap trap(window->connection());
+    window->create(native);
+    window->set_names(request);
+    window->set_hints(native);
+    window->set_protocols();
+    window->managed_ = has_x11_manager(window->connection());
+    if (window->connection().lost()) {
+        refusal = {l3d_service::level::display_lost, x11_server_went_away};
+        return nullptr;
+    }
+    if (trap.error() != 0) {
+        refusal = too_large(request.size, scale);
+        return nullptr;
+    }
+    return window;
+}
+
+x11_window::x11_window(std::unique_ptr<x11_connection> connection,
+                       std::unique_ptr<x11_colormap> colormap, const x11_visual& visual, int scale)
+    : connection_(std::move(connection)), colormap_(std::move(colormap)), visual_(visual),
+      atoms_(intern_atoms(display())), scale_(scale) {
+    // Without this a held key looks like one that is pressed again and again.
+    XkbSetDetectableAutoRepeat(display(), True, nullptr);
+}
+
+x11_window::~x11_window() {
+    // Xlib's own record of the context is freed even if the server is gone.
+    XFreeGC(display(), graphics_);
+    XDestroyWindow(display(), window_);
+}
+
+void x11_window::create(l3d_size native) {
+    const auto root = connection_->root();
+    XSetWindowAttributes attributes{};
+    attributes.colormap = colormap_->id();
+    // Not inherited: a parent of another depth has no pixel for the border.
+    attributes.border_pixel = 0;
+    attributes.background_pixel = info().to_display(0);
+    // What is drawn stays when the window grows, so that only new parts turn black.
+    attributes.bit_gravity = NorthWestGravity;
+    attributes.event_mask = events_always;
+    window_ = XCreateWindow(
+        display(), root, 0, 0, static_cast<unsigned>(native.width),
+        static_cast<unsigned>(native.height), 0, visual_.layout.depth, InputOutput, visual(),
+        CWColormap | CWBorderPixel | CWBackPixel | CWBitGravity | CWEventMask, &attributes);
+    graphics_ = XCreateGC(display(), window_, 0, nullptr);
+}
+
+void x11_window::set_property(Atom name, Atom type, int format, const void* data,
+                              std::size_t count) const {
+    XChangeProperty(display(), window_, name, type, format, PropModeReplace,
+                    static_cast<const unsigned char*>(data), static_cast<int>(count));
+}
+
+/// The old name is in Latin-1 if that can write it, else in an encoding that Xlib chooses.
+void x11_window::set_title(std::string title) {
+    set_property(atoms_.net_wm_name, atoms_.utf8_string, 8, title.data(), title.size());
+    XTextProperty old_name{};
+    char* list = title.data();
+    if (Xutf8TextListToTextProperty(display(), &list, 1, XStdICCTextStyle, &old_name) >= Success) {
+        XSetWMName(display(), window_, &old_name);
+        XFree(old_name.value);
+    }
+}
+
+// Not XSetWMProperties, which sets more: each property is a request, and a slow display's start
+// is the sum of them.
+void x11_window::set_names(const l3d_screen_request& request) {
+    set_title(request.title);
+    std::string instance = request.name, class_name = "L3d";
+    XClassHint names{instance.data(), class_name.data()};
+    XSetClassHint(display(), window_, &names);
+    std::array<char, 256> machine{}; // POSIX: a host's name has at most 255 bytes.
+    gethostname(machine.data(), machine.size() - 1);
+    // Without it the process number means nothing.
+    set_property(XA_WM_CLIENT_MACHINE, XA_STRING, 8, machine.data(),
+                 std::string_view(machine.data()).size());
+    const long process = getpid();
+    set_property(atoms_.net_wm_pid, XA_CARDINAL, 32, &process, 1);
+}
+
+void x11_window::set_hints(l3d_size native) {
+    XSizeHints size{};
+    size.flags = PSize | PMinSize;
+    size.width = native.width;
+    size.height = native.height;
+    size.min_width = 1;
+    size.min_height = 1;
+    XSetWMNormalHints(display(), window_, &size);
+    XWMHints hints{};
+    hints.flags = InputHint | StateHint;
+    hints.input = True;
+    hints.initial_state = NormalState;
+    XSetWMHints(display(), window_, &hints);
+}
+
+void x11_window::set_protocols() {
+    const std::array protocols{atoms_.wm_delete_window, atoms_.net_wm_ping};
+    set_property(atoms_.wm_protocols, XA_ATOM, 32, protocols.data(), protocols.size());
+}
+
+void x11_window::watch_pointer(bool always) const {
+    XSelectInput(display(), window_, always ? events_always | PointerMotionMask : events_always);
+}
+
+void x11_window::focus_if_unmanaged() {
+    if (managed_)
+        return;
+    XSetInputFocus(display(), window_, RevertToParent, CurrentTime);
+    colormap_->install();
+}
+
+} // namespace l3d_detail

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// x11_window: a window, and everything that other programs want to know about it.
+#ifndef L3D_TOOL_2D_X11_X11_WINDOW_P_H
+#define L3D_TOOL_2D_X11_X11_WINDOW_P_H
+
+#include "tool_2d/screen.h"
+#include "tool_2d/x11/x11_colormap_p.h"
+#include "tool_2d/x11/x11_connection_p.h"
+#include "tool_2d/x11/x11_visual_p.h"
+
+#include <memory>
+#include <string>
+
+namespace l3d_detail {
+
+/// Names that X knows by number.
+struct x11_atoms {
+    Atom wm_protocols = 0;
+    Atom wm_delete_window = 0;
+    Atom net_wm_ping = 0;
+    Atom net_wm_pid = 0;
+    Atom net_wm_name = 0;
+    Atom utf8_string = 0;
+    Atom l3d_put_done = 0; ///< ours: see x11_image::put
+};
+
+/// Owns connection, colormap, window and graphics context.
+class x11_window {
+public:
+    /// Makes a window that is not on the screen yet.
+    /// Errors:  null, with the reason in `refusal`.
+    static std::unique_ptr<x11_window> open(std::unique_ptr<x11_connection> connection,
+                                            const x11_visual& visual,
+                                            const l3d_screen_request& request,
+                                            l3d_service& refusal);
+
+    x11_window(const x11_window&) = delete;
+    x11_window& operator=(const x11_window&) = delete;
+    ~x11_window();
+
+    x11_connection& connection() const { return *connection_; }
+    Display* display() const { return connection_->display(); }
+    Window id() const { return window_; }
+    GC graphics() const { return graphics_; }
+    Visual* visual() const { return visual_.visual; }
+    const x11_atoms& atoms() const { return atoms_; }
+    const l3d_screen_info& info() const { return colormap_->info(); }
+    const x11_colormap& colormap() const { return *colormap_; }
+
+    /// Side of the square of the display's pixels that shows one of ours.
+    int scale() const { return scale_; }
+
+    /// A length or place of the display's in our pixels; of a size the last pixel may be cut.
+    int ours(int native) const { return (native < 0 ? native - scale_ + 1 : native) / scale_; }
+    l3d_size ours(l3d_size native) const {
+        return {ours(native.width + scale_ - 1), ours(native.height + scale_ - 1)};
+    }
+
+    /// Whether a window manager looks after this display's windows, as of when this one was made.
+    bool is_managed() const { return managed_; }
+
+    void map() { XMapWindow(display(), window_); }
+
+    /// Hears of the pointer at all times, or only while a button is held.
+    void watch_pointer(bool always) const;
+
+    /// Takes the keyboard and shows our colours if there is no window manager to do that for us.
+    /// Expects: the window is on the screen.
+    void focus_if_unmanaged();
+
+    /// Sets one of the window's properties, an array of bytes or of longs, whatever X calls it.
+    void set_property(Atom name, Atom type, int format, const void* data, std::size_t count) const;
+
+private:
+    x11_window(std::unique_ptr<x11_connection> connection, std::unique_ptr<x11_colormap> colormap,
+               const x11_visual& visual, int scale);
+
+    void create(l3d_size native);
+    void set_title(std::string title);
+    void set_names(const l3d_screen_request& request);
+    void set_hints(l3d_size native);
+    void set_protocols();
+
+    std::unique_ptr<x11_connection> connection_;
+    std::unique_ptr<x11_colormap> colormap_;
+    x11_visual visual_;
+    x11_atoms atoms_;
+    int scale_;
+    bool managed_ = false;
+    Window window_ = 0;
+    GC graphics_ = nullptr;
+};
+
+} // namespace l3d_detail
+
+#endif
