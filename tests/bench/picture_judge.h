@@ -3,8 +3,8 @@
 #ifndef L3D_TESTS_BENCH_PICTURE_JUDGE_H
 #define L3D_TESTS_BENCH_PICTURE_JUDGE_H
 
-#include "dice/camera.h"
-#include "dice/patch_model.h"
+#include "scene/camera.h"
+#include "scene/patch_model.h"
 #include "tool_2d/pixels.h"
 
 #include <cstddef>
