@@ -22,22 +22,15 @@
 
 namespace {
 
-struct options {
-    bool quick = false;
-    std::string csv;
-
-    /// What is not known is for the other benchmarks, which are run with the same arguments.
-    options(int argc, char** argv) {
-        for (int i = 1; i < argc; ++i) {
-            const std::string_view argument = argv[i];
-            constexpr std::string_view csv_option = "--picture-csv=";
-            if (argument == "--quick")
-                quick = true;
-            else if (argument.starts_with(csv_option))
-                csv = argument.substr(csv_option.size());
-        }
-    }
-};
+/// Where the table shall go, too. What is not known is for the other benchmarks, which are run with
+/// the same arguments.
+std::string csv_path(int argc, char** argv) {
+    constexpr std::string_view csv_option = "--picture-csv=";
+    for (int i = 1; i < argc; ++i)
+        if (const std::string_view argument = argv[i]; argument.starts_with(csv_option))
+            return std::string(argument.substr(csv_option.size()));
+    return "";
+}
 
 /// A peer's side of a line.
 struct peer_line {
@@ -133,15 +126,12 @@ std::FILE* open_csv(const std::string& path) {
     return file;
 }
 
-void run(const options& wanted) {
+void run(const std::string& path) {
     std::string why;
     const auto model = l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);
     if (!model)
         throw std::runtime_error(why);
-    std::vector<l3d_size> sizes{{640, 480}, {1024, 768}};
-    if (wanted.quick)
-        sizes = {{1024, 768}};
-    std::FILE* const csv = wanted.csv.empty() ? nullptr : open_csv(wanted.csv);
+    std::FILE* const csv = path.empty() ? nullptr : open_csv(path);
 
     double load = 0;
     getloadavg(&load, 1);
@@ -149,7 +139,7 @@ void run(const options& wanted) {
                 "before: %.1f\n",
                 l3d_real_name(), peer_names().c_str(), load);
     constexpr std::array tolerances{1.0, 0.5, 0.25, 0.1};
-    const auto planned = planned_pictures(*model, sizes, tolerances);
+    const auto planned = planned_pictures(*model, {1024, 768}, tolerances);
     std::vector<bench_cell> cells;
     for (const picture_cell& p : planned)
         cells.push_back(p.cell);
@@ -163,14 +153,14 @@ void run(const options& wanted) {
             write_csv(csv, lines, threads);
     }
     if (csv && std::fclose(csv) != 0)
-        throw std::runtime_error("cannot write " + wanted.csv);
+        throw std::runtime_error("cannot write " + path);
 }
 
 } // namespace
 
-/// Usage: peers_picture_bench [--quick] [--picture-csv=path].
+/// Usage: peers_picture_bench [--picture-csv=path].
 int main(int argc, char** argv) try {
-    run(options(argc, argv));
+    run(csv_path(argc, argv));
 } catch (const std::exception& error) {
     std::fprintf(stderr, "peers_picture_bench: %s\n", error.what());
     return 1;

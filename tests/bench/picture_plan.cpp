@@ -185,13 +185,11 @@ void add_embree(std::span<picture_cell> cells, std::span<const scenery* const> o
 
 } // namespace
 
-std::vector<picture_cell> planned_pictures(const l3d_patch_model& model,
-                                           std::span<const l3d_size> sizes,
+std::vector<picture_cell> planned_pictures(const l3d_patch_model& model, l3d_size size,
                                            std::span<const double> tolerances) {
-    std::vector<std::optional<scenery>> sceneries(sizes.size() * bench_views.size());
+    std::vector<std::optional<scenery>> sceneries(bench_views.size());
     for_all(sceneries.size(), [&](std::size_t i) {
-        const bench_view& view = bench_views[i % bench_views.size()];
-        const l3d_size size = sizes[i / bench_views.size()];
+        const bench_view& view = bench_views[i];
         sceneries[i].emplace(&view, size, picture_judge(model, view.camera, size));
     });
     // llvmpipe and our workers have threads, which a later child must not inherit.

@@ -34,15 +34,14 @@ struct picture_cell {
     peer_picture theirs; ///< of the cell's only mesh
 };
 
-/// For each size, view and tolerance of ours, and both measures: the adaptive mesh with which
+/// For each view and tolerance of ours, and both measures: the adaptive mesh with which
 /// llvmpipe's error is nearly ours, if there is one.
 ///
 /// Meshes are told apart by the tolerance of places that they are made with: it is changed by
 /// twos until the error passes ours, and interpolated in logarithms from there on.
 /// Thinned meshes are no use here: what thinning in places alone leaves is shaded worse.
-/// Cost: all processors, a minute for two sizes and four tolerances.
-std::vector<picture_cell> planned_pictures(const l3d_patch_model& model,
-                                           std::span<const l3d_size> sizes,
+/// Cost: all processors, a minute for four tolerances.
+std::vector<picture_cell> planned_pictures(const l3d_patch_model& model, l3d_size size,
                                            std::span<const double> tolerances);
 
 #endif
