@@ -21,9 +21,9 @@ namespace {
 /// A picture as near to the exact one as ours, to this share.
 constexpr double close_enough = 0.03;
 
-/// Meshes are made for tolerances from 2^-6 to 2^5 px: with the one a triangle has a pixel or two,
-/// with the other every patch has its fewest.
-constexpr int finest = -6, coarsest = 5;
+/// Meshes are made for tolerances from 2^-5 to 2^5 px: with the one a triangle has two pixels or
+/// three, with the other every patch has its fewest.
+constexpr int finest = -5, coarsest = 5;
 constexpr int most_tries = 2;
 
 mesh_wish wish_of(const l3d_patch_model& model, const bench_view& view, l3d_size size,
