@@ -49,8 +49,8 @@ struct l3d_afd_settings {
     /// What patches that have to be cut or clipped may cost in a frame, see l3d_dice_budget; 0:
     /// l3d_usual_samples. What it does not suffice for is drawn coarsely, and the bound says so.
     std::int64_t most_samples = 0;
-    bool outlines = false;      ///< report how many pixels outlines reach, and keep them
-    int threads = 1;            ///< that draw; constant from the first frame on
+    bool outlines = false;       ///< report how many pixels outlines reach, and keep them
+    int threads = 1;             ///< that draw; constant from the first frame on
     l3d_method_factory method{}; ///< that fills surfaces; constant from the first frame on
 };
 
@@ -65,9 +65,10 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
 /// differencing, unless the settings have another method.
 ///
 /// A program that only wants the picture uses it as it is; one with keys or things of its own to
-/// draw is a subclass that changes camera() and settings() and calls draw_event.
-/// A frame draws only what the last one did not: nothing if nothing changed, and the parts of the
-/// picture where instances were or are if only these were placed anew and nothing is drawn on top.
+/// draw is a subclass that changes camera() and settings() and calls draw_event. A frame draws only
+/// what changed since the last one. If nothing changed, it draws nothing. If instances were only
+/// placed anew and nothing is drawn on top, it draws the parts of the picture where they were or
+/// are.
 /// Expects: camera and settings of which l3d_afd_complaint has nothing to say, in every frame.
 /// Lives:   owns screen, workers and rasterizers, borrows the models of the scene.
 /// Cost:    filled surfaces allocate nothing once the largest frame has been seen.
