@@ -80,7 +80,8 @@ void print_ratios(std::span<const line> lines, const picture_measure& measure, s
     std::ranges::sort(ratios);
     std::printf("%-8s over %-6s: least %.2f, median %.2f, most %.2f of %zu lines; in %zu of them "
                 "no mesh is as near to the exact picture\n",
-                name, measure.name, ratios.front(), ratios[ratios.size() / 2], ratios.back(),
+                name, measure.name, ratios.front(),
+                (ratios[(ratios.size() - 1) / 2] + ratios[ratios.size() / 2]) / 2, ratios.back(),
                 ratios.size(), not_reached);
 }
 
