@@ -9,11 +9,12 @@
 #include <span>
 #include <vector>
 
-/// Nobody's measured error is more than `error` here, nor less than need be.
+/// Either nobody's measured error of places is more than `error`, nor less than need be, or all
+/// pictures are as far from the exact one.
 struct bench_cell {
     const bench_view* view = nullptr;
     l3d_size size;
-    double error = 0; ///< pixels
+    double error = 0; ///< of places, pixels; 0 where pictures are alike
 
     double our_tolerance = 0; ///< the largest found with which ours is within `error`
     double our_bound = 0;     ///< what ours certifies then

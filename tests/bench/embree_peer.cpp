@@ -151,10 +151,13 @@ void embree_peer::prepare(const peer_mesh& mesh, const l3d_camera& camera, l3d_s
     along_u_.clear();
     along_v_.clear();
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const float a = mesh.greys[mesh.indices[i]];
-        grey_.push_back(a);
-        along_u_.push_back(static_cast<float>(mesh.greys[mesh.indices[i + 1]]) - a);
-        along_v_.push_back(static_cast<float>(mesh.greys[mesh.indices[i + 2]]) - a);
+        const auto level = [&](std::size_t corner) {
+            constexpr float white = 255;
+            return white * mesh.greys[mesh.indices[i + corner]];
+        };
+        grey_.push_back(level(0));
+        along_u_.push_back(level(1) - level(0));
+        along_v_.push_back(level(2) - level(0));
     }
 }
 

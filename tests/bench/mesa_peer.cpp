@@ -165,7 +165,7 @@ void mesa_peer::prepare(const peer_mesh& mesh, const l3d_camera& camera, l3d_siz
     fill(GL_ARRAY_BUFFER, buffers_[0], mesh.positions);
     gl_->VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
     fill(GL_ARRAY_BUFFER, buffers_[1], mesh.greys);
-    gl_->VertexAttribPointer(1, 1, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
+    gl_->VertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
     gl_->EnableVertexAttribArray(0);
     gl_->EnableVertexAttribArray(1);
     index_count_ = static_cast<int>(mesh.indices.size());

@@ -75,8 +75,7 @@ void append(const mesh_wish& wish, std::size_t patch, const patch_mesh& part, pe
                 const mesh_corner& c = part.corners[i];
                 for (int k = 0; k < 3; ++k)
                     mesh.positions.push_back(static_cast<float>(c.position[k]));
-                mesh.greys.push_back(
-                    static_cast<std::uint8_t>(255 * grey_of(wish, patch, c) + 0.5));
+                mesh.greys.push_back(static_cast<float>(grey_of(wish, patch, c)));
             }
             mesh.indices.push_back(place[i]);
         }
@@ -118,7 +117,10 @@ public:
             again = false;
             for (std::size_t i = 0; i < count; ++i) {
                 makers_[i].set_steps(tolerance, scales_[i]);
-                again = makers_[i].improve(edges_, tolerance, scales_[i]) || again;
+                while (makers_[i].improve(edges_, tolerance, scales_[i])) {
+                    makers_[i].set_steps(tolerance, scales_[i]);
+                    again = true; // the edges of its neighbours may be others now
+                }
             }
         }
     }

@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-/// A triangle mesh with the grey level of each vertex baked in: the cheapest way to feed a peer.
+/// A triangle mesh with the grey of each vertex baked in: the cheapest way to feed a peer.
 struct peer_mesh {
     std::string kind;                   ///< how it was made
     double error = 0;                   ///< measured, in pixels
     std::vector<float> positions;       ///< x y z of each vertex
-    std::vector<std::uint8_t> greys;    ///< of each vertex
+    std::vector<float> greys;           ///< of each vertex, 0 to 1: its exact shade
     std::vector<std::uint32_t> indices; ///< three for each triangle, nearest patch first
 
     std::size_t vertices() const { return greys.size(); }

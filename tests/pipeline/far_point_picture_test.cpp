@@ -26,6 +26,7 @@ picture teapot_beside(const std::vector<reference::patch>& more) {
     const dice_tests::scene both(patches, s.eye, size);
     l3d_afd_settings settings;
     settings.tolerance = 0.25;
+    settings.outlines = true;
     return drawn(both, both.model, settings);
 }
 
@@ -36,6 +37,8 @@ TEST(far_point_picture, is_the_same_beside_what_is_not_seen) {
         EXPECT_EQ(beside.words, alone.words) << x;
         EXPECT_NEAR(beside.report.dice.bound_px, alone.report.dice.bound_px, 1e-9) << x;
         EXPECT_EQ(beside.report.near, alone.report.near) << x;
+        EXPECT_EQ(beside.report.outline_pixels, alone.report.outline_pixels) << x;
+        EXPECT_TRUE(beside.outlines == alone.outlines) << x;
     }
 }
 

@@ -53,7 +53,8 @@ void l3d_frame_outlines::finish(double bound_px, double depth_bound_px, double n
                 continue;
             const auto& patch = model.patches()[i];
             search.add(patch, model.normals(i), *eye, l3d_placed_net(to_image, patch),
-                       sides_of(model).outlines(i));
+                       sides_of(model).outlines(i),
+                       view_.share_of(instance.reach(model.reach(i).whole)));
         }
     }
 }

@@ -62,16 +62,24 @@ double distance(const place& a, const place& b) {
 l3d_outline_search::l3d_outline_search(const l3d_dice_view& view, double focal, double bound,
                                        double depth_bound, double farthest_near,
                                        const l3d_sheet_depths& depths, l3d_outline_mask& mask)
-    : view_(view), focal_(focal), bound_(bound),
-      radius_(bound + view.error_xy / std::max(view.near, 1e-300)),
-      fold_radius_(radius_ + depth_bound / 2), allowed_(std::max(bound / 8, 1.0 / 64)),
-      least_near_(view.camera_near > 0 ? std::min(view.camera_near, view.near) : view.near),
-      most_near_(std::max(farthest_near, least_near_)),
-      window_(view.window().grown(fold_radius_ + 1)), depths_(depths), mask_(mask) {}
+    : whole_(view), view_(view), focal_(focal), bound_(bound), depth_bound_(depth_bound),
+      farthest_near_(farthest_near), allowed_(std::max(bound / 8, 1.0 / 64)), depths_(depths),
+      mask_(mask) {}
+
+/// A patch is cut by near planes that are no farther than its own errors push them.
+void l3d_outline_search::take_share(double share) {
+    view_.take_share(whole_, share);
+    radius_ = bound_ + view_.error_xy / std::max(view_.near, 1e-300);
+    fold_radius_ = radius_ + depth_bound_ / 2;
+    least_near_ = view_.camera_near > 0 ? std::min(view_.camera_near, view_.near) : view_.near;
+    most_near_ = std::max(std::min(farthest_near_, view_.near), least_near_);
+    window_ = view_.window().grown(fold_radius_ + 1);
+}
 
 void l3d_outline_search::add(const l3d_bezier_patch<double, 3>& patch,
                              const l3d_normal_net& normals, const vector& eye,
-                             const l3d_image_patch& net, unsigned sides) {
+                             const l3d_image_patch& net, unsigned sides, double share) {
+    take_share(share);
     piece whole;
     for (std::size_t i = 0; i < whole.patch.points.size(); ++i)
         whole.patch.points[i] = patch.points[i] - eye;

@@ -33,9 +33,11 @@ public:
                        l3d_outline_mask& mask);
 
     /// Shape: patch and normals in one space, with the eye in it; `sides` as l3d_patch_sides has
-    ///        them.
+    ///        them; `share` as l3d_dice_view::share_of of the patch's own points, for what is far
+    ///        away is known less well than what is near.
     void add(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals,
-             const l3d_vector<double, 3>& eye, const l3d_image_patch& net, unsigned sides);
+             const l3d_vector<double, 3>& eye, const l3d_image_patch& net, unsigned sides,
+             double share);
 
 private:
     using vector = l3d_vector<double, 3>;
@@ -56,6 +58,7 @@ private:
         double error = 0;
     };
 
+    void take_share(double share);
     void search(const piece& p);
     void split(const piece& p);
     bool hides(const l3d_image_box& box, const l3d_depth_range& w) const;
@@ -66,12 +69,13 @@ private:
     bool add_straight(const l3d_picture_place* places, std::size_t count, double error,
                       double radius);
 
-    const l3d_dice_view& view_;
-    double focal_, bound_;
-    double radius_, fold_radius_; ///< of what a side, or a fold, reaches
-    double allowed_;              ///< what a line may be too wide by
-    double least_near_, most_near_;
-    l3d_image_box window_;
+    const l3d_dice_view& whole_;
+    l3d_dice_view view_; ///< of the patch's share of errors, as all down to window_
+    double focal_, bound_, depth_bound_, farthest_near_;
+    double radius_ = 0, fold_radius_ = 0; ///< of what a side, or a fold, reaches
+    double least_near_ = 0, most_near_ = 0;
+    l3d_image_box window_{};
+    double allowed_; ///< what a line may be too wide by
     const l3d_sheet_depths& depths_;
     l3d_outline_mask& mask_;
     std::int64_t pieces_ = 0;
