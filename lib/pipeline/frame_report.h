@@ -3,7 +3,7 @@
 #ifndef L3D_PIPELINE_FRAME_REPORT_H
 #define L3D_PIPELINE_FRAME_REPORT_H
 
-#include "scene/dice_counts.h"
+#include "scene/counts.h"
 #include "pipeline/report_parts.h"
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 #define L3D_PIPELINE_SURFACE_METHOD_H
 
 #include "scene/camera.h"
-#include "scene/dice_counts.h"
+#include "scene/counts.h"
 #include "scene/dice_view.h"
 #include "pipeline/frame_report.h"
 #include "scene/patch_scene.h"

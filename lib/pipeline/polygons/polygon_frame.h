@@ -5,7 +5,7 @@
 
 #include "scene/dice_view.h"
 #include "dice/diced_piece.h"
-#include "scene/seen_counts.h"
+#include "scene/counts.h"
 #include "pipeline/polygons/polygon_model.h"
 #include "pipeline/polygons/polygon_view.h"
 #include "raster/shapes/painter.h"

@@ -132,8 +132,10 @@ l3d_polygon_model::l3d_polygon_model(l3d_polygon_mesh mesh, bool to_origin)
     if (!mesh_.vertices.empty())
         least_ = most_ = mesh_.vertices.front();
     for (const vector& v : mesh_.vertices) {
-        least_ = glm::min(least_, v);
-        most_ = glm::max(most_, v);
+        for (int i = 0; i < 3; ++i) {
+            least_[i] = std::min(least_[i], v[i]);
+            most_[i] = std::max(most_[i], v[i]);
+        }
     }
     for (const vector& v : mesh_.vertices)
         radius_ = std::max(radius_, l3d_length(v - centre()));
