@@ -3,25 +3,22 @@
 #ifndef L3D_PIPELINE_PIPELINE_AFD_H
 #define L3D_PIPELINE_PIPELINE_AFD_H
 
-#include "geom/real.h"
-#include "scene/camera.h"
 #include "pipeline/frame_report.h"
-#include "scene/image_transform.h"
 #include "pipeline/method_factory.h"
-#include "scene/patch_scene.h"
 #include "pipeline/pipeline.h"
-#include "scene/scene_culling.h"
-#include "pipeline/surface_method.h"
+#include "raster/depth_buffer.h"
 #include "raster/rasterizer_factory.h"
-#include "raster/parallel/workers.h"
-#include "tool_2d/pixel_boxes.h"
+#include "scene/camera.h"
+#include "scene/kept_patches.h"
+#include "scene/patch_scene.h"
 #include "tool_2d/screen.h"
 
 #include <cstdint>
 #include <memory>
 #include <string>
 
-template <class T> class l3d_frame_dicer;
+class l3d_outline_mask;
+class l3d_pixel_boxes;
 
 /// What a frame does although it need not; the picture is the same, or as good. Only who compares
 /// has a use for that.
@@ -88,10 +85,7 @@ public:
 
     /// The pixels that outlines reach in the last frame; null if nobody asked for them, if the
     /// method does not find them, or if a part of the picture was drawn alone.
-    const l3d_outline_mask* outlines() const {
-        return report_.outline_pixels == l3d_surface_counts::none_counted ? nullptr
-                                                                          : method_->outlines();
-    }
+    const l3d_outline_mask* outlines() const;
 
     /// The last frame drawn; the hash is counted when asked for.
     l3d_frame_report report() const;
@@ -138,16 +132,8 @@ protected:
     virtual void draw_overlay() {}
 
 private:
-    /// All that a picture depends on but the placements of its models.
-    struct basis {
-        l3d_pixels target;
-        l3d_matrix<double> to_image;
-        l3d_dice_view view;
-        l3d_shading shading;
-        bool wireframe = false, net = false, depth = false, outlines = false;
-
-        friend bool operator==(const basis&, const basis&) = default;
-    };
+    struct basis;
+    struct stages;
 
     void touch() {
         untouched_ = false;
@@ -164,10 +150,8 @@ private:
     void draw_nets();
 
     std::unique_ptr<l3d_screen> screen_;
-    l3d_workers workers_;
     std::unique_ptr<l3d_rasterizer_2d_imp> imp_;
     l3d_rasterizer_2d rasterizer_;
-    std::unique_ptr<l3d_surface_method> method_;
     l3d_depth_buffer depth_;
 
     l3d_patch_scene scene_;
@@ -177,15 +161,9 @@ private:
     bool untouched_ = false;  ///< nobody wrote to the pixels since surfaces were filled
     bool is_foreign_ = false; ///< somebody did when no frame was drawn
     bool is_drawing_ = false;
-    basis basis_; ///< of the picture that is in the pixels
     l3d_pixel_box changed_;
-    l3d_box_lanes moved_to_; ///< kept for its memory
-
-    l3d_image_transform transform_;
-    l3d_dice_view view_;
-    l3d_scene_culling wire_culling_;
-    std::unique_ptr<l3d_frame_dicer<l3d_real>> wire_dicer_;
     l3d_frame_report report_;
+    std::unique_ptr<stages> stages_;
 };
 
 #endif

@@ -5,15 +5,17 @@
 
 #include "scene/camera.h"
 #include "scene/counts.h"
-#include "scene/dice_view.h"
 #include "pipeline/frame_report.h"
 #include "scene/patch_scene.h"
+#include "geom/matrix.h"
 #include "raster/depth_buffer.h"
-#include "raster/outline_mask.h"
 #include "raster/surface_rasterizer.h"
 #include "tool_2d/pixels.h"
 
 #include <memory>
+
+class l3d_outline_mask;
+struct l3d_dice_view;
 
 /// What is to be drawn in a frame, and into what.
 ///

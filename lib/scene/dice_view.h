@@ -6,6 +6,7 @@
 #include "geom/step_bound.h"
 #include "raster/micro_grid.h"
 #include "raster/surface_rasterizer.h"
+#include "scene/kept_patches.h"
 #include "tool_2d/pixels.h"
 
 #include <algorithm>
@@ -27,20 +28,6 @@ inline bool l3d_far_apart(const l3d_image_point& a, const l3d_image_point& b, in
                           double pixels) {
     return std::abs(a[along] * b[2] - b[along] * a[2]) > pixels * a[2] * b[2];
 }
-
-/// Which patches, and parts of them, are done although they need not be. Only who measures or
-/// judges a rule has a use for that.
-struct l3d_kept_patches {
-    bool outside = false;    ///< such that nothing of them lies in the picture
-    bool centreless = false; ///< such that cover no pixel's centre
-    bool hidden = false;     ///< such that lie behind what is drawn
-    bool backs = false;      ///< whose back alone is turned to the eye
-    bool dicing = false;     ///< of what a point may stand for
-
-    static constexpr l3d_kept_patches all() { return {true, true, true, true, true}; }
-
-    friend bool operator==(const l3d_kept_patches&, const l3d_kept_patches&) = default;
-};
 
 /// What a frame may spend on patches that have to be cut or clipped, unless somebody says
 /// otherwise: two samples a pixel are more than any picture shows, and 2^16 take a millisecond or

@@ -2,7 +2,12 @@
 // l3d_patch_model: bounds and normal nets, once per model.
 #include "scene/patch_model.h"
 
+#include "geom/files/patch_file.h"
+#include "geom/normal_net.h"
+#include "scene/bends/surface_bends.h"
+#include "scene/box_lanes.h"
 #include "scene/closed_body.h"
+#include "scene/facing_cones.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,25 +45,79 @@ l3d_patch_reach reach_of(const l3d_patch_model::patch& p) {
 
 } // namespace
 
-l3d_patch_model::l3d_patch_model(std::vector<patch> patches) : patches_(std::move(patches)) {
-    normals_.reserve(patches_.size());
-    for (const patch& p : patches_) {
-        normals_.emplace_back(p);
-        facing_.emplace_back(p, normals_.back());
-        bends_.emplace_back(p, normals_.back());
-        reaches_.push_back(reach_of(p));
-        const auto [least, most] = p.bounds();
-        boxes_.add(upright_box(least, most));
-        if (normals_.size() == 1) {
-            least_ = least;
-            most_ = most;
+struct l3d_patch_model::contents {
+    explicit contents(std::vector<patch> of);
+
+    std::vector<patch> patches;
+    std::vector<l3d_normal_net> normals;
+    std::vector<l3d_facing_cones> facing;
+    std::vector<l3d_surface_bends> bends;
+    std::vector<l3d_patch_reach> reaches;
+    int orientation = 0;
+    vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
+    l3d_box_lanes boxes;
+};
+
+l3d_patch_model::contents::contents(std::vector<patch> of) : patches(std::move(of)) {
+    normals.reserve(patches.size());
+    for (const patch& p : patches) {
+        normals.emplace_back(p);
+        facing.emplace_back(p, normals.back());
+        bends.emplace_back(p, normals.back());
+        reaches.push_back(reach_of(p));
+        const auto [low, high] = p.bounds();
+        boxes.add(upright_box(low, high));
+        if (normals.size() == 1) {
+            least = low;
+            most = high;
         }
         for (int i = 0; i < 3; ++i) {
-            least_[i] = std::min(least_[i], least[i]);
-            most_[i] = std::max(most_[i], most[i]);
+            least[i] = std::min(least[i], low[i]);
+            most[i] = std::max(most[i], high[i]);
         }
     }
-    orientation_ = l3d_orientation_of(patches_, facing_);
+    orientation = l3d_orientation_of(patches, facing);
+}
+
+l3d_patch_model::l3d_patch_model() : l3d_patch_model(std::vector<patch>()) {}
+
+l3d_patch_model::l3d_patch_model(std::vector<patch> patches)
+    : contents_(std::make_shared<const contents>(std::move(patches))) {}
+
+std::span<const l3d_patch_model::patch> l3d_patch_model::patches() const {
+    return contents_->patches;
+}
+
+const l3d_normal_net& l3d_patch_model::normals(std::size_t index) const {
+    return contents_->normals[index];
+}
+
+const l3d_facing_cones& l3d_patch_model::facing(std::size_t index) const {
+    return contents_->facing[index];
+}
+
+const l3d_surface_bends& l3d_patch_model::bends(std::size_t index) const {
+    return contents_->bends[index];
+}
+
+const l3d_patch_reach& l3d_patch_model::reach(std::size_t index) const {
+    return contents_->reaches[index];
+}
+
+int l3d_patch_model::orientation() const {
+    return contents_->orientation;
+}
+
+const l3d_patch_model::vector& l3d_patch_model::least() const {
+    return contents_->least;
+}
+
+const l3d_patch_model::vector& l3d_patch_model::most() const {
+    return contents_->most;
+}
+
+const l3d_box_lanes& l3d_patch_model::boxes() const {
+    return contents_->boxes;
 }
 
 std::optional<l3d_patch_model> l3d_patch_model::checked(std::vector<patch> patches,

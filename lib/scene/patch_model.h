@@ -4,19 +4,21 @@
 #define L3D_SCENE_PATCH_MODEL_H
 
 #include "geom/bezier_patch.h"
-#include "geom/normal_net.h"
-#include "geom/files/patch_file.h"
-#include "scene/box_lanes.h"
-#include "scene/facing_cones.h"
-#include "scene/bends/surface_bends.h"
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+class l3d_box_lanes;
+class l3d_facing_cones;
+class l3d_normal_net;
+class l3d_surface_bends;
+struct l3d_patch_points;
 
 /// The largest coordinates, as magnitudes, of a patch's control points and of those of its edges.
 ///
@@ -28,12 +30,19 @@ struct l3d_patch_reach {
 
 /// A set of bicubic patches, each with its exact normal net and its box. In world space, unless a
 /// l3d_patch_scene places them elsewhere.
+///
+/// A model never changes after it is made. Its copies share its contents.
+/// Cost:  a copy counts a reference. A move is a copy, so no model is ever without contents.
 class l3d_patch_model {
 public:
     using patch = l3d_bezier_patch<double, 3>;
     using vector = l3d_vector<double, 3>;
 
-    l3d_patch_model() = default;
+    /// No patches.
+    l3d_patch_model();
+    l3d_patch_model(const l3d_patch_model&) = default;
+    l3d_patch_model& operator=(const l3d_patch_model&) = default;
+    ~l3d_patch_model() = default;
 
     /// Expects: finite coordinates of magnitude at most 1e12.
     explicit l3d_patch_model(std::vector<patch> patches);
@@ -54,31 +63,25 @@ public:
     static std::optional<l3d_patch_model> from_patches(std::span<const l3d_patch_points> patches,
                                                        std::string_view name, std::string& why);
 
-    std::span<const patch> patches() const { return patches_; }
-    const l3d_normal_net& normals(std::size_t index) const { return normals_[index]; }
-    const l3d_facing_cones& facing(std::size_t index) const { return facing_[index]; }
-    const l3d_surface_bends& bends(std::size_t index) const { return bends_[index]; }
-    const l3d_patch_reach& reach(std::size_t index) const { return reaches_[index]; }
+    std::span<const patch> patches() const;
+    const l3d_normal_net& normals(std::size_t index) const;
+    const l3d_facing_cones& facing(std::size_t index) const;
+    const l3d_surface_bends& bends(std::size_t index) const;
+    const l3d_patch_reach& reach(std::size_t index) const;
 
     /// Whether it is proven to be a body, and where its normals point: l3d_orientation_of.
-    int orientation() const { return orientation_; }
+    int orientation() const;
 
     /// The box of all control points.
-    const vector& least() const { return least_; }
-    const vector& most() const { return most_; }
+    const vector& least() const;
+    const vector& most() const;
 
     /// The boxes of the patches' control points, in their order; upright.
-    const l3d_box_lanes& boxes() const { return boxes_; }
+    const l3d_box_lanes& boxes() const;
 
 private:
-    std::vector<patch> patches_;
-    std::vector<l3d_normal_net> normals_;
-    std::vector<l3d_facing_cones> facing_;
-    std::vector<l3d_surface_bends> bends_;
-    std::vector<l3d_patch_reach> reaches_;
-    int orientation_ = 0;
-    vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
-    l3d_box_lanes boxes_;
+    struct contents;
+    std::shared_ptr<const contents> contents_;
 };
 
 #endif
