@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_MATRIX_H
 #define L3D_GEOM_MATRIX_H
 
+#include "base/public.h"
 #include "geom/vector.h"
 
 #include <cmath>
@@ -11,7 +12,7 @@
 ///
 /// Shape:   m(row, column), both 0 to 3; a translation is in column 3. Stored by columns, as OpenGL does.
 /// Cost:    in fixed point each component of a product is rounded once.
-template <class T> class l3d_matrix {
+template <class T> class L3D_PUBLIC l3d_matrix {
 public:
     /// Uninitialised, as a number is; l3d_matrix<T>{} is all zero.
     l3d_matrix() = default;

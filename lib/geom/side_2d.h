@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_SIDE_2D_H
 #define L3D_GEOM_SIDE_2D_H
 
+#include "base/public.h"
 #include "geom/vector.h"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ l3d_position<T> l3d_part_way(const l3d_position<T>& p, const l3d_position<T>& q,
 }
 
 /// Where the way from p to q crosses the line through a and b, and how far on the way that is.
-template <class T> struct l3d_crossing_2d {
+template <class T> struct L3D_PUBLIC l3d_crossing_2d {
     l3d_position<T> at;
     double t; ///< 0 at p, 1 at q
 };

@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_VECTOR_H
 #define L3D_GEOM_VECTOR_H
 
+#include "base/public.h"
 #include "geom/real.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 /// N components of type T: v[i], +, -, * and / by a number, ==, and the functions below.
 ///
 /// Shape:   2 <= N <= 4. Nothing but the numbers, one after another.
-template <class T, int N> class l3d_vector {
+template <class T, int N> class L3D_PUBLIC l3d_vector {
 public:
     static_assert(2 <= N && N <= 4);
 

@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_PIPELINE_AFD_H
 #define L3D_PIPELINE_PIPELINE_AFD_H
 
+#include "base/public.h"
 #include "pipeline/frame_report.h"
 #include "pipeline/method_factory.h"
 #include "pipeline/pipeline.h"
@@ -22,7 +23,7 @@ class l3d_pixel_boxes;
 
 /// What a frame does although it need not; the picture is the same, or as good. Only who compares
 /// has a use for that.
-struct l3d_kept_work : l3d_kept_patches {
+struct L3D_PUBLIC l3d_kept_work : l3d_kept_patches {
     bool unit_normals = false; ///< lambert: in each pixel, also where less would do
     bool drawing = false;      ///< of what the last frame drew
 
@@ -30,7 +31,7 @@ struct l3d_kept_work : l3d_kept_patches {
 };
 
 /// How a scene is to be drawn.
-struct l3d_afd_settings {
+struct L3D_PUBLIC l3d_afd_settings {
     double tolerance = 0.25;    ///< largest error of places and of depth allowed, in pixels
     double shade_tolerance = 2; ///< largest error of shades allowed, in levels of 255
     bool lateral_only = false;  ///< only places in the picture are kept within the tolerance
@@ -55,7 +56,7 @@ struct l3d_afd_settings {
 inline constexpr int l3d_afd_largest_side = 16384;
 
 /// Why nothing can be drawn like this, naming the value at fault; "" if it can.
-std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
+L3D_PUBLIC std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
                               const l3d_afd_settings& settings);
 
 /// Draws models of bicubic patches with a certified error bound in every frame: by adaptive forward
@@ -68,7 +69,7 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
 /// Expects: camera and settings of which l3d_afd_complaint has nothing to say, in every frame.
 /// Lives:   owns screen, workers and rasterizers, borrows the models of the scene.
 /// Cost:    filled surfaces allocate nothing once the largest frame has been seen.
-class l3d_pipeline_afd : public l3d_pipeline {
+class L3D_PUBLIC l3d_pipeline_afd : public l3d_pipeline {
 public:
     /// Errors: throws l3d_error with what l3d_afd_complaint says.
     l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen, const l3d_rasterizer_factory& rasterizers,

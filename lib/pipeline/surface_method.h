@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_SURFACE_METHOD_H
 #define L3D_PIPELINE_SURFACE_METHOD_H
 
+#include "base/public.h"
 #include "scene/camera.h"
 #include "scene/counts.h"
 #include "pipeline/frame_report.h"
@@ -20,7 +21,7 @@ struct l3d_dice_view;
 /// What is to be drawn in a frame, and into what.
 ///
 /// Lives: everything that it refers to must outlive the frame.
-struct l3d_method_frame {
+struct L3D_PUBLIC l3d_method_frame {
     const l3d_patch_scene& scene;
     const l3d_camera& camera;
     const l3d_matrix<double>& to_image; ///< world to (x, y, -, w) in the view's units
@@ -46,7 +47,7 @@ struct l3d_method_frame {
 /// What a method draws depends on the frame alone, not on frames before or on threads.
 /// `counts().bound_px` is the certified image error of what was drawn; infinity stands for a
 /// method that can give none.
-class l3d_surface_method {
+class L3D_PUBLIC l3d_surface_method {
 public:
     l3d_surface_method() = default;
     l3d_surface_method(const l3d_surface_method&) = delete;

@@ -3,6 +3,8 @@
 #ifndef L3D_RASTER_MICRO_GRID_H
 #define L3D_RASTER_MICRO_GRID_H
 
+#include "base/public.h"
+
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +26,7 @@ inline constexpr std::int32_t l3d_subpixel_one = 1 << l3d_subpixel_bits;
 ///        of the sides to the next vertex along u and v; in a triangle corner 0 has those of the
 ///        sides to corners 1 and 2, corner 1 has [1] 0 and [2] that of the side to corner 2, and
 ///        corner 2 has 0.
-struct l3d_micro_vertex {
+struct L3D_PUBLIC l3d_micro_vertex {
     std::int32_t x = 0, y = 0;
     float inv_w = 0;
     float normal[3] = {0, 0, 0};
@@ -36,7 +38,7 @@ struct l3d_micro_vertex {
 /// Shape: index = row * pitch + column; columns run along u, rows along v. pitch >= columns is a
 ///        multiple of 16 so that every row starts a full vector.
 /// Cost:  resize allocates only when a grid is larger than any before.
-struct l3d_micro_grid {
+struct L3D_PUBLIC l3d_micro_grid {
     int columns = 0, rows = 0, pitch = 0;
     std::vector<std::int32_t> x, y;
     std::vector<float> inv_w;

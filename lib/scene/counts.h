@@ -3,13 +3,15 @@
 #ifndef L3D_SCENE_COUNTS_H
 #define L3D_SCENE_COUNTS_H
 
+#include "base/public.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
 
 /// What is counted alike of patches and of triangles.
-struct l3d_seen_counts {
+struct L3D_PUBLIC l3d_seen_counts {
     std::int64_t drawn = 0;
     std::int64_t offscreen = 0; ///< left out: beyond one side of the window
     std::int64_t subpixel = 0;  ///< left out: what is around it holds no pixel centre
@@ -25,7 +27,7 @@ struct l3d_seen_counts {
 };
 
 /// A patch of a scene, and its bound.
-struct l3d_coarse_patch {
+struct L3D_PUBLIC l3d_coarse_patch {
     double bound_px = 0;
     std::int64_t instance = 0, patch = 0;
 
@@ -37,7 +39,7 @@ struct l3d_coarse_patch {
 };
 
 /// What is proven of a diced piece beside the places of its points. Infinite where nothing is.
-struct l3d_surface_certificate {
+struct L3D_PUBLIC l3d_surface_certificate {
     /// Of chords, along the exact normal at the same parameters. Units: pixels at that depth.
     double depth = 0;
     /// Of the level, from the exact one at the same parameters. Units: levels of 255.
@@ -52,7 +54,7 @@ struct l3d_surface_certificate {
 
 /// What a frame's dicing did, and which patches were left out, as control nets or the boxes around
 /// them prove. What is `clipped` are grids.
-struct l3d_dice_counts : l3d_seen_counts {
+struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     std::int64_t behind = 0;      ///< patches left out: behind the near plane
     std::int64_t beyond = 0;      ///< patches left out: beyond the far plane
     std::int64_t hidden = 0;      ///< patches left out: behind what had been drawn before

@@ -3,9 +3,11 @@
 #ifndef L3D_SCENE_KEPT_PATCHES_H
 #define L3D_SCENE_KEPT_PATCHES_H
 
+#include "base/public.h"
+
 /// Which patches, and parts of them, are done although they need not be. Only who measures or
 /// judges a rule has a use for that.
-struct l3d_kept_patches {
+struct L3D_PUBLIC l3d_kept_patches {
     bool outside = false;    ///< such that nothing of them lies in the picture
     bool centreless = false; ///< such that cover no pixel's centre
     bool hidden = false;     ///< such that lie behind what is drawn

@@ -3,6 +3,7 @@
 #ifndef L3D_SCENE_PATCH_MODEL_H
 #define L3D_SCENE_PATCH_MODEL_H
 
+#include "base/public.h"
 #include "geom/bezier_patch.h"
 
 #include <array>
@@ -23,7 +24,7 @@ struct l3d_patch_points;
 /// The largest coordinates, as magnitudes, of a patch's control points and of those of its edges.
 ///
 /// Shape: edges in the order of l3d_edge_polylines.
-struct l3d_patch_reach {
+struct L3D_PUBLIC l3d_patch_reach {
     l3d_vector<double, 3> whole{0.0, 0.0, 0.0};
     std::array<l3d_vector<double, 3>, 4> edges{};
 };
@@ -33,7 +34,7 @@ struct l3d_patch_reach {
 ///
 /// A model never changes after it is made. Its copies share its contents.
 /// Cost:  a copy counts a reference. A move is a copy, so no model is ever without contents.
-class l3d_patch_model {
+class L3D_PUBLIC l3d_patch_model {
 public:
     using patch = l3d_bezier_patch<double, 3>;
     using vector = l3d_vector<double, 3>;

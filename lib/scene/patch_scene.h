@@ -3,6 +3,7 @@
 #ifndef L3D_SCENE_PATCH_SCENE_H
 #define L3D_SCENE_PATCH_SCENE_H
 
+#include "base/public.h"
 #include "geom/matrix.h"
 #include "scene/box_lanes.h"
 #include "scene/patch_model.h"
@@ -15,7 +16,7 @@
 /// A model at a place in the world.
 ///
 /// Lives: borrows the model.
-class l3d_patch_instance {
+class L3D_PUBLIC l3d_patch_instance {
 public:
     /// Expects: as l3d_patch_scene::add.
     l3d_patch_instance(const l3d_patch_model& model, const l3d_matrix<double>& placement);
@@ -68,7 +69,7 @@ private:
 /// that holds only where their placements are the same numbers.
 /// Lives: borrows the models.
 /// Cost:  104 bytes an instance to find out whether it is seen, 330 more if it is.
-class l3d_patch_scene {
+class L3D_PUBLIC l3d_patch_scene {
 public:
     using vector = l3d_vector<double, 3>;
 

@@ -3,18 +3,20 @@
 #ifndef L3D_SYSTEM_PLACES_H
 #define L3D_SYSTEM_PLACES_H
 
+#include "base/public.h"
+
 #include <string>
 
 /// The folder of plug-ins: ../lib/l3d seen from the program's own folder if it is there, as it is
 /// for programs that were built or installed with l3d, wherever they were moved; else that of the
 /// prefix which l3d was built for.
-std::string l3d_plugin_folder();
+L3D_PUBLIC std::string l3d_plugin_folder();
 
 /// The folder of models and other data, likewise: ../share/l3d.
-std::string l3d_data_folder();
+L3D_PUBLIC std::string l3d_data_folder();
 
 /// What a user means by the name of a model: the file of that name, if there is one; else one of
 /// that name in the data folder; else the name as it is.
-std::string l3d_data_file(const std::string& name);
+L3D_PUBLIC std::string l3d_data_file(const std::string& name);
 
 #endif
