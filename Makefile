@@ -65,13 +65,17 @@ OUT      := $(BUILD)/$(REAL)-$(MODE)$(if $(filter-out g++,$(compiler)),-$(compil
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(WERROR) \
             $(if $(findstring clang,$(compiler)),,-Wno-restrict)
 FLAGS     = -std=c++20 $(WARNINGS) -ffp-contract=off -fno-math-errno -pthread \
-            $(flags_$(REAL)) $(flags_$(MODE)) -fvisibility=hidden -I$(OUT) $(CPPFLAGS) $(CXXFLAGS)
+            $(flags_$(REAL)) $(flags_$(MODE)) -I$(OUT) $(CPPFLAGS) $(CXXFLAGS)
 # What the shared library is made of serves the static one, too: without interposition the code is
 # that of -fPIE, which programs get anyway, and one compilation is enough.
-FLAGS_lib := -fPIC -fno-semantic-interposition
-# Tests take longer to compile than to run, 0.6 of the time if less is made of them; those files that
-# they share and that do the work, as judges of pictures, are not among these.
-FLAGS_tests := $(if $(filter release,$(MODE)),-O1)
+# L3D_PUBLIC marks what the shared library exports.
+FLAGS_lib := -fPIC -fno-semantic-interposition -fvisibility=hidden
+# Tests take longer to compile than to run: they are optimised less and share a precompiled header.
+# The files beside them that do the work, such as judges of pictures, get neither.
+# -Wno-...: in a precompiled header g++ 12 warns of std::string's own code (GCC bug 105651).
+FLAGS_tests := $(if $(filter release,$(MODE)),-O1) \
+               $(if $(findstring clang,$(compiler)),,-Wno-array-bounds -Wno-stringop-overflow)
+PRECOMPILED := $(OUT)/tests/precompiled.h
 LINK      = $(CXX) $(FLAGS) -Wl,--as-needed $(LDFLAGS)
 
 # ---- what there is ------------------------------------------------------------------------------
@@ -259,8 +263,14 @@ $(OUT)/list/%: FORCE
 $(OUT)/%.o: %.cpp $(OUT)/flags | packages-build
 	$(call say,C++,$@)
 	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(if $(filter lib/%,$<),$(FLAGS_lib)) $(call include_paths,$<) \
-	    $(if $(filter %_test.cpp,$<),$(FLAGS_tests)) \
+	    $(if $(filter %_test.cpp,$<),$(FLAGS_tests) -include $(PRECOMPILED)) \
 	    -MD -MP -c $< -o $@
+$(filter %_test.o,$(OBJECTS)): $(PRECOMPILED).gch
+
+# Compilers find NAME.gch beside NAME.
+$(PRECOMPILED).gch: tests/precompiled.h $(OUT)/flags | packages-test
+	$(call say,C++,$@)
+	$(Q)mkdir -p $(@D); cp $< $(PRECOMPILED); $(CXX) $(FLAGS) $(FLAGS_tests) -x c++-header $(PRECOMPILED) -o $@
 
 $(foreach h,$(PUBLIC),$(eval $(OUT)/include/l3d/$(notdir $(h)): lib/$(h)))
 $(filter-out %/l3d.h,$(DOOR)):
@@ -315,7 +325,7 @@ $(BENCHES): %: %.o $(objects_bench) $(call archives,reference compare $(LAYERS))
 
 $(OUT)/fuzz/%: tests/fuzz/model_fuzz.cpp $(wildcard tests/fuzz/*.h) $(OUT)/libl3d_geom.a
 	$(call say,LINK,$@)
-	$(Q)mkdir -p $(@D); $(LINK) -fsanitize=fuzzer -DL3D_FUZZED='"$*"' $(filter-out %.h,$^) -o $@
+	$(Q)mkdir -p $(@D); $(LINK) $(call include_paths,$<) -fsanitize=fuzzer -DL3D_FUZZED='"$*"' $(filter-out %.h,$^) -o $@
 
 # ---- logs: each ends with the exit status of what it ran ----------------------------------------
 

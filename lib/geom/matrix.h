@@ -10,8 +10,8 @@
 
 /// A linear map of homogeneous points: m * v with v a column, so (a * b) * v is a * (b * v).
 ///
-/// Shape:   m(row, column), both 0 to 3; a translation is in column 3. Stored by columns, as OpenGL does.
-/// Cost:    in fixed point each component of a product is rounded once.
+/// Shape:   m(row, column), both 0 to 3; a translation is in column 3. Stored by columns, as OpenGL
+/// does. Cost:    in fixed point each component of a product is rounded once.
 template <class T> class L3D_PUBLIC l3d_matrix {
 public:
     /// Uninitialised, as a number is; l3d_matrix<T>{} is all zero.

@@ -23,8 +23,9 @@ enum class L3D_PUBLIC l3d_cut_end {
 /// Expects: mesh.is_valid(); convex faces. Caps are right for a closed mesh whose cut has no loop
 ///          inside another.
 /// Cost:    memory for one entry per cut edge.
-L3D_PUBLIC l3d_polygon_mesh l3d_cut_mesh(const l3d_polygon_mesh& mesh, const l3d_plane<double>& plane,
-                              l3d_cut_end end = l3d_cut_end::open);
+L3D_PUBLIC l3d_polygon_mesh l3d_cut_mesh(const l3d_polygon_mesh& mesh,
+                                         const l3d_plane<double>& plane,
+                                         l3d_cut_end end = l3d_cut_end::open);
 
 /// From right-handed axes with z up, as modellers have them, to left-handed ones with y up: y and z
 /// change places, and the corners of each face are reversed, so that its outside stays so.

@@ -10,7 +10,8 @@
 ///
 /// Units:   `major` from the centre to the middle of the tube, `minor` the tube's radius.
 /// Expects: around, across >= 3; 0 < minor < major.
-L3D_PUBLIC l3d_polygon_mesh l3d_torus_mesh(int around, int across, double major = 2, double minor = 0.8);
+L3D_PUBLIC l3d_polygon_mesh l3d_torus_mesh(int around, int across, double major = 2,
+                                           double minor = 0.8);
 
 /// A sphere about the origin, poles on the z axis: 2 around (rows - 1) triangles.
 /// Expects: around >= 3, rows >= 2; radius > 0.

@@ -22,13 +22,12 @@ public:
     l3d_vector() = default;
 
     template <class... Numbers>
-    requires(sizeof...(Numbers) == N && (std::is_constructible_v<T, Numbers> && ...))
-    constexpr l3d_vector(Numbers... numbers) noexcept : numbers_{static_cast<T>(numbers)...} {}
+    requires(sizeof...(Numbers) == N && (std::is_constructible_v<T, Numbers> &&
+                                         ...)) constexpr l3d_vector(Numbers... numbers) noexcept
+        : numbers_{static_cast<T>(numbers)...} {}
 
     /// One more component.
-    constexpr l3d_vector(const l3d_vector<T, N - 1>& v, T last) noexcept
-    requires(N > 2)
-    {
+    constexpr l3d_vector(const l3d_vector<T, N - 1>& v, T last) noexcept requires(N > 2) {
         for (int i = 0; i + 1 < N; ++i)
             numbers_[i] = v[i];
         numbers_[N - 1] = last;
@@ -151,8 +150,7 @@ l3d_vector<T, 3> l3d_cross(const l3d_vector<T, 3>& a, const l3d_vector<T, 3>& b)
         }
         return result;
     } else {
-        return {a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0],
-                a[0] * b[1] - b[0] * a[1]};
+        return {a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0], a[0] * b[1] - b[0] * a[1]};
     }
 }
 

@@ -151,7 +151,8 @@ void l3d_pipeline_afd::draw_event() {
     report_.simd = l3d_simd_target();
     report_.size = stages_->view.size;
     report_.tolerance_px = settings_.tolerance;
-    report_.near = (report_.dice.near > 0 ? report_.dice.near : stages_->view.near) / stages_->view.depth_scale;
+    report_.near = (report_.dice.near > 0 ? report_.dice.near : stages_->view.near) /
+                   stages_->view.depth_scale;
     report_.patches = scene_.patch_count();
     stale_ = false;
 }
@@ -175,7 +176,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
         l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
     shading.keep_unit_normals = settings_.keep.unit_normals;
     return {target,          stages_->transform.matrix(), stages_->view,
-            shading,         settings_.wireframe, settings_.net,
+            shading,         settings_.wireframe,         settings_.net,
             settings_.depth, settings_.outlines};
 }
 

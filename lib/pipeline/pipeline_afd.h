@@ -47,8 +47,8 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// What patches that have to be cut or clipped may cost in a frame, see l3d_dice_budget; 0:
     /// l3d_usual_samples. What it does not suffice for is drawn coarsely, and the bound says so.
     std::int64_t most_samples = 0;
-    bool outlines = false;      ///< report how many pixels outlines reach, and keep them
-    int threads = 1;            ///< that draw; constant from the first frame on
+    bool outlines = false;       ///< report how many pixels outlines reach, and keep them
+    int threads = 1;             ///< that draw; constant from the first frame on
     l3d_method_factory method{}; ///< that fills surfaces; constant from the first frame on
 };
 
@@ -57,7 +57,7 @@ inline constexpr int l3d_afd_largest_side = 16384;
 
 /// Why nothing can be drawn like this, naming the value at fault; "" if it can.
 L3D_PUBLIC std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
-                              const l3d_afd_settings& settings);
+                                         const l3d_afd_settings& settings);
 
 /// Draws models of bicubic patches with a certified error bound in every frame: by adaptive forward
 /// differencing, unless the settings have another method.

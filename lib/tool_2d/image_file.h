@@ -30,7 +30,8 @@ L3D_PUBLIC void l3d_write_ppm(const std::string& path, const l3d_pixels& pixels)
 /// Shape:   height rows of width values, row 0 on top.
 /// Expects: values.size() == width * height.
 /// Errors:  as l3d_write_png.
-L3D_PUBLIC void l3d_write_pfm(const std::string& path, int width, int height, std::span<const float> values);
+L3D_PUBLIC void l3d_write_pfm(const std::string& path, int width, int height,
+                              std::span<const float> values);
 
 /// Writes PNG or PPM, by the end of the path: .png or .ppm, in either case.
 /// Errors:  l3d_error(usage) that names the path if it ends otherwise; else as l3d_write_png.

@@ -215,7 +215,8 @@ private:
         for (int y = frame.part.top; y < frame.part.bottom; ++y)
             for (std::uint32_t& word : frame.target.row(y))
                 word = color;
-        surface_.covered = frame.counts_pixels ? frame.part.area() : l3d_surface_counts::none_counted;
+        surface_.covered =
+            frame.counts_pixels ? frame.part.area() : l3d_surface_counts::none_counted;
         counts_.bound_px = std::numeric_limits<double>::infinity();
     }
     const l3d_dice_counts& do_counts() const override { return counts_; }
@@ -228,8 +229,8 @@ private:
 TEST(pipeline_afd, draws_with_the_method_of_its_settings) {
     l3d_afd_settings settings = settings_of(0.5, 3);
     int workers_of_method = 0;
-    settings.method = l3d_method_factory(
-        "one color", [&](const l3d_rasterizer_factory&, l3d_workers& workers) {
+    settings.method =
+        l3d_method_factory("one color", [&](const l3d_rasterizer_factory&, l3d_workers& workers) {
             workers_of_method = workers.count();
             return std::make_unique<one_color_method>();
         });

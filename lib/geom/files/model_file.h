@@ -42,8 +42,8 @@ L3D_PUBLIC std::optional<l3d_model_format> l3d_model_format_of(std::string_view 
 ///          is the one that it begins in, and the message has the byte.
 /// Cost:    time linear in the text; memory at most 80 bytes per byte of text, counts are checked
 ///          before memory is taken for what they promise.
-L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model(std::string_view text, std::string_view name,
-                                             std::string& why);
+L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model(std::string_view text,
+                                                        std::string_view name, std::string& why);
 
 /// A reader of one format.
 /// Errors: as those of l3d_read_model, whose cost it has, too.

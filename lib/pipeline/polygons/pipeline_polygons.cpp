@@ -43,8 +43,7 @@ l3d_pipeline_polygons::l3d_pipeline_polygons(l3d_canvas canvas, const l3d_polygo
     : screen_(std::move(canvas.screen)), workers_(settings.threads),
       imp_(canvas.rasterizers->create_2d(screen_->pixels())), rasterizer_(*imp_), model_(model),
       camera_(camera), settings_(settings), first_settings_(settings),
-      frame_(std::make_unique<l3d_polygon_frame>()),
-      wires_(std::make_unique<l3d_polygon_wires>()),
+      frame_(std::make_unique<l3d_polygon_frame>()), wires_(std::make_unique<l3d_polygon_wires>()),
       controls_(*this, *screen_, camera_, own_rows(), [this] { reset_view(); }) {
     report_.frame = -1;
     report_.real = l3d_real_name();

@@ -18,7 +18,7 @@ enum class L3D_PUBLIC l3d_projection {
 /// Turns about the x axis, then y, then z, through a centre that stays where it is.
 /// Units: degrees, counterclockwise for one at whom the axis points.
 L3D_PUBLIC l3d_matrix<double> l3d_euler_rotation(const l3d_vector<double, 3>& degrees,
-                                      const l3d_vector<double, 3>& centre);
+                                                 const l3d_vector<double, 3>& centre);
 
 /// The one matrix of a frame, from the model to the picture, and what else depends on the view.
 ///

@@ -20,6 +20,6 @@ inline constexpr int l3d_text_line = 9;
 /// Expects: scale >= 1.
 /// Cost:    one small polygon for each horizontal run of font pixels.
 L3D_PUBLIC void l3d_draw_text(l3d_rasterizer_2d& rasterizer, int x, int y, std::string_view text,
-                   std::uint32_t color, int scale = 1);
+                              std::uint32_t color, int scale = 1);
 
 #endif

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+/// What most tests include, compiled once for all of them: half of a test's compilation is these
+/// headers. A test includes what it uses all the same.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <random>
+#include <set>
+#include <span>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
