@@ -32,7 +32,7 @@ PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:
     x11-xkb-utils:setxkbmap x11-utils:xprop \
     parallel:parallel libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so \
     libboost-dev:boost/multiprecision/cpp_bin_float.hpp gnuplot-nox:gnuplot
-PACKAGES_install := pkgconf:pkg-config mandoc:mandoc parallel:parallel
+PACKAGES_install := pkgconf:pkg-config cmake:cmake mandoc:mandoc parallel:parallel
 PACKAGES_package := debhelper:dh lintian:lintian
 PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
 PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)

@@ -75,9 +75,11 @@ $(STATIC): $(objects_library) $(OUT)/list/library
 	$(call say,AR,$@)
 	$(Q)rm -f $@; ar rcs $@ $(filter %.o,$^)
 
-$(SHARED): $(objects_library) $(OUT)/list/library
+$(SHARED): $(objects_library) $(OUT)/list/library packaging/l3d.map
 	$(call say,LINK,$@)
-	$(Q)$(LINK) -shared -Wl,-soname,$(SONAME) -Wl,-z,defs -Wl,-Bsymbolic-functions $(filter %.o,$^) $(call links,$(LAYERS)) -o $@
+	$(Q)$(LINK) -shared -Wl,-soname,$(SONAME) -Wl,--version-script=packaging/l3d.map \
+	    -Wl,-z,defs -Wl,-Bsymbolic-functions \
+	    $(filter %.o,$^) $(call links,$(LAYERS)) -o $@
 
 $(OUT)/place: FORCE
 	$(call remember,$(PREFIX) $(LIBDIR) $(INCLUDEDIR))

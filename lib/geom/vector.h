@@ -26,6 +26,14 @@ public:
                                          ...)) constexpr l3d_vector(Numbers... numbers) noexcept
         : numbers_{static_cast<T>(numbers)...} {}
 
+    /// The same number N times.
+    template <class Number>
+    requires std::is_constructible_v<T, Number>
+    explicit constexpr l3d_vector(Number all) noexcept {
+        for (T& number : numbers_)
+            number = static_cast<T>(all);
+    }
+
     /// One more component.
     constexpr l3d_vector(const l3d_vector<T, N - 1>& v, T last) noexcept requires(N > 2) {
         for (int i = 0; i + 1 < N; ++i)
