@@ -17,7 +17,7 @@ import tempfile
 BIN = pathlib.Path(os.environ["L3D_BIN"]).resolve()
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SHOWN_BIN = "build/float-release/bin"
-DOCUMENTS = ["README.md", *sorted(str(path.relative_to(ROOT)) for folder in ("docs", "packaging")
+DOCUMENTS = [*sorted(path.name for path in ROOT.glob("*.md")), *sorted(str(path.relative_to(ROOT)) for folder in ("docs", "packaging")
                                   for path in (ROOT / folder).rglob("*.md"))]
 
 
