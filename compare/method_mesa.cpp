@@ -80,7 +80,8 @@ public:
 private:
     /// A model's triangles.
     struct mesh {
-        const l3d_patch_model* model = nullptr;
+        l3d_patch_model model;
+        bool is_used = true;                ///< in this frame
         unsigned vertices = 0, indices = 0; ///< buffers
         int count = 0;                      ///< of indices
         int n = 0;
@@ -91,6 +92,7 @@ private:
     const l3d_surface_counts& do_surface_counts() const override { return surface_counts_; }
 
     const mesh& mesh_of(const l3d_patch_model& model, int n);
+    void drop_unused();
     void build(mesh& made, const l3d_patch_model& model, int n);
     void set_shading(const l3d_shading& shading);
     void set_placement(const l3d_method_frame& frame, const l3d_patch_instance& instance);
@@ -142,21 +144,33 @@ void method_mesa::build(mesh& made, const l3d_patch_model& model, int n) {
     gl.BufferData(GL_ELEMENT_ARRAY_BUFFER,
                   static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(),
                   GL_STATIC_DRAW);
-    made.model = &model;
+    made.model = model;
     made.count = static_cast<int>(indices.size());
     made.n = n;
     counts_.samples += static_cast<std::int64_t>(vertices.size());
 }
 
 const method_mesa::mesh& method_mesa::mesh_of(const l3d_patch_model& model, int n) {
-    auto found = std::find_if(meshes_.begin(), meshes_.end(),
-                              [&](const mesh& each) { return each.model == &model; });
+    auto found = std::ranges::find_if(
+        meshes_, [&](const mesh& each) { return each.model.identity() == model.identity(); });
     if (found == meshes_.end())
         found = meshes_.insert(meshes_.end(), mesh{});
+    found->is_used = true;
     // What is up to twice too fine is not made anew.
     if (found->n < n || found->n > 2 * n)
         build(*found, model, (n + coarseness - 1) / coarseness * coarseness);
     return *found;
+}
+
+/// Forgets the models that have left the scene, and their buffers.
+void method_mesa::drop_unused() {
+    std::erase_if(meshes_, [this](const mesh& each) {
+        if (each.is_used)
+            return false;
+        target_.gl().DeleteBuffers(1, &each.vertices);
+        target_.gl().DeleteBuffers(1, &each.indices);
+        return true;
+    });
 }
 
 void method_mesa::set_shading(const l3d_shading& shading) {
@@ -229,8 +243,11 @@ void method_mesa::do_draw(const l3d_method_frame& frame, l3d_stage_times& times)
                 l3d_placed_net(frame.to_image * instance.placement(), patch);
             n = std::max(n, l3d_needs_no_clipping(net, frame.view) ? steps_of(net, frame.view) : 1);
         }
+    for (mesh& each : meshes_)
+        each.is_used = false;
     for (const l3d_patch_instance& instance : frame.scene.instances())
         mesh_of(instance.model(), n);
+    drop_unused();
     times.dice += dicing.milliseconds();
 
     const stopwatch drawing;

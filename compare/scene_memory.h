@@ -11,7 +11,7 @@
 
 /// The models of a scene and where they stood, for what is made once and kept.
 ///
-/// Expects: models do not change while they are remembered.
+/// Lives: shares the models, so no other model can come to the address of one that is remembered.
 class l3d_scene_memory {
 public:
     bool holds(const l3d_patch_scene& scene) const {
@@ -19,20 +19,21 @@ public:
         return is_set_ &&
                std::equal(instances.begin(), instances.end(), instances_.begin(), instances_.end(),
                           [](const l3d_patch_instance& is, const auto& was) {
-                              return &is.model() == was.first && is.placement() == was.second;
+                              return is.model().identity() == was.first.identity() &&
+                                     is.placement() == was.second;
                           });
     }
 
     void remember(const l3d_patch_scene& scene) {
         instances_.clear();
         for (const l3d_patch_instance& instance : scene.instances())
-            instances_.emplace_back(&instance.model(), instance.placement());
+            instances_.emplace_back(instance.model(), instance.placement());
         is_set_ = true;
     }
 
 private:
     bool is_set_ = false;
-    std::vector<std::pair<const l3d_patch_model*, l3d_matrix<double>>> instances_;
+    std::vector<std::pair<l3d_patch_model, l3d_matrix<double>>> instances_;
 };
 
 #endif

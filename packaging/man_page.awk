@@ -51,7 +51,10 @@ function head(first) {
     print ".Os"
     print ".Sh NAME\n.Nm " program
     print ".Nd " tolower(substr(first, 1, 1)) substr(first, 2)
-    print ".Sh SYNOPSIS\n.Nm\n.Op Ar option ...\n.Sh DESCRIPTION"
+    print ".Sh SYNOPSIS\n.Nm\n.Op Ar option ..."
+    if (/\[FILE\]/)
+        print ".Op Ar file"
+    print ".Sh DESCRIPTION"
     text(purpose)
     print ".Sh OPTIONS\n.Bl -tag -width Ds"
 }

@@ -9,9 +9,6 @@
 #include <l3d/program.h>
 #include <l3d/viewer.h>
 
-#include <type_traits>
-#include <utility>
-
 namespace {
 
 // Step 2 of 5: the application is a pipeline, here one of three viewers.
@@ -21,41 +18,32 @@ public:
 
     int run(int argc, char** argv) {
         return program_.run(argc, argv, [this] { // step 1: choose factories
-            if (polygons_.pipeline() == l3d_pipeline_kind::afd)
-                return show_patches();
+            if (polygons_.pipeline() == l3d_pipeline_kind::afd) {
+                const l3d_afd_settings settings = afd_.settings();
+                const l3d_camera camera = afd_.camera();
+                return show<l3d_pipeline_afd_viewer>(afd_.model(), camera, settings);
+            }
             const l3d_polygon_settings settings = polygons_.settings();
             const l3d_polygon_model model = polygons_.model();
             const l3d_camera camera = polygons_.camera(model);
-            const auto show_polygons = [&]<class Pipeline>(std::type_identity<Pipeline>,
-                                                           const auto&... more) {
-                return show<Pipeline>(program_.create_canvas(), model, camera, settings, more...);
-            };
             switch (polygons_.pipeline()) {
             case l3d_pipeline_kind::zsort:
-                return show_polygons(std::type_identity<l3d_pipeline_zsort>());
+                return show<l3d_pipeline_zsort>(model, camera, settings);
             case l3d_pipeline_kind::mesa:
-                return show_polygons(std::type_identity<l3d_pipeline_zbuffer>(),
-                                     l3d_rasterizer_factory_mesa(), "mesa");
+                return show<l3d_pipeline_zbuffer>(model, camera, settings,
+                                                  l3d_rasterizer_factory_mesa(), "mesa");
             default:
-                return show_polygons(std::type_identity<l3d_pipeline_zbuffer>(),
-                                     l3d_rasterizer_factory_sw());
+                return show<l3d_pipeline_zbuffer>(model, camera, settings,
+                                                  l3d_rasterizer_factory_sw());
             }
         });
     }
 
 private:
-    l3d_exit show_patches() {
-        const l3d_afd_settings settings = afd_.settings();
-        const l3d_camera camera = afd_.camera();
-        const l3d_patch_model model = afd_.model();
-        l3d_canvas canvas = program_.create_canvas();
-        return show<l3d_pipeline_afd_viewer>(std::move(canvas.screen), *canvas.rasterizers, model,
-                                             camera, settings);
-    }
-
-    template <class Pipeline, class... Arguments> l3d_exit show(Arguments&&... arguments) {
+    /// `arguments` are those of the Pipeline's constructor after the canvas.
+    template <class Pipeline, class... Arguments> l3d_exit show(const Arguments&... arguments) {
         const auto dispatcher = program_.create_dispatcher(); // step 3
-        l3d_viewer<Pipeline> pipeline(program_, afd_, std::forward<Arguments>(arguments)...);
+        l3d_viewer<Pipeline> pipeline(program_, afd_, program_.create_canvas(), arguments...);
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         const l3d_exit result = dispatcher->start();   // step 5
         pipeline.finish();

@@ -34,13 +34,6 @@ std::vector<reference::patch> patches_of(const l3d_patch_model& model) {
     return result;
 }
 
-std::unique_ptr<l3d_screen> memory_screen(l3d_size size) {
-    l3d_screen_request request;
-    request.size = size;
-    l3d_service refusal;
-    return l3d_screen_factory_memory().create(request, refusal);
-}
-
 /// Time that this thread has run: what others do with the machine meanwhile does not count.
 double processor_ms() {
     timespec time{};
@@ -108,8 +101,8 @@ frame_result measure_frames(const measured_view& view, const measured_setting& s
     settings.tolerance = setting.tolerance;
     settings.method = setting.method.factory();
     settings.depth = true;
-    trembling_pipeline pipeline(memory_screen(view.size()), l3d_rasterizer_factory_sw(),
-                                view.model(), view.camera(), settings);
+    trembling_pipeline pipeline(l3d_memory_canvas(view.size()), view.model(), view.camera(),
+                                settings);
     std::vector<double> times;
     const auto start = clock::now();
     const auto enough = std::chrono::duration<double>(seconds);

@@ -9,7 +9,6 @@
 #include "error_report.h"
 
 #include <string>
-#include <utility>
 
 namespace {
 
@@ -35,7 +34,7 @@ int main(int argc, char** argv) {
     program.options().add("--quick", quick, "a small --error-report, in half a minute or so");
     l3d_camera camera;
     l3d_afd_settings settings;
-    program.before_step_1([&] {
+    program.after_command_line([&] {
         camera = afd.camera();
         settings = method.settings(afd);
         if (folder.empty())
@@ -47,9 +46,7 @@ int main(int argc, char** argv) {
     return program.run(argc, argv, [&] { // step 1: choose factories
         const l3d_patch_model model = afd.model();
         const auto dispatcher = program.create_dispatcher(); // step 3
-        l3d_canvas canvas = program.create_canvas();
-        teapot_pipeline pipeline(program, afd, std::move(canvas.screen), *canvas.rasterizers, model,
-                                 camera, settings);
+        teapot_pipeline pipeline(program, afd, program.create_canvas(), model, camera, settings);
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         const l3d_exit result = dispatcher->start();   // step 5
         pipeline.finish();

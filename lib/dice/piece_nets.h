@@ -50,7 +50,7 @@ public:
 
 private:
     void cut();
-    void judge(l3d_vertex_accuracy accuracy, const l3d_dice_view& view);
+    void bound_vertices(l3d_vertex_accuracy accuracy, const l3d_dice_view& view);
 
     l3d_image_patch net_;
     std::size_t count_ = 1;

@@ -5,6 +5,7 @@
 #include "dice/error_color.h"
 #include "dice/grid_light.h"
 #include "dice/normal_columns.h"
+#include "raster/pixel_centres.h"
 
 #include <algorithm>
 #include <array>
@@ -23,11 +24,10 @@ bool far_apart(const l3d_image_point& a, const l3d_image_point& b, double limit)
 
 /// The index of the only pixel whose centre lies between two places, even if snapping moved them.
 std::optional<std::int32_t> only_centre(double low, double high, double corner) {
-    constexpr double slack = 1.0 / l3d_subpixel_one;
-    const double first = std::ceil(low - corner - slack - 0.5);
-    if (first != std::floor(high - corner + slack - 0.5))
+    const auto centres = l3d_centres_near(low, high, corner);
+    if (!centres.only_one())
         return std::nullopt;
-    return static_cast<std::int32_t>(first);
+    return static_cast<std::int32_t>(centres.first);
 }
 
 } // namespace

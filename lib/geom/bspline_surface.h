@@ -36,7 +36,7 @@ struct L3D_PUBLIC l3d_bspline_direction {
 ///          of the span [a, b] is the blossom of n - i arguments a and i arguments b, which is what
 ///          inserting both knots to full multiplicity gives.
 L3D_PUBLIC std::vector<l3d_patch_points>
-l3d_bezier_patches(const l3d_bspline_direction& u, const l3d_bspline_direction& v,
+L3D_PUBLIC l3d_bezier_patches(const l3d_bspline_direction& u, const l3d_bspline_direction& v,
                    const std::vector<std::array<double, 3>>& points);
 
 #endif

@@ -6,19 +6,9 @@
 
 #include "base/public.h"
 #include "pipeline/pipeline.h"
-#include "raster/rasterizer_factory.h"
-#include "tool_2d/screen.h"
+#include "raster/canvas.h"
 
 #include <memory>
-
-/// What a program draws on, and by whom: as step 1 has chosen.
-///
-/// Expects: neither is null.
-/// Lives:   borrows the factory.
-struct L3D_PUBLIC l3d_canvas {
-    std::unique_ptr<l3d_screen> screen;
-    const l3d_rasterizer_factory* rasterizers = nullptr;
-};
 
 /// A pipeline with a screen and a rasterizer for it. q and Escape end it; it survives resizes.
 ///

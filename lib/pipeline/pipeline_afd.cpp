@@ -71,12 +71,14 @@ struct l3d_pipeline_afd::stages {
 std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
                               const l3d_afd_settings& settings) {
     constexpr double largest = std::numeric_limits<double>::max();
-    if (size.width < 1 || size.height < 1 || size.width > l3d_afd_largest_side ||
-        size.height > l3d_afd_largest_side)
+    const std::string most = std::to_string(l3d_largest_side);
+    if (size.width < 1 || size.height < 1 || size.width > l3d_largest_side ||
+        size.height > l3d_largest_side)
         return "picture: " + std::to_string(size.width) + 'x' + std::to_string(size.height) +
-               " is not within 1x1 and 16384x16384";
-    if (!(settings.tolerance > 0 && settings.tolerance <= l3d_afd_largest_side))
-        return "tolerance: " + std::to_string(settings.tolerance) + " px is not within 0 and 16384";
+               " is not within 1x1 and " + most + 'x' + most;
+    if (!(settings.tolerance > 0 && settings.tolerance <= l3d_largest_side))
+        return "tolerance: " + std::to_string(settings.tolerance) + " px is not within 0 and " +
+               most;
     if (!(settings.shade_tolerance > 0 && settings.shade_tolerance <= 255))
         return "shade tolerance: " + std::to_string(settings.shade_tolerance) +
                " levels is not within 0 and 255";
@@ -93,12 +95,12 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
     return camera.complaint();
 }
 
-l3d_pipeline_afd::l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen,
-                                   const l3d_rasterizer_factory& rasterizers, l3d_patch_scene scene,
+l3d_pipeline_afd::l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene,
                                    const l3d_camera& camera, const l3d_afd_settings& settings)
-    : screen_(std::move(screen)), imp_(create_2d(rasterizers, *screen_, camera, settings)),
-      rasterizer_(*imp_), scene_(std::move(scene)), camera_(camera), settings_(settings),
-      stages_(std::make_unique<stages>(settings_, rasterizers)) {
+    : screen_(std::move(canvas.screen)),
+      imp_(create_2d(*canvas.rasterizers, *screen_, camera, settings)), rasterizer_(*imp_),
+      scene_(std::move(scene)), camera_(camera), settings_(settings),
+      stages_(std::make_unique<stages>(settings_, *canvas.rasterizers)) {
     report_.frame = -1;
     report_.method = settings.method.name();
     report_.real = l3d_real_name();
@@ -175,9 +177,14 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     l3d_shading shading =
         l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
     shading.keep_unit_normals = settings_.keep.unit_normals;
-    return {target,          stages_->transform.matrix(), stages_->view,
-            shading,         settings_.wireframe,         settings_.net,
-            settings_.depth, settings_.outlines};
+    return {.target = target,
+            .to_image = stages_->transform.matrix(),
+            .view = stages_->view,
+            .shading = shading,
+            .wireframe = settings_.wireframe,
+            .net = settings_.net,
+            .depth = settings_.depth,
+            .outlines = settings_.outlines};
 }
 
 /// Nothing where the picture is right as it is. All of it where something that is drawn on top
@@ -238,18 +245,18 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     report_.dice = {};
     report_.surface = {};
     for (const l3d_pixel_box& part : parts.boxes()) {
-        const l3d_method_frame frame{scene_,
-                                     camera_,
-                                     stages_->transform.matrix(),
-                                     stages_->view,
-                                     now.shading,
-                                     now.target,
-                                     depth_,
-                                     settings_.depth,
-                                     untouched_,
-                                     settings_.count_pixels,
-                                     part,
-                                     settings_.outlines};
+        const l3d_method_frame frame{.scene = scene_,
+                                     .camera = camera_,
+                                     .to_image = stages_->transform.matrix(),
+                                     .view = stages_->view,
+                                     .shading = now.shading,
+                                     .target = now.target,
+                                     .depth = depth_,
+                                     .wants_depth = settings_.depth,
+                                     .untouched = untouched_,
+                                     .counts_pixels = settings_.count_pixels,
+                                     .part = part,
+                                     .outlines = settings_.outlines};
         stages_->method->draw(frame, times);
         report_.dice.add(stages_->method->counts());
         report_.surface.add(stages_->method->surface_counts());

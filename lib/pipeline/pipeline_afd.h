@@ -8,11 +8,11 @@
 #include "pipeline/method_factory.h"
 #include "pipeline/pipeline.h"
 #include "raster/depth_buffer.h"
-#include "raster/rasterizer_factory.h"
+#include "raster/canvas.h"
 #include "scene/camera.h"
+#include "scene/camera_shading.h"
 #include "scene/kept_patches.h"
 #include "scene/patch_scene.h"
-#include "tool_2d/screen.h"
 
 #include <cstdint>
 #include <memory>
@@ -35,8 +35,8 @@ struct L3D_PUBLIC l3d_afd_settings {
     double tolerance = 0.25;    ///< largest error of places and of depth allowed, in pixels
     double shade_tolerance = 2; ///< largest error of shades allowed, in levels of 255
     bool lateral_only = false;  ///< only places in the picture are kept within the tolerance
-    l3d_shade shade = l3d_shade::lambert;        ///< of the filled surface
-    l3d_vector<double, 3> light{0.4, 0.8, 0.45}; ///< towards the light, world space, any length
+    l3d_shade shade = l3d_shade::lambert;          ///< of the filled surface
+    l3d_vector<double, 3> light = l3d_usual_light; ///< towards the light, world space, any length
     bool wireframe = false;    ///< the lines of the adaptive grid instead of the filled surface
     bool net = false;          ///< the control nets on top
     l3d_kept_work keep{};      ///< although it could be left out
@@ -52,9 +52,6 @@ struct L3D_PUBLIC l3d_afd_settings {
     l3d_method_factory method{}; ///< that fills surfaces; constant from the first frame on
 };
 
-/// Largest width and height of a picture: corners are then within half of l3d_guard_band.
-inline constexpr int l3d_afd_largest_side = 16384;
-
 /// Why nothing can be drawn like this, naming the value at fault; "" if it can.
 L3D_PUBLIC std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
                                          const l3d_afd_settings& settings);
@@ -62,24 +59,34 @@ L3D_PUBLIC std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size
 /// Draws models of bicubic patches with a certified error bound in every frame: by adaptive forward
 /// differencing, unless the settings have another method.
 ///
-/// A program that only wants the picture uses it as it is; one with keys or things of its own to
-/// draw is a subclass that changes camera() and settings() and calls draw_event.
+/// A program that only wants pictures uses it as it is: it changes scene(), camera() and settings()
+/// and calls draw_event. One with keys or things of its own to draw is a subclass.
 /// A frame draws only what the last one did not: nothing if nothing changed, and the parts of the
 /// picture where instances were or are if only these were placed anew and nothing is drawn on top.
 /// Expects: camera and settings of which l3d_afd_complaint has nothing to say, in every frame.
-/// Lives:   owns screen, workers and rasterizers, borrows the models of the scene.
+/// Lives:   owns screen, workers, rasterizers and scene, and shares the models of the scene.
 /// Cost:    filled surfaces allocate nothing once the largest frame has been seen.
 class L3D_PUBLIC l3d_pipeline_afd : public l3d_pipeline {
 public:
     /// Errors: throws l3d_error with what l3d_afd_complaint says.
-    l3d_pipeline_afd(std::unique_ptr<l3d_screen> screen, const l3d_rasterizer_factory& rasterizers,
-                     l3d_patch_scene scene, const l3d_camera& camera,
+    l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene, const l3d_camera& camera,
                      const l3d_afd_settings& settings);
     ~l3d_pipeline_afd() override;
 
     /// Expects: its pixels are written to in draw_overlay only, since what is empty in two frames
     ///          on end is not cleared twice.
     l3d_screen& screen() { return *screen_; }
+
+    /// What is drawn, from where, and how; the next draw_event draws what they say then. A program
+    /// with a dispatcher calls redraw() after a change of camera or settings. Only the pipeline
+    /// calls the scene's forget_changes().
+    l3d_patch_scene& scene() { return scene_; }
+    l3d_camera& camera() { return camera_; }
+    l3d_afd_settings& settings() { return settings_; }
+    const l3d_afd_settings& settings() const { return settings_; }
+
+    /// Asks for the next frame to be drawn: camera, settings or what is drawn on top may differ.
+    void redraw() { stale_ = true; }
 
     /// Of the last frame, empty for a wireframe. Expects: settings asked for it.
     const l3d_depth_buffer& depth() const { return depth_; }
@@ -104,11 +111,6 @@ public:
     }
 
 protected:
-    /// What is changed here is drawn in the next frame; forget_changes() is not for others.
-    l3d_patch_scene& world() { return scene_; }
-    l3d_camera& camera() { return camera_; }
-    l3d_afd_settings& settings() { return settings_; }
-    const l3d_afd_settings& settings() const { return settings_; }
     l3d_rasterizer_2d& rasterizer() {
         touch();
         return rasterizer_;
@@ -124,9 +126,6 @@ protected:
         touch();
         return screen_->pixels();
     }
-
-    /// Asks for the next frame to be drawn: camera, settings or what is drawn on top may differ.
-    void redraw() { stale_ = true; }
 
     /// Draws on top of the finished surface; timed as `overlay`. Called in frames that draw
     /// anything or that redraw() asked for.

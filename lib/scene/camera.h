@@ -18,18 +18,21 @@ inline constexpr double l3d_least_distance = 1e-32;
 /// picture by a part in 10^9 and more.
 inline constexpr double l3d_least_up_sine = 1e-6;
 
-/// A perspective camera in a right-handed world with y up, looking along target - eye.
+/// A perspective camera in a right-handed world with y up, looking along target - eye. Unless a
+/// program places it, it looks at the origin from one unit in front.
 ///
 /// Units:   world units; fov in degrees, vertical, over the whole picture height.
 /// Expects: eye != target, up not parallel to target - eye, 0 < fov < 180, 0 < near < far.
 struct L3D_PUBLIC l3d_camera {
     using vector = l3d_vector<double, 3>;
-    vector eye{3.2, 3.6, 7.4};
-    vector target{0.2, 1.3, 0.0};
+    vector eye{0.0, 0.0, 1.0};
+    vector target{0.0, 0.0, 0.0};
     vector up{0.0, 1.0, 0.0};
     double fov = 38;
     double near = 0.1;
     double far = 1e13; ///< farther than any two points that are allowed, 2 sqrt(3) 1e12
+
+    friend bool operator==(const l3d_camera&, const l3d_camera&) = default;
 
     /// Unit vectors to the right, up and forward in the picture.
     struct frame {

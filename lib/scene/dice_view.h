@@ -171,9 +171,10 @@ struct l3d_dice_view {
 };
 
 /// Farthest a vertex may lie from the picture's centre. Beyond, surfaces are clipped.
-/// 2^14 pixels are 2^22 sub-pixels: exact in a float, and half the rasterizer's range, so that
-/// the picture's centre (at most 2^13 pixels from its corner) still fits.
-inline constexpr double l3d_guard_band = 16384;
+/// A largest picture's side, so its corners are at half of it. 2^14 pixels are 2^22 sub-pixels:
+/// exact in a float, and half the rasterizer's range, so that the picture's centre (at most 2^13
+/// pixels from its corner) still fits.
+inline constexpr double l3d_guard_band = l3d_largest_side;
 
 /// Steps per strip above which a piece or an edge is cut: the bound of halves is tighter, and 32
 /// steps keep round-off of a strip small in every number type.

@@ -2,12 +2,16 @@
 // l3d_patch_model: bounds and normal nets, once per model.
 #include "scene/patch_model.h"
 
+#include "geom/files/model_file.h"
 #include "geom/files/patch_file.h"
 #include "geom/normal_net.h"
+#include "geom/teapot.h"
 #include "scene/bends/surface_bends.h"
 #include "scene/box_lanes.h"
 #include "scene/closed_body.h"
 #include "scene/facing_cones.h"
+#include "tool_2d/error.h"
+#include "tool_2d/text_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,15 +69,15 @@ l3d_patch_model::contents::contents(std::vector<patch> of) : patches(std::move(o
         facing.emplace_back(p, normals.back());
         bends.emplace_back(p, normals.back());
         reaches.push_back(reach_of(p));
-        const auto [low, high] = p.bounds();
-        boxes.add(upright_box(low, high));
+        const auto [lowest, highest] = p.bounds();
+        boxes.add(upright_box(lowest, highest));
         if (normals.size() == 1) {
-            least = low;
-            most = high;
+            least = lowest;
+            most = highest;
         }
         for (int i = 0; i < 3; ++i) {
-            least[i] = std::min(least[i], low[i]);
-            most[i] = std::max(most[i], high[i]);
+            least[i] = std::min(least[i], lowest[i]);
+            most[i] = std::max(most[i], highest[i]);
         }
     }
     orientation = l3d_orientation_of(patches, facing);
@@ -118,6 +122,30 @@ const l3d_patch_model::vector& l3d_patch_model::most() const {
 
 const l3d_box_lanes& l3d_patch_model::boxes() const {
     return contents_->boxes;
+}
+
+const void* l3d_patch_model::identity() const {
+    return contents_.get();
+}
+
+l3d_patch_model l3d_patch_model::teapot() {
+    std::string why;
+    const auto model = from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);
+    if (!model)
+        throw l3d_error(l3d_exit::bad_input, why);
+    return *model;
+}
+
+l3d_patch_model l3d_patch_model::load(const std::string& file) {
+    std::string why;
+    if (const auto read = l3d_read_model(l3d_read_text_file(file), file, why)) {
+        if (read->patches.empty())
+            why =
+                file + ": holds " + std::to_string(read->mesh.faces()) + " polygons and no patches";
+        else if (const auto model = from_patches(read->patches, file, why))
+            return *model;
+    }
+    throw l3d_error(l3d_exit::bad_input, why);
 }
 
 std::optional<l3d_patch_model> l3d_patch_model::checked(std::vector<patch> patches,

@@ -33,6 +33,9 @@ struct L3D_PUBLIC l3d_patch_reach {
 /// l3d_patch_scene places them elsewhere.
 ///
 /// A model never changes after it is made. Its copies share its contents.
+/// Lives: the contents live as long as any copy does, such as the one in a scene. What the
+/// accessors
+///        return by reference or as a span lives as long.
 /// Cost:  a copy counts a reference. A move is a copy, so no model is ever without contents.
 class L3D_PUBLIC l3d_patch_model {
 public:
@@ -47,6 +50,14 @@ public:
 
     /// Expects: finite coordinates of magnitude at most 1e12.
     explicit l3d_patch_model(std::vector<patch> patches);
+
+    /// The teapot that l3d has at hand, l3d_teapot_bpt().
+    static l3d_patch_model teapot();
+
+    /// The patches of a file in any format of l3d_read_model. Its polygons and notes are left out.
+    /// Errors: throws l3d_error(bad_input) with file, line and reason: also for a file without
+    ///         patches, and for patches that from_patches refuses.
+    static l3d_patch_model load(const std::string& file);
 
     /// The model of patches that may be anything.
     /// Errors: nothing, with "name: patch and point: what" in `why`, if a coordinate is NaN,
@@ -79,6 +90,10 @@ public:
 
     /// The boxes of the patches' control points, in their order; upright.
     const l3d_box_lanes& boxes() const;
+
+    /// The same address for copies of one model, and another for any other model that lives at the
+    /// same time, even one of equal patches.
+    const void* identity() const;
 
 private:
     struct contents;

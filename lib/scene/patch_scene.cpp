@@ -2,6 +2,9 @@
 // l3d_patch_scene: boxes and normals of what has been placed.
 #include "scene/patch_scene.h"
 
+#include "geom/files/patch_file.h"
+#include "tool_2d/error.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -10,7 +13,7 @@ namespace {
 
 using vector = l3d_patch_scene::vector;
 
-[[maybe_unused]] bool is_affine(const l3d_matrix<double>& m) {
+bool is_affine(const l3d_matrix<double>& m) {
     return m(3, 0) == 0 && m(3, 1) == 0 && m(3, 2) == 0 && m(3, 3) == 1;
 }
 
@@ -50,6 +53,55 @@ l3d_matrix<double> cofactors(const l3d_matrix<double>& m) {
     return result;
 }
 
+bool is_finite(const l3d_matrix<double>& m) {
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            if (!std::isfinite(m(row, column)))
+                return false;
+    return true;
+}
+
+/// Whether the upper left three by three is certain to have an inverse: its determinant is farther
+/// from zero than rounding can put it. Each of the six products has at most four roundings of
+/// 2^-53, and summing them adds five: below 16 of them in all.
+bool can_be_inverted(const l3d_matrix<double>& m) {
+    constexpr double rounding = 16 * 0x1p-53;
+    const double most = largest(m);
+    if (!(most > 0))
+        return false;
+    const auto at = [&](int row, int column) { return m(row, column % 3) / most; };
+    double determinant = 0, terms = 0;
+    for (int i = 0; i < 3; ++i) {
+        const double down = at(0, i) * at(1, i + 1) * at(2, i + 2);
+        const double up = at(0, i) * at(1, i + 2) * at(2, i + 1);
+        determinant += down - up;
+        terms += std::abs(down) + std::abs(up);
+    }
+    return std::abs(determinant) > rounding * terms;
+}
+
+/// Where the model's box comes to lie, without its reach.
+l3d_slanted_box box_of(const l3d_patch_model& model, const l3d_matrix<double>& placement) {
+    l3d_slanted_box box;
+    box.centre = placed_point(placement, (model.least() + model.most()) * 0.5);
+    const vector half = (model.most() - model.least()) * 0.5;
+    for (int k = 0; k < 3; ++k) {
+        vector axis{0.0, 0.0, 0.0};
+        axis[k] = half[k];
+        box.axes[static_cast<std::size_t>(k)] = placed_direction(placement, axis);
+    }
+    return box;
+}
+
+/// The largest coordinate of a box, as a magnitude.
+double farthest(const l3d_slanted_box& box) {
+    double result = 0;
+    for (int i = 0; i < 3; ++i)
+        result = std::max(result, std::abs(box.centre[i]) + std::abs(box.axes[0][i]) +
+                                      std::abs(box.axes[1][i]) + std::abs(box.axes[2][i]));
+    return result;
+}
+
 std::int64_t patches_of(const l3d_patch_model& model) {
     return static_cast<std::int64_t>(model.patches().size());
 }
@@ -70,13 +122,27 @@ double scale_of(const l3d_matrix<double>& placement) {
     return std::sqrt(square) * (1 + rounding);
 }
 
+void check(const l3d_patch_model& model, const l3d_matrix<double>& placement) {
+    if (const std::string why = l3d_patch_scene::complaint(model, placement); !why.empty())
+        throw l3d_error(l3d_exit::failure, why);
+}
+
 } // namespace
 
 l3d_patch_instance::l3d_patch_instance(const l3d_patch_model& model,
                                        const l3d_matrix<double>& placement)
-    : model_(&model), placement_(placement), normal_matrix_(cofactors(placement)),
-      turns_normals_(!(normal_matrix_ == l3d_identity<double>())), scale_(scale_of(placement)) {
+    : model_(model) {
+    place(placement);
+}
+
+void l3d_patch_instance::place(const l3d_matrix<double>& placement) {
     assert(is_affine(placement));
+    placement_ = placement;
+    normal_matrix_ = cofactors(placement);
+    turns_normals_ = !(normal_matrix_ == l3d_identity<double>());
+    scale_ = scale_of(placement);
+    terms_ = {0.0, 0.0, 0.0};
+    shift_ = 0;
     for (int row = 0; row < 3; ++row) {
         for (int k = 0; k < 3; ++k)
             terms_[k] += std::abs(placement(row, k));
@@ -85,14 +151,7 @@ l3d_patch_instance::l3d_patch_instance(const l3d_patch_model& model,
 }
 
 l3d_slanted_box l3d_patch_instance::box() const {
-    l3d_slanted_box box;
-    box.centre = placed_point(placement_, (model_->least() + model_->most()) * 0.5);
-    const vector half = (model_->most() - model_->least()) * 0.5;
-    for (int k = 0; k < 3; ++k) {
-        vector axis{0.0, 0.0, 0.0};
-        axis[k] = half[k];
-        box.axes[static_cast<std::size_t>(k)] = placed_direction(placement_, axis);
-    }
+    l3d_slanted_box box = box_of(model_, placement_);
     box.reach = reach();
     return box;
 }
@@ -100,13 +159,28 @@ l3d_slanted_box l3d_patch_instance::box() const {
 double l3d_patch_instance::reach() const {
     vector most{0.0, 0.0, 0.0};
     for (int k = 0; k < 3; ++k)
-        most[k] = std::max(std::abs(model_->least()[k]), std::abs(model_->most()[k]));
+        most[k] = std::max(std::abs(model_.least()[k]), std::abs(model_.most()[k]));
     return reach(most);
 }
 
+std::string l3d_patch_scene::complaint(const l3d_patch_model& model,
+                                       const l3d_matrix<double>& placement) {
+    if (!is_finite(placement))
+        return "placement: a number is not finite";
+    if (!is_affine(placement))
+        return "placement: the last row is not 0,0,0,1";
+    if (!can_be_inverted(placement))
+        return "placement: it flattens the model, since the matrix cannot be inverted";
+    if (!(farthest(box_of(model, placement)) <= l3d_bpt_largest_coordinate))
+        return "placement: it takes the model beyond 1e12";
+    return "";
+}
+
 void l3d_patch_scene::add(const l3d_patch_model& model, const l3d_matrix<double>& placement) {
-    boxes_.add(instances_.emplace_back(model, placement).box());
-    patch_count_ += patches_of(model);
+    check(model, placement);
+    const l3d_patch_instance& instance = instances_.emplace_back(model, placement);
+    boxes_.add(instance.box());
+    patch_count_ += patches_of(instance.model());
     is_moved_.push_back(false);
     is_rebuilt_ = true;
 }
@@ -114,15 +188,20 @@ void l3d_patch_scene::add(const l3d_patch_model& model, const l3d_matrix<double>
 void l3d_patch_scene::place(std::size_t index, const l3d_patch_model& model,
                             const l3d_matrix<double>& placement) {
     l3d_patch_instance& instance = instances_[index];
-    if (&model == &instance.model() && placement == instance.placement())
+    if (model.identity() == instance.model().identity() && placement == instance.placement())
         return;
+    check(model, placement);
     if (!is_moved_[index]) {
         is_moved_[index] = true;
         moved_.push_back(index);
         moved_from_.add(instance.box());
     }
-    patch_count_ += patches_of(model) - patches_of(instance.model());
-    instance = l3d_patch_instance(model, placement);
+    if (model.identity() == instance.model().identity()) {
+        instance.place(placement);
+    } else {
+        patch_count_ += patches_of(model) - patches_of(instance.model());
+        instance = l3d_patch_instance(model, placement);
+    }
     boxes_.set(index, instance.box());
     extent_count_ = 0;
 }

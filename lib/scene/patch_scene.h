@@ -11,17 +11,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 /// A model at a place in the world.
 ///
-/// Lives: borrows the model.
+/// Lives: shares the model.
 class L3D_PUBLIC l3d_patch_instance {
 public:
-    /// Expects: as l3d_patch_scene::add.
+    /// Expects: a placement that l3d_patch_scene::complaint has nothing to say of.
     l3d_patch_instance(const l3d_patch_model& model, const l3d_matrix<double>& placement);
 
-    const l3d_patch_model& model() const { return *model_; }
+    const l3d_patch_model& model() const { return model_; }
+
+    /// Puts the same model elsewhere. Expects: as the constructor.
+    void place(const l3d_matrix<double>& placement);
 
     /// From the model's space to the world.
     const l3d_matrix<double>& placement() const { return placement_; }
@@ -54,7 +58,7 @@ public:
     double shift() const { return shift_; }
 
 private:
-    const l3d_patch_model* model_;
+    l3d_patch_model model_;
     l3d_matrix<double> placement_;
     l3d_matrix<double> normal_matrix_;
     l3d_vector<double, 3> terms_{0.0, 0.0, 0.0};
@@ -67,7 +71,7 @@ private:
 ///
 /// Patches of one instance meet without a gap where their control points do. Between instances
 /// that holds only where their placements are the same numbers.
-/// Lives: borrows the models.
+/// Lives: shares the models: a program may forget its own copies.
 /// Cost:  104 bytes an instance to find out whether it is seen, 330 more if it is.
 class L3D_PUBLIC l3d_patch_scene {
 public:
@@ -78,14 +82,18 @@ public:
     /// One instance, where the model is. Not explicit: a model is a scene.
     l3d_patch_scene(const l3d_patch_model& model) { add(model); }
 
-    /// Expects: an affine placement (last row 0, 0, 0, 1) of finite numbers that can be inverted,
-    ///          and that leaves coordinates at most 1e12.
+    /// Why the model cannot be placed like this; "" if it can. A placement is affine (its last row
+    /// is 0, 0, 0, 1), has finite numbers, can be inverted, and leaves coordinates at most 1e12.
+    static std::string complaint(const l3d_patch_model& model, const l3d_matrix<double>& placement);
+
+    /// Errors: throws l3d_error with what complaint() says, and adds nothing.
     void add(const l3d_patch_model& model,
              const l3d_matrix<double>& placement = l3d_identity<double>());
 
     /// Moves an instance, or puts another model in its place.
     ///
-    /// Expects: as add; an index of instances().
+    /// Expects: an index of instances().
+    /// Errors:  as add; the instance stays where it is.
     /// Cost:    the box of the whole scene is found anew when it is next asked for, by looking at
     ///          each instance.
     void place(std::size_t index, const l3d_matrix<double>& placement) {

@@ -32,18 +32,12 @@ l3d_image_box box_of(const culled_boxes& boxes, std::size_t i) {
 /// The count of those that are left out for the same reason as box i; null if it may be seen.
 std::int64_t* reason_to_leave_out(const culled_boxes& boxes, std::size_t i,
                                   const l3d_dice_view& view, l3d_dice_counts& counts) {
-    if (!view.keep.outside) {
-        if (boxes.most[i] <= view.near)
-            return &counts.behind;
-        if (boxes.least[i] >= view.far)
-            return &counts.beyond;
-        if (boxes.inside[i] < 0)
-            return &counts.offscreen;
-    }
-    if (!view.keep.centreless && boxes.least[i] > boxes.near[i] &&
-        l3d_holds_no_centre(box_of(boxes, i), view))
-        return &counts.subpixel;
-    return nullptr;
+    return l3d_reason_to_leave_out(
+        {boxes.least[i], boxes.most[i]}, view, [&] { return boxes.inside[i] < 0; },
+        [&] {
+            return boxes.least[i] > boxes.near[i] && l3d_holds_no_centre(box_of(boxes, i), view);
+        },
+        counts);
 }
 
 bool is_hidden(const auto& where, bool (*hidden)(const void*, const l3d_subpixel_box&, float),

@@ -3,12 +3,12 @@
 #include "system/afd_options.h"
 
 #include "geom/files/model_file.h"
-#include "geom/teapot.h"
 #include "system/number_text.h"
 #include "system/places.h"
-#include "system/text_file.h"
+#include "tool_2d/text_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <limits>
 #include <thread>
@@ -18,26 +18,18 @@ namespace {
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double least_positive = std::numeric_limits<double>::min();
 
-/// Model coordinates are at most 1e12, too; beyond, a double's steps are more than a
-/// ten-thousandth.
-constexpr double farthest_place = 1e12;
-
-l3d_camera::vector vector_of(const std::array<double, 3>& v) {
-    return {v[0], v[1], v[2]};
-}
-
 /// A picture of 1024x768 is filled in 12 bands and the teapot is 28 patches to dice: 8
 /// threads have two bands and four patches each at the most. Of a frame of 1 ms to a single thread,
 /// the next 8 could save 0.06 ms, about what waking them costs.
 constexpr int most_threads_unasked = 8;
 
-std::string text_of(const std::array<double, 3>& v) {
+std::string text_of(const l3d_camera::vector& v) {
     return l3d_number_text(v[0]) + ',' + l3d_number_text(v[1]) + ',' + l3d_number_text(v[2]);
 }
 
-void check_place(const char* option, const std::array<double, 3>& place) {
-    for (const double coordinate : place)
-        if (!(coordinate >= -farthest_place && coordinate <= farthest_place))
+void check_place(const char* option, const l3d_camera::vector& place) {
+    for (int i = 0; i < 3; ++i)
+        if (!(std::abs(place[i]) <= l3d_bpt_largest_coordinate))
             throw l3d_error(l3d_exit::usage, std::string(option) + ": '" + text_of(place) +
                                                  "' is farther than 1e12 from the origin");
 }
@@ -45,9 +37,11 @@ void check_place(const char* option, const std::array<double, 3>& place) {
 } // namespace
 
 l3d_afd_options::l3d_afd_options(l3d_options& options) {
-    options.add("--model", model_file_,
-                "model to draw: a file, or the name of one of l3d's own; without it, the teapot",
-                "FILE");
+    options.add(
+        "FILE,--model", model_file_,
+        "model to draw: a file, or the name of one of l3d's own; the option's name may be left "
+        "out; without it, the teapot",
+        "FILE");
     // Vertices lie on a grid of 1/256 pixel, which with the weights of docs/NUMERICS.md, section 9,
     // takes 0.0069: finer ones only add quads.
     options.add(
@@ -66,18 +60,19 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                 "unasked, 65536 and 2 a pixel, more below 0.05 px; the report tells what it did "
                 "not suffice for",
                 1, std::numeric_limits<int>::max());
-    options.add("--eye", eye_, "where the camera is");
-    options.add("--target", target_, "what it looks at");
-    options.add("--up", up_, "what is upright in the picture");
-    options.add("--fov", fov_, "vertical field of view in degrees", 0.001, 179.9);
-    options.add("--near", near_, "nearest distance that is drawn", l3d_least_distance, largest);
-    options.add("--far", far_, "farthest distance that is drawn", least_positive, largest);
+    options.add("--eye", camera_.eye, "where the camera is");
+    options.add("--target", camera_.target, "what it looks at");
+    options.add("--up", camera_.up, "what is upright in the picture");
+    options.add("--fov", camera_.fov, "vertical field of view in degrees", 0.001, 179.9);
+    options.add("--near", camera_.near, "nearest distance that is drawn", l3d_least_distance,
+                largest);
+    options.add("--far", camera_.far, "farthest distance that is drawn", least_positive, largest);
     options.add_choice<l3d_shade>(
         "--shade", settings_.shade,
         "how the surface is coloured; error: by the bound of each piece's error, from green, "
         "none, to red, the tolerance or more",
         {l3d_shade_names.begin(), l3d_shade_names.end()});
-    options.add("--light", light_, "direction towards the light");
+    options.add("--light", settings_.light, "direction towards the light");
     options.add("--wireframe", settings_.wireframe, "the adaptive steps as lines");
     options.add("--net", settings_.net, "the control nets on top");
     options.add("--turntable", turntable_, "degrees that the eye turns from frame to frame", -360.0,
@@ -97,27 +92,22 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
 }
 
 bool l3d_afd_options::shows_the_usual() const {
-    const l3d_camera usual;
-    const l3d_camera here = camera();
-    return model_file_.empty() && here.eye == usual.eye && here.target == usual.target &&
-           here.up == usual.up && here.fov == usual.fov && here.near == usual.near &&
-           here.far == usual.far;
+    return model_file_.empty() && camera() == teapot_view();
 }
 
 l3d_camera l3d_afd_options::camera() const {
-    const l3d_camera camera{vector_of(eye_), vector_of(target_), vector_of(up_), fov_, near_, far_};
-    check_place("--eye", eye_);
-    check_place("--target", target_);
-    check_place("--up", up_);
-    if (eye_ == target_)
-        throw l3d_error(l3d_exit::usage, "--target: '" + text_of(target_) + "' is the eye's place");
-    if (!(near_ < far_))
-        throw l3d_error(l3d_exit::usage, "--far: '" + l3d_number_text(far_) +
-                                             "' is not beyond --near " + l3d_number_text(near_));
-    if (!camera.is_valid())
-        throw l3d_error(l3d_exit::usage,
-                        "--up: '" + text_of(up_) + "' is zero or along the line of sight");
-    return camera;
+    const auto refuse = [](const std::string& why) { throw l3d_error(l3d_exit::usage, why); };
+    check_place("--eye", camera_.eye);
+    check_place("--target", camera_.target);
+    check_place("--up", camera_.up);
+    if (camera_.eye == camera_.target)
+        refuse("--target: '" + text_of(camera_.target) + "' is the eye's place");
+    if (!(camera_.near < camera_.far))
+        refuse("--far: '" + l3d_number_text(camera_.far) + "' is not beyond --near " +
+               l3d_number_text(camera_.near));
+    if (!camera_.is_valid())
+        refuse("--up: '" + text_of(camera_.up) + "' is zero or along the line of sight");
+    return camera_;
 }
 
 l3d_afd_settings l3d_afd_options::settings() const {
@@ -131,21 +121,17 @@ l3d_afd_settings l3d_afd_options::settings() const {
     result.depth = !depth_output_.empty();
     if (keep_all_)
         result.keep = l3d_kept_work::all();
-    result.light = vector_of(light_);
     const double length = l3d_length(result.light);
     if (!(length > 0 && length < largest))
-        throw l3d_error(l3d_exit::usage, "--light: '" + text_of(light_) + "' has no direction");
+        throw l3d_error(l3d_exit::usage,
+                        "--light: '" + text_of(result.light) + "' has no direction");
     return result;
 }
 
 l3d_patch_model l3d_afd_options::model() const {
+    if (model_file_.empty())
+        return l3d_patch_model::teapot();
     std::string why;
-    if (model_file_.empty()) {
-        auto teapot = l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);
-        if (!teapot)
-            throw l3d_error(l3d_exit::bad_input, why);
-        return *std::move(teapot);
-    }
     const auto file =
         l3d_read_model(l3d_read_text_file(l3d_data_file(model_file_)), model_file_, why);
     if (!file)

@@ -9,7 +9,6 @@
 #include "pipeline/pipeline_afd.h"
 #include "system/options.h"
 
-#include <array>
 #include <optional>
 #include <string>
 
@@ -35,11 +34,16 @@ public:
     /// As given; empty for the teapot.
     const std::string& model_file() const { return model_file_; }
 
+    /// Where the teapot is seen from unless the user says otherwise; the rest is l3d_camera's.
+    static l3d_camera teapot_view() { return {.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0.0}}; }
+
     /// Whether --eye or --target say anything else than their defaults.
-    bool places_camera() const { return eye_ != teapot_eye || target_ != teapot_target; }
+    bool places_camera() const {
+        return camera_.eye != teapot_view().eye || camera_.target != teapot_view().target;
+    }
 
     /// Whether --light says anything else than its default.
-    bool places_light() const { return light_ != teapot_light; }
+    bool places_light() const { return settings_.light != l3d_usual_light; }
 
     /// Whether --tolerance was given.
     bool gives_tolerance() const { return tolerance_.has_value(); }
@@ -54,11 +58,7 @@ public:
 
 private:
     std::string model_file_;
-    static constexpr std::array<double, 3> teapot_eye{3.2, 3.6, 7.4}, teapot_target{0.2, 1.3, 0};
-    std::array<double, 3> eye_ = teapot_eye, target_ = teapot_target, up_{0, 1, 0};
-    double fov_ = 38, near_ = 0.1, far_ = 1e13;
-    static constexpr std::array<double, 3> teapot_light{0.4, 0.8, 0.45};
-    std::array<double, 3> light_ = teapot_light;
+    l3d_camera camera_ = teapot_view();
     l3d_afd_settings settings_;
     double turntable_ = 0;
     std::string depth_output_, report_;

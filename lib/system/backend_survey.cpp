@@ -99,7 +99,7 @@ const l3d_backend& backend_survey::automatic() {
     fail_with_all_reasons();
 }
 
-const l3d_backend& backend_survey::asked(std::istream& in, std::ostream& out) {
+const l3d_backend* backend_survey::asked(std::istream& in, std::ostream& out) {
     std::vector<std::size_t> serving;
     for (std::size_t i = 0; i < rows_.size(); ++i)
         if (serves(i))
@@ -122,19 +122,21 @@ const l3d_backend& backend_survey::asked(std::istream& in, std::ostream& out) {
             out << "cannot serve here: " << service(i).why << '\n';
         }
     for (;;) {
-        out << "Number or name [" << usual + 1 << "]: " << std::flush;
+        out << "Number or name [" << usual + 1 << "], or q to quit: " << std::flush;
         std::string line;
         if (!std::getline(in, line)) {
             out << '\n'; // ends the line that the question began
-            return rows_[serving[usual]];
+            return &rows_[serving[usual]];
         }
         const std::string answer = without_blanks_around(line);
         if (answer.empty())
-            return rows_[serving[usual]];
+            return &rows_[serving[usual]];
+        if (answer == "q")
+            return nullptr;
         for (std::size_t k = 0; k < serving.size(); ++k)
             if (answer == rows_[serving[k]].name || answer == std::to_string(k + 1))
-                return rows_[serving[k]];
-        out << "'" << answer << "' is neither the number nor the name of one.\n";
+                return &rows_[serving[k]];
+        out << "'" << answer << "' is neither the number nor the name of one, nor q.\n";
     }
 }
 

@@ -40,11 +40,11 @@ public:
     /// Errors:  l3d_error: no_display, or no_backend with all reasons.
     const l3d_backend& automatic();
 
-    /// The row that the user takes from a numbered list. Nonsense is asked again; an empty line
-    /// and the end of the input take the default.
+    /// The row that the user takes from a numbered list; null for q, which ends the program.
+    /// Nonsense is asked again; an empty line and the end of the input take the default.
     ///
     /// Errors:  l3d_error(no_backend), with all reasons, if there is nothing to choose from.
-    const l3d_backend& asked(std::istream& in, std::ostream& out);
+    const l3d_backend* asked(std::istream& in, std::ostream& out);
 
     /// Throws what a program ends with that wanted `what` and got this answer.
     [[noreturn]] static void fail(const std::string& what, const l3d_service& answer);

@@ -3,7 +3,7 @@
 #include "system/dispatcher_fitting.h"
 
 #include "system/dispatcher_script.h"
-#include "system/dispatcher_x11.h"
+#include "system/dispatcher_window.h"
 #include "system/frame_writer.h"
 
 l3d_dispatcher_fitting::l3d_dispatcher_fitting(const l3d_frame_settings& settings)
@@ -13,7 +13,7 @@ l3d_dispatcher_fitting::l3d_dispatcher_fitting(const l3d_frame_settings& setting
 
 l3d_exit l3d_dispatcher_fitting::do_start(l3d_pipeline& pipeline, l3d_screen& screen) {
     if (screen.is_window())
-        fitting_ = std::make_unique<l3d_dispatcher_x11>(settings_);
+        fitting_ = std::make_unique<l3d_dispatcher_window>(settings_);
     else
         fitting_ = std::make_unique<l3d_dispatcher_script>(settings_);
     fitting_->plug(pipeline, screen);

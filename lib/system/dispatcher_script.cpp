@@ -3,10 +3,13 @@
 #include "system/dispatcher_script.h"
 
 #include "system/present_p.h"
+#include "system/progress_p.h"
 #include "system/remark_p.h"
 
 #include <algorithm>
 #include <cassert>
+#include <iostream>
+#include <unistd.h>
 #include <utility>
 
 l3d_dispatcher_script::l3d_dispatcher_script(const l3d_frame_settings& settings,
@@ -21,7 +24,10 @@ l3d_exit l3d_dispatcher_script::do_start(l3d_pipeline& pipeline, l3d_screen& scr
     auto next = script_.begin();
     bool stale = true;
     l3d_exit result = l3d_exit::well;
+    l3d_detail::progress progress(std::cerr, isatty(STDERR_FILENO) != 0, settings_.program, frames,
+                                  l3d_detail::progress::clock::now());
     for (int frame = 0; frame < frames; ++frame) {
+        progress.done(frame, l3d_detail::progress::clock::now());
         for (; next != script_.end() && next->frame <= frame; ++next) {
             deliver(next->event, pipeline);
             stale |= next->event.type == l3d_event_type::resize;

@@ -10,7 +10,7 @@
 #include "system/backend_survey_p.h"
 #include "system/dispatcher_fitting.h"
 #include "system/dispatcher_script.h"
-#include "system/dispatcher_x11.h"
+#include "system/dispatcher_window.h"
 #include "system/options.h"
 
 #include <cassert>
@@ -28,7 +28,7 @@ l3d_backend row(std::string name, std::string purpose) {
     made.name = std::move(name);
     made.purpose = std::move(purpose);
     made.screen_factory = std::make_unique<ScreenFactory>();
-    made.rasterizer_factory = std::make_unique<RasterizerFactory>();
+    made.rasterizer_factory = std::make_shared<RasterizerFactory>();
     made.dispatcher_factory = std::make_unique<DispatcherFactory>();
     return made;
 }
@@ -42,14 +42,15 @@ std::string environment(const char* variable) {
 } // namespace
 
 l3d_factory_manager::l3d_factory_manager() {
-    auto xshm = row<l3d_screen_factory_xshm, l3d_rasterizer_factory_sw, l3d_dispatcher_factory_x11>(
-        "xshm", "window, pixels in shared memory: a local display, the fast one");
+    auto xshm =
+        row<l3d_screen_factory_xshm, l3d_rasterizer_factory_sw, l3d_dispatcher_factory_window>(
+            "xshm", "window, pixels in shared memory: a local display, the fast one");
     xshm.automatic = true;
     xshm.on_display = true;
     add(std::move(xshm));
 
     auto ximage =
-        row<l3d_screen_factory_ximage, l3d_rasterizer_factory_sw, l3d_dispatcher_factory_x11>(
+        row<l3d_screen_factory_ximage, l3d_rasterizer_factory_sw, l3d_dispatcher_factory_window>(
             "ximage", "window, pixels sent over the wire: any display, remote too");
     ximage.automatic = true;
     ximage.on_display = true;
@@ -101,14 +102,21 @@ bool l3d_factory_manager::choose(l3d_options& options, std::istream& in, std::os
     const bool named = !name.empty() && name != "ask" && name != "auto";
     const bool ask = may_ask && !common.no_input && name != "auto";
     chosen_ = named ? &survey.named(name, by_option ? "--backend" : "L3D_BACKEND")
-              : ask ? &survey.asked(in, out)
+              : ask ? survey.asked(in, out)
                     : &survey.automatic();
+    if (!chosen_)
+        return false;
     for (const l3d_backend& row : rows_)
         if (&row != chosen_)
             row.screen_factory->release();
-    if (!survey.is_seen(*chosen_) && !(named && chosen_->unseen) && common.output.empty()) {
+    if (survey.is_seen(*chosen_) || chosen_->writes_files || !common.output.empty())
+        return true;
+    if (named && chosen_->unseen) {
+        std::cerr << options.command() << ": nobody will see a picture: back-end '" << chosen_->name
+                  << "' has no window, and no --output names a file\n";
+    } else {
         options.set_output(options.program() + ".png");
-        std::cerr << options.program() << ": no window; the picture goes to " << common.output
+        std::cerr << options.command() << ": no window; the picture goes to " << common.output
                   << '\n';
     }
     return true;
@@ -131,11 +139,6 @@ l3d_factory_manager::create_screen(const l3d_screen_request& request) const {
     if (verbose_)
         std::cerr << chosen().name << ": " << screen->describe() << '\n';
     return screen;
-}
-
-std::unique_ptr<l3d_rasterizer_2d_imp>
-l3d_factory_manager::create_rasterizer(l3d_pixels target) const {
-    return chosen().rasterizer_factory->create_2d(target);
 }
 
 std::unique_ptr<l3d_dispatcher>

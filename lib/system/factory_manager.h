@@ -19,12 +19,13 @@ class l3d_options;
 /// One row of the table: a way to show pictures.
 struct L3D_PUBLIC l3d_backend {
     std::string name;
-    std::string purpose;     ///< what it is for, in a few words
-    bool automatic = false;  ///< taken without asking if it is the first such row that can serve
-    bool on_display = false; ///< it needs a display
-    bool unseen = false;     ///< its pictures are never seen, and who names it knows
+    std::string purpose;       ///< what it is for, in a few words
+    bool automatic = false;    ///< taken without asking if it is the first such row that can serve
+    bool on_display = false;   ///< it needs a display
+    bool unseen = false;       ///< nobody sees its pictures unless --output names a file
+    bool writes_files = false; ///< it knows itself where its pictures go
     std::unique_ptr<l3d_screen_factory> screen_factory;
-    std::unique_ptr<l3d_rasterizer_factory> rasterizer_factory;
+    std::shared_ptr<const l3d_rasterizer_factory> rasterizer_factory; ///< canvases share it
     std::unique_ptr<l3d_dispatcher_factory> dispatcher_factory;
 };
 
@@ -44,9 +45,10 @@ public:
 
     /// Takes the back-end named by --backend, else by the environment's L3D_BACKEND, else by the
     /// program itself; else, at a terminal, asks; else takes the first automatic row that can
-    /// serve. If nobody will see the pictures, and neither --output nor a named memory back-end
-    /// says that this is meant, the output becomes `program`.png, and stderr gets a line about it.
-    /// False: --list-backends or --diagnose was given and answered; the program ends well.
+    /// serve. If nobody would see the pictures, stderr gets a line about it, and unless a back-end
+    /// was named that shows nothing, the output becomes `program`.png.
+    /// False: --list-backends or --diagnose was given and answered, or the answer at the prompt was
+    /// q; the program ends well.
     ///
     /// Errors:  l3d_error: usage for an unknown name; no_display if no display can be opened
     ///          (naming DISPLAY and its value); no_backend, with all reasons, otherwise.
@@ -60,9 +62,6 @@ public:
 
     /// Errors: l3d_error(no_backend) with the reason. Expects: choose() was true.
     std::unique_ptr<l3d_screen> create_screen(const l3d_screen_request& request) const;
-
-    /// Errors: as l3d_rasterizer_factory::create_2d. Expects: choose() was true.
-    std::unique_ptr<l3d_rasterizer_2d_imp> create_rasterizer(l3d_pixels target) const;
 
     /// Errors: as l3d_dispatcher_factory::create. Expects: choose() was true.
     std::unique_ptr<l3d_dispatcher> create_dispatcher(const l3d_frame_settings& settings) const;

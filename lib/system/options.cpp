@@ -11,8 +11,10 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <fcntl.h>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 
@@ -42,6 +44,11 @@ void add_text(CLI::App& app, const std::string& name, const std::string& help,
         ->default_str(preset)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
+
+/// Help without a section for what needs no option: there it is listed a second time.
+class help_formatter : public CLI::Formatter {
+    std::string make_positionals(const CLI::App*) const override { return ""; }
+};
 
 /// The default is given as text, since there may be none.
 template <class T, class Value>
@@ -80,8 +87,7 @@ void open_standard_streams() {
 } // namespace
 
 l3d_options::l3d_options(std::string program, const std::string& purpose, l3d_size default_size)
-    : program_(std::move(program)), parser_(std::make_unique<parser>()) {
-    parser_->app.name(program_);
+    : program_(std::move(program)), command_(program_), parser_(std::make_unique<parser>()) {
     parser_->app.description(purpose);
     parser_->app.set_help_flag("-h,--help", "this text");
     parser_->app.set_version_flag(
@@ -92,6 +98,7 @@ l3d_options::l3d_options(std::string program, const std::string& purpose, l3d_si
         "share no memory\nwith the display; L3D_MESA=auto|egl|osmesa, where to look "
         "for software GL.");
     parser_->app.allow_extras();
+    parser_->app.formatter(std::make_shared<help_formatter>());
     parser_->app.get_formatter()->column_width(34);
     add_common(default_size);
 }
@@ -176,7 +183,7 @@ void l3d_options::add(const std::string& name, bool& value, const std::string& h
     parser_->app.add_flag(name, value, help);
 }
 
-void l3d_options::add(const std::string& name, std::array<double, 3>& value,
+void l3d_options::add(const std::string& name, l3d_vector<double, 3>& value,
                       const std::string& help) {
     const std::string preset = l3d_number_text(value[0]) + ',' + l3d_number_text(value[1]) + ',' +
                                l3d_number_text(value[2]);
@@ -184,7 +191,7 @@ void l3d_options::add(const std::string& name, std::array<double, 3>& value,
         std::array<double, 3> numbers{};
         if (!l3d_read_numbers(text, ',', numbers))
             refuse(name, text, "three numbers X,Y,Z");
-        value = numbers;
+        value = {numbers[0], numbers[1], numbers[2]};
     });
 }
 
@@ -221,6 +228,9 @@ bool l3d_options::parse(int argc, const char* const* argv) {
 }
 
 bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
+    if (argc > 0 && argv[0] && *argv[0])
+        command_ = std::filesystem::path(argv[0]).filename().string();
+    parser_->app.name(command_);
     // The library wants the arguments last one first.
     std::vector<std::string> arguments;
     for (int i = argc - 1; i > 0; --i) {
@@ -239,7 +249,10 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
         throw l3d_error(l3d_exit::usage, std::string(error.what()) + " (see --help)");
     }
     if (const auto unknown = parser_->app.remaining(); !unknown.empty())
-        throw l3d_error(l3d_exit::usage, "unknown option '" + unknown.front() + "' (see --help)");
+        throw l3d_error(
+            l3d_exit::usage,
+            (unknown.front().starts_with('-') ? "unknown option '" : "one argument too many: '") +
+                unknown.front() + "' (see --help)");
     const l3d_frame_writer complains_now_rather_than_after_a_question(common_.output);
     if (common_.resume && !complains_now_rather_than_after_a_question.is_numbered())
         throw l3d_error(l3d_exit::usage,
@@ -258,7 +271,7 @@ l3d_frame_settings l3d_options::frame_settings() const {
             .fps = common_.fps,
             .fixed_step = common_.frames > 0,
             .output = common_.output,
-            .program = program_};
+            .program = command_};
 }
 
 int l3d_report(std::string_view program, const std::exception& error) {

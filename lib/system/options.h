@@ -4,12 +4,12 @@
 #define L3D_SYSTEM_OPTIONS_H
 
 #include "base/public.h"
+#include "geom/vector.h"
 #include "tool_2d/error.h"
 #include "tool_2d/pixels.h"
 #include "tool_2d/screen.h"
 #include "system/frame_settings.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -41,10 +41,6 @@ struct L3D_PUBLIC l3d_common_options {
     std::string output;
 };
 
-/// Largest width and height of --size: 16384 * 16384 pixels of 4 bytes are 1 GiB, and X11 counts
-/// window sizes in 16 bits.
-inline constexpr int l3d_largest_side = 16384;
-
 /// A command line: declared with add(), then read once with parse().
 ///
 /// Every add() borrows a variable: what it holds now is the default that --help prints, and
@@ -70,7 +66,8 @@ public:
     void add(const std::string& name, std::optional<double>& value, double preset,
              const std::string& help, double least, double most);
 
-    /// Any text but the empty one; `kind` (FILE, say) is what --help calls it.
+    /// Any text but the empty one; `kind` (FILE, say) is what --help calls it. A name that begins
+    /// with "FILE," lets the user leave out the option before one such text.
     void add(const std::string& name, std::string& value, const std::string& help,
              const std::string& kind);
 
@@ -78,7 +75,7 @@ public:
     void add(const std::string& name, bool& value, const std::string& help);
 
     /// Three finite numbers X,Y,Z.
-    void add(const std::string& name, std::array<double, 3>& value, const std::string& help);
+    void add(const std::string& name, l3d_vector<double, 3>& value, const std::string& help);
 
     /// WIDTHxHEIGHT, each from 1 to l3d_largest_side.
     void add(const std::string& name, l3d_size& value, const std::string& help);
@@ -97,7 +94,11 @@ public:
     bool parse(int argc, const char* const* argv);
     bool parse(int argc, const char* const* argv, std::ostream& out);
 
+    /// The name that titles and files get.
     const std::string& program() const { return program_; }
+
+    /// The name that the user called it by, without its folder: --help and messages say that.
+    const std::string& command() const { return command_; }
     const l3d_common_options& common() const { return common_; }
 
     /// Replaces --output, for a program (or factory manager) that has a better default.
@@ -122,7 +123,7 @@ private:
     void add_common(l3d_size default_size);
     void add_batch();
 
-    std::string program_;
+    std::string program_, command_;
     l3d_common_options common_;
     std::unique_ptr<parser> parser_;
 };

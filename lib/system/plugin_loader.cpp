@@ -5,7 +5,7 @@
 #include "geom/mesh_cut.h"
 #include "geom/files/model_file.h"
 #include "pipeline/worlds/object_plugin.h"
-#include "system/text_file.h"
+#include "tool_2d/text_file.h"
 #include "tool_2d/error.h"
 
 #include <dlfcn.h>

@@ -5,7 +5,7 @@
 #include "geom/files/model_file.h"
 #include "pipeline/polygons/patch_tessellation.h"
 #include "system/places.h"
-#include "system/text_file.h"
+#include "tool_2d/text_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +107,7 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
         settings.light = frame.right * shared.light[0] + frame.up * shared.light[1] +
                          frame.front * shared.light[2];
     }
-    settings.rotation = {rotation_[0], rotation_[1], rotation_[2]};
+    settings.rotation = rotation_;
     settings.cull = !all_faces_;
     settings.count_pixels = shared.count_pixels;
     settings.threads = shared.threads;

@@ -4,12 +4,11 @@
 #define L3D_SYSTEM_POLYGON_OPTIONS_H
 
 #include "base/public.h"
+#include "pipeline/polygons/patch_tessellation.h"
 #include "pipeline/polygons/pipeline_polygons.h"
 #include "pipeline/polygons/polygon_model.h"
 #include "system/afd_options.h"
 #include "system/options.h"
-
-#include <array>
 
 /// Who finds out what is in front.
 enum class L3D_PUBLIC l3d_pipeline_kind { afd, zsort, zbuffer, mesa };
@@ -42,8 +41,8 @@ private:
     const l3d_afd_options& shared_;
     l3d_pipeline_kind pipeline_ = l3d_pipeline_kind::zbuffer;
     bool parallel_ = false, hidden_lines_ = false, all_faces_ = false, to_origin_ = false;
-    std::array<double, 3> rotation_{0, 0, 0};
-    int facets_ = 8;
+    l3d_vector<double, 3> rotation_ = l3d_polygon_settings().rotation;
+    int facets_ = l3d_usual_facets;
 };
 
 #endif

@@ -11,9 +11,9 @@ int l3d_program::run(int argc, const char* const* argv, const std::function<l3d_
     try {
         if (!options_.parse(argc, argv) || !goes_on_() || !factories_.choose(options_))
             return static_cast<int>(l3d_exit::well);
-        return l3d_report(options_.program(), steps());
+        return l3d_report(options_.command(), steps());
     } catch (const std::exception& error) {
-        return l3d_report(options_.program(), error);
+        return l3d_report(options_.command(), error);
     }
 }
 
@@ -23,5 +23,5 @@ std::unique_ptr<l3d_dispatcher> l3d_program::create_dispatcher() const {
 
 l3d_canvas l3d_program::create_canvas() const {
     return {factories_.create_screen(options_.screen_request()),
-            factories_.chosen().rasterizer_factory.get()};
+            factories_.chosen().rasterizer_factory};
 }

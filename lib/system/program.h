@@ -39,7 +39,7 @@ public:
 
     /// For what needs neither a screen nor a back-end, such as a report that an option asks for: it
     /// is called when the command line has been read, and answers whether there is more to do.
-    void before_step_1(std::function<bool()> goes_on) { goes_on_ = std::move(goes_on); }
+    void after_command_line(std::function<bool()> goes_on) { goes_on_ = std::move(goes_on); }
 
     /// Reads the command line, chooses a back-end, and does the other steps; returns what main
     /// does. The steps are left out if there is nothing to show, as after --help.

@@ -18,6 +18,10 @@ struct L3D_PUBLIC l3d_size {
     friend bool operator==(const l3d_size&, const l3d_size&) = default;
 };
 
+/// Largest width and height of a picture that is asked for: 16384 x 16384 pixels of 4 bytes are
+/// 1 GiB, X11 counts window sizes in 16 bits, and l3d_guard_band fits the rasterizer's range.
+inline constexpr int l3d_largest_side = 16384;
+
 /// A view of the pixels that rasterizers write and screens show.
 ///
 /// Shape:   height rows of `stride` words, the first `width` of each the picture; row 0 on top.

@@ -19,17 +19,10 @@ l3d_afd_settings settings(double tolerance, int threads, l3d_shade shade) {
 
 } // namespace
 
-std::unique_ptr<l3d_screen> bench_screen(l3d_size size) {
-    l3d_screen_request request;
-    request.size = size;
-    l3d_service refusal;
-    return l3d_screen_factory_memory().create(request, refusal);
-}
-
 bench_frame::bench_frame(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size,
                          double tolerance, int threads, l3d_shade shade)
-    : camera_(camera), pipeline_(bench_screen(size), l3d_rasterizer_factory_sw(), scene, camera,
-                                 settings(tolerance, threads, shade)) {}
+    : camera_(camera),
+      pipeline_(l3d_memory_canvas(size), scene, camera, settings(tolerance, threads, shade)) {}
 
 double bench_frame::draw() {
     // Tenths of a millionth of the distance: no picture shows it, no frame equals another.

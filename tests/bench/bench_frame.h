@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 
 struct bench_view {
     const char* name;
@@ -20,13 +19,9 @@ inline const std::array<bench_view, 3> bench_views{{
     {"top", {{1.5, 7.5, 3.0}, {0.2, 1.2, 0.0}, {0.0, 1.0, 0.0}, 35, 0.1, 1e13}},
 }};
 
-/// A picture in memory.
-std::unique_ptr<l3d_screen> bench_screen(l3d_size size);
-
 /// One scene, drawn again and again into memory; from model and camera to finished pixels.
 class bench_frame {
 public:
-    /// Lives: borrows the models of the scene.
     bench_frame(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size,
                 double tolerance, int threads, l3d_shade shade = l3d_shade::lambert);
 
@@ -41,14 +36,8 @@ public:
     l3d_frame_report report() const { return pipeline_.report(); }
 
 private:
-    class moving_pipeline final : public l3d_pipeline_afd {
-    public:
-        using l3d_pipeline_afd::camera;
-        using l3d_pipeline_afd::l3d_pipeline_afd;
-    };
-
     l3d_camera camera_;
-    moving_pipeline pipeline_;
+    l3d_pipeline_afd pipeline_;
     int frame_ = 0;
 };
 

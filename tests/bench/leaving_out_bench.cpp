@@ -26,10 +26,10 @@ namespace {
 class program final : public l3d_pipeline_afd {
 public:
     explicit program(const leaving_out_case& of)
-        : l3d_pipeline_afd(bench_screen(leaving_out_cases::size), l3d_rasterizer_factory_sw(),
-                           of.world, leaving_out_cases::camera, of.settings),
+        : l3d_pipeline_afd(l3d_memory_canvas(leaving_out_cases::size), of.world,
+                           leaving_out_cases::camera, of.settings),
           of_(of) {
-        for (const l3d_patch_instance& instance : world().instances())
+        for (const l3d_patch_instance& instance : scene().instances())
             placements_.push_back(instance.placement());
     }
 
@@ -53,7 +53,7 @@ private:
         const l3d_camera& from = leaving_out_cases::camera;
         const auto there = (from.eye - from.target) * tremor;
         const auto move = [&](std::size_t i) {
-            world().place(i,
+            scene().place(i,
                           l3d_translation<double>(there[0], there[1], there[2]) * placements_[i]);
         };
         if (of_.change == frame_change::eye)

@@ -37,7 +37,7 @@ public:
     leaving_out_cases();
 
     static constexpr l3d_size size{640, 480};
-    static constexpr l3d_camera camera{};
+    static constexpr l3d_camera camera{.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0.0}};
     const std::vector<leaving_out_case>& all() const { return cases_; }
 
 private:

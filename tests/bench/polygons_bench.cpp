@@ -92,8 +92,8 @@ l3d_camera camera() {
     return result;
 }
 
-l3d_canvas canvas(const l3d_rasterizer_factory& rasterizers) {
-    return {std::make_unique<l3d_screen_memory>(size), &rasterizers};
+l3d_canvas canvas(std::shared_ptr<const l3d_rasterizer_factory> rasterizers) {
+    return {std::make_unique<l3d_screen_memory>(size), std::move(rasterizers)};
 }
 
 /// The slope of log ms over log faces, of those of at least 10^4 faces.
@@ -141,8 +141,8 @@ bool bench(bool cull) {
                 cull ? "faces seen from behind left out" : "all faces drawn", "faces", "drawn",
                 "zsort", "place", "order", "(sort)", "paint", "zbuffer", "mesa", "knots", "cuts",
                 "differ", "B/face");
-    const l3d_rasterizer_factory_sw sw;
-    const l3d_rasterizer_factory_mesa mesa;
+    const auto sw = std::make_shared<l3d_rasterizer_factory_sw>();
+    const auto mesa = std::make_shared<l3d_rasterizer_factory_mesa>();
     exponent of_zsort, of_zbuffer, of_mesa, of_order;
     bool good = true;
     for (const shape s : shapes) {
@@ -153,8 +153,8 @@ bool bench(bool cull) {
         settings.shade = l3d_shade::lambert;
         settings.cull = cull;
         l3d_pipeline_zsort zsort(canvas(sw), model, camera(), settings);
-        l3d_pipeline_zbuffer zbuffer(canvas(sw), model, camera(), settings, sw);
-        l3d_pipeline_zbuffer gl(canvas(sw), model, camera(), settings, mesa, "mesa");
+        l3d_pipeline_zbuffer zbuffer(canvas(sw), model, camera(), settings, *sw);
+        l3d_pipeline_zbuffer gl(canvas(sw), model, camera(), settings, *mesa, "mesa");
         const measured by_order = measure(zsort, frames), by_depth = measure(zbuffer, frames),
                        by_gl = measure(gl, frames);
         const double sorted = sorted_only_ms(model, cull, frames);

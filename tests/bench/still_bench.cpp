@@ -30,11 +30,7 @@ constexpr int frames = 41;
 class program final : public l3d_pipeline_afd {
 public:
     program(l3d_patch_scene scene, const l3d_camera& camera, const l3d_afd_settings& settings)
-        : l3d_pipeline_afd(bench_screen(size), l3d_rasterizer_factory_sw(), std::move(scene),
-                           camera, settings) {}
-
-    using l3d_pipeline_afd::redraw;
-    using l3d_pipeline_afd::world;
+        : l3d_pipeline_afd(l3d_memory_canvas(size), std::move(scene), camera, settings) {}
 
     /// The far plane is elsewhere, behind all that there is: the same picture has to be drawn
     /// whole.
@@ -101,7 +97,7 @@ double milliseconds_of_moves(program& all, const l3d_camera& camera,
     all.forget_picture();
     all.draw_event();
     const double result = milliseconds(all, [&](int frame) { move(all, frame); });
-    program fresh(all.world(), camera, settings);
+    program fresh(all.scene(), camera, settings);
     fresh.draw_event();
     if (fresh.report().hash != all.report().hash)
         fail("a part of a picture is another picture");
@@ -127,7 +123,7 @@ void print_moving(const l3d_patch_model& model, const l3d_camera& camera, int th
                 "quads", "ms", "of all, %");
     for (const double scale : {0.05, 0.1, 0.2, 0.4, 0.8, 1.2, 1.35, 1.6}) {
         const auto move = [&](program& p, int frame) {
-            p.world().place(still, in_front(camera, scale, frame));
+            p.scene().place(still, in_front(camera, scale, frame));
         };
         const double part = milliseconds_of_moves(all, camera, settings, move);
         const l3d_pixel_box box = all.changed();
@@ -157,8 +153,8 @@ void print_corners(const l3d_patch_model& model, const l3d_camera& camera) {
                 "around", "drawn, %", "ms", "of all, %");
     for (const double scale : {0.05, 0.1, 0.2, 0.4, 0.8}) {
         const auto move = [&](program& p, int frame) {
-            p.world().place(still, at(-1, scale, frame));
-            p.world().place(still + 1, at(1, scale, frame));
+            p.scene().place(still, at(-1, scale, frame));
+            p.scene().place(still + 1, at(1, scale, frame));
         };
         const double part = milliseconds_of_moves(all, camera, settings, move);
         const l3d_pixel_box box = all.changed();
@@ -177,11 +173,11 @@ void print_all_moving(const l3d_patch_model& model, const l3d_camera& camera) {
     settings.tolerance = 0.5;
     program all(crowd(model, camera, count), camera, settings);
     std::vector<l3d_matrix<double>> first;
-    for (const l3d_patch_instance& instance : all.world().instances())
+    for (const l3d_patch_instance& instance : all.scene().instances())
         first.push_back(instance.placement());
     const auto cost = [&](int frame, bool asks) {
         for (std::size_t i = 0; i < first.size(); ++i)
-            all.world().place(i, l3d_translation<double>(1e-6 * (frame % 2), 0.0, 0.0) * first[i]);
+            all.scene().place(i, l3d_translation<double>(1e-6 * (frame % 2), 0.0, 0.0) * first[i]);
         if (!asks)
             all.forget_picture();
         const double before = processor_seconds();
@@ -204,14 +200,11 @@ void print_all_moving(const l3d_patch_model& model, const l3d_camera& camera) {
 } // namespace
 
 int main() {
-    std::string why;
-    const auto model = l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot", why);
-    if (!model)
-        fail(why.c_str());
-    const l3d_camera camera;
+    const l3d_patch_model model = l3d_patch_model::teapot();
+    const l3d_camera& camera = bench_views[0].camera;
     for (const int threads : {1, 2})
-        print_moving(*model, camera, threads);
-    print_corners(*model, camera);
-    print_all_moving(*model, camera);
+        print_moving(model, camera, threads);
+    print_corners(model, camera);
+    print_all_moving(model, camera);
     return EXIT_SUCCESS;
 }

@@ -144,8 +144,7 @@ TEST(error_shade, methods_without_a_bound_refuse) {
 class viewer final : public l3d_pipeline_afd_viewer {
 public:
     explicit viewer(const l3d_patch_model& model, const std::string& method)
-        : l3d_pipeline_afd_viewer(std::make_unique<sizable_screen>(odd),
-                                  l3d_rasterizer_factory_sw(), model, dice_tests::oblique_camera(),
+        : l3d_pipeline_afd_viewer(l3d_memory_canvas(odd), model, dice_tests::oblique_camera(),
                                   settings_of(method, l3d_shade::lambert)) {}
 
     /// The shades that a key leads through until the first comes again.

@@ -44,13 +44,6 @@ constexpr expectation expectations[] = {
     {"mesa", 0.3, 0.26, 0, false},
 };
 
-std::unique_ptr<l3d_screen> memory_screen() {
-    l3d_screen_request request;
-    request.size = size;
-    l3d_service refusal;
-    return l3d_screen_factory_memory().create(request, refusal);
-}
-
 l3d_afd_settings settings_of(const std::string& method, int threads) {
     l3d_afd_settings settings;
     std::string why;
@@ -67,7 +60,7 @@ TEST(method_picture, is_like_the_exact_one) {
     for (const expectation& expected : expectations) {
         std::optional<l3d_pipeline_afd> pipeline;
         try {
-            pipeline.emplace(memory_screen(), l3d_rasterizer_factory_sw(), s.model, s.camera,
+            pipeline.emplace(l3d_memory_canvas(size), s.model, s.camera,
                              settings_of(expected.method, 1));
         } catch (const l3d_error& error) {
             std::printf("%-15s left out: %s\n", expected.method, error.what());
@@ -107,8 +100,8 @@ TEST(method_picture, a_tessellations_outline_is_within_its_bound) {
         const reference::exact_image exact(s.patches, s.eye, s.picture());
         const reference::exact_region region(s.patches, s.eye, s.picture());
         for (const char* method : {"tessellation:4", "tessellation:16", "tessellation:64"}) {
-            l3d_pipeline_afd pipeline(memory_screen(), l3d_rasterizer_factory_sw(), s.model,
-                                      s.camera, settings_of(method, 2));
+            l3d_pipeline_afd pipeline(l3d_memory_canvas(size), s.model, s.camera,
+                                      settings_of(method, 2));
             pipeline.draw_event();
             const reference::error_map errors =
                 reference::map_errors(l3d_distances(pipeline.depth()), exact, region, 60);
@@ -132,8 +125,8 @@ TEST(method_picture, is_the_same_for_any_number_of_threads_and_in_the_next_frame
             continue; // what GL does with its threads is not ours
         std::uint64_t hashes[2] = {};
         for (const int threads : {1, 2}) {
-            l3d_pipeline_afd pipeline(memory_screen(), l3d_rasterizer_factory_sw(), s.model,
-                                      s.camera, settings_of(each.method, threads));
+            l3d_pipeline_afd pipeline(l3d_memory_canvas(size), s.model, s.camera,
+                                      settings_of(each.method, threads));
             pipeline.draw_event();
             const std::uint64_t first = pipeline.report().hash;
             pipeline.draw_event();

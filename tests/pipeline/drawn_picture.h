@@ -26,11 +26,7 @@ struct picture {
 
 inline picture drawn(const dice_tests::scene& s, const l3d_patch_scene& world,
                      const l3d_afd_settings& settings) {
-    l3d_screen_request request;
-    request.size = s.size;
-    l3d_service refusal;
-    l3d_pipeline_afd pipeline(l3d_screen_factory_memory().create(request, refusal),
-                              l3d_rasterizer_factory_sw(), world, s.camera, settings);
+    l3d_pipeline_afd pipeline(l3d_memory_canvas(s.size), world, s.camera, settings);
     pipeline.draw_event();
     picture result{words_of(pipeline.screen().pixels()), {}, pipeline.report(), {}};
     if (pipeline.outlines())

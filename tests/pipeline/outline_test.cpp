@@ -40,14 +40,9 @@ struct frame {
 };
 
 std::unique_ptr<l3d_pipeline_afd> pipeline_of(const scene& s, const l3d_afd_settings& settings) {
-    l3d_screen_request request;
-    request.size = s.size;
-    l3d_service refusal;
     l3d_patch_scene world;
     world.add(s.model, s.placement);
-    return std::make_unique<l3d_pipeline_afd>(l3d_screen_factory_memory().create(request, refusal),
-                                              l3d_rasterizer_factory_sw(), world, s.camera,
-                                              settings);
+    return std::make_unique<l3d_pipeline_afd>(l3d_memory_canvas(s.size), world, s.camera, settings);
 }
 
 frame drawn(const scene& s, double tolerance, int threads = 1) {

@@ -46,10 +46,9 @@ class pipeline_2d : public testing::Test {
 protected:
     l3d_pixels pixels() { return screen.pixels(); }
 
-    l3d_rasterizer_factory_sw factory;
     std::unique_ptr<test_screen> owned = std::make_unique<test_screen>();
     test_screen& screen = *owned;
-    points pipeline{{std::move(owned), &factory}};
+    points pipeline{{std::move(owned), std::make_shared<l3d_rasterizer_factory_sw>()}};
 };
 
 } // namespace

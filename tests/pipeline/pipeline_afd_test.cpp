@@ -38,17 +38,12 @@ constexpr l3d_size picture_size{640, 481};
 /// A pipeline that tests may steer, into memory.
 class tester final : public l3d_pipeline_afd {
 public:
-    tester(scene&&, const l3d_afd_settings&) = delete; // its model is borrowed
-    tester(const scene& s, const l3d_afd_settings& settings)
+    tester(const dice_tests::scene& s, const l3d_afd_settings& settings)
         : tester(s.model, s.camera, s.size, settings) {}
 
     tester(l3d_patch_scene what, const l3d_camera& camera, l3d_size size,
            const l3d_afd_settings& settings)
-        : l3d_pipeline_afd(memory_screen(size), l3d_rasterizer_factory_sw(), std::move(what),
-                           camera, settings) {}
-
-    using l3d_pipeline_afd::camera;
-    using l3d_pipeline_afd::settings;
+        : l3d_pipeline_afd(l3d_memory_canvas(size), std::move(what), camera, settings) {}
 
     bool has_text = false;
 
@@ -66,13 +61,6 @@ public:
     std::vector<std::uint32_t> words() { return words_of(screen().pixels()); }
 
 private:
-    static std::unique_ptr<l3d_screen> memory_screen(l3d_size size) {
-        l3d_screen_request request;
-        request.size = size;
-        l3d_service refusal;
-        return l3d_screen_factory_memory().create(request, refusal);
-    }
-
     void draw_overlay() override {
         if (has_text)
             rasterizer().draw_line(3, 3, 600, 400, 0x00123456);

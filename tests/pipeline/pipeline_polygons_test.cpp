@@ -26,7 +26,7 @@ using picture = std::vector<std::uint32_t>;
 const l3d_rasterizer_factory_sw sw;
 
 l3d_canvas canvas() {
-    return {std::make_unique<l3d_screen_memory>(window), &sw};
+    return l3d_memory_canvas(window);
 }
 
 l3d_camera camera(double x = 1.3, double y = -5.1, double z = 3.2) {
@@ -84,6 +84,29 @@ l3d_polygon_mesh linked_tori() {
         mesh.add_face({{face[0] + offset, face[1] + offset, face[2] + offset}});
     }
     return mesh;
+}
+
+TEST(pipeline_polygons, keep_a_model_that_the_program_forgets) {
+    l3d_polygon_settings settings;
+    const l3d_polygon_model model(linked_tori());
+    l3d_pipeline_zsort zsort(canvas(), l3d_polygon_model(linked_tori()), camera(), settings);
+    l3d_pipeline_zbuffer zbuffer(canvas(), l3d_polygon_model(linked_tori()), camera(), settings,
+                                 sw);
+    EXPECT_EQ(drawn(zsort), by_zsort(model, camera(), settings));
+    EXPECT_EQ(drawn(zbuffer), by_zbuffer(model, camera(), settings));
+}
+
+TEST(pipeline_polygons, are_steered_without_a_subclass) {
+    l3d_polygon_settings settings;
+    const l3d_polygon_model model(linked_tori());
+    l3d_pipeline_zsort pipeline(canvas(), model, camera(), settings);
+    drawn(pipeline);
+    EXPECT_FALSE(pipeline.needs_redraw());
+    settings.style = pipeline.settings().style = l3d_polygon_style::wireframe;
+    pipeline.camera() = camera(2, -4, 1);
+    pipeline.redraw();
+    EXPECT_TRUE(pipeline.needs_redraw());
+    EXPECT_EQ(drawn(pipeline), by_zsort(model, camera(2, -4, 1), settings));
 }
 
 TEST(pipeline_polygons, zsort_and_zbuffer_show_the_same) {

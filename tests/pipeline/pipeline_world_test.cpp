@@ -11,15 +11,9 @@
 
 namespace {
 
-const l3d_rasterizer_factory_sw rasterizers;
-
-l3d_canvas canvas_of(l3d_size size) {
-    return {std::make_unique<l3d_screen_memory>(size), &rasterizers};
-}
-
 /// A world with nothing but a few triangles before the camera.
 struct flown {
-    explicit flown(l3d_size size) : world(size), pipeline(canvas_of(size), world) {
+    explicit flown(l3d_size size) : world(size), pipeline(l3d_memory_canvas(size), world) {
         world.camera.place = l3d_point<l3d_real>::of(0, 0, -50);
         l3d_polygon_mesh mesh;
         for (std::uint32_t i = 0; i < 3; ++i) {

@@ -2,18 +2,22 @@
 // l3d_polygon_model: faces as triangles, normals, the centroid; and tessellated patches.
 #include "pipeline/polygons/polygon_model.h"
 
+#include "geom/files/model_file.h"
 #include "geom/polygon_shapes.h"
 #include "geom/teapot.h"
 #include "pipeline/polygons/patch_tessellation.h"
+#include "tool_2d/error.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
-#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace {
@@ -102,6 +106,30 @@ TEST(polygon_model, normals_point_outwards_and_the_centroid_may_be_the_origin) {
     EXPECT_NEAR(l3d_length(moved.centre()), 0, 1e-9);
     EXPECT_EQ(model.bytes(),
               28 * sphere.faces() + 48 + 32 * sphere.faces() + 12 * sphere.vertices.size());
+}
+
+TEST(polygon_model, of_a_file_is_that_of_its_polygons_and_patches) {
+    const std::string path = testing::TempDir() + "polygon_model_test";
+    const auto refusal_of = [&](std::string_view text) -> std::string {
+        std::ofstream(path) << text;
+        try {
+            l3d_polygon_model::load(path);
+        } catch (const l3d_error& error) {
+            EXPECT_EQ(error.code(), l3d_exit::bad_input);
+            return error.what();
+        }
+        return "";
+    };
+    std::ofstream(path) << l3d_teapot_bpt();
+    EXPECT_EQ(l3d_polygon_model::load(path).mesh(),
+              l3d_tessellated(l3d_patch_model::teapot(), l3d_usual_facets).mesh);
+    const l3d_polygon_mesh sphere = l3d_sphere_mesh(9, 5, 2);
+    std::ofstream(path) << l3d_write_off(sphere);
+    EXPECT_EQ(l3d_polygon_model::load(path).mesh().vertices, sphere.vertices);
+    EXPECT_EQ(refusal_of("OFF\n0 0 0\n"), path + ": no polygons and no patches");
+    EXPECT_EQ(refusal_of("OFF\n1 0 0\n0 0\n").find(path + ':'), 0u);
+    std::filesystem::remove(path);
+    EXPECT_THROW(l3d_polygon_model::load(path), l3d_error);
 }
 
 TEST(polygon_model, tessellated_patches_share_their_boundaries) {

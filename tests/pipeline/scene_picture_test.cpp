@@ -22,21 +22,13 @@ using dice_tests::teapot_model;
 
 constexpr l3d_size odd{317, 241};
 
-std::unique_ptr<l3d_screen> memory_screen() {
-    l3d_screen_request request;
-    request.size = odd;
-    l3d_service refusal;
-    return l3d_screen_factory_memory().create(request, refusal);
-}
-
 struct picture {
     std::vector<std::uint32_t> words;
     l3d_frame_report report;
 };
 
 picture drawn(const l3d_patch_scene& scene, const l3d_afd_settings& settings) {
-    l3d_pipeline_afd pipeline(memory_screen(), l3d_rasterizer_factory_sw(), scene, oblique_camera(),
-                              settings);
+    l3d_pipeline_afd pipeline(l3d_memory_canvas(odd), scene, oblique_camera(), settings);
     pipeline.draw_event();
     picture result{{}, pipeline.report()};
     for (int y = 0; y < odd.height; ++y) {

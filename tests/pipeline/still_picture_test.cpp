@@ -35,7 +35,7 @@ struct tally {
 template <class Factory> tally compare(std::uint64_t seed, int frames, int threads) {
     studio s(seed);
     s.settings.threads = threads;
-    tester program(s.scene, s.camera, s.settings, Factory());
+    tester program(s.scene, s.camera, s.settings, std::make_shared<Factory>());
     tally result;
     program.draw_event();
     for (int frame = 0; frame < frames; ++frame) {
@@ -45,7 +45,7 @@ template <class Factory> tally compare(std::uint64_t seed, int frames, int threa
         ++result.frames;
         result.parts += kept > 0 && kept < odd.width * odd.height;
         result.still += kept == odd.width * odd.height;
-        tester fresh(program.world(), s.camera, s.settings, Factory());
+        tester fresh(program.scene(), s.camera, s.settings, std::make_shared<Factory>());
         fresh.draw_event();
         EXPECT_EQ(fresh.report().pixels_kept, 0);
         const auto a = program.words(), b = fresh.words();
@@ -102,8 +102,8 @@ struct pair_of_teapots {
 };
 
 std::vector<std::uint32_t> drawn_whole(tester& program, l3d_size size = odd) {
-    tester fresh(program.world(), program.camera(), program.settings(), l3d_rasterizer_factory_sw(),
-                 size);
+    tester fresh(program.scene(), program.camera(), program.settings(),
+                 std::make_shared<l3d_rasterizer_factory_sw>(), size);
     fresh.text_at = program.text_at;
     fresh.draw_event();
     return fresh.words();
@@ -134,7 +134,7 @@ TEST(still_picture, costs_no_drawing) {
         if (frame % 2 == 0)
             program.redraw();
         if (frame % 3 == 0) // where it is already
-            program.world().place(1, pair_of_teapots::right(0));
+            program.scene().place(1, pair_of_teapots::right(0));
         EXPECT_EQ(program.needs_redraw(), frame % 2 == 0);
         program.draw_event();
         expect_kept(program, first);
@@ -150,7 +150,7 @@ TEST(still_picture, is_drawn_where_something_moved) {
     program.draw_event();
     const l3d_frame_report first = program.report();
     for (int step = 1; step < 12; ++step) {
-        program.world().place(1, pair_of_teapots::right(step));
+        program.scene().place(1, pair_of_teapots::right(step));
         EXPECT_TRUE(program.needs_redraw());
         program.draw_event();
         EXPECT_FALSE(program.needs_redraw());
@@ -175,8 +175,8 @@ TEST(still_picture, is_not_drawn_between_things_that_moved) {
     tester program(s.scene, s.camera, s.settings);
     program.draw_event();
     for (int step = 1; step < 12; ++step) {
-        program.world().place(2, corner(-1, step));
-        program.world().place(3, corner(1, -step));
+        program.scene().place(2, corner(-1, step));
+        program.scene().place(3, corner(1, -step));
         program.draw_event();
         const l3d_frame_report report = program.report();
         EXPECT_GT(program.changed().area(), odd.width * odd.height / 2);
@@ -195,7 +195,7 @@ TEST(still_picture, is_drawn_whole_if_all_is_kept_or_depth_is_asked_for) {
             s.settings.keep = l3d_kept_work::all();
         tester program(s.scene, s.camera, s.settings);
         for (int step = 0; step < 4; ++step) {
-            program.world().place(1, pair_of_teapots::right(step / 2));
+            program.scene().place(1, pair_of_teapots::right(step / 2));
             program.draw_event();
             const bool still = depth && step % 2 == 1;
             EXPECT_EQ(program.report().pixels_kept, still ? odd.width * odd.height : 0) << step;
@@ -211,7 +211,7 @@ TEST(still_picture, is_drawn_beneath_what_comes_and_goes_on_top) {
         program.text_at = random() % 3 == 0 ? 1 + static_cast<int>(random() % 90) : 0;
         program.redraw();
         if (random() % 3 == 0)
-            program.world().place(1, pair_of_teapots::right(frame));
+            program.scene().place(1, pair_of_teapots::right(frame));
         if (random() % 7 == 0)
             program.settings().net = !program.settings().net;
         if (random() % 7 == 0)
@@ -255,9 +255,9 @@ TEST(still_picture, follows_camera_settings_and_what_comes_and_goes) {
     differs("light");
     program.settings().tolerance = 1;
     differs("tolerance");
-    program.world().add(s.teapot, l3d_translation<double>(0, 2, 0));
+    program.scene().add(s.teapot, l3d_translation<double>(0, 2, 0));
     differs("a model more");
-    program.world().clear();
+    program.scene().clear();
     differs("none");
 }
 

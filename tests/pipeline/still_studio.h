@@ -48,15 +48,13 @@ private:
 class tester final : public l3d_pipeline_afd {
 public:
     tester(l3d_patch_scene scene, const l3d_camera& camera, const l3d_afd_settings& settings,
-           const l3d_rasterizer_factory& factory = l3d_rasterizer_factory_sw(), l3d_size size = odd)
-        : l3d_pipeline_afd(std::make_unique<sizable_screen>(size), factory, std::move(scene),
-                           camera, settings) {}
+           std::shared_ptr<const l3d_rasterizer_factory> factory =
+               std::make_shared<l3d_rasterizer_factory_sw>(),
+           l3d_size size = odd)
+        : l3d_pipeline_afd({std::make_unique<sizable_screen>(size), std::move(factory)},
+                           std::move(scene), camera, settings) {}
 
-    using l3d_pipeline_afd::camera;
     using l3d_pipeline_afd::pixels;
-    using l3d_pipeline_afd::redraw;
-    using l3d_pipeline_afd::settings;
-    using l3d_pipeline_afd::world;
 
     int text_at = 0; ///< where a line is drawn on top; 0: nowhere
 
@@ -122,15 +120,15 @@ struct studio {
 
     /// Moves some instances: a little, or anywhere.
     void move(tester& program) {
-        const std::size_t count = program.world().instances().size();
+        const std::size_t count = program.scene().instances().size();
         const std::size_t moves = 1 + random() % std::min<std::size_t>(count, 3);
         for (std::size_t i = 0; i < moves; ++i) {
             const std::size_t index = random() % count;
-            const l3d_matrix<double> old = program.world().instances()[index].placement();
+            const l3d_matrix<double> old = program.scene().instances()[index].placement();
             if (random() % 4 == 0)
-                program.world().place(index, any_model(), any_place());
+                program.scene().place(index, any_model(), any_place());
             else
-                program.world().place(
+                program.scene().place(
                     index,
                     l3d_translation<double>(0.1 * unit(random), 0.1 * unit(random), 0.0) * old);
         }

@@ -4,12 +4,14 @@
 #include "teapot_studio.h"
 #include "scene/placed_net.h"
 #include "raster/parallel/simd_target.h"
+#include "tool_2d/error.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -38,7 +40,7 @@ TEST(patch_scene, of_a_model_is_the_model_where_it_is) {
     const l3d_patch_model model = teapot_model();
     const l3d_patch_scene scene = model;
     ASSERT_EQ(scene.instances().size(), 1u);
-    EXPECT_EQ(&scene.instances()[0].model(), &model);
+    EXPECT_EQ(scene.instances()[0].model().identity(), model.identity());
     EXPECT_EQ(scene.instances()[0].placement(), l3d_identity<double>());
     EXPECT_FALSE(scene.instances()[0].turns_normals());
     EXPECT_EQ(scene.patch_count(), 28);
@@ -75,6 +77,77 @@ TEST(patch_scene, boxes_hold_what_is_placed_and_no_more) {
         EXPECT_NEAR(scene.least()[i], least[i], 1e-12);
         EXPECT_NEAR(scene.most()[i], most[i], 1e-12);
     }
+}
+
+TEST(patch_scene, keeps_models_that_the_program_forgets) {
+    l3d_patch_scene scene(teapot_model());
+    l3d_patch_model model = teapot_model();
+    scene.add(model, l3d_translation<double>(3, 0, 0));
+    model = l3d_patch_model();
+    scene.place(0, teapot_model(), l3d_translation<double>(1, 0, 0));
+    for (int i = 0; i < 9; ++i) // so that instances move to other memory
+        scene.add(scene.instances()[0].model(), l3d_translation<double>(0, i, 0));
+    EXPECT_EQ(scene.patch_count(), 11 * 28);
+    for (const l3d_patch_instance& instance : scene.instances()) {
+        ASSERT_EQ(instance.model().patches().size(), 28u);
+        EXPECT_EQ(instance.model().patches()[7].points, teapot_model().patches()[7].points);
+    }
+}
+
+TEST(patch_scene, shares_models_instead_of_copying_them) {
+    const l3d_patch_model model = teapot_model();
+    l3d_patch_model moved_from = model;
+    const l3d_patch_model moved_to = std::move(moved_from);
+    EXPECT_EQ(moved_to.identity(), model.identity());
+    EXPECT_EQ(moved_from.identity(), model.identity()); // NOLINT: a move is a copy
+    EXPECT_NE(teapot_model().identity(), model.identity());
+    EXPECT_TRUE(l3d_patch_model().patches().empty());
+}
+
+/// What a scene says of a placement; it is as it was after that.
+std::string refusal_of(const l3d_matrix<double>& placement) {
+    l3d_patch_scene scene(teapot_model());
+    scene.forget_changes();
+    std::string said;
+    try {
+        scene.add(teapot_model(), placement);
+    } catch (const l3d_error& error) {
+        said = error.what();
+    }
+    try {
+        scene.place(0, placement);
+        EXPECT_EQ(said, "");
+    } catch (const l3d_error& error) {
+        EXPECT_EQ(error.what(), said);
+        EXPECT_EQ(scene.instances().size(), 1u);
+        EXPECT_EQ(scene.instances()[0].placement(), l3d_identity<double>());
+        EXPECT_FALSE(scene.is_changed());
+    }
+    return said;
+}
+
+TEST(patch_scene, refuses_placements_that_cannot_be_drawn) {
+    const l3d_matrix<double> turn = l3d_rotation<double>({0.3, 1.0, -0.2}, 0.7);
+    l3d_matrix<double> nan = turn, projective = turn, none, thin = l3d_identity<double>();
+    nan(1, 2) = std::nan("");
+    projective(3, 0) = 1e-3;
+    none = l3d_identity<double>();
+    for (int i = 0; i < 3; ++i)
+        none(i, i) = 0;
+    l3d_matrix<double> flat = thin;
+    flat(2, 2) = 0;
+    thin(2, 2) = 1e-9;
+    const std::string flattens =
+        "placement: it flattens the model, since the matrix cannot be inverted";
+    EXPECT_EQ(refusal_of(nan), "placement: a number is not finite");
+    EXPECT_EQ(refusal_of(projective), "placement: the last row is not 0,0,0,1");
+    EXPECT_EQ(refusal_of(none), flattens);
+    EXPECT_EQ(refusal_of(flat), flattens);
+    EXPECT_EQ(refusal_of(turn * flat * turn), flattens);
+    EXPECT_EQ(refusal_of(l3d_translation<double>(0, 1e12, 0)),
+              "placement: it takes the model beyond 1e12");
+    EXPECT_EQ(refusal_of(thin), "");
+    EXPECT_EQ(refusal_of(turn * thin * turn), "");
 }
 
 TEST(patch_scene, counts_terms_that_cancel) {

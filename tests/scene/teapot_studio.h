@@ -5,15 +5,11 @@
 
 #include "scene/camera.h"
 #include "scene/patch_model.h"
-#include "geom/teapot.h"
-
-#include <string>
 
 namespace dice_tests {
 
 inline l3d_patch_model teapot_model() {
-    std::string why;
-    return *l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot", why);
+    return l3d_patch_model::teapot();
 }
 
 inline l3d_camera oblique_camera() {

@@ -146,11 +146,7 @@ std::vector<std::unique_ptr<arithmetic>> all_arithmetics() {
 }
 
 frame draw_by_pipeline(const library_case& c) {
-    l3d_screen_request request;
-    request.size = c.size;
-    l3d_service refusal;
-    l3d_pipeline_afd pipeline(l3d_screen_factory_memory().create(request, refusal),
-                              l3d_rasterizer_factory_sw(), c.model, c.camera,
+    l3d_pipeline_afd pipeline(l3d_memory_canvas(c.size), c.model, c.camera,
                               settings_of(c.tolerance));
     pipeline.draw_event();
     frame result;

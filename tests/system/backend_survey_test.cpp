@@ -41,7 +41,7 @@ TEST(backend_survey, default_is_the_first_that_serves_if_none_is_automatic) {
     table.add("card", false);
     std::istringstream in("\n");
     std::ostringstream out;
-    EXPECT_EQ(l3d_detail::backend_survey(table.rows).asked(in, out).name, "slate");
+    EXPECT_EQ(l3d_detail::backend_survey(table.rows).asked(in, out)->name, "slate");
     EXPECT_NE(out.str().find("Number or name [1]"), std::string::npos) << out.str();
 }
 

@@ -106,6 +106,13 @@ TEST_F(factory_manager, nonsense_is_asked_again) {
     EXPECT_EQ(questions(), 11);
 }
 
+TEST_F(factory_manager, q_quits) {
+    EXPECT_FALSE(choose({}, "what?\n q \n2\n", true));
+    EXPECT_EQ(questions(), 2);
+    EXPECT_EQ(options.common().output, "");
+    EXPECT_EQ(messages, "");
+}
+
 TEST_F(factory_manager, end_of_input_takes_the_default) {
     EXPECT_EQ(ask(""), "memory");
 }
@@ -193,6 +200,9 @@ TEST_F(factory_manager, named_output_stays) {
 TEST_F(factory_manager, memory_by_name_writes_only_what_it_is_told) {
     EXPECT_TRUE(choose({"--backend", "memory"}, "", false));
     EXPECT_EQ(options.common().output, "");
+    EXPECT_EQ(messages, "tester: nobody will see a picture: back-end 'memory' has no window, and "
+                        "no --output names a file\n");
+    EXPECT_TRUE(choose({"--backend", "memory", "--output", "other.ppm"}, "", false));
     EXPECT_EQ(messages, "");
 }
 
@@ -267,7 +277,7 @@ TEST_F(factory_manager, a_new_row_runs_a_whole_program) {
         choose({"--backend", "paper", "--frames", "3", "--output", picture.c_str()}, "", false));
     const auto dispatcher = manager.create_dispatcher(options.frame_settings());
     const auto screen = manager.create_screen({options.common().size, "paper"});
-    const auto imp = manager.create_rasterizer(screen->pixels());
+    const auto imp = manager.chosen().rasterizer_factory->create_2d(screen->pixels());
     l3d_rasterizer_2d(*imp).draw_point(11, 7, 0xABCDEF);
     EXPECT_EQ(screen->pixels().row(7)[11], 0xABCDEFu);
     fake_pipeline pipeline(log, *screen);

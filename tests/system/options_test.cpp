@@ -6,6 +6,8 @@
 
 #include <ostream>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -33,12 +35,52 @@ struct program {
     int threads = 3;
     std::string model = "teapot.bpt";
     bool net = false;
-    std::array<double, 3> eye{1.5, -2, 7};
+    l3d_vector<double, 3> eye{1.5, -2.0, 7.0};
     l3d_size window{64, 48};
     fruit kind = fruit::quince;
     std::ostringstream out;
     l3d_options options{"tester", "Tests.", {640, 400}};
 };
+
+TEST(options, help_and_messages_have_the_name_that_the_program_was_called_by) {
+    l3d_options options("tester", "Tests.", {640, 400});
+    std::ostringstream out;
+    const char* arguments[] = {"/opt/l3d/bin/l3d-tester", "--help"};
+    EXPECT_FALSE(options.parse(2, arguments, out));
+    EXPECT_NE(out.str().find("l3d-tester [OPTIONS]"), std::string::npos) << out.str();
+    EXPECT_EQ(options.command(), "l3d-tester");
+    EXPECT_EQ(options.frame_settings().program, "l3d-tester");
+    EXPECT_EQ(options.screen_request().title, "tester");
+}
+
+/// An option whose name may be left out.
+struct viewer {
+    viewer() { options.add("FILE,--model", model, "patches", "FILE"); }
+
+    std::string read(std::vector<const char*> arguments) {
+        arguments.insert(arguments.begin(), "viewer");
+        std::ostringstream out;
+        options.parse(static_cast<int>(arguments.size()), arguments.data(), out);
+        return model;
+    }
+
+    std::string model = "teapot.bpt";
+    l3d_options options{"viewer", "Views.", {640, 400}};
+};
+
+TEST(options, a_file_needs_no_option) {
+    EXPECT_EQ(viewer().read({}), "teapot.bpt");
+    EXPECT_EQ(viewer().read({"spoon.bpt"}), "spoon.bpt");
+    EXPECT_EQ(viewer().read({"--no-input", "spoon.bpt", "--size", "3x4"}), "spoon.bpt");
+    EXPECT_EQ(viewer().read({"--model", "spoon.bpt"}), "spoon.bpt");
+    EXPECT_EQ(viewer().read({"--", "-spoon.bpt"}), "-spoon.bpt");
+    try {
+        viewer().read({"spoon.bpt", "cup.bpt"});
+        ADD_FAILURE() << "took two files";
+    } catch (const l3d_error& error) {
+        EXPECT_STREQ(error.what(), "one argument too many: 'cup.bpt' (see --help)");
+    }
+}
 
 TEST(options, defaults) {
     program tester;
@@ -51,7 +93,7 @@ TEST(options, defaults) {
     EXPECT_EQ(common.scale, 0);
     EXPECT_EQ(common.seed, 1u);
     EXPECT_FALSE(common.no_input || common.list_backends || common.diagnose || common.verbose);
-    EXPECT_EQ(tester.eye, (std::array<double, 3>{1.5, -2, 7}));
+    EXPECT_EQ(tester.eye, (l3d_vector<double, 3>{1.5, -2.0, 7.0}));
     EXPECT_FALSE(tester.options.frame_settings().fixed_step);
 }
 
@@ -103,7 +145,7 @@ TEST(options, reads_a_programs_own) {
     EXPECT_EQ(tester.threads, 7);
     EXPECT_EQ(tester.model, "a b.bpt");
     EXPECT_TRUE(tester.net);
-    EXPECT_EQ(tester.eye, (std::array<double, 3>{-1, 2.5, -300}));
+    EXPECT_EQ(tester.eye, (l3d_vector<double, 3>{-1.0, 2.5, -300.0}));
     EXPECT_EQ(tester.window, (l3d_size{16384, 1}));
     EXPECT_EQ(tester.kind, fruit::apple);
 }

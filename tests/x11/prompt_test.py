@@ -153,6 +153,13 @@ def nonsense_is_asked_again(program):
         expect_picture(it, program)
 
 
+def q_quits(program):
+    with asked(program) as it:
+        it.answer("q\n")
+        expect_equal(it.end(), (0, ""))
+        expect_equal(os.listdir(it.folder), [])
+
+
 def end_of_input_takes_the_default(program):
     with asked(program) as it:
         it.answer(END_OF_INPUT)
@@ -233,6 +240,7 @@ CHECKS = (
     name_is_taken,
     window_by_name,
     nonsense_is_asked_again,
+    q_quits,
     end_of_input_takes_the_default,
     end_of_input_after_nonsense,
     interrupt_ends_it_at_once,

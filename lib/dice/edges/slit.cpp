@@ -3,6 +3,7 @@
 #include "dice/edges/slit.h"
 
 #include "dice/grid_light.h"
+#include "raster/pixel_centres.h"
 
 #include <algorithm>
 #include <array>
@@ -12,19 +13,14 @@
 
 namespace {
 
-/// The first and the last pixel whose centre, 256 k + 128, lies between numbers of 1/256 pixels.
-struct centres_between {
-    centres_between(std::int32_t a, std::int32_t b, std::int32_t c)
-        : first((std::min({a, b, c}) + half - 1) >> l3d_subpixel_bits),
-          last((std::max({a, b, c}) - half) >> l3d_subpixel_bits) {}
+l3d_pixel_centres<std::int32_t> centres_between(std::int32_t a, std::int32_t b, std::int32_t c) {
+    return l3d_centres_in(std::min({a, b, c}), std::max({a, b, c}));
+}
 
-    bool none() const { return last < first; }
-    bool one() const { return last == first; }
-    std::int32_t centre() const { return (first << l3d_subpixel_bits) + half; }
-
-    static constexpr std::int32_t half = l3d_subpixel_one / 2;
-    std::int32_t first, last;
-};
+/// Units: 1/256 pixel.
+std::int32_t centre_of(std::int32_t pixel) {
+    return (pixel << l3d_subpixel_bits) + l3d_subpixel_one / 2;
+}
 
 /// Twice the signed area of p, q and (x, y).
 std::int64_t turn(const l3d_micro_vertex& p, const l3d_micro_vertex& q, std::int32_t x,
@@ -36,12 +32,12 @@ std::int64_t turn(const l3d_micro_vertex& p, const l3d_micro_vertex& q, std::int
 /// beyond one side, or its corners lie on one line. Nearly all triangles of slits are so.
 bool covers_nothing(const l3d_micro_vertex& p, const l3d_micro_vertex& q,
                     const l3d_micro_vertex& r) {
-    const centres_between along_x(p.x, q.x, r.x), along_y(p.y, q.y, r.y);
+    const auto along_x = centres_between(p.x, q.x, r.x), along_y = centres_between(p.y, q.y, r.y);
     if (along_x.none() || along_y.none())
         return true;
-    if (!along_x.one() || !along_y.one())
+    if (!along_x.only_one() || !along_y.only_one())
         return turn(p, q, r.x, r.y) == 0;
-    const std::int32_t x = along_x.centre(), y = along_y.centre();
+    const std::int32_t x = centre_of(along_x.first), y = centre_of(along_y.first);
     const std::int64_t a = turn(p, q, x, y), b = turn(q, r, x, y), c = turn(r, p, x, y);
     return a + b + c == 0 || (std::min({a, b, c}) < 0 && std::max({a, b, c}) > 0);
 }

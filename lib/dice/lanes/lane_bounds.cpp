@@ -118,40 +118,51 @@ double depth_matters_below(const l3d_dice_view& view, bool balanced) {
     return (balanced ? 1 / l3d_balance : 8) * 2.83 * view.chord_budget(0);
 }
 
-/// Needs of the blocks in lanes `lane` on, given what is seen at most, about the net's centre.
+/// What bounds of blocks depend on beside their nets, about the net's centre.
+struct block_surroundings {
+    const l3d_image_box& window; ///< what is seen at most
+    float reach;                 ///< largest |x' / w| or |y' / w|
+    float grown_by;              ///< how far vertices may leave the net's box
+    float deep_below;            ///< width and height together below which depth matters
+    float most_w;
+};
+
+/// Needs of the blocks in lanes `lane` on.
 HWY_ATTR HWY_INLINE void bound_lanes(const block_nets& blocks, std::size_t lane,
-                                     const l3d_image_box& window, float reach, float grown_by,
-                                     float deep_below, float most_w, l3d_block_needs& needs) {
+                                     const block_surroundings& in, l3d_block_needs& needs) {
+    // What is seen of each block.
     const floats d;
     const auto limit = [&](double number)
                            HWY_ATTR { return hn::Set(d, static_cast<float>(number)); };
     const auto zero = hn::Zero(d), half = hn::Set(d, 0.5F);
-    const auto slack = hn::Set(d, projected_rounding * reach + grown_by);
+    const auto slack = hn::Set(d, projected_rounding * in.reach + in.grown_by);
     const lane_boxes box = boxes_of(blocks, lane);
-    const auto left = hn::Max(hn::Sub(box.left, slack), limit(window.left));
-    const auto right = hn::Min(hn::Add(box.right, slack), limit(window.right));
-    const auto top = hn::Max(hn::Sub(box.top, slack), limit(window.top));
-    const auto bottom = hn::Min(hn::Add(box.bottom, slack), limit(window.bottom));
+    const auto left = hn::Max(hn::Sub(box.left, slack), limit(in.window.left));
+    const auto right = hn::Min(hn::Add(box.right, slack), limit(in.window.right));
+    const auto top = hn::Max(hn::Sub(box.top, slack), limit(in.window.top));
+    const auto bottom = hn::Min(hn::Add(box.bottom, slack), limit(in.window.bottom));
     const auto width = hn::Sub(right, left), height = hn::Sub(bottom, top);
     const auto visible = hn::And(hn::Ge(width, zero), hn::Ge(height, zero));
-    const auto deep = hn::And(visible, hn::Lt(hn::Add(width, height), hn::Set(d, deep_below)));
+    const auto deep = hn::And(visible, hn::Lt(hn::Add(width, height), hn::Set(d, in.deep_below)));
     needs.visible = needs.visible || !hn::AllFalse(d, visible);
     needs.keeps_depth = needs.keeps_depth || !hn::AllFalse(d, deep);
 
+    // Its largest second differences, by the norm for what is seen.
     const auto diagonal = hn::Sqrt(hn::Add(hn::Mul(width, width), hn::Mul(height, height)));
     const seen_norm norm{hn::Mul(half, hn::Add(left, right)), hn::Mul(half, hn::Add(top, bottom)),
                          hn::Mul(half, diagonal)};
     largest_of uu{zero, zero}, uv{zero, zero}, vv{zero, zero};
     take_differences(blocks, lane, norm, uu, uv, vv);
 
+    // Bounds of second derivatives in the picture and along the view axis.
     const auto low_w = hn::Mul(box.least_w, hn::Set(d, 1 - projected_rounding));
     const auto per_w = hn::Div(hn::Set(d, relative), low_w);
     const auto six = hn::Mul(hn::Set(d, 6.0F), per_w), nine = hn::Mul(hn::Set(d, 9.0F), per_w);
     const auto image_bound = [&](float_lanes factor, const largest_of& of) HWY_ATTR {
-        const auto rounding = hn::Set(d, difference_rounding * reach);
+        const auto rounding = hn::Set(d, difference_rounding * in.reach);
         return hn::IfThenElseZero(visible, hn::Mul(factor, hn::Add(of.image, rounding)));
     };
-    put(hn::Mul(low_w, hn::Set(d, most_w)), needs.least_w, lane);
+    put(hn::Mul(low_w, hn::Set(d, in.most_w)), needs.least_w, lane);
     put(image_bound(six, uu), needs.uu, lane);
     put(image_bound(nine, uv), needs.uv, lane);
     put(image_bound(six, vv), needs.vv, lane);
@@ -163,6 +174,8 @@ HWY_ATTR HWY_INLINE void bound_lanes(const block_nets& blocks, std::size_t lane,
     put(depth_bound(six, uu), needs.depth_uu, lane);
     put(depth_bound(nine, uv), needs.depth_uv, lane);
     put(depth_bound(six, vv), needs.depth_vv, lane);
+
+    // Fewest steps, by the gaps of the control points.
     const auto per_gap = hn::Set(d, static_cast<float>(3 / l3d_largest_quad));
     put(hn::IfThenElseZero(visible, hn::Mul(per_gap, box.gap_u)), needs.least_u, lane);
     put(hn::IfThenElseZero(visible, hn::Mul(per_gap, box.gap_v)), needs.least_v, lane);
@@ -255,11 +268,13 @@ HWY_ATTR void bound_blocks(const l3d_dice_view& view, lane_bounds& out) {
     out.needs.strips = l3d_block_needs::most_strips;
     out.needs.visible = out.needs.keeps_depth = false;
     out.needs.balanced = true;
+    const block_surroundings in{.window = window,
+                                .reach = static_cast<float>(reach_of(out)),
+                                .grown_by = static_cast<float>(view.most_moved()),
+                                .deep_below = static_cast<float>(depth_matters_below(view, true)),
+                                .most_w = static_cast<float>(out.most_w * (1 - 0x1p-22))};
     for (std::size_t lane = 0; lane < points; lane += hn::Lanes(floats()))
-        bound_lanes(blocks, lane, window, static_cast<float>(reach_of(out)),
-                    static_cast<float>(view.most_moved()),
-                    static_cast<float>(depth_matters_below(view, true)),
-                    static_cast<float>(out.most_w * (1 - 0x1p-22)), out.needs);
+        bound_lanes(blocks, lane, in, out.needs);
     bound_mixed(view, out);
 }
 

@@ -67,20 +67,23 @@ double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy
 }
 
 /// Chooses the registers, and what 1 is in them; whether they are exact enough.
-template <class T> bool l3d_lane_dicer<T>::judge(const l3d_dice_view& view) {
+template <class T> bool l3d_lane_dicer<T>::choose_registers(const l3d_dice_view& view) {
     const l3d_detail::centred_net& net = bounds_.net;
     const int strips = bounds_.needs.strips;
     const double most_w = l3d_balanced_reach * bounds_.most_w;
     const double most_xy = std::max(l3d_balanced_reach * net.largest_xy, most_w / l3d_subpixel_one);
     const double reach = bounds_.hull.reach() + std::max(std::abs(net.x), std::abs(net.y));
+    // What a vertex would be off if walking added nothing.
     // The centre of a folded quad is rounded to sub-pixels once more.
     const double centre_snap = l3d_snap_error<double>(0);
     const double exact = vertex_error(view, 0, 0, l3d_snap_error<double>(reach) + centre_snap);
-    const auto judged = [&](double walk_xy, double walk_w, double snap, double allowance) {
+    const auto exact_enough = [&](double walk_xy, double walk_w, double snap, double allowance) {
         vertex_error_ = vertex_error(view, walk_xy, walk_w, snap + centre_snap);
         walk_w_ = walk_w;
         return vertex_error_ - exact <= allowance;
     };
+
+    // The fastest registers that walk exactly enough.
     register_xy_ = register_w_ = 1;
     const double least = view.walk_allowance(exact);
     if constexpr (l3d_is_fixed<T>) {
@@ -91,9 +94,9 @@ template <class T> bool l3d_lane_dicer<T>::judge(const l3d_dice_view& view) {
             register_ = kind;
             register_xy_ = std::ldexp(1.0, bits_xy + more_bits);
             register_w_ = std::ldexp(1.0, bits_w + more_bits);
-            return judged(l3d_block_walk_error(bits_xy + more_bits, l3d_most_steps_whole),
-                          l3d_block_walk_error(bits_w + more_bits, l3d_most_steps_whole), snap,
-                          allowance);
+            return exact_enough(l3d_block_walk_error(bits_xy + more_bits, l3d_most_steps_whole),
+                                l3d_block_walk_error(bits_w + more_bits, l3d_most_steps_whole),
+                                snap, allowance);
         };
         // Both x and w are rounded to floats before the division: twice a float's snap error.
         const double snap = 2 * l3d_snap_error<float>(reach) - l3d_snap_error<float>(0);
@@ -103,9 +106,9 @@ template <class T> bool l3d_lane_dicer<T>::judge(const l3d_dice_view& view) {
     } else {
         const auto walked_in = [&]<class Number>(Number, lane_register kind, double allowance) {
             register_ = kind;
-            return judged(walking_error<Number>(most_xy, strips),
-                          walking_error<Number>(most_w, strips), l3d_snap_error<Number>(reach),
-                          allowance);
+            return exact_enough(walking_error<Number>(most_xy, strips),
+                                walking_error<Number>(most_w, strips),
+                                l3d_snap_error<Number>(reach), allowance);
         };
         return (sizeof(T) == 4 && walked_in(0.0F, lane_register::float_32, least)) ||
                walked_in(0.0, lane_register::float_64, view.walk_allowance());
@@ -116,7 +119,7 @@ template <class T>
 const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_net_piece& piece, const l3d_dice_view& view,
                                              double edge_vertex, const l3d_placed_bends& bends) {
     l3d_detail::bounds_in_lanes(piece.net, view, bounds_);
-    if (!bounds_.ordinary || !judge(view))
+    if (!bounds_.ordinary || !choose_registers(view))
         return nullptr;
     row_error_ = std::max(vertex_error_ - l3d_vertex_accuracy::of_centre(), edge_vertex);
     vertex_error_ = std::max(vertex_error_, edge_vertex);
@@ -144,24 +147,29 @@ l3d_lane_dicer<T>::certificate(const l3d_net_piece& piece, const l3d_dice_view& 
 template <class T>
 void l3d_lane_dicer<T>::fill(const l3d_net_piece& piece, const l3d_normal_net& normals,
                              const l3d_dice_view& view, l3d_diced_piece& out) {
+    // Parameters of columns and rows, and the size of the grid.
     l3d_surface_part& part = out.part;
     u_.fill(plan_.strips, plan_.nu, plan_.balanced);
     v_.fill(plan_.strips, plan_.nv, plan_.balanced);
     part.block_columns = starts_of(plan_, plan_.nu);
     part.block_rows = starts_of(plan_, plan_.nv);
     part.grid.resize(static_cast<int>(u_.count), static_cast<int>(v_.count));
+
+    // Places and depths.
     const l3d_detail::centred_net& net = bounds_.net;
-    const l3d_detail::lane_walk walk{net,
-                                     u_,
-                                     plan_.strips,
-                                     plan_.balanced,
-                                     plan_.nv,
-                                     view.centre_x() + net.x * l3d_subpixel_one,
-                                     view.centre_y() + net.y * l3d_subpixel_one,
-                                     register_xy_,
-                                     register_w_,
-                                     static_cast<float>(view.depth_scale)};
+    const l3d_detail::lane_walk walk{.net = net,
+                                     .u = u_,
+                                     .strips = plan_.strips,
+                                     .balanced = plan_.balanced,
+                                     .rows = plan_.nv,
+                                     .origin_x = view.centre_x() + net.x * l3d_subpixel_one,
+                                     .origin_y = view.centre_y() + net.y * l3d_subpixel_one,
+                                     .register_xy = register_xy_,
+                                     .register_w = register_w_,
+                                     .depth_scale = static_cast<float>(view.depth_scale)};
     l3d_detail::walk_in_lanes(walk, register_, part.grid);
+
+    // Levels or normals, at the parameters of the whole patch.
     u_.place(piece.u0, piece.u1);
     v_.place(piece.v0, piece.v1);
     out.has_levels = view.makes_levels();
@@ -169,6 +177,8 @@ void l3d_lane_dicer<T>::fill(const l3d_net_piece& piece, const l3d_normal_net& n
         l3d_detail::levels_in_lanes(normals, u_, v_, view.shading, numbers_, part.grid);
     else
         l3d_detail::normals_in_lanes(normals, u_, v_, view.shading, numbers_, part.grid);
+
+    // What slits and counts ask for.
     out.u.assign(u_.at, u_.at + u_.count);
     out.v.assign(v_.at, v_.at + v_.count);
     out.bound = plan_.visible ? plan_.chord_error + vertex_error_ : 0;

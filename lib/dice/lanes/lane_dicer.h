@@ -60,7 +60,7 @@ public:
     double row_error() const { return row_error_; }
 
 private:
-    bool judge(const l3d_dice_view& view);
+    bool choose_registers(const l3d_dice_view& view);
     double vertex_error(const l3d_dice_view& view, double walk_xy, double walk_w,
                         double snap_error) const;
 

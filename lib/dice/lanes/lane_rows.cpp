@@ -121,6 +121,7 @@ HWY_ATTR HWY_INLINE void start(const power_form& powers, const lane_walk& walk,
     const auto moved = hn::Load(d, walk.u.moved + column + i);
     const auto six = hn::Set(d, 6.0), two = hn::Set(d, 2.0);
     for (std::size_t k = 0; k < 3; ++k) {
+        // Powers of v of the column's curve: its coefficients at u, balanced along u.
         const auto at_u = [&](std::size_t power) HWY_ATTR {
             const double* a = powers.at[k][power];
             const auto bend = hn::Set(d, a[2]), twist = hn::Mul(hn::Set(d, a[3]), t);
@@ -131,6 +132,8 @@ HWY_ATTR HWY_INLINE void start(const power_form& powers, const lane_walk& walk,
             return hn::Sub(sum, hn::Mul(moved, second));
         };
         const auto a0 = at_u(0), a1 = at_u(1), a2 = at_u(2), a3 = at_u(3);
+
+        // Of each strip, where it starts, and the registers of its differences, balanced along v.
         const double scale = k < 2 ? walk.register_xy : walk.register_w;
         for (std::size_t b = 0; b < static_cast<std::size_t>(walk.strips); ++b) {
             const difference_weights& by = weights[b];
@@ -153,6 +156,8 @@ HWY_ATTR HWY_INLINE void start(const power_form& powers, const lane_walk& walk,
             put(second, scale, out[2] + i);
             put(hn::Mul(a3, hn::Set(d, by.d3)), scale, out[3] + i);
         }
+
+        // The end of the last strip, where v = 1.
         put(hn::Add(hn::Add(a0, a1), hn::Add(a2, a3)), scale, starts.point[walk.strips][k] + i);
     }
 }
@@ -161,6 +166,7 @@ HWY_ATTR HWY_INLINE void start(const power_form& powers, const lane_walk& walk,
 template <class Number>
 HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Number>& starts,
                                    std::size_t column, std::size_t i, l3d_micro_grid& grid) {
+    // Types and factors.
     const hn::CappedTag<Number, lane_columns> d;
     const float_tag<decltype(d)> df;
     using real = hn::TFromD<float_tag<decltype(d)>>;
@@ -173,6 +179,8 @@ HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Nu
     const auto to_depth = hn::Set(ds, walk.depth_scale);
     const auto origin_x = hn::Set(di, walk.origin_x), origin_y = hn::Set(di, walk.origin_y);
     const auto one = hn::Set(df, real(1));
+
+    // A row of vertices is projected, snapped and stored.
     std::size_t to = column + i;
     using number_vec = hn::Vec<decltype(d)>;
     const auto emit = [&](number_vec x, number_vec y, number_vec w) HWY_ATTR {
@@ -190,6 +198,8 @@ HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Nu
         const auto& point = starts.point[b];
         emit(hn::Load(d, point[0] + i), hn::Load(d, point[1] + i), hn::Load(d, point[2] + i));
     };
+
+    // Each strip starts exactly; from row to row only differences are added.
     for (int b = 0; b < walk.strips; ++b) {
         emit_point(b);
         const auto* from = starts.at[b];

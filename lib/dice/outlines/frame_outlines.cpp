@@ -21,7 +21,7 @@ void l3d_frame_outlines::begin(const l3d_patch_scene& scene, const l3d_matrix<do
 }
 
 const l3d_patch_sides& l3d_frame_outlines::sides_of(const l3d_patch_model& model) {
-    return sides_.try_emplace(&model, model).first->second;
+    return sides_.try_emplace(model.identity(), model).first->second;
 }
 
 void l3d_frame_outlines::add(const l3d_placed_patch& patch,

@@ -16,7 +16,7 @@
 
 /// Gathers what a frame draws, and finds its outlines when all is drawn (NUMERICS, Outlines).
 ///
-/// Lives: borrows the scene from begin to finish, models as long as it is used.
+/// Lives: borrows the scene from begin to finish.
 /// Cost:  36 bytes a pixel; drawing all once more on one thread; l3d_outline_search of all patches
 ///        of the scene, also of those that cover no pixel.
 class l3d_frame_outlines {
@@ -41,7 +41,7 @@ private:
     l3d_matrix<double> to_image_;
     l3d_dice_view view_;
     double focal_ = 1;
-    std::map<const l3d_patch_model*, l3d_patch_sides> sides_; ///< of the frame's models
+    std::map<const void*, l3d_patch_sides> sides_; ///< of the frame's models, by identity
     l3d_sheet_depths depths_;
     l3d_outline_mask mask_;
 };

@@ -39,7 +39,7 @@ inline constexpr double l3d_bpt_largest_coordinate = 1e12;
 /// Cost:    memory in proportion to the text, however large the numbers in it.
 /// Source:  R. Holmes' patch files; their two numbers per patch are degrees, as his examples show.
 L3D_PUBLIC std::optional<std::vector<l3d_patch_points>>
-l3d_read_bpt(std::string_view text, std::string_view name, std::string& why);
+L3D_PUBLIC l3d_read_bpt(std::string_view text, std::string_view name, std::string& why);
 
 /// The text of a .bpt file; reading it gives the same patches, bit for bit.
 /// Expects: what l3d_read_bpt would accept.
@@ -54,6 +54,6 @@ L3D_PUBLIC std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
 ///          or if no bicubic patch has these points but for rounding, 2^-46 of the largest
 ///          coordinate.
 L3D_PUBLIC std::optional<std::array<std::array<double, 3>, 16>>
-l3d_as_bicubic(const l3d_patch_points& patch);
+L3D_PUBLIC l3d_as_bicubic(const l3d_patch_points& patch);
 
 #endif

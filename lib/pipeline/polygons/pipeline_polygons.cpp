@@ -37,11 +37,11 @@ template <class Enum> constexpr std::size_t after(Enum value, std::size_t count)
 
 } // namespace
 
-l3d_pipeline_polygons::l3d_pipeline_polygons(l3d_canvas canvas, const l3d_polygon_model& model,
+l3d_pipeline_polygons::l3d_pipeline_polygons(l3d_canvas canvas, l3d_polygon_model model,
                                              const l3d_camera& camera,
                                              const l3d_polygon_settings& settings)
     : screen_(std::move(canvas.screen)), workers_(settings.threads),
-      imp_(canvas.rasterizers->create_2d(screen_->pixels())), rasterizer_(*imp_), model_(model),
+      imp_(canvas.rasterizers->create_2d(screen_->pixels())), rasterizer_(*imp_), model_(std::move(model)),
       camera_(camera), settings_(settings), first_settings_(settings),
       frame_(std::make_unique<l3d_polygon_frame>()), wires_(std::make_unique<l3d_polygon_wires>()),
       controls_(*this, *screen_, camera_, own_rows(), [this] { reset_view(); }) {
@@ -49,8 +49,8 @@ l3d_pipeline_polygons::l3d_pipeline_polygons(l3d_canvas canvas, const l3d_polygo
     report_.real = l3d_real_name();
     report_.simd = l3d_simd_target();
     report_.threads = settings.threads;
-    report_.faces = static_cast<std::int64_t>(model.mesh().faces());
-    report_.triangles = static_cast<std::int64_t>(model.triangles().size());
+    report_.faces = static_cast<std::int64_t>(model_.mesh().faces());
+    report_.triangles = static_cast<std::int64_t>(model_.triangles().size());
 }
 
 l3d_pipeline_polygons::~l3d_pipeline_polygons() = default;

@@ -5,6 +5,7 @@
 
 #include "base/public.h"
 #include "scene/camera.h"
+#include "scene/camera_shading.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/pipeline_2d.h"
 #include "pipeline/polygons/polygon_model.h"
@@ -32,7 +33,7 @@ struct L3D_PUBLIC l3d_polygon_settings {
     l3d_polygon_style style = l3d_polygon_style::solid;
     l3d_shade shade = l3d_shade::flat;
     l3d_projection projection = l3d_projection::perspective;
-    l3d_vector<double, 3> light{0.4, 0.8, 0.45}; ///< towards the light, world space, any length
+    l3d_vector<double, 3> light = l3d_usual_light; ///< towards the light, world space, any length
     l3d_vector<double, 3> rotation{0.0, 0.0,
                                    0.0}; ///< degrees about x, y, z, round the box's middle
     bool cull = true;                    ///< faces seen from behind are left out
@@ -44,7 +45,7 @@ struct L3D_PUBLIC l3d_polygon_settings {
 ///
 /// Has the controls that its help overlay lists.
 /// Expects: a valid camera; light not zero; threads >= 1; no shade `error`, as there are no bounds.
-/// Lives:   owns screen, rasterizers and workers; borrows the model.
+/// Lives:   owns screen, rasterizers and workers; shares the model.
 class L3D_PUBLIC l3d_pipeline_polygons : public l3d_pipeline {
 public:
     ~l3d_pipeline_polygons() override;
@@ -53,6 +54,12 @@ public:
 
     /// The last frame drawn; the hash is counted when asked for.
     l3d_polygon_report report() const;
+
+    /// From where the model is drawn, and how; the next draw_event draws what they say then. A
+    /// program with a dispatcher calls redraw() after a change.
+    l3d_camera& camera() { return camera_; }
+    l3d_polygon_settings& settings() { return settings_; }
+    void redraw() { stale_ = true; }
 
     l3d_viewer_controls& controls() { return controls_; }
 
@@ -78,8 +85,8 @@ protected:
     };
 
     /// Errors:  as l3d_rasterizer_factory::create_2d.
-    l3d_pipeline_polygons(l3d_canvas canvas, const l3d_polygon_model& model,
-                          const l3d_camera& camera, const l3d_polygon_settings& settings);
+    l3d_pipeline_polygons(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
+                          const l3d_polygon_settings& settings);
 
     l3d_workers& workers() { return workers_; }
 
@@ -101,7 +108,7 @@ private:
     std::unique_ptr<l3d_rasterizer_2d_imp> imp_;
     l3d_rasterizer_2d rasterizer_;
 
-    const l3d_polygon_model& model_;
+    l3d_polygon_model model_;
     l3d_camera camera_;
     l3d_polygon_settings settings_, first_settings_;
     std::unique_ptr<l3d_polygon_frame> frame_;

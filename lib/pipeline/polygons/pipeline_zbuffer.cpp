@@ -11,12 +11,12 @@
 
 using l3d_detail::stopwatch;
 
-l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, const l3d_polygon_model& model,
+l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model,
                                            const l3d_camera& camera,
                                            const l3d_polygon_settings& settings,
                                            const l3d_rasterizer_factory& surfaces,
                                            const char* method)
-    : l3d_pipeline_polygons(std::move(canvas), model, camera, settings), method_(method),
+    : l3d_pipeline_polygons(std::move(canvas), std::move(model), camera, settings), method_(method),
       rasterizer_(surfaces.create_surface(workers())) {}
 
 l3d_pipeline_zbuffer::~l3d_pipeline_zbuffer() = default;

@@ -19,8 +19,8 @@ public:
     /// `method` names it in reports; `surfaces` makes what fills, and may be of another kind than
     /// the canvas'.
     /// Errors:  as l3d_rasterizer_factory::create_surface.
-    l3d_pipeline_zbuffer(l3d_canvas canvas, const l3d_polygon_model& model,
-                         const l3d_camera& camera, const l3d_polygon_settings& settings,
+    l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
+                         const l3d_polygon_settings& settings,
                          const l3d_rasterizer_factory& surfaces, const char* method = "zbuffer");
     ~l3d_pipeline_zbuffer() override;
 

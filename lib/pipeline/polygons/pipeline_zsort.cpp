@@ -18,10 +18,10 @@ struct l3d_pipeline_zsort::stages {
     l3d_painter painter;
 };
 
-l3d_pipeline_zsort::l3d_pipeline_zsort(l3d_canvas canvas, const l3d_polygon_model& model,
+l3d_pipeline_zsort::l3d_pipeline_zsort(l3d_canvas canvas, l3d_polygon_model model,
                                        const l3d_camera& camera,
                                        const l3d_polygon_settings& settings)
-    : l3d_pipeline_polygons(std::move(canvas), model, camera, settings),
+    : l3d_pipeline_polygons(std::move(canvas), std::move(model), camera, settings),
       stages_(std::make_unique<stages>()) {}
 
 l3d_pipeline_zsort::~l3d_pipeline_zsort() = default;

@@ -12,7 +12,7 @@
 class L3D_PUBLIC l3d_pipeline_zsort : public l3d_pipeline_polygons {
 public:
     /// Errors:  as l3d_rasterizer_factory::create_2d.
-    l3d_pipeline_zsort(l3d_canvas canvas, const l3d_polygon_model& model, const l3d_camera& camera,
+    l3d_pipeline_zsort(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                        const l3d_polygon_settings& settings);
     ~l3d_pipeline_zsort() override;
 

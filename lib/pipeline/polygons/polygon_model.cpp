@@ -2,6 +2,11 @@
 // l3d_polygon_model: ears, normals, box.
 #include "pipeline/polygons/polygon_model.h"
 
+#include "geom/files/model_file.h"
+#include "pipeline/polygons/patch_tessellation.h"
+#include "tool_2d/error.h"
+#include "tool_2d/text_file.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -119,61 +124,81 @@ private:
 } // namespace
 
 l3d_polygon_model::l3d_polygon_model(l3d_polygon_mesh mesh, bool to_origin)
-    : mesh_(std::move(mesh)) {
-    assert(mesh_.is_valid());
-    if (to_origin && !mesh_.vertices.empty()) {
+    : contents_(std::make_shared<const contents>(std::move(mesh), to_origin)) {}
+
+l3d_polygon_model l3d_polygon_model::load(const std::string& file) {
+    const auto refuse = [](const std::string& why) { throw l3d_error(l3d_exit::bad_input, why); };
+    std::string why;
+    auto read = l3d_read_model(l3d_read_text_file(file), file, why);
+    if (!read)
+        refuse(why);
+    l3d_polygon_mesh mesh = std::move(read->mesh);
+    if (!read->patches.empty()) {
+        const auto patches = l3d_patch_model::from_patches(read->patches, file, why);
+        if (!patches)
+            refuse(why);
+        mesh.append(l3d_tessellated(*patches, l3d_usual_facets).mesh);
+    }
+    if (mesh.faces() == 0)
+        refuse(file + ": no polygons and no patches");
+    return l3d_polygon_model(std::move(mesh));
+}
+
+l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin) : mesh(std::move(of)) {
+    assert(mesh.is_valid());
+    if (to_origin && !mesh.vertices.empty()) {
         vector sum{0.0, 0.0, 0.0};
-        for (const vector& v : mesh_.vertices)
+        for (const vector& v : mesh.vertices)
             sum += v;
-        const vector mean = sum / static_cast<double>(mesh_.vertices.size());
-        for (vector& v : mesh_.vertices)
+        const vector mean = sum / static_cast<double>(mesh.vertices.size());
+        for (vector& v : mesh.vertices)
             v -= mean;
     }
-    if (!mesh_.vertices.empty())
-        least_ = most_ = mesh_.vertices.front();
-    for (const vector& v : mesh_.vertices) {
+    if (!mesh.vertices.empty())
+        least = most = mesh.vertices.front();
+    for (const vector& v : mesh.vertices) {
         for (int i = 0; i < 3; ++i) {
-            least_[i] = std::min(least_[i], v[i]);
-            most_[i] = std::max(most_[i], v[i]);
+            least[i] = std::min(least[i], v[i]);
+            most[i] = std::max(most[i], v[i]);
         }
     }
-    for (const vector& v : mesh_.vertices)
-        radius_ = std::max(radius_, l3d_length(v - centre()));
+    for (const vector& v : mesh.vertices)
+        radius = std::max(radius, l3d_length(v - centre()));
     make_triangles();
     make_normals();
 }
 
-void l3d_polygon_model::make_triangles() {
-    triangles_.reserve(mesh_.corners.size() - 2 * mesh_.faces());
-    for (std::size_t f = 0; f < mesh_.faces(); ++f) {
-        const auto face = mesh_.face(f);
+void l3d_polygon_model::contents::make_triangles() {
+    triangles.reserve(mesh.corners.size() - 2 * mesh.faces());
+    for (std::size_t f = 0; f < mesh.faces(); ++f) {
+        const auto face = mesh.face(f);
         const auto number = static_cast<std::uint32_t>(f);
         if (face.size() == 3)
-            triangles_.push_back({{face[0], face[1], face[2]}, number, 7});
+            triangles.push_back({{face[0], face[1], face[2]}, number, 7});
         else
-            flat_face(mesh_, face).triangulate([&](l3d_model_triangle triangle) {
+            flat_face(mesh, face).triangulate([&](l3d_model_triangle triangle) {
                 triangle.face = number;
-                triangles_.push_back(triangle);
+                triangles.push_back(triangle);
             });
     }
 }
 
-void l3d_polygon_model::make_normals() {
-    std::vector<vector> sums(mesh_.vertices.size(), vector{0.0, 0.0, 0.0});
-    face_normals_.reserve(mesh_.faces());
-    for (std::size_t f = 0; f < mesh_.faces(); ++f) {
-        const auto face = mesh_.face(f);
-        const vector area = area_vector(mesh_, face);
-        face_normals_.push_back(unit(area));
+void l3d_polygon_model::contents::make_normals() {
+    std::vector<vector> sums(mesh.vertices.size(), vector{0.0, 0.0, 0.0});
+    face_normals.reserve(mesh.faces());
+    for (std::size_t f = 0; f < mesh.faces(); ++f) {
+        const auto face = mesh.face(f);
+        const vector area = area_vector(mesh, face);
+        face_normals.push_back(unit(area));
         for (const std::uint32_t corner : face)
             sums[corner] += area;
     }
-    vertex_normals_.reserve(sums.size());
-    for (const vector& v : mesh_.vertex_normals.empty() ? sums : mesh_.vertex_normals)
-        vertex_normals_.push_back(unit(v));
+    vertex_normals.reserve(sums.size());
+    for (const vector& v : mesh.vertex_normals.empty() ? sums : mesh.vertex_normals)
+        vertex_normals.push_back(unit(v));
 }
 
 std::size_t l3d_polygon_model::bytes() const {
-    return mesh_.bytes() + triangles_.size() * sizeof(l3d_model_triangle) +
-           (face_normals_.size() + vertex_normals_.size()) * sizeof(direction);
+    return mesh().bytes() + triangles().size() * sizeof(l3d_model_triangle) +
+           (face_normals().size() + vertex_normals().size()) * sizeof(direction);
 }

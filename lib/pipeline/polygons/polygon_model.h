@@ -9,7 +9,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 /// A triangle of a face.
@@ -24,49 +26,68 @@ struct L3D_PUBLIC l3d_model_triangle {
 ///
 /// Faces of more than three corners are cut into triangles by ears, in the plane they are most
 /// parallel to; those that cross themselves become some triangles or other.
+/// A model never changes after it is made. Its copies share its contents.
+/// Lives:   the contents live as long as any copy does, such as the one in a pipeline.
 /// Cost:    memory per triangle 20 bytes and 12 for the face's normal, per vertex 12 for its
-/// normal,
-///          beside the mesh's own: 66 bytes per face of a closed mesh of triangles.
+///          normal, beside the mesh's own: 66 bytes per face of a closed mesh of triangles. A copy
+///          counts a reference. A move is a copy, so no model is ever without contents.
 class L3D_PUBLIC l3d_polygon_model {
 public:
     using vector = l3d_vector<double, 3>;
     using direction = l3d_vector<float, 3>;
 
-    l3d_polygon_model() = default;
+    /// No polygons.
+    l3d_polygon_model() : l3d_polygon_model(l3d_polygon_mesh()) {}
+    l3d_polygon_model(const l3d_polygon_model&) = default;
+    l3d_polygon_model& operator=(const l3d_polygon_model&) = default;
+    ~l3d_polygon_model() = default;
 
     /// With `to_origin`, all is moved so that the mean of the vertices is the origin.
     /// Expects: mesh.is_valid(); coordinates of magnitude at most 1e12.
     explicit l3d_polygon_model(l3d_polygon_mesh mesh, bool to_origin = false);
 
-    const l3d_polygon_mesh& mesh() const { return mesh_; }
-    std::span<const l3d_model_triangle> triangles() const { return triangles_; }
+    /// The polygons of a file in any format of l3d_read_model, and its patches as l3d_usual_facets
+    /// by l3d_usual_facets quads each. Its notes are left out.
+    /// Errors: throws l3d_error(bad_input) with file, line and reason, also for a file that holds
+    ///         neither polygons nor patches.
+    static l3d_polygon_model load(const std::string& file);
+
+    const l3d_polygon_mesh& mesh() const { return contents_->mesh; }
+    std::span<const l3d_model_triangle> triangles() const { return contents_->triangles; }
 
     /// Unit vectors, counterclockwise corners seen from their tips; zero for a face of no area.
-    std::span<const direction> face_normals() const { return face_normals_; }
+    std::span<const direction> face_normals() const { return contents_->face_normals; }
 
     /// The mesh's own if it has any, else the mean of the faces around, weighted by area. Unit
     /// vectors; zero where no face is.
-    std::span<const direction> vertex_normals() const { return vertex_normals_; }
+    std::span<const direction> vertex_normals() const { return contents_->vertex_normals; }
 
-    const vector& least() const { return least_; }
-    const vector& most() const { return most_; }
+    const vector& least() const { return contents_->least; }
+    const vector& most() const { return contents_->most; }
 
     /// The middle of the box, and how far the farthest vertex is from it.
-    vector centre() const { return (least_ + most_) * 0.5; }
-    double radius() const { return radius_; }
+    vector centre() const { return contents_->centre(); }
+    double radius() const { return contents_->radius; }
 
     /// Bytes of memory in use, the mesh's own included.
     std::size_t bytes() const;
 
 private:
-    void make_triangles();
-    void make_normals();
+    struct contents {
+        contents(l3d_polygon_mesh of, bool to_origin);
 
-    l3d_polygon_mesh mesh_;
-    std::vector<l3d_model_triangle> triangles_;
-    std::vector<direction> face_normals_, vertex_normals_;
-    vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
-    double radius_ = 0;
+        vector centre() const { return (least + most) * 0.5; }
+        void make_triangles();
+        void make_normals();
+
+        l3d_polygon_mesh mesh;
+        std::vector<l3d_model_triangle> triangles;
+        std::vector<direction> face_normals, vertex_normals;
+        vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
+        double radius = 0;
+    };
+
+    std::shared_ptr<const contents> contents_;
 };
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_SHAPES_SCAN_EDGE_P_H
 #define L3D_RASTER_SHAPES_SCAN_EDGE_P_H
 
+#include "raster/pixel_centres.h"
 #include "raster/shapes/exact_steps_p.h"
 #include "raster/micro_grid.h"
 
@@ -24,14 +25,6 @@ struct far_point {
 };
 
 inline constexpr std::int64_t far_limit = std::int64_t{1} << 38;
-
-/// Index of the first pixel whose centre is not before a position: ceil((position - 128) / 256).
-constexpr std::int32_t first_centre(std::int32_t position) {
-    return (position + l3d_subpixel_one / 2 - 1) >> l3d_subpixel_bits;
-}
-constexpr std::int32_t first_centre(std::int64_t position) {
-    return static_cast<std::int32_t>((position + l3d_subpixel_one / 2 - 1) >> l3d_subpixel_bits);
-}
 
 /// An edge from its upper to its lower end, stepped from one row of pixel centres to the next.
 ///

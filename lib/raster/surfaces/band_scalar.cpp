@@ -16,9 +16,9 @@ namespace {
 /// Whether no pixel centre of [begin, end) lies between the least and the greatest of four numbers.
 bool misses(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d, std::int32_t begin,
             std::int32_t end) {
-    const std::int32_t first = first_centre(std::min(std::min(a, b), std::min(c, d)));
-    const std::int32_t last = first_centre(std::max(std::max(a, b), std::max(c, d)));
-    return std::max(first, begin) >= std::min(last, end);
+    const std::int32_t least = std::min(std::min(a, b), std::min(c, d));
+    const std::int32_t most = std::max(std::max(a, b), std::max(c, d));
+    return l3d_centres_filled(least, most).within(begin, end).none();
 }
 
 /// Fills the quad whose first corner is at p00.

@@ -22,7 +22,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Whether a pixel centre in [begin, end) lies between the corners.
+/// Whether a pixel centre in [begin, end) lies between the corners: l3d_centres_filled, in lanes.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> meets(D d, const V (&v)[4], std::int32_t begin, std::int32_t end) {
     const V least = hn::Min(hn::Min(v[0], v[1]), hn::Min(v[2], v[3]));

@@ -37,7 +37,7 @@ HWY_INLINE int_mask mask_of(hn::Mask<floats> mask) {
     return hn::RebindMask(ints(), mask);
 }
 
-/// first_centre of scan_edge_p.h.
+/// first_centre of pixel_centres.h, in lanes.
 template <class D> HWY_INLINE hn::Vec<D> first_centre_of(D d, hn::Vec<D> position) {
     return hn::ShiftRight<l3d_subpixel_bits>(hn::Add(position, hn::Set(d, pixel / 2 - 1)));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // l3d_read_text_file: a whole file as text.
-#ifndef L3D_SYSTEM_TEXT_FILE_H
-#define L3D_SYSTEM_TEXT_FILE_H
+#ifndef L3D_TOOL_2D_TEXT_FILE_H
+#define L3D_TOOL_2D_TEXT_FILE_H
 
 #include <string>
 

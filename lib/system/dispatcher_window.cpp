@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_dispatcher_x11: the event loop.
-#include "system/dispatcher_x11.h"
+// l3d_dispatcher_window: the event loop.
+#include "system/dispatcher_window.h"
 
 #include "system/frame_pacer.h"
 #include "system/present_p.h"
@@ -24,9 +24,9 @@ double seconds_between(steady_clock::time_point from, steady_clock::time_point t
 } // namespace
 
 /// One run, and what it has to remember from turn to turn.
-class l3d_dispatcher_x11::loop {
+class l3d_dispatcher_window::loop {
 public:
-    loop(l3d_dispatcher_x11& dispatcher, l3d_pipeline& pipeline, l3d_screen& screen)
+    loop(l3d_dispatcher_window& dispatcher, l3d_pipeline& pipeline, l3d_screen& screen)
         : settings_(dispatcher.settings_), writer_(dispatcher.writer_),
           signals_(*dispatcher.signals_), pipeline_(pipeline), screen_(screen),
           last_update_(steady_clock::now()),
@@ -42,8 +42,8 @@ private:
         return (hidden_ || screen_.is_busy()) && settings_.frames == 0 && settings_.output.empty();
     }
 
-    void take_events();
-    void take(const l3d_event& event);
+    void handle_events();
+    void handle(const l3d_event& event);
     void show_again();
     void make_frame(steady_clock::time_point now);
 
@@ -62,7 +62,7 @@ private:
     bool display_lost_ = false;
 };
 
-void l3d_dispatcher_x11::loop::take(const l3d_event& event) {
+void l3d_dispatcher_window::loop::handle(const l3d_event& event) {
     switch (event.type) {
     case l3d_event_type::resize:
         stale_ = true;
@@ -89,25 +89,25 @@ void l3d_dispatcher_x11::loop::take(const l3d_event& event) {
     deliver(event, pipeline_);
 }
 
-void l3d_dispatcher_x11::loop::take_events() {
+void l3d_dispatcher_window::loop::handle_events() {
     for (l3d_event event; screen_.next_event(event);) {
         const bool is_escape =
             event.type == l3d_event_type::key_press && event.key == l3d_key_escape;
         if (is_escape && screen_.is_fullscreen())
             screen_.set_fullscreen(false);
         else
-            take(event);
+            handle(event);
     }
 }
 
-void l3d_dispatcher_x11::loop::show_again() {
+void l3d_dispatcher_window::loop::show_again() {
     if (!exposed_ || hidden_ || stale_)
         return;
     screen_.show();
     exposed_ = false;
 }
 
-void l3d_dispatcher_x11::loop::make_frame(steady_clock::time_point now) {
+void l3d_dispatcher_window::loop::make_frame(steady_clock::time_point now) {
     pipeline_.update_event(settings_.fixed_step ? settings_.step()
                                                 : seconds_between(last_update_, now));
     last_update_ = now;
@@ -123,9 +123,9 @@ void l3d_dispatcher_x11::loop::make_frame(steady_clock::time_point now) {
     pacer_.frame_done(steady_clock::now(), !drawn);
 }
 
-l3d_exit l3d_dispatcher_x11::loop::run() {
+l3d_exit l3d_dispatcher_window::loop::run() {
     while (!signals_.caught() && !frames_are_made()) {
-        take_events();
+        handle_events();
         l3d_detail::pass_on_remark(screen_, settings_.program);
         if (pipeline_.done || display_lost_)
             break;
@@ -143,15 +143,15 @@ l3d_exit l3d_dispatcher_x11::loop::run() {
     return display_lost_ ? l3d_exit::display_lost : l3d_exit::well;
 }
 
-l3d_dispatcher_x11::l3d_dispatcher_x11(const l3d_frame_settings& settings)
+l3d_dispatcher_window::l3d_dispatcher_window(const l3d_frame_settings& settings)
     : settings_(settings), writer_(settings.output) {}
 
-l3d_exit l3d_dispatcher_x11::do_start(l3d_pipeline& pipeline, l3d_screen& screen) {
+l3d_exit l3d_dispatcher_window::do_start(l3d_pipeline& pipeline, l3d_screen& screen) {
     signals_.emplace();
     return loop(*this, pipeline, screen).run();
 }
 
 std::unique_ptr<l3d_dispatcher>
-l3d_dispatcher_factory_x11::do_create(const l3d_frame_settings& settings) const {
-    return std::make_unique<l3d_dispatcher_x11>(settings);
+l3d_dispatcher_factory_window::do_create(const l3d_frame_settings& settings) const {
+    return std::make_unique<l3d_dispatcher_window>(settings);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_read_text_file: by standard streams.
-#include "system/text_file.h"
+#include "tool_2d/text_file.h"
 
 #include "tool_2d/error.h"
 

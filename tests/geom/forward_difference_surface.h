@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // l3d_forward_difference_surface: one coordinate of a bicubic patch as a tensor of differences.
-#ifndef L3D_GEOM_FORWARD_DIFFERENCE_SURFACE_H
-#define L3D_GEOM_FORWARD_DIFFERENCE_SURFACE_H
+#ifndef L3D_TESTS_GEOM_FORWARD_DIFFERENCE_SURFACE_H
+#define L3D_TESTS_GEOM_FORWARD_DIFFERENCE_SURFACE_H
 
 #include "geom/forward_difference.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // l3d_clip_line: what of a line is in an upright window.
-#ifndef L3D_GEOM_LINE_CLIP_H
-#define L3D_GEOM_LINE_CLIP_H
+#ifndef L3D_TESTS_GEOM_LINE_CLIP_H
+#define L3D_TESTS_GEOM_LINE_CLIP_H
 
 #include "geom/side_2d.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// l3d_dispatcher_x11: the dispatcher of programs with a window.
-#ifndef L3D_SYSTEM_DISPATCHER_X11_H
-#define L3D_SYSTEM_DISPATCHER_X11_H
+// l3d_dispatcher_window: the dispatcher of programs with a window.
+#ifndef L3D_SYSTEM_DISPATCHER_WINDOW_H
+#define L3D_SYSTEM_DISPATCHER_WINDOW_H
 
 #include "system/dispatcher.h"
 #include "system/frame_writer.h"
@@ -14,10 +14,10 @@
 /// seen, unless frames are counted or written; a window that was uncovered gets its last picture
 /// again. Escape gives a window that covers the display its place back before it reaches the
 /// program. SIGINT and SIGTERM end the loop within 0.2 s.
-class l3d_dispatcher_x11 final : public l3d_dispatcher {
+class l3d_dispatcher_window final : public l3d_dispatcher {
 public:
     /// Errors:  as l3d_frame_writer.
-    explicit l3d_dispatcher_x11(const l3d_frame_settings& settings);
+    explicit l3d_dispatcher_window(const l3d_frame_settings& settings);
 
 private:
     class loop;
@@ -30,7 +30,7 @@ private:
 };
 
 /// Makes dispatchers for programs with a window.
-class l3d_dispatcher_factory_x11 final : public l3d_dispatcher_factory {
+class l3d_dispatcher_factory_window final : public l3d_dispatcher_factory {
 private:
     /// Errors:  as l3d_frame_writer.
     std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const override;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_dispatcher_x11: its loop, on a screen whose events the test makes up.
-#include "system/dispatcher_x11.h"
+// l3d_dispatcher_window: its loop, on a screen whose events the test makes up.
+#include "system/dispatcher_window.h"
 #include "system/fakes.h"
 #include "system/temporary_folder.h"
 
@@ -21,7 +21,7 @@ struct window_run {
     }
 
     call_log log;
-    l3d_dispatcher_x11 dispatcher;
+    l3d_dispatcher_window dispatcher;
     fake_screen screen{log};
     fake_pipeline pipeline{log, screen};
 };
@@ -34,7 +34,7 @@ l3d_frame_settings frames(int count, double fps = 0) {
     return settings;
 }
 
-TEST(dispatcher_x11, drains_all_events_before_a_frame) {
+TEST(dispatcher_window, drains_all_events_before_a_frame) {
     window_run run(frames(2));
     for (const char key : {'a', 'b', 'c', 'd'})
         run.screen.pending.push_back(make_key(key));
@@ -43,7 +43,7 @@ TEST(dispatcher_x11, drains_all_events_before_a_frame) {
                                  "frame", "update", "draw", "show", "frame"}));
 }
 
-TEST(dispatcher_x11, expose_shows_without_drawing) {
+TEST(dispatcher_window, expose_shows_without_drawing) {
     window_run run(frames(2, 100));
     run.pipeline.lazy = true;
     run.screen.arrivals.push_back({make_event(l3d_event_type::expose)});
@@ -51,7 +51,7 @@ TEST(dispatcher_x11, expose_shows_without_drawing) {
     EXPECT_EQ(run.log, (call_log{"update", "draw", "show", "frame", "show", "update"}));
 }
 
-TEST(dispatcher_x11, frames_before_the_first_pass_at_once) {
+TEST(dispatcher_window, frames_before_the_first_pass_at_once) {
     l3d_frame_settings settings = frames(4, 1);
     settings.first_frame = 3;
     window_run run(settings);
@@ -62,14 +62,14 @@ TEST(dispatcher_x11, frames_before_the_first_pass_at_once) {
     EXPECT_EQ(run.screen.waits, 0);
 }
 
-TEST(dispatcher_x11, expose_before_the_first_frame_shows_nothing_unfinished) {
+TEST(dispatcher_window, expose_before_the_first_frame_shows_nothing_unfinished) {
     window_run run(frames(1));
     run.screen.pending.push_back(make_event(l3d_event_type::expose));
     run.dispatcher.start();
     EXPECT_EQ(run.log, (call_log{"update", "draw", "show", "frame"}));
 }
 
-TEST(dispatcher_x11, expose_with_resize_shows_only_the_new_picture) {
+TEST(dispatcher_window, expose_with_resize_shows_only_the_new_picture) {
     window_run run(frames(2, 100));
     run.pipeline.lazy = true;
     l3d_event resize = make_event(l3d_event_type::resize);
@@ -80,7 +80,7 @@ TEST(dispatcher_x11, expose_with_resize_shows_only_the_new_picture) {
                                  "draw", "show", "frame"}));
 }
 
-TEST(dispatcher_x11, draws_only_what_is_needed) {
+TEST(dispatcher_window, draws_only_what_is_needed) {
     window_run run(frames(4));
     run.pipeline.lazy = true;
     run.dispatcher.start();
@@ -90,7 +90,7 @@ TEST(dispatcher_x11, draws_only_what_is_needed) {
     EXPECT_GE(run.screen.waits, 2); // after each idle frame, even without a limit
 }
 
-TEST(dispatcher_x11, shows_only_what_changed) {
+TEST(dispatcher_window, shows_only_what_changed) {
     for (const l3d_pixel_box changes : {l3d_pixel_box{3, 4, 9, 7}, l3d_pixel_box{}}) {
         window_run run(frames(100));
         run.pipeline.changes = changes;
@@ -101,7 +101,7 @@ TEST(dispatcher_x11, shows_only_what_changed) {
     }
 }
 
-TEST(dispatcher_x11, sleeps_between_frames_and_never_long) {
+TEST(dispatcher_window, sleeps_between_frames_and_never_long) {
     window_run run(frames(2, 4));
     run.dispatcher.start();
     EXPECT_GE(run.screen.waits, 3); // 250 ms by at most 100
@@ -109,21 +109,21 @@ TEST(dispatcher_x11, sleeps_between_frames_and_never_long) {
     EXPECT_LE(run.screen.longest_wait, 100ms);
 }
 
-TEST(dispatcher_x11, quits_without_another_frame) {
+TEST(dispatcher_window, quits_without_another_frame) {
     window_run by_key(frames(0, 100));
     by_key.screen.arrivals.push_back({make_key('q'), make_key('x')});
     EXPECT_EQ(by_key.dispatcher.start(), l3d_exit::well);
     EXPECT_EQ(by_key.log, (call_log{"update", "draw", "show", "frame", "key q", "key x"}));
 }
 
-TEST(dispatcher_x11, close_ends_well) {
+TEST(dispatcher_window, close_ends_well) {
     window_run run(frames(0, 100));
     run.screen.arrivals.push_back({make_event(l3d_event_type::close)});
     EXPECT_EQ(run.dispatcher.start(), l3d_exit::well);
     EXPECT_EQ(count_of(run.log, "draw"), 1);
 }
 
-TEST(dispatcher_x11, lost_display_is_told_and_the_last_frame_kept) {
+TEST(dispatcher_window, lost_display_is_told_and_the_last_frame_kept) {
     const temporary_folder folder;
     l3d_frame_settings settings = frames(0, 100);
     settings.output = folder.file("last.png");
@@ -135,7 +135,7 @@ TEST(dispatcher_x11, lost_display_is_told_and_the_last_frame_kept) {
     EXPECT_EQ(last.pixels().row(3)[5], 1u);
 }
 
-TEST(dispatcher_x11, hidden_windows_are_neither_drawn_nor_shown) {
+TEST(dispatcher_window, hidden_windows_are_neither_drawn_nor_shown) {
     window_run run(frames(0, 500));
     run.pipeline.on_update = [&](int update) {
         if (update == 2)
@@ -151,7 +151,7 @@ TEST(dispatcher_x11, hidden_windows_are_neither_drawn_nor_shown) {
                                  "frame", "update", "draw", "show", "frame"}));
 }
 
-TEST(dispatcher_x11, what_can_be_seen_again_is_shown_again_only_if_it_was_lost) {
+TEST(dispatcher_window, what_can_be_seen_again_is_shown_again_only_if_it_was_lost) {
     for (const bool is_lost : {false, true}) {
         window_run run(frames(0, 500));
         run.pipeline.lazy = true;
@@ -172,7 +172,7 @@ TEST(dispatcher_x11, what_can_be_seen_again_is_shown_again_only_if_it_was_lost) 
     }
 }
 
-TEST(dispatcher_x11, pictures_that_wait_for_the_display_are_not_drawn_over) {
+TEST(dispatcher_window, pictures_that_wait_for_the_display_are_not_drawn_over) {
     window_run run(frames(0, 500));
     run.pipeline.on_update = [&](int update) {
         run.screen.busy = update == 2 || update == 3;
@@ -183,7 +183,7 @@ TEST(dispatcher_x11, pictures_that_wait_for_the_display_are_not_drawn_over) {
                                  "draw", "show", "frame"}));
 }
 
-TEST(dispatcher_x11, frames_that_are_counted_or_written_are_drawn_unseen) {
+TEST(dispatcher_window, frames_that_are_counted_or_written_are_drawn_unseen) {
     const temporary_folder folder;
     window_run counted(frames(2));
     counted.screen.pending.push_back(make_event(l3d_event_type::hide));
@@ -199,7 +199,7 @@ TEST(dispatcher_x11, frames_that_are_counted_or_written_are_drawn_unseen) {
     EXPECT_EQ(count_of(written.log, "draw"), 3);
 }
 
-TEST(dispatcher_x11, fullscreen_comes_and_goes_and_escape_leaves_it) {
+TEST(dispatcher_window, fullscreen_comes_and_goes_and_escape_leaves_it) {
     window_run run(frames(1));
     const l3d_event toggle = make_event(l3d_event_type::fullscreen);
     const l3d_event escape = make_key(l3d_key_escape);
@@ -209,7 +209,7 @@ TEST(dispatcher_x11, fullscreen_comes_and_goes_and_escape_leaves_it) {
                                  "key a", "key \x1B", "update", "draw", "show", "frame"}));
 }
 
-TEST(dispatcher_x11, as_fast_as_the_screen_is_good_for) {
+TEST(dispatcher_window, as_fast_as_the_screen_is_good_for) {
     l3d_frame_settings settings;
     settings.frames = 3;
     for (const auto& [asked, least] : {std::pair<std::optional<double>, double>{{}, 0.25},
@@ -224,7 +224,7 @@ TEST(dispatcher_x11, as_fast_as_the_screen_is_good_for) {
     }
 }
 
-TEST(dispatcher_x11, passes_on_what_the_screen_has_to_say) {
+TEST(dispatcher_window, passes_on_what_the_screen_has_to_say) {
     l3d_frame_settings settings = frames(2);
     settings.program = "tester";
     window_run run(settings);
@@ -238,7 +238,7 @@ TEST(dispatcher_x11, passes_on_what_the_screen_has_to_say) {
               "tester: slower from now on\ntester: still slower\n");
 }
 
-TEST(dispatcher_x11, fixed_steps) {
+TEST(dispatcher_window, fixed_steps) {
     l3d_frame_settings settings = frames(3, 200);
     settings.fixed_step = true;
     window_run run(settings);
@@ -246,7 +246,7 @@ TEST(dispatcher_x11, fixed_steps) {
     EXPECT_EQ(run.pipeline.steps, std::vector<double>(3, 1 / 200.0));
 }
 
-TEST(dispatcher_x11, measured_steps_add_up_to_the_time_that_passed) {
+TEST(dispatcher_window, measured_steps_add_up_to_the_time_that_passed) {
     const auto before = std::chrono::steady_clock::now();
     window_run run(frames(6, 100));
     run.dispatcher.start();
@@ -260,7 +260,7 @@ TEST(dispatcher_x11, measured_steps_add_up_to_the_time_that_passed) {
 void run_with_signal(int signal) {
     l3d_frame_settings settings;
     call_log log;
-    l3d_dispatcher_x11 dispatcher(settings);
+    l3d_dispatcher_window dispatcher(settings);
     fake_screen screen(log);
     fake_pipeline pipeline(log, screen);
     pipeline.on_update = [signal](int update) {
@@ -272,7 +272,7 @@ void run_with_signal(int signal) {
     fputs("loop over\n", stderr);
 }
 
-TEST(dispatcher_x11_death_test, signals_end_the_loop_and_then_the_program) {
+TEST(dispatcher_window_death_test, signals_end_the_loop_and_then_the_program) {
     testing::FLAGS_gtest_death_test_style = "threadsafe";
     EXPECT_EXIT(run_with_signal(SIGTERM), testing::KilledBySignal(SIGTERM), "loop over");
     EXPECT_EXIT(run_with_signal(SIGINT), testing::KilledBySignal(SIGINT), "loop over");
@@ -281,7 +281,7 @@ TEST(dispatcher_x11_death_test, signals_end_the_loop_and_then_the_program) {
 /// The first signal in vain, as in a program that hangs in a frame.
 void insist_with_signal(int signal) {
     call_log log;
-    l3d_dispatcher_x11 dispatcher{l3d_frame_settings{}};
+    l3d_dispatcher_window dispatcher{l3d_frame_settings{}};
     fake_screen screen(log);
     fake_pipeline pipeline(log, screen);
     pipeline.on_update = [signal](int) {
@@ -292,7 +292,7 @@ void insist_with_signal(int signal) {
     dispatcher.start();
 }
 
-TEST(dispatcher_x11_death_test, second_signal_ends_a_frame_that_hangs) {
+TEST(dispatcher_window_death_test, second_signal_ends_a_frame_that_hangs) {
     testing::FLAGS_gtest_death_test_style = "threadsafe";
     EXPECT_EXIT(insist_with_signal(SIGINT), testing::KilledBySignal(SIGINT), "");
 }

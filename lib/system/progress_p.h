@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// progress: how far a long run without a window is, on one line of a terminal.
+#ifndef L3D_SYSTEM_PROGRESS_P_H
+#define L3D_SYSTEM_PROGRESS_P_H
+
+#include <chrono>
+#include <ostream>
+#include <string>
+
+namespace l3d_detail {
+
+/// Writes "program: frame 120 of 5000" over itself once a second, and takes the line away at the
+/// end. A run of less than a second writes nothing.
+///
+/// Lives:   borrows the stream.
+class progress {
+public:
+    using clock = std::chrono::steady_clock;
+
+    /// `is_shown`: whether the stream is a terminal. Units: frames of the whole run.
+    progress(std::ostream& out, bool is_shown, std::string program, int frames,
+             clock::time_point start)
+        : out_(out), is_shown_(is_shown), program_(std::move(program)), frames_(frames),
+          next_(start + period) {}
+    progress(const progress&) = delete;
+    progress& operator=(const progress&) = delete;
+    ~progress() {
+        if (is_written_)
+            out_ << erase << std::flush;
+    }
+
+    /// So many frames are done at the time `now`.
+    void done(int frames, clock::time_point now) {
+        if (!is_shown_ || now < next_)
+            return;
+        out_ << erase << program_ << ": frame " << frames << " of " << frames_ << std::flush;
+        is_written_ = true;
+        next_ = now + period;
+    }
+
+private:
+    static constexpr std::chrono::seconds period{1};
+    static constexpr const char* erase = "\r\x1b[K"; ///< to the line's start, and all after it
+
+    std::ostream& out_;
+    bool is_shown_;
+    std::string program_;
+    int frames_;
+    clock::time_point next_; ///< when the line may be written again
+    bool is_written_ = false;
+};
+
+} // namespace l3d_detail
+
+#endif

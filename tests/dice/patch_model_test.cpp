@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// l3d_patch_model: from files, and why not.
+#include "scene/patch_model.h"
+
+#include "geom/teapot.h"
+#include "tool_2d/error.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+namespace {
+
+/// A file of that text, until it dies.
+class text_file {
+public:
+    explicit text_file(std::string_view text) { std::ofstream(path) << text; }
+    text_file(const text_file&) = delete;
+    text_file& operator=(const text_file&) = delete;
+    ~text_file() { std::filesystem::remove(path); }
+
+    const std::string path =
+        testing::TempDir() + testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+std::string refusal_of(const std::string& file) {
+    try {
+        l3d_patch_model::load(file);
+    } catch (const l3d_error& error) {
+        EXPECT_EQ(error.code(), l3d_exit::bad_input);
+        return error.what();
+    }
+    return "";
+}
+
+TEST(patch_model, of_a_file_is_that_of_its_text) {
+    const text_file file(l3d_teapot_bpt());
+    const l3d_patch_model model = l3d_patch_model::load(file.path);
+    const l3d_patch_model teapot = l3d_patch_model::teapot();
+    ASSERT_EQ(model.patches().size(), 28u);
+    for (std::size_t i = 0; i < 28; ++i)
+        EXPECT_EQ(model.patches()[i].points, teapot.patches()[i].points);
+}
+
+TEST(patch_model, says_why_a_file_has_none) {
+    EXPECT_EQ(refusal_of("nowhere/at all.bpt"), "nowhere/at all.bpt: No such file or directory");
+    {
+        const text_file polygon("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+        EXPECT_EQ(refusal_of(polygon.path), polygon.path + ": holds 1 polygons and no patches");
+    }
+    const text_file broken("1\n3 3\n0 0 zero\n");
+    EXPECT_EQ(refusal_of(broken.path).find(broken.path + ":3: "), 0u) << refusal_of(broken.path);
+}
+
+} // namespace
