@@ -19,6 +19,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dice_tests {
 namespace {
@@ -137,6 +138,34 @@ TEST(method_picture, is_the_same_for_any_number_of_threads_and_in_the_next_frame
     }
 }
 
+/// What a method keeps of a model is not taken for what it keeps of the next, which may come to the
+/// same memory.
+TEST(method_picture, of_models_that_come_and_go_is_that_of_a_new_program) {
+    const scene s = teapot(reference::project_view("full"), size);
+    const auto part = [&](std::size_t frame) {
+        const auto first = s.model.patches().begin() + static_cast<std::ptrdiff_t>(7 * frame);
+        return l3d_patch_model(std::vector(first, first + 7));
+    };
+    for (const char* method : {"tessellation:8", "voxels:32", "mesa"}) {
+        std::optional<l3d_pipeline_afd> pipeline;
+        try {
+            pipeline.emplace(l3d_memory_canvas(size), part(0), s.camera, settings_of(method, 1));
+        } catch (const l3d_error& error) {
+            std::printf("%-15s left out: %s\n", method, error.what());
+            continue;
+        }
+        for (std::size_t frame = 0; frame < 4; ++frame) {
+            pipeline->scene().clear();
+            pipeline->scene().add(part(frame));
+            pipeline->draw_event();
+            l3d_pipeline_afd fresh(l3d_memory_canvas(size), part(frame), s.camera,
+                                   settings_of(method, 1));
+            fresh.draw_event();
+            EXPECT_EQ(pipeline->report().hash, fresh.report().hash) << method << ' ' << frame;
+        }
+    }
+}
+
 /// Counting reads every pixel's depth, so it is left out unless somebody reports it.
 TEST(method_picture, counts_covered_pixels_only_for_who_asks) {
     const scene s = teapot(reference::project_view("full"), size);
@@ -146,8 +175,8 @@ TEST(method_picture, counts_covered_pixels_only_for_who_asks) {
             l3d_afd_settings settings = settings_of(method, 1);
             settings.depth = depth;
             settings.count_pixels = counted;
-            auto pipeline = std::make_unique<l3d_pipeline_afd>(
-                memory_screen(), l3d_rasterizer_factory_sw(), s.model, s.camera, settings);
+            auto pipeline = std::make_unique<l3d_pipeline_afd>(l3d_memory_canvas(size), s.model,
+                                                               s.camera, settings);
             pipeline->draw_event();
             return pipeline;
         };

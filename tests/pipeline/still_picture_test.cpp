@@ -75,6 +75,26 @@ TEST(still_picture, is_the_same_bits_as_drawn_whole) {
     }
 }
 
+/// Each model lives nowhere but in the scene, and the next one may come to the same memory.
+TEST(still_picture, of_models_that_come_and_go_is_that_of_a_new_program) {
+    random_numbers random(707);
+    l3d_camera camera;
+    camera.eye = {0.3, 0.2, 7};
+    tester program(wild_model(random, 2), camera, {});
+    for (int frame = 0; frame < 6; ++frame) {
+        program.draw_event();
+        tester fresh(program.scene(), camera, {});
+        fresh.draw_event();
+        EXPECT_EQ(program.words(), fresh.words()) << "frame " << frame;
+        if (frame < 3) {
+            program.scene().place(0, wild_model(random, 2), l3d_identity<double>());
+        } else {
+            program.scene().clear();
+            program.scene().add(wild_model(random, 2));
+        }
+    }
+}
+
 /// Two teapots, one of which may be moved, and a few pixels between them.
 struct pair_of_teapots {
     pair_of_teapots() {
