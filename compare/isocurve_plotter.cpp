@@ -23,9 +23,9 @@ constexpr double least_length = 8;
 /// Halvings of a patch in all; and of a curve's step, 2^-20 of which would be a million points.
 constexpr int deepest = 40, most_halvings = 20;
 
-/// Bound of how far a piece goes along u, in the larger of both image coordinates: with (X, Y) the
-/// middle of its box and r half its larger side, dX/du = (x_u - X w_u) / w, and x_u is three times
-/// a mean of the net's differences.
+/// Bound of how far a piece goes along u, in the larger of both image coordinates. Let (X, Y) be
+/// the middle of its box and r half its larger side. Then dX/du = (x_u - X w_u) / w, and x_u is
+/// three times a mean of the net's differences.
 double width_bound(const l3d_image_patch& net, const l3d_image_box& hull) {
     const double x = (hull.left + hull.right) / 2, y = (hull.top + hull.bottom) / 2;
     const double r = std::max(hull.width(), hull.height()) / 2;

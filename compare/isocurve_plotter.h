@@ -7,18 +7,19 @@
 #include "dice/normal_columns.h"
 #include "compare/plot_task.h"
 
-/// Curves of constant u, walked by adaptive forward differences in T: before each step the step is
+/// Curves of constant u, walked by adaptive forward differences in T. Before each step the step is
 /// halved while it is longer than half a pixel, and doubled where it is shorter than a quarter.
 ///
 /// Between two curves a third is drawn where they may be more than half a pixel apart, and only
-/// there: pieces of the patch that are narrow enough are left out, so most curves end early. With
+/// there. Pieces of the patch that are narrow enough are left out, so most curves end early. With
 /// points and curves half a pixel apart, in the larger of both coordinates, the points of a fold
 /// free piece leave no pixel out. A pixel gets the depth and normal of the point that fell into it,
-/// which may be half a pixel from its centre: there is no bound, and outlines are up to a pixel
-/// fat. Cost:   some 30 points a pixel and layer. Source: Lien, Shantz, Pratt, Adaptive Forward
-/// Differencing for Rendering Curves and Surfaces,
-///         SIGGRAPH 1987; curves that end early are those of Elber, Cohen, Adaptive Isocurves Based
-///         Rendering for Freeform Surfaces, TOG 15, 1996.
+/// which may be half a pixel from its centre. So there is no bound, and outlines are up to a pixel
+/// fat.
+/// Cost:    some 30 points a pixel and layer.
+/// Source:  Lien, Shantz, Pratt, Adaptive Forward Differencing for Rendering Curves and Surfaces,
+///          SIGGRAPH 1987. Curves that end early are those of Elber, Cohen, Adaptive Isocurves
+///          Based Rendering for Freeform Surfaces, TOG 15, 1996.
 template <class T> class l3d_isocurve_plotter {
 public:
     /// Expects: l3d_needs_no_clipping(net, of.view).

@@ -18,8 +18,8 @@
 /// A certified bound of the image error of n by n quads of two triangles, whose corners are exact
 /// points of the patch, placed in double and snapped. Units: pixels.
 ///
-/// The triangles may be clipped: at the near plane a chord's w is that plane's, and the surface's
-/// at the same parameters is at least that less the chord's own error, by which the bound divides.
+/// The triangles may be clipped. At the near plane a chord's w is that plane's. The surface's w at
+/// the same parameters is at least that less the chord's own error, and the bound divides by this.
 /// It is infinity where n is too small for that.
 /// Shape:   the net in the view's units.
 /// Expects: n >= 1.

@@ -37,9 +37,9 @@ private:
 
 /// Whether the image of a net is proved to be one to one: no silhouette, no fold, no overlap.
 ///
-/// With c any point of its box, the derivatives of (x, y) - c w are means of the net's differences;
-/// if all those along u lie within a right angle, and all along v, and each pair of them turns the
-/// same way, then so do all derivatives, whatever c.
+/// Let c be any point of its box. The derivatives of (x, y) - c w are means of the net's
+/// differences. Let those along u lie within a right angle, and those along v, and let each pair of
+/// them turn the same way. Then so do all derivatives, whatever c.
 /// Expects: every w > 0.
 bool l3d_is_one_to_one(const l3d_image_patch& net, const l3d_image_box& hull);
 

@@ -14,9 +14,9 @@ struct error_report_scope {
     bool quick = false;         ///< small pictures, fewer settings, shorter times
 };
 
-/// Measures all methods and arithmetics in each view, and cubic curves besides; writes tables (.md,
-/// .csv, .json), diagrams (.svg, .png; by gnuplot, if it is there) and pictures of where the error
-/// sits (.png) into a folder. Tells on stderr what it is at.
+/// Measures all methods and arithmetics in each view, and cubic curves besides. Writes three kinds
+/// of files into a folder. They are tables (.md, .csv, .json), diagrams (.svg, .png; by gnuplot, if
+/// it is there), and pictures of where the error sits (.png). Says on stderr what it is doing.
 ///
 /// Errors: l3d_error(failure) that names what cannot be written.
 void write_error_report(const std::string& folder, const l3d_patch_model& model,

@@ -64,20 +64,24 @@ std::string head(const report_contents& report) {
                      load(), report.size.width, report.size.height) +
            R"(How to read it:
 
-- *ms* is the least time of a frame from control points to finished pixels, depth included, the eye
-  never twice at the same place; *median* that of all frames but the *first*, the very first frame, in which `voxels`
-  fills its cube and `mesa` makes its meshes. All are times of the processor: waiting for it does not count.
-- Errors compare the drawn picture with an exact one that shares no code with the library
-  (tests/reference), alike for all methods, whatever they are made of. *outline*: where only one of both
-  shows a surface, how far the pixel's centre is from the exact outline, at most (of pixels spread
-  evenly; where the gap behind is a sliver, up to a pixel's size too much). *99.9 %*, *largest* and *mean*:
-  where both do, away from outlines, how far the drawn point is from the exact tangent plane, along the
-  line of sight too, which is no error in the picture: so these may be larger than the bound;
-  *judged* is the share of the covered pixels in which that is known: all but those whose neighbours show
-  another surface or none.
-  *holes* are pixels left empty inside of the surface; they are counted, not measured.
-- *bound* is what the method certifies of every point's place in the picture; none: it cannot.
-- *failures* are pixels in which an iteration came to no rest and which were left out.
+- Times: *ms* is the least time of a frame, from control points to finished pixels, depth included. The eye is never
+  twice at the same place. *median* is the median of all frames but the first. *first* is the very first frame, in
+  which `voxels` fills its cube and `mesa` makes its meshes. All are processor times: waiting for the processor does
+  not count.
+- Errors compare the drawn picture with an exact one, in the same way for all methods. The exact picture shares no
+  code with the library (tests/reference).
+- *outline* is for pixels in which only one of both pictures shows a surface: the largest distance of such a pixel's
+  centre from the exact outline. Only some of these pixels, spread evenly, are measured. Where the gap behind is a sliver, it is up to
+  a pixel's size too large.
+- *99.9 %*, *largest* and *mean* are for pixels in which both pictures show a surface, away from outlines: the
+  distance of the drawn point from the exact tangent plane. It counts along the line of sight too, which is no error
+  in the picture. So it may be larger than the bound.
+- *judged* is the share of the covered pixels in which that distance is known. These are all but those whose
+  neighbours show another surface or none.
+- *holes* are pixels left empty inside of the surface; they are counted, not measured.
+- *bound* is the error of a point's place in the picture that the method certifies for every point; "none" means that
+  it certifies nothing.
+- *failures* are pixels that were left out because an iteration did not converge.
 
 )";
 }
@@ -112,7 +116,8 @@ std::string pictures(const report_contents& report) {
 
 ![quads](error_by_steps.svg)
 
-Of n x n quads a patch. Chords err with n^-2 (dashed); in 16.16 what walking adds, with n^3, takes over.
+The diagram is for n x n quads a patch. Chords err with n^-2 (dashed). In 16.16 the error of walking,
+which grows with n^3, takes over.
 
 )";
 }
@@ -132,13 +137,13 @@ std::string curves(const curve_results& c) {
     text += R"(
 ## What the literature says, and what comes out here
 
-**How many steps 32 bits bear.** Chang, Rocchetti and Shantz (*Rendering cubic curves and surfaces with
-integer adaptive forward differencing*, SIGGRAPH 1989) state more than 4096 steps with less than a pixel of
-accumulated error; Rappoport (*Rendering curves and surfaces with hybrid subdivision and forward differencing*,
-TOG 10, 1991) states up to 2^13 steps for cubics in a space of 128K x 128K. Ours: the largest power of two with
-which no random cubic is a pixel off.
+**How many steps 32 bits bear.** Chang, Rocchetti and Shantz (*Rendering cubic curves and surfaces with integer
+adaptive forward differencing*, SIGGRAPH 1989) state more than 4096 steps with less than a pixel of accumulated error.
+Rappoport (*Rendering curves and surfaces with hybrid subdivision and forward differencing*, TOG 10, 1991) states up
+to 2^13 steps for cubics in a space of 128K x 128K. The table has our numbers: the largest power of two with which no
+random cubic is a pixel off.
 
-| numbers | in 1024 px | in 131072 px |
+| numbers | steps in 1024 px | steps in 131072 px |
 |---|---|---|
 )";
     for (const step_limit& row : c.limits)
@@ -147,19 +152,20 @@ which no random cubic is a pixel off.
     for (const step_limit& row : c.limits)
         tried = std::max(tried, row.in_1024);
     text += formatted(R"(
-*32-bit graded* is our form of what both are about: each register keeps the fraction bits that its own size
-leaves, and sums are rounded. One exponent for all four registers, as in 16.16, bears some hundred steps, for
-its error grows with n^3 / 6. Where we differ: the papers' figures are those of their abstracts, which do not say
-how registers are aligned, and are meant for all curves; ours are random curves, not the worst, our registers
-are sized for the range and the number of steps, and no more than %d steps were tried: a number as large as
-that is a least one.
+*32-bit graded* is our form of what both papers describe: each register keeps the fraction bits that its own size
+leaves, and sums are rounded. One exponent for all four registers, as in 16.16, bears some hundred steps, since its
+error grows with n^3 / 6.
+
+Our figures and theirs differ in what they mean. We know the papers' figures from their abstracts, which do not say
+how registers are aligned. They are meant for all curves; our curves are random, not the worst. Our registers are
+sized for the range and the number of steps. We tried no more than %d steps, so that figure is a lower limit.
 
 **Steps a pixel.** Klassen (*Exact integer hybrid subdivision and forward differencing of cubics*, TOG 13, 1994)
-proves that a cubic whose picture fits into w pixels needs at most 9 w steps with no two points more than a pixel
-apart, and states that a few halvings beforehand leave very few extra points. Ours, steps from the control points'
-differences, in both coordinates:
+proves a limit for a cubic whose picture fits into w pixels. It needs at most 9 w steps with no two points more than a
+pixel apart. He also states that a few halvings beforehand leave very few extra points. The table has our steps, which
+come from the control points' differences, in both coordinates:
 
-| halvings | steps / w, mean | largest | Chebyshev's cubic | the same, by its derivative | steps / pixels passed, mean |
+| halvings | steps / w, mean | steps / w, largest | steps / w, Chebyshev's cubic | the same, by its derivative | steps / pixels passed, mean |
 |---|---|---|---|---|---|
 )",
                       tried);
@@ -167,12 +173,14 @@ differences, in both coordinates:
         text += formatted("| %d | %.2f | %.2f | %.2f | %.2f | %.2f |\n", row.halvings,
                           row.per_pixel, row.most, row.chebyshev, row.true_speed, row.extra);
     return text + R"(
-The bound 9 is Markov's inequality for cubics: Chebyshev's cubic, which is the fastest, reaches it by its largest
-derivative. Control points, which we go by, say 15 of it; one halving makes up for that. Random curves need far
-less, and with each halving the excess shrinks, as he says: after five, a twelfth of the steps is extra.
-The step is still set by the fastest point of each piece, and it is a step in two coordinates. This is why a surface walked pixel by pixel (`isocurves`
-above) takes 20 and more points for each pixel that it covers, where Lien, Shantz and Pratt (SIGGRAPH 1987) aim at
-about one point a pixel *along a curve*: curves half a pixel apart multiply with points half a pixel apart.
+The bound 9 is Markov's inequality for cubics. Chebyshev's cubic, which is the fastest, reaches it by its largest
+derivative. We use the control points, which say 15 of it; one halving makes up for that. Random curves need far less,
+and with each halving the excess shrinks, as he says. After five halvings, a twelfth of the steps is extra.
+
+The step is still set by the fastest point of each piece, and it is a step in two coordinates. Therefore a surface
+walked pixel by pixel (`isocurves` above) takes 20 and more points for each pixel that it covers. Lien, Shantz and
+Pratt (SIGGRAPH 1987) aim at about one point a pixel *along a curve*. Curves half a pixel apart multiply with points
+half a pixel apart.
 )";
 }
 

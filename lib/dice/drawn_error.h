@@ -37,9 +37,9 @@ struct l3d_vertex_accuracy {
     double snap_error = 0;            ///< of a vertex, in pixels
 
     /// Largest w of a chord in terms of the exact w at the same parameters. Steps are chosen so
-    /// that w is off by at most an eighth in front of the near plane; another eighth is for the
-    /// drawn point's lying off the box in which the chord error was bounded. Near the near plane
-    /// the exact w is at least half of the interpolated one.
+    /// that w is off by at most an eighth in front of the near plane. Another eighth is for a drawn
+    /// point that lies off the box in which the chord error was bounded. Near the near plane the
+    /// exact w is at least half of the interpolated one.
     static constexpr double in_front = 1.25, crossing = 2;
 
     /// What drawn_error is less where no folded quad is drawn, whose centre is rounded to
@@ -63,9 +63,9 @@ struct l3d_vertex_accuracy {
     }
 };
 
-/// How far a vertex may be from the surface along the line of sight, in pixels at its depth, beside
-/// what its place is off by: what w is off by, and 1 / w as a float, which is divided, scaled,
-/// interpolated and rounded, some four times 2^-24 of it.
+/// How far a vertex may be from the surface along the line of sight, beyond the error of its place.
+/// It adds the error of w and that of 1 / w as a float. That float is divided, scaled, interpolated
+/// and rounded, some four times 2^-24 of it. Units: pixels at the vertex' depth.
 inline double l3d_depth_vertex_error(const l3d_dice_view& view, double error_w, double w_low) {
     return view.focal * (error_w / w_low + 4 * 0x1p-24);
 }

@@ -207,9 +207,9 @@ template <class T> void l3d_frame_dicer<T>::share_memory_sizes() {
         space.reserve_as(first);
 }
 
-/// The blocks of a patch that need not be drawn as only their back is turned to the eye: those of a
-/// body that stands wholly in front of the near plane, so that its front hides them, or of anything
-/// if nobody wants to see backs.
+/// The blocks of a patch that back-face culling leaves out, since only their back is turned to the
+/// eye. If nobody wants to see backs, these are such blocks of any patch. Else they are those of a
+/// body that stands wholly in front of the near plane, so that its front hides them.
 template <class T>
 unsigned l3d_frame_dicer<T>::backs_of(const l3d_patch_instance& instance,
                                       const l3d_matrix<double>& to_image, std::size_t patch) const {

@@ -32,9 +32,10 @@ enum class l3d_dice_way {
 /// short: then on the patches of its batch and of those before, too. Parts come in the order of
 /// their patches. So nothing depends on the workers.
 ///
-/// Of the budget, each batch may spend half of what is left, the last all. Its patches get equal
-/// shares; those that kept the tolerance with less leave the rest to the others, which are diced
-/// anew as long as that at least doubles their shares: so no frame costs twice its budget.
+/// Each batch may spend half of the budget that is left, the last batch all of it. Its patches get
+/// equal shares. Those that kept the tolerance with less leave the rest to the others. The others
+/// are diced again as long as that at least doubles their shares. So no frame costs twice its
+/// budget.
 /// Lives: borrows the workers. Parts live until the next batch.
 /// Cost:  no allocation in a frame of patches and batches that was drawn before. Else, a worker
 ///        allocates for a patch that is larger than any of the frame's other workers had, a slot

@@ -193,9 +193,9 @@ void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, std
         }
         most /= 2;
     } while (most > 0 && (samples_of(how.plan) > samples || cost_of(how.plan, false) > cost));
-    // Errors of what is not balanced fall with the square of the steps, at the least; so does that
-    // of w, with which errors of vertices are seen larger: 1.25 ratio^2 is more than the
-    // 1 + ratio^2 / 8 + 1 / 8 that it comes to.
+    // Errors of unbalanced vertices fall at least with the square of the steps. So does the error
+    // of w, which magnifies errors of vertices. That comes to 1 + ratio^2 / 8 + 1 / 8, and 1.25
+    // ratio^2 is more.
     if (ratio > 1) {
         if (how.plan.balanced)
             how.plan.chord_error /= 8 * l3d_balance;

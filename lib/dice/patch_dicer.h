@@ -42,17 +42,19 @@ inline constexpr std::int64_t l3d_evaluated_cost = 16, l3d_piece_cost = 256;
 
 /// Dices patches given as homogeneous image nets.
 ///
-/// A patch is one piece; a piece that would need more than 32 steps a strip, or that crosses the
-/// near plane and is not yet fine, is cut in two, the one that is least fine before others. No
-/// patch is cut into more than l3d_most_pieces; where that is not enough, what is left is drawn as
-/// fine as it may be, and the bound says how fine that is. A piece's rows are walked by forward
-/// differences in T, restarted exactly at each strip. Along each side the piece fills the slit
-/// between its own boundary row and the side's edge polyline, which both neighbours compute alike;
-/// so pieces of any steps and any depth of cutting meet without a gap, and every vertex is an
-/// exact surface point of known parameters, which is what makes the bound certain.
+/// A patch starts as one piece. A piece is cut in two if it would need more than 32 steps a strip,
+/// or if it crosses the near plane and is not yet fine. The least fine piece is cut first. No patch
+/// is cut into more than l3d_most_pieces. If that is not enough, the rest is drawn as fine as it
+/// may be, and the bound says how fine that is.
 ///
-/// What a patch may cost is limited, too: pieces are cut as long as enough is left for drawing all
-/// that wait, and these then get equal shares of what is left.
+/// A piece's rows are walked by forward differences in T, restarted exactly at each strip. Along
+/// each side the piece fills the slit between its own boundary row and the side's edge polyline.
+/// Both neighbours compute that polyline alike. So pieces of any steps and any depth of cutting
+/// meet without a gap. Every vertex is an exact surface point of known parameters, which makes the
+/// bound certain.
+///
+/// The cost of a patch is limited, too. Pieces are cut as long as enough is left for drawing all
+/// that wait. These then get equal shares of what is left.
 ///
 /// Cost: no allocation of its own once the patch with the most pieces has been seen. At most
 ///       l3d_most_pieces grids and l3d_most_samples vertices a patch.

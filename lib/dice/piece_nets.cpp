@@ -43,7 +43,7 @@ double walking_error(const std::array<double, 4>& size, double unit, int n, int 
 }
 
 /// The power of two that brings w to at most 2^8 and, within the guard band, x and y to at most
-/// 2^22: of 32.32, which has 31 integer bits, differences of third order may take eight times that.
+/// 2^22. Differences of third order may take eight times that, and 32.32 has 31 integer bits.
 /// Expects: 0 < largest_w < 2^200 and so on, as the image transform's scale makes sure.
 template <class T> double register_unit(double largest_w) {
     if constexpr (l3d_is_fixed<T>)

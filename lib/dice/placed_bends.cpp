@@ -16,21 +16,23 @@ constexpr double per_cosine = double{l3d_level_of_cosine};
 /// of floats, some 20 * 2^-24 of numbers up to 2^8 times what their terms cancel.
 constexpr double rounded_level = 0.5 + 0.01;
 
-/// A chord of step h is off, along the normal at its own parameter, by what second derivatives
-/// there say and by h^3 of the third ones times this at most, the largest value of s (1 - s) ((1 -
-/// 2 s) / 6 + l3d_balance): one end of it is moved, or both, or none.
+/// A chord of step h is off by at most two terms, along the normal at its own parameter. One comes
+/// from the second derivatives there. The other is h^3 of the third derivatives times this number,
+/// the largest value of s (1 - s) ((1 - 2 s) / 6 + l3d_balance). It holds whether one end of the
+/// chord is moved, or both, or none.
 constexpr double of_moved_thirds = 0.0322;
 
-/// A difference over a step h of a cubic is h times its derivative at any point of the step, h^2
-/// times the second one there times the first number at most, and h^3 times the third one times the
-/// second: with s the point's place, (1 - 2 s) / 2 and ((1 - s)^3 + s^3) / 6, and l3d_balance more
-/// where ends are moved.
+/// A difference over a step h of a cubic, less h times its derivative at any point of the step, is
+/// at most the sum of two terms. They are h^2 times the second derivative there times the first
+/// number, and h^3 times the third derivative times the second number. With s the point's place,
+/// the numbers are (1 - 2 s) / 2 and ((1 - s)^3 + s^3) / 6, and l3d_balance more where ends are
+/// moved.
 constexpr double of_difference_second = 1.0 / 2 + l3d_balance;
 constexpr double of_difference_third = 1.0 / 6 + l3d_balance;
 
-/// Fourth derivatives, two by each parameter, count with h_u^2 h_v^2 times this: 1/64 of chords, 2
-/// l3d_balance / 8 of moved chords, l3d_balance^2 of both moved, and a quarter of what they make of
-/// the corners' mixed difference.
+/// Fourth derivatives, two by each parameter, count with h_u^2 h_v^2 times this. It is the sum of
+/// 1/64 of chords, 2 l3d_balance / 8 of moved chords, and l3d_balance^2 of both moved. The last
+/// term is a quarter of what they make of the corners' mixed difference.
 constexpr double of_fourths = 1.0 / 64 + l3d_balance / 4 + l3d_balance * l3d_balance +
                               of_difference_second * of_difference_second / 4;
 

@@ -17,8 +17,9 @@ struct l3d_point_place {
     double bound = 0;          ///< how far any point of the patch is from what is drawn; in pixels
 };
 
-/// Whether a patch may be drawn as a point, and where: if the box of its net, with the point's own
-/// extent, is within the tolerance, holds one pixel's centre, and is nearly as far everywhere.
+/// Whether a patch may be drawn as a point, and where. The bounding box of its net, with the
+/// point's own extent, must be within the tolerance and hold one pixel's centre. The net must be
+/// nearly as far everywhere.
 ///
 /// Whatever centre the patch covers is in that box, so no gap opens; and no centre that is covered
 /// instead is farther from any of its points than the box is wide.

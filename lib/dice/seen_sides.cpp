@@ -138,8 +138,9 @@ void choose_sides(const l3d_micro_grid& grid, std::span<float> away) {
     std::copy_n(sides[(grid.rows - 1) % 2], columns, &away[grid.index(grid.rows - 1, 0)]);
 }
 
-/// What the middles of sides to vertices `step` on are above the mean of both ends, times the side
-/// that is seen; 0 where the ends show different sides, as nothing is known of what is between.
+/// How far the middles of sides to vertices `step` on are above the mean of both ends, times the
+/// side that is seen. It is 0 where the ends show different sides, since nothing is known of the
+/// points between.
 void put_bends(const float* HWY_RESTRICT level, const float* HWY_RESTRICT side, std::size_t step,
                std::size_t count, float* HWY_RESTRICT middle) {
     for (std::size_t i = 0; i < count; ++i) {

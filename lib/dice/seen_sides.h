@@ -35,8 +35,8 @@ void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid);
 
 /// The same for levels; makes what l3d_micro_vertex says of them in mode l3d_shade::levels.
 ///
-/// Shape: `away` and `level` as the grid's arrays and a number longer: the levels are those of the
-///        normals as they are; in the grid, normal[1] and normal[2] are the levels of the middles
+/// Shape: `away` and `level` as the grid's arrays and a number longer. The levels are those of the
+///        normals as they are. In the grid, normal[1] and normal[2] are the levels of the middles
 ///        of sides, in place of what these bend by.
 void l3d_turn_levels(std::span<float> away, std::span<const float> level, l3d_micro_grid& grid);
 

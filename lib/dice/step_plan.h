@@ -44,9 +44,9 @@ struct l3d_block_needs {
     per_block least_u{}, least_v{};
 };
 
-/// Sides of micro-quads, so that nearly all quads fit in the 64 pixels which the rasterizer's
-/// 32-bit edge functions hold: the box of a square that lies across is sqrt(2) as large as its
-/// sides, 48 sqrt(2) = 68, and steps are rounded up. Units: pixels.
+/// Largest side of a micro-quad. With it, nearly all quads fit in the 64 pixels that the
+/// rasterizer's 32-bit edge functions hold. The box of a square that lies across is sqrt(2) as
+/// large as its sides, 48 sqrt(2) = 68, and steps are rounded up. Units: pixels.
 inline constexpr double l3d_largest_quad = 48;
 
 /// The slow twin of l3d_detail::bounds_in_lanes, which also takes what is clipped.

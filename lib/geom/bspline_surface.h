@@ -32,11 +32,11 @@ struct L3D_PUBLIC l3d_bspline_direction {
 /// Shape:   points: u.points() * v.points(), u fastest. Segments of both directions: one or more.
 /// Expects: degrees from 1 to l3d_bpt_largest_degree, directions as said above.
 /// Cost:    the square of a degree per control point and patch.
-/// Source:  Ramshaw, Blossoming: A Connect-the-Dots Approach to Splines, 1987: the Bezier point i
-///          of the span [a, b] is the blossom of n - i arguments a and i arguments b, which is what
-///          inserting both knots to full multiplicity gives.
-L3D_PUBLIC std::vector<l3d_patch_points>
-L3D_PUBLIC l3d_bezier_patches(const l3d_bspline_direction& u, const l3d_bspline_direction& v,
-                   const std::vector<std::array<double, 3>>& points);
+/// Source:  Ramshaw, Blossoming: A Connect-the-Dots Approach to Splines, 1987. The Bezier point i
+///          of the span [a, b] is the blossom of n - i arguments a and i arguments b. That equals
+///          inserting both knots to full multiplicity.
+L3D_PUBLIC std::vector<l3d_patch_points> l3d_bezier_patches(const l3d_bspline_direction& u,
+                                                 const l3d_bspline_direction& v,
+                                                 const std::vector<std::array<double, 3>>& points);
 
 #endif

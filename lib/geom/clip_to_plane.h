@@ -11,10 +11,11 @@
 ///
 /// A corner within `thickness` of the plane is on it: it is kept, and no edge is cut there. So a
 /// plane through corners cuts between them, and leaves no slivers.
-/// Shape:   `side` gives the signed distance of a vertex, front positive; `cut` is asked for the
-///          index of the vertex where the edge between two crosses, the one in front first: both
-///          polygons of an edge ask the same, so what it computes from these two alone has no
-///          crack. `kept` gets the corners, in order, and loses what it held.
+/// Shape:   `side` gives the signed distance of a vertex, front positive. `cut` gives the index of
+///          the vertex where the edge between two vertices crosses the plane; the one in front
+///          comes first. Both polygons of an edge ask the same. So there is no crack if `cut`
+///          computes from these two alone. `kept` gets the corners, in order, and loses what it
+///          held.
 /// Expects: a corner at least.
 /// Errors:  false, and `kept` is empty, if nothing is in front.
 /// Cost:    a call of `side` for each corner, at most two of `cut`.

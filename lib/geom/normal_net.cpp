@@ -28,8 +28,9 @@ double largest(const vector& v) {
     return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }
 
-/// What rounding can make of a cross product that is nothing, in units of the factors' sizes: the
-/// weighted sum of 12 products has some 20 roundings of 2^-53 in a row; room for thrice as many.
+/// What rounding can make of a cross product that is zero. Units: the factors' sizes. The weighted
+/// sum of 12 products has some 20 roundings of 2^-53 in a row. There is room for three times as
+/// many.
 constexpr double rounding = 64 * 0x1p-53;
 
 /// Divides a degree-5 Bernstein polynomial that vanishes at t = 0 by t, and raises the quartic

@@ -106,8 +106,9 @@ double l3d_space_bound_of(const l3d_image_curve& curve, double focal, double w_l
 l3d_second_bounds l3d_depth_bounds_of(const l3d_image_patch& patch);
 double l3d_depth_bound_of(const l3d_image_curve& curve);
 
-/// How far balanced vertices lie off a curve f that is drawn in n >= 2 chords of h = 1 / n: those
-/// between its ends by h^2 f'' times this, to the outer side, so that chords err to both sides.
+/// How far balanced vertices lie off a curve f that is drawn in n >= 2 chords of h = 1 / n.
+/// Vertices between its ends are moved by h^2 f'' times this, to the outer side, so that chords err
+/// to both sides.
 ///
 /// With y the share of h^2 f'' by which a chord's two ends are moved, it errs at s of its length by
 ///     h^2 f'' ( s (1 - s) / 2 - y ),   between h^2 f'' / 8 - y and -y
@@ -123,9 +124,10 @@ constexpr double l3d_balanced_error(int n) {
     return n == 1 ? 1.0 / 8 : l3d_balance / (static_cast<double>(n) * n);
 }
 
-/// How much larger than those of the net coordinates of balanced vertices may be, in quarters of at
-/// least two steps: they are moved by l3d_balance / 64 of second derivatives, at most 6 * 4 times
-/// the net's largest value, along u and along v, and by both: 1.0322^2 < 1 + 1/15.
+/// How much larger coordinates of balanced vertices may be than those of the net, in quarters of at
+/// least two steps. Vertices are moved by l3d_balance / 64 of second derivatives, along u and along
+/// v, and by both. These derivatives are at most 6 * 4 times the net's largest value. So it is
+/// 1.0322^2 < 1 + 1/15.
 inline constexpr double l3d_balanced_reach = 1 + 1.0 / 15;
 
 /// f - (l3d_balance / n^2) f'', on which the balanced vertices lie; f itself for n = 1.

@@ -62,8 +62,8 @@ template <class T> l3d_matrix<T> turning(int from, int to, double degrees) noexc
 
 } // namespace l3d_detail
 
-/// Turn y towards z, z towards x, x towards y: with the fingers of the left hand, if the axes are
-/// a left hand's, around the thumb that points along the axis; with the right hand's likewise.
+/// These turn y towards z, z towards x, x towards y. Let a thumb point along the axis: of the left
+/// hand if the axes are left-handed, else of the right hand. Then they turn as its fingers bend.
 /// Units:   degrees.
 template <class T> l3d_matrix<T> l3d_rotation_x(double degrees) noexcept {
     return l3d_detail::turning<T>(1, 2, degrees);

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-/// Turns seconds into whole steps, so that a world that moves step by step moves as fast at any
-/// frame rate: at 30 frames a second two steps of a 60th each, at 300 one in every fifth frame.
+/// Turns seconds into whole steps. So a world that moves step by step moves as fast at any frame
+/// rate. At 30 frames a second it makes two steps of a 60th each, at 300 one in every fifth frame.
 class L3D_PUBLIC l3d_ticker {
 public:
     /// Units:   steps per second. Expects: positive.

@@ -38,10 +38,10 @@ template <class T> struct L3D_PUBLIC line_allocator {
 /// Reciprocal, because it is linear in the picture for a plane, and because 0 = infinitely far is
 /// then the value of an empty pixel.
 ///
-/// Shape:   rows begin a cache line; they are `pitch` floats apart, an odd multiple of 64: were it
-///          one of 1024, that is 4 KB, a row's loads would wait for stores to the row above, which
-///          processors tell apart by the last 12 bits of their addresses, and a column's pixels
-///          would share a set of the cache.
+/// Shape:   rows begin a cache line. They are `pitch` floats apart, an odd multiple of 64. With a
+///          multiple of 1024, that is 4 KB, a row's loads would wait for stores to the row above:
+///          processors tell addresses apart by their last 12 bits. A column's pixels would share a
+///          set of the cache.
 class L3D_PUBLIC l3d_depth_buffer {
 public:
     /// Expects: width, height >= 0. Cost: allocates only when larger than before.

@@ -18,8 +18,8 @@ namespace l3d_detail {
 ///
 /// Row 0 of the picture is row 0 in GL, so that nothing is ever flipped, and GL's left and top
 /// edges are ours. The viewport is `reach` pixels around the middle of the picture whatever its
-/// size: positions are then exact on the lattice of 1/256 pixel all the way, for they are whole
-/// multiples of 2^-21 in clip space and at most 1 there.
+/// size. So positions are exact on the lattice of 1/256 pixel all the way: they are whole multiples
+/// of 2^-21 in clip space and at most 1 there.
 /// Cost:    no call is free of locks and checks; batches of thousands of triangles hide that.
 class mesa_target {
 public:

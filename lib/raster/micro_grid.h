@@ -17,15 +17,16 @@ inline constexpr std::int32_t l3d_subpixel_one = 1 << l3d_subpixel_bits;
 
 /// One vertex of a surface.
 ///
-/// Units: x, y in 1/256 pixel from the top left corner of the picture, |x|, |y| <= 2^23;
-///        inv_w = 1 / distance along the view axis, in 1 / world units, > 0;
-///        normal: dS/du x dS/dv in world space, any length, not yet turned to the eye.
-/// In frames of mode l3d_shade::levels the three numbers of `normal` are others:
-///        [0] the level 229.5 n.l, n turned to the eye (the grey is round(25.5 + max(0, level)));
-///        [1], [2] of sides, what the level in the middle is above the mean of both ends: in a grid
-///        of the sides to the next vertex along u and v; in a triangle corner 0 has those of the
-///        sides to corners 1 and 2, corner 1 has [1] 0 and [2] that of the side to corner 2, and
-///        corner 2 has 0.
+/// Units: x, y in 1/256 pixel from the top left corner of the picture, |x|, |y| <= 2^23.
+///        inv_w = 1 / distance along the view axis, in 1 / world units, > 0.
+///        normal = dS/du x dS/dv in world space, any length, not yet turned to the eye.
+///
+/// In frames of mode l3d_shade::levels the three numbers of `normal` are others.
+/// - [0] is the level 229.5 n.l, n turned to the eye. (The grey is round(25.5 + max(0, level)).)
+/// - [1] and [2] belong to sides: how far the level in a side's middle is above the mean of both
+///   ends. In a grid they are those of the sides to the next vertex along u and v.
+/// - In a triangle, corner 0 has those of the sides to corners 1 and 2. Corner 1 has 0 in [1], and
+///   that of the side to corner 2 in [2]. Corner 2 has 0 in both.
 struct L3D_PUBLIC l3d_micro_vertex {
     std::int32_t x = 0, y = 0;
     float inv_w = 0;

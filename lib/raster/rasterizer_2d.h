@@ -92,13 +92,13 @@ public:
         imp_.do_draw_lines(lines, color);
     }
 
-    /// Draws a smooth line: a square pen of one pixel is drawn along it, and each pixel gets as
-    /// much of the colour as the pen covers of it, measured along the two axes apart (Wu's way).
+    /// Draws a smooth line in Wu's way. A square pen of one pixel is drawn along it. Each pixel
+    /// gets as much of the colour as the pen covers of it, measured along each axis by itself.
     ///
-    /// With a the coordinate along the longer axis, from a0 to a1, and b(a) the line's other one,
-    /// pixel (a, b) is covered by w v: w is the part of [a - 1/2, a + 1/2] that lies in
-    /// [a0 - 1/2, a1 + 1/2], v is max(0, 1 - |b - b(a)|). That is rounded to a multiple of 1/255.
-    /// The same pixels in both directions. A pixel word's highest byte stays what it was.
+    /// Let a be the coordinate along the longer axis, from a0 to a1, and b(a) the line's other one.
+    /// Pixel (a, b) is covered by w v. w is the part of [a - 1/2, a + 1/2] that lies in [a0 - 1/2,
+    /// a1 + 1/2]; v is max(0, 1 - |b - b(a)|). The product is rounded to a multiple of 1/255. The
+    /// same pixels in both directions. A pixel word's highest byte stays what it was.
     /// Source:  Wu: An Efficient Antialiasing Technique (SIGGRAPH 1991); the ends are ours.
     void draw_line_antialiased(l3d_point_2d from, l3d_point_2d to, std::uint32_t color) {
         imp_.do_draw_line_antialiased(from, to, color);

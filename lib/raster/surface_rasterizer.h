@@ -94,10 +94,10 @@ struct L3D_PUBLIC l3d_subpixel_box {
 /// Fills surfaces into a picture and a depth buffer of the same size.
 ///
 /// A pixel belongs to a polygon if its centre (x + 1/2, y + 1/2) is inside, or on a left or top
-/// edge; vertices are exact 1/256 pixel integers and the rule is evaluated exactly, so polygons
-/// that share an edge cover each pixel once: no gap, no double hit. Surfaces are two-sided:
-/// normals are turned to the eye.
-/// The nearer (larger inv_w) sample wins; of equals, one of them, always the same.
+/// edge. Vertices are exact 1/256 pixel integers, and the rule is evaluated exactly. So polygons
+/// that share an edge cover each pixel once: no gap, no double hit. Surfaces are two-sided: normals
+/// are turned to the eye. The nearer (larger inv_w) sample wins; of equals, one of them, always the
+/// same.
 class L3D_PUBLIC l3d_surface_rasterizer {
 public:
     l3d_surface_rasterizer() = default;

@@ -122,20 +122,21 @@ struct l3d_dice_view {
     /// How far balanced vertices (l3d_balance) may lie beside the surface: no budget is larger.
     double most_moved() const { return chord_budget(0); }
 
-    /// What walking may add to a vertex' error, else it is evaluated. Slits along edges, which get
-    /// half their budget for balanced chords, may be off by 1 / (16 l3d_balance) = 0.73 of it; with
+    /// What walking may add to a vertex' error, else it is evaluated. Slits along edges get half
+    /// their budget for balanced chords, and may be off by 1 / (16 l3d_balance) = 0.73 of it. With
     /// an eighth for walking, that is within the tolerance while all else takes less than a half.
     double walk_allowance() const { return tolerance / 8; }
 
-    /// The same where vertices err by `exact` already: no more than an eighth of what is left, for
-    /// quads grow by what it takes, nor so much that a quarter of the tolerance is not left.
+    /// The same where vertices err by `exact` already. It is no more than an eighth of what is
+    /// left, since it makes quads grow. It also leaves at least a quarter of the tolerance.
     double walk_allowance(double exact) const {
         const double left = tolerance - exact;
         return std::max(0.0, std::min(left / 8, left - tolerance / 4));
     }
 
-    /// The least exact w where something is drawn of a net whose least w is `least`: steps are
-    /// chosen so that where a chord is in front of the near plane, the exact w is over half of it.
+    /// The least exact w where something is drawn of a net whose least w is `least`. Steps are
+    /// chosen so that the exact w is over half of a chord's w where the chord is in front of the
+    /// near plane.
     double drawn_w(double least) const { return std::max(least, near / 2); }
 
     /// How much w of a chord may differ from the exact w: an eighth in front of the near plane

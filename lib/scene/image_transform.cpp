@@ -41,10 +41,10 @@ l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size
         for (int column = 0; column < 4; ++column)
             matrix_(row, column) *= depth_scale_;
 
-    // The matrix (axes, products) is good to some 16 ulps of |direction| (|p| + |eye|), with a
-    // placement multiplied in to 8 more, four products and three sums add at most 8; a patch cut
-    // in 50 halvings is rounded at its own size first, not at that of its pieces, at 3 midpoints
-    // each.
+    // The matrix (axes, products) is good to some 16 ulps of |direction| (|p| + |eye|). With a
+    // placement multiplied in it is good to 8 more; four products and three sums add at most 8. A
+    // patch cut in 50 halvings is rounded at its own size first, not at that of its pieces, at 3
+    // midpoints each.
     for (int i = 0; i < 3; ++i)
         eye_terms_ += std::abs(camera.eye[i]);
     terms_ = steady_bound(scene.reach() + eye_terms_);

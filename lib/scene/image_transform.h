@@ -11,9 +11,9 @@
 
 /// The camera's matrix, scaled so that what it makes fits the registers of every number type.
 ///
-/// Homogeneous points may be scaled freely: by a power of two, which is exact, w is brought to at
-/// most 2^8, |x| and |y| to at most 2^28 (32.32 has 31 integer bits; differences of third order
-/// may grow eightfold).
+/// Homogeneous points may be scaled freely, here by a power of two, which is exact. It brings w to
+/// at most 2^8, |x| and |y| to at most 2^28. (32.32 has 31 integer bits; differences of third order
+/// may grow eightfold.)
 class l3d_image_transform {
 public:
     l3d_image_transform() = default;

@@ -20,9 +20,8 @@ using l3d_detail::culled_boxes;
 /// some 0.1 ms, for which 1024 patches, diced in 1 ms at least, are enough.
 constexpr std::size_t first_batch = 64, largest_batch = 1024;
 
-/// Of a box whose farthest w is more than so many times its nearest, nobody is asked whether it is
-/// hidden: there the error of a walked w, up to 1e-5 of the farthest, could be over 2^-12 of the
-/// nearest.
+/// Largest ratio of the farthest to the nearest w of a box that is tested for being hidden. Above
+/// it, the error of a walked w, up to 1e-5 of the farthest, could be over 2^-12 of the nearest.
 constexpr double most_depth_ratio = 16;
 
 l3d_image_box box_of(const culled_boxes& boxes, std::size_t i) {

@@ -7,9 +7,9 @@
 
 #include <string>
 
-/// The folder of plug-ins: ../lib/l3d seen from the program's own folder if it is there, as it is
-/// for programs that were built or installed with l3d, wherever they were moved; else that of the
-/// prefix which l3d was built for.
+/// The folder of plug-ins. It is ../lib/l3d, seen from the program's own folder, if that exists. So
+/// programs that were built or installed with l3d find it wherever they were moved. Else it is the
+/// folder in the prefix which l3d was built for.
 L3D_PUBLIC std::string l3d_plugin_folder();
 
 /// The folder of models and other data, likewise: ../share/l3d.

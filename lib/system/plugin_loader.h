@@ -26,10 +26,10 @@ public:
 
     /// An object that the plug-in in `file` has set up with these parameters.
     ///
-    /// Errors:  null, and `why` = "file: what is wrong", if there is no such file or it is no
-    ///          shared library; if it has no symbol l3d_plugin; if that is of another version, too
-    ///          short, or lacks a function; and if the plug-in refuses, with its own reason.
-    ///          What it does wrong later is a line on stderr, once.
+    /// Errors:  null, and `why` = "file: what is wrong". Reasons: there is no such file or it is no
+    ///          shared library; it has no symbol l3d_plugin; that is of another version, too short,
+    ///          or lacks a function; the plug-in refuses, with its own reason. What it does wrong
+    ///          later is a line on stderr, once.
     std::unique_ptr<l3d_object> load(const std::string& file, const std::string& parameters,
                                      std::string& why);
 

@@ -37,8 +37,9 @@ public:
     /// For back-ends of the program's own, likewise.
     l3d_factory_manager& factories() { return factories_; }
 
-    /// For what needs neither a screen nor a back-end, such as a report that an option asks for: it
-    /// is called when the command line has been read, and answers whether there is more to do.
+    /// For work that needs neither a screen nor a back-end, such as a report that an option asks
+    /// for. It is called when the command line has been read, and answers whether there is more to
+    /// do.
     void after_command_line(std::function<bool()> goes_on) { goes_on_ = std::move(goes_on); }
 
     /// Reads the command line, chooses a back-end, and does the other steps; returns what main

@@ -12,9 +12,9 @@
 #include <new>
 
 /// A stride for rows of so many words: an odd number of cache lines of 64 bytes, longer by a word
-/// to two lines. Were rows 4096 bytes apart, a column's pixels would share a set of the cache, and
-/// a row's loads wait for stores to the row above, which processors tell apart by the last 12 bits
-/// of their addresses: a frame of 1024 x 768 would take a tenth more time.
+/// to two lines. If rows were 4096 bytes apart, a column's pixels would share a set of the cache. A
+/// row's loads would wait for stores to the row above, since processors tell addresses apart by
+/// their last 12 bits. A frame of 1024 x 768 would take a tenth more time.
 inline std::ptrdiff_t l3d_padded_stride(int width) {
     constexpr std::ptrdiff_t words_per_line = 16;
     return ((width / words_per_line + 1) | 1) * words_per_line;

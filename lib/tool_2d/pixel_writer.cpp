@@ -14,8 +14,8 @@ constexpr int dither_pixels = dither_side * dither_side;
 
 /// One row of thresholds, t[x % 8]: a pixel goes up if n + t >= 64.
 ///
-/// Over the square, t takes each of 0..63 once, so exactly n of the pixels go up; and the bits of
-/// x and y are so interleaved, last bits first, that any n of them are spread evenly.
+/// Over the square, t takes each of 0..63 once, so exactly n of the pixels go up. The bits of x and
+/// y are interleaved, last bits first, so that any n of them are spread evenly.
 /// Source:  Bayer: An optimum method for two-level rendition of continuous-tone pictures (1973).
 std::array<std::uint32_t, dither_side> thresholds_of_row(int y) {
     std::array<std::uint32_t, dither_side> thresholds{};

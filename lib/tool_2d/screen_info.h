@@ -140,11 +140,11 @@ public:
 
     /// The display's own pixel value for such a word.
     ///
-    /// By masks, a channel value v becomes v * max / 255, where max is the display's largest:
-    /// rounded down below 8 bits, as the book does, so that each level stands for an equal share
-    /// of the 256; the same number at 8 bits; rounded to nearest above, so that 0 and 255 stay
-    /// the ends. In a cube it becomes the nearest level, the lower of two: what shows differs by at
-    /// most half the gap between two levels, and the palette's deviation. On a ramp, so does
+    /// By masks, a channel value v becomes v * max / 255, where max is the display's largest. Below
+    /// 8 bits it is rounded down, as in the book, so that each level stands for an equal share of
+    /// the 256. At 8 bits it is the same number. Above, it is rounded to nearest, so that 0 and 255
+    /// stay the ends. In a cube it becomes the nearest level, the lower of two: what shows differs
+    /// by at most half the gap between two levels, and the palette's deviation. On a ramp, so does
     /// gray_of.
     std::uint32_t to_display(std::uint32_t word) const {
         if (!has_palette())

@@ -22,9 +22,9 @@ struct book_rasterizer_base {
     book_target* target = nullptr;
 };
 
-/// Lines and triangles at the price that the original paid for each pixel: its address by a
-/// product, its bytes one by one, each by mask, shift and store, with everything loaded again after
-/// each store, since a byte may alias anything. Nothing is clipped.
+/// Lines and triangles at the price that the original paid for each pixel. It finds the address by
+/// a product and writes bytes one by one, each by mask, shift and store. After each store
+/// everything is loaded again, since a byte may alias anything. Nothing is clipped.
 ///
 /// Counted there: 79 instructions a pixel of lines of 100 pixels, 81 of triangles of 10000. Here it
 /// is 70 and 67: the stand-in is the faster one.

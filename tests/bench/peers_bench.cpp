@@ -3,12 +3,12 @@
 // and two against two.
 //
 // All draw the same view into memory, a few frames in turn, and medians are compared. A cell of the
-// table is a view, a size and an error in pixels: ours gets the largest tolerance with which what
-// it draws is within that error of the exact surface, the peers get triangle meshes that are within
-// it too, made beforehand for this very view, without what is outside of the window, in static
-// buffers, with the shading baked into the vertices: adaptive ones, and the same thinned out for as
-// long as the error allows. Ours starts each frame from the patches and shades each pixel (lambert)
-// or, as the peers do, each vertex (gouraud).
+// table is a view, a size and an error in pixels. Ours gets the largest tolerance with which what
+// it draws is within that error of the exact surface. The peers get triangle meshes that are within
+// it too, made beforehand for this very view, without what is outside of the window. These lie in
+// static buffers, with the shading baked into the vertices. There are adaptive ones, and the same
+// thinned out for as long as the error allows. Ours starts each frame from the patches and shades
+// each pixel (lambert) or, as the peers do, each vertex (gouraud).
 #include "bench/bench_cell.h"
 #include "bench/peer_timing.h"
 #include "geom/teapot.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Points, lines and polygons per second, 1024 x 768, one core; and what setting memory takes.
 //
-// The work is that by which the original l3d was measured: 2000 equilateral triangles of random
-// turn and sub-pixel centre wholly inside the picture; lines of 10, of up to 100 pixels and from
-// anywhere to anywhere; dots anywhere. All goes through l3d_rasterizer_2d, one call each, and
-// clipping is part of every call. After each measurement the picture is compared, word by word,
-// with that of the slow twin in tests/raster/slow_2d.h. The same work is then done at the
-// original's price of a pixel (book_raster), so that both are timed on one machine.
+// The work is that by which the original l3d was measured. There are 2000 equilateral triangles of
+// random turn and sub-pixel centre, wholly inside the picture. There are lines of 10, of up to 100
+// pixels and from anywhere to anywhere, and dots anywhere. All goes through l3d_rasterizer_2d, one
+// call each, and clipping is part of every call. After each measurement the picture is compared,
+// word by word, with that of the slow twin in tests/raster/slow_2d.h. The same work is then done at
+// the original's price of a pixel (book_raster), so that both are timed on one machine.
 #include "book_raster.h"
 #include "raster/shapes/rasterizer_2d_sw.h"
 #include "raster/parallel/simd_target.h"

@@ -123,8 +123,8 @@ TYPED_TEST(lane_dicer, holds_its_bound) {
     }
 }
 
-/// Where the vertex of a grid's row and column is to be, its strips given by where they start: with
-/// f - m f'' along u and then along v, m that of l3d_balance, or 0 at the strips' ends.
+/// Where the vertex of a grid's row and column is to be; its strips are given by where they start.
+/// It is at f - m f'' along u and then along v, m that of l3d_balance, or 0 at the strips' ends.
 class balanced_places {
 public:
     explicit balanced_places(const l3d_diced_piece& piece)

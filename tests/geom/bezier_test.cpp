@@ -23,8 +23,9 @@ template <class T> class bezier : public testing::Test {
 protected:
     using traits = l3d_real_traits<T>;
 
-    /// Rounding of `levels` interpolations in a row of values up to `size`: each adds 2 u size for
-    /// the difference, 2 u size for the product, u size for the sum; fixed point half an ulp.
+    /// Rounding of `levels` interpolations in a row of values up to `size`. Each adds 2 u size for
+    /// the difference, 2 u size for the product, and u size for the sum. In fixed point it adds
+    /// half an ulp.
     static double rounding(int levels, double size = largest) {
         return levels * (5 * traits::unit_roundoff * size + traits::half_ulp);
     }

@@ -245,7 +245,7 @@ TEST(exact_forward_difference_surface, halves_and_doubles_in_both_directions_wit
 }
 
 /// Halving rounds every register by at most 1.875 half ulps (in floating point by u of its size),
-/// once in each direction, on top of the errors that were there; doubling adds nothing in fixed
+/// once in each direction, on top of the errors that were there. Doubling adds nothing in fixed
 /// point, and as much again in floating point. Halving, unlike stepping, is wrong for a register
 /// that has left its range; from four steps on even 12.20 holds all of them.
 TYPED_TEST(forward_difference_surface, halved_in_both_directions_is_built_at_half_the_steps) {

@@ -77,9 +77,9 @@ struct exact_sample {
 
 /// The exact picture: at every pixel centre, the nearest of all surface points with w >= near.
 ///
-/// Every intersection is found: a patch is split until a piece either has no pixel centre in its
-/// hull or maps one to one onto the picture (proved), where the only root is iterated to 1e-11 px.
-/// Pixel centres within 1e-9 px of an outline may go either way.
+/// Every intersection is found. A patch is split until a piece either has no pixel centre in its
+/// hull or is proved to map one to one onto the picture. There the only root is iterated to 1e-11
+/// px. Pixel centres within 1e-9 px of an outline may go either way.
 ///
 /// Errors: std::runtime_error if a patch needs more than 20 million pieces.
 /// Cost:   about 1 us per pixel and layer of depth.

@@ -10,8 +10,8 @@
 namespace reference {
 namespace {
 
-/// Samples this near to the edge of a piece belong to it: seams must not lose a sample to rounding
-/// (coordinates up to 1e4 px carry 2e-12 px), and 1e-9 px is beyond all that is measured.
+/// Samples this near to the edge of a piece belong to it. Seams must not lose a sample to rounding:
+/// coordinates up to 1e4 px carry 2e-12 px. 1e-9 px is far below all that is measured.
 constexpr double margin_px = 1e-9;
 
 constexpr int most_pieces = 20'000'000;

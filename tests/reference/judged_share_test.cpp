@@ -45,8 +45,8 @@ patch floor_of(double depth) {
     return result;
 }
 
-/// Seen more and more edge on, by an eye that leans over: a neighbour across the slant is up to
-/// sqrt(2) pixels off if the plane is not followed to it, and nothing of it is a jump.
+/// The plane is seen more and more edge on, by an eye that leans over. A neighbour across the slant
+/// is up to sqrt(2) pixels off if the plane is not followed to it. None of that is a jump.
 TEST(judged_share, of_a_slanted_plane_is_all_that_has_neighbours) {
     const camera view{{0, 1, 3}, {0, 0.6, 0}, {1, 1, 0}, 50, 0.1};
     constexpr picture_size size{160, 120};

@@ -88,9 +88,9 @@ public:
     /// The pixel and its neighbours show one surface without a jump, whatever the product shows
     /// there: each of them lies in the middle's tangent plane, and the middle in each of theirs.
     ///
-    /// One of both is not enough: where the middle is seen nearly edge on, its tangent plane holds
-    /// the line of sight, and with it everything that is far behind; but that, at a jump, has
-    /// another tangent plane.
+    /// One of both is not enough. Where the middle is seen nearly edge on, its tangent plane holds
+    /// the line of sight, and with it everything that is far behind. But at a jump, the surface
+    /// behind has another tangent plane.
     bool is_smooth(int x, int y) const {
         const exact_sample& middle = exact_.at(x, y);
         return around(x, y, [&](int i, int j) {

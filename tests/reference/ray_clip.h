@@ -19,9 +19,10 @@ using offset_net = std::array<offsets, 16>;
 /// Calls `found(u, v)` for the points of the piece that lie on the line, a = b = 0; for one that is
 /// hard to tell from a neighbour, more than once.
 ///
-/// By the convex hull of the distances from a line across the piece, parts without a zero are cut
-/// off at both ends, in u and in v by turns; what does not shrink so is halved (Nishita, Sederberg,
-/// Kakimoto, *Ray tracing trimmed rational surface patches*, SIGGRAPH 1990).
+/// The convex hull of the distances from a line across the piece shows parts without a zero. They
+/// are cut off at both ends, in u and in v by turns. A piece that does not shrink in this way is
+/// halved (Nishita, Sederberg, Kakimoto, *Ray tracing trimmed rational surface patches*, SIGGRAPH
+/// 1990).
 ///
 /// Units:   u, v of the piece, 0 to 1; `width` in those of the offsets: what is narrower is a
 /// point.

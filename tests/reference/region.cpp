@@ -50,8 +50,8 @@ double box_distance(const rect& box, double x, double y) {
 }
 
 /// A lower bound of the distance of a picture point from the hull of a piece's control points,
-/// tight to a few percent of the piece's thickness (six steps of Frank and Wolfe's method towards
-/// the nearest point of the hull, each of which proves a bound). Expects: all w > 0.
+/// tight to a few percent of the piece's thickness. Takes six steps of Frank and Wolfe's method
+/// towards the nearest point of the hull, each of which proves a bound. Expects: all w > 0.
 double hull_distance(const net& piece, double x, double y) {
     std::array<xy, 16> p{};
     xy nearest{0, 0};

@@ -35,9 +35,9 @@ enum class outline_kind {
 
 /// Follows single lines of sight into the world, and clips each patch there to where it meets them.
 ///
-/// Shares with exact_image what patch, camera and vec3 are, and nothing else: that one divides by
-/// w, looks for charts of the picture and iterates in them; here nothing is projected but boxes,
-/// and nothing is iterated. What both find is true unless both are wrong in the same way.
+/// It shares with exact_image only the types patch, camera and vec3. exact_image divides by w,
+/// looks for charts of the picture and iterates in them. Here nothing is projected but boxes, and
+/// nothing is iterated. What both find is true unless both are wrong in the same way.
 class second_judge {
 public:
     /// Expects: pictures as exact_image does.
@@ -49,9 +49,9 @@ public:
     /// Lambert's grey level of what is seen there. Expects: light of any length but zero.
     unsigned char grey(const second_sample& seen, double x, double y, vec3 light) const;
 
-    /// Whether, and how, what is seen changes abruptly within the radius: from surface to nothing,
-    /// by 0.05 px of depth, or by a normal that is 3 degrees off; or, where it does not, whether
-    /// another sheet is nearer than `close_px` behind, along the normal.
+    /// Whether, and how, what is seen changes abruptly within the radius. It may change from
+    /// surface to nothing, by 0.05 px of depth, or by a normal that is 3 degrees off. If it does
+    /// not change: whether another sheet is nearer than `close_px` behind, along the normal.
     ///
     /// Along 16 straight ways from the middle: each is halved 18 times towards where the change is
     /// larger. An outline that is crossed twice within one of them may be missed.

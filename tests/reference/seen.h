@@ -61,9 +61,10 @@ struct seen_picture {
     std::vector<seen_pixel> sparks;
 };
 
-/// An outline is where the exact picture changes abruptly (outline_kind), by the second judge; its
-/// bound reaches a pixel whose centre is within bounds.place of it (and 2 % and 1e-3 px, which the
-/// judge's sixteen ways may be short of), or that has another sheet within twice bounds.depth.
+/// An outline is where the exact picture changes abruptly (outline_kind), by the second judge. Its
+/// bound reaches a pixel whose centre is within bounds.place of it. The judge's sixteen ways may be
+/// 2 % and 1e-3 px short, so these are added. The bound also reaches a pixel that has another sheet
+/// within twice bounds.depth.
 ///
 /// Looked for beside pixels whose neighbourhood changes, and wherever a pixel is far from its exact
 /// level: so what is said to be far is, and outlines may be more than are counted.

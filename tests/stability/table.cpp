@@ -64,11 +64,13 @@ void write_tallies(std::FILE* to, const suite_result& r,
 
 void write_costs(std::FILE* to, const suite_result& r) {
     std::fprintf(to,
-                 "\n## Cost\n\nA patch is cut into at most %zu pieces with at most %lld vertices; "
-                 "what would need more is drawn\nwith a larger bound, which the frame reports. "
-                 "Most of all named cases (times are of the whole frame,\nof one patch, on one "
-                 "thread of a machine that had other work, too):\n\n"
-                 "| arithmetic | pieces | vertices, edges included | of | ms | of |\n"
+                 "\n## Cost\n\nA patch is cut into at most %zu pieces with at most %lld vertices. "
+                 "A patch that would need more is\ndrawn with a larger bound, which the frame "
+                 "reports. The table has the largest figures of all named cases.\nTimes are of "
+                 "the whole frame, of one patch, on one thread of a machine that had other work, "
+                 "too.\n\n"
+                 "| arithmetic | most pieces | most vertices, edges included | case | most ms | "
+                 "case |\n"
                  "|---|---|---|---|---|---|\n",
                  l3d_most_pieces, static_cast<long long>(l3d_most_samples));
     for (std::size_t a = 0; a < arithmetic_count; ++a) {
@@ -80,17 +82,17 @@ void write_costs(std::FILE* to, const suite_result& r) {
 }
 
 void write_tightness(std::FILE* to, const suite_result& r) {
-    std::fprintf(to, "\n## How tight\n\nThe five largest ratios of all cases (of grids with their "
-                     "own bound, of triangles with "
-                     "the frame's):\n\n| measured / bound | measured px | bound px | arithmetic | "
+    std::fprintf(to, "\n## How tight\n\nThe table has the five largest ratios of all cases. "
+                     "Grids are compared with their own bound, triangles with the frame's.\n\n| "
+                     "measured / bound | measured px | bound px | arithmetic | "
                      "case |\n|---|---|---|---|---|\n");
     for (const worst_case& w : r.worst)
         std::fprintf(to, "| %.4f | %s | %s | %s | %s: %s |\n", w.ratio, number(w.measured).c_str(),
                      number(w.bound).c_str(), w.arithmetic.c_str(), w.group.c_str(),
                      w.name.c_str());
     std::fprintf(to,
-                 "\nOf %llu ordinary patches, one a frame, the frame's bound is, in the "
-                 "median, so many times the largest\nmeasured error:",
+                 "\nFor %llu ordinary patches, one a frame, we divide the frame's bound by the "
+                 "largest measured error. The\nmedian is:",
                  static_cast<unsigned long long>(r.ordinary));
     for (std::size_t a = 0; a < arithmetic_count; ++a)
         std::fprintf(to, " %s %.2f%s", r.arithmetics[a].c_str(), r.median_looseness[a],
@@ -98,11 +100,12 @@ void write_tightness(std::FILE* to, const suite_result& r) {
 }
 
 void write_walks(std::FILE* to, const suite_result& r) {
-    std::fprintf(to, "\n## Forward differences alone\n\nWhole curves, values up to 2000, walked "
-                     "without a restart (the library restarts after 32 steps at most):\n"
-                     "bound / measured error. 32 bits have no more than these bounds say: their "
-                     "error grows with the cube of the steps.\n\n"
-                     "| curve | steps |");
+    std::fprintf(
+        to, "\n## Forward differences alone\n\nWhole curves with values up to "
+            "2000 are walked without a restart. (The library restarts after 32 steps\n"
+            "at most.) Each cell has the bound and the measured error. 32 bits are no more "
+            "accurate than these bounds\nsay: their error grows with the cube of the steps.\n\n"
+            "| curve | steps |");
     for (const std::string& name : r.arithmetics)
         std::fprintf(to, " %s |", name.c_str());
     std::fprintf(to, "\n|---|---|---|---|---|---|\n");
@@ -116,8 +119,9 @@ void write_walks(std::FILE* to, const suite_result& r) {
 }
 
 void write_named(std::FILE* to, const suite_result& r) {
-    std::fprintf(to, "\n## Every named case\n\nOutcome, bound / largest measured error, in "
-                     "pixels.\n\n| group | case | tolerance |");
+    std::fprintf(to,
+                 "\n## Every named case\n\nEach cell has the outcome, the bound and the largest "
+                 "measured error, in pixels.\n\n| group | case | tolerance |");
     for (const std::string& name : r.arithmetics)
         std::fprintf(to, " %s |", name.c_str());
     std::fprintf(to, "\n|---|---|---|---|---|---|---|\n");
@@ -128,7 +132,7 @@ void write_named(std::FILE* to, const suite_result& r) {
             std::fprintf(to, " %s |", cell_of(v).c_str());
         std::fprintf(to, "\n");
     }
-    std::fprintf(to, "\n## What is said of what is refused\n\n");
+    std::fprintf(to, "\n## Why cases are refused\n\n");
     for (const named_result& n : r.named)
         if (n.verdicts[0].what == outcome::refused)
             std::fprintf(to, "- %s, %s: `%s`\n", n.group.c_str(), n.name.c_str(),
@@ -143,12 +147,13 @@ void write_table(std::FILE* to, const suite_result& r) {
         "# Stability\n\nMade by `make stability` on %s, %s, vector instructions %s, "
         "l3d_real = %s, in %.0f s.\n\n"
         "Each case is a patch, a view and a tolerance. It is drawn in four arithmetics: "
-        "*float*, *double* and\n*block 32* (32-bit integers with an exponent for each "
-        "patch and coordinate, 64-bit ones where those are\ntoo coarse) in vector lanes, "
-        "*32.32* fixed point by the slow twin. Drawn points are compared with the\nexact "
-        "surface: all that are looked at in 64 bits, the worst of each patch in 100 "
-        "decimal digits. Pictures\nare compared with the exact picture: no pixel may be "
-        "missing or too many farther than the bound from an\noutline. The frame of "
+        "*float*, *double* and\n*block 32* in vector lanes, and *32.32* fixed point by the "
+        "slow twin. *Block 32* has 32-bit integers with an\nexponent for each patch and "
+        "coordinate, and 64-bit ones where those are too coarse.\n\n"
+        "Drawn points are compared with the exact surface. This is done in 64 bits for all "
+        "points that are looked at,\nand in 100 decimal digits for the worst point of each "
+        "patch. Pictures are compared with the exact picture.\nFarther from an outline than "
+        "the bound, no pixel may be missing and none may be too many. The frame of\n"
         "`l3d_pipeline_afd` itself has to be the same bits.\n\n"
         "*within*: drawn, its bound at most the tolerance. *weaker*: drawn, and the frame "
         "reports a larger bound.\n*no bound*: drawn, and the frame reports that it knows "

@@ -17,10 +17,10 @@ struct l3d_boundary_point {
 /// Adds triangles that fill the slit between `row` and the stretch of `edge` beside it.
 ///
 /// Both are polylines with vertices on the same curve of the surface. A triangle joins two
-/// neighbours of one with one of the other, so its vertices span at most one step, and it is as
-/// far off as that step's chord: filling adds nothing to the error bound. Where the row starts or
-/// ends between two points of the edge, the fan from the edge point below goes on in the
-/// neighbouring piece, which shares the row's end vertex.
+/// neighbours of one with one of the other, so its vertices span at most one step. It is as far off
+/// as that step's chord: filling adds nothing to the error bound. The row may start or end between
+/// two points of the edge. Then the fan from the edge point below goes on in the neighbouring
+/// piece, which shares the row's end vertex.
 /// Shape:   row in order of rising t, at least two points.
 /// Expects: every t of `row` within [0, 1].
 void l3d_fill_slit(std::span<const l3d_boundary_point> row, const l3d_edge_polyline& edge,
@@ -29,9 +29,9 @@ void l3d_fill_slit(std::span<const l3d_boundary_point> row, const l3d_edge_polyl
 /// The same along a whole side of the piece's grid, where nothing needs to be clipped. The side
 /// lies along the edge from t0 to t1.
 ///
-/// First the row takes over the edge's vertices where both stand for the same points: at the ends
-/// of strips, and all along those in which the row has as many steps as the edge; there the slit
-/// is empty. The row's normals stay, and are those of the triangles.
+/// First the row takes over the edge's vertices where both stand for the same points. These are the
+/// ends of strips, and all points of strips in which the row has as many steps as the edge: there
+/// the slit is empty. The row's normals stay, and are those of the triangles.
 /// Shape:   side as in l3d_edge_polylines; piece.u or piece.v and the grid's blocks are written.
 /// Expects: the edge has strips; an end of the row between the edge's own ends is where everybody
 ///          has it, as points of the edge there may be balanced.

@@ -24,17 +24,19 @@ namespace hn = hwy::HWY_NAMESPACE;
 using doubles = hn::CappedTag<double, points>;
 
 /// What the rounding of floats can add to a second or mixed difference d as it is seen in the
-/// image, |d (x, y) - X0 d w| + r |d w|, in units of the largest w times the reach of the centred
-/// box: the net is rounded, then summed up twice from four products, 9 roundings of 2^-24, of
-/// numbers up to 1 in these units; a difference has 4 of these points and 4 roundings of its own,
-/// 40 in all; with that of d w times X0 80 in x and in y, sqrt(2) times 80 in both, and with that
-/// of r |d w| 160, r being at most sqrt(2) times the reach, 170. What the norm's own eight
-/// operations add relative to it is in `relative`.
+/// image, |d (x, y) - X0 d w| + r |d w|. Units: the largest w times the reach of the centred box.
+///
+/// The net is rounded, then summed up twice from four products. That makes 9 roundings of 2^-24, of
+/// numbers up to 1 in these units. A difference has 4 of these points and 4 roundings of its own,
+/// 40 in all. With the error of X0 d w it is 80 in x and in y, and sqrt(2) times 80 in both. The
+/// error of r |d w| is 40 times r, and r is at most sqrt(2) times the reach: 170 in all. What the
+/// norm's own eight operations add relative to it is in `relative`.
 constexpr float difference_rounding = 170 * 0x1p-24F, relative = 1 + 8 * 0x1p-23F;
 
-/// The same of third and fourth differences of a whole net: made in doubles and rounded once. In
-/// these units those of x and y are at most 16, those of w, which is positive, 8: seen, sqrt(2)
-/// times 16 + 8 for their own rounding, 8 for that of X0 d w, 8 for that of X0: 57.
+/// The same of third and fourth differences of a whole net. They are made in doubles and rounded
+/// once. In these units the differences of x and y are at most 16. Those of w, which is positive,
+/// are at most 8. Their own rounding is 16 + 8, that of X0 d w is 8, and that of X0 is 8. As seen,
+/// that is sqrt(2) (16 + 8 + 8 + 8) = 57.
 constexpr float mixed_rounding = 64 * 0x1p-24F;
 
 /// The same of w alone.

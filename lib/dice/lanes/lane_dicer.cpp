@@ -17,9 +17,9 @@ namespace {
 using l3d_detail::lane_register;
 
 /// Rounding of the doubles that columns start from, relative to the largest centred coordinate.
-/// Power coefficients of a bicubic add up to at most 27^2 times its largest control value;
-/// centring, differences of differences, Horner's scheme in u, balance and the weights of forward
-/// differences are some 25 roundings in a row: 25 * 27^2 < 2^15.
+/// Power coefficients of a bicubic add up to at most 27^2 times its largest control value. Some 25
+/// roundings follow each other: centring, differences of differences, Horner's scheme in u, balance
+/// and the weights of forward differences. 25 * 27^2 < 2^15.
 constexpr double start_rounding = 0x1p15 * 0x1p-53;
 
 /// Error of walking most_steps steps in T, for coordinates up to `largest`; differences of control

@@ -27,9 +27,10 @@ public:
     ///
     /// Shape:   edges as l3d_edge_polylines::outer() has them, of this net and view.
     /// Expects: tolerance > 0, near > 0.
-    /// Errors:  false, with nothing written, if the patch is not ordinary: if it reaches to the
-    ///          near or the far plane or out of the guard band, it or an edge needs more than 32
-    ///          steps in a strip, or it cannot be walked in T exactly enough.
+    /// Errors:  false, with nothing written, if the patch is not ordinary. An ordinary patch
+    ///          reaches neither to the near or the far plane nor out of the guard band. Neither it
+    ///          nor an edge needs more than 32 steps in a strip, and it can be walked in T exactly
+    ///          enough.
     bool dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               std::span<const l3d_edge_polyline, 4> edges, l3d_diced_piece& out,
               l3d_dice_counts& counts, const l3d_placed_bends& bends = {});

@@ -33,8 +33,9 @@ double mean(double a, double b) {
     return (a + b) / 2;
 }
 
-/// How far the picture of a piece or a curve is from a linear one: sum B_i (x_i - X w_i), X being
-/// the linear one's value, is sum B_i d_i + sum B_i (X_i - X) (w_i - w_mean), for sum B_i X_i = X.
+/// How far the picture of a piece or a curve is from a linear one, whose value is X. That is sum
+/// B_i (x_i - X w_i). It equals sum B_i d_i + sum B_i (X_i - X) (w_i - w_mean), since sum B_i X_i =
+/// X.
 struct linear_error {
     double most = 0, least_w = 0, most_w = 0;
 

@@ -21,11 +21,12 @@
 /// Cost:    some 3 us a piece; 30 to 60 pieces for 10 pixels of outline.
 class l3d_outline_search {
 public:
-    /// Beside a fold, both its sheets are within `depth_bound` of being one up to half of that
-    /// away: its picture is a parabola d = k t^2 / 2 over the depth t, the normal's slope there is
-    /// k t, and so the sheets, 2 t apart, are 4 d apart along it, of which each may be off. Units:
-    /// pixels; `farthest_near` in the view's w: of all near planes that were drawn with. Lives:
-    /// borrows depths and mask.
+    /// Beside a fold, both its sheets are within `depth_bound` of being one, up to half of that
+    /// bound away from the fold. Its picture is a parabola d = k t^2 / 2 over the depth t, and the
+    /// normal's slope there is k t. So the sheets, which are 2 t apart, are 4 d apart along the
+    /// normal, and each of them may be off.
+    /// Units:   pixels; `farthest_near` in the view's w: of all near planes that were drawn with.
+    /// Lives:   borrows depths and mask.
     l3d_outline_search(const l3d_dice_view& view, double focal, double bound, double depth_bound,
                        double farthest_near, const l3d_sheet_depths& depths,
                        l3d_outline_mask& mask);

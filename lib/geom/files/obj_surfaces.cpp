@@ -162,8 +162,9 @@ bool obj_surfaces::end_surface(const std::vector<vector>& vertices,
         return text_.fail("the surface has " + std::to_string(indices_.size()) +
                           " control points; its parameters ask for " + std::to_string(points_u) +
                           " by " + std::to_string(points_v));
-    // A vertex takes at least 8 bytes ("v 0 0 0") and 2 more where it is named, and makes at most
-    // a bicubic patch of 416 bytes; a text that asks for more names the same ones again and again.
+    // A vertex takes at least 8 bytes ("v 0 0 0") and 2 more where it is named. It makes at most a
+    // bicubic patch of 416 bytes. A text that asks for more names the same vertices again and
+    // again.
     constexpr std::size_t most_per_byte = 48;
     const std::size_t per_patch =
         sizeof(l3d_patch_points) +

@@ -33,13 +33,13 @@ inline constexpr double l3d_bpt_largest_coordinate = 1e12;
 /// Reads patches: their number, then for each its two degrees and its points, u fastest.
 ///
 /// Numbers stand apart by white space of any kind and amount, whatever the locale.
-/// Errors:  nothing, and `why` = "name:line: what is wrong", if a number is missing, malformed,
-///          NaN, infinite or out of range, a degree outside 1 to 15, the count not positive or
-///          more than the text can hold, or if something follows the last patch.
+/// Errors:  nothing, and `why` = "name:line: what is wrong". A number may be missing, malformed,
+///          NaN, infinite or out of range; a degree may be outside 1 to 15. The count may not be
+///          positive, or more than the text can hold. Something may follow the last patch.
 /// Cost:    memory in proportion to the text, however large the numbers in it.
 /// Source:  R. Holmes' patch files; their two numbers per patch are degrees, as his examples show.
 L3D_PUBLIC std::optional<std::vector<l3d_patch_points>>
-L3D_PUBLIC l3d_read_bpt(std::string_view text, std::string_view name, std::string& why);
+l3d_read_bpt(std::string_view text, std::string_view name, std::string& why);
 
 /// The text of a .bpt file; reading it gives the same patches, bit for bit.
 /// Expects: what l3d_read_bpt would accept.
@@ -50,10 +50,9 @@ L3D_PUBLIC std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
 ///
 /// A common boundary stays common bit for bit, whichever way its two patches run along it.
 /// Shape:   index = 4 * row (v) + column (u).
-/// Errors:  nothing if a degree is outside 1 to 15, if the number of points is not what they say,
-///          or if no bicubic patch has these points but for rounding, 2^-46 of the largest
-///          coordinate.
-L3D_PUBLIC std::optional<std::array<std::array<double, 3>, 16>>
-L3D_PUBLIC l3d_as_bicubic(const l3d_patch_points& patch);
+/// Errors:  nothing if a degree is outside 1 to 15, or if the number of points is not what the
+///          degrees say. Nothing, too, if no bicubic patch has these points but for rounding, 2^-46
+///          of the largest coordinate.
+L3D_PUBLIC std::optional<std::array<std::array<double, 3>, 16>> l3d_as_bicubic(const l3d_patch_points& patch);
 
 #endif

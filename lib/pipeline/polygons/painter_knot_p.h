@@ -16,10 +16,10 @@ namespace l3d_detail {
 /// Unties one knot at a time.
 ///
 /// First the members that go through each other are cut at each other's planes, only where they
-/// meet: along the curve where two surfaces cross, that is a cut or two each. What cycles are left,
-/// or a set where nearly all go through all, is divided by whole planes, each with what is behind
-/// it first and what is in front of it last; that always ends, since a piece that was divided by a
-/// plane is never divided by it again.
+/// meet. Along the curve where two surfaces cross, that is a cut or two each. Cycles that are left
+/// are divided by whole planes; so is a set in which nearly all go through all. The part behind a
+/// plane comes first, the part in front of it last. That always ends, since a piece that was
+/// divided by a plane is never divided by it again.
 /// Lives:   keeps its memory.
 class painter_knot {
 public:

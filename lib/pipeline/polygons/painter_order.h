@@ -14,17 +14,17 @@
 
 /// Sorts triangles by their farthest corner, finds where that is wrong, and mends it.
 ///
-/// Only triangles that meet in the picture matter to each other. Going through the sorted ones,
-/// each comes after all that it hides a part of; strong components of that relation with more than
-/// one member (two that go through each other, or cyclic overlap) are cut by each other's planes
-/// until there is an order. The result is exact but for pixels where the two nearest depths differ
-/// by less than 2^-36 of the nearest corner. Cost:    sorting is linear. Comparing is linear in the
-/// number of triangles that lie over each
-///          other within a tile of the picture: for surfaces, in that of triangles. A set of n that
+/// Only triangles that meet in the picture matter to each other. Each comes after all that it hides
+/// a part of. Strongly connected components of that relation with more than one member are cut by
+/// each other's planes until there is an order. These are two that go through each other, or cyclic
+/// overlap. The result is exact but for pixels where the two nearest depths differ by less than
+/// 2^-36 of the nearest corner.
+/// Cost:    sorting is linear. Comparing is linear in the number of triangles that lie over each
+///          other within a tile of the picture; for surfaces, in that of triangles. A set of n that
 ///          all go through each other may become n^2 pieces. Keeps its memory.
-/// Source:  Newell, Newell, Sancha: A solution to the hidden surface problem (ACM 1972), for what
-///          is to be compared; Fuchs, Kedem, Naylor: On visible surface generation by a priori tree
-///          structures (SIGGRAPH 1980), for the cutting.
+/// Source:  comparisons as in Newell, Newell, Sancha: A solution to the hidden surface problem (ACM
+///          1972). Cuts as in Fuchs, Kedem, Naylor: On visible surface generation by a priori tree
+///          structures (SIGGRAPH 1980).
 class l3d_painter_order {
 public:
     l3d_painter_order();

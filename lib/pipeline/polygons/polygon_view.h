@@ -22,9 +22,9 @@ L3D_PUBLIC l3d_matrix<double> l3d_euler_rotation(const l3d_vector<double, 3>& de
 
 /// The one matrix of a frame, from the model to the picture, and what else depends on the view.
 ///
-/// Shape:   matrix() takes model (x, y, z, 1) to (x, y, d, w): the pixel is the picture's centre
-/// plus
-///          (x / w, y / w); d is the distance along the view axis; w is d in perspective, else 1.
+/// Shape:   matrix() takes model (x, y, z, 1) to (x, y, d, w). The pixel is the picture's centre
+///          plus (x / w, y / w). d is the distance along the view axis. w is d in perspective,
+///          else 1.
 /// Expects: a valid camera; a placement that turns and moves, and leaves lengths as they are.
 class L3D_PUBLIC l3d_polygon_view {
 public:

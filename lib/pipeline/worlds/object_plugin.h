@@ -17,15 +17,16 @@ extern "C" {
 typedef struct l3d_plugin_object l3d_plugin_object;
 
 /* What the program does for plug-ins. All functions may be called from within the plug-in's own
-   functions only; what they are given is copied. Those that return an int return 1, or 0 if what
-   they were given is not right, which the program then reports: the plug-in has only to return. */
+   functions only; what they are given is copied. Those that return an int return 1 for success.
+   They return 0 if an argument is not right; the program reports that, and the plug-in has only to
+   return. */
 typedef struct l3d_plugin_host {
     uint32_t size;    /* of this structure, in bytes */
     uint32_t version; /* L3D_PLUGIN_VERSION */
 
-    /* Replaces the object's polygons. `coordinates` has three numbers for each vertex; face i has
-       corner_counts[i] >= 3 corners, and `corners` has the vertices of one after the other,
-       clockwise from outside in left-handed axes; `colors` has a word 0x00RRGGBB for each face. */
+    /* Replaces the object's polygons. `coordinates` has three numbers for each vertex. Face i has
+       corner_counts[i] >= 3 corners. `corners` has the vertices of one face after the other,
+       clockwise from outside in left-handed axes. `colors` has a word 0x00RRGGBB for each face. */
     int (*set_polygons)(l3d_plugin_object* object, uint32_t vertices, const double* coordinates,
                         uint32_t faces, const uint32_t* corner_counts, const uint32_t* corners,
                         const uint32_t* colors);

@@ -12,8 +12,8 @@
 
 /// A number of threads that do independent items of work.
 ///
-/// The caller is one of them and goes on working until nothing is left to be taken, so a worker
-/// that the system does not let run holds nobody up but for the item it has begun.
+/// The caller is one of them and goes on working until nothing is left to be taken. A worker that
+/// the system does not let run delays only the item that it has begun.
 class L3D_PUBLIC l3d_workers {
 public:
     /// Expects: threads >= 1. With 1, all work is done by the caller, in order.
@@ -32,9 +32,9 @@ public:
         run(items, call_of<Work>, context_of(work));
     }
 
-    /// The same for items in a row, of which neighbours use the same memory, and in no order: each
-    /// worker begins at a place of its own and goes on beside it, so that most items meet the same
-    /// worker whenever such a row is worked on, and what they use in the caches of its core.
+    /// The same for items in a row, in no order, where neighbours use the same memory. Each worker
+    /// begins at a place of its own and goes on beside it. So most items meet the same worker
+    /// whenever such a row is worked on, and find their memory in the caches of its core.
     template <std::invocable<int, int> Work> void for_each_beside(int items, Work&& work) {
         run_beside(items, call_of<Work>, context_of(work));
     }

@@ -12,10 +12,10 @@
 
 /// Draws the sides of triangles whose surface has been filled into a depth buffer.
 ///
-/// A line's pixel is up to a pixel away from where its depth is meant: what the triangle's own
-/// plane rises by over a pixel in x and in y is taken off what hides it. A thing nearer than that
-/// in front of a line does not hide it. Expects: target and depth of equal size; the depth has been
-/// filled by the same triangles.
+/// A line's pixel is up to a pixel away from where its depth is meant. Therefore the depth that
+/// hides it is lessened by the rise of the triangle's own plane over a pixel in x and in y. A thing
+/// nearer than that in front of a line does not hide it.
+/// Expects: target and depth of equal size; the depth has been filled by the same triangles.
 void l3d_draw_seen_sides(l3d_pixels target, const l3d_depth_buffer& depth,
                          std::span<const l3d_painter_triangle> triangles, std::uint32_t color);
 

@@ -30,9 +30,9 @@ struct line_steps {
 /// The same floors by an addition in fixed point for each step.
 ///
 /// Each is (2 i rise + length - 1) / (2 length), whose fraction is at most 1 - 1 / (2 length).
-/// Start and step are taken with 40 fraction bits and 1 to 3 units too large, whichever way double
-/// rounds and truncates; after n steps that is at most 3 (n + 1) 2^-40, and `serves` keeps it below
-/// 1 / (2 length): no floor changes.
+/// Start and step have 40 fraction bits and are 1 to 3 units too large, whichever way double rounds
+/// and truncates. After n steps that is at most 3 (n + 1) 2^-40. `serves` keeps it below 1 / (2
+/// length), so no floor changes.
 class swift_minors {
 public:
     static bool serves(const line_steps& line) {

@@ -29,8 +29,9 @@ void light(const line_steps& line, Minors minors, const l3d_pixels& target, std:
     }
 }
 
-/// Each pixel of a steep line is in a row, and so in a cache line, of its own: a picture that the
-/// cache does not hold is written a third faster if asked for ahead. Short lines end too soon.
+/// How far ahead pixels are prefetched. Each pixel of a steep line is in a row, and so in a cache
+/// line, of its own. In a picture that the cache does not hold, prefetching makes such lines a
+/// third faster. Short lines end too soon.
 constexpr int pixels_ahead = 4;
 bool gains_ahead(const line_steps& line) {
     return !line.x_major && line.last - line.first > 8 * pixels_ahead;

@@ -37,11 +37,11 @@ unsigned bits_of(block_range rows, block_range columns) {
     return bits;
 }
 
-/// Calls visit(cells) for every item's share of a grid: all of it if that is fewer than 32 x 32
-/// quads, whose rows would leave lanes idle if they were cut into blocks; else a block, or up to
-/// 2 x 2 of them while that is fewer than 128. The fill kernel leaves out what is hidden quad by
-/// quad; items only make that cheaper. Blocks that nobody sees are left out; those beside them are
-/// then items of their own.
+/// Calls visit(cells) for every item's share of a grid. A grid of fewer than 32 x 32 quads is one
+/// item, since its rows would leave lanes idle if they were cut into blocks. Else an item is a
+/// block, or up to 2 x 2 of them while that is fewer than 128. The fill kernel leaves out what is
+/// hidden quad by quad; items only make that cheaper. Blocks that nobody sees are left out; those
+/// beside them are then items of their own.
 template <class Visit> void visit_blocks(const l3d_surface_part& part, const Visit& visit) {
     constexpr int few = 128, few_in_all = 32 * 32;
     const l3d_block_starts &rows = part.block_rows, &columns = part.block_columns;

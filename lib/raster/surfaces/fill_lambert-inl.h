@@ -18,17 +18,17 @@ namespace {
 /// A number of the grey scale from a cosine: round(255 (0.1 + 0.9 c)) = trunc(229.5 c + 26).
 constexpr float grey_of_cosine = 229.5f;
 
-/// How unlike the unit normals n of a polygon's corners are: half the sum of all squared
-/// differences of two of a quad, which is |a - c|^2 + |b - d|^2 + |a + c - b - d|^2 / 2; of a
-/// triangle the same with d = c, in whose middle the square is 1 - (|a - b|^2 + |b - c|^2 + |a -
+/// How unlike the unit normals n of a polygon's corners are. For a quad it is half the sum of the
+/// squared differences of any two, |a - c|^2 + |b - d|^2 + |a + c - b - d|^2 / 2. For a triangle it
+/// is the same with d = c. In a triangle's middle the square is 1 - (|a - b|^2 + |b - c|^2 + |a -
 /// c|^2) / 9, at least 1 - spread / 6.
 ///
 /// Inside, the interpolated normal is shorter than 1: in the middle its square is 1 - spread / 8,
 /// between any two corners at least 1 - spread / 4. Up to `smooth` squares stay above 0.75.
 constexpr float smooth_spread = 1.0f;
 
-/// Where one factor, 1 + spread / 32, makes up for that in all pixels within so many grey levels,
-/// it is taken; but only up to a spread where squares of these errors are a tenth of a level.
+/// One factor, 1 + spread / 32, may make up for that in all pixels within so many grey levels. Then
+/// it is taken, but only up to a spread where squares of these errors are a tenth of a level.
 constexpr float flat_error = 0.9f, flat_spread = 0.25f;
 
 /// A triangle's corners may be twice as unlike as those of the quad that it is a piece of.

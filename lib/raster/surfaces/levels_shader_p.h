@@ -53,8 +53,8 @@ public:
     }
 
     /// How far levels are from those of the true parameters, at most. Weights of corners that add
-    /// up to 1 change by a quarter of the ratio of w, less 1, if each is multiplied by its w; what
-    /// they weigh lies in the range of all that is interpolated.
+    /// up to 1 change by a quarter of the ratio of w, less 1, if each is multiplied by its w. The
+    /// levels that they weigh lie in the range of all that is interpolated.
     float error() const { return error_; }
 
 private:

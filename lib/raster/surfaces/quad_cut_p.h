@@ -89,9 +89,9 @@ template <class Add> void cut_folded(const quad_corners& v, const Add& add) {
         add(std::array{v[i], v[(i + 1) % v.size()], centre});
 }
 
-/// What the middles of a quad's sides are above their ends, in mode l3d_shade::levels, and those of
-/// its diagonals: the level at the parameters' middle is the corners' mean and what both pairs of
-/// opposite sides bend by in the mean.
+/// How far the middles of a quad's sides and diagonals are above the mean of their ends, in mode
+/// l3d_shade::levels. The level at the parameters' middle is the corners' mean, plus what both
+/// pairs of opposite sides bend by in the mean.
 struct quad_bends {
     float ab, ad, bc, dc, ac, bd;
 

@@ -57,9 +57,9 @@ constexpr double relative = 1 + 0x1p-40;
 ///
 /// m is M over its length in the middle. Let p be the series of (m . m)^(-1/2), cut off. Then p m
 /// is as good a normal as m: it has the coefficients of N up to series_order, and (p m) . (p m) is
-/// 1 but for w, whose first coefficients are none. So N = p m (1 - w)^(-1/2) for that w, and the
-/// absolute values of all coefficients are at most those of the same expression in sums of absolute
-/// values, of which a sign is lost only beyond the order. Their sum, the value in the corner (1,
+/// 1 but for w, whose first coefficients are none. So N = p m (1 - w)^(-1/2) for that w. Now take
+/// the same expression with sums of absolute values. Its coefficients bound the absolute values of
+/// all coefficients, and lose a sign only beyond the order. Their sum, the value in the corner (1,
 /// 1), and derivatives there, are bounds everywhere. Source: Cauchy's method of majorants.
 class part_normals {
 public:

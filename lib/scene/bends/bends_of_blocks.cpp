@@ -8,10 +8,10 @@
 namespace l3d_detail {
 namespace {
 
-/// The numbers of one kind and order. Bounds that are at most so many times the true number are
-/// good enough, and so are those of a number that is no more than an eighth of the largest of its
-/// kind, or less than what does not matter: a thousandth of a radian, and of bends that part of the
-/// patch's size that is a 16th of a pixel where the patch is a thousand pixels long.
+/// The numbers of one kind and order. A bound is good enough if it is at most `good_enough` times
+/// the true number. It also is if the number is at most an eighth of the largest of its kind, or
+/// too small to matter. A thousandth of a radian is too small. So is a bend of 2^-14 of the patch's
+/// size: that is a 16th of a pixel where the patch is a thousand pixels long.
 constexpr double of_its_kind = 1.0 / 8, no_turn = 0x1p-10, no_bend = 0x1p-14;
 constexpr struct {
     std::size_t first, end;

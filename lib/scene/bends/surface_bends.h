@@ -30,9 +30,10 @@ inline constexpr float l3d_level_of_cosine = 229.5F;
 /// third derivative: the largest value of |s (s - 1/2) (s - 1)| / 6.
 inline constexpr double l3d_of_thirds = 0.0080187537387448;
 
-/// How far the level of a quad with sides h_u, h_v, drawn as a parabola through the levels of its
-/// corners and of the middles of its sides, can be from the exact one at the same parameters. Of
-/// opposite sides only the mean of what they bend by is drawn. Units: levels. NUMERICS, section 14.
+/// How far the drawn level of a quad with sides h_u, h_v can be from the exact one at the same
+/// parameters. Levels are drawn as a parabola through those of the corners and of the middles of
+/// the sides. Of opposite sides only the mean of what they bend by is drawn. Units: levels.
+/// NUMERICS, section 14.
 double l3d_levels_off(const l3d_bend_numbers<double>& bends, double h_u, double h_v);
 
 /// Of a patch, and of each of its 4 x 4 blocks: bounds over all of it, its edges included.
@@ -53,9 +54,9 @@ public:
 
     const l3d_bend_numbers<lanes>& of_blocks() const { return of_blocks_; }
 
-    /// Steps of each block with which levels are off by one at most (l3d_levels_off), those along u
-    /// and v being as many as it takes to turn by the same angle; they go with the power -1/3 of
-    /// the levels. 1 where nothing can be said.
+    /// Steps of each block with which levels are off by one at most (l3d_levels_off). Those along u
+    /// and v are as many as it takes to turn by the same angle. They go with the power -1/3 of the
+    /// levels. 1 where nothing can be said.
     const lanes& steps_u() const { return steps_u_; }
     const lanes& steps_v() const { return steps_v_; }
 

@@ -23,18 +23,18 @@ namespace l3d_detail {
 ///   room, fewer levels, down to 4x4x4 or 16 grays. If there is none for those either, the same
 ///   once more, now with cells of other programs where no channel is off by more than half a step.
 /// - If not even that can be had, or the visual is another one: a map of our own with an exact
-///   palette. On a display with one map in its hardware other windows show wrong colours while
-///   ours has the focus; so cells that are left over are those of the default map, which hold
-///   the colours of menus and borders.
+///   palette. On a display with one map in its hardware, other windows show wrong colours while
+///   ours has the focus. So cells that are left over get the colours of the default map, which are
+///   those of menus and borders.
 class x11_colormap {
 public:
     /// Errors:  null, with `refusal` filled: a map that nobody can change has too few colours, or
     ///          the server went away.
     /// Lives:   the connection outlives the colormap.
     /// Cost:    with masks nothing, or one request; with static maps one round trip. A shared map
-    ///          gives cells singly: a round trip for each, and four to look. That is at most 220
-    ///          if there is room, 5 ms locally and 4 s on a line of 20 ms; and three times as many
-    ///          if there is none: 216 + 125 + 64 tries for the three cubes, and one for each of
+    ///          gives cells singly: a round trip for each, and four to look. That is at most 220 if
+    ///          there is room, 5 ms locally and 4 s on a line of 20 ms. If there is none, it is
+    ///          three times as many: 216 + 125 + 64 tries for the three cubes, and one for each of
     ///          256 cells that turn out to be private.
     static std::unique_ptr<x11_colormap> make(const x11_connection& connection,
                                               const x11_visual& visual, l3d_service& refusal);

@@ -27,9 +27,9 @@ std::vector<x11_visual> offered_x11_visuals(const x11_connection& connection);
 /// The visual that shows our colours best without disturbing others.
 ///
 /// Served are TrueColor and DirectColor with 8, 16, 24 or 32 bits per pixel, and colormaps of 16 to
-/// 4096 cells with 8 or 16. The preferred one is taken if it has masks of five bits or more, so
-/// that it loses nothing, or nearly nothing; else the best that has; and if none has, the
-/// preferred one again, since on a display so poor all visuals are likely to share one map, and
+/// 4096 cells with 8 or 16. The preferred one is taken if it has masks of five bits or more, since
+/// it loses nothing, or nearly nothing. Else the best that has such masks is taken. If none has, it
+/// is the preferred one again. On a display so poor all visuals are likely to share one map, and
 /// one of our own would spoil the colours of other windows. The best has no alpha; then the most
 /// bits in its poorest channel, up to our eight; then no map that must be written; then the most
 /// bits.
