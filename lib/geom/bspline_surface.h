@@ -35,8 +35,8 @@ struct L3D_PUBLIC l3d_bspline_direction {
 /// Source:  Ramshaw, Blossoming: A Connect-the-Dots Approach to Splines, 1987. The Bezier point i
 ///          of the span [a, b] is the blossom of n - i arguments a and i arguments b. That equals
 ///          inserting both knots to full multiplicity.
-L3D_PUBLIC std::vector<l3d_patch_points> l3d_bezier_patches(const l3d_bspline_direction& u,
-                                                 const l3d_bspline_direction& v,
-                                                 const std::vector<std::array<double, 3>>& points);
+L3D_PUBLIC std::vector<l3d_patch_points>
+l3d_bezier_patches(const l3d_bspline_direction& u, const l3d_bspline_direction& v,
+                   const std::vector<std::array<double, 3>>& points);
 
 #endif

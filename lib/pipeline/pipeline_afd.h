@@ -61,11 +61,10 @@ L3D_PUBLIC std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size
 ///
 /// A program that only wants pictures uses it as it is: it changes scene(), camera() and settings()
 /// and calls draw_event. One with keys or things of its own to draw is a subclass. A frame draws
-/// only what changed since the last one. If nothing changed, it draws nothing. If instances were only
-/// placed anew and nothing is drawn on top, it draws the parts of the picture where they were or
-/// are.
-/// Expects: camera and settings of which l3d_afd_complaint has nothing to say, in every frame.
-/// Lives:   owns screen, workers, rasterizers and scene, and shares the models of the scene.
+/// only what changed since the last one. If nothing changed, it draws nothing. If instances were
+/// only placed anew and nothing is drawn on top, it draws the parts of the picture where they were
+/// or are. Expects: camera and settings of which l3d_afd_complaint has nothing to say, in every
+/// frame. Lives:   owns screen, workers, rasterizers and scene, and shares the models of the scene.
 /// Cost:    filled surfaces allocate nothing once the largest frame has been seen.
 class L3D_PUBLIC l3d_pipeline_afd : public l3d_pipeline {
 public:

@@ -53,6 +53,7 @@ L3D_PUBLIC std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
 /// Errors:  nothing if a degree is outside 1 to 15, or if the number of points is not what the
 ///          degrees say. Nothing, too, if no bicubic patch has these points but for rounding, 2^-46
 ///          of the largest coordinate.
-L3D_PUBLIC std::optional<std::array<std::array<double, 3>, 16>> l3d_as_bicubic(const l3d_patch_points& patch);
+L3D_PUBLIC std::optional<std::array<std::array<double, 3>, 16>>
+l3d_as_bicubic(const l3d_patch_points& patch);
 
 #endif
