@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every public header begins with: the language it needs, and the mark of what is exported.
+// The first include of every public header: the language that it needs, and the mark of exported
+// names.
 #ifndef L3D_BASE_PUBLIC_H
 #define L3D_BASE_PUBLIC_H
 

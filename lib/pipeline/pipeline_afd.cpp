@@ -29,7 +29,8 @@ using l3d_detail::stopwatch;
 
 constexpr std::uint32_t wire_color = 0x0080d0ff, net_color = 0x00ff9030;
 
-/// What draws lines and text on a screen, once it is known that a picture can be drawn.
+/// Creates the rasterizer of lines and text for a screen, once it is known that a picture can be
+/// drawn.
 std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(const l3d_rasterizer_factory& rasterizers,
                                                  l3d_screen& screen, const l3d_camera& camera,
                                                  const l3d_afd_settings& settings) {
@@ -52,7 +53,7 @@ struct l3d_pipeline_afd::basis {
     friend bool operator==(const basis&, const basis&) = default;
 };
 
-/// What a frame passes through, from the scene to the method that fills it.
+/// The stages of a frame, from the scene to the method that fills it.
 struct l3d_pipeline_afd::stages {
     stages(const l3d_afd_settings& settings, const l3d_rasterizer_factory& rasterizers)
         : workers(settings.threads), method(settings.method.create(rasterizers, workers)),

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is counted of the shapes of a frame: how many were drawn, how exactly, and why others were
-// not.
+// Counts of the shapes of a frame: how many were drawn, how exactly, and why others were not.
 #ifndef L3D_SCENE_COUNTS_H
 #define L3D_SCENE_COUNTS_H
 

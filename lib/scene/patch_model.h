@@ -33,9 +33,8 @@ struct L3D_PUBLIC l3d_patch_reach {
 /// l3d_patch_scene places them elsewhere.
 ///
 /// A model never changes after it is made. Its copies share its contents.
-/// Lives: the contents live as long as any copy does, such as the one in a scene. What the
-/// accessors
-///        return by reference or as a span lives as long.
+/// Lives: the contents live as long as any copy does, such as the one in a scene. References and
+///        spans that the accessors return live as long.
 /// Cost:  a copy counts a reference. A move is a copy, so no model is ever without contents.
 class L3D_PUBLIC l3d_patch_model {
 public:

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <string>
 
-/// What became of the triangles of a model in a frame.
+/// The counts of a model's triangles in a frame.
 struct L3D_PUBLIC l3d_polygon_counts : l3d_seen_counts {
     std::int64_t back = 0; ///< left out: seen from behind
 
@@ -21,7 +21,7 @@ struct L3D_PUBLIC l3d_polygon_counts : l3d_seen_counts {
     }
 };
 
-/// What a frame's order cost.
+/// Counts of the work that a frame's order took.
 struct L3D_PUBLIC l3d_painter_order_counts {
     std::int64_t triangles = 0; ///< handed in
     std::int64_t pairs = 0;     ///< of triangles, compared exactly as their boxes meet
