@@ -9,6 +9,7 @@
 #include "report_plots.h"
 
 #include <l3d/rasterizer_factory_sw.h>
+#include <l3d/surface_method.h>
 #include <l3d/error.h>
 
 #include <chrono>
