@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: MIT
 # The build of l3d. Its first lines are the architecture: who may include, call and link whom.
 
-LAYERS        := geom tool_2d raster scene dice pipeline system
-uses_geom     :=
-uses_tool_2d  :=
-uses_raster   := geom tool_2d
-uses_scene    := geom tool_2d raster
-uses_dice     := geom tool_2d raster scene
-uses_pipeline := geom tool_2d raster scene dice
-uses_system   := geom tool_2d raster scene dice pipeline
+LAYERS        := base geom tool_2d raster scene dice pipeline system
+uses_base     :=
+uses_geom     := base
+uses_tool_2d  := base
+uses_raster   := base geom tool_2d
+uses_scene    := base geom tool_2d raster
+uses_dice     := base geom tool_2d raster scene
+uses_pipeline := base geom tool_2d raster scene dice
+uses_system   := base geom tool_2d raster scene dice pipeline
 uses_apps     := $(LAYERS)
 
 # compare/ holds the methods that ours is measured against. It lies beside the library, on top of
@@ -19,14 +20,16 @@ apps_with_compare  := teapot_afd
 
 # tests/reference, the exact renderer, is a layer beside them that only these may use, and one
 # program: its report of errors has no better judge.
-uses_reference       := geom
+uses_reference       := base geom
 tests_with_reference := scene dice pipeline compare reference bench stability
 apps_with_reference  := teapot_afd
-uses_stability       := geom tool_2d raster scene dice pipeline
+uses_stability       := base geom tool_2d raster scene dice pipeline
 
-# What a layer links from outside.
+# What a layer links from outside, and what pkg-config calls it.
 links_tool_2d := -lpng -lXext -lX11
 links_raster  := -ltbb -lhwy
+needs_tool_2d := libpng xext x11
+needs_raster  := tbb libhwy
 
 include config.mk
 
@@ -62,10 +65,11 @@ OUT      := $(BUILD)/$(REAL)-$(MODE)$(if $(filter-out g++,$(compiler)),-$(compil
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(WERROR) \
             $(if $(findstring clang,$(compiler)),,-Wno-restrict)
 FLAGS     = -std=c++20 $(WARNINGS) -ffp-contract=off -fno-math-errno -pthread \
-            $(flags_$(REAL)) $(flags_$(MODE)) -DL3D_VERSION=$(VERSION) -Ilib -I$(OUT) $(CPPFLAGS) $(CXXFLAGS)
+            $(flags_$(REAL)) $(flags_$(MODE)) -I$(OUT) $(CPPFLAGS) $(CXXFLAGS)
 # What the shared library is made of serves the static one, too: without interposition the code is
 # that of -fPIE, which programs get anyway, and one compilation is enough.
-FLAGS_lib := -fPIC -fno-semantic-interposition -fvisibility-inlines-hidden
+# L3D_PUBLIC marks what the shared library exports.
+FLAGS_lib := -fPIC -fno-semantic-interposition -fvisibility=hidden
 # Tests take longer to compile than to run: they are optimised less and share a precompiled header.
 # The files beside them that do the work, such as judges of pictures, get neither.
 # -Wno-...: in a precompiled header g++ 12 warns of std::string's own code (GCC bug 105651).
@@ -81,9 +85,13 @@ TOP_DOWN  := reference compare $(call reverse,$(LAYERS))
 objects    = $(patsubst %.cpp,$(OUT)/%.o,$(sort $(1)))
 archives   = $(patsubst %,$(OUT)/libl3d_%.a,$(filter $(1),$(TOP_DOWN)))
 links      = $(foreach layer,$(1),$(links_$(layer)))
+needs      = $(strip $(foreach layer,$(1),$(needs_$(layer))))
 may_use    = $(1) $(uses_$(1)) $(if $(filter $(1),$(tests_with_reference)),reference)
-# Sources outside the library also include by paths from the top, tests by paths from tests/.
-include_paths = $(if $(filter lib/%,$(1)),,-I.) $(if $(filter tests/% apps/%,$(1)),-Itests)
+# Programs come in by the front door, as everybody's do, but for those that look inside. Sources
+# beside the library also include by paths from the top, tests by paths from tests/, too.
+looks_inside  = $(filter compare/% tests/% $(apps_with_compare:%=apps/%/%),$(1))
+include_paths = $(if $(filter apps/%,$(1)),-I$(OUT)/include) \
+                $(if $(call looks_inside,$(1)),-Ilib -I. -Itests,$(if $(filter lib/%,$(1)),-Ilib))
 
 # A layer is a folder; large ones have rooms, folders in it, that the law knows nothing of.
 $(foreach l,$(LAYERS),$(eval objects_$(l) := $(call objects,$(wildcard lib/$(l)/*.cpp lib/$(l)/*/*.cpp))))
@@ -121,6 +129,9 @@ BENCHES   := $(patsubst %.cpp,$(OUT)/%,$(wildcard tests/bench/*_bench.cpp))
 FUZZERS   := $(patsubst tests/fuzz/corpus/%,$(OUT)/fuzz/%,$(wildcard tests/fuzz/corpus/*))
 SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
 STRESS    := $(wildcard tests/x11/stress/*_test.py)
+# The front door: what others may include, as <l3d/name.h>, is made of the headers that are listed.
+PUBLIC    := $(shell sed '/^\#/d' packaging/public_headers)
+DOOR      := $(addprefix $(OUT)/include/l3d/,l3d.h $(notdir $(PUBLIC)))
 HEADERS   := $(sort $(wildcard lib/*/*.h lib/*/*/*.h compare/*.h))
 SOURCES   := $(sort $(wildcard lib/*/*.cpp lib/*/*/*.cpp compare/*.cpp apps/*/*.cpp tests/*/*.cpp))
 FORMATTED := $(SOURCES) $(HEADERS) $(plugins) $(sort $(wildcard apps/*/*.h tests/*.h tests/*/*.h))
@@ -129,7 +140,7 @@ LONE      := $(HEADERS:%=$(OUT)/%.ok)
 INCLUDES  := $(HEADERS:%=$(OUT)/%.d)
 
 # A check writes a log; summary.awk judges any set of logs.
-CHECKS    := format-check headers layers errors-doc sentences fail
+CHECKS    := format-check headers front-door layers errors-doc sentences fail
 LINT_LOGS := $(CHECKS:%=$(OUT)/log/%.log) $(OUT)/log/x11/docs_test.py.log $(OUT)/log/tidy.log
 STRESS_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log) $(OUT)/log/raster-stress.log \
                $(OUT)/log/pipeline-stress.log
@@ -141,7 +152,7 @@ MADE_FIRST = $(TESTERS) $(STABILITY) $(APPS) $(PLUGINS) $(DATA) \
 TEST_LOGS := $(if $(filter install,$(WITH)),$(OUT)/log/installcheck.log) \
              $(if $(filter stress,$(WITH)),$(STRESS_LOGS)) $(tested:%=$(OUT)/log/%.log) \
              $(SCRIPTS:tests/%=$(OUT)/log/%.log) $(OUT)/log/stability.log $(OUT)/log/layers.log \
-             $(OUT)/log/fail.log
+             $(OUT)/log/fail.log $(OUT)/log/front-door.log
 
 # ---- targets ------------------------------------------------------------------------------------
 
@@ -267,6 +278,14 @@ $(PRECOMPILED).gch: tests/precompiled.h $(OUT)/flags | packages-test
 	$(call say,C++,$@)
 	$(Q)mkdir -p $(@D); cp $< $(PRECOMPILED); $(CXX) $(FLAGS) $(FLAGS_tests) -x c++-header $(PRECOMPILED) -o $@
 
+$(foreach h,$(PUBLIC),$(eval $(OUT)/include/l3d/$(notdir $(h)): lib/$(h)))
+$(filter-out %/l3d.h,$(DOOR)):
+	$(Q)mkdir -p $(@D); sed 's|^#include "\(.*/\)*\(.*\)"|#include <l3d/\2>|' $< > $@
+$(OUT)/include/l3d/l3d.h: packaging/public_headers packaging/umbrella.awk
+	$(Q)mkdir -p $(@D); awk -f packaging/umbrella.awk $< > $@
+$(foreach a,$(apps),$(eval $(objects_apps/$(a)): | $(DOOR)))
+$(PLUGINS): | $(DOOR)
+
 # A text file as a C++ string literal, to be included.
 $(OUT)/%.inc: %
 	$(Q)mkdir -p $(@D); { printf 'R"text('; cat $<; printf ')text"\n'; } > $@
@@ -288,7 +307,7 @@ $(APPS): $(OUT)/bin/%: $$(objects_apps/$$*) \
 $(foreach p,$(plugins),$(eval $(call plugged,$(p)): $(p)))
 $(PLUGINS): $(OUT)/flags | packages-build
 	$(call say,PLUG,$@)
-	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) -fPIC -shared -MD -MP $(filter %.cpp,$^) -o $@
+	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) -I$(OUT)/include -fPIC -shared -MD -MP $(filter %.cpp,$^) -o $@
 
 $(foreach d,$(data),$(eval $(OUT)/share/l3d/$(notdir $(d)): $(d)))
 $(DATA):
@@ -312,7 +331,7 @@ $(BENCHES): %: %.o $(objects_bench) $(call archives,reference compare $(LAYERS))
 
 $(OUT)/fuzz/%: tests/fuzz/model_fuzz.cpp $(wildcard tests/fuzz/*.h) $(OUT)/libl3d_geom.a
 	$(call say,LINK,$@)
-	$(Q)mkdir -p $(@D); $(LINK) -fsanitize=fuzzer -DL3D_FUZZED='"$*"' $(filter-out %.h,$^) -o $@
+	$(Q)mkdir -p $(@D); $(LINK) $(call include_paths,$<) -fsanitize=fuzzer -DL3D_FUZZED='"$*"' $(filter-out %.h,$^) -o $@
 
 # ---- logs: each ends with the exit status of what it ran ----------------------------------------
 
@@ -345,6 +364,9 @@ $(OUT)/log/format-check.log: FORCE
 
 $(OUT)/log/headers.log: FORCE
 	$(call logged,$(MAKE) -k $(LONE) && echo ok headers)
+
+$(OUT)/log/front-door.log: $(DOOR) FORCE
+	$(call logged,awk -f tests/lint/front_door.awk packaging/public_headers $(PUBLIC:%=lib/%))
 
 $(OUT)/%.h.ok: %.h $(OUT)/flags | packages-build
 	$(Q)mkdir -p $(@D); echo '#include "$(<:lib/%=%)"' | \
@@ -380,7 +402,7 @@ $(OUT)/log/tidy.log: FORCE
 
 $(OUT)/log/fail.log: FORCE | packages-build
 	$(call say,CHECK,tests/fail: what must not compile does not)
-	$(call logged,tests/lint/must_fail.sh '$(CXX) $(FLAGS)' $(wildcard tests/fail/*.cpp))
+	$(call logged,tests/lint/must_fail.sh '$(CXX) $(FLAGS) -Ilib' $(wildcard tests/fail/*.cpp))
 
 $(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o
 	$(call say,TIDY,$<)

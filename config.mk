@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # config.mk: everything a user may want to change; each value can also be given to make.
 
-VERSION := 0.1.0
+VERSION := $(shell awk '/L3D_VERSION_TEXT/{ gsub(/"/, "", $$3); print $$3 }' lib/base/version.h)
 RELEASED := November 21, 2026
 ABI     := 0#      of the shared library: counted up when a program has to be compiled anew
 PREFIX  ?= /usr/local
@@ -24,7 +24,7 @@ FUZZ_SECONDS ?= 60#  for each reader; a crash, 10 seconds for one text or this m
 FUZZ_LIMITS  ?= -timeout=10 -rss_limit_mb=1024 -malloc_limit_mb=64 -max_len=4096
 
 # Debian packages, each with its proof: a header, a library or a program that must be there.
-PACKAGES_build  := $(if $(findstring clang,$(CXX)),clang:clang++,g++:$(CXX)) libglm-dev:glm/glm.hpp libpng-dev:png.h libx11-dev:X11/Xlib.h \
+PACKAGES_build  := $(if $(findstring clang,$(CXX)),clang:clang++,g++:$(CXX)) libpng-dev:png.h libx11-dev:X11/Xlib.h \
     libxext-dev:X11/extensions/XShm.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
     nlohmann-json3-dev:nlohmann/json.hpp libtbb-dev:oneapi/tbb/parallel_for.h \
     libhwy-dev:hwy/highway.h
@@ -32,7 +32,7 @@ PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:
     x11-xkb-utils:setxkbmap x11-utils:xprop \
     parallel:parallel libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so \
     libboost-dev:boost/multiprecision/cpp_bin_float.hpp gnuplot-nox:gnuplot
-PACKAGES_install := pkgconf:pkg-config mandoc:mandoc parallel:parallel
+PACKAGES_install := pkgconf:pkg-config cmake:cmake mandoc:mandoc parallel:parallel
 PACKAGES_package := debhelper:dh lintian:lintian
 PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
 PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)

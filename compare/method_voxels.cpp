@@ -2,6 +2,8 @@
 // l3d_method_voxels: filling, and rays.
 #include "compare/method_voxels.h"
 
+#include "scene/dice_view.h"
+
 #include "geom/forward_difference.h"
 #include "geom/real.h"
 #include "dice/normal_columns.h"

@@ -8,6 +8,7 @@
 #include "compare/cubic_frame_buffer.h"
 #include "compare/point_canvas.h"
 #include "raster/parallel/workers.h"
+#include "geom/normal_net.h"
 
 #include <cstddef>
 #include <vector>

@@ -4,7 +4,7 @@
 #define L3D_COMPARE_MICROPOLYGON_DICER_H
 
 #include "geom/real.h"
-#include "scene/dice_counts.h"
+#include "scene/counts.h"
 #include "scene/dice_view.h"
 #include "dice/diced_pieces.h"
 #include "dice/edges/edge_polylines.h"

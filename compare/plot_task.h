@@ -3,7 +3,7 @@
 #ifndef L3D_COMPARE_PLOT_TASK_H
 #define L3D_COMPARE_PLOT_TASK_H
 
-#include "scene/dice_counts.h"
+#include "scene/counts.h"
 #include "scene/dice_view.h"
 #include "geom/normal_net.h"
 #include "compare/point_canvas.h"

@@ -9,7 +9,6 @@ NAME        := $(NAME_$(REAL))
 STATIC      := $(OUT)/lib$(NAME).a
 SHARED      := $(OUT)/lib$(NAME).so.$(VERSION)
 SONAME      := lib$(NAME).so.$(ABI)
-PUBLIC       = $(shell awk -f packaging/public_headers.awk $(HEADERS))
 # The book's programs have names that others have, too: objcopy is binutils', hello GNU's.
 PLAIN       := teapot_afd modelview drawdot
 installed    = $(strip $(patsubst %,l3d-%,$(filter-out $(PLAIN),$(1))) $(filter $(PLAIN),$(1)))
@@ -50,16 +49,19 @@ install-programs: $(APPS) $(PLUGINS) $(DATA) $(PAGES) $(BASH_WORDS) $(ZSH_WORDS)
 	$(Q)$(call put,644,$(SHAREDIR)/mime/packages,packaging/desktop/l3d.xml)
 	$(Q)$(call put,644,$(SHAREDIR)/icons/hicolor/128x128/apps,$(ICON))
 
-install-library: $(STATIC) $(SHARED) $(OUT)/$(NAME).pc
+install-library: $(STATIC) $(SHARED) $(OUT)/$(NAME).pc $(DOOR) \
+        $(OUT)/l3d-$(REAL).cmake $(OUT)/l3d-config.cmake $(OUT)/l3d-config-version.cmake
 	$(Q)$(call put,644,$(LIBDIR),$(STATIC) $(SHARED))
 	$(Q)ln -sf $(notdir $(SHARED)) $(DESTDIR)$(LIBDIR)/$(SONAME)
 	$(Q)ln -sf $(SONAME) $(DESTDIR)$(LIBDIR)/lib$(NAME).so
 	$(Q)$(call put,644,$(LIBDIR)/pkgconfig,$(OUT)/$(NAME).pc)
-	$(Q)for header in $(PUBLIC); do \
-	    install -D -m 644 lib/$$header $(DESTDIR)$(INCLUDEDIR)/l3d/$$header || exit; done
+	$(Q)$(call put,644,$(INCLUDEDIR)/l3d,$(DOOR))
+	$(Q)$(call put,644,$(LIBDIR)/cmake/l3d,$(OUT)/l3d-$(REAL).cmake $(OUT)/l3d-config.cmake \
+	    $(OUT)/l3d-config-version.cmake)
 
 uninstall: ## remove what install has put there, given the same PREFIX and DESTDIR
-	rm -rf $(addprefix $(DESTDIR),$(INCLUDEDIR)/l3d $(PLUGINDIR) $(SHAREDIR)/l3d)
+	rm -rf $(addprefix $(DESTDIR),$(INCLUDEDIR)/l3d $(PLUGINDIR) $(SHAREDIR)/l3d \
+	    $(LIBDIR)/cmake/l3d)
 	rm -f $(patsubst %,$(DESTDIR)$(BINDIR)/%,$(call installed,$(apps))) \
 	    $(patsubst $(OUT)/man/%,$(DESTDIR)$(SHAREDIR)/man/man1/%,$(PAGES)) \
 	    $(patsubst $(OUT)/completion/bash/%,$(DESTDIR)$(SHAREDIR)/bash-completion/completions/%,$(BASH_WORDS)) \
@@ -86,13 +88,11 @@ $(STATIC): $(objects_library) $(OUT)/list/library
 	$(call say,AR,$@)
 	$(Q)rm -f $@; ar rcs $@ $(filter %.o,$^)
 
-$(OUT)/exports.map: $(objects_library) $(OUT)/list/library packaging/exports.awk
-	$(Q)nm -g --defined-only -f posix $(filter %.o,$^) | awk -f packaging/exports.awk > $@
-
-$(SHARED): $(objects_library) $(OUT)/exports.map
+$(SHARED): $(objects_library) $(OUT)/list/library packaging/l3d.map
 	$(call say,LINK,$@)
-	$(Q)$(LINK) -shared -Wl,-soname,$(SONAME) -Wl,--version-script=$(OUT)/exports.map \
-	    -Wl,-z,defs -Wl,-Bsymbolic-functions $(filter %.o,$^) $(call links,$(LAYERS)) -o $@
+	$(Q)$(LINK) -shared -Wl,-soname,$(SONAME) -Wl,--version-script=packaging/l3d.map \
+	    -Wl,-z,defs -Wl,-Bsymbolic-functions \
+	    $(filter %.o,$^) $(call links,$(LAYERS)) -o $@
 
 $(call remember,$(OUT)/place,$(PREFIX) $(LIBDIR) $(INCLUDEDIR))
 
@@ -101,8 +101,16 @@ below_prefix = $(patsubst $(PREFIX)/%,$${prefix}/%,$(1))
 $(OUT)/$(NAME).pc: packaging/l3d.pc.in $(OUT)/place $(OUT)/flags
 	$(Q)sed -e 's|@prefix@|$(PREFIX)|; s|@libdir@|$(call below_prefix,$(LIBDIR))|' \
 	    -e 's|@includedir@|$(call below_prefix,$(INCLUDEDIR))|' \
-	    -e 's|@name@|$(NAME)|; s|@real@|$(REAL)|; s|@version@|$(VERSION)|' \
-	    -e 's|@define@|$(flags_$(REAL))|; s|@links@|$(strip $(call links,$(LAYERS)))|' $< > $@
+	    $(named) -e 's|@define@|$(flags_$(REAL))|; s|@requires@|$(call needs,$(LAYERS))|' $< > $@
+
+# CMake finds headers from the library's own place, wherever both were moved to.
+named = -e 's|@name@|$(NAME)|; s|@real@|$(REAL)|; s|@version@|$(VERSION)|; s|@soname@|$(SONAME)|' \
+        -e 's|@real_macro@|$(flags_$(REAL):-D%=%)|' \
+        -e "s|@to_include@|$$(realpath -ms --relative-to=$(LIBDIR) $(INCLUDEDIR))|"
+$(OUT)/l3d-$(REAL).cmake: packaging/l3d-real.cmake.in $(OUT)/place $(OUT)/flags
+	$(Q)sed $(named) $< > $@
+$(OUT)/%.cmake: packaging/%.cmake.in $(OUT)/flags
+	$(Q)sed $(named) $< > $@
 
 page = $(Q)mkdir -p $(@D); $< --help | \
     awk -f packaging/man_page.awk -v program=$(basename $(@F)) -v date='$(RELEASED)' > $@

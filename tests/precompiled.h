@@ -23,9 +23,3 @@
 #include <thread>
 #include <utility>
 #include <vector>
-
-#include <glm/geometric.hpp>
-#include <glm/mat4x4.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>

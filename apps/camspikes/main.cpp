@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // camspikes: spikes seen by a camera that flies.
 #include "../spikes/spike.h"
-#include "pipeline/worlds/pipeline_world.h"
-#include "system/program.h"
+#include <l3d/pipeline_world.h>
+#include <l3d/program.h>
 
 namespace {
 

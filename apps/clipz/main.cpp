@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // clipz: large spikes that are cut where they come too near; and what is wrong without sorting.
 #include "../spikes/spike.h"
-#include "pipeline/worlds/pipeline_world.h"
-#include "system/program.h"
+#include <l3d/pipeline_world.h>
+#include <l3d/program.h>
 
 namespace {
 

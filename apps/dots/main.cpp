@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // dots: dots in space, in true perspective: a runway, stars, or snow.
-#include "geom/random.h"
-#include "pipeline/worlds/camera_left_handed.h"
-#include "pipeline/pipeline_2d.h"
-#include "pipeline/ticker.h"
-#include "system/program.h"
+#include <l3d/random.h>
+#include <l3d/camera_left_handed.h>
+#include <l3d/pipeline_2d.h>
+#include <l3d/ticker.h>
+#include <l3d/program.h>
 
 #include <cmath>
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // drawdot: a dot that moves and leaves a trail; the smallest program.
-#include "pipeline/pipeline_2d.h"
-#include "system/program.h"
+#include <l3d/pipeline_2d.h>
+#include <l3d/program.h>
 
 #include <algorithm>
 #include <vector>

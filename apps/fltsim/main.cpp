@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // fltsim: a world of pyramids to fly through. Ten of them are a class, one is a plug-in.
-#include "geom/polygon_shapes.h"
-#include "geom/random.h"
-#include "pipeline/worlds/pipeline_world.h"
-#include "system/places.h"
-#include "system/plugin_loader.h"
-#include "system/program.h"
+#include <l3d/polygon_shapes.h>
+#include <l3d/random.h>
+#include <l3d/pipeline_world.h>
+#include <l3d/places.h>
+#include <l3d/plugin_loader.h>
+#include <l3d/program.h>
 
 #include <iostream>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // hello: the first lessons: a window, what happens to it, and a picture made word by word.
-#include "geom/random.h"
-#include "raster/shapes/text.h"
-#include "system/program.h"
+#include <l3d/random.h>
+#include <l3d/text.h>
+#include <l3d/program.h>
 
 #include <iostream>
 #include <string>

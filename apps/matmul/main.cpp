@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // matmul: products of matrices, as text: the order matters.
-#include "geom/transform.h"
-#include "system/options.h"
+#include <l3d/transform.h>
+#include <l3d/options.h>
 
 #include <iostream>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // mesaflat: triangles by software GL, which they use unless told otherwise; they pile up.
 #include "../xform/pile_pipeline.h"
-#include "system/program.h"
+#include <l3d/program.h>
 
 #include <array>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // modelview: any model file, by any pipeline.
-#include "pipeline/pipeline_afd_viewer.h"
-#include "pipeline/polygons/pipeline_zbuffer.h"
-#include "pipeline/polygons/pipeline_zsort.h"
-#include "raster/rasterizer_factory_mesa.h"
-#include "raster/rasterizer_factory_sw.h"
-#include "system/polygon_options.h"
-#include "system/program.h"
-#include "system/viewer.h"
+#include <l3d/pipeline_afd_viewer.h>
+#include <l3d/pipeline_zbuffer.h>
+#include <l3d/pipeline_zsort.h>
+#include <l3d/rasterizer_factory_mesa.h>
+#include <l3d/rasterizer_factory_sw.h>
+#include <l3d/polygon_options.h>
+#include <l3d/program.h>
+#include <l3d/viewer.h>
 
 namespace {
 

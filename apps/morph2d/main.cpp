@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // morph2d: a polygon on its way through four forms, one of them far wider than the window.
-#include "geom/vertex_interpolator.h"
-#include "pipeline/ticker.h"
-#include "raster/shapes/polygon_2d_flatshaded.h"
-#include "system/program.h"
+#include <l3d/vertex_interpolator.h>
+#include <l3d/ticker.h>
+#include <l3d/polygon_2d_flatshaded.h>
+#include <l3d/program.h>
 
 #include <array>
 #include <utility>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // objcopy: an object is copied, both are cut by a plane, and the halves slide apart and back.
-#include "geom/mesh_cut.h"
-#include "geom/polygon_shapes.h"
-#include "geom/random.h"
-#include "pipeline/worlds/pipeline_world.h"
-#include "system/program.h"
+#include <l3d/mesh_cut.h>
+#include <l3d/polygon_shapes.h>
+#include <l3d/random.h>
+#include <l3d/pipeline_world.h>
+#include <l3d/program.h>
 
 #include <algorithm>
 

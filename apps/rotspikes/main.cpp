@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // rotspikes: spikes that tumble about all three axes while they fly past the viewer.
 #include "../spikes/spikes_pipeline.h"
-#include "system/program.h"
+#include <l3d/program.h>
 
 // Step 2 of 5: the application is a pipeline, that of spikes; these tumble.
 int main(int argc, char** argv) {

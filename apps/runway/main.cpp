@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // runway: three rows of dots at different speeds look like depth, and are not.
-#include "pipeline/pipeline_2d.h"
-#include "pipeline/ticker.h"
-#include "system/program.h"
+#include <l3d/pipeline_2d.h>
+#include <l3d/ticker.h>
+#include <l3d/program.h>
 
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // spikes: polygons in space that share vertices, flying past the viewer.
 #include "spikes_pipeline.h"
-#include "system/program.h"
+#include <l3d/program.h>
 
 // Step 2 of 5: the application is a pipeline; rotspikes has the same.
 int main(int argc, char** argv) {

@@ -3,9 +3,9 @@
 #ifndef L3D_APPS_SPIKES_SPIKE_H
 #define L3D_APPS_SPIKES_SPIKE_H
 
-#include "geom/random.h"
-#include "pipeline/worlds/moveable.h"
-#include "pipeline/worlds/object.h"
+#include <l3d/random.h>
+#include <l3d/moveable.h>
+#include <l3d/object.h>
 
 /// The properties that spikes of one program have in common. Units: those of the world, per update
 /// of the book.

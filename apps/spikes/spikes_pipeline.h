@@ -3,8 +3,8 @@
 #ifndef L3D_APPS_SPIKES_SPIKES_PIPELINE_H
 #define L3D_APPS_SPIKES_SPIKES_PIPELINE_H
 
-#include "pipeline/pipeline_2d.h"
-#include "pipeline/worlds/world.h"
+#include <l3d/pipeline_2d.h>
+#include <l3d/world.h>
 #include "spike.h"
 
 /// A hundred and fifty spikes of a kind, and a viewer who stands still.

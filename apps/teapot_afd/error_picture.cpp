@@ -3,9 +3,9 @@
 #include "error_picture.h"
 
 #include "raster/shapes/rasterizer_2d_sw.h"
-#include "raster/shapes/text.h"
-#include "tool_2d/image.h"
-#include "tool_2d/image_file.h"
+#include <l3d/text.h>
+#include <l3d/image.h>
+#include <l3d/image_file.h>
 
 #include <algorithm>
 #include <array>

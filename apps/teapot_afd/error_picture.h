@@ -4,7 +4,7 @@
 #define L3D_APPS_TEAPOT_AFD_ERROR_PICTURE_H
 
 #include "reference/measure.h"
-#include "tool_2d/pixels.h"
+#include <l3d/pixels.h>
 
 #include <string>
 

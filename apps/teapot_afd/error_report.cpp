@@ -8,8 +8,9 @@
 #include "report_files.h"
 #include "report_plots.h"
 
-#include "raster/rasterizer_factory_sw.h"
-#include "tool_2d/error.h"
+#include <l3d/rasterizer_factory_sw.h>
+#include <l3d/surface_method.h>
+#include <l3d/error.h>
 
 #include <chrono>
 #include <cstdio>

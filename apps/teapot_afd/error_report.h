@@ -3,9 +3,9 @@
 #ifndef L3D_APPS_TEAPOT_AFD_ERROR_REPORT_H
 #define L3D_APPS_TEAPOT_AFD_ERROR_REPORT_H
 
-#include "scene/camera.h"
-#include "scene/patch_model.h"
-#include "tool_2d/pixels.h"
+#include <l3d/camera.h>
+#include <l3d/patch_model.h>
+#include <l3d/pixels.h>
 
 #include <string>
 

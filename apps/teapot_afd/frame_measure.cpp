@@ -2,9 +2,9 @@
 // frame_measure: a pipeline into memory, an eye that trembles, and the exact picture.
 #include "frame_measure.h"
 
-#include "raster/rasterizer_factory_sw.h"
+#include <l3d/rasterizer_factory_sw.h>
 #include "system/number_text.h"
-#include "tool_2d/screen_memory.h"
+#include <l3d/screen_memory.h>
 
 #include <algorithm>
 #include <chrono>

@@ -4,7 +4,7 @@
 #define L3D_APPS_TEAPOT_AFD_FRAME_MEASURE_H
 
 #include "compare/method_choice.h"
-#include "pipeline/pipeline_afd.h"
+#include <l3d/pipeline_afd.h>
 #include "reference/exact.h"
 #include "reference/measure.h"
 #include "reference/region.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // teapot_afd: the Utah teapot (or any bicubic patches) by adaptive forward differencing.
 #include "compare/method_option.h"
-#include "pipeline/pipeline_afd_viewer.h"
-#include "system/afd_options.h"
-#include "system/program.h"
-#include "system/viewer.h"
+#include <l3d/pipeline_afd_viewer.h>
+#include <l3d/afd_options.h>
+#include <l3d/program.h>
+#include <l3d/viewer.h>
 
 #include "error_report.h"
 

@@ -2,9 +2,9 @@
 // Tables: Markdown, CSV, JSON.
 #include "report_files.h"
 
-#include "geom/real.h"
+#include <l3d/real.h>
 #include "raster/parallel/simd_target.h"
-#include "tool_2d/error.h"
+#include <l3d/error.h>
 
 #include <nlohmann/json.hpp>
 

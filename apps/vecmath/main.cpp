@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // vecmath: sums and products of points and vectors, as text.
-#include "geom/point.h"
-#include "system/options.h"
+#include <l3d/point.h>
+#include <l3d/options.h>
 
 #include <iostream>
 

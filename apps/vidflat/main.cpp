@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // vidflat: a model from a file of Videoscape's, as Blender writes it, by way of a plug-in.
-#include "pipeline/worlds/pipeline_world.h"
-#include "system/places.h"
-#include "system/plugin_loader.h"
-#include "system/program.h"
+#include <l3d/pipeline_world.h>
+#include <l3d/places.h>
+#include <l3d/plugin_loader.h>
+#include <l3d/program.h>
 
 namespace {
 

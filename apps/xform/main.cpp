@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // xform: triangles thrown about the window and clipped by it, and lines; they pile up.
 #include "pile_pipeline.h"
-#include "raster/shapes/polygon_2d_flatshaded.h"
-#include "system/program.h"
+#include <l3d/polygon_2d_flatshaded.h>
+#include <l3d/program.h>
 
 namespace {
 

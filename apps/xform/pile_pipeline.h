@@ -3,9 +3,9 @@
 #ifndef L3D_APPS_XFORM_PILE_PIPELINE_H
 #define L3D_APPS_XFORM_PILE_PIPELINE_H
 
-#include "geom/random.h"
-#include "pipeline/pipeline_2d.h"
-#include "pipeline/ticker.h"
+#include <l3d/random.h>
+#include <l3d/pipeline_2d.h>
+#include <l3d/ticker.h>
 
 #include <algorithm>
 #include <cstdint>

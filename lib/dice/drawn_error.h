@@ -48,9 +48,8 @@ struct l3d_vertex_accuracy {
 
     /// The image error that comes on top of the chord error, for points drawn inside the window.
     ///
-    /// Let corner i have homogeneous errors e_i. It is drawn off its place X_i by d_i, and its
-    /// 1 / w is off by the factor 1 + r_i. Let b_i be its weight at the drawn point X0. To first
-    /// order
+    /// Let corner i have homogeneous errors e_i. It is drawn off its place X_i by d_i, and its 1 /
+    /// w is off by the factor 1 + r_i. Let b_i be its weight at the drawn point X0. To first order
     ///     S / w - X0 = chord + sum b_i (e_i.xy - X0 e_i.w) / w
     ///                + sum b_i w_i / w (d_i + r_i (X_i - X0)),
     /// where only X0, not X_i, meets the errors of w, and sum b_i w_i / w is `w_ratio`.
@@ -66,7 +65,8 @@ struct l3d_vertex_accuracy {
 
 /// How far a vertex may be from the surface along the line of sight, beyond the error of its place.
 /// It adds the error of w and that of 1 / w as a float. That float is divided, scaled, interpolated
-/// and rounded, some four times 2^-24 of it. Units: pixels at the vertex' depth.
+/// and rounded, some four times 2^-24 of it. Units: pixels at the vertex' depth. Units: pixels at
+/// the vertex' depth. Units: pixels at the vertex' depth.
 inline double l3d_depth_vertex_error(const l3d_dice_view& view, double error_w, double w_low) {
     return view.focal * (error_w / w_low + 4 * 0x1p-24);
 }

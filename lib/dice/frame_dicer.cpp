@@ -3,6 +3,7 @@
 #include "dice/frame_dicer.h"
 
 #include "dice/error_color.h"
+#include "scene/facing_cones.h"
 #include "scene/placed_net.h"
 #include "dice/point_patch.h"
 #include "scene/seen_from.h"

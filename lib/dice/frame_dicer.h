@@ -3,7 +3,7 @@
 #ifndef L3D_DICE_FRAME_DICER_H
 #define L3D_DICE_FRAME_DICER_H
 
-#include "scene/dice_counts.h"
+#include "scene/counts.h"
 #include "scene/dice_view.h"
 #include "dice/diced_pieces.h"
 #include "dice/edges/edge_polylines.h"

@@ -4,7 +4,7 @@
 #define L3D_DICE_PATCH_DICER_H
 
 #include "geom/normal_net.h"
-#include "scene/dice_counts.h"
+#include "scene/counts.h"
 #include "scene/dice_view.h"
 #include "dice/diced_pieces.h"
 #include "dice/edges/edge_polylines.h"

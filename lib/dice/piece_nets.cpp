@@ -95,7 +95,7 @@ template <class T> void l3d_piece_nets<T>::cut() {
 
 template <class T>
 void l3d_piece_nets<T>::bound_vertices(l3d_vertex_accuracy accuracy, const l3d_dice_view& view) {
-    // Of vertices that are evaluated one by one.
+    // The error of vertices that are evaluated one by one.
     const magnitudes size(net_);
     accuracy.error_xy = view.error_xy + l3d_evaluation_error(size.xy[0]);
     accuracy.error_w = view.error_w + l3d_evaluation_error(size.w[0]);
@@ -109,7 +109,7 @@ void l3d_piece_nets<T>::bound_vertices(l3d_vertex_accuracy accuracy, const l3d_d
     if (!whole_)
         return;
 
-    // Of vertices that are walked, if that is exact enough.
+    // The error of vertices that are walked, if that is exact enough.
     const int strips = count_ == 1 ? 1 : l3d_step_plan::most_strips;
     unit_ = register_unit<T>(size.w[0]);
     accuracy.error_xy += walking_error<T>(size.xy, unit_, l3d_most_steps_whole, strips);

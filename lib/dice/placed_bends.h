@@ -3,7 +3,7 @@
 #ifndef L3D_DICE_PLACED_BENDS_H
 #define L3D_DICE_PLACED_BENDS_H
 
-#include "scene/dice_counts.h"
+#include "scene/counts.h"
 #include "scene/dice_view.h"
 #include "dice/diced_piece.h"
 #include "dice/net_piece.h"

@@ -98,8 +98,8 @@ struct l3d_step_plan {
 ///     c_u uu + c_v vv + m_u m_v uuvv + d k,   d = h_u h_v uv + 2 m_u h_v uuv + 2 m_v h_u uvv
 ///                                                 + 4 m_u m_v uuvv,
 /// d being a bound of the corners' mixed difference and k 1/16 or 1/4, see l3d_second_bounds. Slits
-/// between a side's row and its edge may be as far off as chords that are not balanced. So those
-/// of the outer blocks keep the budget, too.
+/// between a side's row and its edge may be as far off as chords that are not balanced. So those of
+/// the outer blocks keep the budget, too.
 ///
 /// Along the normal they err by at most
 ///     c_u uu + c_v vv + l3d_bend_weights::thirds (h_u^3 uuu + h_v^3 vvv) and so on (NUMERICS,

@@ -3,7 +3,7 @@
 #ifndef L3D_DICE_SURFACE_PIECE_H
 #define L3D_DICE_SURFACE_PIECE_H
 
-#include "scene/dice_counts.h"
+#include "scene/counts.h"
 #include "dice/edges/edge_polylines.h"
 #include "dice/near_clip.h"
 #include "dice/net_piece.h"

@@ -4,6 +4,7 @@
 #ifndef L3D_GEOM_BEZIER_CURVE_H
 #define L3D_GEOM_BEZIER_CURVE_H
 
+#include "base/public.h"
 #include "geom/real.h"
 #include "geom/vector.h"
 
@@ -41,7 +42,7 @@ template <class T> constexpr void l3d_to_powers(T& a, T& b, T& c, T& d) {
 /// A cubic Bezier curve in N dimensions; homogeneous coordinates make it rational.
 ///
 /// Shape: four control points, parameter t in [0, 1].
-template <class T, int N> struct l3d_bezier_curve {
+template <class T, int N> struct L3D_PUBLIC l3d_bezier_curve {
     using point = l3d_vector<T, N>;
     std::array<point, 4> points;
 

@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_BEZIER_PATCH_H
 #define L3D_GEOM_BEZIER_PATCH_H
 
+#include "base/public.h"
 #include "geom/bezier_curve.h"
 
 #include <array>
@@ -16,7 +17,7 @@
 ///
 /// Rational form: with homogeneous control points (N = 4: x w, y w, z w, w) the same class is a
 /// rational patch. l3d_projected and l3d_rational_derivatives return to three dimensions.
-template <class T, int N> struct l3d_bezier_patch {
+template <class T, int N> struct L3D_PUBLIC l3d_bezier_patch {
     using point = l3d_vector<T, N>;
     using curve = l3d_bezier_curve<T, N>;
     std::array<point, 16> points;

@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_BSPLINE_SURFACE_H
 #define L3D_GEOM_BSPLINE_SURFACE_H
 
+#include "base/public.h"
 #include "geom/files/patch_file.h"
 
 #include <array>
@@ -13,7 +14,7 @@
 ///
 /// Shape: the number of control points along it is points(); knots do not decrease, and
 ///        knots[degree] <= from < to <= knots[points()].
-struct l3d_bspline_direction {
+struct L3D_PUBLIC l3d_bspline_direction {
     int degree = 0;
     std::vector<double> knots;
     double from = 0, to = 0;
@@ -34,8 +35,8 @@ struct l3d_bspline_direction {
 /// Source:  Ramshaw, Blossoming: A Connect-the-Dots Approach to Splines, 1987. The Bezier point i
 ///          of the span [a, b] is the blossom of n - i arguments a and i arguments b. That equals
 ///          inserting both knots to full multiplicity.
-std::vector<l3d_patch_points> l3d_bezier_patches(const l3d_bspline_direction& u,
-                                                 const l3d_bspline_direction& v,
-                                                 const std::vector<std::array<double, 3>>& points);
+L3D_PUBLIC std::vector<l3d_patch_points>
+l3d_bezier_patches(const l3d_bspline_direction& u, const l3d_bspline_direction& v,
+                   const std::vector<std::array<double, 3>>& points);
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_COORDINATE_H
 #define L3D_GEOM_COORDINATE_H
 
+#include "base/public.h"
 #include "geom/transform.h"
 #include "geom/two_part_list.h"
 
@@ -12,7 +13,7 @@
 ///
 /// Every frame starts from `original`, so no rounding adds up from frame to frame. The stage is
 /// counted, so a vertex is moved once however many polygons ask for it.
-template <class T> struct l3d_coordinate {
+template <class T> struct L3D_PUBLIC l3d_coordinate {
     /// Uninitialised, as a point is.
     l3d_coordinate() = default;
     explicit l3d_coordinate(const l3d_point<T>& place) : original(place) { reset(); }

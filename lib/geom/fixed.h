@@ -3,6 +3,8 @@
 #ifndef L3D_GEOM_FIXED_H
 #define L3D_GEOM_FIXED_H
 
+#include "base/public.h"
+
 #include <compare>
 #include <concepts>
 #include <cstdint>
@@ -10,7 +12,7 @@
 #include <type_traits>
 
 /// What happens when a result does not fit.
-enum class l3d_overflow {
+enum class L3D_PUBLIC l3d_overflow {
     wrap,     ///< modulo 2^bits, as unsigned integers do; the fastest
     saturate, ///< the nearest end of the range
     trap,     ///< the program stops at once: __builtin_trap()
@@ -90,7 +92,7 @@ constexpr std::uint64_t wrapped(double value) noexcept {
 /// Cost:    + and - are one integer operation with wrap; * one wide product and four more;
 ///          / one wide division.
 template <class Storage, int FractionBits, l3d_overflow Overflow = l3d_overflow::wrap>
-class l3d_fixed {
+class L3D_PUBLIC l3d_fixed {
     static_assert(std::signed_integral<Storage> && sizeof(Storage) <= 8);
     static_assert(FractionBits > 0 && FractionBits < static_cast<int>(8 * sizeof(Storage)));
 
@@ -238,7 +240,7 @@ constexpr l3d_fixed<S, F, O> l3d_midpoint(l3d_fixed<S, F, O> a, l3d_fixed<S, F, 
 /// A sum of products that is rounded, and brought in range, once: when it is read.
 ///
 /// Expects: Fixed is an l3d_fixed; fewer than 2^31 products. Partial sums out of range do no harm.
-template <class Fixed> class l3d_fixed_sum {
+template <class Fixed> class L3D_PUBLIC l3d_fixed_sum {
     using wide = l3d_detail::wide<typename Fixed::storage>;
 
 public:

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
-// l3d_matrix: four by four numbers that move and project points; GLM's for float and double.
+// l3d_matrix: four by four numbers that move and project points.
 #ifndef L3D_GEOM_MATRIX_H
 #define L3D_GEOM_MATRIX_H
 
+#include "base/public.h"
 #include "geom/vector.h"
-
-#include <glm/mat4x4.hpp>
 
 #include <cmath>
 
 /// A linear map of homogeneous points: m * v with v a column, so (a * b) * v is a * (b * v).
 ///
-/// Shape:   m(row, column), both 0 to 3; a translation is in column 3. Stored by columns, as GLM
-///          and OpenGL do.
-/// Cost:    in fixed point each component of a product is rounded once.
-template <class T> class l3d_matrix {
+/// Shape:   m(row, column), both 0 to 3; a translation is in column 3. Stored by columns, as OpenGL
+/// does. Cost:    in fixed point each component of a product is rounded once.
+template <class T> class L3D_PUBLIC l3d_matrix {
 public:
     /// Uninitialised, as a number is; l3d_matrix<T>{} is all zero.
     l3d_matrix() = default;
@@ -34,7 +32,8 @@ public:
                 result[i] = l3d_dot<T, 4>(m.row(i), v);
             return result;
         } else {
-            return m.columns_ * v;
+            return (m.columns_[0] * v[0] + m.columns_[1] * v[1]) +
+                   (m.columns_[2] * v[2] + m.columns_[3] * v[3]);
         }
     }
 
@@ -45,12 +44,10 @@ public:
         return result;
     }
 
-    friend bool operator==(const l3d_matrix& a, const l3d_matrix& b) noexcept {
-        return a.columns_ == b.columns_;
-    }
+    friend bool operator==(const l3d_matrix&, const l3d_matrix&) = default;
 
 private:
-    glm::mat<4, 4, T, glm::defaultp> columns_;
+    l3d_vector<T, 4> columns_[4];
 };
 
 /// Leaves every vector as it is.

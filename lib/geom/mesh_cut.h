@@ -3,11 +3,12 @@
 #ifndef L3D_GEOM_MESH_CUT_H
 #define L3D_GEOM_MESH_CUT_H
 
+#include "base/public.h"
 #include "geom/plane.h"
 #include "geom/polygon_mesh.h"
 
 /// How the hole is treated where a mesh was cut.
-enum class l3d_cut_end {
+enum class L3D_PUBLIC l3d_cut_end {
     open,
     capped, ///< a face closes each loop of cut edges
 };
@@ -22,15 +23,16 @@ enum class l3d_cut_end {
 /// Expects: mesh.is_valid(); convex faces. Caps are right for a closed mesh whose cut has no loop
 ///          inside another.
 /// Cost:    memory for one entry per cut edge.
-l3d_polygon_mesh l3d_cut_mesh(const l3d_polygon_mesh& mesh, const l3d_plane<double>& plane,
-                              l3d_cut_end end = l3d_cut_end::open);
+L3D_PUBLIC l3d_polygon_mesh l3d_cut_mesh(const l3d_polygon_mesh& mesh,
+                                         const l3d_plane<double>& plane,
+                                         l3d_cut_end end = l3d_cut_end::open);
 
 /// Turns right-handed axes with z up, as modellers have them, into left-handed ones with y up. y
 /// and z change places, and the corners of each face are reversed, so that its outside stays the
 /// outside.
-void l3d_turn_left_handed(l3d_polygon_mesh& mesh);
+L3D_PUBLIC void l3d_turn_left_handed(l3d_polygon_mesh& mesh);
 
 /// The sum of the areas of all faces. Expects: mesh.is_valid(). Units: world units squared.
-double l3d_area(const l3d_polygon_mesh& mesh);
+L3D_PUBLIC double l3d_area(const l3d_polygon_mesh& mesh);
 
 #endif

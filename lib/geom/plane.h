@@ -3,12 +3,13 @@
 #ifndef L3D_GEOM_PLANE_H
 #define L3D_GEOM_PLANE_H
 
+#include "base/public.h"
 #include "geom/transform.h"
 
 #include <optional>
 
 /// Where a line meets a plane.
-template <class T> struct l3d_plane_crossing {
+template <class T> struct L3D_PUBLIC l3d_plane_crossing {
     T t;             ///< 0 at the line's first point, 1 at the second; not restricted to these
     l3d_point<T> at; ///< the place itself
     bool from_front; ///< the first point is in front
@@ -17,7 +18,7 @@ template <class T> struct l3d_plane_crossing {
 /// The points p with normal . p + d = 0; in front of it are those where this is positive.
 ///
 /// Units:   the normal is a unit vector, d the distance from the plane to the origin along it.
-template <class T> struct l3d_plane {
+template <class T> struct L3D_PUBLIC l3d_plane {
     using vector = l3d_vector<T, 3>;
 
     vector normal;

@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_POINT_H
 #define L3D_GEOM_POINT_H
 
+#include "base/public.h"
 #include "geom/vector.h"
 
 /// A place, held as its displacement from the origin.
@@ -10,7 +11,7 @@
 /// The difference of two points is a vector, and a point moved by a vector is a point. Operations
 /// without a meaning (the sum of two points, a vector minus a point) do not compile. The fourth
 /// coordinate of the book, 1 for points and 0 for vectors, is the type itself.
-template <class T> struct l3d_point {
+template <class T> struct L3D_PUBLIC l3d_point {
     using vector = l3d_vector<T, 3>;
 
     /// Uninitialised, as a number is; l3d_point<T>{} is the origin.

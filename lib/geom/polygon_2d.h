@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_POLYGON_2D_H
 #define L3D_GEOM_POLYGON_2D_H
 
+#include "base/public.h"
 #include "geom/clip_to_plane.h"
 #include "geom/coordinate.h"
 #include "geom/side_2d.h"
@@ -43,7 +44,7 @@ std::array<l3d_position<T>, 4> l3d_window_corners(const l3d_position<T>& least,
 /// Expects: corners in clockwise order on the screen, where y is down; anticlockwise ones are
 ///          clipped and drawn just so, they only cannot serve as a window.
 /// Lives:   a value; a copy is deep.
-class l3d_polygon_2d {
+class L3D_PUBLIC l3d_polygon_2d {
 public:
     explicit l3d_polygon_2d(std::vector<std::uint32_t> ivertices)
         : ivertices_(std::move(ivertices)), clip_ivertices_(ivertices_) {}

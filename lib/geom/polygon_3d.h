@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_POLYGON_3D_H
 #define L3D_GEOM_POLYGON_3D_H
 
+#include "base/public.h"
 #include "geom/clip_to_plane.h"
 #include "geom/plane.h"
 
@@ -18,7 +19,7 @@
 ///          right-handed ones: the normal is (p1 - p0) x (p2 - p0) in both.
 /// Expects: three corners or more, each naming a vertex.
 /// Lives:   borrows both lists.
-template <class T> struct l3d_polygon_3d {
+template <class T> struct L3D_PUBLIC l3d_polygon_3d {
     std::span<const l3d_point<T>> vertices;
     std::span<const std::uint32_t> corners;
 

@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_POLYGON_MESH_H
 #define L3D_GEOM_POLYGON_MESH_H
 
+#include "base/public.h"
 #include "geom/vector.h"
 
 #include <cassert>
@@ -21,7 +22,7 @@
 /// Cost:    a face of n corners takes 4 n + 4 bytes, 4 more each with a colour and a material; a
 ///          vertex 24. A closed mesh of triangles has half as many vertices as faces: 28 bytes per
 ///          face.
-struct l3d_polygon_mesh {
+struct L3D_PUBLIC l3d_polygon_mesh {
     using vector = l3d_vector<double, 3>;
 
     /// A run of faces with a name: from first_face to the next part's.

@@ -3,20 +3,22 @@
 #ifndef L3D_GEOM_POLYGON_SHAPES_H
 #define L3D_GEOM_POLYGON_SHAPES_H
 
+#include "base/public.h"
 #include "geom/polygon_mesh.h"
 
 /// A ring about the z axis: `around` times `across` cells of two triangles each.
 ///
 /// Units:   `major` from the centre to the middle of the tube, `minor` the tube's radius.
 /// Expects: around, across >= 3; 0 < minor < major.
-l3d_polygon_mesh l3d_torus_mesh(int around, int across, double major = 2, double minor = 0.8);
+L3D_PUBLIC l3d_polygon_mesh l3d_torus_mesh(int around, int across, double major = 2,
+                                           double minor = 0.8);
 
 /// A sphere about the origin, poles on the z axis: 2 around (rows - 1) triangles.
 /// Expects: around >= 3, rows >= 2; radius > 0.
-l3d_polygon_mesh l3d_sphere_mesh(int around, int rows, double radius = 1);
+L3D_PUBLIC l3d_polygon_mesh l3d_sphere_mesh(int around, int rows, double radius = 1);
 
 /// The book's pyramid: three edges of length 10 from the origin along the axes, four faces.
-l3d_polygon_mesh l3d_pyramid_mesh();
+L3D_PUBLIC l3d_polygon_mesh l3d_pyramid_mesh();
 
 /// The height field z = height(x, y) over [-1, 1] squared: 2 cells^2 triangles.
 /// Expects: cells >= 1.

@@ -3,13 +3,15 @@
 #ifndef L3D_GEOM_RADIX_SORT_H
 #define L3D_GEOM_RADIX_SORT_H
 
+#include "base/public.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 /// A key and what it stands for.
-struct l3d_sort_item {
+struct L3D_PUBLIC l3d_sort_item {
     std::uint32_t key = 0;
     std::uint32_t index = 0;
     friend bool operator==(const l3d_sort_item&, const l3d_sort_item&) = default;

@@ -3,6 +3,8 @@
 #ifndef L3D_GEOM_RANDOM_H
 #define L3D_GEOM_RANDOM_H
 
+#include "base/public.h"
+
 #include <bit>
 #include <cassert>
 #include <cstdint>
@@ -13,7 +15,7 @@
 /// Cost:    a product, an addition, a few shifts; 16 bytes. The period is 2^64.
 /// Source:  O'Neill, PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms
 ///          for Random Number Generation (2014), the member XSH-RR 64/32.
-class l3d_random {
+class L3D_PUBLIC l3d_random {
 public:
     explicit constexpr l3d_random(std::uint64_t seed) noexcept : state_(seed + increment) {
         next();

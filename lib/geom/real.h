@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_REAL_H
 #define L3D_GEOM_REAL_H
 
+#include "base/public.h"
 #include "geom/fixed.h"
 
 #include <concepts>
@@ -18,27 +19,27 @@
 // else the linker would keep one and drop the reference of the others.
 #if defined(L3D_REAL_FLOAT)
 using l3d_real = float;
-extern const char l3d_built_with_float_real;
+L3D_PUBLIC extern const char l3d_built_with_float_real;
 [[gnu::used]] inline constexpr const char* l3d_needs_float_real = &l3d_built_with_float_real;
 #elif defined(L3D_REAL_DOUBLE)
 using l3d_real = double;
-extern const char l3d_built_with_double_real;
+L3D_PUBLIC extern const char l3d_built_with_double_real;
 [[gnu::used]] inline constexpr const char* l3d_needs_double_real = &l3d_built_with_double_real;
 #else
 using l3d_real = l3d_fixed<std::int64_t, 32>;
-extern const char l3d_built_with_fixed_real;
+L3D_PUBLIC extern const char l3d_built_with_fixed_real;
 [[gnu::used]] inline constexpr const char* l3d_needs_fixed_real = &l3d_built_with_fixed_real;
 #endif
 
 /// The number type the library was built with: "float", "double" or "fixed".
-const char* l3d_real_name();
+L3D_PUBLIC const char* l3d_real_name();
 
 /// The properties of a number type that algorithms need: conversions, and how it rounds.
 ///
 /// Units: an operation on x errs by at most unit_roundoff * |result| + half_ulp, in range.
 template <class T> struct l3d_real_traits;
 
-template <std::floating_point T> struct l3d_real_traits<T> {
+template <std::floating_point T> struct L3D_PUBLIC l3d_real_traits<T> {
     static constexpr double unit_roundoff = sizeof(T) == 4 ? 0x1p-24 : 0x1p-53;
     static constexpr double half_ulp = 0;
 
@@ -47,7 +48,7 @@ template <std::floating_point T> struct l3d_real_traits<T> {
 };
 
 template <class Storage, int FractionBits, l3d_overflow Overflow>
-struct l3d_real_traits<l3d_fixed<Storage, FractionBits, Overflow>> {
+struct L3D_PUBLIC l3d_real_traits<l3d_fixed<Storage, FractionBits, Overflow>> {
     using fixed = l3d_fixed<Storage, FractionBits, Overflow>;
     static constexpr double unit_roundoff = 0;
     static constexpr double half_ulp = 0.5 / static_cast<double>(std::uint64_t{1} << FractionBits);

@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_SIDE_2D_H
 #define L3D_GEOM_SIDE_2D_H
 
+#include "base/public.h"
 #include "geom/vector.h"
 
 #include <algorithm>
@@ -11,7 +12,9 @@
 template <class T> using l3d_position = l3d_vector<T, 2>;
 
 /// How far p is to the right of the way from a to b: positive to the right, 0 on the line. Right is
-/// inside of a polygon whose corners run clockwise on the screen.
+/// inside of a polygon whose corners run clockwise on the screen. Right is inside of a polygon
+/// whose corners run clockwise on the screen. Right is inside of a polygon whose corners run
+/// clockwise on the screen.
 ///
 /// Units:   pixels times the length of the way.
 /// Expects: coordinates less than 2^29 in fixed point, where the sign is exact. In floating point
@@ -50,7 +53,7 @@ l3d_position<T> l3d_part_way(const l3d_position<T>& p, const l3d_position<T>& q,
 }
 
 /// Where the way from p to q crosses the line through a and b, and how far on the way that is.
-template <class T> struct l3d_crossing_2d {
+template <class T> struct L3D_PUBLIC l3d_crossing_2d {
     l3d_position<T> at;
     double t; ///< 0 at p, 1 at q
 };

@@ -3,10 +3,12 @@
 #ifndef L3D_GEOM_TEAPOT_H
 #define L3D_GEOM_TEAPOT_H
 
+#include "base/public.h"
+
 #include <string_view>
 
 /// data/teapot.bpt, compiled in: 28 bicubic patches, y up, 3 units high, base at y = 0, no bottom.
 /// Source: Newell 1975, in Crow, The Origins of the Teapot, IEEE CG&A 7, 1987.
-std::string_view l3d_teapot_bpt();
+L3D_PUBLIC std::string_view l3d_teapot_bpt();
 
 #endif

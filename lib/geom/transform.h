@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_TRANSFORM_H
 #define L3D_GEOM_TRANSFORM_H
 
+#include "base/public.h"
 #include "geom/matrix.h"
 #include "geom/point.h"
 
@@ -15,7 +16,7 @@
 #include <utility>
 
 /// Cosine and sine of an angle.
-struct l3d_turn {
+struct L3D_PUBLIC l3d_turn {
     double cosine = 1, sine = 0;
 };
 
@@ -108,7 +109,7 @@ namespace l3d_detail {
 
 /// Gauss and Jordan's elimination with the rows brought to a largest entry of 1 first, and pivots
 /// sought down the column. The rest is the inverse; the determinant is found on the way.
-class elimination {
+class L3D_PUBLIC elimination {
 public:
     template <class T> explicit elimination(const l3d_matrix<T>& m) {
         for (std::size_t i = 0; i < 4; ++i) {

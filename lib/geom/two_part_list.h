@@ -3,6 +3,8 @@
 #ifndef L3D_GEOM_TWO_PART_LIST_H
 #define L3D_GEOM_TWO_PART_LIST_H
 
+#include "base/public.h"
+
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +19,7 @@
 /// Shape:   indices 0 to fixed_size() - 1 are fixed, those from there to size() - 1 vary.
 /// Lives:   a value; a copy is deep. Adding an item makes references to others invalid.
 /// Cost:    no allocation once the largest frame has been seen.
-template <class Item> class l3d_two_part_list {
+template <class Item> class L3D_PUBLIC l3d_two_part_list {
 public:
     l3d_two_part_list() = default;
     explicit l3d_two_part_list(std::vector<Item> fixed)

@@ -1,32 +1,95 @@
 // SPDX-License-Identifier: MIT
-// l3d_vector: two to four numbers of one type; GLM's for float and double.
+// l3d_vector: two to four numbers of one type.
 #ifndef L3D_GEOM_VECTOR_H
 #define L3D_GEOM_VECTOR_H
 
+#include "base/public.h"
 #include "geom/real.h"
 
-#include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
-
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
-/// N components of type T: v[i], +, -, * scalar, ==, and the functions below.
+/// N components of type T: v[i], +, -, * and / by a number, ==, and the functions below.
 ///
-/// For l3d_fixed, GLM gives the layout and what works component by component. Functions that sum
-/// products are ours. GLM would round every product, and refuses types that are not IEEE 754.
-/// Shape:   2 <= N <= 4.
-template <class T, int N> using l3d_vector = glm::vec<N, T, glm::defaultp>;
+/// Shape:   2 <= N <= 4. Nothing but the numbers, one after another.
+template <class T, int N> class L3D_PUBLIC l3d_vector {
+public:
+    static_assert(2 <= N && N <= 4);
 
-/// GLM's own takes the way over an implicit conversion from int, which l3d_fixed does not offer.
-template <class T>
-requires l3d_is_fixed<T> l3d_vector<T, 4>
-operator-(const l3d_vector<T, 4>& v) noexcept {
-    return {-v[0], -v[1], -v[2], -v[3]};
-}
+    /// Uninitialised, as a number is; l3d_vector<T, N>{} is all zero.
+    l3d_vector() = default;
+
+    template <class... Numbers>
+    requires(sizeof...(Numbers) == N && (std::is_constructible_v<T, Numbers> &&
+                                         ...)) constexpr l3d_vector(Numbers... numbers) noexcept
+        : numbers_{static_cast<T>(numbers)...} {}
+
+    /// The same number N times.
+    template <class Number>
+    requires std::is_constructible_v<T, Number>
+    explicit constexpr l3d_vector(Number all) noexcept {
+        for (T& number : numbers_)
+            number = static_cast<T>(all);
+    }
+
+    /// One more component.
+    constexpr l3d_vector(const l3d_vector<T, N - 1>& v, T last) noexcept requires(N > 2) {
+        for (int i = 0; i + 1 < N; ++i)
+            numbers_[i] = v[i];
+        numbers_[N - 1] = last;
+    }
+
+    constexpr T& operator[](int i) noexcept { return numbers_[i]; }
+    constexpr const T& operator[](int i) const noexcept { return numbers_[i]; }
+
+    constexpr l3d_vector& operator+=(const l3d_vector& v) noexcept {
+        for (int i = 0; i < N; ++i)
+            numbers_[i] += v[i];
+        return *this;
+    }
+    constexpr l3d_vector& operator-=(const l3d_vector& v) noexcept {
+        for (int i = 0; i < N; ++i)
+            numbers_[i] -= v[i];
+        return *this;
+    }
+    constexpr l3d_vector& operator*=(const T& scale) noexcept {
+        for (T& number : numbers_)
+            number *= scale;
+        return *this;
+    }
+    constexpr l3d_vector& operator/=(const T& scale) noexcept {
+        for (T& number : numbers_)
+            number /= scale;
+        return *this;
+    }
+
+    friend constexpr l3d_vector operator+(l3d_vector a, const l3d_vector& b) noexcept {
+        return a += b;
+    }
+    friend constexpr l3d_vector operator-(l3d_vector a, const l3d_vector& b) noexcept {
+        return a -= b;
+    }
+    friend constexpr l3d_vector operator-(l3d_vector v) noexcept {
+        for (T& number : v.numbers_)
+            number = -number;
+        return v;
+    }
+    friend constexpr l3d_vector operator*(l3d_vector v, const T& scale) noexcept {
+        return v *= scale;
+    }
+    friend constexpr l3d_vector operator*(const T& scale, l3d_vector v) noexcept {
+        return v *= scale;
+    }
+    friend constexpr l3d_vector operator/(l3d_vector v, const T& scale) noexcept {
+        return v /= scale;
+    }
+    friend constexpr bool operator==(const l3d_vector&, const l3d_vector&) = default;
+
+private:
+    T numbers_[N];
+};
 
 namespace l3d_detail {
 
@@ -70,8 +133,13 @@ template <class T, int N> T l3d_dot(const l3d_vector<T, N>& a, const l3d_vector<
         for (int i = 0; i < N; ++i)
             sum.add_product(a[i], b[i]);
         return sum.rounded();
+    } else if constexpr (N == 4) {
+        return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
     } else {
-        return glm::dot(a, b);
+        T sum = a[0] * b[0] + a[1] * b[1];
+        if constexpr (N == 3)
+            sum += a[2] * b[2];
+        return sum;
     }
 }
 
@@ -90,7 +158,7 @@ l3d_vector<T, 3> l3d_cross(const l3d_vector<T, 3>& a, const l3d_vector<T, 3>& b)
         }
         return result;
     } else {
-        return glm::cross(a, b);
+        return {a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0], a[0] * b[1] - b[0] * a[1]};
     }
 }
 
@@ -103,7 +171,7 @@ template <class T, int N> T l3d_length(const l3d_vector<T, N>& v) noexcept {
             raw[i] = l3d_detail::wide<storage>{v[i].raw()};
         return T::from_raw(l3d_detail::narrowed<storage, T::overflow>(l3d_detail::raw_length(raw)));
     } else {
-        return glm::length(v);
+        return std::sqrt(l3d_dot(v, v));
     }
 }
 
@@ -144,7 +212,7 @@ template <class T, int N> l3d_vector<T, N> l3d_normalized(const l3d_vector<T, N>
     if constexpr (l3d_is_fixed<T>) {
         return l3d_detail::normalized_fixed<T, N>(v);
     } else {
-        const T length = glm::length(v);
+        const T length = l3d_length(v);
         return length > 0 ? v / length : v;
     }
 }

@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_VERTEX_INTERPOLATOR_H
 #define L3D_GEOM_VERTEX_INTERPOLATOR_H
 
+#include "base/public.h"
 #include "geom/coordinate.h"
 
 #include <cassert>
@@ -14,7 +15,7 @@
 ///
 /// Each step starts from the two ends, not from the step before: nothing drifts.
 /// Expects: in fixed point, that a vertex's way times the number of steps is in range.
-template <class T> class l3d_vertex_interpolator {
+template <class T> class L3D_PUBLIC l3d_vertex_interpolator {
 public:
     /// Begins at `from`; the varying parts are left out.
     /// Expects: both lists with as many fixed vertices; steps >= 1.

@@ -3,21 +3,22 @@
 #ifndef L3D_PIPELINE_FRAME_REPORT_H
 #define L3D_PIPELINE_FRAME_REPORT_H
 
-#include "scene/dice_counts.h"
+#include "base/public.h"
+#include "scene/counts.h"
 #include "pipeline/report_parts.h"
 
 #include <cstdint>
 #include <string>
 
 /// Times of the stages of a frame of patches. Units: milliseconds.
-struct l3d_stage_times : l3d_common_times {
+struct L3D_PUBLIC l3d_stage_times : l3d_common_times {
     double transform = 0; ///< what may be seen, sorted front to back
     double dice = 0;      ///< control nets to the image, bounds, steps, forward differences
     double outlines = 0;  ///< finding the pixels that outlines reach; not part of total
 };
 
 /// One frame.
-struct l3d_frame_report : l3d_common_report {
+struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     double tolerance_px = 0;
     double near = 0; ///< nearest distance drawn: the camera's, unless rounding asks for more
     l3d_stage_times time_ms;

@@ -3,6 +3,8 @@
 #ifndef L3D_PIPELINE_METHOD_FACTORY_H
 #define L3D_PIPELINE_METHOD_FACTORY_H
 
+#include "base/public.h"
+
 #include <functional>
 #include <memory>
 #include <string>
@@ -14,7 +16,7 @@ class l3d_workers;
 /// Makes a surface method, and tells what a pipeline must know of it beforehand.
 ///
 /// A default one makes the library's own method: adaptive forward differencing in l3d_real.
-class l3d_method_factory {
+class L3D_PUBLIC l3d_method_factory {
 public:
     /// Makes a method that fills with surfaces of these rasterizers, by these workers.
     /// Expects: never returns null.

@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_PIPELINE_H
 #define L3D_PIPELINE_PIPELINE_H
 
+#include "base/public.h"
 #include "geom/real.h" // whoever compiles a pipeline links with the library of the same numbers
 #include "tool_2d/event.h"
 #include "tool_2d/pixels.h"
@@ -10,7 +11,7 @@
 #include <limits>
 
 /// What happened to a frame after it was drawn. Units: seconds.
-struct l3d_frame_times {
+struct L3D_PUBLIC l3d_frame_times {
     double show = 0;  ///< bringing the pixels to the screen
     double write = 0; ///< writing picture files
 };
@@ -19,7 +20,7 @@ struct l3d_frame_times {
 ///
 /// Order:   events first, then update_event, then draw_event, then frame_event, once per frame.
 /// Lives:   borrowed by the dispatcher; owns (or borrows from main) its screen and rasterizer.
-class l3d_pipeline {
+class L3D_PUBLIC l3d_pipeline {
 public:
     l3d_pipeline() = default;
     l3d_pipeline(const l3d_pipeline&) = delete;

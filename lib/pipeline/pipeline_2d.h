@@ -4,6 +4,7 @@
 #ifndef L3D_PIPELINE_PIPELINE_2D_H
 #define L3D_PIPELINE_PIPELINE_2D_H
 
+#include "base/public.h"
 #include "pipeline/pipeline.h"
 #include "raster/canvas.h"
 
@@ -14,7 +15,7 @@
 /// A subclass has the world: it overrides `draw`, and what else of l3d_pipeline it answers to. One
 /// with keys of its own passes those that it does not know to l3d_pipeline_2d::key_event.
 /// Lives:   owns screen and rasterizer.
-class l3d_pipeline_2d : public l3d_pipeline {
+class L3D_PUBLIC l3d_pipeline_2d : public l3d_pipeline {
 public:
     /// Errors:  as l3d_rasterizer_factory::create_2d.
     explicit l3d_pipeline_2d(l3d_canvas canvas);

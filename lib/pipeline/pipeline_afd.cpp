@@ -2,15 +2,21 @@
 // l3d_pipeline_afd: the stages of a frame.
 #include "pipeline/pipeline_afd.h"
 
+#include "pipeline/surface_method.h"
+#include "raster/outline_mask.h"
+#include "raster/parallel/workers.h"
 #include "scene/camera_shading.h"
 #include "scene/drawn_pixels.h"
 #include "dice/edges/edge_polyline.h"
 #include "dice/frame_dicer.h"
+#include "scene/image_transform.h"
+#include "scene/scene_culling.h"
 #include "scene/placed_net.h"
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/wire_lines_p.h"
 #include "raster/parallel/simd_target.h"
 #include "tool_2d/error.h"
+#include "tool_2d/pixel_boxes.h"
 
 #include <algorithm>
 #include <limits>
@@ -23,15 +29,45 @@ using l3d_detail::stopwatch;
 
 constexpr std::uint32_t wire_color = 0x0080d0ff, net_color = 0x00ff9030;
 
-const l3d_afd_settings& checked(const l3d_afd_settings& settings, const l3d_camera& camera,
-                                l3d_size size) {
-    const std::string why = l3d_afd_complaint(camera, size, settings);
+/// Creates the rasterizer of lines and text for a screen, once it is known that a picture can be
+/// drawn.
+std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(const l3d_rasterizer_factory& rasterizers,
+                                                 l3d_screen& screen, const l3d_camera& camera,
+                                                 const l3d_afd_settings& settings) {
+    const std::string why = l3d_afd_complaint(camera, screen.pixels().size(), settings);
     if (!why.empty())
         throw l3d_error(l3d_exit::failure, why);
-    return settings;
+    return rasterizers.create_2d(screen.pixels());
 }
 
 } // namespace
+
+/// All that a picture depends on but the placements of its models.
+struct l3d_pipeline_afd::basis {
+    l3d_pixels target;
+    l3d_matrix<double> to_image;
+    l3d_dice_view view;
+    l3d_shading shading;
+    bool wireframe = false, net = false, depth = false, outlines = false;
+
+    friend bool operator==(const basis&, const basis&) = default;
+};
+
+/// The stages of a frame, from the scene to the method that fills it.
+struct l3d_pipeline_afd::stages {
+    stages(const l3d_afd_settings& settings, const l3d_rasterizer_factory& rasterizers)
+        : workers(settings.threads), method(settings.method.create(rasterizers, workers)),
+          wire_dicer(workers) {}
+
+    l3d_workers workers;
+    std::unique_ptr<l3d_surface_method> method;
+    basis drawn; ///< of the picture that is in the pixels
+    l3d_image_transform transform;
+    l3d_dice_view view;
+    l3d_box_lanes moved_to; ///< kept for its memory
+    l3d_scene_culling wire_culling;
+    l3d_frame_dicer<l3d_real> wire_dicer;
+};
 
 std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
                               const l3d_afd_settings& settings) {
@@ -63,11 +99,9 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
 l3d_pipeline_afd::l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene,
                                    const l3d_camera& camera, const l3d_afd_settings& settings)
     : screen_(std::move(canvas.screen)),
-      workers_(checked(settings, camera, screen_->pixels().size()).threads),
-      imp_(canvas.rasterizers->create_2d(screen_->pixels())), rasterizer_(*imp_),
-      method_(settings.method.create(*canvas.rasterizers, workers_)), scene_(std::move(scene)),
-      camera_(camera), settings_(settings),
-      wire_dicer_(std::make_unique<l3d_frame_dicer<l3d_real>>(workers_)) {
+      imp_(create_2d(*canvas.rasterizers, *screen_, camera, settings)), rasterizer_(*imp_),
+      scene_(std::move(scene)), camera_(camera), settings_(settings),
+      stages_(std::make_unique<stages>(settings_, *canvas.rasterizers)) {
     report_.frame = -1;
     report_.method = settings.method.name();
     report_.real = l3d_real_name();
@@ -75,6 +109,11 @@ l3d_pipeline_afd::l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene,
 }
 
 l3d_pipeline_afd::~l3d_pipeline_afd() = default;
+
+const l3d_outline_mask* l3d_pipeline_afd::outlines() const {
+    return report_.outline_pixels == l3d_surface_counts::none_counted ? nullptr
+                                                                      : stages_->method->outlines();
+}
 
 void l3d_pipeline_afd::resize_event(l3d_size) {
     imp_->set_target(screen_->pixels());
@@ -97,7 +136,7 @@ void l3d_pipeline_afd::draw_event() {
         fill_surfaces(now, parts, times);
     // A part may have had more of the budget than it has in a whole frame, and the rest less.
     if (report_.pixels_kept > 0 && report_.dice.unfinished > 0 && !changed_.empty()) {
-        changed_ = l3d_whole(view_.size);
+        changed_ = l3d_whole(stages_->view.size);
         fill_surfaces(now, l3d_pixel_boxes(changed_), times);
     }
 
@@ -105,7 +144,7 @@ void l3d_pipeline_afd::draw_event() {
     if (stale_ || !changed_.empty())
         draw_on_top();
     times.overlay = overlaying.milliseconds();
-    basis_ = now;
+    stages_->drawn = now;
     scene_.forget_changes();
     is_drawing_ = is_foreign_ = false;
 
@@ -113,9 +152,10 @@ void l3d_pipeline_afd::draw_event() {
     report_.time_ms = times;
     ++report_.frame;
     report_.simd = l3d_simd_target();
-    report_.size = view_.size;
+    report_.size = stages_->view.size;
     report_.tolerance_px = settings_.tolerance;
-    report_.near = (report_.dice.near > 0 ? report_.dice.near : view_.near) / view_.depth_scale;
+    report_.near = (report_.dice.near > 0 ? report_.dice.near : stages_->view.near) /
+                   stages_->view.depth_scale;
     report_.patches = scene_.patch_count();
     stale_ = false;
 }
@@ -127,20 +167,20 @@ void l3d_pipeline_afd::frame_event(const l3d_frame_times& times) {
 
 l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     const l3d_pixels target = screen_->pixels();
-    transform_ = l3d_image_transform(camera_, target.size(), scene_);
-    view_ = transform_.view(settings_.tolerance);
-    view_.shade_tolerance = settings_.shade_tolerance;
+    stages_->transform = l3d_image_transform(camera_, target.size(), scene_);
+    stages_->view = stages_->transform.view(settings_.tolerance);
+    stages_->view.shade_tolerance = settings_.shade_tolerance;
     if (settings_.lateral_only)
-        view_.focal = 0;
-    view_.keep = settings_.keep;
-    view_.one_sided = settings_.one_sided;
-    view_.most_samples = settings_.most_samples;
+        stages_->view.focal = 0;
+    stages_->view.keep = settings_.keep;
+    stages_->view.one_sided = settings_.one_sided;
+    stages_->view.most_samples = settings_.most_samples;
     l3d_shading shading =
         l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
     shading.keep_unit_normals = settings_.keep.unit_normals;
     return {.target = target,
-            .to_image = transform_.matrix(),
-            .view = view_,
+            .to_image = stages_->transform.matrix(),
+            .view = stages_->view,
             .shading = shading,
             .wireframe = settings_.wireframe,
             .net = settings_.net,
@@ -153,7 +193,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
 /// from three quarters of the picture on, where a part costs nearly as much (docs/SPEED.md).
 l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
     const l3d_pixel_boxes whole(l3d_whole(now.target.size()));
-    if (settings_.keep.drawing || is_foreign_ || scene_.is_rebuilt() || now != basis_)
+    if (settings_.keep.drawing || is_foreign_ || scene_.is_rebuilt() || now != stages_->drawn)
         return whole;
     if (!stale_ && !scene_.is_changed())
         return {};
@@ -161,23 +201,23 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
         return whole;
     if (!scene_.is_changed())
         return {};
-    if (settings_.depth || !method_->draws_parts() || report_.dice.unfinished > 0)
+    if (settings_.depth || !stages_->method->draws_parts() || report_.dice.unfinished > 0)
         return whole;
     return parts_that_moved(whole.area() / 4 * 3);
 }
 
 /// Around what was placed again, where it was and where it is; more than `most` is all.
 l3d_pixel_boxes l3d_pipeline_afd::parts_that_moved(std::int64_t most) {
-    const l3d_matrix<double>& to_image = transform_.matrix();
+    const l3d_matrix<double>& to_image = stages_->transform.matrix();
     l3d_pixel_boxes parts;
-    l3d_drawn_pixels(scene_.moved_from(), to_image, view_, parts, most);
+    l3d_drawn_pixels(scene_.moved_from(), to_image, stages_->view, parts, most);
     if (parts.area() <= most) {
-        moved_to_.clear();
+        stages_->moved_to.clear();
         for (const std::size_t index : scene_.moved())
-            moved_to_.add(scene_.instances()[index].box());
-        l3d_drawn_pixels(moved_to_, to_image, view_, parts, most);
+            stages_->moved_to.add(scene_.instances()[index].box());
+        l3d_drawn_pixels(stages_->moved_to, to_image, stages_->view, parts, most);
     }
-    return parts.area() <= most ? parts : l3d_pixel_boxes(l3d_whole(view_.size));
+    return parts.area() <= most ? parts : l3d_pixel_boxes(l3d_whole(stages_->view.size));
 }
 
 /// The bound stays that of what is in the picture.
@@ -194,22 +234,22 @@ void l3d_pipeline_afd::keep_picture() {
     counts.coarsest = report_.dice.coarsest;
     report_.dice = counts;
     report_.surface = {};
-    report_.pixels_kept = l3d_whole(view_.size).area();
+    report_.pixels_kept = l3d_whole(stages_->view.size).area();
 }
 
 void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& parts,
                                      l3d_stage_times& times) {
     if (settings_.depth)
-        depth_.resize(view_.size);
-    report_.pixels_kept = l3d_whole(view_.size).area() - parts.area();
+        depth_.resize(stages_->view.size);
+    report_.pixels_kept = l3d_whole(stages_->view.size).area() - parts.area();
     const l3d_dice_counts kept = report_.pixels_kept > 0 ? report_.dice : l3d_dice_counts();
     report_.dice = {};
     report_.surface = {};
     for (const l3d_pixel_box& part : parts.boxes()) {
         const l3d_method_frame frame{.scene = scene_,
                                      .camera = camera_,
-                                     .to_image = transform_.matrix(),
-                                     .view = view_,
+                                     .to_image = stages_->transform.matrix(),
+                                     .view = stages_->view,
                                      .shading = now.shading,
                                      .target = now.target,
                                      .depth = depth_,
@@ -218,16 +258,16 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
                                      .counts_pixels = settings_.count_pixels,
                                      .part = part,
                                      .outlines = settings_.outlines};
-        method_->draw(frame, times);
-        report_.dice.add(method_->counts());
-        report_.surface.add(method_->surface_counts());
+        stages_->method->draw(frame, times);
+        report_.dice.add(stages_->method->counts());
+        report_.surface.add(stages_->method->surface_counts());
     }
-    const l3d_outline_mask* const outlines = method_->outlines();
+    const l3d_outline_mask* const outlines = stages_->method->outlines();
     report_.outline_pixels = outlines ? outlines->count() : l3d_surface_counts::none_counted;
     untouched_ = true;
-    if (!method_->certifies_depth() || view_.focal == 0)
+    if (!stages_->method->certifies_depth() || stages_->view.focal == 0)
         report_.dice.depth_bound_px = std::numeric_limits<double>::infinity();
-    if (method_->certifies_shade(now.shading) && view_.focal > 0) {
+    if (stages_->method->certifies_shade(now.shading) && stages_->view.focal > 0) {
         report_.dice.shade_bound += report_.surface.level_error;
         report_.dice.unshaded_quads += report_.surface.loose_levels;
     } else {
@@ -263,7 +303,7 @@ void l3d_pipeline_afd::draw_on_top() {
     draw_overlay();
     rasterizer_.finish();
     if (!untouched_)
-        changed_ = l3d_whole(view_.size);
+        changed_ = l3d_whole(stages_->view.size);
 }
 
 /// Lines hide nothing and have no depth: a depth that is asked for is empty.
@@ -272,17 +312,17 @@ void l3d_pipeline_afd::draw_wireframe() {
     untouched_ = false;
     rasterizer_.clear_buffer();
     if (settings_.depth) {
-        depth_.resize(view_.size);
+        depth_.resize(stages_->view.size);
         depth_.clear();
     }
-    wire_culling_.begin(scene_, transform_.matrix(), view_);
-    wire_dicer_->begin(view_);
+    stages_->wire_culling.begin(scene_, stages_->transform.matrix(), stages_->view);
+    stages_->wire_dicer.begin(stages_->view);
     l3d_detail::wire_lines lines(rasterizer_, wire_color);
-    for (auto batch = wire_culling_.next(nothing_is_hidden); !batch.empty();
-         batch = wire_culling_.next(nothing_is_hidden))
-        lines.draw(wire_dicer_->dice(scene_, wire_culling_, batch));
-    report_.dice = wire_dicer_->counts();
-    report_.dice.add(wire_culling_.counts());
+    for (auto batch = stages_->wire_culling.next(nothing_is_hidden); !batch.empty();
+         batch = stages_->wire_culling.next(nothing_is_hidden))
+        lines.draw(stages_->wire_dicer.dice(scene_, stages_->wire_culling, batch));
+    report_.dice = stages_->wire_dicer.counts();
+    report_.dice.add(stages_->wire_culling.counts());
     report_.surface = {};
     report_.outline_pixels = l3d_surface_counts::none_counted;
     report_.pixels_kept = 0;
@@ -293,15 +333,15 @@ void l3d_pipeline_afd::draw_nets() {
     untouched_ = false;
     std::vector<l3d_line_2d> lines;
     const auto add = [&](const l3d_image_point& from, const l3d_image_point& to) {
-        const l3d_clip_vertex a = l3d_canonical_vertex(from, view_);
-        const l3d_clip_vertex b = l3d_canonical_vertex(to, view_);
+        const l3d_clip_vertex a = l3d_canonical_vertex(from, stages_->view);
+        const l3d_clip_vertex b = l3d_canonical_vertex(to, stages_->view);
         if (a.drawable && b.drawable)
             lines.push_back(
                 {a.dice.vertex.x >> l3d_subpixel_bits, a.dice.vertex.y >> l3d_subpixel_bits,
                  b.dice.vertex.x >> l3d_subpixel_bits, b.dice.vertex.y >> l3d_subpixel_bits});
     };
     for (const l3d_patch_instance& instance : scene_.instances()) {
-        const l3d_matrix<double> to_image = transform_.matrix() * instance.placement();
+        const l3d_matrix<double> to_image = stages_->transform.matrix() * instance.placement();
         for (const l3d_patch_model::patch& patch : instance.model().patches()) {
             const l3d_image_patch net = l3d_placed_net(to_image, patch);
             for (int line = 0; line < 4; ++line)

@@ -3,37 +3,35 @@
 #ifndef L3D_PIPELINE_PIPELINE_AFD_H
 #define L3D_PIPELINE_PIPELINE_AFD_H
 
-#include "geom/real.h"
+#include "base/public.h"
+#include "pipeline/frame_report.h"
+#include "pipeline/method_factory.h"
+#include "pipeline/pipeline.h"
+#include "raster/depth_buffer.h"
+#include "raster/canvas.h"
 #include "scene/camera.h"
 #include "scene/camera_shading.h"
-#include "pipeline/frame_report.h"
-#include "scene/image_transform.h"
-#include "pipeline/method_factory.h"
+#include "scene/kept_patches.h"
 #include "scene/patch_scene.h"
-#include "pipeline/pipeline.h"
-#include "scene/scene_culling.h"
-#include "pipeline/surface_method.h"
-#include "raster/canvas.h"
-#include "raster/parallel/workers.h"
-#include "tool_2d/pixel_boxes.h"
 
 #include <cstdint>
 #include <memory>
 #include <string>
 
-template <class T> class l3d_frame_dicer;
+class l3d_outline_mask;
+class l3d_pixel_boxes;
 
 /// Work that a frame does although it could skip it; the picture is the same, or as good. Only
 /// benchmarks that compare with and without a rule set these.
-struct l3d_kept_work : l3d_kept_patches {
-    bool unit_normals = false; ///< lambert: one in each pixel, even where less would do
-    bool drawing = false;      ///< drawing again what the last frame drew
+struct L3D_PUBLIC l3d_kept_work : l3d_kept_patches {
+    bool unit_normals = false; ///< lambert: in each pixel, also where less would do
+    bool drawing = false;      ///< of what the last frame drew
 
     static constexpr l3d_kept_work all() { return {l3d_kept_patches::all(), true, true}; }
 };
 
 /// How a scene is to be drawn.
-struct l3d_afd_settings {
+struct L3D_PUBLIC l3d_afd_settings {
     double tolerance = 0.25;    ///< largest error of places and of depth allowed, in pixels
     double shade_tolerance = 2; ///< largest error of shades allowed, in levels of 255
     bool lateral_only = false;  ///< the tolerance holds for places in the picture only
@@ -56,8 +54,8 @@ struct l3d_afd_settings {
 };
 
 /// Why nothing can be drawn like this, naming the value at fault; "" if it can.
-std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
-                              const l3d_afd_settings& settings);
+L3D_PUBLIC std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
+                                         const l3d_afd_settings& settings);
 
 /// Draws models of bicubic patches with a certified error bound in every frame: by adaptive forward
 /// differencing, unless the settings have another method.
@@ -66,11 +64,11 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
 /// and calls draw_event. A program with keys or things of its own to draw derives a class. A frame
 /// draws only what changed since the last one. If nothing changed, it draws nothing. If instances
 /// were only placed again and nothing is drawn on top, it draws the parts of the picture where they
-/// were or are.
-/// Expects: camera and settings of which l3d_afd_complaint has nothing to say, in every frame.
-/// Lives:   owns screen, workers, rasterizers and scene, and shares the models of the scene.
+/// were or are. Expects: camera and settings of which l3d_afd_complaint has nothing to say, in
+/// every frame. Lives:   owns screen, workers, rasterizers and scene, and shares the models of the
+/// scene.
 /// Cost:    filled surfaces allocate nothing once the largest frame has been seen.
-class l3d_pipeline_afd : public l3d_pipeline {
+class L3D_PUBLIC l3d_pipeline_afd : public l3d_pipeline {
 public:
     /// Errors: throws l3d_error with what l3d_afd_complaint says.
     l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene, const l3d_camera& camera,
@@ -97,10 +95,7 @@ public:
 
     /// The pixels that outlines reach in the last frame. It is null if nobody asked for them, if
     /// the method does not find them, or if a part of the picture was drawn alone.
-    const l3d_outline_mask* outlines() const {
-        return report_.outline_pixels == l3d_surface_counts::none_counted ? nullptr
-                                                                          : method_->outlines();
-    }
+    const l3d_outline_mask* outlines() const;
 
     /// The last frame drawn; the hash is counted when asked for.
     l3d_frame_report report() const;
@@ -139,16 +134,8 @@ protected:
     virtual void draw_overlay() {}
 
 private:
-    /// All that a picture depends on but the placements of its models.
-    struct basis {
-        l3d_pixels target;
-        l3d_matrix<double> to_image;
-        l3d_dice_view view;
-        l3d_shading shading;
-        bool wireframe = false, net = false, depth = false, outlines = false;
-
-        friend bool operator==(const basis&, const basis&) = default;
-    };
+    struct basis;
+    struct stages;
 
     void touch() {
         untouched_ = false;
@@ -165,10 +152,8 @@ private:
     void draw_nets();
 
     std::unique_ptr<l3d_screen> screen_;
-    l3d_workers workers_;
     std::unique_ptr<l3d_rasterizer_2d_imp> imp_;
     l3d_rasterizer_2d rasterizer_;
-    std::unique_ptr<l3d_surface_method> method_;
     l3d_depth_buffer depth_;
 
     l3d_patch_scene scene_;
@@ -178,15 +163,9 @@ private:
     bool untouched_ = false;  ///< nobody wrote to the pixels since surfaces were filled
     bool is_foreign_ = false; ///< somebody did when no frame was drawn
     bool is_drawing_ = false;
-    basis basis_; ///< of the picture that is in the pixels
     l3d_pixel_box changed_;
-    l3d_box_lanes moved_to_; ///< kept for its memory
-
-    l3d_image_transform transform_;
-    l3d_dice_view view_;
-    l3d_scene_culling wire_culling_;
-    std::unique_ptr<l3d_frame_dicer<l3d_real>> wire_dicer_;
     l3d_frame_report report_;
+    std::unique_ptr<stages> stages_;
 };
 
 #endif

@@ -3,13 +3,14 @@
 #ifndef L3D_PIPELINE_PIPELINE_AFD_VIEWER_H
 #define L3D_PIPELINE_PIPELINE_AFD_VIEWER_H
 
+#include "base/public.h"
 #include "pipeline/pipeline_afd.h"
 #include "pipeline/viewer_controls.h"
 
 #include <vector>
 
 /// l3d_pipeline_afd with the controls that its help overlay lists.
-class l3d_pipeline_afd_viewer : public l3d_pipeline_afd {
+class L3D_PUBLIC l3d_pipeline_afd_viewer : public l3d_pipeline_afd {
 public:
     using l3d_pipeline_afd::l3d_pipeline_afd;
 

@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_REPORT_PARTS_H
 #define L3D_PIPELINE_REPORT_PARTS_H
 
+#include "base/public.h"
 #include "raster/surface_rasterizer.h"
 #include "tool_2d/pixels.h"
 
@@ -10,7 +11,7 @@
 #include <string>
 
 /// Times of the stages that every frame has, by the monotonic clock. Units: milliseconds.
-struct l3d_common_times {
+struct L3D_PUBLIC l3d_common_times {
     double raster = 0;  ///< clearing, coverage, depth, shading, lines
     double overlay = 0; ///< control nets and text
     double total = 0;   ///< all stages but those below
@@ -19,7 +20,7 @@ struct l3d_common_times {
 };
 
 /// A frame of any kind.
-struct l3d_common_report {
+struct L3D_PUBLIC l3d_common_report {
     int frame = 0;
     std::string method;
     std::string real;
@@ -32,6 +33,6 @@ struct l3d_common_report {
 
 /// FNV-1a of the pixel words, row by row from the top, 64 bits.
 /// Source: Fowler, Noll, Vo; constants from RFC 9923.
-std::uint64_t l3d_hash(const l3d_pixels& pixels);
+L3D_PUBLIC std::uint64_t l3d_hash(const l3d_pixels& pixels);
 
 #endif

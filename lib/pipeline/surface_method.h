@@ -3,22 +3,25 @@
 #ifndef L3D_PIPELINE_SURFACE_METHOD_H
 #define L3D_PIPELINE_SURFACE_METHOD_H
 
+#include "base/public.h"
 #include "scene/camera.h"
-#include "scene/dice_counts.h"
-#include "scene/dice_view.h"
+#include "scene/counts.h"
 #include "pipeline/frame_report.h"
 #include "scene/patch_scene.h"
+#include "geom/matrix.h"
 #include "raster/depth_buffer.h"
-#include "raster/outline_mask.h"
 #include "raster/surface_rasterizer.h"
 #include "tool_2d/pixels.h"
 
 #include <memory>
 
+class l3d_outline_mask;
+struct l3d_dice_view;
+
 /// The task of a frame: the scene to draw, and the picture to draw it into.
 ///
 /// Lives: everything that it refers to must outlive the frame.
-struct l3d_method_frame {
+struct L3D_PUBLIC l3d_method_frame {
     const l3d_patch_scene& scene;
     const l3d_camera& camera;
     const l3d_matrix<double>& to_image; ///< world to (x, y, -, w) in the view's units
@@ -44,7 +47,7 @@ struct l3d_method_frame {
 /// The picture of a method depends on the frame alone, not on frames before or on threads.
 /// `counts().bound_px` is the certified image error of what was drawn; infinity stands for a method
 /// that can give none.
-class l3d_surface_method {
+class L3D_PUBLIC l3d_surface_method {
 public:
     l3d_surface_method() = default;
     l3d_surface_method(const l3d_surface_method&) = delete;

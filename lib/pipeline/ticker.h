@@ -3,12 +3,14 @@
 #ifndef L3D_PIPELINE_TICKER_H
 #define L3D_PIPELINE_TICKER_H
 
+#include "base/public.h"
+
 #include <algorithm>
 #include <cmath>
 
 /// Turns seconds into whole steps. So a world that moves step by step moves as fast at any frame
 /// rate. At 30 frames a second it makes two steps of a 60th each, at 300 one in every fifth frame.
-class l3d_ticker {
+class L3D_PUBLIC l3d_ticker {
 public:
     /// Units:   steps per second. Expects: positive.
     explicit l3d_ticker(double per_second = 60) : per_second_(per_second) {}

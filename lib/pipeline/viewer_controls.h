@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_VIEWER_CONTROLS_H
 #define L3D_PIPELINE_VIEWER_CONTROLS_H
 
+#include "base/public.h"
 #include "scene/camera.h"
 #include "pipeline/pipeline.h"
 #include "raster/rasterizer_2d.h"
@@ -15,7 +16,7 @@
 #include <vector>
 
 /// A line of a viewer's help, and the keys that it tells of.
-struct l3d_viewer_row {
+struct L3D_PUBLIC l3d_viewer_row {
     const char* keys; ///< as the help calls them
     const char* text; ///< what they do
 
@@ -29,7 +30,7 @@ struct l3d_viewer_row {
 ///
 /// Calls that return a bool say whether another picture is needed.
 /// Lives:   borrows pipeline, screen and camera.
-class l3d_viewer_controls {
+class L3D_PUBLIC l3d_viewer_controls {
 public:
     /// `rows` are the viewer's own; `reset` takes back what it changed of the view beside the
     /// camera, and may be empty.

@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_CANVAS_H
 #define L3D_RASTER_CANVAS_H
 
+#include "base/public.h"
 #include "raster/rasterizer_factory.h"
 #include "tool_2d/screen.h"
 
@@ -12,13 +13,13 @@
 ///
 /// Expects: neither is null.
 /// Lives:   owns the screen, shares the factory.
-struct l3d_canvas {
+struct L3D_PUBLIC l3d_canvas {
     std::unique_ptr<l3d_screen> screen;
     std::shared_ptr<const l3d_rasterizer_factory> rasterizers;
 };
 
 /// Pixels in memory, drawn by the CPU: for programs without a window.
 /// Expects: a width and height of at least 1.
-l3d_canvas l3d_memory_canvas(l3d_size size);
+L3D_PUBLIC l3d_canvas l3d_memory_canvas(l3d_size size);
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_DEPTH_BUFFER_H
 #define L3D_RASTER_DEPTH_BUFFER_H
 
+#include "base/public.h"
 #include "tool_2d/pixels.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 namespace l3d_detail {
 
 /// Memory that begins where a cache line does.
-template <class T> struct line_allocator {
+template <class T> struct L3D_PUBLIC line_allocator {
     using value_type = T;
     static constexpr std::align_val_t line{64};
 
@@ -41,7 +42,7 @@ template <class T> struct line_allocator {
 ///          multiple of 1024, that is 4 KB, a row's loads would wait for stores to the row above:
 ///          processors tell addresses apart by their last 12 bits. A column's pixels would share a
 ///          set of the cache.
-class l3d_depth_buffer {
+class L3D_PUBLIC l3d_depth_buffer {
 public:
     /// Expects: width, height >= 0. Cost: allocates only when larger than before.
     void resize(l3d_size size) {
@@ -74,10 +75,10 @@ private:
 };
 
 /// Pixels in which something is.
-std::int64_t l3d_covered(const l3d_depth_buffer& depth);
+L3D_PUBLIC std::int64_t l3d_covered(const l3d_depth_buffer& depth);
 
 /// Distance along the view axis per pixel, +infinity where nothing is.
 /// Shape: row by row from the top, width values each.
-std::vector<float> l3d_distances(const l3d_depth_buffer& depth);
+L3D_PUBLIC std::vector<float> l3d_distances(const l3d_depth_buffer& depth);
 
 #endif

@@ -3,6 +3,8 @@
 #ifndef L3D_RASTER_MICRO_GRID_H
 #define L3D_RASTER_MICRO_GRID_H
 
+#include "base/public.h"
+
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +27,7 @@ inline constexpr std::int32_t l3d_subpixel_one = 1 << l3d_subpixel_bits;
 ///   ends. In a grid they are those of the sides to the next vertex along u and v.
 /// - In a triangle, corner 0 has those of the sides to corners 1 and 2. Corner 1 has 0 in [1], and
 ///   that of the side to corner 2 in [2]. Corner 2 has 0 in both.
-struct l3d_micro_vertex {
+struct L3D_PUBLIC l3d_micro_vertex {
     std::int32_t x = 0, y = 0;
     float inv_w = 0;
     float normal[3] = {0, 0, 0};
@@ -37,7 +39,7 @@ struct l3d_micro_vertex {
 /// Shape: index = row * pitch + column; columns run along u, rows along v. pitch >= columns is a
 ///        multiple of 16 so that every row starts a full vector.
 /// Cost:  resize allocates only when a grid is larger than any before.
-struct l3d_micro_grid {
+struct L3D_PUBLIC l3d_micro_grid {
     int columns = 0, rows = 0, pitch = 0;
     std::vector<std::int32_t> x, y;
     std::vector<float> inv_w;

@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_MICRO_TRIANGLES_H
 #define L3D_RASTER_MICRO_TRIANGLES_H
 
+#include "base/public.h"
 #include "raster/micro_grid.h"
 
 #include <array>
@@ -15,7 +16,7 @@
 /// Shape: one array per corner and component, triangle i in element i, so that triangles can be
 ///        set up side by side in SIMD lanes. Arrays have room for a multiple of 16.
 /// Cost:  clear keeps the memory; add allocates only when there are more than ever before.
-struct l3d_micro_triangles {
+struct L3D_PUBLIC l3d_micro_triangles {
     static constexpr std::size_t lanes = 16;
 
     struct corner {

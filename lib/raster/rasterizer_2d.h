@@ -3,24 +3,25 @@
 #ifndef L3D_RASTER_RASTERIZER_2D_H
 #define L3D_RASTER_RASTERIZER_2D_H
 
+#include "base/public.h"
 #include "tool_2d/pixels.h"
 
 #include <cstdint>
 #include <span>
 
 /// A corner of a polygon. Units: pixels; pixel (x, y) is sampled at the position (x, y).
-struct l3d_point_2d {
+struct L3D_PUBLIC l3d_point_2d {
     double x = 0, y = 0;
 };
 
 /// A corner with a colour of its own, a pixel word.
-struct l3d_colored_point_2d {
+struct L3D_PUBLIC l3d_colored_point_2d {
     double x = 0, y = 0;
     std::uint32_t color = 0;
 };
 
 /// A line between two pixels.
-struct l3d_line_2d {
+struct L3D_PUBLIC l3d_line_2d {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
@@ -30,11 +31,11 @@ using l3d_outline_2d = std::span<const l3d_point_2d>;
 /// The fill rule: which points are inside of outlines that cross themselves or each other. Either
 /// outlines wind around such a point, clockwise less anticlockwise, not zero times; or an odd
 /// number of times.
-enum class l3d_winding { nonzero, even_odd };
+enum class L3D_PUBLIC l3d_winding { nonzero, even_odd };
 
 /// The drawing operations that each kind of output implements. Programs hold the l3d_rasterizer_2d
 /// in front of it.
-class l3d_rasterizer_2d_imp {
+class L3D_PUBLIC l3d_rasterizer_2d_imp {
 public:
     l3d_rasterizer_2d_imp() = default;
     l3d_rasterizer_2d_imp(const l3d_rasterizer_2d_imp&) = delete;
@@ -71,7 +72,7 @@ private:
 /// Units:   whole coordinates name pixels, (0, 0) the top left one, y down; a colour is a pixel
 ///          word, 0x00RRGGBB.
 /// Lives:   borrows the implementation, which must outlive it.
-class l3d_rasterizer_2d {
+class L3D_PUBLIC l3d_rasterizer_2d {
 public:
     explicit l3d_rasterizer_2d(l3d_rasterizer_2d_imp& imp) : imp_(imp) {}
 

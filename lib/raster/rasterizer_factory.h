@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_RASTERIZER_FACTORY_H
 #define L3D_RASTER_RASTERIZER_FACTORY_H
 
+#include "base/public.h"
 #include "raster/rasterizer_2d.h"
 #include "raster/surface_rasterizer.h"
 #include "raster/parallel/workers.h"
@@ -10,7 +11,7 @@
 #include <memory>
 
 /// Makes what draws points, lines and polygons, and what fills surfaces: of one kind both.
-class l3d_rasterizer_factory {
+class L3D_PUBLIC l3d_rasterizer_factory {
 public:
     l3d_rasterizer_factory() = default;
     l3d_rasterizer_factory(const l3d_rasterizer_factory&) = delete;

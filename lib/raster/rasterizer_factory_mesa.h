@@ -3,11 +3,12 @@
 #ifndef L3D_RASTER_RASTERIZER_FACTORY_MESA_H
 #define L3D_RASTER_RASTERIZER_FACTORY_MESA_H
 
+#include "base/public.h"
 #include "raster/rasterizer_factory.h"
 
 /// Gives every rasterizer a GL context of its own; serves every screen, as GL's picture is copied
 /// to the screen's pixels. A rasterizer belongs to the thread that made it.
-class l3d_rasterizer_factory_mesa final : public l3d_rasterizer_factory {
+class L3D_PUBLIC l3d_rasterizer_factory_mesa final : public l3d_rasterizer_factory {
 private:
     /// Errors:  l3d_error(no_backend) with the reasons, if there is no software GL.
     std::unique_ptr<l3d_rasterizer_2d_imp> do_create_2d(l3d_pixels target) const override;

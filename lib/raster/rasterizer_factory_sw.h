@@ -3,10 +3,11 @@
 #ifndef L3D_RASTER_RASTERIZER_FACTORY_SW_H
 #define L3D_RASTER_RASTERIZER_FACTORY_SW_H
 
+#include "base/public.h"
 #include "raster/rasterizer_factory.h"
 
 /// Serves every screen, since all of them have their pixels in memory.
-class l3d_rasterizer_factory_sw final : public l3d_rasterizer_factory {
+class L3D_PUBLIC l3d_rasterizer_factory_sw final : public l3d_rasterizer_factory {
 private:
     /// Errors:  none.
     std::unique_ptr<l3d_rasterizer_2d_imp> do_create_2d(l3d_pixels target) const override;

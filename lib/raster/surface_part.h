@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_SURFACE_PART_H
 #define L3D_RASTER_SURFACE_PART_H
 
+#include "base/public.h"
 #include "raster/micro_grid.h"
 #include "raster/micro_triangles.h"
 
@@ -11,7 +12,7 @@
 
 /// Where the blocks of a grid begin, in rows or columns of its quads; the last entry is their
 /// number. A block is what is tested for being hidden, and sorted front to back, as a whole.
-struct l3d_block_starts {
+struct L3D_PUBLIC l3d_block_starts {
     static constexpr int most_blocks = 4;
     int blocks = 1;
     std::array<int, most_blocks + 1> first{};
@@ -22,7 +23,7 @@ struct l3d_block_starts {
 /// Shape:   the grid may be empty (rows < 2); triangles may be none.
 /// Expects: blocks in order, the last of block_rows (block_columns) ending with the grid's last row
 ///          (column) of quads; the grid's normals have unit length or are zero.
-struct l3d_surface_part {
+struct L3D_PUBLIC l3d_surface_part {
     l3d_micro_grid grid;
     l3d_block_starts block_rows, block_columns;
     l3d_micro_triangles triangles;

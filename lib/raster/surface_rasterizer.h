@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_SURFACE_RASTERIZER_H
 #define L3D_RASTER_SURFACE_RASTERIZER_H
 
+#include "base/public.h"
 #include "raster/depth_buffer.h"
 #include "raster/surface_part.h"
 #include "tool_2d/pixels.h"
@@ -14,7 +15,7 @@
 #include <utility>
 
 /// How a surface's pixels get their colour.
-enum class l3d_shade {
+enum class L3D_PUBLIC l3d_shade {
     lambert, ///< per-pixel unit normal; grey level round(255 (0.1 + 0.9 max(0, n.l)))
     gouraud, ///< the same grey level per vertex, interpolated
     flat,    ///< one grey level per quad, from the mean of its normals
@@ -35,7 +36,7 @@ inline constexpr std::array<std::pair<const char*, l3d_shade>, 5> l3d_shade_name
      {"error", l3d_shade::error}}};
 
 /// The data that stay the same for a frame.
-struct l3d_shading {
+struct L3D_PUBLIC l3d_shading {
     l3d_shade mode = l3d_shade::lambert;
     std::array<float, 3> light{0, 0, 1}; ///< unit vector towards the light, world space
 
@@ -54,7 +55,7 @@ struct l3d_shading {
 inline constexpr double l3d_most_level_error = 0.25;
 
 /// Counts of the work of one frame.
-struct l3d_surface_counts {
+struct L3D_PUBLIC l3d_surface_counts {
     std::int64_t quads = 0; ///< micro-quads and triangles handed in
     /// Pixel centres tested against the depth buffer. How many are not, because a whole block is
     /// seen to be hidden, depends on how the work was divided, but not among how many threads.
@@ -86,7 +87,7 @@ struct l3d_surface_counts {
 };
 
 /// A rectangle of the picture. Units: 1/256 pixel from its top left corner, ends included.
-struct l3d_subpixel_box {
+struct L3D_PUBLIC l3d_subpixel_box {
     std::int32_t left = 0, top = 0, right = 0, bottom = 0;
 };
 
@@ -97,7 +98,7 @@ struct l3d_subpixel_box {
 /// that share an edge cover each pixel once: no gap, no double hit. Surfaces are two-sided: normals
 /// are turned to the eye. The nearer (larger inv_w) sample wins; of equals, one of them, always the
 /// same.
-class l3d_surface_rasterizer {
+class L3D_PUBLIC l3d_surface_rasterizer {
 public:
     l3d_surface_rasterizer() = default;
     l3d_surface_rasterizer(const l3d_surface_rasterizer&) = delete;

@@ -3,6 +3,7 @@
 #ifndef L3D_SCENE_BOX_LANES_H
 #define L3D_SCENE_BOX_LANES_H
 
+#include "base/public.h"
 #include "geom/vector.h"
 
 #include <array>
@@ -11,7 +12,7 @@
 
 /// A box that an affine map may have slanted: the points centre + r axes[0] + s axes[1] +
 /// t axes[2] with r, s, t in [-1, 1].
-struct l3d_slanted_box {
+struct L3D_PUBLIC l3d_slanted_box {
     l3d_vector<double, 3> centre{0.0, 0.0, 0.0};
     std::array<l3d_vector<double, 3>, 3> axes{};
     double reach = 0; ///< bound of the terms that coordinates inside are summed up from, if known
@@ -22,7 +23,7 @@ struct l3d_slanted_box {
 /// Shape: one array per coordinate, box i in element i; the arrays have room for a multiple of
 ///        `lanes`, with numbers in it that mean nothing.
 /// Cost:  13 doubles a box. add allocates only when there are more than ever before.
-class l3d_box_lanes {
+class L3D_PUBLIC l3d_box_lanes {
 public:
     static constexpr std::size_t lanes = 16;
 

@@ -3,6 +3,7 @@
 #ifndef L3D_SCENE_CAMERA_H
 #define L3D_SCENE_CAMERA_H
 
+#include "base/public.h"
 #include "geom/matrix.h"
 #include "geom/vector.h"
 #include "tool_2d/pixels.h"
@@ -22,7 +23,7 @@ inline constexpr double l3d_least_up_sine = 1e-6;
 ///
 /// Units:   world units; fov in degrees, vertical, over the whole picture height.
 /// Expects: eye != target, up not parallel to target - eye, 0 < fov < 180, 0 < near < far.
-struct l3d_camera {
+struct L3D_PUBLIC l3d_camera {
     using vector = l3d_vector<double, 3>;
     vector eye{0.0, 0.0, 1.0};
     vector target{0.0, 0.0, 0.0};

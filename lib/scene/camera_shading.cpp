@@ -2,6 +2,8 @@
 // l3d_camera_shading: the rays of a picture, in floats.
 #include "scene/camera_shading.h"
 
+#include "scene/dice_view.h"
+
 namespace {
 
 std::array<float, 3> to_floats(const l3d_camera::vector& v) {

@@ -3,9 +3,11 @@
 #ifndef L3D_SCENE_CAMERA_SHADING_H
 #define L3D_SCENE_CAMERA_SHADING_H
 
+#include "base/public.h"
 #include "scene/camera.h"
-#include "scene/dice_view.h"
 #include "raster/surface_rasterizer.h"
+
+struct l3d_dice_view;
 
 /// The default direction towards the light: from above, from the right and from the front.
 inline constexpr l3d_camera::vector l3d_usual_light{0.4, 0.8, 0.45};
@@ -14,11 +16,12 @@ inline constexpr l3d_camera::vector l3d_usual_light{0.4, 0.8, 0.45};
 ///
 /// Units:   `light` points towards the light, world space, any length but 0.
 /// Expects: camera.is_valid().
-l3d_shading l3d_camera_shading(const l3d_camera& camera, l3d_size size, l3d_shade mode,
-                               const l3d_camera::vector& light);
+L3D_PUBLIC l3d_shading l3d_camera_shading(const l3d_camera& camera, l3d_size size, l3d_shade mode,
+                                          const l3d_camera::vector& light);
 
 /// Has vertices lit where they are diced: with levels if `with_levels` and the mode is lambert,
 /// else with normals turned to the eye. Returns what the rasterizer has to do then.
-l3d_shading l3d_lit_while_diced(l3d_dice_view& view, const l3d_shading& shading, bool with_levels);
+L3D_PUBLIC l3d_shading l3d_lit_while_diced(l3d_dice_view& view, const l3d_shading& shading,
+                                           bool with_levels);
 
 #endif

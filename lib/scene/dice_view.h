@@ -6,6 +6,7 @@
 #include "geom/step_bound.h"
 #include "raster/micro_grid.h"
 #include "raster/surface_rasterizer.h"
+#include "scene/kept_patches.h"
 #include "tool_2d/pixels.h"
 
 #include <algorithm>
@@ -27,20 +28,6 @@ inline bool l3d_far_apart(const l3d_image_point& a, const l3d_image_point& b, in
                           double pixels) {
     return std::abs(a[along] * b[2] - b[along] * a[2]) > pixels * a[2] * b[2];
 }
-
-/// Which patches, and parts of them, are done although they need not be. Only programs that measure
-/// or judge a rule set these.
-struct l3d_kept_patches {
-    bool outside = false;    ///< patches of which nothing lies in the picture
-    bool centreless = false; ///< patches that cover no pixel's centre
-    bool hidden = false;     ///< patches that lie behind what is drawn
-    bool backs = false;      ///< patches whose back alone is turned to the eye
-    bool dicing = false;     ///< patches that a point may stand for are diced, too
-
-    static constexpr l3d_kept_patches all() { return {true, true, true, true, true}; }
-
-    friend bool operator==(const l3d_kept_patches&, const l3d_kept_patches&) = default;
-};
 
 /// Default budget of a frame for patches that have to be cut or clipped. Two samples a pixel are
 /// more than any picture shows, and 2^16 take a millisecond or two. Quads grow with 1 / tolerance:

@@ -2,9 +2,14 @@
 // l3d_patch_model: bounds and normal nets, once per model.
 #include "scene/patch_model.h"
 
-#include "scene/closed_body.h"
 #include "geom/files/model_file.h"
+#include "geom/files/patch_file.h"
+#include "geom/normal_net.h"
 #include "geom/teapot.h"
+#include "scene/bends/surface_bends.h"
+#include "scene/box_lanes.h"
+#include "scene/closed_body.h"
+#include "scene/facing_cones.h"
 #include "tool_2d/error.h"
 #include "tool_2d/text_file.h"
 
@@ -44,8 +49,18 @@ l3d_patch_reach reach_of(const l3d_patch_model::patch& p) {
 
 } // namespace
 
-l3d_patch_model::l3d_patch_model(std::vector<patch> patches)
-    : contents_(std::make_shared<const contents>(std::move(patches))) {}
+struct l3d_patch_model::contents {
+    explicit contents(std::vector<patch> of);
+
+    std::vector<patch> patches;
+    std::vector<l3d_normal_net> normals;
+    std::vector<l3d_facing_cones> facing;
+    std::vector<l3d_surface_bends> bends;
+    std::vector<l3d_patch_reach> reaches;
+    int orientation = 0;
+    vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
+    l3d_box_lanes boxes;
+};
 
 l3d_patch_model::contents::contents(std::vector<patch> of) : patches(std::move(of)) {
     normals.reserve(patches.size());
@@ -66,6 +81,51 @@ l3d_patch_model::contents::contents(std::vector<patch> of) : patches(std::move(o
         }
     }
     orientation = l3d_orientation_of(patches, facing);
+}
+
+l3d_patch_model::l3d_patch_model() : l3d_patch_model(std::vector<patch>()) {}
+
+l3d_patch_model::l3d_patch_model(std::vector<patch> patches)
+    : contents_(std::make_shared<const contents>(std::move(patches))) {}
+
+std::span<const l3d_patch_model::patch> l3d_patch_model::patches() const {
+    return contents_->patches;
+}
+
+const l3d_normal_net& l3d_patch_model::normals(std::size_t index) const {
+    return contents_->normals[index];
+}
+
+const l3d_facing_cones& l3d_patch_model::facing(std::size_t index) const {
+    return contents_->facing[index];
+}
+
+const l3d_surface_bends& l3d_patch_model::bends(std::size_t index) const {
+    return contents_->bends[index];
+}
+
+const l3d_patch_reach& l3d_patch_model::reach(std::size_t index) const {
+    return contents_->reaches[index];
+}
+
+int l3d_patch_model::orientation() const {
+    return contents_->orientation;
+}
+
+const l3d_patch_model::vector& l3d_patch_model::least() const {
+    return contents_->least;
+}
+
+const l3d_patch_model::vector& l3d_patch_model::most() const {
+    return contents_->most;
+}
+
+const l3d_box_lanes& l3d_patch_model::boxes() const {
+    return contents_->boxes;
+}
+
+const void* l3d_patch_model::identity() const {
+    return contents_.get();
 }
 
 l3d_patch_model l3d_patch_model::teapot() {

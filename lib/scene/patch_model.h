@@ -3,12 +3,8 @@
 #ifndef L3D_SCENE_PATCH_MODEL_H
 #define L3D_SCENE_PATCH_MODEL_H
 
+#include "base/public.h"
 #include "geom/bezier_patch.h"
-#include "geom/normal_net.h"
-#include "geom/files/patch_file.h"
-#include "scene/box_lanes.h"
-#include "scene/facing_cones.h"
-#include "scene/bends/surface_bends.h"
 
 #include <array>
 #include <cstddef>
@@ -19,10 +15,16 @@
 #include <string_view>
 #include <vector>
 
+class l3d_box_lanes;
+class l3d_facing_cones;
+class l3d_normal_net;
+class l3d_surface_bends;
+struct l3d_patch_points;
+
 /// The largest coordinates, as magnitudes, of a patch's control points and of those of its edges.
 ///
 /// Shape: edges in the order of l3d_edge_polylines.
-struct l3d_patch_reach {
+struct L3D_PUBLIC l3d_patch_reach {
     l3d_vector<double, 3> whole{0.0, 0.0, 0.0};
     std::array<l3d_vector<double, 3>, 4> edges{};
 };
@@ -31,17 +33,16 @@ struct l3d_patch_reach {
 /// l3d_patch_scene places them elsewhere.
 ///
 /// A model never changes after it is made. Its copies share its contents.
-/// Lives: the contents live as long as any copy does, such as the one in a scene. What the
-/// accessors
-///        return by reference or as a span lives as long.
+/// Lives: the contents live as long as any copy does, such as the one in a scene. References and
+///        spans that the accessors return live as long.
 /// Cost:  a copy counts a reference. A move is a copy, so no model is ever without contents.
-class l3d_patch_model {
+class L3D_PUBLIC l3d_patch_model {
 public:
     using patch = l3d_bezier_patch<double, 3>;
     using vector = l3d_vector<double, 3>;
 
     /// No patches.
-    l3d_patch_model() : l3d_patch_model(std::vector<patch>()) {}
+    l3d_patch_model();
     l3d_patch_model(const l3d_patch_model&) = default;
     l3d_patch_model& operator=(const l3d_patch_model&) = default;
     ~l3d_patch_model() = default;
@@ -73,40 +74,28 @@ public:
     static std::optional<l3d_patch_model> from_patches(std::span<const l3d_patch_points> patches,
                                                        std::string_view name, std::string& why);
 
-    std::span<const patch> patches() const { return contents_->patches; }
-    const l3d_normal_net& normals(std::size_t index) const { return contents_->normals[index]; }
-    const l3d_facing_cones& facing(std::size_t index) const { return contents_->facing[index]; }
-    const l3d_surface_bends& bends(std::size_t index) const { return contents_->bends[index]; }
-    const l3d_patch_reach& reach(std::size_t index) const { return contents_->reaches[index]; }
+    std::span<const patch> patches() const;
+    const l3d_normal_net& normals(std::size_t index) const;
+    const l3d_facing_cones& facing(std::size_t index) const;
+    const l3d_surface_bends& bends(std::size_t index) const;
+    const l3d_patch_reach& reach(std::size_t index) const;
 
     /// Whether it is proven to be a body, and where its normals point: l3d_orientation_of.
-    int orientation() const { return contents_->orientation; }
+    int orientation() const;
 
     /// The box of all control points.
-    const vector& least() const { return contents_->least; }
-    const vector& most() const { return contents_->most; }
+    const vector& least() const;
+    const vector& most() const;
 
     /// The boxes of the patches' control points, in their order; upright.
-    const l3d_box_lanes& boxes() const { return contents_->boxes; }
+    const l3d_box_lanes& boxes() const;
 
     /// The same address for copies of one model, and another for any other model that lives at the
     /// same time, even one of equal patches.
-    const void* identity() const { return contents_.get(); }
+    const void* identity() const;
 
 private:
-    struct contents {
-        explicit contents(std::vector<patch> of);
-
-        std::vector<patch> patches;
-        std::vector<l3d_normal_net> normals;
-        std::vector<l3d_facing_cones> facing;
-        std::vector<l3d_surface_bends> bends;
-        std::vector<l3d_patch_reach> reaches;
-        int orientation = 0;
-        vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
-        l3d_box_lanes boxes;
-    };
-
+    struct contents;
     std::shared_ptr<const contents> contents_;
 };
 

@@ -3,6 +3,7 @@
 #ifndef L3D_SCENE_PATCH_SCENE_H
 #define L3D_SCENE_PATCH_SCENE_H
 
+#include "base/public.h"
 #include "geom/matrix.h"
 #include "scene/box_lanes.h"
 #include "scene/patch_model.h"
@@ -16,7 +17,7 @@
 /// A model at a place in the world.
 ///
 /// Lives: shares the model.
-class l3d_patch_instance {
+class L3D_PUBLIC l3d_patch_instance {
 public:
     /// Expects: a placement that l3d_patch_scene::complaint has nothing to say of.
     l3d_patch_instance(const l3d_patch_model& model, const l3d_matrix<double>& placement);
@@ -73,7 +74,7 @@ private:
 /// that holds only where their placements are the same numbers.
 /// Lives: shares the models: a program may forget its own copies.
 /// Cost:  104 bytes an instance to find out whether it is seen, 330 more if it is.
-class l3d_patch_scene {
+class L3D_PUBLIC l3d_patch_scene {
 public:
     using vector = l3d_vector<double, 3>;
 

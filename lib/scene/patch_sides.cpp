@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // l3d_patch_sides: sides that meet their like.
 #include "scene/patch_sides.h"
+#include "geom/normal_net.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #define L3D_SCENE_SCENE_CULLING_H
 
 #include "geom/matrix.h"
-#include "scene/dice_counts.h"
+#include "scene/counts.h"
 #include "scene/dice_view.h"
 #include "scene/patch_scene.h"
 #include "raster/surface_rasterizer.h"

@@ -3,7 +3,7 @@
 #ifndef L3D_SCENE_VISIBILITY_H
 #define L3D_SCENE_VISIBILITY_H
 
-#include "scene/dice_counts.h"
+#include "scene/counts.h"
 #include "scene/dice_view.h"
 
 #include <cstdint>

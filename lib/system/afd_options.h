@@ -3,6 +3,7 @@
 #ifndef L3D_SYSTEM_AFD_OPTIONS_H
 #define L3D_SYSTEM_AFD_OPTIONS_H
 
+#include "base/public.h"
 #include "scene/camera.h"
 #include "scene/patch_model.h"
 #include "pipeline/pipeline_afd.h"
@@ -14,7 +15,7 @@
 /// Options for model, accuracy, camera and shading, added to a program's own.
 ///
 /// Lives:   borrowed by the l3d_options until parse() is done.
-class l3d_afd_options {
+class L3D_PUBLIC l3d_afd_options {
 public:
     explicit l3d_afd_options(l3d_options& options);
     l3d_afd_options(const l3d_afd_options&) = delete;

@@ -3,6 +3,7 @@
 #ifndef L3D_SYSTEM_DISPATCHER_H
 #define L3D_SYSTEM_DISPATCHER_H
 
+#include "base/public.h"
 #include "tool_2d/error.h"
 #include "tool_2d/event.h"
 #include "tool_2d/screen.h"
@@ -15,7 +16,7 @@
 ///
 /// Lives:   borrows pipeline and screen. Made before them (step 3 of 5), so it dies after them;
 ///          a signal that ended the loop is delivered then, when everything is closed.
-class l3d_dispatcher {
+class L3D_PUBLIC l3d_dispatcher {
 public:
     l3d_dispatcher() = default;
     l3d_dispatcher(const l3d_dispatcher&) = delete;
@@ -45,7 +46,7 @@ private:
 };
 
 /// Makes dispatchers of one kind.
-class l3d_dispatcher_factory {
+class L3D_PUBLIC l3d_dispatcher_factory {
 public:
     l3d_dispatcher_factory() = default;
     l3d_dispatcher_factory(const l3d_dispatcher_factory&) = delete;

@@ -3,10 +3,11 @@
 #ifndef L3D_SYSTEM_DISPATCHER_FITTING_H
 #define L3D_SYSTEM_DISPATCHER_FITTING_H
 
+#include "base/public.h"
 #include "system/dispatcher.h"
 
 /// Once it knows the screen, becomes the dispatcher of windows or the one without a display.
-class l3d_dispatcher_fitting final : public l3d_dispatcher {
+class L3D_PUBLIC l3d_dispatcher_fitting final : public l3d_dispatcher {
 public:
     /// Errors:  as l3d_frame_writer.
     explicit l3d_dispatcher_fitting(const l3d_frame_settings& settings);
@@ -19,7 +20,7 @@ private:
 };
 
 /// Makes dispatchers for a back-end whose screens are windows where there is a display.
-class l3d_dispatcher_factory_fitting final : public l3d_dispatcher_factory {
+class L3D_PUBLIC l3d_dispatcher_factory_fitting final : public l3d_dispatcher_factory {
 private:
     /// Errors:  as l3d_frame_writer.
     std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const override;

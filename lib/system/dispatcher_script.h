@@ -3,20 +3,21 @@
 #ifndef L3D_SYSTEM_DISPATCHER_SCRIPT_H
 #define L3D_SYSTEM_DISPATCHER_SCRIPT_H
 
+#include "base/public.h"
 #include "system/dispatcher.h"
 #include "system/frame_writer.h"
 
 #include <vector>
 
 /// An event and the frame (from 0) before which it happens.
-struct l3d_script_event {
+struct L3D_PUBLIC l3d_script_event {
     int frame = 0;
     l3d_event event;
 };
 
 /// Makes frames as fast as it can, each a fixed step of time after the one before; one frame if
 /// the settings say none. The same script gives the same pictures every time.
-class l3d_dispatcher_script final : public l3d_dispatcher {
+class L3D_PUBLIC l3d_dispatcher_script final : public l3d_dispatcher {
 public:
     /// Expects: the script in the order of its frames.
     /// Errors:  as l3d_frame_writer.
@@ -32,7 +33,7 @@ private:
 };
 
 /// Makes dispatchers that have no events to replay.
-class l3d_dispatcher_factory_script final : public l3d_dispatcher_factory {
+class L3D_PUBLIC l3d_dispatcher_factory_script final : public l3d_dispatcher_factory {
 private:
     /// Errors:  as l3d_frame_writer.
     std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const override;

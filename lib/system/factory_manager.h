@@ -3,6 +3,7 @@
 #ifndef L3D_SYSTEM_FACTORY_MANAGER_H
 #define L3D_SYSTEM_FACTORY_MANAGER_H
 
+#include "base/public.h"
 #include "tool_2d/screen.h"
 #include "raster/rasterizer_factory.h"
 #include "system/dispatcher.h"
@@ -16,7 +17,7 @@
 class l3d_options;
 
 /// One row of the table: a way to show pictures.
-struct l3d_backend {
+struct L3D_PUBLIC l3d_backend {
     std::string name;
     std::string purpose;       ///< what it is for, in a few words
     bool automatic = false;    ///< taken without asking if it is the first such row that can serve
@@ -31,7 +32,7 @@ struct l3d_backend {
 /// Knows every back-end, asks each whether it can serve here, and takes one.
 ///
 /// The only place that names concrete kinds. Not a global: each program has one in main.
-class l3d_factory_manager {
+class L3D_PUBLIC l3d_factory_manager {
 public:
     /// The rows of the library: xshm, ximage, mesa, memory.
     l3d_factory_manager();

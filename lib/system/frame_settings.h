@@ -3,11 +3,13 @@
 #ifndef L3D_SYSTEM_FRAME_SETTINGS_H
 #define L3D_SYSTEM_FRAME_SETTINGS_H
 
+#include "base/public.h"
+
 #include <optional>
 #include <string>
 
 /// The settings with which a dispatcher is made.
-struct l3d_frame_settings {
+struct L3D_PUBLIC l3d_frame_settings {
     /// Units: frames; 0: until the pipeline is done (with a window), one (without a display).
     int frames = 0;
 

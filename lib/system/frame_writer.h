@@ -3,6 +3,7 @@
 #ifndef L3D_SYSTEM_FRAME_WRITER_H
 #define L3D_SYSTEM_FRAME_WRITER_H
 
+#include "base/public.h"
 #include "tool_2d/pixels.h"
 
 #include <string>
@@ -12,7 +13,7 @@
 ///   name.png, .ppm  the last frame;
 ///   name%04d.png    every frame, numbered from 0 (%d, %5d and %05d are understood);
 ///   -               every frame, as a stream of PPM pictures on the standard output.
-class l3d_frame_writer {
+class L3D_PUBLIC l3d_frame_writer {
 public:
     /// Errors:  l3d_error: usage for a name that is none of these, failure if its folder is not
     ///          there; nothing is opened yet.

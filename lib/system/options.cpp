@@ -2,6 +2,8 @@
 // l3d_options: the only file that knows the library behind it, CLI11, which is slow to compile.
 #include "system/options.h"
 
+#include "base/version.h"
+
 #include "geom/real.h"
 #include "system/frame_writer.h"
 #include "system/number_text.h"
@@ -21,14 +23,6 @@ struct l3d_options::parser {
 };
 
 namespace {
-
-/// The build's VERSION, a number like 1.2.3 without quotes.
-#ifndef L3D_VERSION
-#define L3D_VERSION unknown
-#endif
-#define L3D_TEXT_OF(token) #token
-#define L3D_VALUE_AS_TEXT(macro) L3D_TEXT_OF(macro)
-constexpr const char* version_number = L3D_VALUE_AS_TEXT(L3D_VERSION);
 
 /// The long name of "-s,--long", as messages give it.
 std::string long_name(const std::string& name) {
@@ -97,7 +91,7 @@ l3d_options::l3d_options(std::string program, const std::string& purpose, l3d_si
     parser_->app.description(purpose);
     parser_->app.set_help_flag("-h,--help", "this text");
     parser_->app.set_version_flag(
-        "--version", program_ + " (l3d) " + version_number + ", real numbers: " + l3d_real_name(),
+        "--version", program_ + " (l3d) " + L3D_VERSION_TEXT + ", real numbers: " + l3d_real_name(),
         "the version");
     parser_->app.footer(
         "Environment: DISPLAY; L3D_BACKEND, as --backend; L3D_NO_SHM, if not empty: "

@@ -3,6 +3,7 @@
 #ifndef L3D_SYSTEM_OPTIONS_H
 #define L3D_SYSTEM_OPTIONS_H
 
+#include "base/public.h"
 #include "geom/vector.h"
 #include "tool_2d/error.h"
 #include "tool_2d/pixels.h"
@@ -23,7 +24,7 @@
 #include <vector>
 
 /// The values of the options that every program has.
-struct l3d_common_options {
+struct L3D_PUBLIC l3d_common_options {
     std::string backend;         ///< a back-end's name, "ask" or "auto"; empty: not given
     std::string usual_backend{}; ///< taken if the user names none; empty: chosen by what serves
     bool no_input = false;
@@ -45,7 +46,7 @@ struct l3d_common_options {
 /// Every add() borrows a variable: what it holds now is the default that --help prints, and
 /// parse() replaces it. `name` is "--long" or "-s,--long".
 /// Expects: the variables outlive parse(); names are not used twice.
-class l3d_options {
+class L3D_PUBLIC l3d_options {
 public:
     l3d_options(std::string program, const std::string& purpose, l3d_size default_size);
     l3d_options(const l3d_options&) = delete;
@@ -129,10 +130,10 @@ private:
 
 /// One line on stderr, "program: text", and the exit code that main returns: that of an
 /// l3d_error, or l3d_exit::failure.
-int l3d_report(std::string_view program, const std::exception& error);
+L3D_PUBLIC int l3d_report(std::string_view program, const std::exception& error);
 
 /// The same for what l3d_dispatcher::start returned; says nothing if all went well.
-int l3d_report(std::string_view program, l3d_exit code);
+L3D_PUBLIC int l3d_report(std::string_view program, l3d_exit code);
 
 template <class T>
 void l3d_options::add_choice(const std::string& name, T& value, const std::string& help,

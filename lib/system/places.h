@@ -3,18 +3,20 @@
 #ifndef L3D_SYSTEM_PLACES_H
 #define L3D_SYSTEM_PLACES_H
 
+#include "base/public.h"
+
 #include <string>
 
 /// The folder of plug-ins. It is ../lib/l3d, seen from the program's own folder, if that exists. So
 /// programs that were built or installed with l3d find it wherever they were moved. Else it is the
 /// folder in the prefix which l3d was built for.
-std::string l3d_plugin_folder();
+L3D_PUBLIC std::string l3d_plugin_folder();
 
 /// The folder of models and other data, likewise: ../share/l3d.
-std::string l3d_data_folder();
+L3D_PUBLIC std::string l3d_data_folder();
 
 /// The file that a user means by the name of a model. It is the file of that name, if there is one,
 /// else one of that name in the data folder, else the name as it is.
-std::string l3d_data_file(const std::string& name);
+L3D_PUBLIC std::string l3d_data_file(const std::string& name);
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef L3D_SYSTEM_PLUGIN_LOADER_H
 #define L3D_SYSTEM_PLUGIN_LOADER_H
 
+#include "base/public.h"
 #include "geom/random.h"
 #include "pipeline/worlds/object.h"
 
@@ -16,7 +17,7 @@
 ///
 /// Lives:   the objects need the loader no more; each holds its library, which is closed with the
 ///          last of them.
-class l3d_plugin_loader {
+class L3D_PUBLIC l3d_plugin_loader {
 public:
     /// `program` is what lines on stderr begin with; `folder` is where plug-ins find relative names
     /// of files.

@@ -3,6 +3,7 @@
 #ifndef L3D_SYSTEM_POLYGON_OPTIONS_H
 #define L3D_SYSTEM_POLYGON_OPTIONS_H
 
+#include "base/public.h"
 #include "pipeline/polygons/patch_tessellation.h"
 #include "pipeline/polygons/pipeline_polygons.h"
 #include "pipeline/polygons/polygon_model.h"
@@ -10,12 +11,12 @@
 #include "system/options.h"
 
 /// The pipeline, which finds out what is in front.
-enum class l3d_pipeline_kind { afd, zsort, zbuffer, mesa };
+enum class L3D_PUBLIC l3d_pipeline_kind { afd, zsort, zbuffer, mesa };
 
 /// Options for pipeline, projection and style, beside those that patches and polygons share.
 ///
 /// Lives:   both options are borrowed until parse() is done.
-class l3d_polygon_options {
+class L3D_PUBLIC l3d_polygon_options {
 public:
     l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared);
     l3d_polygon_options(const l3d_polygon_options&) = delete;

@@ -3,6 +3,7 @@
 #ifndef L3D_SYSTEM_PROGRAM_H
 #define L3D_SYSTEM_PROGRAM_H
 
+#include "base/public.h"
 #include "pipeline/pipeline_2d.h"
 #include "system/factory_manager.h"
 #include "system/options.h"
@@ -25,7 +26,7 @@
 ///     }
 ///
 /// Lives:   a local object of main, which outlives what it creates.
-class l3d_program {
+class L3D_PUBLIC l3d_program {
 public:
     /// The purpose is what --help begins with; it has the keys, too.
     l3d_program(std::string name, const std::string& purpose, l3d_size default_size);

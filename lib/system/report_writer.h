@@ -3,12 +3,14 @@
 #ifndef L3D_SYSTEM_REPORT_WRITER_H
 #define L3D_SYSTEM_REPORT_WRITER_H
 
+#include "base/public.h"
+
 #include <fstream>
 #include <ostream>
 #include <string>
 
 /// Writes lines as they come, so that a program that is stopped leaves whole lines behind.
-class l3d_report_writer {
+class L3D_PUBLIC l3d_report_writer {
 public:
     /// The name - is the standard output as it is: what was written to it before stays, and what
     /// others write to it comes in between.

@@ -3,6 +3,7 @@
 #ifndef L3D_SYSTEM_VIEWER_H
 #define L3D_SYSTEM_VIEWER_H
 
+#include "base/public.h"
 #include "system/afd_options.h"
 #include "system/program.h"
 #include "system/report_writer.h"
@@ -18,7 +19,7 @@
 /// --report, --explain and --depth-output do what they say.
 ///
 /// Lives:   borrows the options.
-template <class Pipeline> class l3d_viewer final : public Pipeline {
+template <class Pipeline> class L3D_PUBLIC l3d_viewer final : public Pipeline {
 public:
     /// `arguments` are those of the Pipeline's constructor.
     /// Errors:  as l3d_report_writer, and as the Pipeline's constructor.

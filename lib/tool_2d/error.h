@@ -3,11 +3,13 @@
 #ifndef L3D_TOOL_2D_ERROR_H
 #define L3D_TOOL_2D_ERROR_H
 
+#include "base/public.h"
+
 #include <stdexcept>
 #include <string>
 
 /// Exit codes of every program; an l3d_error carries the one its program ends with.
-enum class l3d_exit : int {
+enum class L3D_PUBLIC l3d_exit : int {
     well = 0,
     failure = 1,
     usage = 2,
@@ -18,7 +20,7 @@ enum class l3d_exit : int {
 };
 
 /// Thrown when a program cannot go on; the text names the file, line, option or value at fault.
-class l3d_error : public std::runtime_error {
+class L3D_PUBLIC l3d_error : public std::runtime_error {
 public:
     l3d_error(l3d_exit code, const std::string& text) : std::runtime_error(text), code_(code) {}
     l3d_exit code() const { return code_; }

@@ -3,6 +3,7 @@
 #ifndef L3D_TOOL_2D_EVENT_H
 #define L3D_TOOL_2D_EVENT_H
 
+#include "base/public.h"
 #include "tool_2d/pixels.h"
 
 #include <chrono>
@@ -24,7 +25,7 @@ enum l3d_key : int {
     l3d_key_f1, ///< up to l3d_key_f1 + 9; F11 is the event `fullscreen`
 };
 
-enum class l3d_event_type {
+enum class L3D_PUBLIC l3d_event_type {
     key_press,
     key_release,
     button_press,
@@ -41,7 +42,7 @@ enum class l3d_event_type {
 };
 
 /// One event. Fields that do not belong to the type are zero.
-struct l3d_event {
+struct L3D_PUBLIC l3d_event {
     l3d_event_type type{};
     int key = 0;      ///< key_*: ASCII code or l3d_key
     int button = 0;   ///< button_*: 1 left, 2 middle, 3 right; pointer_motion: the button held
@@ -50,7 +51,7 @@ struct l3d_event {
 };
 
 /// A thing a dispatcher can pull events from (the book's marker class, given its two calls).
-class l3d_event_source {
+class L3D_PUBLIC l3d_event_source {
 public:
     l3d_event_source() = default;
     l3d_event_source(const l3d_event_source&) = delete;

@@ -3,6 +3,7 @@
 #ifndef L3D_TOOL_2D_IMAGE_H
 #define L3D_TOOL_2D_IMAGE_H
 
+#include "base/public.h"
 #include "tool_2d/pixels.h"
 
 #include <cstddef>
@@ -20,7 +21,7 @@ inline std::ptrdiff_t l3d_padded_stride(int width) {
 }
 
 /// Owns the words that l3d_pixels views; black at first.
-class l3d_image {
+class L3D_PUBLIC l3d_image {
 public:
     l3d_image() = default;
 

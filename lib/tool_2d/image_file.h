@@ -3,6 +3,7 @@
 #ifndef L3D_TOOL_2D_IMAGE_FILE_H
 #define L3D_TOOL_2D_IMAGE_FILE_H
 
+#include "base/public.h"
 #include "tool_2d/image.h"
 #include "tool_2d/pixels.h"
 
@@ -16,27 +17,28 @@
 
 /// Writes an 8-bit RGB PNG.
 /// Errors:  l3d_error(failure) that names the path and the system's or libpng's reason.
-void l3d_write_png(const std::string& path, const l3d_pixels& pixels);
+L3D_PUBLIC void l3d_write_png(const std::string& path, const l3d_pixels& pixels);
 
 /// Writes a binary PPM (P6) into an open file, for streams; pictures may follow each other.
 /// Errors:  l3d_error(failure) that gives `name` and the system's reason.
-void l3d_write_ppm(std::FILE* file, const std::string& name, const l3d_pixels& pixels);
+L3D_PUBLIC void l3d_write_ppm(std::FILE* file, const std::string& name, const l3d_pixels& pixels);
 
 /// Writes a binary PPM (P6) file. Errors: as l3d_write_png.
-void l3d_write_ppm(const std::string& path, const l3d_pixels& pixels);
+L3D_PUBLIC void l3d_write_ppm(const std::string& path, const l3d_pixels& pixels);
 
 /// Writes a picture of floats as a grey PFM: little-endian (scale -1.0), bottom row first.
 /// Shape:   height rows of width values, row 0 on top.
 /// Expects: values.size() == width * height.
 /// Errors:  as l3d_write_png.
-void l3d_write_pfm(const std::string& path, int width, int height, std::span<const float> values);
+L3D_PUBLIC void l3d_write_pfm(const std::string& path, int width, int height,
+                              std::span<const float> values);
 
 /// Writes PNG or PPM, by the end of the path: .png or .ppm, in either case.
 /// Errors:  l3d_error(usage) that names the path if it ends otherwise; else as l3d_write_png.
-void l3d_write_image(const std::string& path, const l3d_pixels& pixels);
+L3D_PUBLIC void l3d_write_image(const std::string& path, const l3d_pixels& pixels);
 
 /// Reads any PNG as 8-bit RGB, rows without padding.
 /// Errors:  l3d_error(bad_input) that names the path and the reason.
-l3d_image l3d_read_png(const std::string& path);
+L3D_PUBLIC l3d_image l3d_read_png(const std::string& path);
 
 #endif

@@ -3,6 +3,8 @@
 #ifndef L3D_TOOL_2D_PIXELS_H
 #define L3D_TOOL_2D_PIXELS_H
 
+#include "base/public.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
@@ -10,7 +12,7 @@
 #include <span>
 
 /// Width and height of a picture or window, in pixels.
-struct l3d_size {
+struct L3D_PUBLIC l3d_size {
     int width = 0;
     int height = 0;
     friend bool operator==(const l3d_size&, const l3d_size&) = default;
@@ -26,7 +28,7 @@ inline constexpr int l3d_largest_side = 16384;
 /// Units:   one word is 0x00RRGGBB in host byte order, whatever the display; screens convert
 ///          when they show.
 /// Lives:   borrows; the screen or image that made it owns the words.
-struct l3d_pixels {
+struct L3D_PUBLIC l3d_pixels {
     std::uint32_t* words = nullptr;
     int width = 0;
     int height = 0;
@@ -45,7 +47,7 @@ struct l3d_pixels {
 };
 
 /// A rectangle of a picture: columns [left, right) of rows [top, bottom).
-struct l3d_pixel_box {
+struct L3D_PUBLIC l3d_pixel_box {
     std::int32_t left = 0, top = 0, right = 0, bottom = 0;
 
     bool empty() const { return left >= right || top >= bottom; }

@@ -3,11 +3,13 @@
 #ifndef L3D_TOOL_2D_PROBE_H
 #define L3D_TOOL_2D_PROBE_H
 
+#include "base/public.h"
+
 #include <string>
 #include <vector>
 
 /// A thing that --diagnose prints a line about.
-struct l3d_probe {
+struct L3D_PUBLIC l3d_probe {
     enum class verdict { good, limited, bad };
 
     std::string what;   ///< "MIT-SHM", "visual"

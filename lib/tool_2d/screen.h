@@ -3,6 +3,7 @@
 #ifndef L3D_TOOL_2D_SCREEN_H
 #define L3D_TOOL_2D_SCREEN_H
 
+#include "base/public.h"
 #include "tool_2d/event.h"
 #include "tool_2d/pixels.h"
 #include "tool_2d/probe.h"
@@ -15,7 +16,7 @@
 ///
 /// Expects: all calls from one thread, which for a window owns the connection to the display.
 ///          Others may write into the pixels while that one is in no call.
-class l3d_screen : public l3d_event_source {
+class L3D_PUBLIC l3d_screen : public l3d_event_source {
 public:
     /// The pixels to draw into. A resize event makes earlier views invalid.
     l3d_pixels pixels() { return do_pixels(); }
@@ -74,7 +75,7 @@ private:
 inline constexpr int l3d_largest_scale = 8;
 
 /// The properties that a program wants of its screen.
-struct l3d_screen_request {
+struct L3D_PUBLIC l3d_screen_request {
     l3d_size size{1024, 768};
     std::string title = "l3d"; ///< UTF-8, for people
     std::string name = "l3d";  ///< of the program, for window managers and their rules
@@ -84,7 +85,7 @@ struct l3d_screen_request {
 };
 
 /// How well a kind of screen can serve here and now.
-struct l3d_service {
+struct L3D_PUBLIC l3d_service {
     enum class level {
         fully,
         partly,       ///< it serves, but another way than its name says
@@ -101,7 +102,7 @@ struct l3d_service {
 };
 
 /// Makes screens of one kind.
-class l3d_screen_factory {
+class L3D_PUBLIC l3d_screen_factory {
 public:
     l3d_screen_factory() = default;
     l3d_screen_factory(const l3d_screen_factory&) = delete;

@@ -3,6 +3,8 @@
 #ifndef L3D_TOOL_2D_SCREEN_INFO_H
 #define L3D_TOOL_2D_SCREEN_INFO_H
 
+#include "base/public.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -13,7 +15,7 @@
 
 /// How a display finds the colour of a pixel. It looks in a map of colours or grays, or uses masks;
 /// in a direct_color one, it uses masks and a map for each channel. Static maps cannot be changed.
-enum class l3d_color_class {
+enum class L3D_PUBLIC l3d_color_class {
     static_gray,
     gray_scale,
     static_color,
@@ -23,13 +25,13 @@ enum class l3d_color_class {
 };
 
 /// The name of a class as X spells it, "TrueColor".
-const char* l3d_name_of(l3d_color_class color_class);
+L3D_PUBLIC const char* l3d_name_of(l3d_color_class color_class);
 
 /// The description that a display gives of its pixels. The defaults are those of l3d_pixels itself.
 ///
 /// Expects: each mask one run of ones, at most 16 wide, none overlapping another; all 0 if pixels
 ///          only count the cells of a map.
-struct l3d_pixel_layout {
+struct L3D_PUBLIC l3d_pixel_layout {
     int depth = 24;          ///< bits that mean something
     int bits_per_pixel = 32; ///< bits that are stored
     std::uint32_t red_mask = 0xFF0000;
@@ -46,7 +48,7 @@ struct l3d_pixel_layout {
 };
 
 /// Where one channel sits in a native pixel.
-struct l3d_channel {
+struct L3D_PUBLIC l3d_channel {
     int shift = 0; ///< zero bits below it
     int width = 0; ///< bits; 0 if pixels have no channels
 };
@@ -56,7 +58,7 @@ struct l3d_channel {
 /// Shape:   pixels[(r * green + g) * blue + b] shows level r of `red` levels, g of `green`, b of
 ///          `blue`; on a ramp, `red` counts the grays, and the others are 1.
 /// Expects: 2 to 256 levels of each, but for those ones.
-struct l3d_palette {
+struct L3D_PUBLIC l3d_palette {
     int red = 0;
     int green = 0;
     int blue = 0;
@@ -78,7 +80,7 @@ struct l3d_palette {
 ///
 /// Cost:    three tables of 256 words, so that converting a pixel is three loads, or four.
 /// Source:  the scaling of few bits is that of Lin, Linux 3D Graphics Programming, chapter 2.
-class l3d_screen_info final {
+class L3D_PUBLIC l3d_screen_info final {
 public:
     /// Expects: masks or a palette; with both, pixels are those of the palette.
     explicit l3d_screen_info(const l3d_pixel_layout& layout = {}, l3d_palette palette = {});

@@ -3,13 +3,14 @@
 #ifndef L3D_TOOL_2D_SCREEN_MEMORY_H
 #define L3D_TOOL_2D_SCREEN_MEMORY_H
 
+#include "base/public.h"
 #include "tool_2d/image.h"
 #include "tool_2d/screen.h"
 
 /// Pixels that nobody sees. There are no events, and wait returns at once.
 ///
 /// Shape:   rows are longer than the picture, so that nobody comes to rely on stride == width.
-class l3d_screen_memory final : public l3d_screen {
+class L3D_PUBLIC l3d_screen_memory final : public l3d_screen {
 public:
     /// Expects: width and height at least 1.
     /// Errors:  std::bad_alloc.
@@ -28,7 +29,7 @@ private:
 };
 
 /// Makes screens without a display; serves everywhere.
-class l3d_screen_factory_memory final : public l3d_screen_factory {
+class L3D_PUBLIC l3d_screen_factory_memory final : public l3d_screen_factory {
 private:
     /// Errors:  none.
     l3d_service do_service() const override { return {.is_seen = false}; }

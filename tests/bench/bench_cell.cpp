@@ -4,6 +4,7 @@
 
 #include "bench/surface_error.h"
 #include "dice/frame_dicer.h"
+#include "scene/image_transform.h"
 
 #include <atomic>
 #include <cmath>

@@ -4,6 +4,7 @@
 
 #include "bench/mesh_thinning.h"
 #include "bench/surface_error.h"
+#include "geom/normal_net.h"
 
 #include <algorithm>
 #include <limits>

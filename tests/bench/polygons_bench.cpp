@@ -12,6 +12,7 @@
 #include "raster/rasterizer_factory_mesa.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "tool_2d/screen_memory.h"
+#include "pipeline/polygons/polygon_frame.h"
 
 #include <algorithm>
 #include <array>

@@ -138,8 +138,8 @@ TEST(method_picture, is_the_same_for_any_number_of_threads_and_in_the_next_frame
     }
 }
 
-/// What a method keeps of a model is not taken for what it keeps of the next, which may come to the
-/// same memory.
+/// A method must not take the data that it keeps of a model for those of the next, which may come
+/// to the same memory.
 TEST(method_picture, of_models_that_come_and_go_is_that_of_a_new_program) {
     const scene s = teapot(reference::project_view("full"), size);
     const auto part = [&](std::size_t frame) {

@@ -7,6 +7,7 @@
 #include "scene/seen_from.h"
 #include "reference/measure.h"
 #include "reference/random_patches.h"
+#include "scene/facing_cones.h"
 
 #include <gtest/gtest.h>
 

@@ -25,7 +25,7 @@ from harness import Checks, expect, expect_equal, read_png
 TUTORIAL = (ROOT / "docs" / "TUTORIAL.md").read_text()
 REALS = {"float": "l3d", "fixed": "l3d-fixed"}
 WAYS = ("shared", "static")
-MOST_LINES = {"dot.cpp": 25, "spin.cpp": 40, "terminal.h": 120}
+MOST_LINES = {"dot.cpp": 25, "spin.cpp": 40, "even.cpp": 110, "terminal.h": 120}
 WORKERS = os.cpu_count()
 
 
@@ -117,15 +117,61 @@ def library_exports_ours_only(name):
     expect_equal([name for name in names if "10l3d_detail" in name[:20]], [])
 
 
-def headers_are_public_and_alone():
-    headers = sorted(path for path in (MOVED / "include" / "l3d").rglob("*") if path.is_file())
-    expect(len(headers) > 100, "only %d headers" % len(headers))
-    private = [path.name for path in headers if path.name.endswith(("_p.h", "-inl.h"))]
-    expect_equal(private, [])
-    lines = "".join('#include "%s"\n' % path.relative_to(MOVED / "include" / "l3d") for path in headers)
+def public_headers():
+    listed = [line for line in (ROOT / "packaging" / "public_headers").read_text().split("\n")
+              if line and not line.startswith("#")]
+    return sorted(["l3d.h"] + [pathlib.Path(line).name for line in listed])
+
+
+def headers_are_the_listed_ones():
+    installed = [str(path.relative_to(MOVED / "include")) for path in (MOVED / "include").rglob("*")
+                 if path.is_file()]
+    expect_equal(sorted(installed), ["l3d/" + name for name in public_headers()])
+
+
+def header_is_alone(name, folder):
+    """Beside a user's own headers of the names that ours have inside."""
+    source = folder / (name + ".cpp")
+    source.write_text("#include <l3d/%s>\n" % name)
+    run("c++ -std=c++20 -Wall -Wextra -Werror -fsyntax-only -I. %s $(pkg-config --cflags l3d)" % source.name,
+        folder)
+    included = re.findall(r"^#include ([<\"].*[>\"])", (MOVED / "include" / "l3d" / name).read_text(), re.M)
+    inside = [file for file in included if file.startswith('"')
+              or file.startswith("<l3d/") and file[5:-1] not in public_headers()]
+    expect_equal(inside, [], "private headers:")
+
+
+def users_own_headers(folder):
+    for name in (ROOT / "packaging" / "public_headers").read_text().split():
+        own = folder / name
+        own.parent.mkdir(parents=True, exist_ok=True)
+        own.write_text("#error \"a user's own\"\n")
+
+
+def needs_cxx20():
     with tempfile.TemporaryDirectory() as folder:
-        pathlib.Path(folder, "all.cpp").write_text(lines)
-        run("c++ -std=c++20 -Wall -Wextra -Werror -fsyntax-only all.cpp $(pkg-config --cflags l3d)", folder)
+        pathlib.Path(folder, "old.cpp").write_text("#include <l3d/l3d.h>\n")
+        done = run("c++ -std=c++17 -fsyntax-only old.cpp $(pkg-config --cflags l3d)", folder, None)
+        expect(done.returncode != 0 and "l3d needs C++20" in done.stderr, done.stderr)
+
+
+def is_found_by_cmake(real):
+    version = run(["pkg-config", "--modversion", REALS[real]], MOVED).stdout.strip()
+    lists = """cmake_minimum_required(VERSION 3.16)
+project(user CXX)
+find_package(l3d %s REQUIRED COMPONENTS %s)
+add_executable(dot dot.cpp)
+target_link_libraries(dot l3d::%s)
+""" % (version, real, real)
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "CMakeLists.txt").write_text(lists)
+        (folder / "dot.cpp").write_text(blocks()["dot.cpp"])
+        run("cmake -S . -B made -DCMAKE_PREFIX_PATH=%s && cmake --build made" % MOVED, folder)
+        run("made/dot --no-input --backend memory --frames 3 --output dot.png", folder)
+        (folder / "CMakeLists.txt").write_text(lists.replace(version, "99.0"))
+        expect(run("cmake -S . -B newer -DCMAKE_PREFIX_PATH=%s" % MOVED, folder, None).returncode != 0,
+               "finds version 99")
 
 
 def nothing_names_the_source_tree():
@@ -190,6 +236,9 @@ def runs_as_told(made):
     expect(30000 < grey < 200000 and 0xFFE080 in spin[8], "a teapot of", grey, "pixels")
     sail = read_png(made / "sail.png")
     expect(6000 < sum(color != 0 for row in sail for color in row) < 60000, "the sail")
+    even = read_png(made / "even.png")
+    grey = sum(color & 255 == color >> 16 and color != 0 for row in even for color in row)
+    expect(8000 < grey < 50000, "a teapot of", grey, "pixels")
     drawing_is_the_picture(made)
 
 
@@ -236,7 +285,7 @@ def drawdot_draws(made):
 
 
 def same_either_way(folder, real):
-    for name in ("spin.png", "sail.png"):
+    for name in ("spin.png", "sail.png", "even.png"):
         shared, static = ((place(folder, real, way) / name).read_bytes() for way in WAYS)
         expect(shared == static, name, "differs")
 
@@ -245,9 +294,18 @@ def main():
     checks = Checks()
     for name in REALS.values():
         checks.run("install.%s.exports" % name, library_exports_ours_only, name)
-    for check in (headers_are_public_and_alone, nothing_names_the_source_tree, overview_fits,
+    for check in (headers_are_the_listed_ones, needs_cxx20, nothing_names_the_source_tree, overview_fits,
                   programs_find_their_files):
         checks.run("install." + check.__name__, check)
+    for real in REALS:
+        checks.run("install.cmake." + real, is_found_by_cmake, real)
+    alone = MOVED / "alone"
+    alone.mkdir()
+    users_own_headers(alone)
+    with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
+        compiled = {name: pool.submit(header_is_alone, name, alone) for name in public_headers()}
+    for name, made in compiled.items():
+        checks.run("install.header." + name, made.result)
     for program in sorted((MOVED / "bin").iterdir()):
         checks.run("install.page." + program.name, page_fits, program)
     for name in MOST_LINES:

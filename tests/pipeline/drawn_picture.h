@@ -9,6 +9,7 @@
 #include "pipeline/pipeline_afd.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "tool_2d/screen_memory.h"
+#include "raster/outline_mask.h"
 
 #include <cstdint>
 #include <limits>

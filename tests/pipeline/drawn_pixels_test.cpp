@@ -3,6 +3,7 @@
 #include "still_studio.h"
 
 #include "scene/drawn_pixels.h"
+#include "scene/image_transform.h"
 
 #include <gtest/gtest.h>
 

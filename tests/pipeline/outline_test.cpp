@@ -11,6 +11,7 @@
 #include "reference/random_patches.h"
 #include "reference/second_judge.h"
 #include "tool_2d/screen_memory.h"
+#include "raster/outline_mask.h"
 
 #include <gtest/gtest.h>
 

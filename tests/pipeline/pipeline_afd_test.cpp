@@ -14,6 +14,7 @@
 #include "dice/scene.h"
 #include "tool_2d/error.h"
 #include "tool_2d/screen_memory.h"
+#include "pipeline/surface_method.h"
 
 #include <gtest/gtest.h>
 

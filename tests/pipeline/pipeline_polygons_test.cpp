@@ -7,6 +7,7 @@
 #include "raster/rasterizer_factory_mesa.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "tool_2d/screen_memory.h"
+#include "pipeline/polygons/polygon_wires.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "cases.h"
 
 #include "scene/camera.h"
-#include "scene/dice_counts.h"
+#include "scene/counts.h"
 #include "dice/diced_piece.h"
 #include "scene/patch_model.h"
 

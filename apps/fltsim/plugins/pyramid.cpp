@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // pyramid: a plug-in whose objects are pyramids far to the right that turn about z.
-#include "pipeline/worlds/object_plugin.h"
+#include <l3d/object_plugin.h>
 
 #include <cmath>
 #include <memory>

@@ -2,7 +2,7 @@
 // videoscape: a plug-in whose objects are models from files, placed by the parameters
 //     x y z A B C D E F G H I file
 // where x y z is the position, and the columns A D G, B E H and C F I are the object's axes.
-#include "pipeline/worlds/object_plugin.h"
+#include <l3d/object_plugin.h>
 
 #include <array>
 #include <memory>

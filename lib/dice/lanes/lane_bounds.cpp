@@ -121,7 +121,7 @@ double depth_matters_below(const l3d_dice_view& view, bool balanced) {
     return (balanced ? 1 / l3d_balance : 8) * 2.83 * view.chord_budget(0);
 }
 
-/// What bounds of blocks depend on beside their nets, about the net's centre.
+/// The inputs of bounds of blocks besides their nets, about the net's centre.
 struct block_surroundings {
     const l3d_image_box& window; ///< what is seen at most
     float reach;                 ///< largest |x' / w| or |y' / w|
@@ -133,7 +133,7 @@ struct block_surroundings {
 /// Needs of the blocks in lanes `lane` on.
 HWY_ATTR HWY_INLINE void bound_lanes(const block_nets& blocks, std::size_t lane,
                                      const block_surroundings& in, l3d_block_needs& needs) {
-    // What is seen of each block.
+    // The visible part of each block.
     const floats d;
     const auto limit = [&](double number)
                            HWY_ATTR { return hn::Set(d, static_cast<float>(number)); };

@@ -73,8 +73,8 @@ template <class T> bool l3d_lane_dicer<T>::choose_registers(const l3d_dice_view&
     const double most_w = l3d_balanced_reach * bounds_.most_w;
     const double most_xy = std::max(l3d_balanced_reach * net.largest_xy, most_w / l3d_subpixel_one);
     const double reach = bounds_.hull.reach() + std::max(std::abs(net.x), std::abs(net.y));
-    // What a vertex would be off if walking added nothing.
-    // The centre of a folded quad is rounded to sub-pixels once more.
+    // The error of a vertex if walking added nothing. The centre of a folded quad is rounded to
+    // sub-pixels once more.
     const double centre_snap = l3d_snap_error<double>(0);
     const double exact = vertex_error(view, 0, 0, l3d_snap_error<double>(reach) + centre_snap);
     const auto exact_enough = [&](double walk_xy, double walk_w, double snap, double allowance) {
@@ -180,7 +180,7 @@ void l3d_lane_dicer<T>::fill(const l3d_net_piece& piece, const l3d_normal_net& n
     else
         l3d_detail::normals_in_lanes(normals, u_, v_, view.shading, numbers_, part.grid);
 
-    // What slits and counts ask for.
+    // The results that slits and counts ask for.
     out.u.assign(u_.at, u_.at + u_.count);
     out.v.assign(v_.at, v_.at + v_.count);
     out.bound = plan_.visible ? plan_.chord_error + vertex_error_ : 0;

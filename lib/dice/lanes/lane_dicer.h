@@ -5,7 +5,7 @@
 
 #include "geom/normal_net.h"
 #include "geom/real.h"
-#include "scene/dice_counts.h"
+#include "scene/counts.h"
 #include "scene/dice_view.h"
 #include "dice/diced_piece.h"
 #include "dice/edges/edge_polyline.h"

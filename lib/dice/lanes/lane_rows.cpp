@@ -133,7 +133,7 @@ HWY_ATTR HWY_INLINE void start(const power_form& powers, const lane_walk& walk,
         };
         const auto a0 = at_u(0), a1 = at_u(1), a2 = at_u(2), a3 = at_u(3);
 
-        // Of each strip, where it starts, and the registers of its differences, balanced along v.
+        // The start of each strip, and the registers of its differences, balanced along v.
         const double scale = k < 2 ? walk.register_xy : walk.register_w;
         for (std::size_t b = 0; b < static_cast<std::size_t>(walk.strips); ++b) {
             const difference_weights& by = weights[b];

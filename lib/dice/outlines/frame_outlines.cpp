@@ -5,6 +5,7 @@
 #include "dice/outlines/outline_search.h"
 #include "scene/placed_net.h"
 #include "scene/seen_from.h"
+#include "scene/facing_cones.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,9 +12,9 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Finds the pixels near outlines. Cuts patches in halves until each half is proven to have no
-/// visible outline, or its outline is nearly straight. The straight outline is put into a mask, as
-/// wide as the bound.
+/// Finds the pixels near outlines. Finds the pixels near outlines. Finds the pixels near outlines.
+/// Cuts patches in halves until each half is proven to have no visible outline, or its outline is
+/// nearly straight. The straight outline is put into a mask, as wide as the bound.
 ///
 /// Outlines are sides that are asked for, the cuts by the near and the far plane, and folds: where
 /// the normal is perpendicular to the line of sight. All bounds are of exact patches: nothing

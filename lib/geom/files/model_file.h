@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_FILES_MODEL_FILE_H
 #define L3D_GEOM_FILES_MODEL_FILE_H
 
+#include "base/public.h"
 #include "geom/files/patch_file.h"
 #include "geom/polygon_mesh.h"
 
@@ -11,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-enum class l3d_model_format {
+enum class L3D_PUBLIC l3d_model_format {
     asc,        ///< 3D Studio's text form
     obj,        ///< Wavefront: polygons, Bezier and B-spline surfaces
     off,        ///< geomview's polygons, text or binary
@@ -22,7 +23,7 @@ enum class l3d_model_format {
 };
 
 /// Polygons, patches, or both; as the file has them, in its own coordinates.
-struct l3d_model_file {
+struct L3D_PUBLIC l3d_model_file {
     l3d_polygon_mesh mesh;
     std::vector<l3d_patch_points> patches;
     std::vector<std::string> notes; ///< "name:line: what was skipped"; some 20 at the most
@@ -31,7 +32,7 @@ struct l3d_model_file {
 };
 
 /// Which format a text has, by its first word; nothing if it is none that is read here.
-std::optional<l3d_model_format> l3d_model_format_of(std::string_view text);
+L3D_PUBLIC std::optional<l3d_model_format> l3d_model_format_of(std::string_view text);
 
 /// Reads a model of any of the formats. docs/FORMATS.md says what of each is read, skipped with a
 /// note, and refused.
@@ -41,8 +42,8 @@ std::optional<l3d_model_format> l3d_model_format_of(std::string_view text);
 ///          is the one that it begins in, and the message has the byte.
 /// Cost:    time linear in the text; memory at most 80 bytes per byte of text, counts are checked
 ///          before memory is taken for what they promise.
-std::optional<l3d_model_file> l3d_read_model(std::string_view text, std::string_view name,
-                                             std::string& why);
+L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model(std::string_view text,
+                                                        std::string_view name, std::string& why);
 
 /// A reader of one format.
 /// Errors: as those of l3d_read_model, whose cost it has, too.
@@ -54,7 +55,7 @@ l3d_model_reader l3d_read_asc, l3d_read_obj, l3d_read_off, l3d_read_ply, l3d_rea
 /// The text of an .off file; reading it gives the same vertices, faces, normals and colours, bit
 /// for bit. Parts and materials have no place in it.
 /// Expects: a valid mesh.
-std::string l3d_write_off(const l3d_polygon_mesh& mesh);
+L3D_PUBLIC std::string l3d_write_off(const l3d_polygon_mesh& mesh);
 
 /// The text of an .obj file; reading it gives the same model, bit for bit, but for colours of
 /// faces, which have no place in it.
@@ -62,6 +63,6 @@ std::string l3d_write_off(const l3d_polygon_mesh& mesh);
 /// Expects: a valid mesh with a material for every face if it has materials; patches of degrees 1
 ///          to l3d_bpt_largest_degree. Names are words with single blanks between, without # and
 ///          without a backslash at the end; materials differ in name.
-std::string l3d_write_obj(const l3d_model_file& model);
+L3D_PUBLIC std::string l3d_write_obj(const l3d_model_file& model);
 
 #endif

@@ -3,6 +3,8 @@
 #ifndef L3D_GEOM_FILES_PATCH_FILE_H
 #define L3D_GEOM_FILES_PATCH_FILE_H
 
+#include "base/public.h"
+
 #include <array>
 #include <optional>
 #include <span>
@@ -14,7 +16,7 @@
 ///
 /// Shape: (degree_u + 1) * (degree_v + 1) points; index = row * (degree_u + 1) + column, columns
 ///        along u, rows along v.
-struct l3d_patch_points {
+struct L3D_PUBLIC l3d_patch_points {
     int degree_u = 0, degree_v = 0;
     std::vector<std::array<double, 3>> points;
 
@@ -36,12 +38,12 @@ inline constexpr double l3d_bpt_largest_coordinate = 1e12;
 ///          positive, or more than the text can hold. Something may follow the last patch.
 /// Cost:    memory in proportion to the text, however large the numbers in it.
 /// Source:  R. Holmes' patch files; their two numbers per patch are degrees, as his examples show.
-std::optional<std::vector<l3d_patch_points>> l3d_read_bpt(std::string_view text,
-                                                          std::string_view name, std::string& why);
+L3D_PUBLIC std::optional<std::vector<l3d_patch_points>>
+l3d_read_bpt(std::string_view text, std::string_view name, std::string& why);
 
 /// The text of a .bpt file; reading it gives the same patches, bit for bit.
 /// Expects: what l3d_read_bpt would accept.
-std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
+L3D_PUBLIC std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
 
 /// The same surface with degrees 3 and 3: lower degrees are raised, higher ones reduced where the
 /// surface is no more than bicubic.
@@ -51,6 +53,7 @@ std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
 /// Errors:  nothing if a degree is outside 1 to 15, or if the number of points is not what the
 ///          degrees say. Nothing, too, if no bicubic patch has these points but for rounding, 2^-46
 ///          of the largest coordinate.
-std::optional<std::array<std::array<double, 3>, 16>> l3d_as_bicubic(const l3d_patch_points& patch);
+L3D_PUBLIC std::optional<std::array<std::array<double, 3>, 16>>
+l3d_as_bicubic(const l3d_patch_points& patch);
 
 #endif

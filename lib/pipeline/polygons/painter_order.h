@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_POLYGONS_PAINTER_ORDER_H
 #define L3D_PIPELINE_POLYGONS_PAINTER_ORDER_H
 
+#include "pipeline/polygons/polygon_report.h"
 #include "raster/shapes/painter.h"
 #include "tool_2d/pixels.h"
 
@@ -10,15 +11,6 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-
-/// Counts of the work that a frame's order took.
-struct l3d_painter_order_counts {
-    std::int64_t triangles = 0; ///< handed in
-    std::int64_t pairs = 0;     ///< of triangles, compared exactly as their boxes meet
-    std::int64_t knots = 0;     ///< sets that no order of whole triangles paints right
-    std::int64_t knotted = 0;   ///< triangles in them
-    std::int64_t cuts = 0;      ///< triangles and pieces cut in two
-};
 
 /// Sorts triangles by their farthest corner, finds where that is wrong, and mends it.
 ///

@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_POLYGONS_PATCH_TESSELLATION_H
 #define L3D_PIPELINE_POLYGONS_PATCH_TESSELLATION_H
 
+#include "base/public.h"
 #include "geom/polygon_mesh.h"
 #include "scene/patch_model.h"
 
@@ -16,7 +17,7 @@ inline constexpr int l3d_most_facets = 192;
 inline constexpr int l3d_usual_facets = 8;
 
 /// Patches as triangles.
-struct l3d_patch_mesh {
+struct L3D_PUBLIC l3d_patch_mesh {
     l3d_polygon_mesh mesh;
     std::vector<std::size_t> face_ends; ///< patch by patch, the number of faces up to its last
 };
@@ -29,6 +30,6 @@ struct l3d_patch_mesh {
 /// two differ, as at a crease. Triangles whose corners coincide, as at the teapot's knob, are left
 /// out.
 /// Expects: n >= 1.
-l3d_patch_mesh l3d_tessellated(const l3d_patch_model& model, int n);
+L3D_PUBLIC l3d_patch_mesh l3d_tessellated(const l3d_patch_model& model, int n);
 
 #endif

@@ -2,6 +2,8 @@
 // l3d_pipeline_polygons: the stages of a frame, and the keys for polygons.
 #include "pipeline/polygons/pipeline_polygons.h"
 
+#include "pipeline/polygons/polygon_frame.h"
+#include "pipeline/polygons/polygon_wires.h"
 #include "geom/real.h"
 #include "pipeline/formatted_p.h"
 #include "pipeline/stopwatch_p.h"
@@ -39,8 +41,9 @@ l3d_pipeline_polygons::l3d_pipeline_polygons(l3d_canvas canvas, l3d_polygon_mode
                                              const l3d_camera& camera,
                                              const l3d_polygon_settings& settings)
     : screen_(std::move(canvas.screen)), workers_(settings.threads),
-      imp_(canvas.rasterizers->create_2d(screen_->pixels())), rasterizer_(*imp_),
-      model_(std::move(model)), camera_(camera), settings_(settings), first_settings_(settings),
+      imp_(canvas.rasterizers->create_2d(screen_->pixels())), rasterizer_(*imp_), model_(std::move(model)),
+      camera_(camera), settings_(settings), first_settings_(settings),
+      frame_(std::make_unique<l3d_polygon_frame>()), wires_(std::make_unique<l3d_polygon_wires>()),
       controls_(*this, *screen_, camera_, own_rows(), [this] { reset_view(); }) {
     report_.frame = -1;
     report_.real = l3d_real_name();
@@ -49,6 +52,8 @@ l3d_pipeline_polygons::l3d_pipeline_polygons(l3d_canvas canvas, l3d_polygon_mode
     report_.faces = static_cast<std::int64_t>(model_.mesh().faces());
     report_.triangles = static_cast<std::int64_t>(model_.triangles().size());
 }
+
+l3d_pipeline_polygons::~l3d_pipeline_polygons() = default;
 
 void l3d_pipeline_polygons::resize_event(l3d_size) {
     imp_->set_target(screen_->pixels());
@@ -78,7 +83,7 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
     const l3d_polygon_view view(camera_, target.size(), settings_.projection,
                                 l3d_euler_rotation(settings_.rotation, model_.centre()));
     if (settings_.style == l3d_polygon_style::wireframe) {
-        const auto lines = wires_.make(model_, view, settings_.cull);
+        const auto lines = wires_->make(model_, view, settings_.cull);
         report.polygons = {};
         report.time_ms.place = placing.milliseconds();
         const stopwatch drawing;
@@ -89,9 +94,9 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
     }
     assert(settings_.shade != l3d_shade::error);
     const bool smooth = settings_.shade != l3d_shade::flat;
-    frame_.make(model_, view, settings_.cull, smooth, workers_);
-    report.polygons = frame_.counts();
-    const scene what{target, frame_, view.shading(settings_.shade, settings_.light),
+    frame_->make(model_, view, settings_.cull, smooth, workers_);
+    report.polygons = frame_->counts();
+    const scene what{target, *frame_, view.shading(settings_.shade, settings_.light),
                      settings_.count_pixels};
     report.time_ms.place = placing.milliseconds();
     if (settings_.style == l3d_polygon_style::solid)

@@ -3,15 +3,14 @@
 #ifndef L3D_PIPELINE_POLYGONS_PIPELINE_POLYGONS_H
 #define L3D_PIPELINE_POLYGONS_PIPELINE_POLYGONS_H
 
+#include "base/public.h"
 #include "scene/camera.h"
 #include "scene/camera_shading.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/pipeline_2d.h"
-#include "pipeline/polygons/polygon_frame.h"
 #include "pipeline/polygons/polygon_model.h"
 #include "pipeline/polygons/polygon_report.h"
 #include "pipeline/polygons/polygon_view.h"
-#include "pipeline/polygons/polygon_wires.h"
 #include "pipeline/viewer_controls.h"
 #include "raster/rasterizer_2d.h"
 #include "raster/parallel/workers.h"
@@ -19,15 +18,18 @@
 #include <memory>
 #include <vector>
 
+class l3d_polygon_frame;
+class l3d_polygon_wires;
+
 /// The parts of faces that are shown.
-enum class l3d_polygon_style {
+enum class L3D_PUBLIC l3d_polygon_style {
     solid,
     wireframe,    ///< the sides of all faces, of culled ones not
     hidden_lines, ///< the sides, without what faces hide
 };
 
 /// How a model is to be drawn.
-struct l3d_polygon_settings {
+struct L3D_PUBLIC l3d_polygon_settings {
     l3d_polygon_style style = l3d_polygon_style::solid;
     l3d_shade shade = l3d_shade::flat;
     l3d_projection projection = l3d_projection::perspective;
@@ -44,8 +46,10 @@ struct l3d_polygon_settings {
 /// Has the controls that its help overlay lists.
 /// Expects: a valid camera; light not zero; threads >= 1; no shade `error`, as there are no bounds.
 /// Lives:   owns screen, rasterizers and workers; shares the model.
-class l3d_pipeline_polygons : public l3d_pipeline {
+class L3D_PUBLIC l3d_pipeline_polygons : public l3d_pipeline {
 public:
+    ~l3d_pipeline_polygons() override;
+
     l3d_screen& screen() { return *screen_; }
 
     /// The last frame drawn; the hash is counted when asked for.
@@ -107,8 +111,8 @@ private:
     l3d_polygon_model model_;
     l3d_camera camera_;
     l3d_polygon_settings settings_, first_settings_;
-    l3d_polygon_frame frame_;
-    l3d_polygon_wires wires_;
+    std::unique_ptr<l3d_polygon_frame> frame_;
+    std::unique_ptr<l3d_polygon_wires> wires_;
     l3d_polygon_report report_;
     bool stale_ = true;
     l3d_viewer_controls controls_;

@@ -2,6 +2,7 @@
 // l3d_pipeline_zbuffer: all at once to a surface rasterizer.
 #include "pipeline/polygons/pipeline_zbuffer.h"
 
+#include "pipeline/polygons/polygon_frame.h"
 #include "pipeline/stopwatch_p.h"
 #include "raster/shapes/hidden_lines.h"
 
@@ -17,6 +18,8 @@ l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model 
                                            const char* method)
     : l3d_pipeline_polygons(std::move(canvas), std::move(model), camera, settings), method_(method),
       rasterizer_(surfaces.create_surface(workers())) {}
+
+l3d_pipeline_zbuffer::~l3d_pipeline_zbuffer() = default;
 
 void l3d_pipeline_zbuffer::fill(const scene& what, l3d_depth_buffer* depth,
                                 l3d_polygon_report& report) {

@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_POLYGONS_PIPELINE_ZBUFFER_H
 #define L3D_PIPELINE_POLYGONS_PIPELINE_ZBUFFER_H
 
+#include "base/public.h"
 #include "pipeline/polygons/pipeline_polygons.h"
 #include "raster/depth_buffer.h"
 #include "raster/surface_rasterizer.h"
@@ -10,8 +11,10 @@
 #include <memory>
 #include <vector>
 
+struct l3d_painter_triangle;
+
 /// Any order; each pixel knows how near it is. Through the CPU's surface rasterizer or Mesa's.
-class l3d_pipeline_zbuffer : public l3d_pipeline_polygons {
+class L3D_PUBLIC l3d_pipeline_zbuffer : public l3d_pipeline_polygons {
 public:
     /// `method` names it in reports; `surfaces` makes what fills, and may be of another kind than
     /// the canvas'.
@@ -19,6 +22,7 @@ public:
     l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                          const l3d_polygon_settings& settings,
                          const l3d_rasterizer_factory& surfaces, const char* method = "zbuffer");
+    ~l3d_pipeline_zbuffer() override;
 
 private:
     void draw_solid(const scene& what, l3d_polygon_report& report) override;

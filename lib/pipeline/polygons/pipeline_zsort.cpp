@@ -2,38 +2,52 @@
 // l3d_pipeline_zsort: order, then paint.
 #include "pipeline/polygons/pipeline_zsort.h"
 
+#include "pipeline/polygons/painter_order.h"
+#include "pipeline/polygons/polygon_frame.h"
 #include "pipeline/stopwatch_p.h"
+#include "raster/shapes/painter.h"
 
 #include <utility>
+#include <vector>
 
 using l3d_detail::stopwatch;
+
+struct l3d_pipeline_zsort::stages {
+    std::vector<l3d_painter_triangle> triangles;
+    l3d_painter_order order;
+    l3d_painter painter;
+};
 
 l3d_pipeline_zsort::l3d_pipeline_zsort(l3d_canvas canvas, l3d_polygon_model model,
                                        const l3d_camera& camera,
                                        const l3d_polygon_settings& settings)
-    : l3d_pipeline_polygons(std::move(canvas), std::move(model), camera, settings) {}
+    : l3d_pipeline_polygons(std::move(canvas), std::move(model), camera, settings),
+      stages_(std::make_unique<stages>()) {}
+
+l3d_pipeline_zsort::~l3d_pipeline_zsort() = default;
 
 void l3d_pipeline_zsort::make_order(const scene& what, l3d_polygon_report& report) {
     const stopwatch ordering;
-    what.frame.list(triangles_);
-    order_.make(triangles_, what.target.size());
-    report.order = order_.counts();
+    what.frame.list(stages_->triangles);
+    stages_->order.make(stages_->triangles, what.target.size());
+    report.order = stages_->order.counts();
     report.time_ms.order = ordering.milliseconds();
 }
 
 void l3d_pipeline_zsort::draw_solid(const scene& what, l3d_polygon_report& report) {
     make_order(what, report);
     const stopwatch painting;
-    painter_.paint(what.target, what.shading, order_.triangles(), order_.pieces(), order_.cuts());
-    report.surface = painter_.counts();
+    stages_->painter.paint(what.target, what.shading, stages_->order.triangles(),
+                           stages_->order.pieces(), stages_->order.cuts());
+    report.surface = stages_->painter.counts();
     report.time_ms.raster = painting.milliseconds();
 }
 
 void l3d_pipeline_zsort::draw_hidden_lines(const scene& what, l3d_polygon_report& report) {
     make_order(what, report);
     const stopwatch painting;
-    painter_.paint_lines(what.target, order_.triangles(), order_.pieces(), order_.cuts(),
-                         wire_color);
-    report.surface = painter_.counts();
+    stages_->painter.paint_lines(what.target, stages_->order.triangles(), stages_->order.pieces(),
+                                 stages_->order.cuts(), wire_color);
+    report.surface = stages_->painter.counts();
     report.time_ms.raster = painting.milliseconds();
 }

@@ -3,18 +3,18 @@
 #ifndef L3D_PIPELINE_POLYGONS_PIPELINE_ZSORT_H
 #define L3D_PIPELINE_POLYGONS_PIPELINE_ZSORT_H
 
-#include "pipeline/polygons/painter_order.h"
+#include "base/public.h"
 #include "pipeline/polygons/pipeline_polygons.h"
-#include "raster/shapes/painter.h"
 
-#include <vector>
+#include <memory>
 
 /// The painter's algorithm: no depth buffer, only an order, mended where no order is right.
-class l3d_pipeline_zsort : public l3d_pipeline_polygons {
+class L3D_PUBLIC l3d_pipeline_zsort : public l3d_pipeline_polygons {
 public:
     /// Errors:  as l3d_rasterizer_factory::create_2d.
     l3d_pipeline_zsort(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                        const l3d_polygon_settings& settings);
+    ~l3d_pipeline_zsort() override;
 
 private:
     void draw_solid(const scene& what, l3d_polygon_report& report) override;
@@ -23,9 +23,8 @@ private:
 
     void make_order(const scene& what, l3d_polygon_report& report);
 
-    std::vector<l3d_painter_triangle> triangles_;
-    l3d_painter_order order_;
-    l3d_painter painter_;
+    struct stages;
+    std::unique_ptr<stages> stages_;
 };
 
 #endif

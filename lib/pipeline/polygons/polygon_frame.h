@@ -5,8 +5,8 @@
 
 #include "scene/dice_view.h"
 #include "dice/diced_piece.h"
-#include "scene/seen_counts.h"
 #include "pipeline/polygons/polygon_model.h"
+#include "pipeline/polygons/polygon_report.h"
 #include "pipeline/polygons/polygon_view.h"
 #include "raster/shapes/painter.h"
 #include "raster/rasterizer_2d.h"
@@ -18,17 +18,6 @@
 #include <cstdint>
 #include <span>
 #include <vector>
-
-/// What happened to the triangles of a model in a frame.
-struct l3d_polygon_counts : l3d_seen_counts {
-    std::int64_t back = 0; ///< left out: seen from behind
-
-    /// Both together: of other triangles.
-    void add(const l3d_polygon_counts& other) {
-        l3d_seen_counts::add(other);
-        back += other.back;
-    }
-};
 
 /// Vertices once each to the picture, then faces: which are seen, clipped where they must be.
 ///

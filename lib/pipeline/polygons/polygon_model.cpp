@@ -157,8 +157,10 @@ l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin) : mes
     if (!mesh.vertices.empty())
         least = most = mesh.vertices.front();
     for (const vector& v : mesh.vertices) {
-        least = glm::min(least, v);
-        most = glm::max(most, v);
+        for (int i = 0; i < 3; ++i) {
+            least[i] = std::min(least[i], v[i]);
+            most[i] = std::max(most[i], v[i]);
+        }
     }
     for (const vector& v : mesh.vertices)
         radius = std::max(radius, l3d_length(v - centre()));

@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_POLYGONS_POLYGON_MODEL_H
 #define L3D_PIPELINE_POLYGONS_POLYGON_MODEL_H
 
+#include "base/public.h"
 #include "geom/polygon_mesh.h"
 
 #include <array>
@@ -14,7 +15,7 @@
 #include <vector>
 
 /// A triangle of a face.
-struct l3d_model_triangle {
+struct L3D_PUBLIC l3d_model_triangle {
     std::array<std::uint32_t, 3> corners{}; ///< vertex indices, in the order of the face's
     std::uint32_t face = 0;
     /// Bit k: the side from corner k to the next is a side of the face, not a diagonal.
@@ -30,7 +31,7 @@ struct l3d_model_triangle {
 /// Cost:    memory per triangle 20 bytes and 12 for the face's normal, per vertex 12 for its
 ///          normal, beside the mesh's own: 66 bytes per face of a closed mesh of triangles. A copy
 ///          counts a reference. A move is a copy, so no model is ever without contents.
-class l3d_polygon_model {
+class L3D_PUBLIC l3d_polygon_model {
 public:
     using vector = l3d_vector<double, 3>;
     using direction = l3d_vector<float, 3>;

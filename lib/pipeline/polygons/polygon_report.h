@@ -3,21 +3,41 @@
 #ifndef L3D_PIPELINE_POLYGONS_POLYGON_REPORT_H
 #define L3D_PIPELINE_POLYGONS_POLYGON_REPORT_H
 
-#include "pipeline/polygons/painter_order.h"
-#include "pipeline/polygons/polygon_frame.h"
+#include "base/public.h"
 #include "pipeline/report_parts.h"
+#include "scene/counts.h"
 
 #include <cstdint>
 #include <string>
 
+/// The counts of a model's triangles in a frame.
+struct L3D_PUBLIC l3d_polygon_counts : l3d_seen_counts {
+    std::int64_t back = 0; ///< left out: seen from behind
+
+    /// Both together: of other triangles.
+    void add(const l3d_polygon_counts& other) {
+        l3d_seen_counts::add(other);
+        back += other.back;
+    }
+};
+
+/// Counts of the work that a frame's order took.
+struct L3D_PUBLIC l3d_painter_order_counts {
+    std::int64_t triangles = 0; ///< handed in
+    std::int64_t pairs = 0;     ///< of triangles, compared exactly as their boxes meet
+    std::int64_t knots = 0;     ///< sets that no order of whole triangles paints right
+    std::int64_t knotted = 0;   ///< triangles in them
+    std::int64_t cuts = 0;      ///< triangles and pieces cut in two
+};
+
 /// Times of the stages of a frame of polygons. Units: milliseconds.
-struct l3d_polygon_times : l3d_common_times {
+struct L3D_PUBLIC l3d_polygon_times : l3d_common_times {
     double place = 0; ///< vertices to the picture, faces culled and clipped
     double order = 0; ///< sorting, comparing, cutting; 0 with a depth buffer
 };
 
 /// One frame.
-struct l3d_polygon_report : l3d_common_report {
+struct L3D_PUBLIC l3d_polygon_report : l3d_common_report {
     l3d_polygon_times time_ms;
     std::int64_t faces = 0;     ///< of the model
     std::int64_t triangles = 0; ///< that its faces are

@@ -3,21 +3,22 @@
 #ifndef L3D_PIPELINE_POLYGONS_POLYGON_VIEW_H
 #define L3D_PIPELINE_POLYGONS_POLYGON_VIEW_H
 
+#include "base/public.h"
 #include "geom/matrix.h"
 #include "scene/camera.h"
 #include "raster/surface_rasterizer.h"
 #include "tool_2d/pixels.h"
 
 /// How depth changes what is seen.
-enum class l3d_projection {
+enum class L3D_PUBLIC l3d_projection {
     perspective,
     parallel, ///< sizes as perspective has them at the camera's target; nothing is behind the eye
 };
 
 /// Turns about the x axis, then y, then z, through a centre that stays where it is.
 /// Units: degrees, counterclockwise for one at whom the axis points.
-l3d_matrix<double> l3d_euler_rotation(const l3d_vector<double, 3>& degrees,
-                                      const l3d_vector<double, 3>& centre);
+L3D_PUBLIC l3d_matrix<double> l3d_euler_rotation(const l3d_vector<double, 3>& degrees,
+                                                 const l3d_vector<double, 3>& centre);
 
 /// The one matrix of a frame, from the model to the picture, and what else depends on the view.
 ///
@@ -25,7 +26,7 @@ l3d_matrix<double> l3d_euler_rotation(const l3d_vector<double, 3>& degrees,
 ///          plus (x / w, y / w). d is the distance along the view axis. w is d in perspective,
 ///          else 1.
 /// Expects: a valid camera; a placement that turns and moves, and leaves lengths as they are.
-class l3d_polygon_view {
+class L3D_PUBLIC l3d_polygon_view {
 public:
     using vector = l3d_vector<double, 3>;
 

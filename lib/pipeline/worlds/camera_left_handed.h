@@ -3,21 +3,22 @@
 #ifndef L3D_PIPELINE_WORLDS_CAMERA_LEFT_HANDED_H
 #define L3D_PIPELINE_WORLDS_CAMERA_LEFT_HANDED_H
 
+#include "base/public.h"
 #include "tool_2d/pixels.h"
 #include "scene/camera.h"
 #include "pipeline/worlds/moveable.h"
 
 /// The book's term for a field of view: the distance of a window from the eye over its width. It is
 /// half the cotangent of half the angle. Units: degrees.
-double l3d_fov_term(double degrees);
-double l3d_fov_degrees(double term);
+L3D_PUBLIC double l3d_fov_term(double degrees);
+L3D_PUBLIC double l3d_fov_degrees(double term);
 
 /// A perspective camera in a left-handed world: x right, y up, z away from the viewer.
 ///
 /// Units:   fovx and fovy are terms as of l3d_fov_term, of the picture's width and height; near_z
 ///          and far_z are distances along the view axis.
 /// Expects: fovx, fovy > 0; 0 < near_z < far_z.
-template <class T> class l3d_camera_left_handed : public l3d_moveable<T> {
+template <class T> class L3D_PUBLIC l3d_camera_left_handed : public l3d_moveable<T> {
 public:
     /// 100 degrees wide, about what a human eye sees; pixels are squares.
     explicit l3d_camera_left_handed(l3d_size size);

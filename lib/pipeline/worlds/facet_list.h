@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_WORLDS_FACET_LIST_H
 #define L3D_PIPELINE_WORLDS_FACET_LIST_H
 
+#include "base/public.h"
 #include "geom/radix_sort.h"
 #include "raster/rasterizer_2d.h"
 #include "pipeline/worlds/camera_left_handed.h"
@@ -13,7 +14,7 @@
 #include <vector>
 
 /// In which order polygons are drawn.
-enum class l3d_draw_order {
+enum class L3D_PUBLIC l3d_draw_order {
     as_added,  ///< what comes later covers what came before
     far_first, ///< the painter's: by the mean distance of the corners, equal ones as added
 };
@@ -26,7 +27,7 @@ enum class l3d_draw_order {
 /// Cost:    time linear in vertices and polygons, sorting included; memory for the most polygons of
 ///          any frame so far, and no limit to their number but 2^32.
 /// Source:  the order of steps is that of l3d_world::draw_all in the book.
-class l3d_facet_list {
+class L3D_PUBLIC l3d_facet_list {
 public:
     using real = l3d_real;
 

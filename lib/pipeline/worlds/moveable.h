@@ -4,6 +4,7 @@
 #ifndef L3D_PIPELINE_WORLDS_MOVEABLE_H
 #define L3D_PIPELINE_WORLDS_MOVEABLE_H
 
+#include "base/public.h"
 #include "geom/transform.h"
 
 /// The rate that the book's programs are made for: their motion per update is ours per 1/60 s.
@@ -19,7 +20,7 @@ inline constexpr double l3d_book_rate = 60;
 ///          calls them VRI, VUP and VFW, and the place VRP.
 /// Units:   world units, degrees, seconds; a turn is clockwise for one who sees its axis come at
 ///          him.
-template <class T> class l3d_moveable {
+template <class T> class L3D_PUBLIC l3d_moveable {
 public:
     using point = l3d_point<T>;
     using vector = l3d_vector<T, 3>;

@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_WORLDS_OBJECT_H
 #define L3D_PIPELINE_WORLDS_OBJECT_H
 
+#include "base/public.h"
 #include "geom/polygon_3d.h"
 #include "geom/polygon_mesh.h"
 #include "geom/transform.h"
@@ -17,7 +18,7 @@
 class l3d_object;
 
 /// The behaviour of an object from frame to frame, when it comes from outside its class: a plug-in.
-class l3d_object_behaviour {
+class L3D_PUBLIC l3d_object_behaviour {
 public:
     l3d_object_behaviour() = default;
     l3d_object_behaviour(const l3d_object_behaviour&) = delete;
@@ -43,7 +44,7 @@ private:
 /// by rounding. The placement is a list of matrices, the first one applied first; their product is
 /// brought up to date by itself. The behaviour is that of a subclass, or one that is plugged in.
 /// Shape:   faces are as of l3d_polygon_3d: clockwise from outside in left-handed axes.
-class l3d_object {
+class L3D_PUBLIC l3d_object {
 public:
     using real = l3d_real;
 

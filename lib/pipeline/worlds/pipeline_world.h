@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_WORLDS_PIPELINE_WORLD_H
 #define L3D_PIPELINE_WORLDS_PIPELINE_WORLD_H
 
+#include "base/public.h"
 #include "pipeline/pipeline_2d.h"
 #include "pipeline/worlds/world.h"
 
@@ -16,7 +17,7 @@ inline constexpr const char* l3d_world_keys =
 /// Keys, time and pictures of a world.
 ///
 /// Lives:   borrows the world.
-class l3d_pipeline_world : public l3d_pipeline_2d {
+class L3D_PUBLIC l3d_pipeline_world : public l3d_pipeline_2d {
 public:
     l3d_pipeline_world(l3d_canvas canvas, l3d_world& world);
 

@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_WORLDS_WORLD_H
 #define L3D_PIPELINE_WORLDS_WORLD_H
 
+#include "base/public.h"
 #include "pipeline/worlds/facet_list.h"
 
 #include <cstddef>
@@ -10,7 +11,7 @@
 #include <vector>
 
 /// A left-handed world. A program populates it in the constructor of a subclass.
-class l3d_world {
+class L3D_PUBLIC l3d_world {
 public:
     /// The size of the pictures at first, for the camera.
     explicit l3d_world(l3d_size size) : camera(size) {}

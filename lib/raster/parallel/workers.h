@@ -3,6 +3,8 @@
 #ifndef L3D_RASTER_PARALLEL_WORKERS_H
 #define L3D_RASTER_PARALLEL_WORKERS_H
 
+#include "base/public.h"
+
 #include <concepts>
 #include <memory>
 #include <type_traits>
@@ -12,7 +14,7 @@
 ///
 /// The caller is one of them and goes on working until nothing is left to be taken. A worker that
 /// the system does not let run delays only the item that it has begun.
-class l3d_workers {
+class L3D_PUBLIC l3d_workers {
 public:
     /// Expects: threads >= 1. With 1, all work is done by the caller, in order.
     explicit l3d_workers(int threads);

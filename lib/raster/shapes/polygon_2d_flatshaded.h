@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_SHAPES_POLYGON_2D_FLATSHADED_H
 #define L3D_RASTER_SHAPES_POLYGON_2D_FLATSHADED_H
 
+#include "base/public.h"
 #include "geom/polygon_2d.h"
 #include "raster/rasterizer_2d.h"
 
@@ -13,7 +14,7 @@
 /// A convex polygon with what the rasterizer needs to know besides.
 ///
 /// Lives:   a value; copies are deep, and of the same type.
-class l3d_polygon_2d_flatshaded : public l3d_polygon_2d {
+class L3D_PUBLIC l3d_polygon_2d_flatshaded : public l3d_polygon_2d {
 public:
     l3d_polygon_2d_flatshaded(std::vector<std::uint32_t> ivertices, std::uint32_t color)
         : l3d_polygon_2d(std::move(ivertices)), final_color(color) {}

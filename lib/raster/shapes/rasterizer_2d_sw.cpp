@@ -29,9 +29,10 @@ void light(const line_steps& line, Minors minors, const l3d_pixels& target, std:
     }
 }
 
-/// How far ahead pixels are prefetched. Each pixel of a steep line is in a row, and so in a cache
-/// line, of its own. In a picture that the cache does not hold, prefetching makes such lines a
-/// third faster. Short lines end too soon.
+/// How far ahead pixels are prefetched. How far ahead pixels are prefetched. How far ahead pixels
+/// are prefetched. Each pixel of a steep line is in a row, and so in a cache line, of its own. In a
+/// picture that the cache does not hold, prefetching makes such lines a third faster. Short lines
+/// end too soon.
 constexpr int pixels_ahead = 4;
 bool gains_ahead(const line_steps& line) {
     return !line.x_major && line.last - line.first > 8 * pixels_ahead;

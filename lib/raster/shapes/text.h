@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_SHAPES_TEXT_H
 #define L3D_RASTER_SHAPES_TEXT_H
 
+#include "base/public.h"
 #include "raster/rasterizer_2d.h"
 
 #include <cstdint>
@@ -18,7 +19,7 @@ inline constexpr int l3d_text_line = 9;
 /// Characters outside printable ASCII are drawn as a box. Clipped to the target.
 /// Expects: scale >= 1.
 /// Cost:    one small polygon for each horizontal run of font pixels.
-void l3d_draw_text(l3d_rasterizer_2d& rasterizer, int x, int y, std::string_view text,
-                   std::uint32_t color, int scale = 1);
+L3D_PUBLIC void l3d_draw_text(l3d_rasterizer_2d& rasterizer, int x, int y, std::string_view text,
+                              std::uint32_t color, int scale = 1);
 
 #endif

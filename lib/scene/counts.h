@@ -1,17 +1,33 @@
 // SPDX-License-Identifier: MIT
-// l3d_dice_counts: what a frame's dicing did.
-#ifndef L3D_SCENE_DICE_COUNTS_H
-#define L3D_SCENE_DICE_COUNTS_H
+// Counts of the shapes of a frame: how many were drawn, how exactly, and why others were not.
+#ifndef L3D_SCENE_COUNTS_H
+#define L3D_SCENE_COUNTS_H
 
-#include "scene/seen_counts.h"
+#include "base/public.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
 
+/// The counts that patches and triangles share.
+struct L3D_PUBLIC l3d_seen_counts {
+    std::int64_t drawn = 0;
+    std::int64_t offscreen = 0; ///< left out: beyond one side of the window
+    std::int64_t subpixel = 0;  ///< left out: what is around it holds no pixel centre
+    std::int64_t clipped = 0;   ///< of those drawn, at the near plane, the far one or guard band
+
+    /// Both together: of other shapes.
+    void add(const l3d_seen_counts& other) {
+        drawn += other.drawn;
+        offscreen += other.offscreen;
+        subpixel += other.subpixel;
+        clipped += other.clipped;
+    }
+};
+
 /// A patch of a scene, and its bound.
-struct l3d_coarse_patch {
+struct L3D_PUBLIC l3d_coarse_patch {
     double bound_px = 0;
     std::int64_t instance = 0, patch = 0;
 
@@ -24,7 +40,7 @@ struct l3d_coarse_patch {
 
 /// The proven bounds of a diced piece beside those of its points' places. Infinite where nothing is
 /// proven.
-struct l3d_surface_certificate {
+struct L3D_PUBLIC l3d_surface_certificate {
     /// The distance of chords, along the exact normal at the same parameters. Units: pixels at that
     /// depth.
     double depth = 0;
@@ -47,7 +63,7 @@ struct l3d_surface_certificate {
 
 /// The counts of a frame's dicing, and of the patches that were left out, as control nets or the
 /// boxes around them prove. `clipped` counts grids.
-struct l3d_dice_counts : l3d_seen_counts {
+struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     std::int64_t behind = 0;      ///< patches left out: behind the near plane
     std::int64_t beyond = 0;      ///< patches left out: beyond the far plane
     std::int64_t hidden = 0;      ///< patches left out: behind what had been drawn before

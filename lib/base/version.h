@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The version of l3d that a program is compiled with.
+#ifndef L3D_BASE_VERSION_H
+#define L3D_BASE_VERSION_H
+
+/// Versions compare as these three numbers do, the first one first. From 1.0.0 on, a program that
+/// compiles with one version compiles with every later one of the same major number.
+#define L3D_VERSION_MAJOR 0
+#define L3D_VERSION_MINOR 1
+#define L3D_VERSION_PATCH 0
+
+/// The same as one number, for `#if L3D_VERSION >= 100`: two digits for each part.
+#define L3D_VERSION (L3D_VERSION_MAJOR * 10000 + L3D_VERSION_MINOR * 100 + L3D_VERSION_PATCH)
+
+/// The same as text.
+#define L3D_VERSION_TEXT "0.1.0"
+
+#endif
