@@ -65,8 +65,8 @@ struct l3d_vertex_accuracy {
 
 /// How far a vertex may be from the surface along the line of sight, beyond the error of its place.
 /// It adds the error of w and that of 1 / w as a float. That float is divided, scaled, interpolated
-/// and rounded, some four times 2^-24 of it. Units: pixels at the vertex' depth. Units: pixels at
-/// the vertex' depth. Units: pixels at the vertex' depth.
+/// and rounded, some four times 2^-24 of it.
+/// Units: pixels at the vertex' depth.
 inline double l3d_depth_vertex_error(const l3d_dice_view& view, double error_w, double w_low) {
     return view.focal * (error_w / w_low + 4 * 0x1p-24);
 }
