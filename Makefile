@@ -263,9 +263,9 @@ help: ## this list
 # ---- rules --------------------------------------------------------------------------------------
 
 # A file whose text changed is written while make reads: what depends on it is remade when flags or
-# lists do, and a dry run knows it.
+# lists do, and a dry run knows it. Neither a compiler's cache nor -Werror changes what it makes.
 remember = $(if $(subst x$(strip $(2))x,,x$(if $(wildcard $(1)),$(file <$(1)),none)x),$(shell mkdir -p $(dir $(1)))$(file >$(1),$(strip $(2))))
-$(call remember,$(OUT)/flags,$(LINK) $(FLAGS_lib) $(FLAGS_tests))
+$(call remember,$(OUT)/flags,$(filter-out ccache $(WERROR),$(LINK) $(FLAGS_lib) $(FLAGS_tests)))
 
 $(OUT)/%.o: %.cpp $(OUT)/flags | packages-build
 	$(call say,C++,$@)

@@ -94,6 +94,9 @@ public:
     bool parse(int argc, const char* const* argv);
     bool parse(int argc, const char* const* argv, std::ostream& out);
 
+    /// Whether the command line named an option; false for one that was never added.
+    bool given(const std::string& name) const;
+
     /// The name that titles and files get.
     const std::string& program() const { return program_; }
 
