@@ -25,6 +25,7 @@ enum l3d_key : int {
     l3d_key_f1, ///< up to l3d_key_f1 + 9; F11 is the event `fullscreen`
 };
 
+/// The things that can happen to a window.
 enum class L3D_PUBLIC l3d_event_type {
     key_press,
     key_release,
@@ -43,9 +44,10 @@ enum class L3D_PUBLIC l3d_event_type {
 
 /// One event. Fields that do not belong to the type are zero.
 struct L3D_PUBLIC l3d_event {
-    l3d_event_type type{};
-    int key = 0;      ///< key_*: ASCII code or l3d_key
-    int button = 0;   ///< button_*: 1 left, 2 middle, 3 right; pointer_motion: the button held
+    l3d_event_type type{}; ///< what happened
+    int key = 0;           ///< key_*: ASCII code or l3d_key
+    int button = 0;        ///< button_*: 1 left, 2 middle, 3 right; pointer_motion: the button held
+    /// Pointer position in pixels. Of a wheel, y is +1 away from the user, -1 towards.
     int x = 0, y = 0; ///< pointer position in pixels; wheel: y is +1 away from the user, -1 towards
     l3d_size size{};  ///< resize
 };
