@@ -227,7 +227,7 @@ pictures: packages-report packages-bench $(APPS) $(PLUGINS) $(DATA) $(OUT)/tests
 	for drawing in docs/pictures/*.dot; do dot -Tpng -Gdpi=90 $$drawing -o $${drawing%.dot}.png; done
 
 docs: packages-docs $(DOOR) ## the reference of all public headers; a public thing without a comment is an error
-	@mkdir -p $(BUILD)/docs
+	@rm -rf $(BUILD)/docs; mkdir -p $(BUILD)/docs
 	@L3D_VERSION_TEXT=$(VERSION) L3D_HEADERS=$(OUT)/include L3D_REFERENCE=$(BUILD)/docs doxygen docs/Doxyfile
 	@echo $(BUILD)/docs/html/index.html
 

@@ -39,9 +39,9 @@ function one_by_one(line, comment,    type, done, depth, i, c) {
     return done
 }
 
-FNR == 1 { is_top = 1; comment = ""; sub(/^\/\/ SPDX.*/, "/// \\file") }
+FNR == 1 { is_top = 1; comment = ""; sub(/^\/[\/*] SPDX.*/, "/// \\file") }
 
-FNR > 1 && is_top { is_top = sub(/^\/\/ /, "/// ") }
+FNR > 1 && is_top { is_top = sub(/^\/[\/*] /, "/// "); sub(/ \*\/$/, "") }
 
 / operator==\(.*= default;/ && comment == "" {
     sub(/friend/, "/** Whether all members are equal. */ friend")

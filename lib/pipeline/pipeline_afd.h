@@ -65,9 +65,10 @@ L3D_PUBLIC std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size
 /// and calls draw_event. A program with keys or things of its own to draw derives a class. A frame
 /// draws only what changed since the last one. If nothing changed, it draws nothing. If instances
 /// were only placed again and nothing is drawn on top, it draws the parts of the picture where they
-/// were or are. Expects: camera and settings of which l3d_afd_complaint has nothing to say, in
-/// every frame. Lives:   owns screen, workers, rasterizers and scene, and shares the models of the
-/// scene.
+/// were or are.
+///
+/// Expects: camera and settings of which l3d_afd_complaint has nothing to say, in every frame.
+/// Lives:   owns screen, workers, rasterizers and scene, and shares the models of the scene.
 /// Cost:    filled surfaces allocate nothing once the largest frame has been seen.
 class L3D_PUBLIC l3d_pipeline_afd : public l3d_pipeline {
 public:

@@ -34,7 +34,10 @@ using l3d_outline_2d = std::span<const l3d_point_2d>;
 /// The fill rule: which points are inside of outlines that cross themselves or each other. Either
 /// outlines wind around such a point, clockwise less anticlockwise, not zero times; or an odd
 /// number of times.
-enum class L3D_PUBLIC l3d_winding { nonzero, even_odd };
+enum class L3D_PUBLIC l3d_winding {
+    nonzero, ///< clockwise less anticlockwise, not zero times
+    even_odd ///< an odd number of times
+};
 
 /// The drawing operations that each kind of output implements. Programs hold the l3d_rasterizer_2d
 /// in front of it.

@@ -43,8 +43,6 @@ struct L3D_PUBLIC l3d_shading {
     /// From the eye through the picture's top left corner, and what a pixel to the right and one
     /// down add to that. World space, any length. All zero if normals are turned to the eye
     /// already.
-    /// The directions of the eye's rays: of the first pixel, and what one to the right and one down
-    /// add.
     std::array<float, 3> ray{0, 0, -1}, ray_right{}, ray_down{};
 
     bool keep_unit_normals = false; ///< lambert: one in each pixel, even where less would do

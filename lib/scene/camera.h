@@ -37,7 +37,8 @@ struct L3D_PUBLIC l3d_camera {
 
     /// Unit vectors to the right, up and forward in the picture.
     struct frame {
-        vector right, up, forward; ///< three perpendicular unit vectors in world space
+        /// Three perpendicular unit vectors in world space.
+        vector right, up, forward;
     };
     /// The axes of the picture in the world. Expects: is_valid().
     frame axes() const;

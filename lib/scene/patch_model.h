@@ -93,8 +93,7 @@ public:
     /// Whether it is proven to be a body, and where its normals point: l3d_orientation_of.
     int orientation() const;
 
-    /// The box of all control points.
-    /// The corner of that box with the smallest x, y and z.
+    /// The corner of the box of all control points with the smallest x, y and z.
     const vector& least() const;
     /// The corner of that box with the largest x, y and z.
     const vector& most() const;

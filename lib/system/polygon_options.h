@@ -11,7 +11,12 @@
 #include "system/options.h"
 
 /// The pipeline, which finds out what is in front.
-enum class L3D_PUBLIC l3d_pipeline_kind { afd, zsort, zbuffer, mesa };
+enum class L3D_PUBLIC l3d_pipeline_kind {
+    afd,     ///< patches by adaptive forward differencing
+    zsort,   ///< triangles from far to near, cut where no order is right
+    zbuffer, ///< triangles with a depth buffer
+    mesa     ///< triangles by OpenGL in memory
+};
 
 /// Options for pipeline, projection and style, beside those that patches and polygons share.
 ///

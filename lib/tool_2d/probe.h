@@ -11,7 +11,11 @@
 /// A thing that --diagnose prints a line about.
 struct L3D_PUBLIC l3d_probe {
     /// How far it serves.
-    enum class verdict { good, limited, bad };
+    enum class verdict {
+        good,    ///< nothing is missing
+        limited, ///< it serves, but not as well as it could
+        bad      ///< it does not serve
+    };
 
     std::string what;                ///< "MIT-SHM", "visual"
     std::string result;              ///< what was found, or why nothing was

@@ -89,7 +89,7 @@ struct L3D_PUBLIC l3d_screen_request {
 struct L3D_PUBLIC l3d_service {
     /// How well, from best to worst.
     enum class level {
-        fully,
+        fully,        ///< it serves as its name says
         partly,       ///< it serves, but another way than its name says
         not_here,     ///< it cannot serve, and another display would not help
         no_display,   ///< there is no display that answers

@@ -16,12 +16,12 @@
 /// How a display finds the colour of a pixel. It looks in a map of colours or grays, or uses masks;
 /// in a direct_color one, it uses masks and a map for each channel. Static maps cannot be changed.
 enum class L3D_PUBLIC l3d_color_class {
-    static_gray,
-    gray_scale,
-    static_color,
-    pseudo_color,
-    true_color,
-    direct_color,
+    static_gray,  ///< grays in a map that cannot be changed
+    gray_scale,   ///< grays in a map that can be changed
+    static_color, ///< colours in a map that cannot be changed
+    pseudo_color, ///< colours in a map that can be changed
+    true_color,   ///< masks: the usual display of today
+    direct_color, ///< masks, and a map for each channel
 };
 
 /// The name of a class as X spells it, "TrueColor".

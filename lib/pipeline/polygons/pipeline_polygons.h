@@ -23,7 +23,7 @@ class l3d_polygon_wires;
 
 /// The parts of faces that are shown.
 enum class L3D_PUBLIC l3d_polygon_style {
-    solid,
+    solid,        ///< faces, filled
     wireframe,    ///< the sides of all faces, of culled ones not
     hidden_lines, ///< the sides, without what faces hide
 };

@@ -1,5 +1,5 @@
-/** SPDX-License-Identifier: MIT */
-/** The interface between programs and object plug-ins, in C: all that the two sides share. */
+/* SPDX-License-Identifier: MIT */
+/* The interface between programs and object plug-ins, in C: all that the two sides share. */
 #ifndef L3D_PIPELINE_WORLDS_OBJECT_PLUGIN_H
 #define L3D_PIPELINE_WORLDS_OBJECT_PLUGIN_H
 
@@ -63,6 +63,7 @@ typedef struct l3d_plugin_interface {
     void (*destroy)(void* data);
 } l3d_plugin_interface;
 
+/** The name that a plug-in's interface has in its library. */
 #define L3D_PLUGIN_SYMBOL "l3d_plugin"
 
 #ifdef __cplusplus
