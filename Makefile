@@ -171,7 +171,8 @@ say   = $(if $(V),,@$(progress) printf '  %-5s %s\n' $(1) $(2:$(OUT)/%=%))
 # As many processes as processors, unless the user said how many; one more for checks, many of which
 # wait for somebody.
 jobs  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell expr $$(nproc 2>/dev/null || echo 2) + $(1)))
-again = $(MAKE) $(call jobs,0)
+# Silent of what is up to date.
+again = $(MAKE) $(if $(V),,-s) $(call jobs,0)
 count = rm -f $(OUT)/steps; steps=$$($(MAKE) -n STEPS=1 $(1) 2>/dev/null | grep -c '^echo >> $(OUT)/steps')
 build = $(call count,$(1)); $(again) STEPS=$$steps $(1)
 judge = rm -f $(1); $(MAKE) $(call jobs,1) -k $(1) || true; awk -f tests/lint/summary.awk $(1)
@@ -268,7 +269,7 @@ help: ## this list
 
 # A file whose text changed is written while make reads: what depends on it is remade when flags or
 # lists do, and a dry run knows it.
-remember = $(if $(subst x$(strip $(2))x,,x$(file <$(1))x),$(shell mkdir -p $(dir $(1)))$(file >$(1),$(strip $(2))))
+remember = $(if $(subst x$(strip $(2))x,,x$(if $(wildcard $(1)),$(file <$(1)),none)x),$(shell mkdir -p $(dir $(1)))$(file >$(1),$(strip $(2))))
 $(call remember,$(OUT)/flags,$(LINK) $(FLAGS_lib) $(FLAGS_tests))
 
 $(OUT)/%.o: %.cpp $(OUT)/flags | packages-build

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A plug-in that does what its parameters say, and most of them are wrong.
-#include "pipeline/worlds/object_plugin.h"
+#include <l3d/object_plugin.h>
 
 #include <cmath>
 #include <cstring>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A plug-in with nothing behind its interface.
-#include "pipeline/worlds/object_plugin.h"
+#include <l3d/object_plugin.h>
 
 extern "C" const l3d_plugin_interface l3d_plugin;
 const l3d_plugin_interface l3d_plugin{

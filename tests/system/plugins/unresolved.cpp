@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A plug-in that calls what nobody defines.
-#include "pipeline/worlds/object_plugin.h"
+#include <l3d/object_plugin.h>
 
 extern "C" void l3d_nobody_defines_this(void* data, double seconds);
 
