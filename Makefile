@@ -161,7 +161,7 @@ MAKEFLAGS += -rR --no-print-directory
 .SECONDEXPANSION:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: FORCE all run test stress stability matrix lint $(CHECKS) tidy format golden pictures bench report \
+.PHONY: FORCE all run test stress stability matrix lint $(CHECKS) tidy format golden pictures docs bench report \
         fuzz fuzz-each packages hooks clean help
 
 Q    := $(if $(V),,@)
@@ -226,6 +226,11 @@ pictures: packages-report packages-bench $(APPS) $(PLUGINS) $(DATA) $(OUT)/tests
 	$(OUT)/tests/bench/fixed_failure_bench docs/pictures/fixed_16_16.png
 	gnuplot docs/report/peers.gp
 	for drawing in docs/pictures/*.dot; do dot -Tpng -Gdpi=90 $$drawing -o $${drawing%.dot}.png; done
+
+docs: packages-docs $(DOOR) ## the reference of all public headers; a public thing without a comment is an error
+	@rm -rf $(BUILD)/docs; mkdir -p $(BUILD)/docs
+	@L3D_VERSION_TEXT=$(VERSION) L3D_HEADERS=$(OUT)/include L3D_REFERENCE=$(BUILD)/docs doxygen docs/Doxyfile
+	@echo $(BUILD)/docs/html/index.html
 
 bench: packages-bench ## build and run the benchmarks
 	@$(again) $(BENCHES) $(APPS)
