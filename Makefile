@@ -152,7 +152,7 @@ MADE_FIRST = $(TESTERS) $(STABILITY) $(APPS) $(PLUGINS) $(DATA) \
 TEST_LOGS := $(if $(filter install,$(WITH)),$(OUT)/log/installcheck.log) \
              $(if $(filter stress,$(WITH)),$(STRESS_LOGS)) $(tested:%=$(OUT)/log/%.log) \
              $(SCRIPTS:tests/%=$(OUT)/log/%.log) $(OUT)/log/stability.log $(OUT)/log/layers.log \
-             $(OUT)/log/fail.log $(OUT)/log/front-door.log
+             $(OUT)/log/fail.log $(OUT)/log/front-door.log $(OUT)/log/sentences.log
 
 # ---- targets ------------------------------------------------------------------------------------
 

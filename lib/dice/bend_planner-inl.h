@@ -16,21 +16,21 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// A chord of step h is off, along the normal at its own parameter, by what second derivatives
-/// there say and by h^3 of the third ones times this at most, the largest value of s (1 - s) ((1 -
-/// 2 s) / 6 + l3d_balance): one end of it is moved, or both, or none.
+/// What third derivatives add to the error of a chord along the normal, over h^3 of them at most:
+/// the largest value of s (1 - s) ((1 - 2 s) / 6 + l3d_balance). It holds if one end of the chord
+/// is moved, or both, or none.
 constexpr double of_moved_thirds = 0.0322;
 
-/// A difference over a step h of a cubic is h times its derivative at any point of the step, h^2
-/// times the second one there times the first number at most, and h^3 times the third one times the
-/// second: with s the point's place, (1 - 2 s) / 2 and ((1 - s)^3 + s^3) / 6, and l3d_balance more
-/// where ends are moved.
+/// A cubic's difference over a step h is h times its derivative at any point of the step. To this,
+/// h^2 times the second derivative adds at most the first number times that, and h^3 times the
+/// third one at most the second. With s the point's place these are (1 - 2 s) / 2 and
+/// ((1 - s)^3 + s^3) / 6, and l3d_balance more where ends are moved.
 constexpr double of_difference_second = 1.0 / 2 + l3d_balance;
 constexpr double of_difference_third = 1.0 / 6 + l3d_balance;
 
-/// Fourth derivatives, two by each parameter, count with h_u^2 h_v^2 times this: 1/64 of chords, 2
-/// l3d_balance / 8 of moved chords, l3d_balance^2 of both moved, and a quarter of what they make of
-/// the corners' mixed difference.
+/// Fourth derivatives, two by each parameter, count with h_u^2 h_v^2 times this. Chords make 1/64,
+/// moved chords 2 l3d_balance / 8, and both moved l3d_balance^2. The corners' mixed difference
+/// counts with a quarter.
 constexpr double of_fourths = 1.0 / 64 + l3d_balance / 4 + l3d_balance * l3d_balance +
                               of_difference_second * of_difference_second / 4;
 

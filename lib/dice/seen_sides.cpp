@@ -246,8 +246,9 @@ HWY_ATTR void turn_normals(float* away, l3d_micro_grid& grid) {
     });
 }
 
-/// What the middles of sides to other vertices are above the mean of both ends, times the side that
-/// is seen; 0 where the ends show different sides, as nothing is known of what is between.
+/// Turns the levels of vertices and the bends of sides to the side of the surface that is seen. A
+/// bend is how far a side's middle is above the mean of its ends. It is 0 where the ends show
+/// different sides of the surface, as nothing is known of what is between.
 HWY_ATTR void turn_levels(float* away, const float* level, l3d_micro_grid& grid) {
     const float all = only_side(grid, away);
     if (all == 0)

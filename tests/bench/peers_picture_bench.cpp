@@ -2,10 +2,10 @@
 // l3d against Mesa's llvmpipe and against Embree where their pictures are as wrong as ours.
 //
 // The picture's error is the root mean square of its differences in grey levels from the exact
-// picture: whatever a side does wrong, in place, depth or shade, counts by what it does to pixels.
-// It is taken over all pixels, of which those at outlines have the most to say, and over those
-// inside one surface, where shade has; for either, the peers get the mesh with which their picture
-// is as wrong as ours. All is timed as in peers_bench; ours is lambert.
+// picture. So errors of place, depth and shade count by what they do to pixels. It is taken over
+// all pixels, where outlines weigh most, and over those inside one surface, where shade weighs
+// most. For either, the peers get the mesh with which their picture is as wrong as ours. All is
+// timed as in peers_bench; ours is lambert.
 #include "bench/peer_timing.h"
 #include "bench/picture_plan.h"
 #include "geom/teapot.h"

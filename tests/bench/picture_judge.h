@@ -20,9 +20,9 @@ struct picture_error {
 
 /// The exact picture of a model, lit as the library does unless it is told otherwise.
 ///
-/// A pixel lies inside one surface if the exact picture covers all pixels up to two away from it,
-/// and the surface points seen in them lie in its tangent plane and it in theirs, to one pixel: no
-/// outline is near, neither of the model nor of one part before another.
+/// A pixel lies inside one surface if the exact picture covers all pixels up to two away from it.
+/// The surface points seen in them must also lie in its tangent plane and it in theirs, to one
+/// pixel. So no outline is near, neither of the model nor of one part before another.
 /// Cost: as reference::exact_image.
 class picture_judge {
 public:

@@ -77,9 +77,8 @@ struct verdict {
     std::string where;
 };
 
-/// Let the sheet at distance w be off by d along its normal, and D be how far the other sheet's
-/// point is from its tangent plane: along the line of sight it is off by d / D of what is between
-/// both. So there is no doubt where d / D, summed up over both sheets, is less than 1: for parallel
+/// Let the sheet at distance w be off by d along its normal, and let the other sheet's point be D
+/// from its tangent plane. Along the line of sight it is off by d / D of what is between both. So there is no doubt where d / D, summed up over both sheets, is less than 1: for parallel
 /// ones, where they are 2 d apart.
 void judge(const dice_tests::scene& s, const l3d_afd_settings& settings, verdict& sum) {
     l3d_patch_scene world;

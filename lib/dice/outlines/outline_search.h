@@ -33,8 +33,8 @@ public:
                        l3d_outline_mask& mask);
 
     /// Shape: patch and normals in one space, with the eye in it; `sides` as l3d_patch_sides has
-    ///        them; `share` as l3d_dice_view::share_of of the patch's own points, for what is far
-    ///        away is known less well than what is near.
+    ///        them; `share` as l3d_dice_view::share_of of the patch's own points. Far patches are
+    ///        known less well than near ones.
     void add(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals,
              const l3d_vector<double, 3>& eye, const l3d_image_patch& net, unsigned sides,
              double share);
