@@ -161,7 +161,7 @@ MAKEFLAGS += -rR --no-print-directory
 .SECONDEXPANSION:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: FORCE all run test stress stability matrix lint $(CHECKS) tidy format golden pictures bench report \
+.PHONY: FORCE all run test stress stability matrix lint $(CHECKS) tidy format golden pictures docs bench report \
         fuzz fuzz-each packages hooks clean help
 
 Q    := $(if $(V),,@)
@@ -227,6 +227,11 @@ pictures: packages-report packages-bench $(APPS) $(PLUGINS) $(DATA) $(OUT)/tests
 	gnuplot docs/report/peers.gp
 	for drawing in docs/pictures/*.dot; do dot -Tpng -Gdpi=90 $$drawing -o $${drawing%.dot}.png; done
 
+docs: packages-docs $(DOOR) ## the reference of all public headers; a public thing without a comment is an error
+	@rm -rf $(BUILD)/docs; mkdir -p $(BUILD)/docs
+	@L3D_VERSION_TEXT=$(VERSION) L3D_HEADERS=$(OUT)/include L3D_REFERENCE=$(BUILD)/docs doxygen docs/Doxyfile
+	@echo $(BUILD)/docs/html/index.html
+
 bench: packages-bench ## build and run the benchmarks
 	@$(again) $(BENCHES) $(APPS)
 	@set -e; for bench in $(BENCHES); do $$bench $(ARGS); done
@@ -263,9 +268,9 @@ help: ## this list
 # ---- rules --------------------------------------------------------------------------------------
 
 # A file whose text changed is written while make reads: what depends on it is remade when flags or
-# lists do, and a dry run knows it.
+# lists do, and a dry run knows it. Neither a compiler's cache nor -Werror changes what it makes.
 remember = $(if $(subst x$(strip $(2))x,,x$(if $(wildcard $(1)),$(file <$(1)),none)x),$(shell mkdir -p $(dir $(1)))$(file >$(1),$(strip $(2))))
-$(call remember,$(OUT)/flags,$(LINK) $(FLAGS_lib) $(FLAGS_tests))
+$(call remember,$(OUT)/flags,$(filter-out ccache $(WERROR),$(LINK) $(FLAGS_lib) $(FLAGS_tests)))
 
 $(OUT)/%.o: %.cpp $(OUT)/flags | packages-build
 	$(call say,C++,$@)

@@ -42,3 +42,4 @@ PACKAGES_fuzz   := $(PACKAGES_matrix)
 PACKAGES_bench  := libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so \
     libembree-dev:embree3/rtcore.h xvfb:Xvfb libbenchmark-dev:benchmark/benchmark.h
 PACKAGES_report := gnuplot-nox:gnuplot graphviz:dot
+PACKAGES_docs   := doxygen:doxygen

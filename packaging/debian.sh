@@ -11,7 +11,10 @@ cd debian
 cp "../l3d-$1.tar.gz" "l3d_$1.orig.tar.gz"
 tar xf "l3d_$1.orig.tar.gz"
 cp -r "$here/debian" "l3d-$1/"
-(cd "l3d-$1" && dpkg-buildpackage -us -uc > ../build.log 2>&1) || { tail -40 build.log; exit 1; }
+# Some ten minutes: what is built is shown, all else goes to the log.
+{ (cd "l3d-$1" && dpkg-buildpackage -us -uc 2>&1) || touch failed; } | tee build.log |
+    grep --line-buffered -E '^\[[0-9]+/[0-9]+\]|^ *dh_|^ dpkg-' || true
+[ ! -e failed ] || { tail -40 build.log; exit 1; }
 ls ./*.deb
 # There is no bug for it to close: nobody has asked Debian for it yet.
 lintian --fail-on error,warning --info --suppress-tags initial-upload-closes-no-bugs ./*.changes

@@ -12,6 +12,10 @@ SONAME      := lib$(NAME).so.$(ABI)
 # The book's programs have names that others have, too: objcopy is binutils', hello GNU's.
 PLAIN       := teapot_afd modelview drawdot
 installed    = $(strip $(patsubst %,l3d-%,$(filter-out $(PLAIN),$(1))) $(filter $(PLAIN),$(1)))
+# Installed programs share one copy of the library, found from their own place. Those that look
+# inside have theirs: the shared library exports nothing private.
+SHARING     := $(filter-out $(apps_with_compare),$(apps))
+installable  = $(if $(filter $(1),$(SHARING)),$(OUT)/sharing/$(1),$(OUT)/bin/$(1))
 PAGES       := $(patsubst %,$(OUT)/man/%.1,$(call installed,$(apps)))
 # What shells and desktops want to know of the programs.
 BASH_WORDS  := $(patsubst %,$(OUT)/completion/bash/%,$(call installed,$(apps)))
@@ -35,9 +39,9 @@ install: install-programs ## PREFIX=/usr/local DESTDIR=: libraries (REALS="float
 
 put = install -d $(DESTDIR)$(2) && install -m $(1) $(3) $(DESTDIR)$(2)
 
-install-programs: $(APPS) $(PLUGINS) $(DATA) $(PAGES) $(BASH_WORDS) $(ZSH_WORDS) $(ICON)
+install-programs: $(foreach a,$(apps),$(call installable,$(a))) $(PLUGINS) $(DATA) $(PAGES) $(BASH_WORDS) $(ZSH_WORDS) $(ICON)
 	$(Q)install -d $(DESTDIR)$(BINDIR)
-	$(Q)$(foreach a,$(apps),install -m 755 $(OUT)/bin/$(a) \
+	$(Q)$(foreach a,$(apps),install -m 755 $(call installable,$(a)) \
 	    $(DESTDIR)$(BINDIR)/$(call installed,$(a)) &&) true
 	$(Q)$(call put,644,$(PLUGINDIR),$(filter-out $(TEST_PLUGINS),$(PLUGINS)))
 	$(Q)$(call put,644,$(SHAREDIR)/l3d,$(DATA))
@@ -93,6 +97,12 @@ $(SHARED): $(objects_library) $(OUT)/list/library packaging/l3d.map
 	$(Q)$(LINK) -shared -Wl,-soname,$(SONAME) -Wl,--version-script=packaging/l3d.map \
 	    -Wl,-z,defs -Wl,-Bsymbolic-functions \
 	    $(filter %.o,$^) $(call links,$(LAYERS)) -o $@
+
+# Where the loader looks anyway nothing needs to be said.
+run_path = $(if $(filter /usr/lib%,$(LIBDIR)),,-Wl,-rpath,'$$ORIGIN/$(shell realpath -ms --relative-to=$(BINDIR) $(LIBDIR))')
+$(SHARING:%=$(OUT)/sharing/%): $(OUT)/sharing/%: $$(objects_apps/$$*) $(SHARED) $(OUT)/list/apps/% $(OUT)/place
+	$(call say,LINK,$@)
+	$(Q)mkdir -p $(@D); $(LINK) $(filter %.o,$^) $(SHARED) $(run_path) -o $@
 
 $(call remember,$(OUT)/place,$(PREFIX) $(LIBDIR) $(INCLUDEDIR))
 

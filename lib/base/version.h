@@ -6,7 +6,9 @@
 /// Versions compare as these three numbers do, the first one first. From 1.0.0 on, a program that
 /// compiles with one version compiles with every later one of the same major number.
 #define L3D_VERSION_MAJOR 0
+/// The second number: counted up when something is added or, before 1.0, changed.
 #define L3D_VERSION_MINOR 1
+/// The third number: counted up when something is mended and nothing else differs.
 #define L3D_VERSION_PATCH 0
 
 /// The same as one number, for `#if L3D_VERSION >= 100`: two digits for each part.

@@ -43,8 +43,9 @@ template <class T> constexpr void l3d_to_powers(T& a, T& b, T& c, T& d) {
 ///
 /// Shape: four control points, parameter t in [0, 1].
 template <class T, int N> struct L3D_PUBLIC l3d_bezier_curve {
+    /// A control point, or a point of the curve.
     using point = l3d_vector<T, N>;
-    std::array<point, 4> points;
+    std::array<point, 4> points; ///< the first and the last one lie on the curve
 
     /// The point at t, by de Casteljau's scheme (six interpolations).
     /// Source: de Casteljau 1959; Farin, Curves and Surfaces for CAGD, section 4.2.
@@ -67,6 +68,7 @@ template <class T, int N> struct L3D_PUBLIC l3d_bezier_curve {
         return result;
     }
 
+    /// The same curve, run through from its end: t becomes 1 - t.
     l3d_bezier_curve reversed() const { return {{points[3], points[2], points[1], points[0]}}; }
 
     /// The halves [0, 1/2] and [1/2, 1]. Reversing the curve reverses and exchanges the halves

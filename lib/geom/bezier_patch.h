@@ -18,14 +18,19 @@
 /// Rational form: with homogeneous control points (N = 4: x w, y w, z w, w) the same class is a
 /// rational patch. l3d_projected and l3d_rational_derivatives return to three dimensions.
 template <class T, int N> struct L3D_PUBLIC l3d_bezier_patch {
+    /// A control point, or a point of the surface.
     using point = l3d_vector<T, N>;
+    /// A line of the surface along u or v, or a row or column of the control net.
     using curve = l3d_bezier_curve<T, N>;
-    std::array<point, 16> points;
+    std::array<point, 16> points; ///< the control net, row by row
 
+    /// Where a control point is in `points`. Expects: 0 <= row, column < 4.
     static constexpr std::size_t index(int row, int column) {
         return 4 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column);
     }
+    /// A control point. Expects: as index.
     const point& at(int row, int column) const { return points[index(row, column)]; }
+    /// A control point, to be changed. Expects: as index.
     point& at(int row, int column) { return points[index(row, column)]; }
 
     /// Control points of one row (v index fixed) as a curve in u.

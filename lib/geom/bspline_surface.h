@@ -15,10 +15,13 @@
 /// Shape: the number of control points along it is points(); knots do not decrease, and
 ///        knots[degree] <= from < to <= knots[points()].
 struct L3D_PUBLIC l3d_bspline_direction {
-    int degree = 0;
-    std::vector<double> knots;
+    int degree = 0; ///< of the polynomials between knots; 3 for cubic ones
+    std::vector<double>
+        knots; ///< parameters where the polynomials meet, each as often as it counts
+    /// The range of the parameter that is part of the surface.
     double from = 0, to = 0;
 
+    /// The number of control points along this direction.
     std::size_t points() const { return knots.size() - static_cast<std::size_t>(degree) - 1; }
 
     /// Spans between different knots within [from, to]: the Bezier segments along this direction.

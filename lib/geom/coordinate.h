@@ -16,6 +16,7 @@
 template <class T> struct L3D_PUBLIC l3d_coordinate {
     /// Uninitialised, as a point is.
     l3d_coordinate() = default;
+    /// A vertex that is defined there, and not moved yet.
     explicit l3d_coordinate(const l3d_point<T>& place) : original(place) { reset(); }
 
     /// Forgets all transformations.
@@ -33,11 +34,11 @@ template <class T> struct L3D_PUBLIC l3d_coordinate {
         transformed = l3d_transformed(matrix, transformed);
     }
 
-    l3d_point<T> original;
+    l3d_point<T> original;    ///< where it is defined, before any transformation
     l3d_point<T> transformed; ///< in the end a position in the picture, in pixels
     /// For programs that need places between the two again, in camera space for example.
     std::array<l3d_point<T>, 2> transformed_intermediates;
-    int transform_stage = 0;
+    int transform_stage = 0; ///< the last one that was done; 0 for none
 };
 
 /// The vertices of one or several polygons.

@@ -101,15 +101,19 @@ class L3D_PUBLIC l3d_fixed {
     static constexpr wide one = wide{1} << FractionBits;
 
 public:
+    /// The integer that holds a number.
     using storage = Storage;
-    static constexpr int fraction_bits = FractionBits;
-    static constexpr l3d_overflow overflow = Overflow;
+    static constexpr int fraction_bits = FractionBits; ///< the binary digits after the point
+    static constexpr l3d_overflow overflow = Overflow; ///< what becomes of results out of range
 
+    /// Uninitialised, as an int is.
     l3d_fixed() = default;
 
+    /// A whole number. Errors: out of range as Overflow says.
     explicit constexpr l3d_fixed(int value) noexcept
         : l3d_fixed(of_wide(static_cast<l3d_detail::int128>(value) * one)) {}
 
+    /// The nearest number that has this format. Errors: out of range as Overflow says.
     explicit constexpr l3d_fixed(double value) noexcept : raw_(raw_of(value)) {}
 
     /// From another format: exact if it fits, else rounded and brought in range by Overflow.
@@ -122,16 +126,20 @@ public:
             *this = of_wide(raw * (l3d_detail::int128{1} << (FractionBits - F)));
     }
 
+    /// The number that is stored as this integer.
     static constexpr l3d_fixed from_raw(Storage raw) noexcept {
         l3d_fixed result;
         result.raw_ = raw;
         return result;
     }
+    /// The integer that the number is stored as.
     constexpr Storage raw() const noexcept { return raw_; }
 
+    /// The number of this format that is farthest below zero.
     static constexpr l3d_fixed min() noexcept {
         return from_raw(std::numeric_limits<Storage>::min());
     }
+    /// The largest number of this format.
     static constexpr l3d_fixed max() noexcept {
         return from_raw(std::numeric_limits<Storage>::max());
     }
@@ -142,30 +150,38 @@ public:
     explicit constexpr operator double() const noexcept {
         return static_cast<double>(raw_) / static_cast<double>(one);
     }
+    /// The next whole number at or below.
     constexpr std::int64_t floor_to_int() const noexcept { return raw_ >> FractionBits; }
+    /// The nearest whole number, of two equally near the even one.
     constexpr std::int64_t round_to_int() const noexcept {
         return static_cast<std::int64_t>(l3d_detail::shifted_to_nearest(wide{raw_}, FractionBits));
     }
 
+    /// By value.
     // The check takes the zero that the compiler compares with for a null pointer.
     // NOLINTNEXTLINE(modernize-use-nullptr)
     friend constexpr auto operator<=>(l3d_fixed, l3d_fixed) = default;
 
+    /// The sum, exact if it is in range.
     friend constexpr l3d_fixed operator+(l3d_fixed a, l3d_fixed b) noexcept {
         if constexpr (Overflow == l3d_overflow::wrap)
             return of_bits(static_cast<bits>(a.raw_) + static_cast<bits>(b.raw_));
         return of_wide(wide{a.raw_} + b.raw_);
     }
+    /// The difference, exact if it is in range.
     friend constexpr l3d_fixed operator-(l3d_fixed a, l3d_fixed b) noexcept {
         if constexpr (Overflow == l3d_overflow::wrap)
             return of_bits(static_cast<bits>(a.raw_) - static_cast<bits>(b.raw_));
         return of_wide(wide{a.raw_} - b.raw_);
     }
+    /// The number with the other sign; that of min() is out of range.
     constexpr l3d_fixed operator-() const noexcept { return from_raw(0) - *this; }
 
+    /// The product, to nearest.
     friend constexpr l3d_fixed operator*(l3d_fixed a, l3d_fixed b) noexcept {
         return of_wide(l3d_detail::shifted_to_nearest(wide{a.raw_} * b.raw_, FractionBits));
     }
+    /// The quotient, to nearest; that by zero as said above.
     friend constexpr l3d_fixed operator/(l3d_fixed a, l3d_fixed b) noexcept {
         if (b.raw_ == 0)
             return divided_by_zero(a.raw_);
@@ -182,13 +198,20 @@ public:
     friend constexpr l3d_fixed operator>>(l3d_fixed a, int count) noexcept {
         return count == 0 ? a : of_wide(l3d_detail::shifted_to_nearest(wide{a.raw_}, count));
     }
+    /// Half of it, to nearest.
     constexpr l3d_fixed halved() const noexcept { return *this >> 1; }
 
+    /// Adds, as + does.
     constexpr l3d_fixed& operator+=(l3d_fixed b) noexcept { return *this = *this + b; }
+    /// Subtracts, as - does.
     constexpr l3d_fixed& operator-=(l3d_fixed b) noexcept { return *this = *this - b; }
+    /// Multiplies, as * does.
     constexpr l3d_fixed& operator*=(l3d_fixed b) noexcept { return *this = *this * b; }
+    /// Divides, as / does.
     constexpr l3d_fixed& operator/=(l3d_fixed b) noexcept { return *this = *this / b; }
+    /// Doubles it `count` times, as << does.
     constexpr l3d_fixed& operator<<=(int count) noexcept { return *this = *this << count; }
+    /// Halves it, rounded once, as >> does.
     constexpr l3d_fixed& operator>>=(int count) noexcept { return *this = *this >> count; }
 
 private:
@@ -226,7 +249,9 @@ private:
     Storage raw_;
 };
 
+/// Whether T is an l3d_fixed.
 template <class T> inline constexpr bool l3d_is_fixed = false;
+/// Every l3d_fixed is one.
 template <class S, int F, l3d_overflow O>
 inline constexpr bool l3d_is_fixed<l3d_fixed<S, F, O>> = true;
 
@@ -244,17 +269,20 @@ template <class Fixed> class L3D_PUBLIC l3d_fixed_sum {
     using wide = l3d_detail::wide<typename Fixed::storage>;
 
 public:
+    /// Adds a * b, unrounded.
     constexpr void add_product(Fixed a, Fixed b) noexcept {
         const wide product = wide{a.raw()} * b.raw();
         if (__builtin_add_overflow(low_, product, &low_))
             turns_ += product < 0 ? -1 : 1;
     }
+    /// Subtracts a * b, unrounded.
     constexpr void subtract_product(Fixed a, Fixed b) noexcept {
         const wide product = wide{a.raw()} * b.raw();
         if (__builtin_sub_overflow(low_, product, &low_))
             turns_ += product < 0 ? 1 : -1;
     }
 
+    /// The sum in Fixed's format, to nearest.
     constexpr Fixed rounded() const noexcept {
         using storage = typename Fixed::storage;
         // Wrap needs no turns_: the bits it keeps, fraction_bits and up, are all in low_.

@@ -17,14 +17,19 @@ public:
     /// Uninitialised, as a number is; l3d_matrix<T>{} is all zero.
     l3d_matrix() = default;
 
+    /// A number, to be changed. Expects: 0 <= row, column < 4.
     T& operator()(int row, int column) noexcept { return columns_[column][row]; }
+    /// A number. Expects: 0 <= row, column < 4.
     const T& operator()(int row, int column) const noexcept { return columns_[column][row]; }
 
+    /// The four numbers of a row. Expects: 0 <= i < 4.
     l3d_vector<T, 4> row(int i) const noexcept {
         return {columns_[0][i], columns_[1][i], columns_[2][i], columns_[3][i]};
     }
+    /// The four numbers of a column: the image of axis i, or of the origin. Expects: 0 <= i < 4.
     l3d_vector<T, 4> column(int i) const noexcept { return columns_[i]; }
 
+    /// Takes a column of coordinates through the map.
     friend l3d_vector<T, 4> operator*(const l3d_matrix& m, const l3d_vector<T, 4>& v) noexcept {
         if constexpr (l3d_is_fixed<T>) {
             l3d_vector<T, 4> result;
@@ -37,6 +42,7 @@ public:
         }
     }
 
+    /// The map that does b first, then a.
     friend l3d_matrix operator*(const l3d_matrix& a, const l3d_matrix& b) noexcept {
         l3d_matrix result;
         for (int i = 0; i < 4; ++i)

@@ -9,7 +9,7 @@
 
 /// How the hole is treated where a mesh was cut.
 enum class L3D_PUBLIC l3d_cut_end {
-    open,
+    open,   ///< the cut is left as it is: one can look in
     capped, ///< a face closes each loop of cut edges
 };
 

@@ -19,10 +19,11 @@ template <class T> struct L3D_PUBLIC l3d_plane_crossing {
 ///
 /// Units:   the normal is a unit vector, d the distance from the plane to the origin along it.
 template <class T> struct L3D_PUBLIC l3d_plane {
+    /// A direction.
     using vector = l3d_vector<T, 3>;
 
-    vector normal;
-    T d;
+    vector normal; ///< of length 1, towards the front
+    T d;           ///< its distance from the origin, positive if the origin is in front
 
     /// Through a point; the normal's length is of no account. Expects: it is not 0.
     static l3d_plane through(const l3d_point<T>& point, const vector& normal) noexcept {

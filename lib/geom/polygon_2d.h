@@ -46,10 +46,13 @@ std::array<l3d_position<T>, 4> l3d_window_corners(const l3d_position<T>& least,
 /// Lives:   a value; a copy is deep.
 class L3D_PUBLIC l3d_polygon_2d {
 public:
+    /// A polygon whose corners are these vertices of a list; nothing is clipped yet.
     explicit l3d_polygon_2d(std::vector<std::uint32_t> ivertices)
         : ivertices_(std::move(ivertices)), clip_ivertices_(ivertices_) {}
 
+    /// The corners of its definition, as indices of vertices.
     std::span<const std::uint32_t> ivertices() const { return ivertices_; }
+    /// The corners that clipping has left, as indices of vertices.
     std::span<const std::uint32_t> clip_ivertices() const { return clip_ivertices_; }
 
     /// Makes the clipped polygon the whole one again.

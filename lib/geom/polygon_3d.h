@@ -20,9 +20,11 @@
 /// Expects: three corners or more, each naming a vertex.
 /// Lives:   borrows both lists.
 template <class T> struct L3D_PUBLIC l3d_polygon_3d {
-    std::span<const l3d_point<T>> vertices;
-    std::span<const std::uint32_t> corners;
+    std::span<const l3d_point<T>> vertices; ///< the list that the indices are of
+    std::span<const std::uint32_t>
+        corners; ///< indices of its corners, clockwise from outside in left-handed axes
 
+    /// The place of a corner. Expects: i < corners.size().
     const l3d_point<T>& corner(std::size_t i) const { return vertices[corners[i]]; }
 
     /// The mean of the corners.

@@ -23,16 +23,17 @@
 ///          vertex 24. A closed mesh of triangles has half as many vertices as faces: 28 bytes per
 ///          face.
 struct L3D_PUBLIC l3d_polygon_mesh {
+    /// A place, or the direction of a normal.
     using vector = l3d_vector<double, 3>;
 
     /// A run of faces with a name: from first_face to the next part's.
     struct part {
-        std::string name;
-        std::uint32_t first_face = 0;
+        std::string name;             ///< as the file has it
+        std::uint32_t first_face = 0; ///< index of the first one that belongs to it
         friend bool operator==(const part&, const part&) = default;
     };
 
-    std::vector<vector> vertices;
+    std::vector<vector> vertices;         ///< places in the model's own coordinates
     std::vector<std::uint32_t> corners;   ///< vertex indices, face after face
     std::vector<std::uint32_t> face_ends; ///< per face, where its corners end in `corners`
 
@@ -42,6 +43,7 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     std::vector<std::string> materials;        ///< names
     std::vector<part> parts;                   ///< optional, in the order of their first faces
 
+    /// The number of faces.
     std::size_t faces() const { return face_ends.size(); }
 
     /// The vertex indices of a face. Expects: face < faces().
@@ -51,6 +53,7 @@ struct L3D_PUBLIC l3d_polygon_mesh {
         return {corners.data() + begin, face_ends[face] - begin};
     }
 
+    /// Adds a face with these vertex indices at its corners; its colour and material are not set.
     void add_face(std::span<const std::uint32_t> of) {
         corners.insert(corners.end(), of.begin(), of.end());
         face_ends.push_back(static_cast<std::uint32_t>(corners.size()));

@@ -17,6 +17,7 @@
 ///          for Random Number Generation (2014), the member XSH-RR 64/32.
 class L3D_PUBLIC l3d_random {
 public:
+    /// The sequence that belongs to the seed, from its beginning.
     explicit constexpr l3d_random(std::uint64_t seed) noexcept : state_(seed + increment) {
         next();
     }

@@ -18,8 +18,11 @@
 // what was compiled for another number type does not link. The pointers have names of their own,
 // else the linker would keep one and drop the reference of the others.
 #if defined(L3D_REAL_FLOAT)
+/// The number type of this build. A program is compiled with the library's.
 using l3d_real = float;
+/// Defined in libraries built for float alone.
 L3D_PUBLIC extern const char l3d_built_with_float_real;
+/// Makes programs for float refer to it, so that they link with no other library.
 [[gnu::used]] inline constexpr const char* l3d_needs_float_real = &l3d_built_with_float_real;
 #elif defined(L3D_REAL_DOUBLE)
 using l3d_real = double;
@@ -39,28 +42,40 @@ L3D_PUBLIC const char* l3d_real_name();
 /// Units: an operation on x errs by at most unit_roundoff * |result| + half_ulp, in range.
 template <class T> struct l3d_real_traits;
 
+/// Floating point numbers: rounding is in proportion to the result.
 template <std::floating_point T> struct L3D_PUBLIC l3d_real_traits<T> {
-    static constexpr double unit_roundoff = sizeof(T) == 4 ? 0x1p-24 : 0x1p-53;
-    static constexpr double half_ulp = 0;
+    static constexpr double unit_roundoff =
+        sizeof(T) == 4 ? 0x1p-24 : 0x1p-53; ///< largest relative error of an operation
+    static constexpr double half_ulp = 0;   ///< largest absolute error beside that
 
+    /// The nearest number of this type.
     static constexpr T from_double(double value) noexcept { return static_cast<T>(value); }
+    /// The same number; exact.
     static constexpr double to_double(T value) noexcept { return value; }
 };
 
+/// Fixed point numbers: rounding is the same everywhere.
 template <class Storage, int FractionBits, l3d_overflow Overflow>
 struct L3D_PUBLIC l3d_real_traits<l3d_fixed<Storage, FractionBits, Overflow>> {
+    /// The number type itself.
     using fixed = l3d_fixed<Storage, FractionBits, Overflow>;
-    static constexpr double unit_roundoff = 0;
-    static constexpr double half_ulp = 0.5 / static_cast<double>(std::uint64_t{1} << FractionBits);
+    static constexpr double unit_roundoff = 0; ///< no error grows with the result
+    static constexpr double half_ulp =
+        0.5 /
+        static_cast<double>(std::uint64_t{1} << FractionBits); ///< half a step between neighbours
 
+    /// The nearest number of this type.
     static constexpr fixed from_double(double value) noexcept { return fixed(value); }
+    /// The number, to 53 bits.
     static constexpr double to_double(fixed value) noexcept { return static_cast<double>(value); }
 };
 
+/// A number of any type as a double, as l3d_real_traits does it.
 template <class T> constexpr double l3d_to_double(T value) noexcept {
     return l3d_real_traits<T>::to_double(value);
 }
 
+/// A double as a number of any type, as l3d_real_traits does it.
 template <class T> constexpr T l3d_from_double(double value) noexcept {
     return l3d_real_traits<T>::from_double(value);
 }

@@ -54,8 +54,8 @@ l3d_position<T> l3d_part_way(const l3d_position<T>& p, const l3d_position<T>& q,
 
 /// Where the way from p to q crosses the line through a and b, and how far on the way that is.
 template <class T> struct L3D_PUBLIC l3d_crossing_2d {
-    l3d_position<T> at;
-    double t; ///< 0 at p, 1 at q
+    l3d_position<T> at; ///< the place on both lines
+    double t;           ///< 0 at p, 1 at q
 };
 
 /// Expects: p and q on different sides of the line, neither on it.

@@ -17,6 +17,7 @@
 
 /// Cosine and sine of an angle.
 struct L3D_PUBLIC l3d_turn {
+    /// Each in [-1, 1]; exact at multiples of 90 degrees.
     double cosine = 1, sine = 0;
 };
 
@@ -68,9 +69,11 @@ template <class T> l3d_matrix<T> turning(int from, int to, double degrees) noexc
 template <class T> l3d_matrix<T> l3d_rotation_x(double degrees) noexcept {
     return l3d_detail::turning<T>(1, 2, degrees);
 }
+/// Turns about the y axis, z towards x, as l3d_rotation_x says. Units: degrees.
 template <class T> l3d_matrix<T> l3d_rotation_y(double degrees) noexcept {
     return l3d_detail::turning<T>(2, 0, degrees);
 }
+/// Turns about the z axis, x towards y, as l3d_rotation_x says. Units: degrees.
 template <class T> l3d_matrix<T> l3d_rotation_z(double degrees) noexcept {
     return l3d_detail::turning<T>(0, 1, degrees);
 }
@@ -97,6 +100,7 @@ l3d_matrix<T> l3d_from_axes(const l3d_vector<T, 3>& x, const l3d_vector<T, 3>& y
     return m;
 }
 
+/// The matrix with rows and columns exchanged.
 template <class T> l3d_matrix<T> l3d_transposed(const l3d_matrix<T>& m) noexcept {
     l3d_matrix<T> result;
     for (int i = 0; i < 4; ++i)

@@ -22,23 +22,31 @@
 template <class Item> class L3D_PUBLIC l3d_two_part_list {
 public:
     l3d_two_part_list() = default;
+    /// A list with this fixed part, and nothing behind it.
     explicit l3d_two_part_list(std::vector<Item> fixed)
         : items_(std::move(fixed)), fixed_size_(items_.size()) {}
 
+    /// The number of items in both parts.
     std::size_t size() const { return items_.size(); }
+    /// The number of items that stay.
     std::size_t fixed_size() const { return fixed_size_; }
+    /// The number of items that come and go.
     std::size_t varying_size() const { return items_.size() - fixed_size_; }
 
+    /// An item of either part, to be changed. Expects: index < size().
     Item& operator[](std::size_t index) {
         assert(index < items_.size());
         return items_[index];
     }
+    /// An item of either part. Expects: index < size().
     const Item& operator[](std::size_t index) const {
         assert(index < items_.size());
         return items_[index];
     }
 
+    /// The items that stay, to be changed.
     std::span<Item> fixed() { return {items_.data(), fixed_size_}; }
+    /// The items that stay.
     std::span<const Item> fixed() const { return {items_.data(), fixed_size_}; }
 
     /// Adds to the varying part; returns the item's index.
@@ -47,6 +55,7 @@ public:
         return static_cast<std::uint32_t>(items_.size() - 1);
     }
 
+    /// Takes away the items that come and go. Cost: keeps the memory.
     void clear_varying() { items_.erase(items_.begin() + signed_fixed_size(), items_.end()); }
 
 private:

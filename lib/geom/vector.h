@@ -21,6 +21,7 @@ public:
     /// Uninitialised, as a number is; l3d_vector<T, N>{} is all zero.
     l3d_vector() = default;
 
+    /// The vector of these N numbers, each made a T.
     template <class... Numbers>
     requires(sizeof...(Numbers) == N && (std::is_constructible_v<T, Numbers> &&
                                          ...)) constexpr l3d_vector(Numbers... numbers) noexcept
@@ -41,47 +42,59 @@ public:
         numbers_[N - 1] = last;
     }
 
+    /// A component, to be changed. Expects: 0 <= i < N.
     constexpr T& operator[](int i) noexcept { return numbers_[i]; }
+    /// A component. Expects: 0 <= i < N.
     constexpr const T& operator[](int i) const noexcept { return numbers_[i]; }
 
+    /// Adds component by component.
     constexpr l3d_vector& operator+=(const l3d_vector& v) noexcept {
         for (int i = 0; i < N; ++i)
             numbers_[i] += v[i];
         return *this;
     }
+    /// Subtracts component by component.
     constexpr l3d_vector& operator-=(const l3d_vector& v) noexcept {
         for (int i = 0; i < N; ++i)
             numbers_[i] -= v[i];
         return *this;
     }
+    /// Multiplies each component.
     constexpr l3d_vector& operator*=(const T& scale) noexcept {
         for (T& number : numbers_)
             number *= scale;
         return *this;
     }
+    /// Divides each component.
     constexpr l3d_vector& operator/=(const T& scale) noexcept {
         for (T& number : numbers_)
             number /= scale;
         return *this;
     }
 
+    /// The sum, component by component.
     friend constexpr l3d_vector operator+(l3d_vector a, const l3d_vector& b) noexcept {
         return a += b;
     }
+    /// The difference, component by component.
     friend constexpr l3d_vector operator-(l3d_vector a, const l3d_vector& b) noexcept {
         return a -= b;
     }
+    /// The same length, the other way.
     friend constexpr l3d_vector operator-(l3d_vector v) noexcept {
         for (T& number : v.numbers_)
             number = -number;
         return v;
     }
+    /// Each component times the scale.
     friend constexpr l3d_vector operator*(l3d_vector v, const T& scale) noexcept {
         return v *= scale;
     }
+    /// Each component times the scale.
     friend constexpr l3d_vector operator*(const T& scale, l3d_vector v) noexcept {
         return v *= scale;
     }
+    /// Each component divided by the scale.
     friend constexpr l3d_vector operator/(l3d_vector v, const T& scale) noexcept {
         return v /= scale;
     }

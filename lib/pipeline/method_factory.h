@@ -31,7 +31,9 @@ public:
     /// error can draw mode `error`.
     l3d_method_factory(std::string name, create_call create, bool has_bound = false);
 
+    /// The name that reports and messages give the method.
     const std::string& name() const { return name_; }
+    /// Whether the method's counts bound the error of each frame.
     bool has_bound() const { return has_bound_; }
 
     /// Whether the wireframe shows the steps of this method.

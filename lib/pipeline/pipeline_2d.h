@@ -20,7 +20,9 @@ public:
     /// Errors:  as l3d_rasterizer_factory::create_2d.
     explicit l3d_pipeline_2d(l3d_canvas canvas);
 
+    /// Where the pictures are shown.
     l3d_screen& screen() { return *screen_; }
+    /// The picture's width and height, in pixels.
     l3d_size size() { return screen_->pixels().size(); }
 
     void key_event(int key) override;

@@ -27,6 +27,7 @@ struct L3D_PUBLIC l3d_kept_work : l3d_kept_patches {
     bool unit_normals = false; ///< lambert: in each pixel, also where less would do
     bool drawing = false;      ///< of what the last frame drew
 
+    /// Every such work, as if no rule could skip any.
     static constexpr l3d_kept_work all() { return {l3d_kept_patches::all(), true, true}; }
 };
 
@@ -64,9 +65,10 @@ L3D_PUBLIC std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size
 /// and calls draw_event. A program with keys or things of its own to draw derives a class. A frame
 /// draws only what changed since the last one. If nothing changed, it draws nothing. If instances
 /// were only placed again and nothing is drawn on top, it draws the parts of the picture where they
-/// were or are. Expects: camera and settings of which l3d_afd_complaint has nothing to say, in
-/// every frame. Lives:   owns screen, workers, rasterizers and scene, and shares the models of the
-/// scene.
+/// were or are.
+///
+/// Expects: camera and settings of which l3d_afd_complaint has nothing to say, in every frame.
+/// Lives:   owns screen, workers, rasterizers and scene, and shares the models of the scene.
 /// Cost:    filled surfaces allocate nothing once the largest frame has been seen.
 class L3D_PUBLIC l3d_pipeline_afd : public l3d_pipeline {
 public:
@@ -83,8 +85,11 @@ public:
     /// program with a dispatcher calls redraw() after a change of camera or settings. Only the
     /// pipeline calls the scene's forget_changes().
     l3d_patch_scene& scene() { return scene_; }
+    /// The eye that the next frame is drawn for; a reference to change it.
     l3d_camera& camera() { return camera_; }
+    /// How the next frame is to be drawn; a reference to change it.
     l3d_afd_settings& settings() { return settings_; }
+    /// How the next frame is to be drawn.
     const l3d_afd_settings& settings() const { return settings_; }
 
     /// Asks for the next frame to be drawn: camera, settings or what is drawn on top may differ.
@@ -113,6 +118,7 @@ public:
     }
 
 protected:
+    /// Draws points, lines and text on the picture. A frame that used it shows its picture as new.
     l3d_rasterizer_2d& rasterizer() {
         touch();
         return rasterizer_;
@@ -124,6 +130,7 @@ protected:
     /// The certified bound of what has been drawn in this frame. Units: pixels.
     double bound() const { return report_.dice.bound_px; }
 
+    /// The picture, to be written to. A frame that used it shows its picture as new.
     l3d_pixels pixels() {
         touch();
         return screen_->pixels();

@@ -14,6 +14,7 @@ class L3D_PUBLIC l3d_pipeline_afd_viewer : public l3d_pipeline_afd {
 public:
     using l3d_pipeline_afd::l3d_pipeline_afd;
 
+    /// The viewer's keys, mouse and lines of text.
     l3d_viewer_controls& controls() { return controls_; }
 
     void key_event(int key) override;

@@ -21,14 +21,14 @@ struct L3D_PUBLIC l3d_common_times {
 
 /// A frame of any kind.
 struct L3D_PUBLIC l3d_common_report {
-    int frame = 0;
-    std::string method;
-    std::string real;
-    std::string simd; ///< vector instructions, as l3d_simd_target names them
-    l3d_size size;
-    int threads = 1;
-    l3d_surface_counts surface;
-    std::uint64_t hash = 0; ///< l3d_hash of the picture
+    int frame = 0;              ///< its number, from 0; skipped frames count
+    std::string method;         ///< the name of the method that filled surfaces
+    std::string real;           ///< the number type of the library, l3d_real_name()
+    std::string simd;           ///< vector instructions, as l3d_simd_target names them
+    l3d_size size;              ///< of the picture, in pixels
+    int threads = 1;            ///< that drew
+    l3d_surface_counts surface; ///< what filling counted
+    std::uint64_t hash = 0;     ///< l3d_hash of the picture
 };
 
 /// FNV-1a of the pixel words, row by row from the top, 64 bits.

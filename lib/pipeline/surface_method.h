@@ -22,16 +22,16 @@ struct l3d_dice_view;
 ///
 /// Lives: everything that it refers to must outlive the frame.
 struct L3D_PUBLIC l3d_method_frame {
-    const l3d_patch_scene& scene;
-    const l3d_camera& camera;
+    const l3d_patch_scene& scene;       ///< what is drawn
+    const l3d_camera& camera;           ///< from where
     const l3d_matrix<double>& to_image; ///< world to (x, y, -, w) in the view's units
-    const l3d_dice_view& view;
-    const l3d_shading& shading;
-    l3d_pixels target;
-    l3d_depth_buffer& depth;
-    bool wants_depth;   ///< else the method may leave the depth buffer as it is
-    bool untouched;     ///< nobody wrote to the target since the last frame's end
-    bool counts_pixels; ///< somebody wants to know how many are covered
+    const l3d_dice_view& view;          ///< the same view as dicing wants it
+    const l3d_shading& shading;         ///< light, and the way to shade
+    l3d_pixels target;                  ///< the picture, to be drawn into
+    l3d_depth_buffer& depth;            ///< 1 / distance for each pixel of the target
+    bool wants_depth;                   ///< else the method may leave the depth buffer as it is
+    bool untouched;                     ///< nobody wrote to the target since the last frame's end
+    bool counts_pixels;                 ///< somebody wants to know how many are covered
 
     /// The part of the picture that is drawn; the rest stays as it is. It is the whole picture,
     /// unless the method draws parts and nobody wants depth.
@@ -39,6 +39,7 @@ struct L3D_PUBLIC l3d_method_frame {
 
     bool outlines = false; ///< somebody wants to know the pixels that outlines reach
 
+    /// Whether less than the whole picture is drawn.
     bool is_part() const { return part != l3d_whole(target.size()); }
 };
 
@@ -56,6 +57,7 @@ public:
 
     /// Whether counts() say how far depth is off, and levels of frames that are shaded so.
     bool certifies_depth() const { return do_certifies_depth(); }
+    /// Whether counts() say how many levels greys are off, in frames shaded like this.
     bool certifies_shade(const l3d_shading& shading) const { return do_certifies_shade(shading); }
 
     /// Whether a frame may be a part of a picture.
@@ -67,6 +69,7 @@ public:
 
     /// The counts of the last frame.
     const l3d_dice_counts& counts() const { return do_counts(); }
+    /// What filling counted in the last frame, covered pixels among it.
     const l3d_surface_counts& surface_counts() const { return do_surface_counts(); }
 
     /// The pixels of the last frame that outlines reach, if it asked for them. Methods that do not

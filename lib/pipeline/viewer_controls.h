@@ -50,8 +50,11 @@ public:
         save_ = std::move(save);
     }
 
+    /// Does what the key means. Expects: an ASCII code or an l3d_key.
     bool key(int key);
+    /// Turns or zooms as the pointer is moved or its wheel turned.
     bool pointer(const l3d_event& event);
+    /// Lets time pass: the turntable turns. Units: seconds.
     bool update(double seconds);
 
     /// A line that is shown until the next key. Expects: an action of a row is running.

@@ -14,8 +14,8 @@
 /// Expects: neither is null.
 /// Lives:   owns the screen, shares the factory.
 struct L3D_PUBLIC l3d_canvas {
-    std::unique_ptr<l3d_screen> screen;
-    std::shared_ptr<const l3d_rasterizer_factory> rasterizers;
+    std::unique_ptr<l3d_screen> screen; ///< where pictures are shown; its pixels are drawn into
+    std::shared_ptr<const l3d_rasterizer_factory> rasterizers; ///< makes what draws into them
 };
 
 /// Pixels in memory, drawn by the CPU: for programs without a window.

@@ -53,17 +53,22 @@ public:
             values_.resize(count);
     }
 
+    /// Makes every pixel empty.
     void clear() { std::fill(values_.begin(), values_.end(), 0.0f); }
 
+    /// Width and height, in pixels.
     l3d_size size() const { return size_; }
 
     /// The first row; others are at multiples of the pitch.
     float* data() { return values_.data(); }
+    /// The distance between rows, in floats.
     std::ptrdiff_t pitch() const { return pitch_; }
 
+    /// The values of a row, to be changed. Expects: 0 <= y < size().height.
     std::span<float> row(int y) {
         return {values_.data() + y * pitch_, static_cast<std::size_t>(size_.width)};
     }
+    /// The values of a row. Expects: 0 <= y < size().height.
     std::span<const float> row(int y) const {
         return {values_.data() + y * pitch_, static_cast<std::size_t>(size_.width)};
     }

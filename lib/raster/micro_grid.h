@@ -13,6 +13,7 @@
 /// Sub-pixel resolution of every surface vertex: 8 fraction bits, so that products of two
 /// coordinate differences of a 64-pixel quad fit 32 bits (2 * (6 + 8) + 2 sign and sum bits = 30).
 inline constexpr int l3d_subpixel_bits = 8;
+/// One pixel in these units.
 inline constexpr std::int32_t l3d_subpixel_one = 1 << l3d_subpixel_bits;
 
 /// One vertex of a surface.
@@ -28,9 +29,10 @@ inline constexpr std::int32_t l3d_subpixel_one = 1 << l3d_subpixel_bits;
 /// - In a triangle, corner 0 has those of the sides to corners 1 and 2. Corner 1 has 0 in [1], and
 ///   that of the side to corner 2 in [2]. Corner 2 has 0 in both.
 struct L3D_PUBLIC l3d_micro_vertex {
+    /// The place in the picture.
     std::int32_t x = 0, y = 0;
-    float inv_w = 0;
-    float normal[3] = {0, 0, 0};
+    float inv_w = 0;             ///< 1 / distance along the view axis
+    float normal[3] = {0, 0, 0}; ///< the normal, or levels
 };
 
 /// A rows x columns array of vertices, one array per component so that a row can be stepped,
@@ -40,11 +42,14 @@ struct L3D_PUBLIC l3d_micro_vertex {
 ///        multiple of 16 so that every row starts a full vector.
 /// Cost:  resize allocates only when a grid is larger than any before.
 struct L3D_PUBLIC l3d_micro_grid {
+    /// Vertices along u, vertices along v, and the distance between rows in the arrays.
     int columns = 0, rows = 0, pitch = 0;
+    /// Places in the picture, of all vertices. Units: 1/256 pixel.
     std::vector<std::int32_t> x, y;
-    std::vector<float> inv_w;
-    std::vector<float> normal[3];
+    std::vector<float> inv_w;     ///< 1 / distance, of all vertices
+    std::vector<float> normal[3]; ///< the normals' components, of all vertices
 
+    /// Makes room for so many vertices along u and v. What was in the arrays means nothing after.
     void resize(int new_columns, int new_rows) {
         columns = new_columns;
         rows = new_rows;
@@ -59,13 +64,16 @@ struct L3D_PUBLIC l3d_micro_grid {
             component.resize(count);
     }
 
+    /// Where a vertex is in the arrays. Expects: a row and a column that there are.
     std::size_t index(int row, int column) const {
         assert(row >= 0 && row < rows && column >= 0 && column < columns);
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(pitch) +
                static_cast<std::size_t>(column);
     }
 
+    /// All of one vertex. Expects: a row and a column that there are.
     l3d_micro_vertex vertex(int row, int column) const { return vertex(index(row, column)); }
+    /// All of the vertex at that place in the arrays.
     l3d_micro_vertex vertex(std::size_t i) const {
         return {x[i], y[i], inv_w[i], {normal[0][i], normal[1][i], normal[2][i]}};
     }

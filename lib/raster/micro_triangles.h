@@ -17,19 +17,23 @@
 ///        set up side by side in SIMD lanes. Arrays have room for a multiple of 16.
 /// Cost:  clear keeps the memory; add allocates only when there are more than ever before.
 struct L3D_PUBLIC l3d_micro_triangles {
-    static constexpr std::size_t lanes = 16;
+    static constexpr std::size_t lanes = 16; ///< the arrays have room for a multiple of this
 
+    /// One corner of each triangle; components as of l3d_micro_vertex.
     struct corner {
+        /// Places in the picture. Units: 1/256 pixel.
         std::vector<std::int32_t> x, y;
-        std::vector<float> inv_w;
-        std::array<std::vector<float>, 3> normal;
+        std::vector<float> inv_w;                 ///< 1 / distance along the view axis
+        std::array<std::vector<float>, 3> normal; ///< normals, or levels
     };
 
-    std::array<corner, 3> corners;
-    std::size_t count = 0;
+    std::array<corner, 3> corners; ///< of all triangles
+    std::size_t count = 0;         ///< the number of triangles
 
+    /// Forgets all triangles.
     void clear() { count = 0; }
 
+    /// Adds a triangle.
     void add(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c) {
         if (count == corners[0].x.size())
             grow();
@@ -39,6 +43,7 @@ struct L3D_PUBLIC l3d_micro_triangles {
         ++count;
     }
 
+    /// One corner of one triangle. Expects: triangle < count, at < 3.
     l3d_micro_vertex vertex(std::size_t triangle, std::size_t at) const {
         const corner& c = corners[at];
         return {c.x[triangle],

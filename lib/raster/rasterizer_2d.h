@@ -11,17 +11,20 @@
 
 /// A corner of a polygon. Units: pixels; pixel (x, y) is sampled at the position (x, y).
 struct L3D_PUBLIC l3d_point_2d {
+    /// From the left and from the top of the picture.
     double x = 0, y = 0;
 };
 
 /// A corner with a colour of its own, a pixel word.
 struct L3D_PUBLIC l3d_colored_point_2d {
+    /// From the left and from the top of the picture, in pixels.
     double x = 0, y = 0;
-    std::uint32_t color = 0;
+    std::uint32_t color = 0; ///< 0x00RRGGBB
 };
 
 /// A line between two pixels.
 struct L3D_PUBLIC l3d_line_2d {
+    /// Columns and rows of its two ends, both drawn.
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
@@ -31,7 +34,10 @@ using l3d_outline_2d = std::span<const l3d_point_2d>;
 /// The fill rule: which points are inside of outlines that cross themselves or each other. Either
 /// outlines wind around such a point, clockwise less anticlockwise, not zero times; or an odd
 /// number of times.
-enum class L3D_PUBLIC l3d_winding { nonzero, even_odd };
+enum class L3D_PUBLIC l3d_winding {
+    nonzero, ///< clockwise less anticlockwise, not zero times
+    even_odd ///< an odd number of times
+};
 
 /// The drawing operations that each kind of output implements. Programs hold the l3d_rasterizer_2d
 /// in front of it.
@@ -74,11 +80,13 @@ private:
 /// Lives:   borrows the implementation, which must outlive it.
 class L3D_PUBLIC l3d_rasterizer_2d {
 public:
+    /// Lives: borrows what draws.
     explicit l3d_rasterizer_2d(l3d_rasterizer_2d_imp& imp) : imp_(imp) {}
 
     /// Makes every pixel 0, black.
     void clear_buffer() { imp_.do_clear_buffer(); }
 
+    /// Sets one pixel, if it lies in the picture.
     void draw_point(int x, int y, std::uint32_t color) { imp_.do_draw_point(x, y, color); }
 
     /// Draws a line, both ends included. Each step along the longer axis (x if both are equally

@@ -37,7 +37,7 @@ inline constexpr std::array<std::pair<const char*, l3d_shade>, 5> l3d_shade_name
 
 /// The data that stay the same for a frame.
 struct L3D_PUBLIC l3d_shading {
-    l3d_shade mode = l3d_shade::lambert;
+    l3d_shade mode = l3d_shade::lambert; ///< how the colour of a pixel is found
     std::array<float, 3> light{0, 0, 1}; ///< unit vector towards the light, world space
 
     /// From the eye through the picture's top left corner, and what a pixel to the right and one
@@ -63,7 +63,7 @@ struct L3D_PUBLIC l3d_surface_counts {
     std::int64_t written = 0; ///< tested pixels that were nearer than the depth there
     std::int64_t covered = 0; ///< pixels that show something; none_counted if nobody asked
 
-    static constexpr std::int64_t none_counted = -1;
+    static constexpr std::int64_t none_counted = -1; ///< the value of `covered` if nobody asked
 
     /// Polygons, each as often as it was set up, whose light is a plane instead of that of a unit
     /// normal in each pixel.
@@ -88,6 +88,7 @@ struct L3D_PUBLIC l3d_surface_counts {
 
 /// A rectangle of the picture. Units: 1/256 pixel from its top left corner, ends included.
 struct L3D_PUBLIC l3d_subpixel_box {
+    /// The first and the last column and row.
     std::int32_t left = 0, top = 0, right = 0, bottom = 0;
 };
 

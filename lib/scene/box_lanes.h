@@ -13,8 +13,8 @@
 /// A box that an affine map may have slanted: the points centre + r axes[0] + s axes[1] +
 /// t axes[2] with r, s, t in [-1, 1].
 struct L3D_PUBLIC l3d_slanted_box {
-    l3d_vector<double, 3> centre{0.0, 0.0, 0.0};
-    std::array<l3d_vector<double, 3>, 3> axes{};
+    l3d_vector<double, 3> centre{0.0, 0.0, 0.0}; ///< the middle, in world units
+    std::array<l3d_vector<double, 3>, 3> axes{}; ///< from the middle to three sides that meet
     double reach = 0; ///< bound of the terms that coordinates inside are summed up from, if known
 };
 
@@ -25,11 +25,14 @@ struct L3D_PUBLIC l3d_slanted_box {
 /// Cost:  13 doubles a box. add allocates only when there are more than ever before.
 class L3D_PUBLIC l3d_box_lanes {
 public:
-    static constexpr std::size_t lanes = 16;
+    static constexpr std::size_t lanes = 16; ///< the arrays have room for a multiple of this
 
+    /// The number of boxes.
     std::size_t count() const { return count_; }
+    /// Forgets all boxes. Cost: keeps the memory.
     void clear() { count_ = 0; }
 
+    /// Adds a box at the end.
     void add(const l3d_slanted_box& box) {
         if (count_ == centre_[0].size())
             grow();

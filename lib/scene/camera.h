@@ -24,20 +24,23 @@ inline constexpr double l3d_least_up_sine = 1e-6;
 /// Units:   world units; fov in degrees, vertical, over the whole picture height.
 /// Expects: eye != target, up not parallel to target - eye, 0 < fov < 180, 0 < near < far.
 struct L3D_PUBLIC l3d_camera {
+    /// A place or a direction in the world.
     using vector = l3d_vector<double, 3>;
-    vector eye{0.0, 0.0, 1.0};
-    vector target{0.0, 0.0, 0.0};
-    vector up{0.0, 1.0, 0.0};
-    double fov = 38;
-    double near = 0.1;
+    vector eye{0.0, 0.0, 1.0};    ///< where the picture is taken from
+    vector target{0.0, 0.0, 0.0}; ///< the place in the middle of the picture
+    vector up{0.0, 1.0, 0.0};     ///< the direction that is upright in the picture, any length
+    double fov = 38;              ///< full vertical angle of view, in degrees
+    double near = 0.1; ///< least distance along the view axis that is drawn, in world units
     double far = 1e13; ///< farther than any two points that are allowed, 2 sqrt(3) 1e12
 
     friend bool operator==(const l3d_camera&, const l3d_camera&) = default;
 
     /// Unit vectors to the right, up and forward in the picture.
     struct frame {
+        /// Three perpendicular unit vectors in world space.
         vector right, up, forward;
     };
+    /// The axes of the picture in the world. Expects: is_valid().
     frame axes() const;
 
     /// Sine of the angle between `up` and the line of sight.
@@ -48,6 +51,7 @@ struct L3D_PUBLIC l3d_camera {
     /// l3d_least_up_sine, 0 < fov < 180, l3d_least_distance <= near < far.
     std::string complaint() const;
 
+    /// Whether complaint() has nothing to say.
     bool is_valid() const { return complaint().empty(); }
 
     /// Pixels per world unit at distance 1.

@@ -12,7 +12,7 @@
 
 /// The counts that patches and triangles share.
 struct L3D_PUBLIC l3d_seen_counts {
-    std::int64_t drawn = 0;
+    std::int64_t drawn = 0;     ///< the shapes that reached the picture
     std::int64_t offscreen = 0; ///< left out: beyond one side of the window
     std::int64_t subpixel = 0;  ///< left out: what is around it holds no pixel centre
     std::int64_t clipped = 0;   ///< of those drawn, at the near plane, the far one or guard band
@@ -28,7 +28,8 @@ struct L3D_PUBLIC l3d_seen_counts {
 
 /// A patch of a scene, and its bound.
 struct L3D_PUBLIC l3d_coarse_patch {
-    double bound_px = 0;
+    double bound_px = 0; ///< the largest error of its places, in pixels
+    /// The index of the instance in the scene, and of the patch in its model.
     std::int64_t instance = 0, patch = 0;
 
     /// By bound; of equals the first of the scene is the greatest.

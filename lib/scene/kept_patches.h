@@ -14,6 +14,7 @@ struct L3D_PUBLIC l3d_kept_patches {
     bool backs = false;      ///< whose back alone is turned to the eye
     bool dicing = false;     ///< of what a point may stand for
 
+    /// All of them, as if no rule could leave any out.
     static constexpr l3d_kept_patches all() { return {true, true, true, true, true}; }
 
     friend bool operator==(const l3d_kept_patches&, const l3d_kept_patches&) = default;

@@ -25,8 +25,8 @@ struct l3d_patch_points;
 ///
 /// Shape: edges in the order of l3d_edge_polylines.
 struct L3D_PUBLIC l3d_patch_reach {
-    l3d_vector<double, 3> whole{0.0, 0.0, 0.0};
-    std::array<l3d_vector<double, 3>, 4> edges{};
+    l3d_vector<double, 3> whole{0.0, 0.0, 0.0};   ///< of all 16 control points, for x, y and z
+    std::array<l3d_vector<double, 3>, 4> edges{}; ///< of the four control points of each edge
 };
 
 /// A set of bicubic patches, each with its exact normal net and its box. In world space, unless a
@@ -38,12 +38,16 @@ struct L3D_PUBLIC l3d_patch_reach {
 /// Cost:  a copy counts a reference. A move is a copy, so no model is ever without contents.
 class L3D_PUBLIC l3d_patch_model {
 public:
+    /// One bicubic patch: 16 control points.
     using patch = l3d_bezier_patch<double, 3>;
+    /// A place in the model's space.
     using vector = l3d_vector<double, 3>;
 
     /// No patches.
     l3d_patch_model();
+    /// Shares the contents.
     l3d_patch_model(const l3d_patch_model&) = default;
+    /// Shares the contents of the other model, and lets go of its own.
     l3d_patch_model& operator=(const l3d_patch_model&) = default;
     ~l3d_patch_model() = default;
 
@@ -74,17 +78,24 @@ public:
     static std::optional<l3d_patch_model> from_patches(std::span<const l3d_patch_points> patches,
                                                        std::string_view name, std::string& why);
 
+    /// All patches, in the order in which they were given.
     std::span<const patch> patches() const;
+    /// The exact normals of a patch, as a net of control vectors. Expects: index <
+    /// patches().size().
     const l3d_normal_net& normals(std::size_t index) const;
+    /// The cones that hold the normals of a patch and of its parts. Expects: as normals.
     const l3d_facing_cones& facing(std::size_t index) const;
+    /// How strongly a patch bends, the input of its error bound. Expects: as normals.
     const l3d_surface_bends& bends(std::size_t index) const;
+    /// The largest coordinates of a patch. Expects: as normals.
     const l3d_patch_reach& reach(std::size_t index) const;
 
     /// Whether it is proven to be a body, and where its normals point: l3d_orientation_of.
     int orientation() const;
 
-    /// The box of all control points.
+    /// The corner of the box of all control points with the smallest x, y and z.
     const vector& least() const;
+    /// The corner of that box with the largest x, y and z.
     const vector& most() const;
 
     /// The boxes of the patches' control points, in their order; upright.

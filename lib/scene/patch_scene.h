@@ -22,6 +22,7 @@ public:
     /// Expects: a placement that l3d_patch_scene::complaint has nothing to say of.
     l3d_patch_instance(const l3d_patch_model& model, const l3d_matrix<double>& placement);
 
+    /// The model that stands here.
     const l3d_patch_model& model() const { return model_; }
 
     /// Puts the same model elsewhere. Expects: as the constructor.
@@ -56,6 +57,7 @@ public:
     /// The sums of the magnitudes in the placement's columns: of what a model's coordinates are
     /// multiplied by, and of what is added.
     const l3d_vector<double, 3>& terms() const { return terms_; }
+    /// The magnitudes of what is added: the sum's largest over x, y and z.
     double shift() const { return shift_; }
 
 private:
@@ -76,6 +78,7 @@ private:
 /// Cost:  104 bytes an instance to find out whether it is seen, 330 more if it is.
 class L3D_PUBLIC l3d_patch_scene {
 public:
+    /// A place in the world.
     using vector = l3d_vector<double, 3>;
 
     l3d_patch_scene() = default;
@@ -100,6 +103,7 @@ public:
     void place(std::size_t index, const l3d_matrix<double>& placement) {
         place(index, instances_[index].model(), placement);
     }
+    /// Puts a model where another stood. Expects, Errors, Cost: as the other place.
     void place(std::size_t index, const l3d_patch_model& model,
                const l3d_matrix<double>& placement);
 
@@ -115,11 +119,13 @@ public:
     /// The instances that were placed again since then, each once, and the boxes that they had
     /// then, in the same order. Without meaning if is_rebuilt().
     std::span<const std::size_t> moved() const { return moved_; }
+    /// The boxes of moved() at the last forget_changes(), in its order.
     const l3d_box_lanes& moved_from() const { return moved_from_; }
 
     /// Called by a pipeline that has drawn the scene as it is now.
     void forget_changes();
 
+    /// What stands where, in the order in which it was added.
     std::span<const l3d_patch_instance> instances() const { return instances_; }
 
     /// The number of patches of all instances together.
@@ -127,6 +133,7 @@ public:
 
     /// The box of everything; two points at the origin if there is nothing.
     const vector& least() const { return extent().least; }
+    /// The corner of that box with the largest x, y and z.
     const vector& most() const { return extent().most; }
 
     /// Bound of the terms that a world point's coordinates are summed up from, in all: their

@@ -17,6 +17,7 @@
 /// Lives:   borrowed by the l3d_options until parse() is done.
 class L3D_PUBLIC l3d_afd_options {
 public:
+    /// Declares the options. Lives: borrows them until parse() is done.
     explicit l3d_afd_options(l3d_options& options);
     l3d_afd_options(const l3d_afd_options&) = delete;
     l3d_afd_options& operator=(const l3d_afd_options&) = delete;
@@ -48,9 +49,14 @@ public:
     /// Whether --tolerance was given.
     bool gives_tolerance() const { return tolerance_.has_value(); }
 
+    /// The angle of --turntable: degrees from frame to frame, 0 for none.
     double turntable() const { return turntable_; }
+    /// The file that the last frame's distances go to; empty for none.
     const std::string& depth_output() const { return depth_output_; }
+    /// The file that gets a line of JSON for each frame; empty for none, "-" for the standard
+    /// output.
     const std::string& report() const { return report_; }
+    /// Whether --explain asks what the last frame did not need.
     bool explain() const { return explain_; }
 
     /// Neither a model nor a camera was asked for.

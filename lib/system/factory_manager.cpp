@@ -13,6 +13,8 @@
 #include "system/dispatcher_window.h"
 #include "system/options.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstdlib>
 #include <iostream>
@@ -112,6 +114,9 @@ bool l3d_factory_manager::choose(l3d_options& options, std::istream& in, std::os
     if (survey.is_seen(*chosen_) || chosen_->writes_files || !common.output.empty())
         return true;
     if (named && chosen_->unseen) {
+        constexpr std::array others{"--report", "--depth-output", "--explain", "--error-report"};
+        if (std::ranges::any_of(others, [&](const char* other) { return options.given(other); }))
+            return true;
         std::cerr << options.command() << ": nobody will see a picture: back-end '" << chosen_->name
                   << "' has no window, and no --output names a file\n";
     } else {

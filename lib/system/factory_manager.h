@@ -18,15 +18,16 @@ class l3d_options;
 
 /// One row of the table: a way to show pictures.
 struct L3D_PUBLIC l3d_backend {
-    std::string name;
+    std::string name;          ///< the word that --backend takes
     std::string purpose;       ///< what it is for, in a few words
     bool automatic = false;    ///< taken without asking if it is the first such row that can serve
     bool on_display = false;   ///< it needs a display
     bool unseen = false;       ///< nobody sees its pictures unless --output names a file
     bool writes_files = false; ///< it knows itself where its pictures go
-    std::unique_ptr<l3d_screen_factory> screen_factory;
+    std::unique_ptr<l3d_screen_factory> screen_factory;               ///< makes its screens
     std::shared_ptr<const l3d_rasterizer_factory> rasterizer_factory; ///< canvases share it
-    std::unique_ptr<l3d_dispatcher_factory> dispatcher_factory;
+    std::unique_ptr<l3d_dispatcher_factory>
+        dispatcher_factory; ///< makes the loop that drives programs on it
 };
 
 /// Knows every back-end, asks each whether it can serve here, and takes one.

@@ -25,6 +25,7 @@ public:
     /// Takes no picture of this frame.
     void skip_frame() { ++next_number_; }
 
+    /// Whether each frame has a file of its own.
     bool is_numbered() const { return kind_ == kind::numbered; }
 
     /// Whether this frame's file is there. A file has its name only when it is complete.

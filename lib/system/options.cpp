@@ -222,6 +222,11 @@ void l3d_options::add_words(const std::string& name, const std::string& help,
     add_text(parser_->app, name, help, list, words.at(preset), read);
 }
 
+bool l3d_options::given(const std::string& name) const {
+    const CLI::Option* const option = parser_->app.get_option_no_throw(name);
+    return option && option->count() > 0;
+}
+
 bool l3d_options::parse(int argc, const char* const* argv) {
     open_standard_streams();
     return parse(argc, argv, std::cout);

@@ -27,18 +27,18 @@
 struct L3D_PUBLIC l3d_common_options {
     std::string backend;         ///< a back-end's name, "ask" or "auto"; empty: not given
     std::string usual_backend{}; ///< taken if the user names none; empty: chosen by what serves
-    bool no_input = false;
-    bool list_backends = false;
-    bool diagnose = false;
-    bool verbose = false;
-    l3d_size size{};
-    int scale = 0; ///< 0: not given
-    int first_frame = 0;
-    int frames = 0;
-    bool resume = false;
-    std::optional<double> fps;
-    std::uint64_t seed = 1;
-    std::string output;
+    bool no_input = false;       ///< never ask anything
+    bool list_backends = false;  ///< list the back-ends and end
+    bool diagnose = false;       ///< tell what the choice of a back-end depends on, and end
+    bool verbose = false;        ///< tell what was chosen
+    l3d_size size{};             ///< of the picture, in pixels
+    int scale = 0;               ///< 0: not given
+    int first_frame = 0;         ///< number of the first one that is drawn
+    int frames = 0;              ///< number of frames, the end of a range; 0: go on
+    bool resume = false;         ///< leave out frames whose file is there
+    std::optional<double> fps;   ///< frames per second, 0: no limit; nothing: not given
+    std::uint64_t seed = 1;      ///< where random numbers start
+    std::string output; ///< file of the last picture, of every picture, or "-"; empty: none
 };
 
 /// A command line: declared with add(), then read once with parse().
@@ -48,6 +48,7 @@ struct L3D_PUBLIC l3d_common_options {
 /// Expects: the variables outlive parse(); names are not used twice.
 class L3D_PUBLIC l3d_options {
 public:
+    /// Declares the options that all programs have. --help prints `purpose`.
     l3d_options(std::string program, const std::string& purpose, l3d_size default_size);
     l3d_options(const l3d_options&) = delete;
     l3d_options& operator=(const l3d_options&) = delete;
@@ -56,6 +57,7 @@ public:
     /// A number from `least` to `most`; NaN and trailing text are refused.
     void add(const std::string& name, double& value, const std::string& help, double least,
              double most);
+    /// A whole number from `least` to `most`.
     void add(const std::string& name, int& value, const std::string& help, int least, int most);
 
     /// The same where the default is found out later, if at all.
@@ -92,13 +94,18 @@ public:
     ///
     /// Errors: l3d_error(usage) that names the option and the value.
     bool parse(int argc, const char* const* argv);
+    /// The same with the stream named that --help and --version are printed on.
     bool parse(int argc, const char* const* argv, std::ostream& out);
+
+    /// Whether the command line named an option; false for one that was never added.
+    bool given(const std::string& name) const;
 
     /// The name that titles and files get.
     const std::string& program() const { return program_; }
 
     /// The name that the user called it by, without its folder: --help and messages say that.
     const std::string& command() const { return command_; }
+    /// The values of the options that all programs have. Expects: parse() is done.
     const l3d_common_options& common() const { return common_; }
 
     /// Replaces --output, for a program (or factory manager) that has a better default.

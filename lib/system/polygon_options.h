@@ -11,17 +11,24 @@
 #include "system/options.h"
 
 /// The pipeline, which finds out what is in front.
-enum class L3D_PUBLIC l3d_pipeline_kind { afd, zsort, zbuffer, mesa };
+enum class L3D_PUBLIC l3d_pipeline_kind {
+    afd,     ///< patches by adaptive forward differencing
+    zsort,   ///< triangles from far to near, cut where no order is right
+    zbuffer, ///< triangles with a depth buffer
+    mesa     ///< triangles by OpenGL in memory
+};
 
 /// Options for pipeline, projection and style, beside those that patches and polygons share.
 ///
 /// Lives:   both options are borrowed until parse() is done.
 class L3D_PUBLIC l3d_polygon_options {
 public:
+    /// Declares the options. Lives: borrows both until parse() is done.
     l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared);
     l3d_polygon_options(const l3d_polygon_options&) = delete;
     l3d_polygon_options& operator=(const l3d_polygon_options&) = delete;
 
+    /// The pipeline that --pipeline names.
     l3d_pipeline_kind pipeline() const { return pipeline_; }
 
     /// The polygons of the model asked for, its patches as triangles; the teapot if none was. Parts

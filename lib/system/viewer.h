@@ -33,6 +33,7 @@ public:
             reports_.emplace(asked.report());
     }
 
+    /// Adds a line to the report, if --report asked for one.
     void frame_event(const l3d_frame_times& times) override {
         Pipeline::frame_event(times);
         if (reports_)

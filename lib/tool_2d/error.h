@@ -10,19 +10,21 @@
 
 /// Exit codes of every program; an l3d_error carries the one its program ends with.
 enum class L3D_PUBLIC l3d_exit : int {
-    well = 0,
-    failure = 1,
-    usage = 2,
-    no_display = 3,
-    no_backend = 4,
-    bad_input = 5,
-    display_lost = 6,
+    well = 0,         ///< the program did what it was asked
+    failure = 1,      ///< the system refused something, such as writing a file
+    usage = 2,        ///< an option or a value is not right
+    no_display = 3,   ///< no display can be opened
+    no_backend = 4,   ///< no back-end can serve here
+    bad_input = 5,    ///< a file does not hold what it should
+    display_lost = 6, ///< the display went away
 };
 
 /// Thrown when a program cannot go on; the text names the file, line, option or value at fault.
 class L3D_PUBLIC l3d_error : public std::runtime_error {
 public:
+    /// An error for this reason, and the exit code that the program ends with.
     l3d_error(l3d_exit code, const std::string& text) : std::runtime_error(text), code_(code) {}
+    /// The exit code that main returns.
     l3d_exit code() const { return code_; }
 
 private:

@@ -25,29 +25,31 @@ enum l3d_key : int {
     l3d_key_f1, ///< up to l3d_key_f1 + 9; F11 is the event `fullscreen`
 };
 
+/// The things that can happen to a window.
 enum class L3D_PUBLIC l3d_event_type {
-    key_press,
-    key_release,
-    button_press,
-    button_release,
-    pointer_motion,
-    wheel,
-    resize,
-    expose,     ///< part of the window can be seen and lost its picture: it has to be shown again
-    hide,       ///< nothing of the window can be seen until the next expose or reveal
-    reveal,     ///< part of the window can be seen again; if it lost its picture, expose follows
-    fullscreen, ///< the user wants the whole display, or no longer: F11, Alt+Enter
-    close,      ///< the user wants the end, or somebody destroyed the window
-    display_lost,
+    key_press,      ///< a key went down
+    key_release,    ///< a key came up
+    button_press,   ///< a button of the mouse went down
+    button_release, ///< a button of the mouse came up
+    pointer_motion, ///< the pointer has moved
+    wheel,          ///< the wheel turned by one notch
+    resize,         ///< the picture has another size now
+    expose,       ///< part of the window can be seen and lost its picture: it has to be shown again
+    hide,         ///< nothing of the window can be seen until the next expose or reveal
+    reveal,       ///< part of the window can be seen again; if it lost its picture, expose follows
+    fullscreen,   ///< the user wants the whole display, or no longer: F11, Alt+Enter
+    close,        ///< the user wants the end, or somebody destroyed the window
+    display_lost, ///< the display went away; nothing can be shown any more
 };
 
 /// One event. Fields that do not belong to the type are zero.
 struct L3D_PUBLIC l3d_event {
-    l3d_event_type type{};
-    int key = 0;      ///< key_*: ASCII code or l3d_key
-    int button = 0;   ///< button_*: 1 left, 2 middle, 3 right; pointer_motion: the button held
-    int x = 0, y = 0; ///< pointer position in pixels; wheel: y is +1 away from the user, -1 towards
-    l3d_size size{};  ///< resize
+    l3d_event_type type{}; ///< what happened
+    int key = 0;           ///< key_*: ASCII code or l3d_key
+    int button = 0;        ///< button_*: 1 left, 2 middle, 3 right; pointer_motion: the button held
+    /// Pointer position in pixels. Of a wheel, y is +1 away from the user, -1 towards.
+    int x = 0, y = 0;
+    l3d_size size{}; ///< resize
 };
 
 /// A thing a dispatcher can pull events from (the book's marker class, given its two calls).

@@ -13,8 +13,8 @@
 
 /// Width and height of a picture or window, in pixels.
 struct L3D_PUBLIC l3d_size {
-    int width = 0;
-    int height = 0;
+    int width = 0;  ///< number of columns
+    int height = 0; ///< number of rows
     friend bool operator==(const l3d_size&, const l3d_size&) = default;
 };
 
@@ -29,11 +29,12 @@ inline constexpr int l3d_largest_side = 16384;
 ///          when they show.
 /// Lives:   borrows; the screen or image that made it owns the words.
 struct L3D_PUBLIC l3d_pixels {
-    std::uint32_t* words = nullptr;
-    int width = 0;
-    int height = 0;
-    std::ptrdiff_t stride = 0;
+    std::uint32_t* words = nullptr; ///< the first word of the top row
+    int width = 0;                  ///< number of columns
+    int height = 0;                 ///< number of rows
+    std::ptrdiff_t stride = 0;      ///< words from one row to the next
 
+    /// Width and height, in pixels.
     l3d_size size() const { return {width, height}; }
 
     /// Expects: 0 <= y < height.
@@ -48,14 +49,18 @@ struct L3D_PUBLIC l3d_pixels {
 
 /// A rectangle of a picture: columns [left, right) of rows [top, bottom).
 struct L3D_PUBLIC l3d_pixel_box {
+    /// The first column and row, and those behind the last ones.
     std::int32_t left = 0, top = 0, right = 0, bottom = 0;
 
+    /// Whether no pixel lies in it.
     bool empty() const { return left >= right || top >= bottom; }
 
+    /// The number of pixels in it.
     std::int64_t area() const {
         return empty() ? 0 : (std::int64_t{right} - left) * (std::int64_t{bottom} - top);
     }
 
+    /// What lies in both; empty if nothing does.
     l3d_pixel_box intersected(const l3d_pixel_box& other) const {
         return {std::max(left, other.left), std::max(top, other.top), std::min(right, other.right),
                 std::min(bottom, other.bottom)};

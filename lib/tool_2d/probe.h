@@ -10,14 +10,20 @@
 
 /// A thing that --diagnose prints a line about.
 struct L3D_PUBLIC l3d_probe {
-    enum class verdict { good, limited, bad };
+    /// How far it serves.
+    enum class verdict {
+        good,    ///< nothing is missing
+        limited, ///< it serves, but not as well as it could
+        bad      ///< it does not serve
+    };
 
-    std::string what;   ///< "MIT-SHM", "visual"
-    std::string result; ///< what was found, or why nothing was
-    verdict outcome = verdict::good;
+    std::string what;                ///< "MIT-SHM", "visual"
+    std::string result;              ///< what was found, or why nothing was
+    verdict outcome = verdict::good; ///< how far it serves
     std::string remedy; ///< what to install, set or leave out; empty if nothing is wrong
 };
 
+/// All that was found, in the order in which it is printed.
 using l3d_probes = std::vector<l3d_probe>;
 
 #endif

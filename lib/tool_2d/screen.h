@@ -48,6 +48,7 @@ public:
 
     /// Covers the whole display, or no longer. A screen that is no window stays as it is.
     void set_fullscreen(bool on) { do_set_fullscreen(on); }
+    /// Whether it covers the whole display now.
     bool is_fullscreen() const { return do_is_fullscreen(); }
 
     /// One line for --verbose and --diagnose: kind, depth, bits per pixel, byte order.
@@ -76,7 +77,7 @@ inline constexpr int l3d_largest_scale = 8;
 
 /// The properties that a program wants of its screen.
 struct L3D_PUBLIC l3d_screen_request {
-    l3d_size size{1024, 768};
+    l3d_size size{1024, 768};  ///< of the picture, in pixels of the program
     std::string title = "l3d"; ///< UTF-8, for people
     std::string name = "l3d";  ///< of the program, for window managers and their rules
     /// Side of the square of the display's pixels that shows one of ours; 0: as the display's
@@ -86,18 +87,20 @@ struct L3D_PUBLIC l3d_screen_request {
 
 /// How well a kind of screen can serve here and now.
 struct L3D_PUBLIC l3d_service {
+    /// How well, from best to worst.
     enum class level {
-        fully,
+        fully,        ///< it serves as its name says
         partly,       ///< it serves, but another way than its name says
         not_here,     ///< it cannot serve, and another display would not help
         no_display,   ///< there is no display that answers
         display_lost, ///< the display went away while it was asked
     };
 
-    level how = level::fully;
-    std::string why{};   ///< one line, naming values, if not `fully`
-    bool is_seen = true; ///< whether somebody sees the pictures, unless they are written
+    level how = level::fully; ///< the answer in one word
+    std::string why{};        ///< one line, naming values, if not `fully`
+    bool is_seen = true;      ///< whether somebody sees the pictures, unless they are written
 
+    /// Whether pictures can be shown, this way or another.
     bool serves() const { return how == level::fully || how == level::partly; }
 };
 

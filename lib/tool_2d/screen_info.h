@@ -16,12 +16,12 @@
 /// How a display finds the colour of a pixel. It looks in a map of colours or grays, or uses masks;
 /// in a direct_color one, it uses masks and a map for each channel. Static maps cannot be changed.
 enum class L3D_PUBLIC l3d_color_class {
-    static_gray,
-    gray_scale,
-    static_color,
-    pseudo_color,
-    true_color,
-    direct_color,
+    static_gray,  ///< grays in a map that cannot be changed
+    gray_scale,   ///< grays in a map that can be changed
+    static_color, ///< colours in a map that cannot be changed
+    pseudo_color, ///< colours in a map that can be changed
+    true_color,   ///< masks: the usual display of today
+    direct_color, ///< masks, and a map for each channel
 };
 
 /// The name of a class as X spells it, "TrueColor".
@@ -32,14 +32,14 @@ L3D_PUBLIC const char* l3d_name_of(l3d_color_class color_class);
 /// Expects: each mask one run of ones, at most 16 wide, none overlapping another; all 0 if pixels
 ///          only count the cells of a map.
 struct L3D_PUBLIC l3d_pixel_layout {
-    int depth = 24;          ///< bits that mean something
-    int bits_per_pixel = 32; ///< bits that are stored
-    std::uint32_t red_mask = 0xFF0000;
-    std::uint32_t green_mask = 0x00FF00;
-    std::uint32_t blue_mask = 0x0000FF;
-    std::endian byte_order = std::endian::native;
+    int depth = 24;                               ///< bits that mean something
+    int bits_per_pixel = 32;                      ///< bits that are stored
+    std::uint32_t red_mask = 0xFF0000;            ///< the bits of red in a pixel
+    std::uint32_t green_mask = 0x00FF00;          ///< the bits of green in a pixel
+    std::uint32_t blue_mask = 0x0000FF;           ///< the bits of blue in a pixel
+    std::endian byte_order = std::endian::native; ///< of a stored pixel
     int scanline_pad = 32; ///< every row starts at a multiple of so many bits
-    l3d_color_class color_class = l3d_color_class::true_color;
+    l3d_color_class color_class = l3d_color_class::true_color; ///< how colours are found
 
     /// One phrase: class, depth, bits per pixel, byte order, masks.
     std::string describe() const;
@@ -59,14 +59,15 @@ struct L3D_PUBLIC l3d_channel {
 ///          `blue`; on a ramp, `red` counts the grays, and the others are 1.
 /// Expects: 2 to 256 levels of each, but for those ones.
 struct L3D_PUBLIC l3d_palette {
-    int red = 0;
-    int green = 0;
-    int blue = 0;
+    int red = 0;                       ///< levels of red, or of gray on a ramp
+    int green = 0;                     ///< levels of green; 1 on a ramp
+    int blue = 0;                      ///< levels of blue; 1 on a ramp
     std::vector<std::uint32_t> pixels; ///< empty: there is no palette, masks say all
     /// How far the display is off: the largest difference between a channel that a pixel shows
     /// and its level, 0..255. Other programs' colours, borrowed from a full map, need not be ours.
     int deviation = 0;
 
+    /// Whether it has grays only.
     bool is_ramp() const { return green == 1; }
 
     /// The channel value, 0..255, of a level: level * 255 / (levels - 1), to nearest.
@@ -85,12 +86,19 @@ public:
     /// Expects: masks or a palette; with both, pixels are those of the palette.
     explicit l3d_screen_info(const l3d_pixel_layout& layout = {}, l3d_palette palette = {});
 
+    /// The display's own description.
     const l3d_pixel_layout& layout() const { return layout_; }
+    /// The cells of its map that show our colours; without pixels if masks say all.
     const l3d_palette& palette() const { return palette_; }
+    /// Whether pixels are cells of a map.
     bool has_palette() const { return !palette_.pixels.empty(); }
+    /// Bytes that a pixel takes in memory.
     int bytes_per_pixel() const { return layout_.bits_per_pixel / 8; }
+    /// Where red sits; no bits if pixels have no channels.
     l3d_channel red() const { return red_; }
+    /// Where green sits; no bits if pixels have no channels.
     l3d_channel green() const { return green_; }
+    /// Where blue sits; no bits if pixels have no channels.
     l3d_channel blue() const { return blue_; }
 
     /// The bits set in every native pixel: on a 32-bit deep display those that no colour uses,

@@ -51,7 +51,10 @@ TEST(patch_model, says_why_a_file_has_none) {
         const text_file polygon("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
         EXPECT_EQ(refusal_of(polygon.path), polygon.path + ": holds 1 polygons and no patches");
     }
-    const text_file broken("1\n3 3\n0 0 zero\n");
+    std::string text = "1\n3 3\n0 0 zero\n";
+    for (int i = 1; i < 16; ++i)
+        text += "0 0 0\n";
+    const text_file broken(text);
     EXPECT_EQ(refusal_of(broken.path).find(broken.path + ":3: "), 0u) << refusal_of(broken.path);
 }
 

@@ -84,7 +84,7 @@ def refuses_wrong_models():
             expect_equal(said.count("\n"), 1, name)
         expect(not os.path.exists(os.path.join(path, "o.png")), "a picture of nothing")
         for name in ("missing.bpt", "."):
-            status, _, said = memory("--model", name, cwd=path)
+            status, _, said = memory("--model", name, "--output", "o.png", cwd=path)
             expect_equal(status, 5, name)
             expect(said.startswith("teapot_afd: " + name + ": "), said)
 
@@ -254,13 +254,13 @@ def shows_the_error_where_it_is_bounded():
             expect(drawn and all(max(p >> 16, p >> 8 & 255) == 255 and p & 255 == 0 for p in drawn),
                    method, "colours", drawn)
         for method in ("isocurves", "scanline", "voxels", "mesa"):
-            status, out, said = memory("--shade", "error", "--method", method, cwd=path)
+            status, out, said = memory("--shade", "error", "--method", method, "--output", "p.png", cwd=path)
             expect_equal((status, out, said.count("\n")), (2, b"", 1), method)
             wanted = "--shade: error ", "--method " + method, ", ".join(bounded)
             expect(all(words in said for words in wanted), said)
         modelview = Program("modelview", TEAPOT.size)
         for pipeline in ("zsort", "zbuffer", "mesa"):
-            command = modelview.command("--backend", "memory", "--shade", "error", "--pipeline")
+            command = modelview.command("--backend", "memory", "--output", "m.png", "--shade", "error", "--pipeline")
             status, out, said = run([*command, pipeline], environment(), cwd=path)
             expect_equal((status, out, said.count("\n")), (2, b"", 1), pipeline)
             expect(said.startswith("modelview: --shade: only --pipeline afd "), said)

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+/// The formats that can be read. docs/FORMATS.md says what of each.
 enum class L3D_PUBLIC l3d_model_format {
     asc,        ///< 3D Studio's text form
     obj,        ///< Wavefront: polygons, Bezier and B-spline surfaces
@@ -24,9 +25,9 @@ enum class L3D_PUBLIC l3d_model_format {
 
 /// Polygons, patches, or both; as the file has them, in its own coordinates.
 struct L3D_PUBLIC l3d_model_file {
-    l3d_polygon_mesh mesh;
-    std::vector<l3d_patch_points> patches;
-    std::vector<std::string> notes; ///< "name:line: what was skipped"; some 20 at the most
+    l3d_polygon_mesh mesh;                 ///< the polygons; without faces if there are none
+    std::vector<l3d_patch_points> patches; ///< the surface patches, of any degrees
+    std::vector<std::string> notes;        ///< "name:line: what was skipped"; some 20 at the most
 
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;
 };
@@ -49,8 +50,12 @@ L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model(std::string_view text,
 /// Errors: as those of l3d_read_model, whose cost it has, too.
 using l3d_model_reader = std::optional<l3d_model_file>(std::string_view text, std::string_view name,
                                                        std::string& why);
-l3d_model_reader l3d_read_asc, l3d_read_obj, l3d_read_off, l3d_read_ply, l3d_read_videoscape,
-    l3d_read_bez;
+l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
+    l3d_read_obj,              ///< Wavefront
+    l3d_read_off,              ///< geomview's polygons
+    l3d_read_ply,              ///< Stanford's polygons
+    l3d_read_videoscape,       ///< 3DG1
+    l3d_read_bez;              ///< geomview's patches
 
 /// The text of an .off file; reading it gives the same vertices, faces, normals and colours, bit
 /// for bit. Parts and materials have no place in it.

@@ -17,8 +17,9 @@
 /// Shape: (degree_u + 1) * (degree_v + 1) points; index = row * (degree_u + 1) + column, columns
 ///        along u, rows along v.
 struct L3D_PUBLIC l3d_patch_points {
+    /// The degrees of the polynomials along u and v; 3 and 3 for a bicubic patch.
     int degree_u = 0, degree_v = 0;
-    std::vector<std::array<double, 3>> points;
+    std::vector<std::array<double, 3>> points; ///< the control points, row by row: x, y, z
 
     friend bool operator==(const l3d_patch_points&, const l3d_patch_points&) = default;
 };

@@ -18,7 +18,7 @@ inline constexpr int l3d_usual_facets = 8;
 
 /// Patches as triangles.
 struct L3D_PUBLIC l3d_patch_mesh {
-    l3d_polygon_mesh mesh;
+    l3d_polygon_mesh mesh;              ///< the triangles of all patches
     std::vector<std::size_t> face_ends; ///< patch by patch, the number of faces up to its last
 };
 

@@ -23,16 +23,16 @@ class l3d_polygon_wires;
 
 /// The parts of faces that are shown.
 enum class L3D_PUBLIC l3d_polygon_style {
-    solid,
+    solid,        ///< faces, filled
     wireframe,    ///< the sides of all faces, of culled ones not
     hidden_lines, ///< the sides, without what faces hide
 };
 
 /// How a model is to be drawn.
 struct L3D_PUBLIC l3d_polygon_settings {
-    l3d_polygon_style style = l3d_polygon_style::solid;
-    l3d_shade shade = l3d_shade::flat;
-    l3d_projection projection = l3d_projection::perspective;
+    l3d_polygon_style style = l3d_polygon_style::solid;      ///< surfaces, or lines
+    l3d_shade shade = l3d_shade::flat;                       ///< how surfaces get their greys
+    l3d_projection projection = l3d_projection::perspective; ///< whether far things look smaller
     l3d_vector<double, 3> light = l3d_usual_light; ///< towards the light, world space, any length
     l3d_vector<double, 3> rotation{0.0, 0.0,
                                    0.0}; ///< degrees about x, y, z, round the box's middle
@@ -50,6 +50,7 @@ class L3D_PUBLIC l3d_pipeline_polygons : public l3d_pipeline {
 public:
     ~l3d_pipeline_polygons() override;
 
+    /// Where the pictures are shown.
     l3d_screen& screen() { return *screen_; }
 
     /// The last frame drawn; the hash is counted when asked for.
@@ -58,9 +59,12 @@ public:
     /// From where the model is drawn, and how; the next draw_event draws what they say then. A
     /// program with a dispatcher calls redraw() after a change.
     l3d_camera& camera() { return camera_; }
+    /// How the model is to be drawn; a reference to change it.
     l3d_polygon_settings& settings() { return settings_; }
+    /// Asks for the next frame to be drawn, whatever has changed.
     void redraw() { stale_ = true; }
 
+    /// The viewer's keys, mouse and lines of text.
     l3d_viewer_controls& controls() { return controls_; }
 
     void key_event(int key) override;
@@ -78,19 +82,20 @@ public:
 protected:
     /// The inputs of a frame.
     struct scene {
-        l3d_pixels target;
-        const l3d_polygon_frame& frame;
-        l3d_shading shading;
-        bool count_pixels; ///< as in the settings
+        l3d_pixels target;              ///< the picture, to be written to
+        const l3d_polygon_frame& frame; ///< the model's triangles in it
+        l3d_shading shading;            ///< light, and the way to shade
+        bool count_pixels;              ///< as in the settings
     };
 
     /// Errors:  as l3d_rasterizer_factory::create_2d.
     l3d_pipeline_polygons(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                           const l3d_polygon_settings& settings);
 
+    /// The threads that draw.
     l3d_workers& workers() { return workers_; }
 
-    static constexpr std::uint32_t wire_color = 0x0080d0ff;
+    static constexpr std::uint32_t wire_color = 0x0080d0ff; ///< the colour of lines, a pixel word
 
 private:
     /// Draw the whole picture, and add to times and counts of the report.

@@ -17,7 +17,7 @@
 /// A triangle of a face.
 struct L3D_PUBLIC l3d_model_triangle {
     std::array<std::uint32_t, 3> corners{}; ///< vertex indices, in the order of the face's
-    std::uint32_t face = 0;
+    std::uint32_t face = 0;                 ///< index of the face that it is part of
     /// Bit k: the side from corner k to the next is a side of the face, not a diagonal.
     std::uint32_t sides = 0;
 };
@@ -33,12 +33,16 @@ struct L3D_PUBLIC l3d_model_triangle {
 ///          counts a reference. A move is a copy, so no model is ever without contents.
 class L3D_PUBLIC l3d_polygon_model {
 public:
+    /// A place in the model's space.
     using vector = l3d_vector<double, 3>;
+    /// A direction in the model's space.
     using direction = l3d_vector<float, 3>;
 
     /// No polygons.
     l3d_polygon_model() : l3d_polygon_model(l3d_polygon_mesh()) {}
+    /// Shares the contents.
     l3d_polygon_model(const l3d_polygon_model&) = default;
+    /// Shares the contents of the other model, and lets go of its own.
     l3d_polygon_model& operator=(const l3d_polygon_model&) = default;
     ~l3d_polygon_model() = default;
 
@@ -52,7 +56,9 @@ public:
     ///         neither polygons nor patches.
     static l3d_polygon_model load(const std::string& file);
 
+    /// The polygons as they were given, or moved to the origin.
     const l3d_polygon_mesh& mesh() const { return contents_->mesh; }
+    /// The triangles of all faces, face after face.
     std::span<const l3d_model_triangle> triangles() const { return contents_->triangles; }
 
     /// Unit vectors, counterclockwise corners seen from their tips; zero for a face of no area.
@@ -62,11 +68,14 @@ public:
     /// vectors; zero where no face is.
     std::span<const direction> vertex_normals() const { return contents_->vertex_normals; }
 
+    /// The corner of the model's box with the smallest x, y and z.
     const vector& least() const { return contents_->least; }
+    /// The corner of the model's box with the largest x, y and z.
     const vector& most() const { return contents_->most; }
 
     /// The middle of the box, and how far the farthest vertex is from it.
     vector centre() const { return contents_->centre(); }
+    /// The distance from centre() to the farthest vertex.
     double radius() const { return contents_->radius; }
 
     /// Bytes of memory in use, the mesh's own included.

@@ -38,11 +38,12 @@ struct L3D_PUBLIC l3d_polygon_times : l3d_common_times {
 
 /// One frame.
 struct L3D_PUBLIC l3d_polygon_report : l3d_common_report {
-    l3d_polygon_times time_ms;
-    std::int64_t faces = 0;     ///< of the model
-    std::int64_t triangles = 0; ///< that its faces are
-    l3d_polygon_counts polygons;
-    l3d_painter_order_counts order;
+    l3d_polygon_times time_ms;   ///< what each stage took, in milliseconds
+    std::int64_t faces = 0;      ///< of the model
+    std::int64_t triangles = 0;  ///< that its faces are
+    l3d_polygon_counts polygons; ///< triangles drawn, and left out, by reason
+    l3d_painter_order_counts
+        order; ///< the work of finding what is in front; zeros with a depth buffer
 
     /// One line of JSON, without the line's end.
     std::string json() const;

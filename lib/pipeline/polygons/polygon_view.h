@@ -11,7 +11,7 @@
 
 /// How depth changes what is seen.
 enum class L3D_PUBLIC l3d_projection {
-    perspective,
+    perspective, ///< what is twice as far is half as large
     parallel, ///< sizes as perspective has them at the camera's target; nothing is behind the eye
 };
 
@@ -28,15 +28,22 @@ L3D_PUBLIC l3d_matrix<double> l3d_euler_rotation(const l3d_vector<double, 3>& de
 /// Expects: a valid camera; a placement that turns and moves, and leaves lengths as they are.
 class L3D_PUBLIC l3d_polygon_view {
 public:
+    /// A place or a direction.
     using vector = l3d_vector<double, 3>;
 
+    /// The view of a model that stands at `placement`, in a picture of that size.
     l3d_polygon_view(const l3d_camera& camera, l3d_size size, l3d_projection projection,
                      const l3d_matrix<double>& placement);
 
+    /// From the model to the picture, as said above.
     const l3d_matrix<double>& matrix() const { return matrix_; }
+    /// From the model to the world.
     const l3d_matrix<double>& placement() const { return placement_; }
+    /// Where the eye is.
     const l3d_camera& camera() const { return camera_; }
+    /// The picture's width and height, in pixels.
     l3d_size size() const { return size_; }
+    /// Whether the projection is parallel: far things do not look smaller.
     bool is_parallel() const { return projection_ == l3d_projection::parallel; }
 
     /// Positive if a plane's front, where its normal points to, is seen: the sign of

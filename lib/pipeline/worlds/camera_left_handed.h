@@ -11,6 +11,7 @@
 /// The book's term for a field of view: the distance of a window from the eye over its width. It is
 /// half the cotangent of half the angle. Units: degrees.
 L3D_PUBLIC double l3d_fov_term(double degrees);
+/// The angle that has this term: the inverse of l3d_fov_term. Units: degrees.
 L3D_PUBLIC double l3d_fov_degrees(double term);
 
 /// A perspective camera in a left-handed world: x right, y up, z away from the viewer.
@@ -23,7 +24,9 @@ public:
     /// 100 degrees wide, about what a human eye sees; pixels are squares.
     explicit l3d_camera_left_handed(l3d_size size);
 
+    /// Fields of view along x and y, as terms of l3d_fov_term.
     double fovx, fovy;
+    /// The least and the largest distance that is drawn, in world units.
     double near_z = 5.5, far_z = 500;
 
     /// The picture has another shape: what is square on it stays so.
@@ -32,8 +35,10 @@ public:
     /// Where a point in the camera's coordinates appears: the picture's centre is (width / 2,
     /// height / 2), y is down. Expects: p[2] > 0.
     struct pixel {
+        /// From the picture's left and top, in pixels.
         double x, y;
     };
+    /// The place of a point in a picture of this size. Expects: p[2] > 0.
     pixel project(const l3d_point<T>& p, l3d_size size) const;
 };
 

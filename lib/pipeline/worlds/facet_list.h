@@ -29,6 +29,7 @@ enum class L3D_PUBLIC l3d_draw_order {
 /// Source:  the order of steps is that of l3d_world::draw_all in the book.
 class L3D_PUBLIC l3d_facet_list {
 public:
+    /// The numbers that pictures are computed in.
     using real = l3d_real;
 
     /// Forgets the last frame. Expects: 0 < near_z <= far_z, fovx and fovy > 0.
@@ -40,6 +41,7 @@ public:
     /// Polygons added and neither behind the eye nor outside the picture.
     std::size_t polygons() const { return polygons_.size(); }
 
+    /// Draws what was added since begin(), each polygon in its own colour.
     void draw(l3d_rasterizer_2d& rasterizer, l3d_draw_order order);
 
     /// The corners of a polygon, in the order of addition. Units: pixels.

@@ -22,35 +22,45 @@ inline constexpr double l3d_book_rate = 60;
 ///          him.
 template <class T> class L3D_PUBLIC l3d_moveable {
 public:
+    /// A place in the world.
     using point = l3d_point<T>;
+    /// A direction in the world.
     using vector = l3d_vector<T, 3>;
 
     /// Numbers that belong to the three axes.
     struct by_axis {
+        /// Along or about each axis; positive forward, up and to the right.
         double right = 0, up = 0, forward = 0;
     };
 
-    point place = point::of(50, 5, 50);
+    point place =
+        point::of(50, 5, 50); ///< where it is, in world units; the programs of the book begin there
 
     /// Units: per second.
     by_axis velocity;
-    by_axis spin;
+    by_axis spin; ///< degrees per second about each axis
 
     /// The velocity that one push adds along each axis: 0.2 units per update in the book.
     by_axis thrust{0.2 * l3d_book_rate, 0.2 * l3d_book_rate, 0.2 * l3d_book_rate};
 
+    /// The axis that points to its right, a unit vector in the world.
     const vector& right() const { return right_; }
+    /// The axis that points upwards, a unit vector in the world.
     const vector& up() const { return up_; }
+    /// The axis that points forward, a unit vector in the world.
     const vector& forward() const { return forward_; }
 
     /// One press of a key: `times` is +1 or -1 along or about an axis, 0 otherwise. A velocity that
     /// has reached its limit (90 units, 95 degrees per update in the book) stays.
     void push(const by_axis& times);
+    /// As push, but turns: `times` is about each axis.
     void twist(const by_axis& times);
 
     /// Turns at once. Units: degrees.
     void turn_about_right(double degrees);
+    /// Turns at once about the axis up(). Units: degrees.
     void turn_about_up(double degrees);
+    /// Turns at once about the axis forward(). Units: degrees.
     void turn_about_forward(double degrees);
 
     /// Flies on. Expects: seconds >= 0.
@@ -60,6 +70,7 @@ public:
 
     /// World coordinates to those of the three axes with the place as origin, and back.
     l3d_matrix<T> viewing_transform() const;
+    /// From the three axes with the place as origin to the world.
     l3d_matrix<T> inverse_viewing_transform() const;
 
 private:

@@ -25,6 +25,7 @@ public:
     l3d_object_behaviour& operator=(const l3d_object_behaviour&) = delete;
     virtual ~l3d_object_behaviour() = default;
 
+    /// Lets time pass for the object that it belongs to. Units: seconds.
     void update(l3d_object& object, double seconds) { do_update(object, seconds); }
 
     /// The same behaviour with a state of its own, for a copy of the object.
@@ -46,6 +47,7 @@ private:
 /// Shape:   faces are as of l3d_polygon_3d: clockwise from outside in left-handed axes.
 class L3D_PUBLIC l3d_object {
 public:
+    /// The numbers that pictures are computed in.
     using real = l3d_real;
 
     l3d_object() = default;
@@ -54,10 +56,11 @@ public:
     l3d_object& operator=(const l3d_object&) = delete;
     virtual ~l3d_object() = default;
 
-    std::string name;
+    std::string name; ///< for messages; need not differ from others
 
     /// Expects: mesh.is_valid().
     void set_mesh(l3d_polygon_mesh mesh);
+    /// The polygons, in the object's own coordinates.
     const l3d_polygon_mesh& mesh() const { return mesh_; }
 
     /// The mesh's vertices in the numbers that pictures are computed in.
@@ -65,11 +68,13 @@ public:
 
     /// Sets one of the matrices; those before it that were never set leave everything as it is.
     void set_transform(std::size_t index, const l3d_matrix<real>& m);
+    /// The matrices of the placement, the first one applied first.
     std::span<const l3d_matrix<real>> transforms() const { return transforms_; }
 
     /// All of them, multiplied: from the object's own coordinates to the world's.
     const l3d_matrix<real>& modeling_transform() const;
 
+    /// Gives it this behaviour instead of the one that it had; null for none.
     void plug(std::unique_ptr<l3d_object_behaviour> behaviour) {
         behaviour_ = std::move(behaviour);
     }
@@ -82,6 +87,7 @@ public:
     std::unique_ptr<l3d_object> clone() const;
 
 protected:
+    /// A copy in depth of all but the behaviour.
     l3d_object(const l3d_object& other); // without its behaviour
 
 private:

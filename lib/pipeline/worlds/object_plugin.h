@@ -9,60 +9,61 @@
 extern "C" {
 #endif
 
-/* Goes up when a plug-in made for the old interface would no longer work. Members that are added
+/** Goes up when a plug-in made for the old interface would no longer work. Members that are added
    at the end of a structure leave it alone: `size` says how many there are. */
 #define L3D_PLUGIN_VERSION 1u
 
-/* An object of the program's world, as plug-ins see it: by the functions below alone. */
+/** An object of the program's world, as plug-ins see it: by the functions below alone. */
 typedef struct l3d_plugin_object l3d_plugin_object;
 
-/* What the program does for plug-ins. All functions may be called from within the plug-in's own
+/** What the program does for plug-ins. All functions may be called from within the plug-in's own
    functions only; what they are given is copied. Those that return an int return 1 for success.
    They return 0 if an argument is not right; the program reports that, and the plug-in has only to
    return. */
 typedef struct l3d_plugin_host {
-    uint32_t size;    /* of this structure, in bytes */
-    uint32_t version; /* L3D_PLUGIN_VERSION */
+    uint32_t size;    /**< of this structure, in bytes */
+    uint32_t version; /**< L3D_PLUGIN_VERSION */
 
-    /* Replaces the object's polygons. `coordinates` has three numbers for each vertex. Face i has
+    /** Replaces the object's polygons. `coordinates` has three numbers for each vertex. Face i has
        corner_counts[i] >= 3 corners. `corners` has the vertices of one face after the other,
        clockwise from outside in left-handed axes. `colors` has a word 0x00RRGGBB for each face. */
     int (*set_polygons)(l3d_plugin_object* object, uint32_t vertices, const double* coordinates,
                         uint32_t faces, const uint32_t* corner_counts, const uint32_t* corners,
                         const uint32_t* colors);
 
-    /* Replaces them by those of a Videoscape file, made left-handed; relative names are looked for
+    /** Replaces them by those of a Videoscape file, made left-handed; relative names are looked for
        where the program was told to. Faces get random colours if `random_colors` is not 0. */
     int (*load_videoscape)(l3d_plugin_object* object, const char* file, int random_colors);
 
-    /* Sets matrix `index` of the object's placement, row by row; a point is a column. The first
+    /** Sets matrix `index` of the object's placement, row by row; a point is a column. The first
        one is applied first. index < 16. */
     int (*set_transform)(l3d_plugin_object* object, uint32_t index, const double matrix[16]);
 
-    /* 32 random bits, the same in every run from the same seed. */
+    /** 32 random bits, the same in every run from the same seed. */
     uint32_t (*random)(l3d_plugin_object* object);
 
-    /* Says why create or copy is about to return a null pointer. */
+    /** Says why create or copy is about to return a null pointer. */
     void (*fail)(l3d_plugin_object* object, const char* why);
 } l3d_plugin_host;
 
-/* What a plug-in is: a shared library that defines one of these by the name l3d_plugin. */
+/** What a plug-in is: a shared library that defines one of these by the name l3d_plugin. */
 typedef struct l3d_plugin_interface {
-    uint32_t size;    /* of this structure, in bytes */
-    uint32_t version; /* L3D_PLUGIN_VERSION */
+    uint32_t size;    /**< of this structure, in bytes */
+    uint32_t version; /**< L3D_PLUGIN_VERSION */
 
-    /* Sets the object up. The result is the plug-in's own data for this object, which the other
+    /** Sets the object up. The result is the plug-in's own data for this object, which the other
        functions get; null if it cannot be done. The host outlives it; the parameters do not. */
     void* (*create)(const l3d_plugin_host* host, l3d_plugin_object* object, const char* parameters);
-    /* Lets time pass. */
+    /** Lets time pass. */
     void (*update)(void* data, double seconds);
-    /* Data for a copy of the object, whose polygons and placement have been copied already; null
+    /** Data for a copy of the object, whose polygons and placement have been copied already; null
        if it cannot be done. */
     void* (*copy)(const void* data, l3d_plugin_object* copied);
-    /* Frees what create or copy made. Called before the object goes. */
+    /** Frees what create or copy made. Called before the object goes. */
     void (*destroy)(void* data);
 } l3d_plugin_interface;
 
+/** The name that a plug-in's interface has in its library. */
 #define L3D_PLUGIN_SYMBOL "l3d_plugin"
 
 #ifdef __cplusplus

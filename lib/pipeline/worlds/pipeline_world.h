@@ -19,6 +19,7 @@ inline constexpr const char* l3d_world_keys =
 /// Lives:   borrows the world.
 class L3D_PUBLIC l3d_pipeline_world : public l3d_pipeline_2d {
 public:
+    /// Shows this world on that canvas. Errors: as l3d_pipeline_2d.
     l3d_pipeline_world(l3d_canvas canvas, l3d_world& world);
 
     void key_event(int key) override;

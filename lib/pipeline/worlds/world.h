@@ -19,10 +19,11 @@ public:
     l3d_world& operator=(const l3d_world&) = delete;
     virtual ~l3d_world() = default;
 
-    l3d_camera_left_handed<l3d_real> camera;
-    std::vector<std::unique_ptr<l3d_object>> objects;
-    l3d_draw_order order = l3d_draw_order::far_first;
-    bool frozen = false; ///< only the camera moves
+    l3d_camera_left_handed<l3d_real> camera;          ///< where the world is seen from
+    std::vector<std::unique_ptr<l3d_object>> objects; ///< all that is in the world
+    l3d_draw_order order =
+        l3d_draw_order::far_first; ///< how polygons are put in front of each other
+    bool frozen = false;           ///< only the camera moves
 
     /// Lets time pass for every object, then for the camera. Units: seconds.
     void update_all(double seconds);

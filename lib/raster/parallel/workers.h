@@ -22,6 +22,7 @@ public:
     l3d_workers& operator=(const l3d_workers&) = delete;
     ~l3d_workers();
 
+    /// The number of threads, the caller's included.
     int count() const { return count_; }
 
     /// Calls work(item, worker) once for each item in [0, items), on any worker in [0, count()),

@@ -16,6 +16,7 @@
 /// Lives:   a value; copies are deep, and of the same type.
 class L3D_PUBLIC l3d_polygon_2d_flatshaded : public l3d_polygon_2d {
 public:
+    /// A polygon whose corners are these vertices of a list, in one colour, a pixel word.
     l3d_polygon_2d_flatshaded(std::vector<std::uint32_t> ivertices, std::uint32_t color)
         : l3d_polygon_2d(std::move(ivertices)), final_color(color) {}
 

@@ -11,6 +11,7 @@
 
 /// A character is 5 by 7 font pixels; the next one starts 6 further right, the next line 9 lower.
 inline constexpr int l3d_text_advance = 6;
+/// The distance from one line of text to the next, in font pixels.
 inline constexpr int l3d_text_line = 9;
 
 /// Draws one line of text with its top left corner at (x, y), each font pixel scale by scale
