@@ -118,7 +118,8 @@ public:
     }
 
 protected:
-    /// Draws points, lines and text on the picture. A frame that used it shows its picture as new.
+    /// For draw_overlay: draws points, lines and polygons on the picture. After it was
+    /// asked for, the next frame that differs is drawn whole.
     l3d_rasterizer_2d& rasterizer() {
         touch();
         return rasterizer_;
@@ -130,7 +131,8 @@ protected:
     /// The certified bound of what has been drawn in this frame. Units: pixels.
     double bound() const { return report_.dice.bound_px; }
 
-    /// The picture, to be written to. A frame that used it shows its picture as new.
+    /// For draw_overlay: the picture, to be written to. The next frame that
+    /// differs is drawn whole.
     l3d_pixels pixels() {
         touch();
         return screen_->pixels();

@@ -33,8 +33,7 @@ public:
         double right = 0, up = 0, forward = 0;
     };
 
-    point place =
-        point::of(50, 5, 50); ///< where it is, in world units; the programs of the book begin there
+    point place = point::of(50, 5, 50); ///< where it is, in world units
 
     /// Units: per second.
     by_axis velocity;
