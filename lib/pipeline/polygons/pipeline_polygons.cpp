@@ -41,8 +41,8 @@ l3d_pipeline_polygons::l3d_pipeline_polygons(l3d_canvas canvas, l3d_polygon_mode
                                              const l3d_camera& camera,
                                              const l3d_polygon_settings& settings)
     : screen_(std::move(canvas.screen)), workers_(settings.threads),
-      imp_(canvas.rasterizers->create_2d(screen_->pixels())), rasterizer_(*imp_), model_(std::move(model)),
-      camera_(camera), settings_(settings), first_settings_(settings),
+      imp_(canvas.rasterizers->create_2d(screen_->pixels())), rasterizer_(*imp_),
+      model_(std::move(model)), camera_(camera), settings_(settings), first_settings_(settings),
       frame_(std::make_unique<l3d_polygon_frame>()), wires_(std::make_unique<l3d_polygon_wires>()),
       controls_(*this, *screen_, camera_, own_rows(), [this] { reset_view(); }) {
     report_.frame = -1;
