@@ -129,16 +129,16 @@ $(OUT)/man/l3d-%.1: $(OUT)/bin/% packaging/man_page.awk
 $(OUT)/man/%.1: $(OUT)/bin/% packaging/man_page.awk
 	$(page)
 
-words = $(Q)mkdir -p $(@D); $< --help | \
+completion = $(Q)mkdir -p $(@D); $< --help | \
     awk -f packaging/completion.awk -v shell=$(1) -v program=$(patsubst _%,%,$(@F)) > $@
 $(OUT)/completion/bash/l3d-%: $(OUT)/bin/% packaging/completion.awk
-	$(call words,bash)
+	$(call completion,bash)
 $(OUT)/completion/bash/%: $(OUT)/bin/% packaging/completion.awk
-	$(call words,bash)
+	$(call completion,bash)
 $(OUT)/completion/zsh/_l3d-%: $(OUT)/bin/% packaging/completion.awk
-	$(call words,zsh)
+	$(call completion,zsh)
 $(OUT)/completion/zsh/_%: $(OUT)/bin/% packaging/completion.awk
-	$(call words,zsh)
+	$(call completion,zsh)
 
 $(ICON): $(OUT)/bin/teapot_afd
 	$(Q)mkdir -p $(@D); $< --no-input --backend memory --size 128x128 --fov 30 --target 0.25,1.5,0 --output $@

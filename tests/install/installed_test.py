@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """What `make install` has put into the folder that is named, moved elsewhere, is all one needs: the
-examples of docs/TUTORIAL.md and apps/drawdot are built with it, linked in every way, and run."""
+examples of README, docs/TUTORIAL.md and apps/drawdot are built with it, linked in every way, and run."""
 
 import concurrent.futures
 import os
@@ -23,10 +23,13 @@ import pty_screen
 from harness import Checks, expect, expect_equal, read_png
 
 TUTORIAL = (ROOT / "docs" / "TUTORIAL.md").read_text()
+README = (ROOT / "README.md").read_text()
 REALS = {"float": "l3d", "fixed": "l3d-fixed"}
 WAYS = ("shared", "static")
-MOST_LINES = {"dot.cpp": 25, "spin.cpp": 40, "even.cpp": 110, "terminal.h": 120}
+MOST_LINES = {"teapot.cpp": 16, "dot.cpp": 25, "spin.cpp": 40, "even.cpp": 110, "terminal.h": 120}
 WORKERS = os.cpu_count()
+# A pipeline, a surface method and a back-end of one's own.
+BY_CMAKE = ("dot", "even", "terminal_spin")
 
 
 def environment():
@@ -50,8 +53,8 @@ def run(command, folder, status=0):
 
 
 def blocks():
-    """The files that the tutorial prints, by the names in their first lines."""
-    found = re.findall(r"^```cpp\n(// ([\w.]+): .*?)^```", TUTORIAL, re.M | re.S)
+    """The files that README and the tutorial print, by the names in their first lines."""
+    found = re.findall(r"^```cpp\n(// ([\w.]+): .*?)^```", README + TUTORIAL, re.M | re.S)
     return {name: text for text, name in found}
 
 
@@ -160,13 +163,15 @@ def is_found_by_cmake(real):
     lists = """cmake_minimum_required(VERSION 3.16)
 project(user CXX)
 find_package(l3d %s REQUIRED COMPONENTS %s)
-add_executable(dot dot.cpp)
-target_link_libraries(dot l3d::%s)
-""" % (version, real, real)
+foreach(name %s)
+    add_executable(${name} ${name}.cpp)
+    target_link_libraries(${name} l3d::%s)
+endforeach()
+""" % (version, real, " ".join(BY_CMAKE), real)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "CMakeLists.txt").write_text(lists)
-        (folder / "dot.cpp").write_text(blocks()["dot.cpp"])
+        sources(folder)
         run("cmake -S . -B made -DCMAKE_PREFIX_PATH=%s && cmake --build made" % MOVED, folder)
         run("made/dot --no-input --backend memory --frames 3 --output dot.png", folder)
         (folder / "CMakeLists.txt").write_text(lists.replace(version, "99.0"))
@@ -203,6 +208,24 @@ def overview_fits():
     expect_equal(named, {path.name for path in (MOVED / "bin").iterdir()})
 
 
+def shells_complete_options():
+    words = MOVED / "share" / "bash-completion" / "completions" / "teapot_afd"
+    script = """. %s; COMP_WORDS=(teapot_afd --shade g); COMP_CWORD=2; _teapot_afd; echo ${COMPREPLY[@]}
+COMP_WORDS=(teapot_afd --wire); COMP_CWORD=1; _teapot_afd; echo ${COMPREPLY[@]}""" % shlex.quote(str(words))
+    expect_equal(run(["bash", "-c", script], MOVED).stdout.split(), ["gouraud", "--wireframe"])
+    for program in (MOVED / "bin").iterdir():
+        for file in (words.with_name(program.name),
+                     MOVED / "share" / "zsh" / "site-functions" / ("_" + program.name)):
+            expect("--backend" in file.read_text(), file)
+
+
+def programs_share_the_library():
+    """All but the one that measures, which looks inside."""
+    for program in (MOVED / "bin").iterdir():
+        needed = run(["readelf", "-d", str(program)], MOVED).stdout
+        expect_equal("[libl3d.so.0]" in needed, program.name != "teapot_afd", program.name)
+
+
 def programs_find_their_files():
     with tempfile.TemporaryDirectory() as folder:
         for command in ("modelview --model torus.off --pipeline zsort", "l3d-vidflat", "l3d-fltsim",
@@ -229,6 +252,10 @@ def runs_as_told(made):
     for line in shown("./"):
         if "--backend terminal" not in line and "--list" not in line:
             run(line, made)
+    said = run("./teapot", made).stdout
+    bound = re.fullmatch(r"off by (0\.\d+) pixels at most\n", said)
+    expect(bound and float(bound[1]) <= 0.1, said)
+    expect(sum(color != 0 for row in read_png(made / "teapot.png") for color in row) > 30000, "no teapot")
     dot = read_png(made / "dot.png")
     expect_equal([x for x, color in enumerate(dot[100]) if color == 0x00FF80], list(range(1, 101)), "dot at")
     spin = read_png(made / "spin.png")
@@ -295,7 +322,7 @@ def main():
     for name in REALS.values():
         checks.run("install.%s.exports" % name, library_exports_ours_only, name)
     for check in (headers_are_the_listed_ones, needs_cxx20, nothing_names_the_source_tree, overview_fits,
-                  programs_find_their_files):
+                  programs_find_their_files, programs_share_the_library, shells_complete_options):
         checks.run("install." + check.__name__, check)
     for real in REALS:
         checks.run("install.cmake." + real, is_found_by_cmake, real)

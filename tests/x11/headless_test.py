@@ -91,7 +91,7 @@ def takes_the_back_end_of_the_environment(program):
 def refuses_wrong_usage(program):
     for arguments in (
         ("--nonsense",),
-        ("stray", "more"),
+        ("stray", "stray"),
         ("--size", "0x5"),
         ("--fps", "nan"),
         ("--frames", "-1"),
