@@ -407,7 +407,7 @@ $(OUT)/log/tidy.log: FORCE
 	$(call logged,$(MAKE) tidy && echo ok tidy)
 
 $(OUT)/log/fail.log: FORCE | packages-build
-	$(call say,CHECK,tests/fail: what must not compile does not)
+	$(call say,CHECK,tests/fail)
 	$(call logged,tests/lint/must_fail.sh '$(CXX) $(FLAGS) -Ilib' $(wildcard tests/fail/*.cpp))
 
 $(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o

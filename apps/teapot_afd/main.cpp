@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
                           "draw nothing; measure what accuracy costs with each method, and write "
                           "it there",
                           "FOLDER");
+    program.options().has_result("--error-report");
     program.options().add("--quick", quick, "a small --error-report, in half a minute or so");
     l3d_camera camera;
     l3d_afd_settings settings;

@@ -89,6 +89,8 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                 "leave out surfaces whose back is turned to the eye");
     options.add("--explain", explain_, "tell what the last frame did not need, and why");
     options.add("--keep-all", keep_all_, "leave nothing out");
+    for (const char* const name : {"--depth-output", "--report", "--explain"})
+        options.has_result(name);
 }
 
 bool l3d_afd_options::shows_the_usual() const {

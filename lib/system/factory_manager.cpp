@@ -13,8 +13,6 @@
 #include "system/dispatcher_window.h"
 #include "system/options.h"
 
-#include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstdlib>
 #include <iostream>
@@ -114,8 +112,7 @@ bool l3d_factory_manager::choose(l3d_options& options, std::istream& in, std::os
     if (survey.is_seen(*chosen_) || chosen_->writes_files || !common.output.empty())
         return true;
     if (named && chosen_->unseen) {
-        constexpr std::array others{"--report", "--depth-output", "--explain", "--error-report"};
-        if (std::ranges::any_of(others, [&](const char* other) { return options.given(other); }))
+        if (options.wants_result())
             return true;
         std::cerr << options.command() << ": nobody will see a picture: back-end '" << chosen_->name
                   << "' has no window, and no --output names a file\n";

@@ -222,9 +222,9 @@ void l3d_options::add_words(const std::string& name, const std::string& help,
     add_text(parser_->app, name, help, list, words.at(preset), read);
 }
 
-bool l3d_options::given(const std::string& name) const {
-    const CLI::Option* const option = parser_->app.get_option_no_throw(name);
-    return option && option->count() > 0;
+bool l3d_options::wants_result() const {
+    return std::ranges::any_of(with_results_,
+                               [&](const auto& name) { return parser_->app.count(name) > 0; });
 }
 
 bool l3d_options::parse(int argc, const char* const* argv) {

@@ -97,8 +97,12 @@ public:
     /// The same with the stream named that --help and --version are printed on.
     bool parse(int argc, const char* const* argv, std::ostream& out);
 
-    /// Whether the command line named an option; false for one that was never added.
-    bool given(const std::string& name) const;
+    /// Marks an option that has a result of its own beside pictures, such as a report.
+    /// Expects: it was added.
+    void has_result(const std::string& name) { with_results_.push_back(name); }
+
+    /// Whether the command line asked for such a result.
+    bool wants_result() const;
 
     /// The name that titles and files get.
     const std::string& program() const { return program_; }
@@ -132,6 +136,7 @@ private:
 
     std::string program_, command_;
     l3d_common_options common_;
+    std::vector<std::string> with_results_;
     std::unique_ptr<parser> parser_;
 };
 

@@ -121,14 +121,8 @@ TEST(certificate, evaluates_as_exactly_as_the_reference_does) {
 }
 
 TYPED_TEST(bound_of, random_patches_of_every_kind_hold) {
-    using reference::patch_kind;
     constexpr int scenes = sanitized ? 10 : 50, patches = 20;
-    const std::pair<patch_kind, const char*> kinds[] = {{patch_kind::moderate, "moderate"},
-                                                        {patch_kind::thin, "thin"},
-                                                        {patch_kind::folded, "folded"},
-                                                        {patch_kind::coincident, "coincident"},
-                                                        {patch_kind::stiff, "stiff"}};
-    for (const auto& [kind, name] : kinds) {
+    for (const auto& [kind, name] : reference::patch_kinds) {
         random_scenes<TypeParam> all(name);
         for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
             const double tolerance = random_numbers(seed).of_any_size(0.03, 2);
@@ -155,13 +149,7 @@ TYPED_TEST(bound_of, patches_cut_again_and_again_hold) {
 
 TYPED_TEST(bound_of, patches_around_the_eye_and_far_from_the_window_hold) {
     constexpr int scenes = sanitized ? 10 : 50, patches = 5;
-    const std::pair<nasty_kind, const char*> kinds[] = {{nasty_kind::around_eye, "around eye"},
-                                                        {nasty_kind::crossing, "crossing"},
-                                                        {nasty_kind::spear, "spear"},
-                                                        {nasty_kind::deep, "deep"},
-                                                        {nasty_kind::wide, "wide"},
-                                                        {nasty_kind::flat, "flat"}};
-    for (const auto& [kind, name] : kinds) {
+    for (const auto& [kind, name] : nasty_kinds) {
         random_scenes<TypeParam> all(name);
         for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
             const double tolerance = random_numbers(seed).of_any_size(0.03, 2);

@@ -7,6 +7,7 @@
 #include "reference/random_numbers.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace dice_tests {
@@ -21,6 +22,15 @@ enum class nasty_kind {
     wide,       ///< up to 100000 pixels from the picture's centre
     flat,       ///< planes: straight chords are exact, all error is that of vertices
 };
+
+/// All kinds, with the names that test output gives them.
+inline constexpr std::pair<nasty_kind, const char*> nasty_kinds[] = {
+    {nasty_kind::around_eye, "around eye"},
+    {nasty_kind::crossing, "crossing"},
+    {nasty_kind::spear, "spear"},
+    {nasty_kind::deep, "deep"},
+    {nasty_kind::wide, "wide"},
+    {nasty_kind::flat, "flat"}};
 
 /// The same seed gives the same patches with every compiler.
 std::vector<reference::patch> nasty_patches(std::uint64_t seed, nasty_kind kind, int count,

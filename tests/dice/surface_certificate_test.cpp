@@ -164,13 +164,7 @@ void check_each(surface_scenes<T>& all, std::uint64_t seed,
 }
 
 template <class T> void check_random_patches(std::uint64_t first, std::uint64_t end, int count) {
-    using reference::patch_kind;
-    const std::pair<patch_kind, const char*> kinds[] = {{patch_kind::moderate, "moderate"},
-                                                        {patch_kind::thin, "thin"},
-                                                        {patch_kind::folded, "folded"},
-                                                        {patch_kind::coincident, "coincident"},
-                                                        {patch_kind::stiff, "stiff"}};
-    for (const auto& [kind, name] : kinds) {
+    for (const auto& [kind, name] : reference::patch_kinds) {
         surface_scenes<T> all(name);
         for (std::uint64_t seed = first; seed < end; ++seed)
             check_each(all, seed,
@@ -190,13 +184,7 @@ TYPED_TEST(surface_bound_of, DISABLED_a_hundred_thousand_random_patches_hold) {
 }
 
 TYPED_TEST(surface_bound_of, patches_around_the_eye_and_far_from_the_window_hold) {
-    const std::pair<nasty_kind, const char*> kinds[] = {{nasty_kind::around_eye, "around eye"},
-                                                        {nasty_kind::crossing, "crossing"},
-                                                        {nasty_kind::spear, "spear"},
-                                                        {nasty_kind::deep, "deep"},
-                                                        {nasty_kind::wide, "wide"},
-                                                        {nasty_kind::flat, "flat"}};
-    for (const auto& [kind, name] : kinds) {
+    for (const auto& [kind, name] : nasty_kinds) {
         surface_scenes<TypeParam> all(name);
         for (std::uint64_t seed = 1; seed <= (sanitized ? 2 : 4); ++seed)
             check_each(all, seed, nasty_patches(seed, kind, 5, oblique, {odd.width, odd.height}));

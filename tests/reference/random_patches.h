@@ -6,6 +6,7 @@
 #include "reference/exact.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace reference {
@@ -17,6 +18,14 @@ enum class patch_kind {
     coincident, ///< control points that coincide, edges collapsed into points
     stiff,      ///< parametric speed changes up to 1e6 times within the patch
 };
+
+/// All kinds, with the names that test output gives them.
+inline constexpr std::pair<patch_kind, const char*> patch_kinds[] = {
+    {patch_kind::moderate, "moderate"},
+    {patch_kind::thin, "thin"},
+    {patch_kind::folded, "folded"},
+    {patch_kind::coincident, "coincident"},
+    {patch_kind::stiff, "stiff"}};
 
 /// All control points lie at w >= 2 near. The same seed gives the same patches everywhere (own
 /// generator, no library distribution).
