@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Means over pixels: a coarse grid of samples everywhere, exact lines where edges pass.
 #include "reference/box_image.h"
+#include "reference/outlines.h"
 #include "reference/quadrature.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <limits>
+#include <vector>
 
 namespace reference {
 namespace {
@@ -16,6 +18,10 @@ constexpr double sample_levels = 1e-9 * 12.92 * 255;
 
 /// Between two samples that differ, an edge is known to so much.
 constexpr double least_width = 1.0 / 4096;
+
+/// A border is known to 1e-9 px. Samples so far on both sides of it show what it divides; places
+/// that are nearer to each other than `nearest` are one.
+constexpr double aside = 1e-7, nearest = 1e-9;
 
 /// Neighbouring lines of sight of a line differ by no more than this, or by an edge.
 constexpr double smooth_levels = 1;
@@ -94,11 +100,47 @@ box_pixel smooth_pixel(const sampled& samples, int x, int y, int cells) {
     return resolved(lines, (cells + 1) * (cells + 1), false);
 }
 
+/// What the coarse samples tell of a pixel.
+struct first_look {
+    double farthest = 0;   ///< no surface is seen behind this distance
+    bool differs = false;  ///< neighbouring samples do
+    bool touching = false; ///< the two nearest surfaces may cross
+};
+
+first_look look_at(const sampled& samples, const light_sampler& exact, int x, int y) {
+    first_look result;
+    double closest = std::numeric_limits<double>::infinity();
+    double least_gap = closest, most_gap = 0;
+    samples.for_neighbours(x, y, [&](const auto& p, const auto& q, bool) {
+        result.differs = result.differs || exact.differ(p, q);
+        for (const light_sample& each : {p, q}) {
+            result.farthest = std::max(result.farthest, each.w);
+            closest = std::min(closest, each.w);
+            if (std::isfinite(each.gap)) {
+                least_gap = std::min(least_gap, each.gap);
+                most_gap = std::max(most_gap, each.gap);
+            }
+        }
+    });
+    // Between samples, a surface may go on as steeply as it does from sample to sample.
+    if (std::isfinite(result.farthest))
+        result.farthest += result.farthest - closest;
+    result.touching = least_gap < 2 * (most_gap - least_gap);
+    return result;
+}
+
+/// What may make light jump within one pixel.
+struct pixel_outlines {
+    std::vector<border_part> borders;
+    std::vector<fold_place> folds;
+};
+
 /// A pixel that an edge may pass, by exact lines in that direction in which light changes more.
 class edge_pixel {
 public:
-    edge_pixel(const light_sampler& exact, const box_settings& settings, int x, int y)
-        : exact_(exact), settings_(settings), x_(x), y_(y) {}
+    edge_pixel(const light_sampler& exact, const box_settings& settings,
+               const pixel_outlines& outlines, int x, int y)
+        : exact_(exact), settings_(settings), outlines_(outlines), x_(x), y_(y) {}
 
     box_pixel resolve(const sampled& samples, int column) {
         const int cells = settings_.edge_cells;
@@ -112,6 +154,8 @@ public:
                 return rows_ ? samples.at(column, 0, i, j) : samples.at(column, 0, j, i);
             }));
         samples_ += (cells + 1) * (cells + 1);
+        for (const double turn : turning_places())
+            add_line(turn);
         while (static_cast<int>(lines_.size()) < settings_.most_lines && put_between()) {
         }
         return resolved(lines_, samples_, true);
@@ -123,15 +167,69 @@ private:
         return rows_ ? exact_.look(x_ + along, y_ + across) : exact_.look(x_ + across, y_ + along);
     }
 
+    /// Where the sums of lines may jump or bend because of a border.
+    std::vector<double> turning_places() const {
+        std::vector<double> result;
+        const double start = rows_ ? y_ : x_, side = rows_ ? x_ : y_;
+        for (const border_part& each : outlines_.borders)
+            for (const auto& places : {turns(each, rows_), crossings(each, !rows_, side),
+                                       crossings(each, !rows_, side + 1)})
+                for (const double place : places)
+                    result.push_back(place - start);
+        return both_sides(result);
+    }
+
+    /// The places where light may jump along a line, and some in between, so that nothing is
+    /// passed over.
+    std::vector<double> breaks(double across) const {
+        std::vector<double> jumps, result;
+        const double start = rows_ ? x_ : y_, line = across + (rows_ ? y_ : x_);
+        for (const border_part& each : outlines_.borders)
+            for (const double place : crossings(each, rows_, line))
+                jumps.push_back(place - start);
+        result = both_sides(jumps);
+        for (const fold_place& each : outlines_.folds) {
+            const rect& box = each.box;
+            if (line < (rows_ ? box.y0 : box.x0) || line > (rows_ ? box.y1 : box.x1))
+                continue;
+            const double low = (rows_ ? box.x0 : box.y0) - start;
+            const double high = (rows_ ? box.x1 : box.y1) - start;
+            for (const double place : {low, (low + high) / 2, high})
+                result.push_back(place);
+        }
+        std::sort(result.begin(), result.end());
+        return result;
+    }
+
+    /// On both sides of each, once of those that coincide.
+    static std::vector<double> both_sides(std::vector<double>& places) {
+        std::sort(places.begin(), places.end());
+        std::vector<double> result;
+        for (const double place : places)
+            if (place > -aside && place < 1 + aside &&
+                (result.empty() || place - aside > result.back() + 2 * aside)) {
+                result.push_back(place - aside);
+                result.push_back(place + aside);
+            }
+        return result;
+    }
+
     template <class Sample> line_node line(double across, Sample sample) {
         const int cells = settings_.edge_cells;
+        const std::vector<double> between = breaks(across);
+        auto next = between.begin();
         light_sample before = sample(0);
         nodes_.assign(1, node_of(0, before));
+        const auto go_to = [&](double at, const light_sample& seen) {
+            refine(across, nodes_.back().at, before, at, seen);
+            before = seen;
+        };
         for (int i = 1; i <= cells; ++i) {
-            const light_sample next = sample(i);
-            refine(across, static_cast<double>(i - 1) / cells, before,
-                   static_cast<double>(i) / cells, next);
-            before = next;
+            const double end = static_cast<double>(i) / cells;
+            for (; next != between.end() && *next < end - nearest; ++next)
+                if (*next > nodes_.back().at + nearest)
+                    go_to(*next, look(*next, across));
+            go_to(end, sample(i));
         }
         line_node result = integral_of(nodes_);
         result.at = across;
@@ -145,7 +243,7 @@ private:
         const bool same = at_low.covered() == at_high.covered();
         if ((same && change <= smooth_levels) || width <= least_width) {
             nodes_.push_back(node_of(high, at_high));
-            nodes_.back().after_jump = !same || change > smooth_levels;
+            nodes_.back().after_jump = width <= least_width;
             return;
         }
         const double middle = (low + high) / 2;
@@ -172,16 +270,28 @@ private:
         if (!(errors[static_cast<std::size_t>(worst)] > 0) ||
             (place + 1)->at - place->at <= least_width)
             return false;
-        const double across = (place->at + (place + 1)->at) / 2;
+        add_line((place->at + (place + 1)->at) / 2);
+        return true;
+    }
+
+    void add_line(double across) {
+        const auto place = std::lower_bound(
+            lines_.begin(), lines_.end(), across,
+            [](const line_node& known, double wanted) { return known.at < wanted; });
+        if (place == lines_.begin() || place == lines_.end() || place->at - across < nearest ||
+            across - (place - 1)->at < nearest)
+            return;
         const line_node added = line(across, [&](int i) {
             return look(static_cast<double>(i) / settings_.edge_cells, across);
         });
-        lines_.insert(place + 1, added);
-        return true;
+        const auto after = lines_.insert(place, added) + 1;
+        for (const auto& end : {after - 1, after})
+            end->after_jump = end->at - (end - 1)->at <= 2.5 * aside;
     }
 
     const light_sampler& exact_;
     const box_settings& settings_;
+    const pixel_outlines& outlines_;
     int x_, y_;
     bool rows_ = true;
     int samples_ = 0;
@@ -195,7 +305,8 @@ box_image::box_image(std::span<const patch> patches, const camera& view, picture
     : size_(size), settings_(settings),
       pixels_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {
     const light_sampler exact(patches, view, size, light, settings.background);
-    std::vector<std::uint8_t> differs(pixels_.size());
+    const outline_map outlines(patches, view, size);
+    std::vector<first_look> looks(pixels_.size());
     const auto index = [&](int x, int y) {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
                static_cast<std::size_t>(x);
@@ -205,33 +316,35 @@ box_image::box_image(std::span<const patch> patches, const camera& view, picture
         const sampled samples(exact, 0, top, size.width, rows, settings.cells);
         for (int y = top; y < top + rows; ++y)
             for (int x = 0; x < size.width; ++x) {
-                samples.for_neighbours(x, y - top, [&](const auto& p, const auto& q, bool) {
-                    if (exact.differ(p, q))
-                        differs[index(x, y)] = 1;
-                });
+                looks[index(x, y)] = look_at(samples, exact, x, y - top);
                 pixels_[index(x, y)] = smooth_pixel(samples, x, y - top, settings.cells);
-                pixels_[index(x, y)].edge = pixels_[index(x, y)].unsure > settings.wanted;
             }
     }
-    const auto near_edge = [&](int x, int y) {
-        if (pixels_[index(x, y)].edge)
+    const auto is_edge = [&](int x, int y) {
+        const first_look& own = looks[index(x, y)];
+        if (own.touching || pixels_[index(x, y)].unsure > settings.wanted ||
+            outlines.any(x, y, own.farthest))
             return true;
         for (int j = std::max(0, y - 1); j <= std::min(size.height - 1, y + 1); ++j)
             for (int i = std::max(0, x - 1); i <= std::min(size.width - 1, x + 1); ++i)
-                if (differs[index(i, j)])
+                if (looks[index(i, j)].differs)
                     return true;
         return false;
     };
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width;) {
             int end = x;
-            while (end < size.width && end - x < most_run && near_edge(end, y))
+            while (end < size.width && end - x < most_run && is_edge(end, y))
                 ++end;
             if (end > x) {
                 const sampled samples(exact, x, y, end - x, 1, settings.edge_cells);
-                for (int i = x; i < end; ++i)
+                for (int i = x; i < end; ++i) {
+                    const double farthest = looks[index(i, y)].farthest;
+                    const pixel_outlines own{outlines.borders(i, y, farthest),
+                                             outlines.folds(i, y, farthest)};
                     pixels_[index(i, y)] =
-                        edge_pixel(exact, settings_, i, y).resolve(samples, i - x);
+                        edge_pixel(exact, settings_, own, i, y).resolve(samples, i - x);
+                }
             }
             x = std::max(end, x + 1);
         }

@@ -146,6 +146,25 @@ TEST(box_image, of_a_turned_square_is_its_area) {
         }
 }
 
+TEST(box_image, of_sheets_smaller_than_a_pixel_is_their_area) {
+    const agreement found = compare({{0.43, 0.61, 0.4, 0.3, 0.2},
+                                     {5.02, 3.98, 0.2, 0.2, 0.9},
+                                     {-7.3, 2.2, 0.13, 0.5, 1.3},
+                                     {-7.3, -4.7, 0.1, 0.1, 0}});
+    print("small sheets", found);
+    EXPECT_GE(found.partly, 7);
+    EXPECT_LT(found.unsure, 1);
+}
+
+TEST(box_image, of_a_thin_strip_is_its_area) {
+    for (const double angle : {0.0, 0.02, 0.5, 1.2}) {
+        const agreement found = compare({{0.05, 0.32, 18, 0.1, angle}});
+        print("thin strip", found);
+        EXPECT_GE(found.partly, 18);
+        EXPECT_LT(found.unsure, 1);
+    }
+}
+
 /// z = x / 2 and z = 0 cross where x = 0. What is nearer is seen: the slanted one to the right.
 TEST(box_image, of_sheets_that_cross_is_that_of_their_visible_parts) {
     const double shift = 0.3; // of the crossing, within a pixel

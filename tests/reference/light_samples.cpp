@@ -10,6 +10,9 @@
 namespace reference {
 namespace {
 
+constexpr double nowhere = std::numeric_limits<double>::infinity();
+constexpr double least_gap_px = 1e-3;
+
 double dot(const vec3& p, const vec3& q) {
     return p.x * q.x + p.y * q.y + p.z * q.z;
 }
@@ -61,8 +64,9 @@ light_sample light_sampler::seen(double x, double y, double w, const vec3& world
 
 std::vector<light_sample> light_sampler::grid(const sample_grid& places) const {
     struct nearest {
-        double w = std::numeric_limits<double>::infinity(), u = 0, v = 0;
+        double w = nowhere, u = 0, v = 0;
         std::size_t patch = 0;
+        double behind = nowhere;
     };
     const auto columns = static_cast<std::size_t>(places.columns);
     std::vector<nearest> found(columns * static_cast<std::size_t>(places.rows));
@@ -70,17 +74,24 @@ std::vector<light_sample> light_sampler::grid(const sample_grid& places) const {
         find_hits(nets_[k], view_.near, places, [&](const hit& at) {
             nearest& so_far =
                 found[static_cast<std::size_t>(at.j) * columns + static_cast<std::size_t>(at.i)];
-            if (at.w < so_far.w)
-                so_far = {at.w, at.u, at.v, k};
+            const bool front = at.w < so_far.w;
+            const double behind = front ? so_far.w : at.w, before = front ? at.w : so_far.w;
+            if ((behind - before) * focal_ > least_gap_px * before)
+                so_far.behind = std::min(so_far.behind, behind);
+            if (front)
+                so_far = {at.w, at.u, at.v, k, so_far.behind};
         });
     std::vector<light_sample> result(found.size(), nothing_);
     for (std::size_t k = 0; k < found.size(); ++k) {
         const nearest& at = found[k];
-        if (at.w == std::numeric_limits<double>::infinity())
+        if (at.w == nowhere)
             continue;
         const vec3 normal = exact_point(patches_[at.patch], frame_, at.u, at.v).normal;
         const auto i = static_cast<double>(k % columns), j = static_cast<double>(k / columns);
         result[k] = seen(places.x0 + i * places.step, places.y0 + j * places.step, at.w, normal);
+        const light_sample& front = result[k];
+        result[k].gap =
+            std::abs(dot(front.normal, front.place)) / at.w * (at.behind - at.w) * focal_ / at.w;
     }
     return result;
 }

@@ -19,6 +19,9 @@ struct light_sample {
     vec3 place, normal;                                 ///< along right, up and forward; unit
     double level = 0;                                   ///< 0 to 255, not rounded
     double light = 0;                                   ///< linear, 0 to 1
+    /// How far the next surface is behind this one's tangent plane, pixels; more than 1e-3, so that
+    /// none is found twice. Only of a grid.
+    double gap = std::numeric_limits<double>::infinity();
     bool covered() const { return w < std::numeric_limits<double>::infinity(); }
 };
 
