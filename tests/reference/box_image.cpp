@@ -132,7 +132,7 @@ first_look look_at(const sampled& samples, const light_sampler& exact, int x, in
 /// What may make light jump within one pixel.
 struct pixel_outlines {
     std::vector<border_part> borders;
-    std::vector<fold_place> folds;
+    std::vector<fold_piece> folds;
 };
 
 /// A pixel that an edge may pass, by exact lines in that direction in which light changes more.
@@ -156,6 +156,7 @@ public:
         samples_ += (cells + 1) * (cells + 1);
         for (const double turn : turning_places())
             add_line(turn);
+        meet_folds();
         while (static_cast<int>(lines_.size()) < settings_.most_lines && put_between()) {
         }
         return resolved(lines_, samples_, true);
@@ -179,6 +180,21 @@ private:
         return both_sides(result);
     }
 
+    bool is_met(const fold_piece& fold, double line) const {
+        return rows_ ? fold.box.y0 <= line && line <= fold.box.y1
+                     : fold.box.x0 <= line && line <= fold.box.x1;
+    }
+
+    /// Lines through all that folds and lies between the lines.
+    void meet_folds() {
+        const double start = rows_ ? y_ : x_;
+        for (const fold_piece& each : outlines_.folds)
+            if (std::none_of(lines_.begin(), lines_.end(),
+                             [&](const line_node& line) { return is_met(each, start + line.at); }))
+                add_line((rows_ ? each.box.y0 + each.box.y1 : each.box.x0 + each.box.x1) / 2 -
+                         start);
+    }
+
     /// The places where light may jump along a line, and some in between, so that nothing is
     /// passed over.
     std::vector<double> breaks(double across) const {
@@ -188,15 +204,12 @@ private:
             for (const double place : crossings(each, rows_, line))
                 jumps.push_back(place - start);
         result = both_sides(jumps);
-        for (const fold_place& each : outlines_.folds) {
-            const rect& box = each.box;
-            if (line < (rows_ ? box.y0 : box.x0) || line > (rows_ ? box.y1 : box.x1))
-                continue;
-            const double low = (rows_ ? box.x0 : box.y0) - start;
-            const double high = (rows_ ? box.x1 : box.y1) - start;
-            for (const double place : {low, (low + high) / 2, high})
-                result.push_back(place);
-        }
+        // A sheet however thin is met where the line meets the sides of its pieces.
+        for (const fold_piece& each : outlines_.folds)
+            if (is_met(each, line))
+                for (const border_part& side : each.sides)
+                    for (const double place : crossings(side, rows_, line))
+                        result.push_back(place - start);
         std::sort(result.begin(), result.end());
         return result;
     }

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <stdexcept>
 
 namespace reference {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
-constexpr double least_gap_px = 1e-3;
+constexpr double least_gap_px = 1e-3, grazing_px = 3e-8;
 
 double dot(const vec3& p, const vec3& q) {
     return p.x * q.x + p.y * q.y + p.z * q.z;
@@ -97,8 +98,17 @@ std::vector<light_sample> light_sampler::grid(const sample_grid& places) const {
 }
 
 light_sample light_sampler::look(double x, double y) const {
-    const second_sample found = judge_.look(x, y);
-    return found.covered() ? seen(x, y, found.w, found.normal) : nothing_;
+    // Along a surface that is grazed exactly, points on the line of sight cannot be told apart.
+    constexpr int most_tries = 4;
+    for (int n = 0;; ++n)
+        try {
+            const double aside = n * grazing_px;
+            const second_sample found = judge_.look(x + aside, y - aside);
+            return found.covered() ? seen(x, y, found.w, found.normal) : nothing_;
+        } catch (const std::runtime_error&) {
+            if (n == most_tries)
+                throw;
+        }
 }
 
 bool light_sampler::differ(const light_sample& p, const light_sample& q) const {

@@ -37,7 +37,9 @@ public:
 
     /// Shape: row by row. Cost: some us per sample.
     std::vector<light_sample> grid(const sample_grid& places) const;
-    /// The same for one line of sight, by the second judge. Units: pixels.
+    /// The same for one line of sight, by the second judge. Units: pixels. One that grazes a
+    /// surface, so that the judge gives up, is moved by up to 1.7e-7 px.
+    /// Errors: std::runtime_error if the judge gives up there, too.
     light_sample look(double x, double y) const;
 
     /// An edge may pass between two places that lie next to each other: only one of them is

@@ -62,6 +62,36 @@ bool same(const border_part& p, const border_part& q) {
         [](const hpoint& a, const hpoint& b) { return a.x == b.x && a.y == b.y && a.w == b.w; });
 }
 
+std::array<border_part, 4> sides_of(const net& piece) {
+    constexpr std::array<std::pair<std::size_t, std::size_t>, 4> first_and_step{
+        {{0, 1}, {12, 1}, {0, 4}, {3, 4}}};
+    std::array<border_part, 4> result;
+    for (std::size_t side = 0; side < 4; ++side)
+        for (std::size_t k = 0; k < 4; ++k)
+            result[side].points[k] =
+                piece.points[first_and_step[side].first + k * first_and_step[side].second];
+    return result;
+}
+
+double nearest_of(const fold_piece& piece) {
+    double result = depths_of(piece.sides[0]).low;
+    for (const border_part& side : piece.sides)
+        result = std::min(result, depths_of(side).low);
+    return result;
+}
+
+/// Of a polynomial in Bernstein's form.
+template <std::size_t N> double value_at(const std::array<double, N>& p, double t) {
+    const double s = 1 - t;
+    double result = p[0], power = 1, binomial = 1;
+    for (std::size_t k = 1; k < N; ++k) {
+        power *= t;
+        binomial *= static_cast<double>(N - k) / static_cast<double>(k);
+        result = result * s + binomial * power * p[k];
+    }
+    return result;
+}
+
 /// The parameters of a piece of a polynomial, in Bernstein's form, where it is `nothing` or changes
 /// its sign. Good to 2^-30, a nanopixel of a border's part.
 template <std::size_t N>
@@ -72,6 +102,18 @@ void find_roots(const std::array<double, N>& p, double nothing, double low, doub
         return;
     if (high - low < 0x1p-30 || (*least > -nothing && *most < nothing)) {
         roots.push_back((low + high) / 2);
+        return;
+    }
+    int changes = 0;
+    for (std::size_t k = 0; k + 1 < N; ++k)
+        changes += (p[k] > 0) != (p[k + 1] > 0);
+    if (changes == 1 && p.front() != 0 && p.back() != 0) { // then there is one root, no more
+        double from = 0, to = 1;
+        while (to - from > 0x1p-30) {
+            const double at = (from + to) / 2;
+            ((value_at(p, at) > 0) == (p.front() > 0) ? from : to) = at;
+        }
+        roots.push_back(low + (high - low) * (from + to) / 2);
         return;
     }
     std::array<double, N> left = p, right = p;
@@ -111,11 +153,7 @@ outline_map::outline_map(std::span<const patch> patches, const camera& view, pic
         const net of = make_net(each, frame);
         pieces_ = 0;
         add_folds(of);
-        for (const auto& [first, step] :
-             {std::pair<std::size_t, std::size_t>{0, 1}, {12, 1}, {0, 4}, {3, 4}}) {
-            border_part side;
-            for (std::size_t k = 0; k < 4; ++k)
-                side.points[k] = of.points[first + k * step];
+        for (const border_part& side : sides_of(of)) {
             border_part turned = side;
             std::reverse(turned.points.begin(), turned.points.end());
             // Neighbours share their borders.
@@ -177,7 +215,7 @@ void outline_map::add_folds(const net& piece) {
             for_pixels(box, [&](std::size_t pixel) {
                 folds_at_[pixel].push_back(static_cast<std::uint32_t>(folds_.size()));
             });
-            folds_.push_back({box, std::max(depth.low, near_)});
+            folds_.push_back({box, sides_of(piece)});
             return;
         }
         if (is_line(piece, margin_px)) // covers no area
@@ -198,12 +236,12 @@ std::vector<border_part> outline_map::borders(int x, int y, double w) const {
     return result;
 }
 
-std::vector<fold_place> outline_map::folds(int x, int y, double w) const {
-    std::vector<fold_place> result;
+std::vector<fold_piece> outline_map::folds(int x, int y, double w) const {
+    std::vector<fold_piece> result;
     for (const std::uint32_t k :
          folds_at_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) +
                    static_cast<std::size_t>(x)])
-        if (folds_[k].nearest < w)
+        if (nearest_of(folds_[k]) < w)
             result.push_back(folds_[k]);
     return result;
 }

@@ -19,14 +19,14 @@ struct border_part {
     bool first = true, last = true; ///< its ends are corners of the patch
 };
 
-/// A place, a pixel's eighth wide at most, where a surface may fold over or be cut by the near
+/// A piece, an eighth of a pixel wide at most, where a surface may fold over or be cut by the near
 /// plane.
-struct fold_place {
+struct fold_piece {
     rect box;
-    double nearest; ///< distance along the axis
+    std::array<border_part, 4> sides; ///< they lie on the surface
 };
 
-/// Every outline of the exact picture lies on a border, in the place of a fold, or where two
+/// Every outline of the exact picture lies on a border, in the piece of a fold, or where two
 /// surfaces cross.
 ///
 /// A piece that make_chart proves to map one to one has no fold. What cannot be proved is halved
@@ -41,7 +41,7 @@ public:
 
     /// Those that may pass the pixel, nearer than w.
     std::vector<border_part> borders(int x, int y, double w) const;
-    std::vector<fold_place> folds(int x, int y, double w) const;
+    std::vector<fold_piece> folds(int x, int y, double w) const;
     bool any(int x, int y, double w) const;
 
 private:
@@ -54,7 +54,7 @@ private:
     rect window_;
     int pieces_ = 0;
     std::vector<border_part> borders_;
-    std::vector<fold_place> folds_;
+    std::vector<fold_piece> folds_;
     std::vector<std::vector<std::uint32_t>> borders_at_, folds_at_; ///< by pixel, row by row
 };
 

@@ -6,29 +6,48 @@
 #include <cassert>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace reference {
+namespace {
+
+/// The slope beside a stretch, before or after it: over a quarter of its width at least. Narrower
+/// ones tell of a jump that is none of this stretch's business. Empty if a known jump or the end
+/// comes first.
+std::optional<double> slope_beside(std::span<const line_node> nodes, std::size_t stretch,
+                                   bool after) {
+    const double wanted = (nodes[stretch + 1].at - nodes[stretch].at) / 4;
+    const std::size_t from = after ? stretch + 1 : stretch;
+    for (std::size_t to = from; after ? to + 1 < nodes.size() : to > 0;) {
+        if (nodes[after ? to + 1 : to].after_jump)
+            break;
+        after ? ++to : --to;
+        const double width = nodes[to].at - nodes[from].at;
+        if (std::abs(width) >= wanted)
+            return (nodes[to].light - nodes[from].light) / width;
+    }
+    return std::nullopt;
+}
+
+} // namespace
 
 std::vector<double> stretch_errors(std::span<const line_node> nodes) {
     assert(nodes.size() >= 2);
-    const std::size_t count = nodes.size() - 1;
-    const auto slope = [&](std::size_t k) {
-        return (nodes[k + 1].light - nodes[k].light) / (nodes[k + 1].at - nodes[k].at);
-    };
-    std::vector<double> result(count);
-    const auto is_jump = [&](std::size_t k) { return nodes[k + 1].after_jump; };
-    for (std::size_t k = 0; k < count; ++k) {
-        const double width = nodes[k + 1].at - nodes[k].at, own = slope(k);
-        const double jump = width * width / 2 * std::abs(own), bend = width * width / 4;
-        const bool has_before = k > 0 && !is_jump(k - 1);
-        const bool has_after = k + 1 < count && !is_jump(k + 1);
-        if (is_jump(k) || (!has_before && !has_after)) {
+    std::vector<double> result(nodes.size() - 1);
+    for (std::size_t k = 0; k < result.size(); ++k) {
+        const double width = nodes[k + 1].at - nodes[k].at;
+        const double change = nodes[k + 1].light - nodes[k].light;
+        const double jump = width / 2 * std::abs(change), bend = width * width / 4;
+        const auto slope_before = slope_beside(nodes, k, false);
+        const auto slope_after = slope_beside(nodes, k, true);
+        if (nodes[k + 1].after_jump || (!slope_before && !slope_after)) {
             result[k] = jump;
             continue;
         }
         // Where there is one neighbour only, it stands for both.
-        const double before = std::abs(own - slope(has_before ? k - 1 : k + 1));
-        const double after = std::abs(own - slope(has_after ? k + 1 : k - 1));
+        const double own = change / width;
+        const double before = std::abs(own - slope_before.value_or(slope_after.value_or(own)));
+        const double after = std::abs(own - slope_after.value_or(slope_before.value_or(own)));
         result[k] = std::min(bend * (before + after), jump + bend * std::min(before, after));
     }
     return result;
