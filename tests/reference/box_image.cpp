@@ -180,19 +180,26 @@ private:
         return both_sides(result);
     }
 
-    bool is_met(const fold_piece& fold, double line) const {
-        return rows_ ? fold.box.y0 <= line && line <= fold.box.y1
-                     : fold.box.x0 <= line && line <= fold.box.x1;
+    /// How far a piece reaches across the lines, by its sides. The hull reaches farther.
+    range reach_of(const fold_piece& fold) const {
+        range result{std::numeric_limits<double>::infinity(),
+                     -std::numeric_limits<double>::infinity()};
+        for (const border_part& side : fold.sides)
+            for (const double place : turns(side, rows_))
+                result = {std::min(result.low, place), std::max(result.high, place)};
+        return result;
     }
 
     /// Lines through all that folds and lies between the lines.
     void meet_folds() {
         const double start = rows_ ? y_ : x_;
-        for (const fold_piece& each : outlines_.folds)
-            if (std::none_of(lines_.begin(), lines_.end(),
-                             [&](const line_node& line) { return is_met(each, start + line.at); }))
-                add_line((rows_ ? each.box.y0 + each.box.y1 : each.box.x0 + each.box.x1) / 2 -
-                         start);
+        for (const fold_piece& each : outlines_.folds) {
+            const range reach = reach_of(each);
+            if (std::none_of(lines_.begin(), lines_.end(), [&](const line_node& line) {
+                    return reach.low <= start + line.at && start + line.at <= reach.high;
+                }))
+                add_line((reach.low + reach.high) / 2 - start);
+        }
     }
 
     /// The places where light may jump along a line, and some in between, so that nothing is
@@ -206,10 +213,9 @@ private:
         result = both_sides(jumps);
         // A sheet however thin is met where the line meets the sides of its pieces.
         for (const fold_piece& each : outlines_.folds)
-            if (is_met(each, line))
-                for (const border_part& side : each.sides)
-                    for (const double place : crossings(side, rows_, line))
-                        result.push_back(place - start);
+            for (const border_part& side : each.sides)
+                for (const double place : crossings(side, rows_, line))
+                    result.push_back(place - start);
         std::sort(result.begin(), result.end());
         return result;
     }
