@@ -14,6 +14,9 @@ namespace {
 
 constexpr int most_pieces = 20'000'000;
 constexpr double border_px = 1, fold_px = 0.125;
+/// What is seen edge on, as thin as this, changes no level: 1e-6 of white light are 0.003 levels. A
+/// line of sight that grazes it meets too much.
+constexpr double thinnest_px = 1e-6;
 constexpr double margin_px = 1e-9; // as in hits.cpp
 /// What changes by less within a part is flat: far above rounding, 1e-13 px, below all that is
 /// seen.
@@ -211,6 +214,8 @@ void outline_map::add_folds(const net& piece) {
         const rect box = bounding_box(piece);
         if (depth.low >= near_ && make_chart(piece, grown(window_)))
             return;
+        if (is_line(piece, thinnest_px))
+            return;
         if (smaller(box, fold_px)) {
             for_pixels(box, [&](std::size_t pixel) {
                 folds_at_[pixel].push_back(static_cast<std::uint32_t>(folds_.size()));
@@ -218,8 +223,6 @@ void outline_map::add_folds(const net& piece) {
             folds_.push_back({box, sides_of(piece)});
             return;
         }
-        if (is_line(piece, margin_px)) // covers no area
-            return;
     }
     const auto [low, high] = halves(piece);
     add_folds(low);
