@@ -239,28 +239,32 @@ private:
         auto next = between.begin();
         light_sample before = sample(0);
         nodes_.assign(1, node_of(0, before));
-        const auto go_to = [&](double at, const light_sample& seen) {
-            refine(across, nodes_.back().at, before, at, seen);
+        bool after_break = false;
+        const auto go_to = [&](double at, const light_sample& seen, bool is_break) {
+            refine(across, nodes_.back().at, before, at, seen, after_break + is_break);
             before = seen;
+            after_break = is_break;
         };
         for (int i = 1; i <= cells; ++i) {
             const double end = static_cast<double>(i) / cells;
             for (; next != between.end() && *next < end - nearest; ++next)
                 if (*next > nodes_.back().at + nearest)
-                    go_to(*next, look(*next, across));
-            go_to(end, sample(i));
+                    go_to(*next, look(*next, across), true);
+            go_to(end, sample(i), false);
         }
         line_node result = integral_of(nodes_);
         result.at = across;
         return result;
     }
 
-    /// Adds the nodes beyond `low` up to `high`.
+    /// Adds the nodes beyond `low` up to `high`. What may be all of a thin sheet is halved a few
+    /// times whatever its ends show.
     void refine(double across, double low, const light_sample& at_low, double high,
-                const light_sample& at_high) {
+                const light_sample& at_high, int least_halvings) {
         const double change = std::abs(at_high.level - at_low.level), width = high - low;
         const bool same = at_low.covered() == at_high.covered();
-        if ((same && change <= smooth_levels) || width <= least_width) {
+        if (width <= least_width ||
+            (least_halvings <= 0 && change <= smooth_levels && !exact_.differ(at_low, at_high))) {
             nodes_.push_back(node_of(high, at_high));
             nodes_.back().after_jump = width <= least_width;
             return;
@@ -268,13 +272,14 @@ private:
         const double middle = (low + high) / 2;
         const light_sample between = look(middle, across);
         const double off = std::abs(between.level - (at_low.level + at_high.level) / 2);
-        if (same && between.covered() == at_low.covered() && off * width <= straight_levels) {
+        if (least_halvings <= 1 && same && between.covered() == at_low.covered() &&
+            off * width <= straight_levels) {
             nodes_.push_back(node_of(middle, between));
             nodes_.push_back(node_of(high, at_high));
             return;
         }
-        refine(across, low, at_low, middle, between);
-        refine(across, middle, between, high, at_high);
+        refine(across, low, at_low, middle, between, least_halvings - 1);
+        refine(across, middle, between, high, at_high, least_halvings - 1);
     }
 
     /// Another line where the mean is least sure; false if all is as sure as is wanted, or no

@@ -265,6 +265,31 @@ TEST(box_image, of_sheets_that_cross_is_that_of_their_visible_parts) {
     EXPECT_LT(unsure, 0.5);
 }
 
+/// A strip 0.05 px wide between two samples is an arch: z = 0.075 (1 - s s) for s from -1 to 1, so
+/// both its sides are equally dark, and its middle is light.
+TEST(box_image, of_a_thin_arch_is_not_what_its_sides_are) {
+    constexpr double half = 0.025, height = 0.075, x0 = 0.53, length = 12;
+    patch arch;
+    for (std::size_t k = 0; k < 16; ++k)
+        arch.points[k] = {x0 + half * (2 * static_cast<double>(k % 4) / 3 - 1),
+                          length * (static_cast<double>(k / 4) / 3 - 0.5),
+                          k % 4 == 1 || k % 4 == 2 ? height * 4 / 3 : 0};
+    const std::vector<patch> patches{arch};
+    const box_image image(patches, flat_view, flat_size, {0, 0, 1});
+    constexpr int steps = 1000;
+    double light = 0;
+    for (int k = 0; k < steps; ++k) {
+        const double slope = 2 * height / half * ((2 * k + 1.0) / steps - 1);
+        light += light_of_level(255 * (0.1 + 0.9 / std::hypot(1.0, slope))) / steps;
+    }
+    const double wanted = level_of_light(2 * half * light);
+    for (int y = 10; y < 20; ++y) {
+        const box_pixel& found = image.at(20, y);
+        EXPECT_NEAR(found.level, wanted, found.unsure + 0.01); // of perspective
+        EXPECT_LT(found.unsure, 0.5);
+    }
+}
+
 /// A dome 2 px wide and high comes through a sheet, in a spot 0.2 px wide that all coarse samples
 /// miss: z = 2 (1 - x x) (1 - y y), the sheet at z = 1.98.
 TEST(box_image, of_a_spot_between_the_samples_is_not_passed_over) {
