@@ -20,6 +20,15 @@ struct corner {
 };
 using polygon = std::vector<corner>;
 
+/// Of a control point in its net.
+double row_of(std::size_t k) {
+    const std::size_t row = k / 4;
+    return static_cast<double>(row);
+}
+double column_of(std::size_t k) {
+    return static_cast<double>(k % 4);
+}
+
 /// The part on that side of the line a x + b y = c where a x + b y is less.
 polygon below(const polygon& whole, long double a, long double b, long double c) {
     polygon result;
@@ -62,8 +71,8 @@ struct sheet {
     patch surface() const {
         patch result;
         for (std::size_t k = 0; k < 16; ++k) {
-            const double s = a * (static_cast<double>(k % 4) / 3 - 0.5);
-            const double t = b * (static_cast<double>(k / 4) / 3 - 0.5);
+            const double s = a * (column_of(k) / 3 - 0.5);
+            const double t = b * (row_of(k) / 3 - 0.5);
             const double px = x + s * std::cos(angle) - t * std::sin(angle);
             result.points[k] = {px, y + s * std::sin(angle) + t * std::cos(angle), slope * px};
         }
@@ -99,6 +108,7 @@ struct agreement {
 /// Flat sheets that do not lie behind each other, pixel by pixel against their areas.
 agreement compare(const std::vector<sheet>& sheets, const box_settings& settings = {}) {
     std::vector<patch> patches;
+    patches.reserve(sheets.size());
     for (const sheet& each : sheets)
         patches.push_back(each.surface());
     const box_image image(patches, flat_view, flat_size, flat_light, settings);
@@ -176,7 +186,7 @@ struct tube {
         patch result;
         for (std::size_t k = 0; k < 16; ++k) {
             const double s = std::array{0.0, 3 * a, -3 * a, 0.0}[k % 4];
-            const double t = length * (static_cast<double>(k / 4) / 3 - 0.5);
+            const double t = length * (row_of(k) / 3 - 0.5);
             result.points[k] = {s * std::cos(angle) - t * std::sin(angle) + 0.37,
                                 s * std::sin(angle) + t * std::cos(angle) + 0.21,
                                 d * std::array{0.0, 1.0, 0.5, 0.0}[k % 4]};
@@ -271,8 +281,7 @@ TEST(box_image, of_a_thin_arch_is_not_what_its_sides_are) {
     constexpr double half = 0.025, height = 0.075, x0 = 0.53, length = 12;
     patch arch;
     for (std::size_t k = 0; k < 16; ++k)
-        arch.points[k] = {x0 + half * (2 * static_cast<double>(k % 4) / 3 - 1),
-                          length * (static_cast<double>(k / 4) / 3 - 0.5),
+        arch.points[k] = {x0 + half * (2 * column_of(k) / 3 - 1), length * (row_of(k) / 3 - 0.5),
                           k % 4 == 1 || k % 4 == 2 ? height * 4 / 3 : 0};
     const std::vector<patch> patches{arch};
     const box_image image(patches, flat_view, flat_size, {0, 0, 1});
@@ -297,8 +306,7 @@ TEST(box_image, of_a_spot_between_the_samples_is_not_passed_over) {
     patch dome;
     for (std::size_t k = 0; k < 16; ++k) {
         const auto bulge = [](std::size_t i) { return i % 3 == 0 ? 0 : 4.0 / 3; };
-        dome.points[k] = {x0 + static_cast<double>(k % 4) * 2 / 3 - 1,
-                          y0 + static_cast<double>(k / 4) * 2 / 3 - 1,
+        dome.points[k] = {x0 + column_of(k) * 2 / 3 - 1, y0 + row_of(k) * 2 / 3 - 1,
                           height * bulge(k % 4) * bulge(k / 4)};
     }
     const sheet flat{0, 0, 30, 20, 0, 0};
@@ -309,7 +317,8 @@ TEST(box_image, of_a_spot_between_the_samples_is_not_passed_over) {
     constexpr int steps = 400;
     double light = 0;
     for (int k = 0; k < steps * steps; ++k) {
-        const double x = (k % steps + 0.5) / steps - 0.5, y = (k / steps + 0.5) / steps - 0.5;
+        const int column = k % steps, row = k / steps;
+        const double x = (column + 0.5) / steps - 0.5, y = (row + 0.5) / steps - 0.5;
         if (height * (1 - x * x) * (1 - y * y) < cut) {
             light += flat.light();
             continue;

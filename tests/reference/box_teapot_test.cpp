@@ -28,7 +28,8 @@ supersampled look_often(const second_judge& judge, const camera_frame& frame, in
         std::sqrt(project_light.x * project_light.x + project_light.y * project_light.y +
                   project_light.z * project_light.z);
     for (int k = 0; k < side * side; ++k) {
-        const double px = x + (k % side + 0.5) / side, py = y + (k / side + 0.5) / side;
+        const int column = k % side, row = k / side;
+        const double px = x + (column + 0.5) / side, py = y + (row + 0.5) / side;
         const second_sample seen = judge.look(px, py);
         light.push_back(0);
         if (!seen.covered())
@@ -46,8 +47,8 @@ supersampled look_often(const second_judge& judge, const camera_frame& frame, in
     double sum = 0, change = 0;
     for (int k = 0; k < side * side; ++k) {
         const auto at = [&](int i, int j) {
-            return light[static_cast<std::size_t>(std::clamp(j, 0, side - 1) * side +
-                                                  std::clamp(i, 0, side - 1))];
+            const int place = std::clamp(j, 0, side - 1) * side + std::clamp(i, 0, side - 1);
+            return light[static_cast<std::size_t>(place)];
         };
         const int i = k % side, j = k / side;
         const auto [low, high] =

@@ -19,7 +19,8 @@ constexpr vec3 light{0.3, 0.5, 1};
 box_image sheet_image(double background = 0) {
     patch sheet;
     for (std::size_t k = 0; k < 16; ++k) {
-        const double s = static_cast<double>(k % 4) - 1.5, t = static_cast<double>(k / 4) - 1.5;
+        const std::size_t row = k / 4;
+        const double s = static_cast<double>(k % 4) - 1.5, t = static_cast<double>(row) - 1.5;
         sheet.points[k] = {s - 0.3 * t, t + 0.3 * s, 0};
     }
     const std::vector<patch> patches{sheet};

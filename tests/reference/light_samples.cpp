@@ -88,8 +88,9 @@ std::vector<light_sample> light_sampler::grid(const sample_grid& places) const {
         if (at.w == nowhere)
             continue;
         const vec3 normal = exact_point(patches_[at.patch], frame_, at.u, at.v).normal;
-        const auto i = static_cast<double>(k % columns), j = static_cast<double>(k / columns);
-        result[k] = seen(places.x0 + i * places.step, places.y0 + j * places.step, at.w, normal);
+        const std::size_t row = k / columns;
+        result[k] = seen(places.x0 + static_cast<double>(k % columns) * places.step,
+                         places.y0 + static_cast<double>(row) * places.step, at.w, normal);
         const light_sample& front = result[k];
         result[k].gap =
             std::abs(dot(front.normal, front.place)) / at.w * (at.behind - at.w) * focal_ / at.w;

@@ -42,9 +42,8 @@ public:
     /// Errors: std::runtime_error if the judge gives up there, too.
     light_sample look(double x, double y) const;
 
-    /// An edge may pass between two places that lie next to each other: only one of them is
-    /// covered, the normal turns by 3 degrees, or one place is 0.1 px off the other's tangent
-    /// plane.
+    /// An edge may pass between two places that lie next to each other. Then only one of them is
+    /// covered, or the normal turns by 3 degrees, or one is 0.1 px off the other's tangent plane.
     bool differ(const light_sample& p, const light_sample& q) const;
 
 private:
