@@ -133,6 +133,10 @@ std::vector<l3d_viewer_row> l3d_pipeline_polygons::own_rows() {
         controls_.say(settings_.cull ? "faces seen from behind are left out"
                                      : "all faces are drawn");
     };
+    const auto antialias = [this] {
+        settings_.antialias = !settings_.antialias;
+        controls_.say(settings_.antialias ? "smooth edges" : "sharp edges");
+    };
     const auto project = [this] {
         const bool parallel = settings_.projection == l3d_projection::parallel;
         settings_.projection = parallel ? l3d_projection::perspective : l3d_projection::parallel;
@@ -141,6 +145,7 @@ std::vector<l3d_viewer_row> l3d_pipeline_polygons::own_rows() {
     return {std::move(turn),
             {"c", "shading", {{'c', shade}}},
             {"w", "solid, wires, hidden lines", {{'w', style}}},
+            {"a", "smooth edges", {{'a', antialias}}},
             {"b", "faces seen from behind", {{'b', cull}}},
             {"v", "perspective, parallel", {{'v', project}}}};
 }
