@@ -48,7 +48,14 @@ struct L3D_PUBLIC l3d_shading {
     bool keep_unit_normals = false; ///< lambert: one in each pixel, even where less would do
 
     /// Pixels at edges show the mean, over their squares, of the light of all that is seen there.
+    /// Light is linear: levels are decoded by the sRGB curve, and the mean is encoded again. A
+    /// rasterizer that cannot do it draws as without (l3d_surface_rasterizer::antialiases).
     bool antialias = false;
+
+    /// A pixel depends on what is drawn in pixels so near in x and y. A contour's other side is
+    /// shown by a neighbour, and its shading by that one's neighbour. Which contours divide these
+    /// two is told by the depths beside them.
+    int reach() const { return antialias ? 4 : 0; }
 
     friend bool operator==(const l3d_shading&, const l3d_shading&) = default;
 };
@@ -115,6 +122,9 @@ public:
     /// Whether mode `levels` may be asked for.
     bool takes_levels() const { return do_takes_levels(); }
 
+    /// Whether it obeys l3d_shading::antialias.
+    bool antialiases() const { return do_antialiases(); }
+
     /// Starts a frame: picture and depth are empty, that is 0, from now on. Each rasterizer decides
     /// when it sets their memory to 0, at finish at the latest.
     ///
@@ -154,6 +164,7 @@ public:
     /// as four triangles around their projective centre. It is fastest if the first parts are
     /// mostly the nearest.
     /// Expects: called once a frame if there is no depth buffer.
+    /// Lives:   with anti-aliasing, parts until finish.
     void draw(std::span<const l3d_surface_part* const> parts) { do_draw(parts); }
 
     /// Whether all that is in a box and no nearer than `nearest_inv_w` would change no pixel,
@@ -180,6 +191,7 @@ private:
     virtual void do_begin(l3d_pixels, l3d_depth_buffer*, const l3d_shading&, bool untouched) = 0;
     virtual bool do_takes_levels() const { return false; }
     virtual bool do_draws_parts() const { return false; }
+    virtual bool do_antialiases() const { return false; }
     virtual void do_begin_part(l3d_pixels, l3d_depth_buffer*, const l3d_shading&,
                                const l3d_pixel_box&) {}
     virtual void do_draw(std::span<const l3d_surface_part* const>) = 0;
