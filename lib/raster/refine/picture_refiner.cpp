@@ -87,7 +87,7 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
     const l3d_pixel_box box = box_of_band(frame, band);
     mark_others(frame, box);
     band_space& space = each_band_[static_cast<std::size_t>(band)];
-    const contour_mixer mixer(frame.target, frame.window, cuts_);
+    const contour_mixer mixer(frame.target, frame.window, cuts_, is_grey(frame.shading.mode));
     for (const contour_pixel& pixel : space.contours.pixels()) {
         if (others_.has(pixel.x, pixel.y))
             continue;
@@ -99,8 +99,8 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
     }
 }
 
-/// Marks both sides of jumps between pixels that no contour divides. Beside a fold, the shading of a
-/// surface that bends away is steep: jumps at a pixel of one contour are its own.
+/// Marks both sides of jumps between pixels that no contour divides. Beside a fold, the shading of
+/// a surface that bends away is steep: jumps at a pixel of one contour are its own.
 void picture_refiner::mark_others(const drawn_frame& frame, const l3d_pixel_box& box) {
     const std::size_t words = others_.row_words();
     constexpr int last = pixel_bits::word_pixels - 1;
