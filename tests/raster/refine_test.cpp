@@ -148,7 +148,7 @@ l3d_surface_part folded_at(scan_point a, scan_point b, int rows) {
                                   column == 0   ? 0.6f
                                   : column == 1 ? 0.5f
                                                 : 0.4f,
-                                  {100, 0, 0}});
+                                  {100.25f, 0, 0}});
         }
     return part_of(grid);
 }
@@ -174,7 +174,7 @@ TEST(Refine, AFoldHasItsExactShareOfEachPixel) {
         return std::uniform_int_distribution<int>(least, most)(random);
     };
     surface_picture picture(size.width, size.height, 1);
-    const double surface = light_of_level(std::round(25.5 + 100));
+    const double surface = light_of_level(std::round(25.5 + 100.25));
     int between = 0;
     for (int n = 0; n < 300; ++n) {
         // From below the picture to above it, and back.
