@@ -17,6 +17,17 @@ int channel(std::uint32_t word, int shift) {
 
 constexpr int channels_end = 24;
 
+/// How far neighbours' levels go on as they change, and how far two on the other side of a contour
+/// may be apart, being a diagonal's ends.
+constexpr int steady = 2 * jump_levels, like = 5 * jump_levels;
+
+bool within(int levels, std::uint32_t a, std::uint32_t b) {
+    for (int shift = 0; shift < channels_end; shift += 8)
+        if (std::abs(channel(a, shift) - channel(b, shift)) > levels)
+            return false;
+    return true;
+}
+
 } // namespace
 
 /// Whether a contour divides the centres of a pixel and of one beside, above or below it.
@@ -29,16 +40,19 @@ bool contour_mixer::divided(std::int32_t x, std::int32_t y, step to) const {
 }
 
 /// The neighbour on the other side: of those beside, above and below it, one; else at a corner.
+/// False if there is none, or if they show more than one surface.
 bool contour_mixer::find_other(const contour_pixel& pixel, step& to) const {
     const std::int32_t x = pixel.x, y = pixel.y;
     constexpr step beside[] = {{0, -1}, {0, 1}, {-1, 0}, {1, 0}};
-    int found = 0;
+    bool found = false;
     for (const step s : beside)
         if (inside(x + s.x, y + s.y) && divided(x, y, s)) {
+            if (found && !within(like, word_at(x + to.x, y + to.y), word_at(x + s.x, y + s.y)))
+                return false;
             to = s;
-            ++found;
+            found = true;
         }
-    if (found > 0)
+    if (found)
         return true;
     constexpr step corners[] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
     for (const step s : corners)
@@ -57,11 +71,7 @@ std::uint32_t contour_mixer::behind(std::int32_t x, std::int32_t y, step to,
         (to.y != 0 && divided(x + to.x, y, {0, to.y})))
         return here;
     const std::uint32_t word = word_at(x + to.x, y + to.y);
-    constexpr int steady = 2 * jump_levels;
-    for (int shift = 0; shift < channels_end; shift += 8)
-        if (std::abs(channel(word, shift) - channel(here, shift)) > steady)
-            return here;
-    return word;
+    return within(steady, word, here) ? word : here;
 }
 
 bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {

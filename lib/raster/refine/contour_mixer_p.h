@@ -24,7 +24,8 @@ public:
         : picture_(picture), window_(window), cuts_(cuts), is_grey_(is_grey),
           tables_(linear_light_tables()) {}
 
-    /// The pixel's word. False if no neighbour shows the other side.
+    /// The pixel's word. False if neighbours show nothing of the other side, or several surfaces.
+    /// Expects: a simple pixel.
     bool mix(const contour_pixel& pixel, std::uint32_t& word) const;
 
 private:

@@ -80,6 +80,12 @@ void contour_pixels::pass(std::int32_t x, std::int32_t y, place from, place to, 
     // The way along the border on to corner (0, 0): the right side adds what is left of it.
     const auto beyond = [](place p) { return p.x >= 1 ? p.y : p.y <= 0 ? 0.0 : 1.0; };
     const auto past = [](place p) { return p.x >= 1 ? p.y > centre : p.y > 0; };
+    const auto along = [](place p) {
+        return static_cast<float>(p.y <= 0   ? p.x
+                                  : p.x >= 1 ? 1 + p.y
+                                  : p.y >= 1 ? 3 - p.x
+                                             : 4 - p.y);
+    };
     double area = 0.5 * (from.x + to.x) * (to.y - from.y);
     std::int32_t turns = 0, crossings = 0;
     if (enters) {
@@ -104,7 +110,11 @@ void contour_pixels::pass(std::int32_t x, std::int32_t y, place from, place to, 
         cuts ^= there > centre ? cut_down : cut_up;
     }
     const auto units = static_cast<std::int32_t>(std::lrint(area * contour_pixel::whole));
-    pairs_.push_back({{x, y, units, turns, crossings, loose}, cuts});
+    pairs_.push_back({{x, y, units, turns, crossings, loose, false},
+                      cuts,
+                      enters ? along(from) : -1,
+                      leaves ? along(to) : -1,
+                      0});
 }
 
 void contour_pixels::finish(contour_cuts& cuts, pixel_bits& seen) {
@@ -122,20 +132,21 @@ void contour_pixels::finish(contour_cuts& cuts, pixel_bits& seen) {
             count += static_cast<std::uint32_t>(bits_in(seen.row(y)[w]));
         }
     pixels_.assign(count, {});
-    for (const pair& p : pairs_) {
+    for (pair& p : pairs_) {
         const auto word = static_cast<std::size_t>(p.of.x / pixel_bits::word_pixels);
         const int bit = p.of.x % pixel_bits::word_pixels;
         const std::uint64_t below = (std::uint64_t{1} << bit) - 1;
         const auto row = static_cast<std::size_t>(p.of.y - band_.top);
-        contour_pixel& to =
-            pixels_[before_[row * words + word] +
-                    static_cast<std::size_t>(bits_in(seen.row(p.of.y)[word] & below))];
+        p.pixel = before_[row * words + word] +
+                  static_cast<std::uint32_t>(bits_in(seen.row(p.of.y)[word] & below));
+        contour_pixel& to = pixels_[p.pixel];
         to = {p.of.x,
               p.of.y,
               to.area + p.of.area,
               to.turns + p.of.turns,
               to.crossings + p.of.crossings,
-              to.loose ^ p.of.loose};
+              to.loose ^ p.of.loose,
+              false};
         const auto flip = [&](pixel_bits& of, std::uint32_t which) {
             if ((p.cuts & which) != 0)
                 of.row(p.of.y)[word] ^= std::uint64_t{1} << bit;
@@ -144,6 +155,29 @@ void contour_pixels::finish(contour_cuts& cuts, pixel_bits& seen) {
         flip(cuts.down, cut_down);
         flip(cuts.left, cut_left);
         flip(cuts.right, cut_right);
+    }
+    find_turns();
+}
+
+/// Sorts the ends of the contours in pixels of more than one along the border.
+void contour_pixels::find_turns() {
+    ends_.clear();
+    for (const pair& p : pairs_) {
+        const contour_pixel& of = pixels_[p.pixel];
+        if (of.crossings <= 2 || of.loose != 0)
+            continue;
+        if (p.enters_at >= 0)
+            ends_.push_back({p.pixel, p.enters_at, true});
+        if (p.leaves_at >= 0)
+            ends_.push_back({p.pixel, p.leaves_at, false});
+    }
+    std::ranges::sort(ends_);
+    for (std::size_t i = 0, next = 0; i < ends_.size(); i = next) {
+        bool alternate = true;
+        for (next = i + 1; next < ends_.size() && ends_[next].pixel == ends_[i].pixel; ++next)
+            alternate = alternate && ends_[next].enters != ends_[next - 1].enters;
+        pixels_[ends_[i].pixel].takes_turns =
+            alternate && ends_[next - 1].enters != ends_[i].enters;
     }
 }
 

@@ -7,6 +7,7 @@
 #include "raster/refine/drawn_depth_p.h"
 #include "raster/refine/pixel_bits_p.h"
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -40,10 +41,14 @@ struct contour_pixel {
     std::int32_t crossings; ///< of the pixel's border
     std::uint32_t loose;    ///< 0 if each vertex is an end as often as it is a beginning, or nearly
 
+    /// Of more than two crossings: beginnings and ends of contours take turns round the border. So
+    /// all of them together divide the square into two, what is on the right and what is not.
+    bool takes_turns;
+
     static constexpr std::int32_t whole = 1 << 20;
 
-    /// One contour passes through the pixel, in one piece.
-    bool simple() const { return crossings == 2 && loose == 0; }
+    /// One contour passes through the pixel, or several of one surface, each in one piece.
+    bool simple() const { return loose == 0 && (crossings == 2 || takes_turns); }
     /// The share of the square on the right of the contour.
     std::int32_t share() const { return area & (whole - 1); }
     /// Whether the centre is on the right: 1, or on the left: 0.
@@ -77,12 +82,24 @@ private:
 
     struct pair {
         contour_pixel of;
-        std::uint32_t cuts; ///< up, down, left, right
+        std::uint32_t cuts;         ///< up, down, left, right
+        float enters_at, leaves_at; ///< the way along the border from corner (0, 0); -1: not there
+        std::uint32_t pixel;        ///< which of pixels_
     };
+    struct end {
+        std::uint32_t pixel;
+        float at;
+        bool enters;
+
+        friend auto operator<=>(const end&, const end&) = default;
+    };
+
+    void find_turns();
 
     l3d_pixel_box band_;
     std::vector<pair> pairs_;
     std::vector<contour_pixel> pixels_;
+    std::vector<end> ends_;
     std::vector<std::uint32_t> before_;
 };
 
