@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// The map of errors against the exact picture through a box filter: no pixel is farther off.
+#include "../dice/scene.h"
+#include "../scene/bodies.h"
+#include "words_of.h"
+
+#include "pipeline/pipeline_afd.h"
+#include "raster/error_map.h"
+#include "raster/rasterizer_factory_sw.h"
+#include "reference/box_image.h"
+#include "reference/random_numbers.h"
+#include "reference/random_patches.h"
+#include "tool_2d/screen_memory.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace {
+
+using dice_tests::scene;
+
+struct doubted {
+    std::vector<std::uint32_t> words;
+    l3d_error_map map;
+    l3d_frame_report report;
+};
+
+l3d_patch_scene world_of(const scene& s) {
+    l3d_patch_scene world;
+    world.add(s.model, s.placement);
+    return world;
+}
+
+doubted drawn(const scene& s, double tolerance, int threads = 1) {
+    l3d_afd_settings settings;
+    settings.tolerance = tolerance;
+    settings.error_map = true;
+    settings.threads = threads;
+    settings.light = {reference::project_light.x, reference::project_light.y,
+                      reference::project_light.z};
+    l3d_pipeline_afd pipeline(l3d_memory_canvas(s.size), world_of(s), s.camera, settings);
+    pipeline.draw_event();
+    EXPECT_NE(pipeline.error_map(), nullptr);
+    return {words_of(pipeline.screen().pixels()), *pipeline.error_map(), pipeline.report()};
+}
+
+/// Bounds, and what is measured, of the pixels of one kind.
+struct pixels_of_a_kind {
+    std::vector<double> bounds, errors;
+
+    void add(double bound, double error) {
+        bounds.push_back(bound);
+        errors.push_back(error);
+    }
+    static double at(std::vector<double> of, double part) {
+        std::sort(of.begin(), of.end());
+        return of.empty() ? 0 : of[static_cast<std::size_t>(part * double(of.size() - 1))];
+    }
+    void print(const char* name) const {
+        std::printf("  %s: %zu pixels, bound: median %.2f, 99 %% %.2f, most %.2f; error: median "
+                    "%.2f, 99 %% %.2f, most %.2f\n",
+                    name, bounds.size(), at(bounds, 0.5), at(bounds, 0.99), at(bounds, 1),
+                    at(errors, 0.5), at(errors, 0.99), at(errors, 1));
+    }
+};
+
+/// The exact picture of a scene, and what is drawn of it with several tolerances.
+void compare(const std::string& name, const scene& s, const std::vector<double>& tolerances) {
+    const reference::box_image exact(s.patches, s.eye, s.picture(), reference::project_light);
+    for (const double tolerance : tolerances) {
+        const doubted f = drawn(s, tolerance);
+        pixels_of_a_kind inside, edges;
+        int exceptions = 0;
+        double worst_inside = 0, slack = 0;
+        for (int y = 0; y < s.size.height; ++y)
+            for (int x = 0; x < s.size.width; ++x) {
+                const reference::box_pixel& p = exact.at(x, y);
+                const double level =
+                    f.words[static_cast<std::size_t>(y * s.size.width + x)] & 0xff;
+                const double error = std::abs(level - p.level), bound = double{f.map.at(x, y)};
+                if (!(error <= bound + p.unsure)) {
+                    if (++exceptions <= 5)
+                        std::printf("  (%d, %d): drawn %.0f, exact %.3f +- %.3f, bound %.3f\n", x,
+                                    y, level, p.level, p.unsure, bound);
+                }
+                slack = std::max(slack, bound - error);
+                if (p.covered > 0)
+                    (p.edge ? edges : inside).add(bound, error);
+                if (!p.edge)
+                    worst_inside = std::max(worst_inside, error - p.unsure);
+            }
+        std::printf("%s, %.2f px: %d exceptions; %.0f ms, coverage %.3f, colour %.2f\n",
+                    name.c_str(), tolerance, exceptions, f.report.time_ms.error_map,
+                    f.report.coverage_bound, f.report.color_bound);
+        inside.print("inside");
+        edges.print("edges ");
+        EXPECT_EQ(exceptions, 0) << name << ", " << tolerance;
+        EXPECT_LE(worst_inside, f.report.color_bound) << name << ", " << tolerance;
+    }
+}
+
+constexpr l3d_size small{sanitized ? 48 : 160, sanitized ? 36 : 120};
+
+TEST(error_map, holds_for_the_teapot_in_every_view) {
+    for (const reference::view& view : reference::project_views())
+        compare("teapot, " + std::string(view.name), dice_tests::teapot(view, small),
+                {0.25, 0.05, 0.02});
+}
+
+TEST(error_map, holds_for_bumps_and_domes) {
+    compare("dome",
+            scene(reference::load_bpt_plain("tests/data/dome.bpt"),
+                  {{0.1, 0.2, 13.94}, {0, 0, 0}, {0.1, 1, 0}, 38, 0.1}, small),
+            {0.25, 0.02});
+    compare("bumps",
+            scene(reference::load_bpt_plain("tests/data/bump3.bpt"),
+                  {{1, 2, 4}, {0, 0, 0}, {0, 1, 0}, 38, 0.1}, small),
+            {0.25, 0.02});
+}
+
+TEST(error_map, holds_for_bodies) {
+    reference::random_numbers random(21);
+    const reference::camera eye{{2.1, 3.2, 4.3}, {0, 0, 0}, {0.1, 1, 0.2}, 38, 0.1};
+    for (const auto kind : {dice_tests::body_kind::starfish, dice_tests::body_kind::bent,
+                            dice_tests::body_kind::flattened, dice_tests::body_kind::toroidal})
+        compare("body " + std::to_string(static_cast<int>(kind)),
+                scene(dice_tests::random_body(random, kind), eye, {80, 60}), {0.25});
+}
+
+TEST(error_map, holds_for_patches_of_every_kind) {
+    const reference::camera eye{{2.1, 3.2, 4.3}, {0, 0, 0}, {0.1, 1, 0.2}, 38, 0.1};
+    constexpr l3d_size size{64, 48};
+    for (const auto& [kind, name] : reference::patch_kinds)
+        for (std::uint64_t seed = 1; seed <= 3; ++seed)
+            compare(name,
+                    scene(reference::random_patches(seed, kind, 6, eye, {size.width, size.height}),
+                          eye, size),
+                    {0.25});
+}
+
+} // namespace
