@@ -59,11 +59,11 @@ struct linear_picture {
             for (int column = 0; column < 4; ++column) {
                 const l3d_image_point& p = net.at(row, column);
                 const double u = column / 3.0 - 0.5, v = row / 3.0 - 0.5;
-                most =
-                    std::max(most, std::hypot(p[0] - x.at(u, v) * p[2], p[1] - y.at(u, v) * p[2]));
+                const double off_x = p[0] - x.at(u, v) * p[2], off_y = p[1] - y.at(u, v) * p[2];
+                most = std::max(most, off_x * off_x + off_y * off_y);
             }
         const double widest = std::hypot(x.range(), y.range());
-        off = (most + widest * (most_w - least_w) / 2) / least_w;
+        off = (std::sqrt(most) + widest * (most_w - least_w) / 2) / least_w;
     }
 
 private:

@@ -34,7 +34,7 @@ bool meet(double low_a, double high_a, double low_b, double high_b) {
 }
 
 /// From where to where a piece reaches along a side, walked round its patch.
-interval along_side(const l3d_doubt_piece& p, std::size_t side) {
+interval along_side(const l3d_doubt_judge::member& p, std::size_t side) {
     switch (side) {
     case 0:
         return {p.u0, p.u1};
@@ -51,25 +51,23 @@ interval along_side(const l3d_doubt_piece& p, std::size_t side) {
 struct meeting {
     bool is_there = false, may_fold = false;
 
-    meeting(const l3d_doubt_leaf& a, const l3d_doubt_leaf& b) {
-        const l3d_doubt_piece &p = a.piece, &q = b.piece;
+    meeting(const l3d_doubt_judge::member& p, const l3d_doubt_judge::member& q) {
         if (p.of->instance != q.of->instance)
             return;
-        if (p.of == q.of && meet(p.u0, p.u1, q.u0, q.u1) && meet(p.v0, p.v1, q.v0, q.v1))
-            is_there = true;
-        for (std::size_t k = 0; k < l3d_side_pairs::sides; ++k) {
+        is_there = p.of == q.of && meet(p.u0, p.u1, q.u0, q.u1) && meet(p.v0, p.v1, q.v0, q.v1);
+        for (std::size_t k = 0; k < l3d_side_pairs::sides && p.sides != 0; ++k) {
+            if ((p.sides >> k & 1) == 0)
+                continue;
             const l3d_side_pairs::beyond& next = p.of->sides->at(p.of->patch, k);
             if (next.is != l3d_side_pairs::kind::paired || next.patch != q.of->patch ||
-                !p.reaches(k) || !q.reaches(next.side))
+                (q.sides >> next.side & 1) == 0)
                 continue;
             const interval of_p = along_side(p, k), of_q = along_side(q, next.side);
-            const bool touching = next.turns
-                                      ? meet(of_p.low, of_p.high, of_q.low, of_q.high)
-                                      : meet(of_p.low, of_p.high, 1 - of_q.high, 1 - of_q.low);
-            if (!touching)
+            if (next.turns ? !meet(of_p.low, of_p.high, of_q.low, of_q.high)
+                           : !meet(of_p.low, of_p.high, 1 - of_q.high, 1 - of_q.low))
                 continue;
             is_there = true;
-            may_fold = may_fold || a.bounds.facing != (next.turns ? -1 : 1) * b.bounds.facing;
+            may_fold = may_fold || p.facing != (next.turns ? -q.facing : q.facing);
         }
     }
 };
@@ -144,40 +142,47 @@ interval mean_light(const l3d_doubt_bounds& line, double below, double above,
 } // namespace
 
 std::size_t l3d_doubt_judge::root_of(std::size_t i) const {
-    while (parents_[i] != i)
-        i = parents_[i] = parents_[parents_[i]];
+    while (members_[i].parent != i)
+        i = members_[i].parent;
     return i;
 }
 
 void l3d_doubt_judge::join(std::size_t a, std::size_t b) {
-    parents_[root_of(b)] = root_of(a);
+    const std::size_t of_a = root_of(a), of_b = root_of(b);
+    members_[a].parent = members_[b].parent = members_[of_b].parent = of_a;
 }
 
 void l3d_doubt_judge::gather(const l3d_image_box& cell, std::span<const std::uint32_t> touching,
                              std::span<const l3d_doubt_leaf> leaves) {
     pieces_.clear();
-    indices_.clear();
-    for (const std::uint32_t i : touching)
-        if (leaves[i].bounds.touches(cell)) {
-            pieces_.push_back(&leaves[i]);
-            indices_.push_back(i);
-        }
-    parents_.resize(pieces_.size());
-    nearest_.resize(pieces_.size());
-    sheets_.assign(pieces_.size(), {});
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        const l3d_doubt_bounds& b = pieces_[i]->bounds;
-        parents_[i] = i;
-        sheets_[i].may_end = b.facing == 0 || b.may_be_missing || b.may_end_in(cell);
+    members_.clear();
+    sheets_.clear();
+    for (const std::uint32_t i : touching) {
+        const l3d_doubt_leaf& leaf = leaves[i];
+        const l3d_doubt_bounds& b = leaf.bounds;
+        const l3d_doubt_piece& p = leaf.piece;
+        if (!b.touches(cell))
+            continue;
+        unsigned sides = 0;
+        for (std::size_t k = 0; k < l3d_side_pairs::sides; ++k)
+            sides |= p.reaches(k) ? 1U << k : 0U;
+        pieces_.push_back(&leaf);
+        members_.push_back({b.box.intersected(cell), p.u0, p.u1, p.v0, p.v1, p.of, sides, b.facing,
+                            i, members_.size()});
+        sheets_.push_back({.may_end = b.facing == 0 || b.may_be_missing || b.may_end_in(cell)});
     }
 }
 
-/// Joins all pieces that meet. What is said of a sheet is said by its root.
+/// Joins all pieces that meet in the cell. What is said of a sheet is said by its root.
 void l3d_doubt_judge::connect() {
     const bool are_too_many = pieces_.size() > most_pieces;
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
+    for (std::size_t i = 0; i < members_.size(); ++i)
         for (std::size_t k = 0; k < i && !are_too_many; ++k) {
-            const meeting m(*pieces_[i], *pieces_[k]);
+            const member &p = members_[i], &q = members_[k];
+            if (p.part.left > q.part.right || q.part.left > p.part.right ||
+                p.part.top > q.part.bottom || q.part.top > p.part.bottom)
+                continue;
+            const meeting m(p, q);
             if (!m.is_there)
                 continue;
             join(i, k);
@@ -198,7 +203,7 @@ void l3d_doubt_judge::look_for(const l3d_image_box& cell, const l3d_dice_view& v
         const l3d_doubt_bounds& b = pieces_[i]->bounds;
         sheet& s = sheets_[root_of(i)];
         const auto [nearest, farthest] = b.range(b.w, cell);
-        nearest_[i] = nearest * (1 - margin * b.w_margin);
+        members_[i].nearest = nearest * (1 - margin * b.w_margin);
         s.farthest = std::max(s.farthest, farthest * (1 + margin * b.w_margin));
         const bool shows_middle = b.may_show(x, y);
         s.may_be_there = s.may_be_there || s.may_end || shows_middle;
@@ -211,11 +216,11 @@ void l3d_doubt_judge::look_for(const l3d_image_box& cell, const l3d_dice_view& v
 double l3d_doubt_judge::farthest_seen() {
     double result = infinite;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
-        if (parents_[i] == i && sheets_[i].fills())
+        if (members_[i].parent == i && sheets_[i].fills())
             result = std::min(result, sheets_[i].farthest);
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         sheet& s = sheets_[root_of(i)];
-        s.is_seen = s.is_seen || (s.may_be_there && nearest_[i] <= result);
+        s.is_seen = s.is_seen || (s.may_be_there && members_[i].nearest <= result);
     }
     return result;
 }
@@ -223,7 +228,7 @@ double l3d_doubt_judge::farthest_seen() {
 void l3d_doubt_judge::mark_seen(std::vector<bool>& pieces) const {
     for (std::size_t i = 0; i < pieces_.size(); ++i)
         if (sheets_[root_of(i)].is_seen)
-            pieces[indices_[i]] = true;
+            pieces[members_[i].index] = true;
 }
 
 l3d_doubt_verdict l3d_doubt_judge::judge(const l3d_image_box& cell,
@@ -239,7 +244,7 @@ l3d_doubt_verdict l3d_doubt_judge::judge(const l3d_image_box& cell,
     interval levels;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         const std::size_t root = root_of(i);
-        if (!sheets_[root].may_be_there || !(nearest_[i] <= farthest))
+        if (!sheets_[root].may_be_there || !(members_[i].nearest <= farthest))
             continue;
         is_certain = is_certain && sheets_[root].fills() &&
                      (only == pieces_.size() || root_of(only) == root);
@@ -292,7 +297,7 @@ bool l3d_doubt_judge::is_drawn_alone(const l3d_image_box& grown,
     std::size_t only = pieces_.size();
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         const std::size_t root = root_of(i);
-        if (!sheets_[root].may_be_there || !(nearest_[i] <= farthest))
+        if (!sheets_[root].may_be_there || !(members_[i].nearest <= farthest))
             continue;
         if (!sheets_[root].fills() || (only != pieces_.size() && only != root))
             return false;

@@ -38,6 +38,18 @@ public:
     /// parts of the cell.
     void mark_seen(std::vector<bool>& pieces) const;
 
+    /// What is needed of a piece to find out which others it meets.
+    struct member {
+        l3d_image_box part; ///< of the piece's box that is in the cell
+        double u0, u1, v0, v1;
+        const l3d_doubt_patch* of;
+        unsigned sides; ///< bits of those that it reaches
+        int facing;
+        std::uint32_t index; ///< among all pieces
+        std::size_t parent;  ///< one of the same sheet; the root is its own
+        double nearest = 0;  ///< w in the cell
+    };
+
 private:
     /// Pieces that are connected in the cell, and perhaps more.
     struct sheet {
@@ -57,10 +69,8 @@ private:
     void join(std::size_t a, std::size_t b);
 
     std::vector<const l3d_doubt_leaf*> pieces_;
-    std::vector<double> nearest_;        ///< w of the same in the cell
-    std::vector<std::uint32_t> indices_; ///< of the same
-    mutable std::vector<std::size_t> parents_;
-    std::vector<sheet> sheets_; ///< those of roots mean something
+    std::vector<member> members_; ///< of the same
+    std::vector<sheet> sheets_;   ///< those of roots mean something
 };
 
 #endif

@@ -9,14 +9,16 @@
 namespace {
 
 /// Cells are no smaller than 2^-4 pixel: those that may show several surfaces. Those that show one
-/// are no smaller than 2^-2. Of what is drawn they are no smaller than 2^-3, or than the bound.
+/// are no smaller than 2^-2. Of what is drawn they are no smaller than 2^-3, or
+/// than the bound.
 constexpr int finest_contrast = 4, finest_surface = 2, finest_drawing = 3;
 
-/// Cells are cut no further if less of their levels is unknown.
+/// Pixels are cut no further if less of their levels is unknown. Of smaller cells more may be
+/// unknown, in proportion to 1 / their width, since they are only a small part of a pixel.
 constexpr double fine_levels = 1;
 
-/// Pieces are plain up to this size; their bounds must be as good as this. Units: pixels, levels,
-/// parts of a cell.
+/// Pieces are plain up to this size; their bounds must be as good as this. Units: pixels, levels in
+/// whole pixels, parts of a cell.
 constexpr double largest_plain = 6, plain_levels = 0.3, plain_part = 1.0 / 16;
 
 /// Of one tile; if there are more, nothing is known of it.
@@ -33,7 +35,8 @@ void l3d_doubt_tile::begin(const l3d_doubt_view& view, const l3d_pixel_box& tile
     tile_ = tile;
     judges_drawing_ = std::isfinite(view.bound_px + view.depth_bound_px);
     finest_drawing_ = 0;
-    while (finest_drawing_ < finest_drawing && std::ldexp(1.0, -finest_drawing_) > view.bound_px)
+    while (finest_drawing_ < finest_drawing &&
+           std::ldexp(1.0, -finest_drawing_) > 2 * view.bound_px)
         ++finest_drawing_;
     is_too_much_ = false;
     fineness_ = 0;
@@ -104,9 +107,9 @@ void l3d_doubt_tile::add(const l3d_doubt_piece& whole) {
 bool l3d_doubt_tile::is_plain(const l3d_doubt_bounds& b) const {
     const double of_cell = std::ldexp(1.0, -fineness_);
     const double size = std::max(b.box.width(), b.box.height());
-    return size <= of_cell ||
-           (size <= largest_plain && b.facing != 0 && !b.may_end && b.level.off <= plain_levels &&
-            b.picture_off <= plain_part * of_cell);
+    return size <= of_cell || (size <= largest_plain && b.facing != 0 && !b.may_end &&
+                               b.level.off <= std::ldexp(plain_levels, fineness_) &&
+                               b.picture_off <= plain_part * of_cell);
 }
 
 /// Halves a piece until its bounds are good enough. Leaves out what reaches no cell.
@@ -173,7 +176,7 @@ bool l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching
     if (c.of_light) {
         const l3d_doubt_verdict v = judge_.judge(box, touching, leaves_, view_->view);
         const int finest = v.is_certain ? finest_surface : finest_contrast;
-        if (v.spread <= fine_levels || fineness_ >= finest) {
+        if (v.spread <= std::ldexp(fine_levels, fineness_) || fineness_ >= finest) {
             pixel.least += part * v.least;
             pixel.most += part * v.most;
             pixel.unsure += v.is_certain ? 0 : part;
