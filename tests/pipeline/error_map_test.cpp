@@ -4,12 +4,15 @@
 #include "../scene/bodies.h"
 #include "words_of.h"
 
+#include "dice/doubts/frame_doubts.h"
 #include "pipeline/pipeline_afd.h"
 #include "raster/error_map.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "reference/box_image.h"
+#include "reference/measure.h"
 #include "reference/random_numbers.h"
 #include "reference/random_patches.h"
+#include "scene/image_transform.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>
@@ -20,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -83,8 +87,7 @@ void compare(const std::string& name, const scene& s, const std::vector<double>&
         for (int y = 0; y < s.size.height; ++y)
             for (int x = 0; x < s.size.width; ++x) {
                 const reference::box_pixel& p = exact.at(x, y);
-                const double level =
-                    f.words[static_cast<std::size_t>(y * s.size.width + x)] & 0xff;
+                const double level = f.words[static_cast<std::size_t>(y * s.size.width + x)] & 0xff;
                 const double error = std::abs(level - p.level), bound = double{f.map.at(x, y)};
                 if (!(error <= bound + p.unsure)) {
                     if (++exceptions <= 5)
@@ -105,6 +108,17 @@ void compare(const std::string& name, const scene& s, const std::vector<double>&
         EXPECT_EQ(exceptions, 0) << name << ", " << tolerance;
         EXPECT_LE(worst_inside, f.report.color_bound) << name << ", " << tolerance;
     }
+}
+
+/// A sheet that fills the window, bent at random.
+reference::patch random_sheet(reference::random_numbers& random, double slope) {
+    reference::patch result;
+    for (std::size_t k = 0; k < result.points.size(); ++k) {
+        const double x = 2.0 * static_cast<double>(k % 4) - 3;
+        const double y = 2.0 * static_cast<double>(k / 4) - 3;
+        result.points[k] = {x, y, slope * x + 0.5 * random.between(-1, 1)};
+    }
+    return result;
 }
 
 constexpr l3d_size small{sanitized ? 48 : 160, sanitized ? 36 : 120};
@@ -144,6 +158,126 @@ TEST(error_map, holds_for_patches_of_every_kind) {
                     scene(reference::random_patches(seed, kind, 6, eye, {size.width, size.height}),
                           eye, size),
                     {0.25});
+}
+
+TEST(error_map, holds_for_sheets_that_cross) {
+    reference::random_numbers random(5);
+    const reference::camera eye{{0, 0, 6}, {0, 0, 0}, {0, 1, 0}, 45, 0.1};
+    for (int i = 0; i < 4; ++i)
+        compare("crossing sheets",
+                scene({random_sheet(random, 0.3 * i), random_sheet(random, -0.1)}, eye, {64, 48}),
+                {0.25, 0.02});
+}
+
+TEST(error_map, holds_for_tiny_patches_and_tilings) {
+    const reference::camera eye{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 60, 0.1};
+    for (const double fold : {0.2, 1.5})
+        compare("tiling",
+                scene(reference::random_tiling(3, 6, fold, 1, eye, {64, 48}), eye, {64, 48}),
+                {0.25});
+    for (const double distance : {30.0, 90.0})
+        compare("far ring",
+                scene(dice_tests::ring(1, 0.4), {{0, distance / 2, distance}, {0, 0, 0}, {0, 1, 0}},
+                      {32, 24}),
+                {0.25, 1});
+}
+
+/// Where a pixel shows one surface alone within the bounds, what is drawn in its centre is the
+/// surface of the exact picture.
+TEST(error_map, tells_the_part_of_a_pixel_that_may_show_another_surface) {
+    for (const char* const name : {"full", "top", "inside"}) {
+        const scene s = dice_tests::teapot(reference::project_view(name), small);
+        const l3d_patch_scene world = world_of(s);
+        l3d_afd_settings settings;
+        settings.depth = true;
+        l3d_pipeline_afd pipeline(l3d_memory_canvas(s.size), world, s.camera, settings);
+        pipeline.draw_event();
+        const l3d_frame_report report = pipeline.report();
+        const double bound = report.dice.bound_px, depth_bound = report.dice.depth_bound_px;
+        const l3d_image_transform transform(s.camera, s.size, world);
+        l3d_workers workers(1);
+        l3d_frame_doubts doubts;
+        doubts.find({.scene = world,
+                     .to_image = transform.matrix(),
+                     .view = transform.view(settings.tolerance),
+                     .light = settings.light,
+                     .bound_px = bound,
+                     .depth_bound_px = depth_bound,
+                     .drawn = pipeline.screen().pixels()},
+                    workers);
+        const reference::exact_image exact(s.patches, s.eye, s.picture());
+        const reference::camera_frame camera(s.eye, s.picture());
+        int sure = 0, wrong = 0;
+        for (int y = 0; y < s.size.height; ++y)
+            for (int x = 0; x < s.size.width; ++x) {
+                EXPECT_LE(doubts.coverage().at(x, y), doubts.coverage_bound());
+                if (doubts.coverage().at(x, y) > 0)
+                    continue;
+                ++sure;
+                const double inv_w = double{pipeline.depth().row(y)[static_cast<std::size_t>(x)]};
+                wrong += exact.covered(x, y) != (inv_w > 0);
+                // The sheet is off by depth_bound along the normal, and bends within the bound.
+                wrong += exact.covered(x, y) && inv_w > 0 &&
+                         reference::depth_error_px(exact.at(x, y), camera, x, y, 1 / inv_w) >
+                             3 * (bound + depth_bound);
+            }
+        std::printf("%s: %d of %d pixels show one surface, %d of them another one\n", name, sure,
+                    s.size.width * s.size.height, wrong);
+        EXPECT_EQ(wrong, 0) << name;
+        EXPECT_GT(sure, s.size.width * s.size.height / 2) << name;
+    }
+}
+
+TEST(error_map, is_the_same_for_any_number_of_threads) {
+    const scene s = dice_tests::teapot(reference::project_view("closeup"), small);
+    const doubted one = drawn(s, 0.25);
+    for (const int threads : {2, 5})
+        EXPECT_EQ(drawn(s, 0.25, threads).map.levels(), one.map.levels()) << threads;
+}
+
+TEST(error_map, changes_no_bit_of_the_picture_and_is_null_unasked) {
+    const scene s = dice_tests::teapot(reference::project_view("full"), small);
+    l3d_afd_settings settings;
+    l3d_pipeline_afd pipeline(l3d_memory_canvas(s.size), world_of(s), s.camera, settings);
+    pipeline.draw_event();
+    EXPECT_EQ(pipeline.error_map(), nullptr);
+    EXPECT_NE(pipeline.report().json().find("\"coverage_error_bound\":null"), std::string::npos);
+    EXPECT_NE(pipeline.report().json().find("\"color_error_bound\":null"), std::string::npos);
+    const auto without = words_of(pipeline.screen().pixels());
+    pipeline.settings().error_map = true;
+    pipeline.redraw();
+    pipeline.draw_event();
+    ASSERT_NE(pipeline.error_map(), nullptr);
+    EXPECT_EQ(words_of(pipeline.screen().pixels()), without);
+    const double color = pipeline.report().color_bound;
+    EXPECT_TRUE(color > 0 && color < 255);
+    pipeline.draw_event(); // a picture that stays keeps its map
+    EXPECT_NE(pipeline.error_map(), nullptr);
+    EXPECT_EQ(pipeline.report().color_bound, color);
+    pipeline.settings().wireframe = true;
+    pipeline.redraw();
+    pipeline.draw_event();
+    EXPECT_EQ(pipeline.error_map(), nullptr);
+}
+
+/// The map tells the error of any picture: a pixel that is painted over is farther off.
+TEST(error_map, does_not_depend_on_how_the_picture_was_drawn) {
+    const scene s = dice_tests::teapot(reference::project_view("full"), small);
+    const l3d_patch_scene world = world_of(s);
+    const l3d_image_transform transform(s.camera, s.size, world);
+    std::vector<std::uint32_t> words(static_cast<std::size_t>(s.size.width * s.size.height), 200);
+    l3d_workers workers(1);
+    l3d_frame_doubts doubts;
+    doubts.find({.scene = world,
+                 .to_image = transform.matrix(),
+                 .view = transform.view(0.25),
+                 .light = l3d_usual_light,
+                 .bound_px = std::numeric_limits<double>::infinity(),
+                 .depth_bound_px = std::numeric_limits<double>::infinity(),
+                 .drawn = {words.data(), s.size.width, s.size.height, s.size.width}},
+                workers);
+    EXPECT_NEAR(doubts.map().at(0, 0), 200, 0.01); // the background is 0 in red, green and blue
+    EXPECT_TRUE(std::isinf(doubts.coverage_bound()));
 }
 
 } // namespace

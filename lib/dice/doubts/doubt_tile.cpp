@@ -9,9 +9,9 @@
 namespace {
 
 /// Cells are no smaller than 2^-4 pixel: those that may show several surfaces. Those that show one
-/// are no smaller than 2^-2. Of what is drawn they are no smaller than 2^-3, or
+/// are no smaller than 2^-3. Of what is drawn they are no smaller than 2^-3, or
 /// than the bound.
-constexpr int finest_contrast = 4, finest_surface = 2, finest_drawing = 3;
+constexpr int finest_contrast = 4, finest_surface = 3, finest_drawing = 3;
 
 /// Pixels are cut no further if less of their levels is unknown. Of smaller cells more may be
 /// unknown, in proportion to 1 / their width, since they are only a small part of a pixel.

@@ -122,7 +122,9 @@ void l3d_frame_doubts::find_tile(const l3d_doubted_frame& frame, const l3d_pixel
             const l3d_doubt_pixel& p = pixels[i];
             const double bound = most_off(words[static_cast<std::size_t>(x)], p.least, p.most);
             map_.set(x, y, static_cast<float>(bound));
-            result.coverage = std::max(result.coverage, p.unsure_drawn);
+            const double part = is_searched_ ? p.unsure_drawn : 1;
+            coverage_.set(x, y, static_cast<float>(part));
+            result.coverage = std::max(result.coverage, part);
             if (p.unsure == 0 && p.unsure_drawn == 0)
                 result.color = std::max(result.color, bound);
         }
@@ -134,12 +136,13 @@ void l3d_frame_doubts::find(const l3d_doubted_frame& frame, l3d_workers& workers
     view_.world_of_image = world_of_image(frame.to_image);
     view_.light = frame.light * (1 / l3d_length(frame.light));
     const bool has_bounds = std::isfinite(frame.bound_px + frame.depth_bound_px);
-    const bool is_searched = frame.bound_px + frame.depth_bound_px <= most_searched;
-    view_.bound_px = is_searched ? frame.bound_px : infinite;
+    is_searched_ = frame.bound_px + frame.depth_bound_px <= most_searched;
+    view_.bound_px = is_searched_ ? frame.bound_px : infinite;
     view_.depth_bound_px = frame.depth_bound_px;
     place(frame);
     const l3d_size size = frame.view.size;
     map_.begin(size);
+    coverage_.begin(size);
     tiles_.resize(static_cast<std::size_t>(workers.count()));
     constexpr int side = l3d_doubt_tile::side;
     const int columns = (size.width + side - 1) / side, rows = (size.height + side - 1) / side;
@@ -152,7 +155,7 @@ void l3d_frame_doubts::find(const l3d_doubted_frame& frame, l3d_workers& workers
                   tiles_[static_cast<std::size_t>(worker)],
                   results[static_cast<std::size_t>(item)]);
     });
-    coverage_bound_ = is_searched ? 0 : has_bounds ? 1 : infinite;
+    coverage_bound_ = has_bounds ? 0 : infinite;
     color_bound_ = 0;
     for (const tile_result& r : results) {
         coverage_bound_ = std::max(coverage_bound_, r.coverage);

@@ -41,6 +41,10 @@ public:
     /// The bound of each pixel of the last frame, in levels.
     const l3d_error_map& map() const { return map_; }
 
+    /// The part of each pixel's square, from 0 to 1, of which coverage_bound tells the largest. It
+    /// is 1 everywhere where that is infinite.
+    const l3d_error_map& coverage() const { return coverage_; }
+
     /// The largest part of any pixel's square that may show another surface than in the exact
     /// picture, from 0 to 1. Infinite if places or depth have no bound.
     double coverage_bound() const { return coverage_bound_; }
@@ -68,7 +72,8 @@ private:
     std::map<const void*, l3d_side_pairs> sides_; ///< of the frame's models, by identity
     std::vector<placed> patches_;
     std::vector<l3d_doubt_tile> tiles_; ///< one for each worker
-    l3d_error_map map_;
+    l3d_error_map map_, coverage_;
+    bool is_searched_ = false; ///< for other surfaces, within the bounds of places and depth
     double coverage_bound_ = 0, color_bound_ = 0;
 };
 
