@@ -71,6 +71,39 @@ private:
         : x(a.x, b.x, c.x, d.x), y(a.y, b.y, c.y, d.y) {}
 };
 
+/// A piece's normals, along their common axis and across it.
+struct seen_normals {
+    vector axis{0.0, 0.0, 0.0};
+    std::array<double, order * order> along; ///< of each
+    double most_along = 0;                   ///< in size
+    double most_across = 0, longest = 0;
+    double most_slope = 0; ///< across over along; infinite if a normal is far from the axis
+
+    explicit seen_normals(const std::array<vector, order * order>& normals) {
+        for (const vector& n : normals)
+            axis += n;
+        const double length = l3d_length(axis);
+        axis = length > 0 ? axis * (1 / length) : vector(0.0);
+        double slope = 0; // these are squares
+        for (std::size_t i = 0; i < normals.size(); ++i) {
+            const vector& n = normals[i];
+            const double q = l3d_dot(n, axis), whole = l3d_dot(n, n);
+            const vector across = n - axis * q;
+            const double rest = l3d_dot(across, across);
+            along[i] = q;
+            most_along = std::max(most_along, std::abs(q));
+            most_across = std::max(most_across, rest);
+            longest = std::max(longest, whole);
+            slope = std::max(slope, q > 0 && q * q > least_cosine * least_cosine * whole
+                                        ? rest / (q * q)
+                                        : infinite);
+        }
+        most_across = std::sqrt(most_across);
+        longest = std::sqrt(longest);
+        most_slope = std::sqrt(slope);
+    }
+};
+
 /// The cosine n.l of unit normals over a piece: within `off` of a plane, from least to most.
 struct cosines {
     plane line{0, 0, 0, 0};
@@ -78,24 +111,26 @@ struct cosines {
 
     /// With n = q (a + r), where a is the normals' axis and r across it, the cosine is (a.l + r.l)
     /// / sqrt(1 + r.r). r.l is a quotient of polynomials. It is bounded like the picture of a
-    /// piece.
-    cosines(const std::array<vector, order * order>& normals, const vector& axis,
-            const vector& light) {
-        const double along = l3d_dot(axis, light);
-        const vector across = light - axis * along;
-        std::array<double, order * order> q, t;
-        double least_q = infinite, most_q = 0, least_r = infinite, most_r = -infinite, rho = 0;
-        for (std::size_t i = 0; i < normals.size(); ++i) {
-            q[i] = l3d_dot(normals[i], axis);
-            t[i] = l3d_dot(normals[i], across);
-            const double length = l3d_length(normals[i]);
-            if (!(q[i] > least_cosine * length))
-                return;
-            least_q = std::min(least_q, q[i]);
-            most_q = std::max(most_q, q[i]);
-            least_r = std::min(least_r, t[i] / q[i]);
-            most_r = std::max(most_r, t[i] / q[i]);
-            rho = std::max(rho, l3d_length(normals[i] - axis * q[i]) / q[i]);
+    /// piece. Normals are known to `normal_off`.
+    cosines(const l3d_doubt_piece& piece, const seen_normals& seen, const vector& light) {
+        if (!(seen.most_slope < infinite))
+            return;
+        const std::array<double, order* order>& q = seen.along;
+        const double along = l3d_dot(seen.axis, light);
+        const vector across = light - seen.axis * along;
+        const auto [low_q, high_q] = std::minmax_element(q.begin(), q.end());
+        const double least_q = *low_q, most_q = *high_q;
+        const double known_to = 4 * piece.of->normal_off / least_q + rounding;
+        if (!(known_to < least_cosine))
+            return;
+        const double rho = seen.most_slope + known_to;
+        std::array<double, order * order> t;
+        double least_r = infinite, most_r = -infinite;
+        for (std::size_t i = 0; i < t.size(); ++i) {
+            t[i] = l3d_dot(piece.normals[i], across);
+            const double r = t[i] / q[i];
+            least_r = std::min(least_r, r);
+            most_r = std::max(most_r, r);
         }
         constexpr std::size_t end = order - 1, last = order * end;
         const plane r(t[0] / q[0], t[end] / q[end], t[last] / q[last],
@@ -114,12 +149,12 @@ struct cosines {
         line.in_u = r.in_u * middle;
         line.in_v = r.in_v * middle;
         const double largest = std::max(std::abs(along + least_r), std::abs(along + most_r));
-        off = r_off + largest * (1 - middle) + rounding;
+        off = r_off + largest * (1 - middle) + known_to;
         const auto scaled = [&](double value, bool is_least) {
             return value * ((value > 0) == is_least ? shortest : 1);
         };
-        least = std::max(-1.0, scaled(along + least_r, true) - rounding);
-        most = std::min(1.0, scaled(along + most_r, false) + rounding);
+        least = std::max(-1.0, scaled(along + least_r, true) - known_to);
+        most = std::min(1.0, scaled(along + most_r, false) + known_to);
     }
 };
 
@@ -131,7 +166,8 @@ struct facing_range {
 
 /// With the middle C of the points f is n.(C - E) + n.(S - C). Along the normals' axis S - C is
 /// nearly nothing.
-facing_range facing_of(const l3d_doubt_piece& p, const vector& axis, const l3d_doubt_view& view) {
+facing_range facing_of(const l3d_doubt_piece& p, const seen_normals& normals,
+                       const l3d_doubt_view& view) {
     const auto& [of_x, of_y, of_w] = view.world_of_image;
     l3d_bezier_patch<double, 3> seen;
     for (std::size_t i = 0; i < seen.points.size(); ++i) {
@@ -144,30 +180,24 @@ facing_range facing_of(const l3d_doubt_piece& p, const vector& axis, const l3d_d
     const vector middle = (low + high) * 0.5;
     double along = 0, reach = 0;
     for (const vector& s : seen.points) {
-        along = std::max(along, std::abs(l3d_dot(axis, s - middle)));
-        reach = std::max(reach, l3d_length(s - middle));
+        const vector from_middle = s - middle;
+        along = std::max(along, std::abs(l3d_dot(normals.axis, from_middle)));
+        reach = std::max(reach, l3d_dot(from_middle, from_middle));
     }
-    facing_range result{infinite, -infinite, 0};
-    double off = 0;
+    reach = std::sqrt(reach);
+    facing_range result{infinite, -infinite, normals.longest + p.of->normal_off};
     for (const vector& n : p.normals) {
-        const double by_axis = l3d_dot(n, axis), f = l3d_dot(n, middle), length = l3d_length(n);
-        off = std::max(off, std::abs(by_axis) * along + l3d_length(n - axis * by_axis) * reach);
+        const double f = l3d_dot(n, middle);
         result.least = std::min(result.least, f);
         result.most = std::max(result.most, f);
-        result.longest = std::max(result.longest, length);
     }
-    off += result.longest * (point_off + rounding * (l3d_length(middle) + reach));
+    const double distance = l3d_length(middle) + reach;
+    const double off = normals.most_along * along + normals.most_across * reach +
+                       result.longest * (point_off + rounding * distance) +
+                       p.of->normal_off * distance;
     result.least -= off;
     result.most += off;
     return result;
-}
-
-vector axis_of(const std::array<vector, order * order>& normals) {
-    vector sum(0.0);
-    for (const vector& n : normals)
-        sum += n;
-    const double length = l3d_length(sum);
-    return length > 0 ? sum * (1 / length) : vector(0.0);
 }
 
 /// The parameters of a box, in the linear picture of a piece.
@@ -314,8 +344,8 @@ l3d_doubt_bounds l3d_bounds_of(const l3d_doubt_piece& piece, const l3d_doubt_vie
     for (std::size_t side = 0; side < l3d_side_pairs::sides; ++side)
         if (of.sides->at(of.patch, side).is == l3d_side_pairs::kind::open && piece.reaches(side))
             b.open_sides |= 1U << side;
-    const vector axis = axis_of(piece.normals);
-    const facing_range facing = facing_of(piece, axis, view);
+    const seen_normals normals(piece.normals);
+    const facing_range facing = facing_of(piece, normals, view);
     b.facing = facing.least > 0 ? 1 : facing.most < 0 ? -1 : 0;
     b.may_be_missing = of.one_sided && b.facing * of.back >= 0;
     b.w_margin = w_margin_of(view, facing, b.w.most);
@@ -324,7 +354,7 @@ l3d_doubt_bounds l3d_bounds_of(const l3d_doubt_piece& piece, const l3d_doubt_vie
     b.at_x = picture.x.middle + x;
     b.at_y = picture.y.middle + y;
     put_parameters(b, picture);
-    put_levels(b, cosines(piece.normals, axis, view.light));
+    put_levels(b, cosines(piece, normals, view.light));
     put_w(b, piece.net, of.error_w);
     return b;
 }

@@ -16,6 +16,7 @@ struct l3d_doubt_patch {
     std::uint32_t instance = 0, patch = 0;
     double error_xy = 0, error_w = 0;      ///< of its homogeneous points
     double near = 0;                       ///< nothing nearer is drawn
+    double normal_off = 0;                 ///< of its normals, whose length is that of the model's
     const l3d_side_pairs* sides = nullptr; ///< of its model
     /// Whether its back need not be drawn, and the sign of the facing that is the back.
     bool one_sided = false;

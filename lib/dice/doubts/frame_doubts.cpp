@@ -42,6 +42,20 @@ double most_off(std::uint32_t word, double least_light, double most_light) {
     return std::min(result + rounding, 255.0);
 }
 
+/// Coefficients of normals are sums of some dozens of products of differences. Some dozens of
+/// halvings follow, and a matrix.
+constexpr double normal_rounding = 0x1p-44;
+
+/// No normal is longer: the largest component of a net is 1 (l3d_normal_net) before it is turned,
+/// and perhaps after.
+double longest_normal(const l3d_patch_instance& instance) {
+    double sum = 2;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            sum += std::abs(instance.normal_matrix()(row, column));
+    return sum;
+}
+
 double determinant_of(const l3d_matrix<double>& m) {
     const auto column = [&](int i) -> vector { return {m(0, i), m(1, i), m(2, i)}; };
     return l3d_dot(column(0), l3d_cross<double>(column(1), column(2)));
@@ -71,6 +85,7 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
                     .error_xy = frame.view.error_xy * share,
                     .error_w = frame.view.error_w * share,
                     .near = frame.view.near_of(share),
+                    .normal_off = normal_rounding * longest_normal(instance),
                     .sides = &sides,
                     .one_sided = frame.view.one_sided,
                     .back = back};
