@@ -239,51 +239,55 @@ l3d_doubt_verdict l3d_doubt_judge::judge(const l3d_image_box& cell,
     connect();
     look_for(cell, view, 0);
     const double farthest = farthest_seen();
-    std::size_t only = pieces_.size();
+    only_ = nowhere;
     bool is_certain = true;
     interval levels;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         const std::size_t root = root_of(i);
         if (!sheets_[root].may_be_there || !(members_[i].nearest <= farthest))
             continue;
-        is_certain = is_certain && sheets_[root].fills() &&
-                     (only == pieces_.size() || root_of(only) == root);
+        is_certain = is_certain && sheets_[root].fills() && (only_ == nowhere || only_ == root);
+        only_ = root;
         levels.add(levels_in(pieces_[i]->bounds, cell));
-        if (only == pieces_.size() ||
-            pieces_[i]->bounds.level.off < pieces_[only]->bounds.level.off)
-            only = i;
     }
-    if (only == pieces_.size())
+    if (is_certain)
+        return judge_alone(cell);
+    if (farthest == infinite)
+        return {false, 0, light_above_ambient(levels.high), l3d_ambient_level + levels.high};
+    return {false, light_above_ambient(levels.low), light_above_ambient(levels.high),
+            levels.high - levels.low};
+}
+
+/// All pieces of the sheet, by the line of the best: how far they may be below and above it.
+l3d_doubt_verdict l3d_doubt_judge::judge_alone(const l3d_image_box& cell) const {
+    if (only_ == nowhere)
         return {true, 0, 0, 0};
-    l3d_doubt_verdict result{is_certain, light_above_ambient(levels.low),
-                             light_above_ambient(levels.high), levels.high - levels.low};
-    if (!is_certain) {
-        if (farthest == infinite) {
-            result.least = 0;
-            result.spread = l3d_ambient_level + levels.high;
-        }
-        return result;
-    }
-    // All pieces of the sheet, by one line: how far they may be below and above it.
-    const l3d_doubt_bounds& line = pieces_[only]->bounds;
+    const l3d_doubt_bounds* line = nullptr;
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+        if (const l3d_doubt_bounds& b = pieces_[i]->bounds;
+            root_of(i) == only_ && (line == nullptr || b.level.off < line->level.off))
+            line = &b;
     double below = 0, above = 0;
+    interval levels;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        if (root_of(i) != root_of(only))
-            continue;
         const l3d_doubt_bounds& b = pieces_[i]->bounds;
+        if (root_of(i) != only_ || !b.touches(cell))
+            continue;
+        levels.add(levels_in(b, cell));
         const l3d_image_box part = b.box.intersected(cell);
         for (const double x : {part.left, part.right})
             for (const double y : {part.top, part.bottom}) {
-                const double higher = level_at(b, x, y) - level_at(line, x, y);
+                const double higher = level_at(b, x, y) - level_at(*line, x, y);
                 below = std::max(below, b.level.off - higher);
                 above = std::max(above, b.level.off + higher);
             }
     }
-    const interval mean = mean_light(line, below, above, cell);
-    result.least = std::max(result.least, mean.low);
-    result.most = std::min(result.most, mean.high);
-    result.spread = std::min(result.spread, below + above);
-    return result;
+    if (!(levels.low <= levels.high)) // rounding left nothing of the sheet
+        return {false, 0, 1, 255};
+    const interval mean = mean_light(*line, below, above, cell);
+    return {true, std::max(light_above_ambient(levels.low), mean.low),
+            std::min(light_above_ambient(levels.high), mean.high),
+            std::min(levels.high - levels.low, below + above)};
 }
 
 bool l3d_doubt_judge::is_drawn_alone(const l3d_image_box& grown,
@@ -294,14 +298,14 @@ bool l3d_doubt_judge::is_drawn_alone(const l3d_image_box& grown,
     connect();
     look_for(grown, view, 1);
     const double farthest = farthest_seen();
-    std::size_t only = pieces_.size();
+    only_ = nowhere;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         const std::size_t root = root_of(i);
         if (!sheets_[root].may_be_there || !(members_[i].nearest <= farthest))
             continue;
-        if (!sheets_[root].fills() || (only != pieces_.size() && only != root))
+        if (!sheets_[root].fills() || (only_ != nowhere && only_ != root))
             return false;
-        only = root;
+        only_ = root;
     }
     return true;
 }

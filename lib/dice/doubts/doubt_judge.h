@@ -5,7 +5,9 @@
 
 #include "dice/doubts/doubt_bounds.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -32,6 +34,10 @@ public:
     /// nearer or farther by its bound. Shape: as judge.
     bool is_drawn_alone(const l3d_image_box& grown, std::span<const std::uint32_t> touching,
                         std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view);
+
+    /// What the exact picture shows in a part of the cell that was judged last. Expects: a single
+    /// surface, or the background, was found to fill that.
+    l3d_doubt_verdict judge_alone(const l3d_image_box& part) const;
 
     /// Sets what stands for the pieces that may be seen in the cell that was judged last. Of sheets
     /// that are wholly hidden there nothing needs to be known: what hides them is nearer, also in
@@ -68,9 +74,12 @@ private:
     std::size_t root_of(std::size_t i) const;
     void join(std::size_t a, std::size_t b);
 
+    static constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+
     std::vector<const l3d_doubt_leaf*> pieces_;
     std::vector<member> members_; ///< of the same
     std::vector<sheet> sheets_;   ///< those of roots mean something
+    std::size_t only_ = nowhere;  ///< the root of the sheet that is seen alone
 };
 
 #endif

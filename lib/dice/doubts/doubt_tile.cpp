@@ -173,24 +173,26 @@ bool l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching
     const double part = std::ldexp(1.0, -2 * fineness_);
     l3d_doubt_pixel& pixel = pixels_[static_cast<std::size_t>(
         (c.row >> fineness_) * (tile_.right - tile_.left) + (c.column >> fineness_))];
+    bool is_alone = false;
+    if (c.of_drawing) {
+        is_alone =
+            judge_.is_drawn_alone(box.grown(view_->bound_px), touching, leaves_, view_->view);
+        if (is_alone || fineness_ == finest_drawing_) {
+            pixel.unsure_drawn += is_alone ? 0 : part;
+            c.of_drawing = false;
+        } else {
+            judge_.mark_seen(is_needed_);
+        }
+    }
     if (c.of_light) {
-        const l3d_doubt_verdict v = judge_.judge(box, touching, leaves_, view_->view);
+        const l3d_doubt_verdict v =
+            is_alone ? judge_.judge_alone(box) : judge_.judge(box, touching, leaves_, view_->view);
         const int finest = v.is_certain ? finest_surface : finest_contrast;
         if (v.spread <= std::ldexp(fine_levels, fineness_) || fineness_ >= finest) {
             pixel.least += part * v.least;
             pixel.most += part * v.most;
             pixel.unsure += v.is_certain ? 0 : part;
             c.of_light = false;
-        } else {
-            judge_.mark_seen(is_needed_);
-        }
-    }
-    if (c.of_drawing) {
-        const bool is_alone =
-            judge_.is_drawn_alone(box.grown(view_->bound_px), touching, leaves_, view_->view);
-        if (is_alone || fineness_ == finest_drawing_) {
-            pixel.unsure_drawn += is_alone ? 0 : part;
-            c.of_drawing = false;
         } else {
             judge_.mark_seen(is_needed_);
         }
