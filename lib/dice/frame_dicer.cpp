@@ -67,6 +67,7 @@ template <class T> void l3d_frame_dicer<T>::begin(const l3d_dice_view& view) {
     for (worker_space& space : each_worker_)
         space.view = view_;
     counts_ = {};
+    next_slot_ = 0;
     counts_.near = view_.near;
     budget_left_ = view_.budget();
 }
@@ -75,7 +76,9 @@ template <class T>
 std::span<const l3d_surface_part* const>
 l3d_frame_dicer<T>::dice(const l3d_patch_scene& scene, const l3d_scene_culling& culling,
                          std::span<const l3d_placed_patch> batch) {
-    while (slots_.size() < batch.size())
+    first_slot_ = keeps_batches_ ? next_slot_ : 0;
+    next_slot_ = first_slot_ + batch.size();
+    while (slots_.size() < next_slot_)
         slots_.push_back(keep_parameters_ ? l3d_diced_pieces::with_parameters()
                                           : l3d_diced_pieces());
     if (outcomes_.size() < batch.size())
@@ -89,7 +92,7 @@ l3d_frame_dicer<T>::dice(const l3d_patch_scene& scene, const l3d_scene_culling& 
     dice_slots(of, share);
     dice_short_ones(of, allowance, share);
     parts_.clear();
-    for (const l3d_diced_pieces& slot : std::span(slots_).first(batch.size()))
+    for (const l3d_diced_pieces& slot : std::span(slots_).subspan(first_slot_, batch.size()))
         for (const l3d_diced_piece& piece : slot.used())
             parts_.push_back(&piece.part);
     for (const outcome& result : std::span(outcomes_).first(batch.size())) {
@@ -137,7 +140,7 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t s
                                    worker_space& space) {
     outcome& result = outcomes_[i];
     l3d_dice_budget budget{share, false};
-    slots_[i].clear();
+    slot(i).clear();
     space.counts = {};
     dice_placed(i, of, budget, space);
     result.counts = space.counts;
@@ -171,7 +174,7 @@ void l3d_frame_dicer<T>::dice_placed(std::size_t i, const task& of, l3d_dice_bud
         return;
     if (const auto point = view.keep.dicing ? std::nullopt : l3d_point_place_of(net, view)) {
         const auto n = instance.normal_matrix() * as_direction(normals.evaluate(0.5, 0.5));
-        l3d_draw_point(*point, net, {n[0], n[1], n[2]}, view, slots_[i], space.counts);
+        l3d_draw_point(*point, net, {n[0], n[1], n[2]}, view, slot(i), space.counts);
         return;
     }
     const unsigned backs = backs_of(instance, culling.matrix(p), p.patch);
@@ -192,10 +195,10 @@ void l3d_frame_dicer<T>::dice_placed(std::size_t i, const task& of, l3d_dice_bud
     if (view.focal == 0)
         space.bends = {};
     if (instance.turns_normals())
-        dice_patch(net, normals.turned(instance.normal_matrix()), backs, edge_shares, slots_[i],
+        dice_patch(net, normals.turned(instance.normal_matrix()), backs, edge_shares, slot(i),
                    budget, space);
     else
-        dice_patch(net, normals, backs, edge_shares, slots_[i], budget, space);
+        dice_patch(net, normals, backs, edge_shares, slot(i), budget, space);
 }
 
 /// Which worker meets a patch is chance, so each is prepared for all that any has met.

@@ -36,7 +36,7 @@ enum class l3d_dice_way {
 /// equal shares. Those that kept the tolerance with less leave the rest to the others. The others
 /// are diced again as long as that at least doubles their shares. So no frame costs twice its
 /// budget.
-/// Lives: borrows the workers. Parts live until the next batch.
+/// Lives: borrows the workers. Parts live until the next batch, or as long as keep_batches says.
 /// Cost:  no allocation in a frame of patches and batches that was drawn before. Else, a worker
 ///        allocates for a patch that is larger than any that the frame's other workers had. A slot
 ///        (the i-th place of a batch) allocates for one that is larger than any it held.
@@ -46,6 +46,9 @@ public:
                              bool keep_parameters = false)
         : workers_(workers), way_(way), keep_parameters_(keep_parameters),
           each_worker_(static_cast<std::size_t>(workers.count())) {}
+
+    /// From the next frame on: whether the parts of all batches live until the frame after it.
+    void keep_batches(bool keep) { keeps_batches_ = keep; }
 
     /// Starts a frame. Expects: tolerance > 0, near > 0.
     void begin(const l3d_dice_view& view);
@@ -57,7 +60,9 @@ public:
 
     /// The result of patch i of the last batch, with the parameters of all vertices if these are
     /// kept.
-    std::span<const l3d_diced_piece> pieces(std::size_t i) const { return slots_[i].used(); }
+    std::span<const l3d_diced_piece> pieces(std::size_t i) const {
+        return slots_[first_slot_ + i].used();
+    }
 
     /// The counts of all batches of the frame.
     const l3d_dice_counts& counts() const { return counts_; }
@@ -110,9 +115,13 @@ private:
     l3d_dice_view view_; ///< the frame's, its near plane where the camera's is
     l3d_dice_counts counts_;
     std::vector<worker_space> each_worker_;
-    std::vector<l3d_diced_pieces> slots_; ///< one for each patch of a batch
-    std::vector<outcome> outcomes_;       ///< likewise
-    std::vector<std::size_t> wanted_;     ///< the slots that are to be diced
+    l3d_diced_pieces& slot(std::size_t i) { return slots_[first_slot_ + i]; }
+
+    std::vector<l3d_diced_pieces> slots_; ///< one for each patch of a batch, or of all batches
+    std::size_t first_slot_ = 0, next_slot_ = 0; ///< of the last batch; behind it
+    bool keeps_batches_ = false;
+    std::vector<outcome> outcomes_;   ///< likewise
+    std::vector<std::size_t> wanted_; ///< the slots that are to be diced
     std::int64_t budget_left_ = 0;
     std::vector<const l3d_surface_part*> parts_;
     l3d_detail::height_order by_height_; ///< the patches of a batch

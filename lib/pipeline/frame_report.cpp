@@ -74,6 +74,7 @@ std::string l3d_frame_report::json() const {
                  {"failures", dice.failures},
                  {"quads", surface.quads},
                  {"shaded_by_plane", surface.by_plane},
+                 {"pixels_refined", surface.refined},
                  {"shade_error_bound", number_or_null(dice.shade_bound)},
                  {"shade_unproven_quads", dice.unshaded_quads},
                  {"pixels_kept", pixels_kept},
@@ -125,6 +126,11 @@ std::string l3d_frame_report::explanation() const {
         text += "kept " + std::to_string(pixels_kept) + " of " +
                 std::to_string(l3d_whole(size).area()) +
                 " pixels of the last frame: they were not cleared, filled or shown again\n";
+    if (surface.refined > 0)
+        text +=
+            "refined " + std::to_string(surface.refined) + " of " +
+            std::to_string(l3d_whole(size).area()) +
+            " pixels, whose level is far from a neighbour's: they show means over their squares\n";
     if (outline_pixels != l3d_surface_counts::none_counted)
         text += "the bound of an outline reaches " + std::to_string(outline_pixels) + " of " +
                 std::to_string(l3d_whole(size).area()) +

@@ -187,6 +187,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     l3d_shading shading =
         l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
     shading.keep_unit_normals = settings_.keep.unit_normals;
+    shading.antialias = settings_.antialias;
     return {.target = target,
             .to_image = stages_->transform.matrix(),
             .view = stages_->view,

@@ -39,6 +39,7 @@ struct L3D_PUBLIC l3d_afd_settings {
     bool lateral_only = false;  ///< the tolerance holds for places in the picture only
     l3d_shade shade = l3d_shade::lambert;          ///< of the filled surface
     l3d_vector<double, 3> light = l3d_usual_light; ///< towards the light, world space, any length
+    bool antialias = false;    ///< edges are means over pixels, not stairs; see l3d_shading
     bool wireframe = false;    ///< the lines of the adaptive grid instead of the filled surface
     bool net = false;          ///< the control nets on top
     l3d_kept_work keep{};      ///< work to do although it could be left out

@@ -47,6 +47,9 @@ struct L3D_PUBLIC l3d_shading {
 
     bool keep_unit_normals = false; ///< lambert: one in each pixel, even where less would do
 
+    /// Pixels at edges show the mean, over their squares, of the light of all that is seen there.
+    bool antialias = false;
+
     friend bool operator==(const l3d_shading&, const l3d_shading&) = default;
 };
 
@@ -69,6 +72,8 @@ struct L3D_PUBLIC l3d_surface_counts {
     /// normal in each pixel.
     std::int64_t by_plane = 0;
 
+    std::int64_t refined = 0; ///< pixels at edges, whose light is a mean over their squares
+
     /// Both together: of other parts of the picture.
     void add(const l3d_surface_counts& other) {
         quads += other.quads;
@@ -76,6 +81,7 @@ struct L3D_PUBLIC l3d_surface_counts {
         written += other.written;
         covered = other.covered == none_counted ? none_counted : covered + other.covered;
         by_plane += other.by_plane;
+        refined += other.refined;
         level_error = std::max(level_error, other.level_error);
         loose_levels += other.loose_levels;
     }

@@ -73,6 +73,9 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
         "none, to red, the tolerance or more",
         {l3d_shade_names.begin(), l3d_shade_names.end()});
     options.add("--light", settings_.light, "direction towards the light");
+    options.add_choice<bool>("--antialias", settings_.antialias,
+                             "whether pixels at edges show the mean of all that is seen in them",
+                             {{"on", true}, {"off", false}});
     options.add("--wireframe", settings_.wireframe, "the adaptive steps as lines");
     options.add("--net", settings_.net, "the control nets on top");
     options.add("--turntable", turntable_, "degrees that the eye turns from frame to frame", -360.0,

@@ -51,13 +51,23 @@ public:
 
     /// The numbers at the centre of a pixel.
     numbers at(std::int32_t column, std::int32_t row) const {
-        const double x = pixel * (column + 0.5) - base_x_;
-        const double y = pixel * (row + 0.5) - base_y_;
+        return at_place(pixel * (column + 0.5), pixel * (row + 0.5));
+    }
+
+    /// The numbers at any place. Units: 1/256 pixel.
+    numbers at_place(double x, double y) const {
         numbers result;
         for (std::size_t i = 0; i < Count; ++i)
-            result[i] = static_cast<float>(base_[i] + along_x_[i] * x + along_y_[i] * y);
+            result[i] = static_cast<float>(number(i, x, y));
         return result;
     }
+    double number(std::size_t i, double x, double y) const {
+        return base_[i] + along_x_[i] * (x - base_x_) + along_y_[i] * (y - base_y_);
+    }
+
+    /// The amounts that 1/256 pixel adds to a number.
+    double along_x(std::size_t i) const { return along_x_[i]; }
+    double along_y(std::size_t i) const { return along_y_[i]; }
 
     /// The amount that one column to the right adds.
     numbers per_column() const {

@@ -73,23 +73,23 @@ template <class Visit> void visit_blocks(const l3d_surface_part& part, const Vis
         }
 }
 
-void place_item(band_item& item, const polygon_bounds& bounds, const l3d_pixel_box& window) {
-    item.box = pixels_in(bounds.box).intersected(window);
+void place_item(band_item& item, const polygon_bounds& bounds, const band_list::frame& of) {
+    item.box = of.pixels(bounds.box);
     item.nearest = bounds.nearest;
 }
 
 } // namespace
 
-void band_list::make(std::span<const l3d_surface_part* const> parts, const l3d_pixel_box& window,
-                     int rows, const l3d_shading* vertex_light, l3d_workers& workers) {
+void band_list::make(std::span<const l3d_surface_part* const> parts, const frame& of,
+                     const l3d_shading* vertex_light, l3d_workers& workers) {
     lay_out(parts, vertex_light != nullptr);
     by_height_.sort_for(workers);
     workers.for_each_beside(static_cast<int>(parts.size()), [&](int i, int) {
         const std::size_t at = by_height_[i];
-        list_part(*parts[at], places_[at], window, vertex_light);
+        list_part(*parts[at], places_[at], of, vertex_light);
     });
     sort();
-    share_out(window, rows);
+    share_out(of);
 }
 
 /// Gives every part its place among the items, so that they can be made in any order. A vertex
@@ -121,14 +121,14 @@ void band_list::lay_out(std::span<const l3d_surface_part* const> parts, bool wit
         levels_.resize(next.levels);
 }
 
-void band_list::list_part(const l3d_surface_part& part, place at, const l3d_pixel_box& window,
+void band_list::list_part(const l3d_surface_part& part, place at, const frame& of,
                           const l3d_shading* vertex_light) {
     if (vertex_light)
         light_vertices(*vertex_light, part.grid, levels_.data() + at.levels);
     visit_blocks(part, [&](const grid_cells& cells) {
         band_item& item = items_[at.items++];
         item = {.part = &part, .cells = cells, .rows_at = at.rows, .levels_at = at.levels};
-        place_item(item, bounds_of(part.grid, cells, rows_.data() + at.rows), window);
+        place_item(item, bounds_of(part.grid, cells, rows_.data() + at.rows), of);
         at.rows += static_cast<std::uint32_t>(cells.row_end - cells.row_begin);
     });
     const auto triangles = static_cast<std::uint32_t>(part.triangles.count);
@@ -137,7 +137,7 @@ void band_list::list_part(const l3d_surface_part& part, place at, const l3d_pixe
         item = {.part = &part,
                 .triangle_begin = i,
                 .triangle_end = std::min(i + triangles_in_item, triangles)};
-        place_item(item, bounds_of(part.triangles, item.triangle_begin, item.triangle_end), window);
+        place_item(item, bounds_of(part.triangles, item.triangle_begin, item.triangle_end), of);
     }
 }
 
@@ -171,13 +171,13 @@ void band_list::sort() {
     }
 }
 
-void band_list::share_out(const l3d_pixel_box& window, int rows) {
-    const int bands = (window.bottom - window.top + rows - 1) / rows;
+void band_list::share_out(const frame& of) {
+    const int top = of.window.top, bands = (of.window.bottom - top + of.rows - 1) / of.rows;
     const auto first_band = [&](const band_item& item) {
-        return static_cast<std::size_t>((item.box.top - window.top) / rows);
+        return static_cast<std::size_t>((item.box.top - top) / of.rows);
     };
     const auto last_band = [&](const band_item& item) {
-        return static_cast<std::size_t>((item.box.bottom - 1 - window.top) / rows);
+        return static_cast<std::size_t>((item.box.bottom - 1 - top) / of.rows);
     };
     // Counted one place too far, so that after the sums a band's begin is where its end will be.
     band_begins_.assign(static_cast<std::size_t>(bands) + 2, 0);

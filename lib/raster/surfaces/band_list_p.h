@@ -40,9 +40,20 @@ public:
     /// Triangles in an item: as many as are set up side by side in lanes.
     static constexpr std::uint32_t triangles_in_item = l3d_micro_triangles::lanes;
 
-    /// Makes the lists for bands of `rows` rows of the window, and the vertices' grey levels if the
-    /// shading is for lanes that want them, else null. Expects: rows >= 1.
-    void make(std::span<const l3d_surface_part* const> parts, const l3d_pixel_box& window, int rows,
+    /// The picture's part that is drawn, and which pixels a polygon in it belongs to.
+    struct frame {
+        l3d_pixel_box window;
+        int rows = 1;         ///< of a band; >= 1
+        bool squares = false; ///< pixels whose squares it reaches, not only those of its centres
+
+        l3d_pixel_box pixels(const l3d_subpixel_box& box) const {
+            return (squares ? squares_in(box) : pixels_in(box)).intersected(window);
+        }
+    };
+
+    /// Makes the lists of a frame's bands, and the vertices' grey levels if the shading is for
+    /// lanes that want them, else null.
+    void make(std::span<const l3d_surface_part* const> parts, const frame& of,
               const l3d_shading* vertex_light, l3d_workers& workers);
 
     /// The items of a band; bands count from the window's top.
@@ -70,10 +81,10 @@ private:
     };
 
     void lay_out(std::span<const l3d_surface_part* const> parts, bool with_levels);
-    void list_part(const l3d_surface_part& part, place at, const l3d_pixel_box& window,
+    void list_part(const l3d_surface_part& part, place at, const frame& of,
                    const l3d_shading* vertex_light);
     void sort();
-    void share_out(const l3d_pixel_box& window, int rows);
+    void share_out(const frame& of);
 
     std::vector<place> places_;
     height_order by_height_; ///< the parts

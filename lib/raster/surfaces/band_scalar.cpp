@@ -2,9 +2,8 @@
 // band_scalar: choosing the shader, and the walk over a grid's cells.
 #include "raster/surfaces/band_scalar_p.h"
 
+#include "raster/surfaces/shader_choice_p.h"
 #include "raster/surfaces/surface_fill_p.h"
-#include "raster/surfaces/levels_shader_p.h"
-#include "raster/surfaces/surface_shader_p.h"
 
 #include <algorithm>
 #include <array>
@@ -48,26 +47,14 @@ void band_scalar::begin(const fill_band& band, const l3d_shading& shading) {
     shading_ = &shading;
 }
 
-/// Calls draw with a filler for the frame's shader: one switch per batch, none per pixel.
-template <class Draw> void band_scalar::with_shader(std::uint32_t error_color, const Draw& draw) {
-    switch (shading_->mode) {
-    case l3d_shade::lambert:
-        return draw(surface_fill(target_, lambert_shader(*shading_)));
-    case l3d_shade::gouraud:
-        return draw(surface_fill(target_, gouraud_shader(*shading_)));
-    case l3d_shade::flat:
-        return draw(surface_fill(target_, flat_shader(*shading_)));
-    case l3d_shade::normals:
-        return draw(surface_fill(target_, normals_shader(*shading_)));
-    case l3d_shade::error:
-        return draw(surface_fill(target_, constant_shader(error_color)));
-    case l3d_shade::levels:
-        return draw(surface_fill(target_, levels_shader()));
-    }
+/// Calls draw with a filler for the frame's shader.
+template <class Draw> void band_scalar::with_filler(std::uint32_t error_color, const Draw& draw) {
+    with_shader(*shading_, error_color,
+                [&](const auto& shader) { draw(surface_fill(target_, shader)); });
 }
 
 void band_scalar::fill(const l3d_surface_part& part, const grid_cells& cells) {
-    with_shader(part.error_color, [&](auto fill) {
+    with_filler(part.error_color, [&](auto fill) {
         for (int row = cells.row_begin; row < cells.row_end; ++row)
             for (int column = cells.column_begin; column < cells.column_end; ++column)
                 fill_cell(fill, target_.band, part.grid, part.grid.index(row, column));
@@ -75,7 +62,7 @@ void band_scalar::fill(const l3d_surface_part& part, const grid_cells& cells) {
 }
 
 void band_scalar::fill(const l3d_surface_part& part, std::size_t first, std::size_t last) {
-    with_shader(part.error_color, [&](auto fill) {
+    with_filler(part.error_color, [&](auto fill) {
         for (std::size_t i = first; i < last; ++i)
             fill_triangle(fill, part.triangles, i);
     });
@@ -83,7 +70,7 @@ void band_scalar::fill(const l3d_surface_part& part, std::size_t first, std::siz
 
 void band_scalar::fill(const fill_rest& rest) {
     constexpr std::uint32_t no_color = 0; // the kernel does not take mode `error`
-    with_shader(no_color, [&](auto fill) {
+    with_filler(no_color, [&](auto fill) {
         for (const fill_rest::quad& quad : rest.quads)
             fill_cell(fill, target_.band, *quad.grid, quad.index);
         for (const fill_rest::triangle& triangle : rest.triangles)

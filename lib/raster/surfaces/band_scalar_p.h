@@ -37,7 +37,7 @@ public:
     const fill_counts& counts() const { return target_.counts; }
 
 private:
-    template <class Draw> void with_shader(std::uint32_t error_color, const Draw& draw);
+    template <class Draw> void with_filler(std::uint32_t error_color, const Draw& draw);
 
     surface_target target_;
     const l3d_shading* shading_ = nullptr;

@@ -290,5 +290,17 @@ std::int64_t coarse_depth::covered(const fill_band& band) const {
     return L3D_SIMD_CALL(covered)(table_, band);
 }
 
+l3d_pixel_box coarse_depth::drawn_in(std::int32_t top, std::int32_t bottom) const {
+    const std::int32_t rows_of_tiles = (bottom + depth_tile::height - 1) / depth_tile::height;
+    std::int32_t first = static_cast<std::int32_t>(table_.columns), last = 0;
+    for (std::int32_t row = top / depth_tile::height; row < rows_of_tiles; ++row)
+        for (std::size_t word = 0; word < table_.words; ++word)
+            visit_set(word, table_.drawn[row_at(row, table_.words) + word], [&](std::int32_t tile) {
+                first = std::min(first, tile);
+                last = std::max(last, tile + 1);
+            });
+    return {first * depth_tile::width, top, last * depth_tile::width, bottom};
+}
+
 } // namespace l3d_detail
 #endif

@@ -59,6 +59,10 @@ public:
     /// Finds out about all tiles of the band that something came to.
     void refresh(const fill_band& band);
 
+    /// The columns in which something may be, in a tile that has pixels of rows [top, bottom); as
+    /// a box of these rows.
+    l3d_pixel_box drawn_in(std::int32_t top, std::int32_t bottom) const;
+
     /// Pixels of the band in which something is.
     std::int64_t covered(const fill_band& band) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pixels_in: which pixels polygons in a box may cover.
+// pixels_in, squares_in: which pixels polygons in a box may cover.
 #ifndef L3D_RASTER_SURFACES_PIXEL_BOX_P_H
 #define L3D_RASTER_SURFACES_PIXEL_BOX_P_H
 
@@ -14,6 +14,13 @@ namespace l3d_detail {
 inline l3d_pixel_box pixels_in(const l3d_subpixel_box& box) {
     return {first_centre(box.left), first_centre(box.top), first_centre(box.right),
             first_centre(box.bottom)};
+}
+
+/// The pixels whose squares a polygon in the box may reach into.
+inline l3d_pixel_box squares_in(const l3d_subpixel_box& box) {
+    constexpr std::int32_t last = l3d_subpixel_one - 1;
+    return {box.left >> l3d_subpixel_bits, box.top >> l3d_subpixel_bits,
+            (box.right + last) >> l3d_subpixel_bits, (box.bottom + last) >> l3d_subpixel_bits};
 }
 
 } // namespace l3d_detail

@@ -5,6 +5,7 @@
 
 #include "raster/shapes/attribute_plane_p.h"
 #include "raster/surfaces/quad_cut_p.h"
+#include "raster/surfaces/shader_choice_p.h"
 #include "raster/surfaces/surface_target_p.h"
 
 #include <algorithm>
@@ -14,12 +15,6 @@
 #include <span>
 
 namespace l3d_detail {
-
-/// Whether a shader takes levels and bends, and wants to know which quad a piece belongs to.
-template <class Shader>
-concept has_bends = requires(Shader shader, const quad_corners& v) {
-    shader.begin_quad(v);
-};
 
 /// Fills polygons with one shader, known at compile time.
 ///

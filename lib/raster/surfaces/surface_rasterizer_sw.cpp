@@ -2,6 +2,7 @@
 // l3d_surface_rasterizer_sw: bands, and the workers that fill them.
 #include "raster/surfaces/surface_rasterizer_sw.h"
 
+#include "raster/refine/picture_refiner_p.h"
 #include "raster/surfaces/band_painter_p.h"
 #include "tool_2d/image.h"
 
@@ -45,6 +46,8 @@ struct l3d_surface_rasterizer_sw::work_space {
     std::vector<l3d_depth_buffer> worker_depths; ///< of a band, if nobody wants it afterwards
     std::vector<std::int64_t> covered;           ///< in each band, if that is counted
     l3d_image picture;                           ///< in which parts of pictures are drawn
+    std::vector<const l3d_surface_part*> parts;  ///< of all draws, for anti-aliasing
+    picture_refiner refiner;
 };
 
 l3d_surface_rasterizer_sw::l3d_surface_rasterizer_sw(l3d_workers& workers,
@@ -93,6 +96,7 @@ void l3d_surface_rasterizer_sw::start(l3d_depth_buffer* depth, const l3d_shading
     rows_ = settings_.rows ? settings_.rows : rows_of_band(size);
     drawn_ = false;
     counts_ = {};
+    work_->parts.clear();
     work_->frame = {shading, fill_shades(shading.mode) && target_.width >= fill_least_width,
                     settings_.leave_out_hidden};
     work_->coarse.resize(target_.size());
@@ -108,7 +112,12 @@ void l3d_surface_rasterizer_sw::do_draw(std::span<const l3d_surface_part* const>
     const band_list& list = work_->list;
     const band_frame& frame = work_->frame;
     const bool with_levels = frame.by_lanes && frame.shading.mode == l3d_shade::gouraud;
-    work_->list.make(parts, window_, rows_, with_levels ? &frame.shading : nullptr, workers_);
+    const bool antialias = frame.shading.antialias;
+    work_->list.make(parts, {window_, rows_, antialias}, with_levels ? &frame.shading : nullptr,
+                     workers_);
+    if (antialias)
+        work_->parts.insert(work_->parts.end(), parts.begin(), parts.end());
+    last_parts_ = parts.size();
 
     for (band_painter& painter : work_->painters)
         painter.reserve(rows_);
@@ -166,13 +175,16 @@ void l3d_surface_rasterizer_sw::clear_words(const fill_band& band) {
 }
 
 bool l3d_surface_rasterizer_sw::do_hidden(const l3d_subpixel_box& box, float nearest_inv_w) const {
-    const l3d_pixel_box pixels = pixels_in(box).intersected(window_);
+    const bool squares = work_->frame.shading.antialias;
+    const l3d_pixel_box pixels = band_list::frame{window_, rows_, squares}.pixels(box);
     return drawn_ && !finished_ && (pixels.empty() || work_->coarse.hidden(pixels, nearest_inv_w));
 }
 
 void l3d_surface_rasterizer_sw::do_finish() {
     if (!drawn_)
         do_draw({});
+    if (work_->frame.shading.antialias)
+        refine();
     for (int row = part_.top; row < part_.bottom; ++row)
         std::copy_n(target_.row(row).data() + part_.left, part_.right - part_.left,
                     part_target_.row(row).data() + part_.left);
@@ -180,4 +192,18 @@ void l3d_surface_rasterizer_sw::do_finish() {
     counts_.covered =
         counts_pixels() ? std::reduce(work_->covered.begin(), work_->covered.end(), std::int64_t{0})
                         : l3d_surface_counts::none_counted;
+}
+
+/// What was drawn by several calls is listed once more, as one.
+void l3d_surface_rasterizer_sw::refine() {
+    band_list& list = work_->list;
+    if (work_->parts.size() > last_parts_)
+        list.make(work_->parts, {window_, rows_, true}, nullptr, workers_);
+    counts_.refined = work_->refiner.refine({.target = target_,
+                                             .shading = work_->frame.shading,
+                                             .list = list,
+                                             .coarse = work_->coarse,
+                                             .window = window_,
+                                             .rows = rows_},
+                                            workers_);
 }

@@ -49,6 +49,7 @@ private:
     void start(l3d_depth_buffer* depth, const l3d_shading& shading);
     void clear_words(const l3d_detail::fill_band& band);
     void draw_band(int index, std::size_t worker);
+    void refine();
 
     l3d_workers& workers_;
     l3d_band_settings settings_;
@@ -58,10 +59,11 @@ private:
     l3d_pixel_box part_;   ///< what of it goes from the work space to part_target_; may be empty
     l3d_pixels part_target_;
     l3d_depth_buffer* depth_ = nullptr;
-    int rows_ = 0;           ///< of a band
-    bool drawn_ = false;     ///< something of this frame; picture and depth are cleared then
-    bool finished_ = false;  ///< tiles that are not drawn are empty in the picture
-    bool untouched_ = false; ///< and still are when this frame begins
+    int rows_ = 0;               ///< of a band
+    std::size_t last_parts_ = 0; ///< in the last call of draw
+    bool drawn_ = false;         ///< something of this frame; picture and depth are cleared then
+    bool finished_ = false;      ///< tiles that are not drawn are empty in the picture
+    bool untouched_ = false;     ///< and still are when this frame begins
     l3d_surface_counts counts_;
 };
 

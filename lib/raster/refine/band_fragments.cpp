@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// band_fragments: boxes of polygons against bits of pixels.
+#include "raster/refine/band_fragments_p.h"
+
+#include "raster/surfaces/pixel_box_p.h"
+#include "raster/surfaces/quad_cut_p.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace l3d_detail {
+
+std::int64_t fragment_polygon::area2() const {
+    const scan_point first{x[2] - x[0], y[2] - y[0]}, second{x[3] - x[1], y[3] - y[1]};
+    return cross(first, second);
+}
+
+void band_fragments::begin(const pixel_bits& bits, std::int32_t width, std::int32_t top,
+                           std::int32_t bottom) {
+    bits_ = &bits;
+    band_ = {0, top, width, bottom};
+    pixels_.clear();
+    before_.clear();
+    polygons_.clear();
+    pair_pixel_.clear();
+    pair_polygon_.clear();
+    pair_x_.clear();
+    pair_y_.clear();
+    for (std::int32_t y = top; y < bottom; ++y)
+        for (std::size_t w = 0; w < bits.row_words(); ++w) {
+            before_.push_back(static_cast<std::uint32_t>(pixels_.size()));
+            for (std::uint64_t left = bits.row(y)[w]; left != 0; left &= left - 1)
+                pixels_.push_back({static_cast<std::int32_t>(w) * pixel_bits::word_pixels +
+                                       std::countr_zero(left),
+                                   y});
+        }
+}
+
+std::size_t band_fragments::index_of(std::int32_t x, std::int32_t y) const {
+    const auto word = static_cast<std::size_t>(x / pixel_bits::word_pixels);
+    const std::uint64_t bits = bits_->row(y)[word];
+    const std::uint64_t below = bits & ((std::uint64_t{1} << (x % pixel_bits::word_pixels)) - 1);
+    const auto row = static_cast<std::size_t>(y - band_.top);
+    return before_[row * bits_->row_words() + word] + static_cast<std::size_t>(bits_in(below));
+}
+
+void band_fragments::add(const l3d_surface_part& part, const grid_cells& cells, bool levels) {
+    const l3d_micro_grid& grid = part.grid;
+    const auto pitch = static_cast<std::size_t>(grid.pitch);
+    const auto box_of = [pitch](const std::int32_t* at) {
+        return std::pair(std::min(std::min(at[0], at[1]), std::min(at[pitch], at[pitch + 1])),
+                         std::max(std::max(at[0], at[1]), std::max(at[pitch], at[pitch + 1])));
+    };
+    for (int row = cells.row_begin; row < cells.row_end; ++row)
+        for (int column = cells.column_begin; column < cells.column_end; ++column) {
+            const std::size_t p00 = grid.index(row, column);
+            const auto [left, right] = box_of(grid.x.data() + p00);
+            const auto [top, bottom] = box_of(grid.y.data() + p00);
+            const l3d_pixel_box box = squares_in({left, top, right, bottom}).intersected(band_);
+            if (!box.empty() && bits_->any(box))
+                add_quad(part, p00, box, levels);
+        }
+}
+
+void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
+                              const l3d_pixel_box& box, bool levels) {
+    const l3d_micro_grid& grid = part.grid;
+    const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
+    const quad_corners corners{grid.vertex(p00), grid.vertex(p00 + 1), grid.vertex(p01 + 1),
+                               grid.vertex(p01)};
+    const quad_turns turns(corners);
+    if (turns.level())
+        return;
+    if (!turns.folded())
+        return add_convex(corners, part.error_color, box);
+    const auto add_piece = [&](const auto& piece) {
+        add_convex(piece, part.error_color, reached(piece));
+    };
+    if (levels)
+        cut_folded_levels(corners, add_piece);
+    else
+        cut_folded(corners, add_piece);
+}
+
+void band_fragments::add(const l3d_surface_part& part, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+        const std::array corners{part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
+                                 part.triangles.vertex(i, 2)};
+        add_convex(corners, part.error_color, reached(corners));
+    }
+}
+
+l3d_pixel_box band_fragments::reached(std::span<const l3d_micro_vertex> corners) const {
+    l3d_subpixel_box box{corners[0].x, corners[0].y, corners[0].x, corners[0].y};
+    for (const l3d_micro_vertex& v : corners.subspan(1)) {
+        box.left = std::min(box.left, v.x);
+        box.top = std::min(box.top, v.y);
+        box.right = std::max(box.right, v.x);
+        box.bottom = std::max(box.bottom, v.y);
+    }
+    return squares_in(box).intersected(band_);
+}
+
+void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners,
+                                std::uint32_t error_color, const l3d_pixel_box& box) {
+    if (box.empty())
+        return;
+    fragment_polygon polygon;
+    polygon.farthest = polygon.nearest = corners[0].inv_w;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const l3d_micro_vertex& v = corners[std::min(i, corners.size() - 1)];
+        polygon.x[i] = v.x;
+        polygon.y[i] = v.y;
+        polygon.inv_w[i] = v.inv_w;
+        for (std::size_t k = 0; k < 3; ++k)
+            polygon.light[k][i] = v.normal[k];
+        polygon.farthest = std::min(polygon.farthest, v.inv_w);
+        polygon.nearest = std::max(polygon.nearest, v.inv_w);
+    }
+    if (polygon.area2() == 0)
+        return;
+    polygon.corners = static_cast<std::int32_t>(corners.size());
+    polygon.error_color = error_color;
+    const auto name = static_cast<std::uint32_t>(polygons_.size());
+    const std::size_t pairs = pair_pixel_.size();
+    bits_->for_each_in(box, [&](std::int32_t x, std::int32_t y) {
+        pair_pixel_.push_back(static_cast<std::uint32_t>(index_of(x, y)));
+        pair_polygon_.push_back(name);
+        pair_x_.push_back(x);
+        pair_y_.push_back(y);
+    });
+    if (pair_pixel_.size() == pairs)
+        return;
+    polygon.pairs_end = static_cast<std::uint32_t>(pair_pixel_.size());
+    polygons_.push_back(polygon);
+}
+
+void band_fragments::sort() {
+    pair_x_.resize(pairs() + widest_vector);
+    pair_y_.resize(pairs() + widest_vector);
+    begins_.assign(pixels_.size() + 2, 0);
+    for (const std::uint32_t of : pair_pixel_)
+        ++begins_[of + 2];
+    for (std::size_t i = 2; i < begins_.size(); ++i)
+        begins_[i] += begins_[i - 1];
+    sorted_.resize(pair_pixel_.size());
+    for (std::size_t i = 0; i < pair_pixel_.size(); ++i)
+        sorted_[begins_[pair_pixel_[i] + 1]++] = static_cast<std::uint32_t>(i);
+    begins_.pop_back();
+}
+
+} // namespace l3d_detail

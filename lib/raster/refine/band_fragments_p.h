@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// band_fragments: which polygons reach the marked pixels of a band.
+#ifndef L3D_RASTER_REFINE_BAND_FRAGMENTS_P_H
+#define L3D_RASTER_REFINE_BAND_FRAGMENTS_P_H
+
+#include "raster/refine/pixel_bits_p.h"
+#include "raster/surface_part.h"
+#include "raster/surfaces/band_cells_p.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// A convex polygon that reaches a marked pixel. A triangle's last corner is there twice.
+struct fragment_polygon {
+    std::int32_t x[4], y[4]; ///< units: 1/256 pixel
+    float inv_w[4];
+    float light[3][4]; ///< the corners' three numbers of l3d_micro_vertex::normal
+    std::int32_t corners;
+    std::uint32_t error_color;
+    float farthest, nearest; ///< of the corners' inv_w
+    std::uint32_t pairs_end; ///< behind the last of its pairs
+
+    std::int64_t area2() const; ///< twice its area, positive if its corners turn to the right
+    l3d_micro_vertex corner(std::size_t i) const {
+        return {x[i], y[i], inv_w[i], {light[0][i], light[1][i], light[2][i]}};
+    }
+};
+
+/// The marked pixels of a band, row by row, and pairs of these with the polygons that reach their
+/// squares.
+///
+/// Lives: of one worker, kept for its memory.
+class band_fragments {
+public:
+    /// Starts rows [top, bottom) of a picture. Expects: bits outlive the band.
+    void begin(const pixel_bits& bits, std::int32_t width, std::int32_t top, std::int32_t bottom);
+
+    /// Adds those of a part's quads, or of its triangles, that reach a marked pixel. Folded quads
+    /// come in pieces; `levels`: those of mode l3d_shade::levels.
+    void add(const l3d_surface_part& part, const grid_cells& cells, bool levels);
+    void add(const l3d_surface_part& part, std::size_t first, std::size_t last);
+
+    /// Sorts the pairs by pixel; those of one pixel stay in their order.
+    void sort();
+
+    struct pixel {
+        std::int32_t x, y;
+    };
+    std::span<const pixel> pixels() const { return pixels_; }
+
+    /// Pairs come polygon by polygon. Pair i belongs to the pixel at pair_x()[i], pair_y()[i], and
+    /// to polygon polygon_of(i). A whole vector may be read from each pair on.
+    static constexpr std::size_t widest_vector = 16;
+    std::size_t pairs() const { return pair_pixel_.size(); }
+    const std::int32_t* pair_x() const { return pair_x_.data(); }
+    const std::int32_t* pair_y() const { return pair_y_.data(); }
+    std::uint32_t polygon_of(std::size_t pair) const { return pair_polygon_[pair]; }
+
+    /// The pairs of pixel i. Expects: sort came before.
+    std::span<const std::uint32_t> pairs_of(std::size_t i) const {
+        return std::span(sorted_).subspan(begins_[i], begins_[i + 1] - begins_[i]);
+    }
+    std::span<const fragment_polygon> polygons() const { return polygons_; }
+
+private:
+    void add_quad(const l3d_surface_part& part, std::size_t p00, const l3d_pixel_box& box,
+                  bool levels);
+    void add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t error_color,
+                    const l3d_pixel_box& box);
+    l3d_pixel_box reached(std::span<const l3d_micro_vertex> corners) const;
+    std::size_t index_of(std::int32_t x, std::int32_t y) const;
+
+    const pixel_bits* bits_ = nullptr;
+    l3d_pixel_box band_;
+    std::vector<pixel> pixels_;
+    std::vector<std::uint32_t> before_; ///< marked pixels before each word of bits of the band
+    std::vector<fragment_polygon> polygons_;
+    std::vector<std::uint32_t> pair_pixel_, pair_polygon_;
+    std::vector<std::int32_t> pair_x_, pair_y_;
+    std::vector<std::uint32_t> begins_, sorted_;
+};
+
+} // namespace l3d_detail
+
+#endif

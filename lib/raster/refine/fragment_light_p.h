@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// fragment_light: depth and light of a polygon at any place.
+#ifndef L3D_RASTER_REFINE_FRAGMENT_LIGHT_P_H
+#define L3D_RASTER_REFINE_FRAGMENT_LIGHT_P_H
+
+#include "raster/refine/band_fragments_p.h"
+#include "raster/refine/coverage_p.h"
+#include "raster/refine/linear_light_p.h"
+#include "raster/surfaces/shader_choice_p.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace l3d_detail {
+
+/// Amounts of red, green and blue light.
+struct light_sum {
+    std::array<float, 3> of{};
+
+    void add(const light_sum& other, float share) {
+        for (std::size_t i = 0; i < of.size(); ++i)
+            of[i] += share * other.of[i];
+    }
+
+    /// The word of the nearest levels.
+    std::uint32_t word(const linear_light& tables) const {
+        std::uint32_t result = 0;
+        for (const float channel : of)
+            result = result << 8 | tables.level(channel);
+        return result;
+    }
+
+    static light_sum of_word(std::uint32_t word, const linear_light& tables) {
+        return {{tables.light(word >> 16 & 255), tables.light(word >> 8 & 255),
+                 tables.light(word & 255)}};
+    }
+};
+
+template <std::size_t Corners, std::size_t Count> struct corner_numbers {
+    std::array<scan_point, Corners> places;
+    std::array<std::array<float, Count>, Corners> numbers;
+
+    template <class NumbersOf>
+    corner_numbers(const fragment_polygon& polygon, const NumbersOf& numbers_of) {
+        for (std::size_t i = 0; i < Corners; ++i) {
+            places[i] = {polygon.x[i], polygon.y[i]};
+            numbers[i] = numbers_of(polygon.corner(i));
+        }
+    }
+};
+
+/// Planes of numbers of the corners. Shape: numbers_of gives an array of `Count` floats.
+template <std::size_t Count, class NumbersOf>
+attribute_planes<Count> planes_of(const fragment_polygon& polygon, const NumbersOf& numbers_of) {
+    if (polygon.corners == 4) {
+        const corner_numbers<4, Count> of(polygon, numbers_of);
+        return {of.places, of.numbers, polygon.area2()};
+    }
+    const corner_numbers<3, Count> of(polygon, numbers_of);
+    return {of.places, of.numbers, polygon.area2()};
+}
+
+/// The light of a polygon at a place. Units: 1/256 pixel.
+template <class Shader>
+light_sum light_at(Shader& shader, const fragment_polygon& polygon, double x, double y) {
+    const linear_light& tables = linear_light_tables();
+    if constexpr (std::is_same_v<Shader, constant_shader>) {
+        return light_sum::of_word(polygon.error_color, tables);
+    } else {
+        const auto corners = static_cast<std::size_t>(polygon.corners);
+        const std::array all{polygon.corner(0), polygon.corner(1), polygon.corner(2),
+                             polygon.corner(3)};
+        shader.begin_polygon(std::span(all).first(corners));
+        constexpr std::size_t count = Shader::components;
+        std::array<float, count> values{};
+        if constexpr (has_bends<Shader>) {
+            values = {static_cast<float>(x - polygon.x[0]), static_cast<float>(y - polygon.y[0])};
+        } else if constexpr (count > 0) {
+            const auto numbers = [&](const l3d_micro_vertex& v) {
+                std::array<float, count> of;
+                shader.corner(v, of.data());
+                return of;
+            };
+            values = planes_of<count>(polygon, numbers).at_place(x, y);
+        }
+        return light_sum::of_word(shader.word(values.data()), tables);
+    }
+}
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// linear_light: levels of a picture to amounts of light, and back.
+#ifndef L3D_RASTER_REFINE_LINEAR_LIGHT_P_H
+#define L3D_RASTER_REFINE_LINEAR_LIGHT_P_H
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace l3d_detail {
+
+/// The sRGB curve (IEC 61966-2-1): level / 255 to light, both in [0, 1].
+inline double light_of_level(double level) {
+    const double v = level / 255;
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+/// Tables of the curve. A level that is taken to light and back is the same level.
+class linear_light {
+public:
+    linear_light();
+
+    /// The light of a level of 255.
+    float light(std::uint32_t level) const { return light_[level]; }
+
+    /// The light of a surface whose level above the ambient one is `lit`, as l3d_micro_vertex has
+    /// it: between the tables' levels on a straight line.
+    float light_between(float lit) const {
+        const float held = lit > 0 ? (lit < 229.5f ? lit : 229.5f) : 0.0f;
+        const float level = 25.5f + held;
+        const auto below = static_cast<std::size_t>(level);
+        if (below + 1 >= light_.size())
+            return light_.back();
+        return light_[below] +
+               (level - static_cast<float>(below)) * (light_[below + 1] - light_[below]);
+    }
+
+    /// The level whose light is nearest as levels go: its ends are the light of level -+ 1/2.
+    std::uint32_t level(float light) const {
+        const float held = light > 0 ? (light < 1 ? light : 1.0f) : 0.0f;
+        std::uint32_t found = first_[static_cast<std::size_t>(held * (guesses - 1))];
+        while (found < 255 && held >= begins_[found + 1])
+            ++found;
+        return found;
+    }
+
+private:
+    /// Near black a level is 1 / (255 * 12.92) = 1 / 3295 of white wide, so a guess is less than
+    /// two levels off.
+    static constexpr std::size_t guesses = 4096;
+
+    std::array<float, 256> light_{}, begins_{};
+    std::array<std::uint8_t, guesses> first_{};
+};
+
+/// The tables, made at the first call.
+const linear_light& linear_light_tables();
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// pixel_mixer: samples tell what is seen, areas how much of it.
+#include "raster/refine/pixel_mixer_p.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace l3d_detail {
+
+namespace {
+
+constexpr std::uint64_t all_samples = ~std::uint64_t{0};
+constexpr float samples_of_pixel = mask_side * mask_side;
+
+/// Light that may be shared out by samples: 3 of 64 samples wrong are then less than a level.
+constexpr float harmless_contrast = 1.0f / 256;
+
+/// Slivers, which no sample meets, may be missing up to this area in all.
+constexpr float harmless_area = 1.0f / 64;
+
+/// The sample whose cell a place lies in.
+std::uint64_t sample_at(float x, float y) {
+    const auto cell = [](float place) {
+        return std::clamp(static_cast<int>(place * mask_side), 0, mask_side - 1);
+    };
+    return std::uint64_t{1} << (cell(y) * mask_side + cell(x));
+}
+
+/// The samples where at + of_x x + of_y y is positive.
+std::uint64_t samples_above(float at, float of_x, float of_y) {
+    const float step_x = of_x / mask_side, step_y = of_y / mask_side;
+    float row_value = at + 0.5f * (step_x + step_y);
+    std::uint64_t result = 0;
+    for (int row = 0; row < mask_side; ++row, row_value += step_y)
+        for (int column = 0; column < mask_side; ++column) {
+            const bool above = row_value + static_cast<float>(column) * step_x > 0;
+            result |= std::uint64_t{above} << (row * mask_side + column);
+        }
+    return result;
+}
+
+} // namespace
+
+void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading,
+                       const l3d_pixels& target) {
+    measure_pairs(band, measures_);
+    with_shader(shading, 0, [&](auto shader) { draw_by(shader, band, target); });
+}
+
+template <class Shader>
+void pixel_mixer::draw_by(Shader shader, const band_fragments& band, const l3d_pixels& target) {
+    const linear_light& tables = linear_light_tables();
+    const auto pixels = band.pixels();
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const scan_point corner{pixels[i].x * l3d_subpixel_one, pixels[i].y * l3d_subpixel_one};
+        collect(band, i);
+        hide();
+        light_sum light;
+        if (!mix(shader, band, corner, light)) {
+            ++sampled_;
+            sampler_.begin(corner);
+            for (const fragment& f : fragments_)
+                sampler_.add(band.polygons()[f.polygon]);
+            light = sampler_.light(shader);
+        }
+        target.row(pixels[i].y)[static_cast<std::size_t>(pixels[i].x)] = light.word(tables);
+    }
+}
+
+void pixel_mixer::collect(const band_fragments& band, std::size_t pixel) {
+    fragments_.clear();
+    for (const std::uint32_t pair : band.pairs_of(pixel)) {
+        const std::uint64_t mask = measures_.samples(pair);
+        const float area = measures_.area[pair];
+        if (mask == 0 && !(area > 0))
+            continue;
+        const std::uint32_t name = band.polygon_of(pair);
+        const fragment_polygon& polygon = band.polygons()[name];
+        fragments_.push_back(
+            {pair, name, area, mask, mask, polygon.farthest, polygon.nearest, polygon.area2() > 0});
+    }
+}
+
+/// Takes from each fragment the samples where another one is nearer; of equals, the first is seen.
+void pixel_mixer::hide() {
+    for (std::size_t i = 1; i < fragments_.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) {
+            fragment &later = fragments_[i], &first = fragments_[k];
+            const std::uint64_t both = later.seen & first.seen;
+            if (both == 0)
+                continue;
+            std::uint64_t nearer = 0; // the later one
+            if (!(first.farthest >= later.nearest))
+                nearer =
+                    later.farthest > first.nearest ? both : both & nearer_samples(later, first);
+            first.seen &= ~nearer;
+            later.seen &= ~(both & ~nearer);
+        }
+}
+
+/// The samples where one polygon's plane is nearer than another's.
+std::uint64_t pixel_mixer::nearer_samples(const fragment& one, const fragment& other) const {
+    const auto at_corner = [&](std::uint32_t pair) {
+        return measures_.inv_w[pair] - measures_.x[pair] * measures_.of_x[pair] -
+               measures_.y[pair] * measures_.of_y[pair];
+    };
+    return samples_above(at_corner(one.pair) - at_corner(other.pair),
+                         measures_.of_x[one.pair] - measures_.of_x[other.pair],
+                         measures_.of_y[one.pair] - measures_.of_y[other.pair]);
+}
+
+/// Whether a polygon that no sample meets lies behind one that is seen around it.
+bool pixel_mixer::is_hidden(const fragment& sliver) const {
+    const std::uint64_t there = sample_at(measures_.x[sliver.pair], measures_.y[sliver.pair]);
+    for (const fragment& f : fragments_) {
+        if ((f.seen & there) == 0)
+            continue;
+        if (f.farthest >= sliver.nearest)
+            return true;
+        if (sliver.farthest >= f.nearest || f.clockwise == sliver.clockwise)
+            continue;
+        return (nearer_samples(f, sliver) & there) != 0;
+    }
+    return false;
+}
+
+template <class Shader>
+light_sum pixel_mixer::light_of(Shader& shader, const band_fragments& band, const fragment& of,
+                                scan_point corner) const {
+    const linear_light& tables = linear_light_tables();
+    if constexpr (has_bends<Shader>) {
+        const float light = tables.light_between(measures_.level[of.pair]);
+        return {{light, light, light}};
+    } else {
+        return light_at(shader, band.polygons()[of.polygon],
+                        corner.x + double{l3d_subpixel_one * measures_.x[of.pair]},
+                        corner.y + double{l3d_subpixel_one * measures_.y[of.pair]});
+    }
+}
+
+/// False if the areas do not tell enough.
+template <class Shader>
+bool pixel_mixer::mix(Shader& shader, const band_fragments& band, scan_point corner,
+                      light_sum& light) {
+    std::uint64_t seen = 0;
+    std::array<float, 2> of_slivers{};
+    float known = 0;
+    for (const fragment& f : fragments_) {
+        seen |= f.seen;
+        const bool is_sliver = f.mask == 0;
+        if (is_sliver ? is_hidden(f) : f.seen != f.mask)
+            continue;
+        if (is_sliver)
+            of_slivers[f.clockwise ? 1 : 0] += f.area;
+        known += f.area;
+        light.add(light_of(shader, band, f, corner), f.area);
+    }
+    // Slivers of both turns may lie before each other.
+    if (of_slivers[0] > 0 && of_slivers[1] > 0 && of_slivers[0] + of_slivers[1] > harmless_area)
+        return false;
+    return add_rest(shader, band, corner, known, seen, light);
+}
+
+/// Adds what shares the area that is not known: polygons that are hidden in part, and the empty
+/// background.
+template <class Shader>
+bool pixel_mixer::add_rest(Shader& shader, const band_fragments& band, scan_point corner,
+                           float known, std::uint64_t seen, light_sum& light) {
+    const float rest = 1 - known;
+    const int empty = bits_in(~seen);
+    light_sum sum;
+    float least = 1, most = 0;
+    int samples = empty;
+    if (empty > 0)
+        least = 0;
+    for (const fragment& f : fragments_) {
+        if (f.seen == 0 || f.seen == f.mask)
+            continue;
+        const light_sum here = light_of(shader, band, f, corner);
+        const int count = bits_in(f.seen);
+        sum.add(here, static_cast<float>(count));
+        samples += count;
+        least = std::min(least, *std::ranges::min_element(here.of));
+        most = std::max(most, *std::ranges::max_element(here.of));
+    }
+    if (samples == 0) {
+        if (std::abs(rest) > harmless_area / 4)
+            return false;
+        light_sum whole;
+        whole.add(light, 1 / known);
+        light = whole;
+        return true;
+    }
+    if (most - least > harmless_contrast)
+        return false;
+    if (rest > 0)
+        light.add(sum, rest / static_cast<float>(samples));
+    return rest > -harmless_area / 4;
+}
+
+} // namespace l3d_detail

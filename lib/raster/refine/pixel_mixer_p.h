@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// pixel_mixer: the mean light of the polygons that are seen in marked pixels.
+#ifndef L3D_RASTER_REFINE_PIXEL_MIXER_P_H
+#define L3D_RASTER_REFINE_PIXEL_MIXER_P_H
+
+#include "raster/refine/band_fragments_p.h"
+#include "raster/refine/pair_measures_p.h"
+#include "raster/refine/sampled_pixel_p.h"
+#include "raster/surface_rasterizer.h"
+#include "tool_2d/pixels.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Writes the mean light over the square of each marked pixel. All polygons of a pixel are taken
+/// together, so neighbours that share an edge leave no seam.
+///
+/// Polygons of which nothing is hidden count by their exact area. The others share what these
+/// leave: all of it comes from one surface where a single outline passes. Where it matters which of
+/// them has how much, sampled_pixel draws the pixel.
+/// Lives: of one worker, kept for its memory.
+class pixel_mixer {
+public:
+    /// Writes the band's marked pixels. Expects: its pairs are sorted.
+    void draw(const band_fragments& band, const l3d_shading& shading, const l3d_pixels& target);
+
+    /// Pixels that were sampled, since the last call.
+    std::int64_t take_sampled() { return std::exchange(sampled_, 0); }
+
+private:
+    /// A polygon that reaches into the pixel.
+    struct fragment {
+        std::uint32_t pair, polygon;
+        float area;               ///< in the pixel
+        std::uint64_t mask, seen; ///< the samples that it covers; those of them where it is seen
+        float farthest, nearest;  ///< of the polygon's inv_w
+        bool clockwise;
+    };
+
+    template <class Shader>
+    void draw_by(Shader shader, const band_fragments& band, const l3d_pixels& target);
+    void collect(const band_fragments& band, std::size_t pixel);
+    void hide();
+    std::uint64_t nearer_samples(const fragment& one, const fragment& other) const;
+    bool is_hidden(const fragment& sliver) const;
+    template <class Shader>
+    bool mix(Shader& shader, const band_fragments& band, scan_point corner, light_sum& light);
+    template <class Shader>
+    bool add_rest(Shader& shader, const band_fragments& band, scan_point corner, float known,
+                  std::uint64_t seen, light_sum& light);
+    template <class Shader>
+    light_sum light_of(Shader& shader, const band_fragments& band, const fragment& of,
+                       scan_point corner) const;
+
+    pair_measures measures_;
+    std::vector<fragment> fragments_;
+    sampled_pixel sampler_;
+    std::int64_t sampled_ = 0;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// sampled_pixel: the mean light of a pixel's square, by 256 samples.
+#ifndef L3D_RASTER_REFINE_SAMPLED_PIXEL_P_H
+#define L3D_RASTER_REFINE_SAMPLED_PIXEL_P_H
+
+#include "raster/refine/coverage_p.h"
+#include "raster/refine/fragment_light_p.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Finds which of a pixel's samples show which polygon. It is the slow twin of pixel_mixer, and
+/// draws the pixels that are not simple enough for it.
+///
+/// A polygon's light is that in the middle of its samples that are seen.
+/// Lives: kept for its memory.
+class sampled_pixel {
+public:
+    /// Starts a pixel. Units: 1/256 pixel; its top left corner.
+    void begin(scan_point corner) {
+        corner_ = corner;
+        fragments_.clear();
+    }
+
+    /// Of polygons that are equally near, the one that was added first is seen.
+    void add(const fragment_polygon& polygon);
+
+    template <class Shader> light_sum light(Shader& shader);
+
+private:
+    struct fragment {
+        const fragment_polygon* polygon;
+        coverage seen;
+    };
+
+    void hide();
+
+    scan_point corner_;
+    std::vector<fragment> fragments_; ///< nearest corner first
+};
+
+template <class Shader> light_sum sampled_pixel::light(Shader& shader) {
+    hide();
+    light_sum sum;
+    for (const fragment& f : fragments_) {
+        const coverage_moments m = moments_of(f.seen);
+        if (m.count == 0)
+            continue;
+        const double half_each = 0.5 / m.count;
+        sum.add(
+            light_at(shader, *f.polygon, corner_.x + half_each * m.x, corner_.y + half_each * m.y),
+            static_cast<float>(m.count) / sample_pattern::count);
+    }
+    return sum;
+}
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// with_shader: from a frame's mode to the shader that draws it.
+#ifndef L3D_RASTER_SURFACES_SHADER_CHOICE_P_H
+#define L3D_RASTER_SURFACES_SHADER_CHOICE_P_H
+
+#include "raster/surfaces/levels_shader_p.h"
+#include "raster/surfaces/surface_shader_p.h"
+
+namespace l3d_detail {
+
+/// Whether a shader takes levels and bends, and wants to know which quad a piece belongs to.
+template <class Shader>
+concept has_bends = requires(Shader shader, const quad_corners& v) {
+    shader.begin_quad(v);
+};
+
+/// Calls action with the frame's shader: one switch per batch, none per pixel.
+template <class Action>
+void with_shader(const l3d_shading& shading, std::uint32_t error_color, const Action& action) {
+    switch (shading.mode) {
+    case l3d_shade::lambert:
+        return action(lambert_shader(shading));
+    case l3d_shade::gouraud:
+        return action(gouraud_shader(shading));
+    case l3d_shade::flat:
+        return action(flat_shader(shading));
+    case l3d_shade::normals:
+        return action(normals_shader(shading));
+    case l3d_shade::error:
+        return action(constant_shader(error_color));
+    case l3d_shade::levels:
+        return action(levels_shader());
+    }
+}
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The light that the exact surface sends along single lines of sight.
+#ifndef L3D_REFERENCE_LIGHT_SAMPLES_H
+#define L3D_REFERENCE_LIGHT_SAMPLES_H
+
+#include "reference/exact.h"
+#include "reference/hits.h"
+#include "reference/second_judge.h"
+
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace reference {
+
+/// What is seen along one line of sight.
+struct light_sample {
+    double w = std::numeric_limits<double>::infinity(); ///< distance along the axis
+    vec3 place, normal;                                 ///< along right, up and forward; unit
+    double level = 0;                                   ///< 0 to 255, not rounded
+    double light = 0;                                   ///< linear, 0 to 1
+    /// How far the next surface is behind this one's tangent plane, pixels; more than 1e-3, so that
+    /// none is found twice. Only of a grid.
+    double gap = std::numeric_limits<double>::infinity();
+    bool covered() const { return w < std::numeric_limits<double>::infinity(); }
+};
+
+/// Units: levels of 255, encoded by the sRGB curve; light is linear, 0 to 1.
+double light_of_level(double level);
+double level_of_light(double light);
+
+/// Expects: patches, camera and light as box_image does; the patches outlive it.
+class light_sampler {
+public:
+    light_sampler(std::span<const patch> patches, const camera& view, picture_size size, vec3 light,
+                  double background);
+
+    /// Shape: row by row. Cost: some us per sample.
+    std::vector<light_sample> grid(const sample_grid& places) const;
+    /// The same for one line of sight, by the second judge. Units: pixels. One that grazes a
+    /// surface, so that the judge gives up, is moved by up to 1.7e-7 px.
+    /// Errors: std::runtime_error if the judge gives up there, too.
+    light_sample look(double x, double y) const;
+
+    /// An edge may pass between two places that lie next to each other. Then only one of them is
+    /// covered, or the normal turns by 3 degrees, or one is 0.1 px off the other's tangent plane.
+    bool differ(const light_sample& p, const light_sample& q) const;
+
+private:
+    light_sample seen(double x, double y, double w, const vec3& world_normal) const;
+    vec3 to_axes(const vec3& world) const;
+
+    std::span<const patch> patches_;
+    camera view_;
+    camera_frame frame_;
+    double focal_;
+    std::vector<net> nets_;
+    second_judge judge_;
+    vec3 light_; ///< unit, along the axes
+    light_sample nothing_;
+};
+
+} // namespace reference
+
+#endif
