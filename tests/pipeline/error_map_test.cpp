@@ -43,10 +43,11 @@ l3d_patch_scene world_of(const scene& s) {
     return world;
 }
 
-doubted drawn(const scene& s, double tolerance, int threads = 1) {
+doubted drawn(const scene& s, double tolerance, bool antialias = false, int threads = 1) {
     l3d_afd_settings settings;
     settings.tolerance = tolerance;
     settings.error_map = true;
+    settings.antialias = antialias;
     settings.threads = threads;
     settings.light = {reference::project_light.x, reference::project_light.y,
                       reference::project_light.z};
@@ -76,38 +77,42 @@ struct pixels_of_a_kind {
     }
 };
 
+/// A frame beside the exact picture.
+void compare_frame(const std::string& name, const reference::box_image& exact, const doubted& f) {
+    pixels_of_a_kind inside, edges;
+    int exceptions = 0;
+    double worst_inside = 0;
+    const l3d_size size = f.map.size();
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const reference::box_pixel& p = exact.at(x, y);
+            const double level = f.words[static_cast<std::size_t>(y * size.width + x)] & 0xff;
+            const double error = std::abs(level - p.level), bound = double{f.map.at(x, y)};
+            if (!(error <= bound + p.unsure) && ++exceptions <= 5)
+                std::printf("  (%d, %d): drawn %.0f, exact %.3f +- %.3f, bound %.3f\n", x, y, level,
+                            p.level, p.unsure, bound);
+            if (p.covered > 0)
+                (p.edge ? edges : inside).add(bound, error);
+            if (!p.edge)
+                worst_inside = std::max(worst_inside, error - p.unsure);
+        }
+    std::printf("%s: %d exceptions; %.0f ms, coverage %.3f, colour %.2f\n", name.c_str(),
+                exceptions, f.report.time_ms.error_map, f.report.coverage_bound,
+                f.report.color_bound);
+    inside.print("inside");
+    edges.print("edges ");
+    EXPECT_EQ(exceptions, 0) << name;
+    EXPECT_LE(worst_inside, f.report.color_bound) << name;
+}
+
 /// The exact picture of a scene, and what is drawn of it with several tolerances.
 void compare(const std::string& name, const scene& s, const std::vector<double>& tolerances) {
     const reference::box_image exact(s.patches, s.eye, s.picture(), reference::project_light);
-    for (const double tolerance : tolerances) {
-        const doubted f = drawn(s, tolerance);
-        pixels_of_a_kind inside, edges;
-        int exceptions = 0;
-        double worst_inside = 0, slack = 0;
-        for (int y = 0; y < s.size.height; ++y)
-            for (int x = 0; x < s.size.width; ++x) {
-                const reference::box_pixel& p = exact.at(x, y);
-                const double level = f.words[static_cast<std::size_t>(y * s.size.width + x)] & 0xff;
-                const double error = std::abs(level - p.level), bound = double{f.map.at(x, y)};
-                if (!(error <= bound + p.unsure)) {
-                    if (++exceptions <= 5)
-                        std::printf("  (%d, %d): drawn %.0f, exact %.3f +- %.3f, bound %.3f\n", x,
-                                    y, level, p.level, p.unsure, bound);
-                }
-                slack = std::max(slack, bound - error);
-                if (p.covered > 0)
-                    (p.edge ? edges : inside).add(bound, error);
-                if (!p.edge)
-                    worst_inside = std::max(worst_inside, error - p.unsure);
-            }
-        std::printf("%s, %.2f px: %d exceptions; %.0f ms, coverage %.3f, colour %.2f\n",
-                    name.c_str(), tolerance, exceptions, f.report.time_ms.error_map,
-                    f.report.coverage_bound, f.report.color_bound);
-        inside.print("inside");
-        edges.print("edges ");
-        EXPECT_EQ(exceptions, 0) << name << ", " << tolerance;
-        EXPECT_LE(worst_inside, f.report.color_bound) << name << ", " << tolerance;
-    }
+    for (const double tolerance : tolerances)
+        for (const bool antialias : {false, true})
+            compare_frame(name + ", " + std::to_string(tolerance) +
+                              (antialias ? " px, anti-aliased" : " px"),
+                          exact, drawn(s, tolerance, antialias));
 }
 
 /// A sheet that fills the window, bent at random.
@@ -248,7 +253,7 @@ TEST(error_map, is_the_same_for_any_number_of_threads) {
     const scene s = dice_tests::teapot(reference::project_view("closeup"), small);
     const doubted one = drawn(s, 0.25);
     for (const int threads : {2, 5})
-        EXPECT_EQ(drawn(s, 0.25, threads).map.levels(), one.map.levels()) << threads;
+        EXPECT_EQ(drawn(s, 0.25, false, threads).map.levels(), one.map.levels()) << threads;
 }
 
 TEST(error_map, changes_no_bit_of_the_picture_and_is_null_unasked) {
