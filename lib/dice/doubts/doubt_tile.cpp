@@ -2,6 +2,8 @@
 // l3d_doubt_tile: cells and pieces, halved together.
 #include "dice/doubts/doubt_tile.h"
 
+#include "dice/doubts/srgb_light.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,13 +11,16 @@
 namespace {
 
 /// Cells are no smaller than 2^-4 pixel: those that may show several surfaces. Those that show one
-/// are no smaller than 2^-3. Of what is drawn they are no smaller than 2^-3, or
-/// than the bound.
+/// are no smaller than 2^-3. Of what is drawn they are no smaller than 2^-3, or than the bound.
 constexpr int finest_contrast = 4, finest_surface = 3, finest_drawing = 3;
 
-/// Pixels are cut no further if less of their levels is unknown. Of smaller cells more may be
-/// unknown, in proportion to 1 / their width, since they are only a small part of a pixel.
+/// Pixels are cut no further if less of their levels is unknown. Of single cells that are smaller
+/// more may be unknown, in proportion to 1 / their width, since they are small parts of a pixel.
 constexpr double fine_levels = 1;
+
+/// From cells of 2^-3 pixel on, pixels are cut further only if more of their levels is unknown.
+constexpr int costly = 3;
+constexpr double costly_levels = 4;
 
 /// Pieces are plain up to this size; their bounds must be as good as this. Units: pixels, levels in
 /// whole pixels, parts of a cell.
@@ -45,13 +50,15 @@ void l3d_doubt_tile::begin(const l3d_doubt_view& view, const l3d_pixel_box& tile
     std::vector<cell> cells;
     for (int row = 0; row < tile.bottom - tile.top; ++row)
         for (int column = 0; column < tile.right - tile.left; ++column)
-            cells.push_back({column, row, true, judges_drawing_});
+            cells.push_back({.column = column, .row = row, .of_drawing = judges_drawing_});
     begin_cells(std::move(cells));
 }
 
 void l3d_doubt_tile::begin_cells(std::vector<cell>&& cells) {
     cells_ = std::move(cells);
     grown_ = 0;
+    if (cells_.empty()) // the grid would be large
+        return;
     const std::size_t across = static_cast<std::size_t>(side) << fineness_;
     grid_.assign(across * across, -1);
     for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -167,12 +174,16 @@ void l3d_doubt_tile::sort_leaves() {
         });
 }
 
-/// Finds out what it can of a cell, and whether smaller cells may tell more.
-bool l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching) {
+l3d_doubt_pixel& l3d_doubt_tile::pixel_of(const cell& c) {
+    return pixels_[static_cast<std::size_t>((c.row >> fineness_) * (tile_.right - tile_.left) +
+                                            (c.column >> fineness_))];
+}
+
+/// Finds out what it can of a cell. What smaller cells may tell better is not yet kept.
+void l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching) {
     const l3d_image_box box = box_of(c);
     const double part = std::ldexp(1.0, -2 * fineness_);
-    l3d_doubt_pixel& pixel = pixels_[static_cast<std::size_t>(
-        (c.row >> fineness_) * (tile_.right - tile_.left) + (c.column >> fineness_))];
+    l3d_doubt_pixel& pixel = pixel_of(c);
     bool is_alone = false;
     if (c.of_drawing) {
         is_alone =
@@ -184,39 +195,59 @@ bool l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching
             judge_.mark_seen(is_needed_);
         }
     }
+    if (!c.of_light)
+        return;
+    const l3d_doubt_verdict v =
+        is_alone ? judge_.judge_alone(box) : judge_.judge(box, touching, leaves_, view_->view);
+    c.least = part * v.least;
+    c.most = part * v.most;
+    c.unsure = v.is_certain ? 0 : part;
+    pixel.least += c.least;
+    pixel.most += c.most;
+    pixel.unsure += c.unsure;
+    const int finest = v.is_certain ? finest_surface : finest_contrast;
+    c.of_light = v.spread > std::ldexp(fine_levels, fineness_) && fineness_ < finest;
+    if (c.of_light)
+        judge_.mark_seen(is_needed_);
+}
+
+/// Whether smaller cells may tell more of a cell. Then what it told is taken back.
+bool l3d_doubt_tile::is_cut(cell& c) {
+    l3d_doubt_pixel& pixel = pixel_of(c);
+    c.of_light = c.of_light && pixel.is_open;
     if (c.of_light) {
-        const l3d_doubt_verdict v =
-            is_alone ? judge_.judge_alone(box) : judge_.judge(box, touching, leaves_, view_->view);
-        const int finest = v.is_certain ? finest_surface : finest_contrast;
-        if (v.spread <= std::ldexp(fine_levels, fineness_) || fineness_ >= finest) {
-            pixel.least += part * v.least;
-            pixel.most += part * v.most;
-            pixel.unsure += v.is_certain ? 0 : part;
-            c.of_light = false;
-        } else {
-            judge_.mark_seen(is_needed_);
-        }
+        pixel.least -= c.least;
+        pixel.most -= c.most;
+        pixel.unsure -= c.unsure;
     }
     return c.of_light || c.of_drawing;
 }
 
 /// Judges all cells, and returns the quarters of those that are to be cut.
 std::vector<l3d_doubt_tile::cell> l3d_doubt_tile::judge_cells() {
+    for (std::size_t i = 0; i < cells_.size(); ++i)
+        judge_cell(cells_[i], std::span(touching_).subspan(first_[i], first_[i + 1] - first_[i]));
+    const double enough = fineness_ < costly ? fine_levels : costly_levels;
+    for (const cell& c : cells_)
+        if (c.of_light) {
+            l3d_doubt_pixel& pixel = pixel_of(c);
+            pixel.is_open =
+                l3d_level_of_light(pixel.most) - l3d_level_of_light(pixel.least) > enough;
+        }
     std::vector<cell> quarters;
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-        cell c = cells_[i];
-        const auto touching = std::span(touching_).subspan(first_[i], first_[i + 1] - first_[i]);
-        if (judge_cell(c, touching))
+    for (cell& c : cells_)
+        if (is_cut(c))
             for (const int row : {0, 1})
                 for (const int column : {0, 1})
-                    quarters.push_back(
-                        {2 * c.column + column, 2 * c.row + row, c.of_light, c.of_drawing});
-    }
+                    quarters.push_back({.column = 2 * c.column + column,
+                                        .row = 2 * c.row + row,
+                                        .of_light = c.of_light,
+                                        .of_drawing = c.of_drawing});
     return quarters;
 }
 
 void l3d_doubt_tile::give_up() {
-    std::fill(pixels_.begin(), pixels_.end(), l3d_doubt_pixel{0, 1, 1, 1});
+    std::fill(pixels_.begin(), pixels_.end(), l3d_doubt_pixel{0, 1, 1, 1, false});
 }
 
 std::span<const l3d_doubt_pixel> l3d_doubt_tile::finish() {
@@ -226,6 +257,8 @@ std::span<const l3d_doubt_pixel> l3d_doubt_tile::finish() {
         std::vector<cell> quarters = judge_cells();
         ++fineness_;
         begin_cells(std::move(quarters));
+        if (cells_.empty())
+            break;
         next_leaves_.clear();
         for (std::size_t k = 0; k < leaves_.size(); ++k)
             if (is_needed_[k] && is_plain(leaves_[k].bounds))

@@ -32,7 +32,7 @@ struct l3d_doubted_frame {
 /// Bounds the exact picture from the exact patches, and compares what was drawn with it (NUMERICS,
 /// The map of doubt). The map does not depend on how the picture was drawn.
 ///
-/// Cost: a second for a million pixels that show surfaces, and 0.3 s for a thousand at outlines.
+/// Cost: some 7 us a pixel that shows a surface, and a millisecond a pixel at an outline.
 class l3d_frame_doubts {
 public:
     /// Expects: light that is not 0; a picture of the view's size.
