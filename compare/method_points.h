@@ -39,7 +39,9 @@ private:
         const l3d_detail::stopwatch filling;
         frame.depth.resize(frame.view.size);
         surface_->count_pixels(false);
-        surface_->begin(frame.target, &frame.depth, frame.shading);
+        l3d_shading shading = frame.shading;
+        shading.antialias = false; // points have no edges
+        surface_->begin(frame.target, &frame.depth, shading);
         surface_->draw(parts);
         surface_->finish();
         canvas_.begin(frame.target, frame.depth, frame.shading);

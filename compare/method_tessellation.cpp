@@ -127,7 +127,11 @@ void l3d_method_tessellation::do_draw(const l3d_method_frame& frame, l3d_stage_t
     constexpr bool cull = false; // surfaces are two-sided
     const auto ends = frame.shading.mode == l3d_shade::error ? std::span(face_ends_)
                                                              : std::span<const std::size_t>();
-    polygons_.make(model_, view, cull, frame.shading.mode != l3d_shade::flat, workers_, ends);
+    polygons_.make(model_, view,
+                   {.cull = cull,
+                    .smooth = frame.shading.mode != l3d_shade::flat,
+                    .squares = frame.shading.antialias},
+                   workers_, ends);
     count_patches(frame);
     times.dice += placing.milliseconds();
 

@@ -26,11 +26,10 @@ template <class T>
 void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& times) {
     l3d_dice_view view = frame.view;
     const l3d_shading shading = l3d_lit_while_diced(view, frame.shading, surface_->takes_levels());
-    if (shading.antialias)
-        view.keep.centreless = view.keep.dicing = true; // what is small is seen in part of a pixel
     begin_outlines(frame, view, times);
     const stopwatch placing;
-    culling_.begin(frame.scene, frame.to_image, view, frame.part);
+    culling_.begin(frame.scene, frame.to_image, view,
+                   frame.part.grown(shading.reach()).intersected(l3d_whole(view.size)));
     dicer_.keep_batches(shading.antialias);
     dicer_.begin(view);
     std::span<const l3d_placed_patch> batch = next_batch();

@@ -182,6 +182,8 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     if (settings_.lateral_only)
         stages_->view.focal = 0;
     stages_->view.keep = settings_.keep;
+    if (settings_.antialias) // what covers no pixel's centre is still seen in parts of pixels
+        stages_->view.keep.centreless = stages_->view.keep.dicing = true;
     stages_->view.one_sided = settings_.one_sided;
     stages_->view.most_samples = settings_.most_samples;
     l3d_shading shading =
@@ -214,11 +216,12 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
         return {};
     if (settings_.depth || !stages_->method->draws_parts() || report_.dice.unfinished > 0)
         return whole;
-    return parts_that_moved(whole.area() / 4 * 3);
+    return parts_that_moved(whole.area() / 4 * 3, now.shading.reach());
 }
 
-/// Around what was placed again, where it was and where it is; more than `most` is all.
-l3d_pixel_boxes l3d_pipeline_afd::parts_that_moved(std::int64_t most) {
+/// Around what was placed again, where it was and where it is, as far as it reaches; more than
+/// `most` is all.
+l3d_pixel_boxes l3d_pipeline_afd::parts_that_moved(std::int64_t most, int reach) {
     const l3d_matrix<double>& to_image = stages_->transform.matrix();
     l3d_pixel_boxes parts;
     l3d_drawn_pixels(scene_.moved_from(), to_image, stages_->view, parts, most);
@@ -228,7 +231,15 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_that_moved(std::int64_t most) {
             stages_->moved_to.add(scene_.instances()[index].box());
         l3d_drawn_pixels(stages_->moved_to, to_image, stages_->view, parts, most);
     }
-    return parts.area() <= most ? parts : l3d_pixel_boxes(l3d_whole(stages_->view.size));
+    const l3d_pixel_box whole = l3d_whole(stages_->view.size);
+    if (parts.area() > most)
+        return l3d_pixel_boxes(whole);
+    if (reach == 0)
+        return parts;
+    l3d_pixel_boxes reached;
+    for (const l3d_pixel_box& box : parts.boxes())
+        reached.add(box.grown(reach).intersected(whole));
+    return reached;
 }
 
 /// The bound stays that of what is in the picture.
@@ -356,7 +367,7 @@ void l3d_pipeline_afd::draw_wireframe() {
     }
     stages_->wire_culling.begin(scene_, stages_->transform.matrix(), stages_->view);
     stages_->wire_dicer.begin(stages_->view);
-    l3d_detail::wire_lines lines(rasterizer_, wire_color);
+    l3d_detail::wire_lines lines({rasterizer_, wire_color, settings_.antialias});
     for (auto batch = stages_->wire_culling.next(nothing_is_hidden); !batch.empty();
          batch = stages_->wire_culling.next(nothing_is_hidden))
         lines.draw(stages_->wire_dicer.dice(scene_, stages_->wire_culling, batch));
@@ -370,14 +381,12 @@ void l3d_pipeline_afd::draw_wireframe() {
 /// The 24 edges of every control net. An edge that reaches behind the near plane is left out.
 void l3d_pipeline_afd::draw_nets() {
     untouched_ = false;
-    std::vector<l3d_line_2d> lines;
+    std::vector<l3d_detail::wire> lines;
     const auto add = [&](const l3d_image_point& from, const l3d_image_point& to) {
         const l3d_clip_vertex a = l3d_canonical_vertex(from, stages_->view);
         const l3d_clip_vertex b = l3d_canonical_vertex(to, stages_->view);
         if (a.drawable && b.drawable)
-            lines.push_back(
-                {a.dice.vertex.x >> l3d_subpixel_bits, a.dice.vertex.y >> l3d_subpixel_bits,
-                 b.dice.vertex.x >> l3d_subpixel_bits, b.dice.vertex.y >> l3d_subpixel_bits});
+            lines.push_back({a.dice.vertex.x, a.dice.vertex.y, b.dice.vertex.x, b.dice.vertex.y});
     };
     for (const l3d_patch_instance& instance : scene_.instances()) {
         const l3d_matrix<double> to_image = stages_->transform.matrix() * instance.placement();
@@ -390,7 +399,7 @@ void l3d_pipeline_afd::draw_nets() {
                 }
         }
     }
-    rasterizer_.draw_lines(lines, net_color);
+    l3d_detail::wire_drawer(rasterizer_, net_color, settings_.antialias).draw(lines);
 }
 
 l3d_frame_report l3d_pipeline_afd::report() const {

@@ -160,7 +160,7 @@ private:
     }
     basis begin_frame();
     l3d_pixel_boxes parts_to_draw(const basis& now);
-    l3d_pixel_boxes parts_that_moved(std::int64_t most);
+    l3d_pixel_boxes parts_that_moved(std::int64_t most, int reach);
     void keep_picture();
     void fill_surfaces(const basis& now, const l3d_pixel_boxes& parts, l3d_stage_times& times);
     void keep_bounds(const l3d_dice_counts& kept);

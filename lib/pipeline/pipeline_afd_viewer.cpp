@@ -23,6 +23,7 @@ std::vector<l3d_viewer_row> l3d_pipeline_afd_viewer::own_rows() {
     return {{"+ -", "detail", {{'+', finer}, {'=', finer}, {'-', [this] { scale_tolerance(2); }}}},
             {"c", "shading", {{'c', [this] { take_next_shade(); }}}},
             {"w", "wireframe", {{'w', [this] { switch_wireframe(); }}}},
+            {"a", "smooth edges", {{'a', [this] { switch_antialias(); }}}},
             {"n", "control nets", {{'n', [this] { settings().net = !settings().net; }}}}};
 }
 
@@ -50,6 +51,11 @@ void l3d_pipeline_afd_viewer::switch_wireframe() {
         settings().wireframe = !settings().wireframe;
     else
         controls_.say("no wireframe of " + settings().method.name());
+}
+
+void l3d_pipeline_afd_viewer::switch_antialias() {
+    settings().antialias = !settings().antialias;
+    controls_.say(settings().antialias ? "smooth edges" : "sharp edges");
 }
 
 void l3d_pipeline_afd_viewer::key_event(int key) {

@@ -29,6 +29,7 @@ private:
     void scale_tolerance(double factor);
     void take_next_shade();
     void switch_wireframe();
+    void switch_antialias();
 
     l3d_viewer_controls controls_{*this, screen(), camera(), own_rows()};
 };

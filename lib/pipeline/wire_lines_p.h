@@ -3,12 +3,12 @@
 #ifndef L3D_PIPELINE_WIRE_LINES_P_H
 #define L3D_PIPELINE_WIRE_LINES_P_H
 
-#include "raster/rasterizer_2d.h"
+#include "pipeline/wire_p.h"
 #include "raster/surface_part.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace l3d_detail {
@@ -16,15 +16,14 @@ namespace l3d_detail {
 /// Draws the steps that were taken: the sides of all quads and triangles.
 class wire_lines {
 public:
-    wire_lines(l3d_rasterizer_2d& rasterizer, std::uint32_t color)
-        : rasterizer_(rasterizer), color_(color) {}
+    explicit wire_lines(wire_drawer drawer) : drawer_(std::move(drawer)) {}
 
     void draw(std::span<const l3d_surface_part* const> parts) {
         for (const l3d_surface_part* part : parts) {
             lines_.clear();
             add_grid(part->grid);
             add_triangles(part->triangles);
-            rasterizer_.draw_lines(lines_, color_);
+            drawer_.draw(lines_);
         }
     }
 
@@ -46,15 +45,12 @@ private:
                 add(t.vertex(i, k), t.vertex(i, (k + 1) % 3));
     }
 
-    /// The pixel a sub-pixel position lies in: a shift rounds down, also below zero.
     void add(const l3d_micro_vertex& a, const l3d_micro_vertex& b) {
-        lines_.push_back({a.x >> l3d_subpixel_bits, a.y >> l3d_subpixel_bits,
-                          b.x >> l3d_subpixel_bits, b.y >> l3d_subpixel_bits});
+        lines_.push_back({a.x, a.y, b.x, b.y});
     }
 
-    l3d_rasterizer_2d& rasterizer_;
-    std::uint32_t color_;
-    std::vector<l3d_line_2d> lines_;
+    wire_drawer drawer_;
+    std::vector<wire> lines_;
 };
 
 } // namespace l3d_detail

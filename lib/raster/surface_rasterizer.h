@@ -50,6 +50,10 @@ struct L3D_PUBLIC l3d_shading {
     /// Pixels at edges show the mean, over their squares, of the light of all that is seen there.
     bool antialias = false;
 
+    /// A pixel depends on what is drawn in pixels so near in x and y: edges are found by jumps from
+    /// one neighbour to the next, and by the shading before and behind.
+    int reach() const { return antialias ? 2 : 0; }
+
     friend bool operator==(const l3d_shading&, const l3d_shading&) = default;
 };
 

@@ -37,6 +37,7 @@ void check_place(const char* option, const l3d_camera::vector& place) {
 } // namespace
 
 l3d_afd_options::l3d_afd_options(l3d_options& options) {
+    settings_.antialias = true;
     options.add(
         "FILE,--model", model_file_,
         "model to draw: a file, or the name of one of l3d's own; the option's name may be left "

@@ -55,6 +55,11 @@ struct L3D_PUBLIC l3d_pixel_box {
     /// Whether no pixel lies in it.
     bool empty() const { return left >= right || top >= bottom; }
 
+    /// The box with so many more pixels on each side; may leave the picture.
+    l3d_pixel_box grown(std::int32_t by) const {
+        return {left - by, top - by, right + by, bottom + by};
+    }
+
     /// The number of pixels in it.
     std::int64_t area() const {
         return empty() ? 0 : (std::int64_t{right} - left) * (std::int64_t{bottom} - top);

@@ -205,9 +205,11 @@ TEST(pipeline_polygons, wires_are_clipped) {
     const auto lines = wires.make(model, view, false);
     EXPECT_GT(lines.size(), 1000u);
     EXPECT_LT(lines.size(), 4800u); // 1600 triangles of three sides
-    for (const l3d_line_2d& line : lines)
+    for (const l3d_detail::wire& of : lines) {
+        const l3d_line_2d line = of.sharp();
         for (const int number : {line.x0, line.y0, line.x1, line.y1})
             EXPECT_LE(std::abs(number), 16384 + 331);
+    }
     // A face that is wholly in front is where the matrix puts it.
     const auto& v = model.mesh().vertices;
     std::size_t exact = 0;
@@ -221,7 +223,8 @@ TEST(pipeline_polygons, wires_are_clipped) {
                 const auto beside = [](int pixel, double offset, int side) {
                     return std::abs(pixel + 0.5 - offset - side / 2.0) <= 0.5 + 1.0 / 256;
                 };
-                const bool found = std::ranges::any_of(lines, [&](const l3d_line_2d& l) {
+                const bool found = std::ranges::any_of(lines, [&](const l3d_detail::wire& of) {
+                    const l3d_line_2d l = of.sharp();
                     return beside(l.x0, a[0] / a[3], 331) && beside(l.y0, a[1] / a[3], 247) &&
                            beside(l.x1, b[0] / b[3], 331) && beside(l.y1, b[1] / b[3], 247);
                 });

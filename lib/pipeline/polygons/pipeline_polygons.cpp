@@ -88,18 +88,22 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
         report.time_ms.place = placing.milliseconds();
         const stopwatch drawing;
         rasterizer_.clear_buffer();
-        rasterizer_.draw_lines(lines, wire_color);
+        l3d_detail::wire_drawer(rasterizer_, wire_color, settings_.antialias).draw(lines);
         report.time_ms.raster = drawing.milliseconds();
         return;
     }
     assert(settings_.shade != l3d_shade::error);
+    const bool is_solid = settings_.style == l3d_polygon_style::solid;
     const bool smooth = settings_.shade != l3d_shade::flat;
-    frame_->make(model_, view, settings_.cull, smooth, workers_);
+    l3d_shading shading = view.shading(settings_.shade, settings_.light);
+    shading.antialias = settings_.antialias && is_solid;
+    frame_->make(model_, view,
+                 {.cull = settings_.cull, .smooth = smooth, .squares = shading.antialias},
+                 workers_);
     report.polygons = frame_->counts();
-    const scene what{target, *frame_, view.shading(settings_.shade, settings_.light),
-                     settings_.count_pixels};
+    const scene what{target, *frame_, shading, settings_.count_pixels};
     report.time_ms.place = placing.milliseconds();
-    if (settings_.style == l3d_polygon_style::solid)
+    if (is_solid)
         draw_solid(what, report);
     else
         draw_hidden_lines(what, report);
@@ -129,6 +133,10 @@ std::vector<l3d_viewer_row> l3d_pipeline_polygons::own_rows() {
         controls_.say(settings_.cull ? "faces seen from behind are left out"
                                      : "all faces are drawn");
     };
+    const auto antialias = [this] {
+        settings_.antialias = !settings_.antialias;
+        controls_.say(settings_.antialias ? "smooth edges" : "sharp edges");
+    };
     const auto project = [this] {
         const bool parallel = settings_.projection == l3d_projection::parallel;
         settings_.projection = parallel ? l3d_projection::perspective : l3d_projection::parallel;
@@ -137,6 +145,7 @@ std::vector<l3d_viewer_row> l3d_pipeline_polygons::own_rows() {
     return {std::move(turn),
             {"c", "shading", {{'c', shade}}},
             {"w", "solid, wires, hidden lines", {{'w', style}}},
+            {"a", "smooth edges", {{'a', antialias}}},
             {"b", "faces seen from behind", {{'b', cull}}},
             {"v", "perspective, parallel", {{'v', project}}}};
 }

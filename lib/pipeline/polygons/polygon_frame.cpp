@@ -33,13 +33,20 @@ void turn(const l3d_matrix<double>& placement, const l3d_polygon_model::directio
 
 enum class reach { outside, subpixel, seen };
 
-/// Whether the box of a triangle holds a pixel centre of the window.
+/// Whether the box of a triangle holds a pixel centre of the window or, if `squares`, reaches into
+/// the window at all.
 reach reach_of(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c,
-               l3d_size size) {
-    const std::int32_t left = first_centre(std::min({a.x, b.x, c.x}));
-    const std::int32_t right = first_centre(std::max({a.x, b.x, c.x}));
-    const std::int32_t top = first_centre(std::min({a.y, b.y, c.y}));
-    const std::int32_t bottom = first_centre(std::max({a.y, b.y, c.y}));
+               l3d_size size, bool squares) {
+    const auto first = [squares](std::int32_t least) {
+        return squares ? least >> l3d_subpixel_bits : first_centre(least);
+    };
+    const auto end = [squares](std::int32_t most) {
+        return squares ? (most >> l3d_subpixel_bits) + 1 : first_centre(most);
+    };
+    const std::int32_t left = first(std::min({a.x, b.x, c.x}));
+    const std::int32_t right = end(std::max({a.x, b.x, c.x}));
+    const std::int32_t top = first(std::min({a.y, b.y, c.y}));
+    const std::int32_t bottom = end(std::max({a.y, b.y, c.y}));
     if (right <= 0 || bottom <= 0 || left >= size.width || top >= size.height)
         return reach::outside;
     return left >= right || top >= bottom ? reach::subpixel : reach::seen;
@@ -57,9 +64,9 @@ l3d_dice_view window_of(const l3d_polygon_view& view) {
 } // namespace
 
 void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_view& view,
-                             bool cull, bool smooth, l3d_workers& workers,
+                             const way& how, l3d_workers& workers,
                              std::span<const std::size_t> ends) {
-    const frame_input in{model, view, window_of(view), cull, smooth, ends};
+    const frame_input in{model, view, window_of(view), how, ends};
     const double middle = placed(view.matrix(), model.centre())[2];
     const double radius = std::max(model.radius(), 1e-300) * (1 + 1e-9);
     depth_step_ = -0.5 / radius;
@@ -100,7 +107,7 @@ void l3d_polygon_frame::place_vertices(const frame_input& in, std::size_t begin,
         v.x = s.x + in.window.centre_x();
         v.y = s.y + in.window.centre_y();
         v.inv_w = parallel ? static_cast<float>(depth_value(h[2])) : s.inv_w;
-        if (in.smooth)
+        if (in.how.smooth)
             turn(in.view.placement(), in.model.vertex_normals()[i], v.normal);
     }
 }
@@ -122,7 +129,7 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
         const bool from_behind =
             !(in.view.faces_eye(l3d_converted<double>(face),
                                 in.model.mesh().vertices[triangle.corners[0]]) > 0);
-        if (in.cull && from_behind) {
+        if (in.how.cull && from_behind) {
             ++to.counts.back;
             continue;
         }
@@ -131,7 +138,7 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
             v[k] = vertices_[triangle.corners[k]];
         const bool whole = v[0].inv_w > 0 && v[1].inv_w > 0 && v[2].inv_w > 0;
         if (whole) {
-            const reach seen = reach_of(v[0], v[1], v[2], in.view.size());
+            const reach seen = reach_of(v[0], v[1], v[2], in.view.size(), in.how.squares);
             if (seen != reach::seen) {
                 ++(seen == reach::outside ? to.counts.offscreen : to.counts.subpixel);
                 continue;
@@ -154,7 +161,7 @@ void l3d_polygon_frame::set_normals(const frame_input& in, const l3d_model_trian
                                     bool from_behind, bool placed,
                                     std::array<l3d_micro_vertex, 3>& v) const {
     for (std::size_t k = 0; k < v.size(); ++k) {
-        if (!in.smooth)
+        if (!in.how.smooth)
             turn(in.view.placement(), in.model.face_normals()[triangle.face], v[k].normal);
         else if (!placed)
             turn(in.view.placement(), in.model.vertex_normals()[triangle.corners[k]], v[k].normal);
@@ -186,7 +193,7 @@ void l3d_polygon_frame::add_clipped(const frame_input& in, const l3d_model_trian
             if (in.view.is_parallel())
                 p[k].inv_w = static_cast<float>(to.clipped.triangle_uv[k][i].u);
         }
-        if (reach_of(p[0], p[1], p[2], in.view.size()) != reach::seen)
+        if (reach_of(p[0], p[1], p[2], in.view.size(), in.how.squares) != reach::seen)
             continue;
         to.part.triangles.add(p[0], p[1], p[2]);
         // The pieces are a fan: the first side of the first and the last of the last are outside.

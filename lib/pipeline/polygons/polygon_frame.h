@@ -28,10 +28,16 @@
 /// 72 per triangle drawn.
 class l3d_polygon_frame {
 public:
-    /// `cull` leaves out faces seen from behind; `smooth` takes the vertices' normals, else all of
-    /// a face have its own. Part i holds the model's triangles from `ends[i - 1]` up to `ends[i]`;
-    /// without ends, parts are of a size that suits the workers.
-    void make(const l3d_polygon_model& model, const l3d_polygon_view& view, bool cull, bool smooth,
+    /// Which triangles are made, and how.
+    struct way {
+        bool cull = true;     ///< faces seen from behind are left out
+        bool smooth = false;  ///< the vertices' normals; else all of a face have its own
+        bool squares = false; ///< also triangles that hold no pixel's centre
+    };
+
+    /// Part i holds the model's triangles from `ends[i - 1]` up to `ends[i]`; without ends, parts
+    /// are of a size that suits the workers.
+    void make(const l3d_polygon_model& model, const l3d_polygon_view& view, const way& how,
               l3d_workers& workers, std::span<const std::size_t> ends = {});
 
     /// The value that mode `error` shows for a part.
@@ -64,7 +70,7 @@ private:
         const l3d_polygon_model& model;
         const l3d_polygon_view& view;
         l3d_dice_view window;
-        bool cull, smooth;
+        way how;
         std::span<const std::size_t> ends;
     };
 

@@ -56,19 +56,18 @@ bool clip(const clip_planes& planes, homogeneous& a, homogeneous& b, unsigned co
     return (code_a & code_b) == 0;
 }
 
-/// The line between the pixels that two points lie in, rounded as the corners of filled faces are.
-l3d_line_2d line_of(const homogeneous& a, const homogeneous& b, l3d_size size) {
+/// The line between two points, rounded as the corners of filled faces are.
+l3d_detail::wire line_of(const homogeneous& a, const homogeneous& b, l3d_size size) {
     const l3d_snapped from = l3d_snap(a.x, a.y, a.w), to = l3d_snap(b.x, b.y, b.w);
     const std::int32_t x = size.width * (l3d_subpixel_one / 2);
     const std::int32_t y = size.height * (l3d_subpixel_one / 2);
-    return {(from.x + x) >> l3d_subpixel_bits, (from.y + y) >> l3d_subpixel_bits,
-            (to.x + x) >> l3d_subpixel_bits, (to.y + y) >> l3d_subpixel_bits};
+    return {from.x + x, from.y + y, to.x + x, to.y + y};
 }
 
 } // namespace
 
-std::span<const l3d_line_2d> l3d_polygon_wires::make(const l3d_polygon_model& model,
-                                                     const l3d_polygon_view& view, bool cull) {
+std::span<const l3d_detail::wire> l3d_polygon_wires::make(const l3d_polygon_model& model,
+                                                          const l3d_polygon_view& view, bool cull) {
     const double g = l3d_guard_band;
     const double near = view.is_parallel() ? 0.5 : view.camera().near;
     const double far = view.is_parallel() ? 2.0 : view.camera().far;

@@ -5,7 +5,7 @@
 
 #include "pipeline/polygons/polygon_model.h"
 #include "pipeline/polygons/polygon_view.h"
-#include "raster/rasterizer_2d.h"
+#include "pipeline/wire_p.h"
 
 #include <cstdint>
 #include <span>
@@ -20,8 +20,8 @@ public:
     /// near plane, beyond the far one, or out of the guard band. A side of two faces is there
     /// twice.
     /// Lives:   the lines until the next call.
-    std::span<const l3d_line_2d> make(const l3d_polygon_model& model, const l3d_polygon_view& view,
-                                      bool cull);
+    std::span<const l3d_detail::wire> make(const l3d_polygon_model& model,
+                                           const l3d_polygon_view& view, bool cull);
 
 private:
     struct place {
@@ -29,7 +29,7 @@ private:
         std::uint8_t outside; ///< a bit for each plane that it is beyond
     };
     std::vector<place> places_;
-    std::vector<l3d_line_2d> lines_;
+    std::vector<l3d_detail::wire> lines_;
 };
 
 #endif

@@ -124,10 +124,11 @@ void mark_jumps(const l3d_pixels& picture, const l3d_pixel_box& where, pixel_bit
     constexpr std::int32_t side = pixel_bits::word_pixels;
     const std::int32_t last = (where.right + side - 1) / side;
     for (std::int32_t w = where.left / side; w < last; ++w) {
+        const std::uint64_t inside = pixel_bits::within(w, 0, picture.width);
         jump_rows rows(picture, w * side);
-        std::uint64_t from_above = where.top > 0 ? rows.down(where.top - 1) : 0;
+        std::uint64_t from_above = where.top > 0 ? rows.down(where.top - 1) & inside : 0;
         for (std::int32_t y = where.top; y < where.bottom; ++y) {
-            const std::uint64_t right = rows.right(y), down = rows.down(y);
+            const std::uint64_t right = rows.right(y), down = rows.down(y) & inside;
             bits.row(y)[w] |= right | right << 1 | down | from_above;
             if (w + 1 < static_cast<std::int32_t>(bits.row_words()))
                 bits.row(y)[w + 1] |= right >> (side - 1);

@@ -83,7 +83,8 @@ void l3d_surface_rasterizer_sw::do_begin_part(l3d_pixels target, l3d_depth_buffe
         picture = l3d_image(target.size(), l3d_padded_stride(target.width));
     untouched_ = false;
     target_ = picture.pixels();
-    window_ = in_whole_tiles(part, target.size());
+    window_ = in_whole_tiles(part.grown(shading.reach()).intersected(l3d_whole(target.size())),
+                             target.size());
     part_ = part;
     part_target_ = target;
     start(depth, shading);

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// wire: lines between places of surfaces, sharp or smooth.
+#ifndef L3D_PIPELINE_WIRE_P_H
+#define L3D_PIPELINE_WIRE_P_H
+
+#include "raster/micro_grid.h"
+#include "raster/rasterizer_2d.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// A line. Units: 1/256 pixel from the picture's top left corner.
+struct wire {
+    std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+    /// Between the pixels that the ends lie in: a shift rounds down, also below zero.
+    l3d_line_2d sharp() const {
+        return {x0 >> l3d_subpixel_bits, y0 >> l3d_subpixel_bits, x1 >> l3d_subpixel_bits,
+                y1 >> l3d_subpixel_bits};
+    }
+};
+
+/// Draws lines of one colour, smooth ones where they are.
+class wire_drawer {
+public:
+    wire_drawer(l3d_rasterizer_2d& rasterizer, std::uint32_t color, bool smooth)
+        : rasterizer_(rasterizer), color_(color), smooth_(smooth) {}
+
+    void draw(std::span<const wire> wires) {
+        if (smooth_) {
+            for (const wire& w : wires)
+                rasterizer_.draw_line_antialiased(place(w.x0, w.y0), place(w.x1, w.y1), color_);
+            return;
+        }
+        lines_.clear();
+        for (const wire& w : wires)
+            lines_.push_back(w.sharp());
+        rasterizer_.draw_lines(lines_, color_);
+    }
+
+private:
+    /// Lines name pixels by their centres.
+    static l3d_point_2d place(std::int32_t x, std::int32_t y) {
+        return {double(x) / l3d_subpixel_one - 0.5, double(y) / l3d_subpixel_one - 0.5};
+    }
+
+    l3d_rasterizer_2d& rasterizer_;
+    std::uint32_t color_;
+    bool smooth_;
+    std::vector<l3d_line_2d> lines_;
+};
+
+} // namespace l3d_detail
+
+#endif
