@@ -25,15 +25,20 @@ public:
     float light(std::uint32_t level) const { return light_[level]; }
 
     /// The light of a surface whose level above the ambient one is `lit`, as l3d_micro_vertex has
-    /// it: between the tables' levels on a straight line.
+    /// it.
     float light_between(float lit) const {
-        const float held = lit > 0 ? (lit < 229.5f ? lit : 229.5f) : 0.0f;
-        const float level = 25.5f + held;
-        const auto below = static_cast<std::size_t>(level);
+        return light_at_level(25.5f + (lit > 0 ? (lit < 229.5f ? lit : 229.5f) : 0.0f));
+    }
+
+    /// The light of a level that need not be whole: between the tables' levels on a straight line.
+    /// What is less than 0 or more than 255 counts as these.
+    float light_at_level(float level) const {
+        const float held = level > 0 ? level : 0.0f;
+        const auto below = static_cast<std::size_t>(held);
         if (below + 1 >= light_.size())
             return light_.back();
         return light_[below] +
-               (level - static_cast<float>(below)) * (light_[below + 1] - light_[below]);
+               (held - static_cast<float>(below)) * (light_[below + 1] - light_[below]);
     }
 
     /// The level whose light is nearest as levels go: its ends are the light of level -+ 1/2.

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// picture_refiner: bands are marked, then resolved.
+// picture_refiner: contours and jumps are found, then pixels are mixed, then written.
 #include "raster/refine/picture_refiner_p.h"
 
-#include "raster/refine/mark_jumps_p.h"
+#include "raster/refine/contour_mixer_p.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 namespace l3d_detail {
 
@@ -18,50 +17,129 @@ l3d_pixel_box box_of_band(const drawn_frame& frame, int band) {
             std::min(top + frame.rows, frame.window.bottom)};
 }
 
+bool is_grey(l3d_shade mode) {
+    return mode != l3d_shade::normals && mode != l3d_shade::error;
+}
+
 } // namespace
 
 std::int64_t picture_refiner::refine(const drawn_frame& frame, l3d_workers& workers) {
     const int bands = (frame.window.bottom - frame.window.top + frame.rows - 1) / frame.rows;
+    const l3d_size size = frame.target.size();
     each_worker_.resize(static_cast<std::size_t>(workers.count()));
-    bits_.resize(frame.target.size());
-    workers.for_each_beside(bands, [&](int band, int) { mark(frame, band); });
+    if (each_band_.size() < static_cast<std::size_t>(bands))
+        each_band_.resize(static_cast<std::size_t>(bands));
+    jumps_.resize(size);
+    cuts_.resize(size);
+    contour_bits_.resize(size);
+    others_.resize(size);
+    const auto of_worker = [&](int worker) -> worker_space& {
+        return each_worker_[static_cast<std::size_t>(worker)];
+    };
+    workers.for_each_beside(
+        bands, [&](int band, int worker) { find_contours(frame, band, of_worker(worker)); });
     workers.for_each_beside(bands, [&](int band, int worker) {
-        resolve(frame, band, static_cast<std::size_t>(worker));
+        each_band_[static_cast<std::size_t>(band)].refined.clear();
+        mix_contours(frame, band);
+        resolve(frame, band, of_worker(worker));
     });
     std::int64_t refined = 0;
-    for (worker_space& space : each_worker_)
-        refined += std::exchange(space.refined, 0);
+    for (int band = 0; band < bands; ++band) {
+        const auto& pixels = each_band_[static_cast<std::size_t>(band)].refined;
+        for (const refined_pixel& p : pixels)
+            frame.target.row(p.y)[static_cast<std::size_t>(p.x)] = p.word;
+        refined += static_cast<std::int64_t>(pixels.size());
+    }
     return refined;
 }
 
-/// A pixel beside a drawn tile may be partly covered, too.
-void picture_refiner::mark(const drawn_frame& frame, int band) {
+/// Contours and jumps of a band. A pixel beside a drawn tile may be partly covered, too.
+void picture_refiner::find_contours(const drawn_frame& frame, int band, worker_space& space) {
     const l3d_pixel_box box = box_of_band(frame, band);
-    bits_.clear(box.top, box.bottom);
+    jumps_.clear(box.top, box.bottom);
+    cuts_.clear(box.top, box.bottom);
+    contour_bits_.clear(box.top, box.bottom);
+    others_.clear(box.top, box.bottom);
     const l3d_pixel_box drawn = frame.coarse.drawn_in(
         std::max(box.top - 1, frame.window.top), std::min(box.bottom + 1, frame.window.bottom));
     const l3d_pixel_box reached{drawn.left - 1, box.top, drawn.right + 1, box.bottom};
-    mark_jumps(frame.target, reached.intersected(box), bits_);
+    find_jumps(frame.target, is_grey(frame.shading.mode), reached.intersected(box), jumps_);
+
+    contour_pixels& contours = each_band_[static_cast<std::size_t>(band)].contours;
+    const drawn_depth depth(frame.depth.data(), frame.depth.pitch(), frame.window, frame.coarse);
+    contours.begin(box);
+    for (const std::uint32_t index : frame.list.items(band)) {
+        const band_item& item = frame.list.item(index);
+        for (const contour_edge& edge : space.edges.find(frame.list, item, box.top, box.bottom))
+            contours.add(edge, depth);
+    }
+    contours.finish(cuts_, contour_bits_);
 }
 
-void picture_refiner::resolve(const drawn_frame& frame, int band, std::size_t worker) {
+/// Pixels of one contour are mixed here, those of several are marked.
+void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
     const l3d_pixel_box box = box_of_band(frame, band);
-    worker_space& space = each_worker_[worker];
-    space.fragments.begin(bits_, frame.target.width, box.top, box.bottom);
+    mark_others(frame, box);
+    band_space& space = each_band_[static_cast<std::size_t>(band)];
+    const contour_mixer mixer(frame.target, frame.window, cuts_);
+    for (const contour_pixel& pixel : space.contours.pixels()) {
+        if (others_.has(pixel.x, pixel.y))
+            continue;
+        std::uint32_t word = 0;
+        if (!pixel.simple() || !mixer.mix(pixel, word))
+            others_.set(pixel.x, pixel.y);
+        else
+            space.refined.push_back({pixel.x, pixel.y, word});
+    }
+}
+
+/// Marks both sides of jumps between pixels that no contour divides.
+void picture_refiner::mark_others(const drawn_frame& frame, const l3d_pixel_box& box) {
+    const std::size_t words = others_.row_words();
+    constexpr int last = pixel_bits::word_pixels - 1;
+    for (std::int32_t y = box.top; y < box.bottom; ++y) {
+        std::uint64_t* const to = others_.row(y);
+        for (std::size_t w = 0; w < words; ++w) {
+            std::uint64_t down = jumps_.down.row(y)[w], above = 0;
+            if (down != 0 && y + 1 < frame.window.bottom)
+                down &= ~(cuts_.down.row(y)[w] ^ cuts_.up.row(y + 1)[w]);
+            if (y > frame.window.top)
+                above = jumps_.down.row(y - 1)[w];
+            if (above != 0)
+                above &= ~(cuts_.down.row(y - 1)[w] ^ cuts_.up.row(y)[w]);
+            std::uint64_t right = jumps_.right.row(y)[w];
+            if (right != 0) {
+                const std::uint64_t* const left = cuts_.left.row(y) + w;
+                const std::uint64_t next = left[0] >> 1 | (w + 1 < words ? left[1] << last : 0);
+                right &= ~(cuts_.right.row(y)[w] ^ next);
+            }
+            to[w] |= down | above | right | right << 1;
+            if (w + 1 < words)
+                to[w + 1] |= right >> last;
+        }
+    }
+}
+
+void picture_refiner::resolve(const drawn_frame& frame, int band, worker_space& space) {
+    const l3d_pixel_box box = box_of_band(frame, band);
+    space.fragments.begin(others_, frame.target.width, box.top, box.bottom);
     if (space.fragments.pixels().empty())
         return;
     const bool levels = frame.shading.mode == l3d_shade::levels;
     for (const std::uint32_t index : frame.list.items(band)) {
         const band_item& item = frame.list.item(index);
-        if (!bits_.any(item.box.intersected(box)))
+        if (!others_.any(item.box.intersected(box)))
             continue;
         if (item.triangle_begin < item.triangle_end)
             space.fragments.add(*item.part, item.triangle_begin, item.triangle_end);
         space.fragments.add(*item.part, item.cells, levels);
     }
     space.fragments.sort();
-    space.mixer.draw(space.fragments, frame.shading, frame.target);
-    space.refined += static_cast<std::int64_t>(space.fragments.pixels().size());
+    auto& refined = each_band_[static_cast<std::size_t>(band)].refined;
+    space.mixer.draw(space.fragments, frame.shading);
+    const auto pixels = space.fragments.pixels();
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        refined.push_back({pixels[i].x, pixels[i].y, space.mixer.words()[i]});
 }
 
 } // namespace l3d_detail

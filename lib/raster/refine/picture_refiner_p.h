@@ -5,6 +5,9 @@
 
 #include "raster/parallel/workers.h"
 #include "raster/refine/band_fragments_p.h"
+#include "raster/refine/contour_edges_p.h"
+#include "raster/refine/contour_pixels_p.h"
+#include "raster/refine/find_jumps_p.h"
 #include "raster/refine/pixel_bits_p.h"
 #include "raster/refine/pixel_mixer_p.h"
 #include "raster/surfaces/band_list_p.h"
@@ -18,6 +21,7 @@ namespace l3d_detail {
 /// The data of a frame that refining needs: all of its items, and what has been drawn of them.
 struct drawn_frame {
     const l3d_pixels& target;
+    l3d_depth_buffer& depth; ///< of the whole picture
     const l3d_shading& shading;
     const band_list& list;
     const coarse_depth& coarse;
@@ -25,10 +29,14 @@ struct drawn_frame {
     int rows = 0;         ///< of a band
 };
 
-/// Marks the pixels at edges, then draws only these again, by many samples each.
+/// Finds the pixels at edges, and draws these again.
 ///
-/// Pixels of a band depend on the items of the frame, and on the levels beside them before any
-/// pixel was refined. So they depend neither on the bands nor on the number of workers.
+/// A pixel that a single contour of a surface passes through is mixed by contour_mixer. What jumps
+/// of level no contour explains, and pixels of several contours, are drawn by pixel_mixer from all
+/// polygons that reach them.
+///
+/// Pixels of a band depend on the items of the frame, and on the levels and depths beside them
+/// before any pixel was refined. So they depend neither on the bands nor on the number of workers.
 /// Lives: kept for its memory.
 class picture_refiner {
 public:
@@ -37,17 +45,33 @@ public:
     std::int64_t refine(const drawn_frame& frame, l3d_workers& workers);
 
 private:
-    void mark(const drawn_frame& frame, int band);
-    void resolve(const drawn_frame& frame, int band, std::size_t worker);
-
-    /// Shape: begins two cache lines, so that workers do not take each other's.
+    /// A pixel's new word, which waits until nobody needs the one that is there.
+    struct refined_pixel {
+        std::int32_t x, y;
+        std::uint32_t word;
+    };
+    /// What is known of a band. Shape: begins two cache lines, so that workers do not take each
+    /// other's.
+    struct alignas(128) band_space {
+        contour_pixels contours;
+        std::vector<refined_pixel> refined;
+    };
     struct alignas(128) worker_space {
+        contour_edges edges;
         band_fragments fragments;
         pixel_mixer mixer;
-        std::int64_t refined = 0;
     };
 
-    pixel_bits bits_;
+    void find_contours(const drawn_frame& frame, int band, worker_space& space);
+    void mix_contours(const drawn_frame& frame, int band);
+    void mark_others(const drawn_frame& frame, const l3d_pixel_box& box);
+    void resolve(const drawn_frame& frame, int band, worker_space& space);
+
+    level_jumps jumps_;
+    contour_cuts cuts_;
+    pixel_bits contour_bits_; ///< pixels that contours pass through
+    pixel_bits others_;       ///< pixels that are drawn from all polygons
+    std::vector<band_space> each_band_;
     std::vector<worker_space> each_worker_;
 };
 

@@ -50,6 +50,10 @@ public:
         row(y)[x / word_pixels] |= std::uint64_t{1} << (x % word_pixels);
     }
 
+    bool has(std::int32_t x, std::int32_t y) const {
+        return (row(y)[x / word_pixels] >> (x % word_pixels) & 1) != 0;
+    }
+
     /// The bits of columns [left, right) that are in the word with index `word`.
     static std::uint64_t within(std::int32_t word, std::int32_t left, std::int32_t right) {
         const std::int32_t begin = std::max(left - word * word_pixels, 0);

@@ -42,16 +42,16 @@ std::uint64_t samples_above(float at, float of_x, float of_y) {
 
 } // namespace
 
-void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading,
-                       const l3d_pixels& target) {
+void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading) {
     measure_pairs(band, measures_);
-    with_shader(shading, 0, [&](auto shader) { draw_by(shader, band, target); });
+    with_shader(shading, 0, [&](auto shader) { draw_by(shader, band); });
 }
 
 template <class Shader>
-void pixel_mixer::draw_by(Shader shader, const band_fragments& band, const l3d_pixels& target) {
+void pixel_mixer::draw_by(Shader shader, const band_fragments& band) {
     const linear_light& tables = linear_light_tables();
     const auto pixels = band.pixels();
+    words_.clear();
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const scan_point corner{pixels[i].x * l3d_subpixel_one, pixels[i].y * l3d_subpixel_one};
         collect(band, i);
@@ -64,7 +64,7 @@ void pixel_mixer::draw_by(Shader shader, const band_fragments& band, const l3d_p
                 sampler_.add(band.polygons()[f.polygon]);
             light = sampler_.light(shader);
         }
-        target.row(pixels[i].y)[static_cast<std::size_t>(pixels[i].x)] = light.word(tables);
+        words_.push_back(light.word(tables));
     }
 }
 

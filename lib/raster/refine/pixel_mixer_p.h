@@ -7,16 +7,16 @@
 #include "raster/refine/pair_measures_p.h"
 #include "raster/refine/sampled_pixel_p.h"
 #include "raster/surface_rasterizer.h"
-#include "tool_2d/pixels.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace l3d_detail {
 
-/// Writes the mean light over the square of each marked pixel. All polygons of a pixel are taken
+/// Finds the mean light over the square of each marked pixel. All polygons of a pixel are taken
 /// together, so neighbours that share an edge leave no seam.
 ///
 /// Polygons of which nothing is hidden count by their exact area. The others share what these
@@ -25,8 +25,11 @@ namespace l3d_detail {
 /// Lives: of one worker, kept for its memory.
 class pixel_mixer {
 public:
-    /// Writes the band's marked pixels. Expects: its pairs are sorted.
-    void draw(const band_fragments& band, const l3d_shading& shading, const l3d_pixels& target);
+    /// Makes the words of the band's marked pixels. Expects: its pairs are sorted.
+    void draw(const band_fragments& band, const l3d_shading& shading);
+
+    /// One for each of the band's pixels, in their order.
+    std::span<const std::uint32_t> words() const { return words_; }
 
     /// Pixels that were sampled, since the last call.
     std::int64_t take_sampled() { return std::exchange(sampled_, 0); }
@@ -42,7 +45,7 @@ private:
     };
 
     template <class Shader>
-    void draw_by(Shader shader, const band_fragments& band, const l3d_pixels& target);
+    void draw_by(Shader shader, const band_fragments& band);
     void collect(const band_fragments& band, std::size_t pixel);
     void hide();
     std::uint64_t nearer_samples(const fragment& one, const fragment& other) const;
@@ -58,6 +61,7 @@ private:
 
     pair_measures measures_;
     std::vector<fragment> fragments_;
+    std::vector<std::uint32_t> words_;
     sampled_pixel sampler_;
     std::int64_t sampled_ = 0;
 };

@@ -59,6 +59,13 @@ public:
     /// Finds out about all tiles of the band that something came to.
     void refresh(const fill_band& band);
 
+    /// Whether something may be in the pixel's tile; else its depth is not defined.
+    bool drawn_at(std::int32_t x, std::int32_t y) const {
+        const auto column = static_cast<std::size_t>(x / depth_tile::width);
+        const auto row = static_cast<std::size_t>(y / depth_tile::height);
+        return (table_.drawn[row * table_.words + column / 64] >> (column % 64) & 1) != 0;
+    }
+
     /// The columns in which something may be, in a tile that has pixels of rows [top, bottom); as
     /// a box of these rows.
     l3d_pixel_box drawn_in(std::int32_t top, std::int32_t bottom) const;

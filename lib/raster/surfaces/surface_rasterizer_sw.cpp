@@ -44,6 +44,7 @@ struct l3d_surface_rasterizer_sw::work_space {
     coarse_depth coarse;
     std::vector<band_painter> painters;          ///< one for each worker
     std::vector<l3d_depth_buffer> worker_depths; ///< of a band, if nobody wants it afterwards
+    l3d_depth_buffer kept_depth; ///< of a picture, if nobody but anti-aliasing wants it afterwards
     std::vector<std::int64_t> covered;           ///< in each band, if that is counted
     l3d_image picture;                           ///< in which parts of pictures are drawn
     std::vector<const l3d_surface_part*> parts;  ///< of all draws, for anti-aliasing
@@ -93,6 +94,10 @@ void l3d_surface_rasterizer_sw::do_begin_part(l3d_pixels target, l3d_depth_buffe
 void l3d_surface_rasterizer_sw::start(l3d_depth_buffer* depth, const l3d_shading& shading) {
     finished_ = false;
     depth_ = depth;
+    if (!depth && shading.antialias) {
+        work_->kept_depth.resize(target_.size());
+        depth_ = &work_->kept_depth;
+    }
     const l3d_size size{target_.width, window_.bottom - window_.top};
     rows_ = settings_.rows ? settings_.rows : rows_of_band(size);
     drawn_ = false;
@@ -103,7 +108,7 @@ void l3d_surface_rasterizer_sw::start(l3d_depth_buffer* depth, const l3d_shading
     work_->coarse.resize(target_.size());
     const int bands = (size.height + rows_ - 1) / rows_;
     work_->covered.assign(static_cast<std::size_t>(bands), 0);
-    if (!depth)
+    if (!depth_)
         for (l3d_depth_buffer& worker_depth : work_->worker_depths)
             worker_depth.resize({target_.width, rows_});
 }
@@ -159,9 +164,10 @@ void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
         coarse.forget(top, bottom);
     }
     work_->painters[worker].draw(work_->frame, band, work_->list, items, coarse);
-    if (!drawn_ && depth_ && part_.empty())
+    const bool wanted = depth_ && depth_ != &work_->kept_depth;
+    if (!drawn_ && wanted && part_.empty())
         coarse.open_others(band);
-    if (depth_)
+    if (wanted)
         coarse.refresh(band); // `hidden` may be asked by many, so it finds nothing itself
     if (counts_pixels())
         work_->covered[static_cast<std::size_t>(index)] = coarse.covered(band);
@@ -201,6 +207,7 @@ void l3d_surface_rasterizer_sw::refine() {
     if (work_->parts.size() > last_parts_)
         list.make(work_->parts, {window_, rows_, true}, nullptr, workers_);
     counts_.refined = work_->refiner.refine({.target = target_,
+                                             .depth = *depth_,
                                              .shading = work_->frame.shading,
                                              .list = list,
                                              .coarse = work_->coarse,

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// contour_edges: the turns of quads in lanes, 64 quads to a word of bits.
+#include "raster/refine/contour_edges_p.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/refine/contour_edges.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "raster/parallel/simd_dispatch_p.h"
+#include "raster/surfaces/quad_cut_p.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstring>
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr hn::CappedTag<std::int32_t, 16> ints;
+constexpr hn::RebindToFloat<decltype(ints)> floats;
+using float_lanes = hn::Vec<decltype(floats)>;
+
+HWY_INLINE std::uint64_t bits_of(hn::Mask<decltype(floats)> mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(floats, mask, bytes);
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, bytes, sizeof bits);
+    return bits;
+}
+
+/// How the quads of a row turn, from column `begin` to `end`. Quad c has bit c % 64 of word c / 64.
+/// Differences and products are rounded, of quads up to 16 pixels not at all; everybody who asks
+/// gets the same answer.
+/// Expects: begin a multiple of 64; words are 0.
+void turns_of_row(const l3d_micro_grid& grid, int row, int begin, int end, std::uint64_t* right,
+                  std::uint64_t* folded) {
+    const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(ints));
+    const auto pitch = static_cast<std::ptrdiff_t>(grid.pitch);
+    const std::ptrdiff_t size = pitch * grid.rows;
+    std::int32_t copy[hn::MaxLanes(ints)] = {};
+    const auto load = [&](const std::vector<std::int32_t>& of, std::ptrdiff_t at) HWY_ATTR {
+        if (HWY_LIKELY(at + lanes <= size))
+            return hn::LoadU(ints, of.data() + at);
+        // The last of the arrays' last vector is no first corner of a quad.
+        std::copy(of.data() + at, of.data() + size, copy);
+        return hn::LoadU(ints, copy);
+    };
+    for (std::ptrdiff_t column = begin; column < end; column += lanes) {
+        const std::ptrdiff_t at = pitch * row + column;
+        const std::array<std::ptrdiff_t, 4> corner{at, at + 1, at + pitch + 1, at + pitch};
+        hn::Vec<decltype(ints)> x[4], y[4];
+        for (std::size_t i = 0; i < 4; ++i) {
+            x[i] = load(grid.x, corner[i]);
+            y[i] = load(grid.y, corner[i]);
+        }
+        float_lanes dx[4], dy[4];
+        for (std::size_t i = 0; i < 4; ++i) {
+            dx[i] = hn::ConvertTo(floats, hn::Sub(x[(i + 1) % 4], x[i]));
+            dy[i] = hn::ConvertTo(floats, hn::Sub(y[(i + 1) % 4], y[i]));
+        }
+        float_lanes least = hn::Zero(floats), most = hn::Zero(floats);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::size_t next = (i + 1) % 4;
+            const float_lanes turn =
+                hn::Sub(hn::Mul(dx[i], dy[next]), hn::Mul(dy[i], dx[next]));
+            least = hn::Min(least, turn);
+            most = hn::Max(most, turn);
+        }
+        const auto any_right = hn::Gt(most, hn::Zero(floats));
+        const auto any_left = hn::Lt(least, hn::Zero(floats));
+        right[column / 64] |= bits_of(hn::AndNot(any_left, any_right)) << (column % 64);
+        folded[column / 64] |= bits_of(hn::And(any_left, any_right)) << (column % 64);
+    }
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace l3d_detail {
+
+L3D_SIMD_TABLE(turns_of_row);
+
+namespace {
+
+constexpr int word_bits = 64;
+
+quad_corners corners_of(const l3d_micro_grid& grid, std::size_t p00) {
+    const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
+    return {grid.vertex(p00), grid.vertex(p00 + 1), grid.vertex(p01 + 1), grid.vertex(p01)};
+}
+
+/// Whether the piece of a folded quad at its side `side` turns to the right.
+bool piece_turns_right(const quad_corners& v, const l3d_micro_vertex& centre, std::size_t side) {
+    const scan_point from = position(v[side]);
+    return cross(position(v[(side + 1) % 4]) - from, position(centre) - from) > 0;
+}
+
+bool has(const std::uint64_t* bits, int column) {
+    return (bits[column / word_bits] >> (column % word_bits) & 1) != 0;
+}
+
+/// Sides of quads, in the order of quad_corners.
+enum side : std::size_t { upper, right_side, lower, left_side };
+
+} // namespace
+
+const std::vector<contour_edge>& contour_edges::find(const band_list& list, const band_item& item,
+                                                     std::int32_t top, std::int32_t bottom) {
+    edges_.clear();
+    const grid_cells& cells = item.cells;
+    if (cells.row_begin >= cells.row_end)
+        return edges_;
+    const l3d_micro_grid& grid = item.part->grid;
+    const auto words = static_cast<std::size_t>((grid.columns + word_bits - 1) / word_bits);
+    const int begin = std::max(cells.column_begin - 1, 0) / word_bits * word_bits;
+    const auto fill = [&](std::vector<std::uint64_t>& of, int row) {
+        of.assign(2 * words, 0);
+        if (row >= 0)
+            L3D_SIMD_CALL(turns_of_row)
+            (grid, row, begin, cells.column_end, of.data(), of.data() + words);
+    };
+    int filled = -1; // the row whose turns are in here_
+    for (int row = cells.row_begin; row < cells.row_end; ++row) {
+        // Rows are told by the centres that they may cover: one more on either side is reached.
+        const band_rows& reached = list.rows(item)[row - cells.row_begin];
+        if (reached.top - 1 >= bottom || reached.bottom + 1 <= top)
+            continue;
+        if (row > 0 && filled == row - 1)
+            above_.swap(here_);
+        else
+            fill(above_, row - 1);
+        fill(here_, row);
+        filled = row;
+        add_row(grid, cells, row);
+    }
+    return edges_;
+}
+
+void contour_edges::add_row(const l3d_micro_grid& grid, const grid_cells& cells, int row) {
+    const std::size_t words = here_.size() / 2;
+    const std::uint64_t *const right = here_.data(), *const folded = right + words;
+    const std::uint64_t *const right_above = above_.data(), *const folded_above = right_above + words;
+    const auto turns = [&](int of_row, int column, std::size_t side) {
+        const bool is_here = of_row == row;
+        if (!has(is_here ? folded : folded_above, column))
+            return has(is_here ? right : right_above, column);
+        const quad_corners v = corners_of(grid, grid.index(of_row, column));
+        return piece_turns_right(v, projective_centre(v), side);
+    };
+    for (int word = cells.column_begin / word_bits; word * word_bits < cells.column_end; ++word) {
+        const auto w = static_cast<std::size_t>(word);
+        const std::uint64_t inside =
+            pixel_bits::within(word, cells.column_begin, cells.column_end);
+        const std::uint64_t any_folded = folded[w] | folded_above[w];
+        std::uint64_t level = row > 0 ? (right[w] ^ right_above[w]) | any_folded : 0;
+        for (level &= inside; level != 0; level &= level - 1) {
+            const int column = word * word_bits + std::countr_zero(level);
+            const std::size_t p = grid.index(row, column);
+            add_between(grid, p, p + 1, turns(row, column, upper),
+                        turns(row - 1, column, lower));
+        }
+        const auto moved = [&](const std::uint64_t* of) {
+            return of[w] << 1 | (w > 0 ? of[w - 1] >> (word_bits - 1) : 0);
+        };
+        std::uint64_t upright = (right[w] ^ moved(right)) | folded[w] | moved(folded);
+        if (word == 0)
+            upright &= ~std::uint64_t{1};
+        for (upright &= inside; upright != 0; upright &= upright - 1) {
+            const int column = word * word_bits + std::countr_zero(upright);
+            const std::size_t p = grid.index(row, column);
+            add_between(grid, p + static_cast<std::size_t>(grid.pitch), p,
+                        turns(row, column, left_side), turns(row, column - 1, right_side));
+        }
+        for (std::uint64_t some = folded[w] & inside; some != 0; some &= some - 1)
+            add_spokes(grid, row, word * word_bits + std::countr_zero(some));
+    }
+}
+
+/// The edge from one vertex to another, if only the polygon on one of its sides turns to the right.
+void contour_edges::add_between(const l3d_micro_grid& grid, std::size_t from, std::size_t to,
+                                bool right_turns, bool left_turns) {
+    if (right_turns == left_turns)
+        return;
+    const contour_edge edge{{grid.x[from], grid.y[from]},
+                            {grid.x[to], grid.y[to]},
+                            std::max(grid.inv_w[from], grid.inv_w[to])};
+    if (right_turns)
+        edges_.push_back(edge);
+    else
+        edges_.push_back({edge.to, edge.from, edge.nearest});
+}
+
+/// The edges between the pieces of a folded quad.
+void contour_edges::add_spokes(const l3d_micro_grid& grid, int row, int column) {
+    const quad_corners v = corners_of(grid, grid.index(row, column));
+    const l3d_micro_vertex centre = projective_centre(v);
+    std::array<bool, 4> turns{};
+    for (std::size_t i = 0; i < turns.size(); ++i)
+        turns[i] = piece_turns_right(v, centre, i);
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+        const std::size_t before = (i + 3) % 4;
+        if (turns[i] == turns[before])
+            continue;
+        const scan_point corner = position(v[i]), middle = position(centre);
+        const float nearest = std::max(v[i].inv_w, centre.inv_w);
+        // The piece at side i goes from the centre to its first corner.
+        if (turns[i])
+            edges_.push_back({middle, corner, nearest});
+        else
+            edges_.push_back({corner, middle, nearest});
+    }
+}
+
+} // namespace l3d_detail
+#endif

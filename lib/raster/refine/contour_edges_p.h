@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// contour_edges: the edges of grids at which surfaces fold over.
+#ifndef L3D_RASTER_REFINE_CONTOUR_EDGES_P_H
+#define L3D_RASTER_REFINE_CONTOUR_EDGES_P_H
+
+#include "raster/refine/pixel_bits_p.h"
+#include "raster/shapes/scan_edge_p.h"
+#include "raster/surfaces/band_list_p.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace l3d_detail {
+
+/// A way from one vertex to another; the surface lies on its right, seen in the picture, and what
+/// is behind the surface on its left.
+struct contour_edge {
+    scan_point from, to; ///< units: 1/256 pixel
+    float nearest = 0;   ///< of both vertices' inv_w
+};
+
+/// Finds the edges between a polygon that turns to the right and one that does not. A folded quad
+/// is the four triangles that it is filled as.
+///
+/// Round a vertex, the polygons that turn to the right fill the same angle as those that turn to
+/// the left. So at such an edge both end, and a surface has no other outlines than these and its
+/// borders.
+/// Lives: of one worker, kept for its memory.
+class contour_edges {
+public:
+    /// The edges of an item's quads that may reach into pixel rows [top, bottom): those on its
+    /// upper and left ends are its own, those on the others are its neighbours'.
+    /// Returns: valid until the next call.
+    const std::vector<contour_edge>& find(const band_list& list, const band_item& item,
+                                          std::int32_t top, std::int32_t bottom);
+
+private:
+    void add_row(const l3d_micro_grid& grid, const grid_cells& cells, int row);
+    void add_between(const l3d_micro_grid& grid, std::size_t from, std::size_t to, bool right_turns,
+                     bool left_turns);
+    void add_spokes(const l3d_micro_grid& grid, int row, int column);
+
+    std::vector<std::uint64_t> above_, here_; ///< a row's turns, then which quads are folded
+    std::vector<contour_edge> edges_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// contour_mixer: which neighbour shows the other side, and what the two make together.
+#include "raster/refine/contour_mixer_p.h"
+
+#include "raster/refine/find_jumps_p.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace l3d_detail {
+
+namespace {
+
+int channel(std::uint32_t word, int shift) {
+    return static_cast<int>(word >> shift & 255);
+}
+
+constexpr int channels_end = 24;
+
+} // namespace
+
+/// Whether a contour divides the centres of a pixel and of one beside, above or below it.
+bool contour_mixer::divided(std::int32_t x, std::int32_t y, step to) const {
+    if (to.x != 0)
+        return to.x > 0 ? cuts_.right.has(x, y) != cuts_.left.has(x + 1, y)
+                        : cuts_.left.has(x, y) != cuts_.right.has(x - 1, y);
+    return to.y > 0 ? cuts_.down.has(x, y) != cuts_.up.has(x, y + 1)
+                    : cuts_.up.has(x, y) != cuts_.down.has(x, y - 1);
+}
+
+/// The neighbour on the other side: of those beside, above and below it, one; else at a corner.
+bool contour_mixer::find_other(const contour_pixel& pixel, step& to) const {
+    const std::int32_t x = pixel.x, y = pixel.y;
+    constexpr step beside[] = {{0, -1}, {0, 1}, {-1, 0}, {1, 0}};
+    int found = 0;
+    for (const step s : beside)
+        if (inside(x + s.x, y + s.y) && divided(x, y, s)) {
+            to = s;
+            ++found;
+        }
+    if (found > 0)
+        return true;
+    constexpr step corners[] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+    for (const step s : corners)
+        if (inside(x + s.x, y + s.y) && divided(x + s.x, y, {0, s.y}) &&
+            divided(x, y + s.y, {s.x, 0})) {
+            to = s;
+            return true;
+        }
+    return false;
+}
+
+/// The next pixel's word, if it shows the same steady surface; else the one here.
+std::uint32_t contour_mixer::behind(std::int32_t x, std::int32_t y, step to,
+                                    std::uint32_t here) const {
+    if (!inside(x + to.x, y + to.y) || (to.x != 0 && divided(x, y, {to.x, 0})) ||
+        (to.y != 0 && divided(x + to.x, y, {0, to.y})))
+        return here;
+    const std::uint32_t word = word_at(x + to.x, y + to.y);
+    constexpr int steady = 2 * jump_levels;
+    for (int shift = 0; shift < channels_end; shift += 8)
+        if (std::abs(channel(word, shift) - channel(here, shift)) > steady)
+            return here;
+    return word;
+}
+
+bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
+    const std::int32_t x = pixel.x, y = pixel.y;
+    step to{};
+    const std::int32_t centre = pixel.centre();
+    if ((centre != 0 && centre != 1) || !find_other(pixel, to))
+        return false;
+    const float right = static_cast<float>(pixel.share()) / contour_pixel::whole;
+    const float own = centre == 1 ? right : 1 - right, rest = 1 - own;
+    const std::uint32_t here = word_at(x, y), there = word_at(x + to.x, y + to.y);
+    if (here == there) {
+        word = here;
+        return true;
+    }
+    const std::uint32_t before = behind(x, y, {-to.x, -to.y}, here);
+    const std::uint32_t after = behind(x + to.x, y + to.y, to, there);
+    // A straight contour across the way to the neighbour lies own - 1/2 from the centre. The middle
+    // of the own share lies rest / 2 before it, that of the other share (1 + rest) / 2 nearer than
+    // the neighbour's.
+    const float to_own = 0.5f * rest, to_rest = 0.5f * (1 + rest);
+    word = 0;
+    for (int shift = channels_end - 8; shift >= 0; shift -= 8) {
+        const auto level = [&](std::uint32_t at, std::uint32_t next, float way) {
+            const auto a = static_cast<float>(channel(at, shift));
+            const auto b = static_cast<float>(channel(next, shift));
+            return tables_.light_at_level(a + way * (b - a));
+        };
+        const float light =
+            own * level(here, before, to_own) + rest * level(there, after, -to_rest);
+        word = word << 8 | tables_.level(light);
+    }
+    return true;
+}
+
+} // namespace l3d_detail

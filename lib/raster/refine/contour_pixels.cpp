@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// contour_pixels: edges walked from pixel to pixel.
+#include "raster/refine/contour_pixels_p.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace l3d_detail {
+
+namespace {
+
+enum cut : std::uint32_t { cut_up = 1, cut_down = 2, cut_left = 4, cut_right = 8 };
+
+constexpr double centre = 0.5;
+
+std::uint32_t name_of(scan_point vertex) {
+    // Two odd factors with bits all over the word, so that a sum is 0 by chance once in 2^32.
+    return static_cast<std::uint32_t>(vertex.x) * 0x9e3779b1u ^
+           static_cast<std::uint32_t>(vertex.y) * 0x85ebca77u;
+}
+
+} // namespace
+
+float drawn_depth::at(std::int32_t x, std::int32_t y) const {
+    return coarse_->drawn_at(x, y) ? first_[y * pitch_ + x] : 0.0f;
+}
+
+bool drawn_depth::hides(std::int32_t x, std::int32_t y, float inv_w) const {
+    const std::int32_t left = std::max(x - 1, window_.left), top = std::max(y - 1, window_.top);
+    const std::int32_t right = std::min(x + 1, window_.right - 1);
+    const std::int32_t bottom = std::min(y + 1, window_.bottom - 1);
+    constexpr std::int32_t width = depth_tile::width, height = depth_tile::height;
+    const bool one_tile = left / width == right / width && top / height == bottom / height;
+    if (one_tile && !coarse_->drawn_at(x, y))
+        return false;
+    for (std::int32_t row = top; row <= bottom; ++row)
+        for (std::int32_t column = left; column <= right; ++column)
+            if (inv_w > (one_tile ? first_[row * pitch_ + column] : at(column, row)))
+                return false;
+    return true;
+}
+
+/// Places are moved to the left and up by 2^-13 pixels. So no vertex is on a pixel's border, nor on
+/// a line through centres: what is on these belongs where the fill rule says.
+void contour_pixels::add(const contour_edge& edge, const drawn_depth& depth) {
+    constexpr double unit = 1.0 / l3d_subpixel_one, moved = 1.0 / (1 << 13);
+    const double from_x = edge.from.x * unit - moved, from_y = edge.from.y * unit - moved;
+    const double to_x = edge.to.x * unit - moved, to_y = edge.to.y * unit - moved;
+    auto x = static_cast<std::int32_t>(std::floor(from_x));
+    auto y = static_cast<std::int32_t>(std::floor(from_y));
+    const auto last_x = static_cast<std::int32_t>(std::floor(to_x));
+    const auto last_y = static_cast<std::int32_t>(std::floor(to_y));
+    if (std::min(y, last_y) >= band_.bottom || std::max(y, last_y) < band_.top ||
+        std::min(x, last_x) >= band_.right || std::max(x, last_x) < band_.left)
+        return;
+    const double dx = to_x - from_x, dy = to_y - from_y;
+    const std::int32_t step_x = dx > 0 ? 1 : -1, step_y = dy > 0 ? 1 : -1;
+    const double side_x = dx > 0 ? 1 : 0, side_y = dy > 0 ? 1 : 0;
+    const double slope = dx != 0 ? dy / dx : 0, steep = dy != 0 ? dx / dy : 0;
+    place at{from_x - x, from_y - y};
+    bool enters = false;
+    std::uint32_t loose = name_of(edge.from);
+    while (x != last_x || y != last_y) {
+        // The way ends at the side that comes first.
+        bool sideways = y == last_y;
+        double y_there = at.y;
+        if (x != last_x) {
+            y_there = from_y + (x + side_x - from_x) * slope - y;
+            sideways = sideways || (dy > 0 ? y_there < 1 : y_there > 0);
+        }
+        place to{};
+        if (sideways)
+            to = {side_x, std::clamp(y_there, 0.0, 1.0)};
+        else
+            to = {std::clamp(from_x + (y + side_y - from_y) * steep - x, 0.0, 1.0), side_y};
+        pass(x, y, at, to, enters, true, loose, edge, depth);
+        loose = 0;
+        enters = true;
+        if (sideways) {
+            x += step_x;
+            at = {1 - side_x, to.y};
+        } else {
+            y += step_y;
+            at = {to.x, 1 - side_y};
+        }
+    }
+    pass(x, y, at, {to_x - x, to_y - y}, enters, false, loose ^ name_of(edge.to), edge, depth);
+}
+
+void contour_pixels::pass(std::int32_t x, std::int32_t y, place from, place to, bool enters,
+                          bool leaves, std::uint32_t loose, const contour_edge& edge,
+                          const drawn_depth& depth) {
+    if (y < band_.top || y >= band_.bottom || x < band_.left || x >= band_.right ||
+        depth.hides(x, y, edge.nearest))
+        return;
+    // The way along the border on to corner (0, 0): the right side adds what is left of it.
+    const auto beyond = [](place p) { return p.x >= 1 ? p.y : p.y <= 0 ? 0.0 : 1.0; };
+    const auto past = [](place p) { return p.x >= 1 ? p.y > centre : p.y > 0; };
+    double area = 0.5 * (from.x + to.x) * (to.y - from.y);
+    std::int32_t turns = 0, crossings = 0;
+    if (enters) {
+        area += beyond(from);
+        turns += past(from) ? 1 : 0;
+        ++crossings;
+    }
+    if (leaves) {
+        area -= beyond(to);
+        turns -= past(to) ? 1 : 0;
+        ++crossings;
+    }
+    std::uint32_t cuts = 0;
+    if ((from.y > centre) != (to.y > centre)) {
+        const double there =
+            from.x + (centre - from.y) / (to.y - from.y) * (to.x - from.x);
+        cuts ^= there > centre ? cut_right : cut_left;
+        if (there > centre)
+            turns += to.y > from.y ? 1 : -1;
+    }
+    if ((from.x > centre) != (to.x > centre)) {
+        const double there =
+            from.y + (centre - from.x) / (to.x - from.x) * (to.y - from.y);
+        cuts ^= there > centre ? cut_down : cut_up;
+    }
+    const auto units = static_cast<std::int32_t>(std::lrint(area * contour_pixel::whole));
+    pairs_.push_back({{x, y, units, turns, crossings, loose}, cuts});
+}
+
+void contour_pixels::finish(contour_cuts& cuts, pixel_bits& seen) {
+    pixels_.clear();
+    if (pairs_.empty())
+        return;
+    for (const pair& p : pairs_)
+        seen.set(p.of.x, p.of.y);
+    before_.clear();
+    std::uint32_t count = 0;
+    const std::size_t words = seen.row_words();
+    for (std::int32_t y = band_.top; y < band_.bottom; ++y)
+        for (std::size_t w = 0; w < words; ++w) {
+            before_.push_back(count);
+            count += static_cast<std::uint32_t>(bits_in(seen.row(y)[w]));
+        }
+    pixels_.assign(count, {});
+    for (const pair& p : pairs_) {
+        const auto word = static_cast<std::size_t>(p.of.x / pixel_bits::word_pixels);
+        const int bit = p.of.x % pixel_bits::word_pixels;
+        const std::uint64_t below = (std::uint64_t{1} << bit) - 1;
+        const auto row = static_cast<std::size_t>(p.of.y - band_.top);
+        contour_pixel& to =
+            pixels_[before_[row * words + word] +
+                    static_cast<std::size_t>(bits_in(seen.row(p.of.y)[word] & below))];
+        to = {p.of.x,          p.of.y,
+              to.area + p.of.area, to.turns + p.of.turns,
+              to.crossings + p.of.crossings, to.loose ^ p.of.loose};
+        const auto flip = [&](pixel_bits& of, std::uint32_t which) {
+            if ((p.cuts & which) != 0)
+                of.row(p.of.y)[word] ^= std::uint64_t{1} << bit;
+        };
+        flip(cuts.up, cut_up);
+        flip(cuts.down, cut_down);
+        flip(cuts.left, cut_left);
+        flip(cuts.right, cut_right);
+    }
+}
+
+} // namespace l3d_detail

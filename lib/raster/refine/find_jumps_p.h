@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// find_jumps: neighbours whose levels are far apart.
+#ifndef L3D_RASTER_REFINE_FIND_JUMPS_P_H
+#define L3D_RASTER_REFINE_FIND_JUMPS_P_H
+
+#include "raster/refine/pixel_bits_p.h"
+#include "tool_2d/pixels.h"
+
+#include <cstdint>
+
+namespace l3d_detail {
+
+/// How far two neighbours' levels must be apart in a channel for an edge between them, beyond twice
+/// what steady shading explains. Half of it is what a picture may be wrong by at edges that are not
+/// refined.
+inline constexpr std::uint8_t jump_levels = 8;
+
+/// Jumps from pixels to their neighbours: on the right, and below.
+struct level_jumps {
+    pixel_bits right, down;
+
+    void resize(l3d_size size) {
+        right.resize(size);
+        down.resize(size);
+    }
+    void clear(std::int32_t top, std::int32_t bottom) {
+        right.clear(top, bottom);
+        down.clear(top, bottom);
+    }
+};
+
+/// Finds the jumps of the pixels of `where`, and perhaps of some beside them. Steady shading
+/// explains twice the smaller of the differences before and behind, as far as these go the same
+/// way.
+/// Expects: `where` lies inside the picture; all have the same size; the rows' bits are clear;
+///          `grey`: the channels of all pixels are equal.
+void find_jumps(const l3d_pixels& picture, bool grey, const l3d_pixel_box& where,
+                level_jumps& jumps);
+
+} // namespace l3d_detail
+
+#endif
