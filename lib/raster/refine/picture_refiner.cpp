@@ -113,9 +113,12 @@ void picture_refiner::mark_others(const drawn_frame& frame, const l3d_pixel_box&
                 const std::uint64_t next = left[0] >> 1 | (w + 1 < words ? left[1] << last : 0);
                 right &= ~(cuts_.right.row(y)[w] ^ next);
             }
-            to[w] |= down | above | right | right << 1;
+            // The last row of words goes on beyond the picture with its last column.
+            const auto first = static_cast<std::int32_t>(w);
+            to[w] |= (down | above | right | right << 1) &
+                     pixel_bits::within(first, 0, frame.target.width);
             if (w + 1 < words)
-                to[w + 1] |= right >> last;
+                to[w + 1] |= right >> last; // a pixel of the picture: none jumps to beyond its end
         }
     }
 }
