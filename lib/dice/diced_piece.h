@@ -48,6 +48,7 @@ struct l3d_diced_piece {
     void clear() {
         part.grid.rows = part.grid.columns = 0;
         part.triangles.clear();
+        part.border.clear();
         u.clear();
         v.clear();
         bound = 0;

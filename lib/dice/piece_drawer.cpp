@@ -2,6 +2,7 @@
 // l3d_piece_drawer: walking, evaluating, clipping.
 #include "dice/piece_drawer.h"
 
+#include "dice/edges/border.h"
 #include "dice/grid_light.h"
 #include "dice/snap.h"
 
@@ -78,11 +79,14 @@ template <class T> void l3d_piece_drawer<T>::close(const piece& p, l3d_diced_pie
     for (std::size_t side = 0; side < p.sides.size(); ++side) {
         const l3d_piece_side& along = p.sides[side];
         const l3d_edge_polyline& edge = (*edges_)[along.edge];
-        if (edge.strips().blocks > 0)
+        if (edge.strips().blocks > 0) {
             l3d_close_side(out, side, edge, along.t0, along.t1);
-        else
+            if (view_.shading.antialias)
+                l3d_note_border(out, side, edge, along.t0, along.t1);
+        } else {
             fill_slit(
                 p, side, [&](int r, int c) { return grid_vertex(p, grid, r, c); }, out);
+        }
     }
 }
 

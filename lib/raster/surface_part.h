@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 /// Where the blocks of a grid begin, in rows or columns of its quads; the last entry is their
 /// number. A block is what is tested for being hidden, and sorted front to back, as a whole.
@@ -18,6 +19,18 @@ struct L3D_PUBLIC l3d_block_starts {
     int blocks = 1; ///< their number
     std::array<int, most_blocks + 1>
         first{}; ///< the first row or column of quads in each, and the end of the last one
+};
+
+/// A straight piece of the line at which a grid of a surface ends.
+///
+/// Units: as l3d_micro_vertex. It goes so that the quad beside it is on the right, seen in the
+/// picture, if that quad's corners p00 p10 p11 p01 turn to the right there.
+struct L3D_PUBLIC l3d_border_edge {
+    std::int32_t from_x = 0, from_y = 0, to_x = 0, to_y = 0; ///< its ends
+    float nearest = 0;       ///< of both ends' inv_w
+    float level = 0;         ///< of the light beside it, in mode l3d_shade::levels; else not a number
+    int row = 0, column = 0; ///< the quad of the grid that it lies beside
+    int side = 0; ///< which of its sides: p00 to p10, p10 to p11, p11 to p01, p01 to p00
 };
 
 /// A grid of micro-quads and loose triangles, drawn together.
@@ -30,6 +43,9 @@ struct L3D_PUBLIC l3d_surface_part {
     /// Where the blocks along v and along u begin.
     l3d_block_starts block_rows, block_columns;
     l3d_micro_triangles triangles; ///< what belongs to no grid
+    /// Where the surface ends or goes on in another part, for anti-aliasing. It may be known in
+    /// part or not at all: then pixels there are drawn in a slower way.
+    std::vector<l3d_border_edge> border;
     unsigned unseen = 0; ///< bit 4 * row + column: a block of the grid that nobody need draw
     std::uint32_t error_color = 0; ///< of everything in it, in mode `error`. A pixel word
 };

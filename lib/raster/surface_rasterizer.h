@@ -52,9 +52,10 @@ struct L3D_PUBLIC l3d_shading {
     /// rasterizer that cannot do it draws as without (l3d_surface_rasterizer::antialiases).
     bool antialias = false;
 
-    /// A pixel depends on what is drawn in pixels so near in x and y: edges are found by jumps from
-    /// one neighbour to the next, and by the shading before and behind.
-    int reach() const { return antialias ? 2 : 0; }
+    /// A pixel depends on what is drawn in pixels so near in x and y. A contour's other side is
+    /// shown by a neighbour, and its shading by that one's neighbour. Which contours divide these
+    /// two is told by the depths beside them.
+    int reach() const { return antialias ? 4 : 0; }
 
     friend bool operator==(const l3d_shading&, const l3d_shading&) = default;
 };

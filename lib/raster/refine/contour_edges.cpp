@@ -114,8 +114,8 @@ enum side : std::size_t { upper, right_side, lower, left_side };
 
 } // namespace
 
-const std::vector<contour_edge>& contour_edges::find(const band_list& list, const band_item& item,
-                                                     std::int32_t top, std::int32_t bottom) {
+std::span<const contour_edge> contour_edges::find(const band_list& list, const band_item& item,
+                                                  std::int32_t top, std::int32_t bottom) {
     edges_.clear();
     const grid_cells& cells = item.cells;
     if (cells.row_begin >= cells.row_end)

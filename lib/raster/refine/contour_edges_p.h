@@ -8,6 +8,7 @@
 #include "raster/surfaces/band_list_p.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace l3d_detail {
@@ -31,7 +32,7 @@ public:
     /// The edges of an item's quads that may reach into pixel rows [top, bottom): those on its
     /// upper and left ends are its own, those on the others are its neighbours'.
     /// Returns: valid until the next call.
-    const std::vector<contour_edge>& find(const band_list& list, const band_item& item,
+    std::span<const contour_edge> find(const band_list& list, const band_item& item,
                                           std::int32_t top, std::int32_t bottom);
 
 private:

@@ -52,10 +52,12 @@ struct level_row {
 };
 
 /// A bit for each of 64 places at which there is a jump from b to c.
+template <jump_rule Rule>
 HWY_INLINE std::uint64_t jumps_at(const std::uint8_t* a, const std::uint8_t* b,
                                   const std::uint8_t* c, const std::uint8_t* e) {
     const auto rest = [](auto rise, auto before, auto after) HWY_ATTR {
-        const auto steady = hn::Min(before, after);
+        const auto steady =
+            Rule == jump_rule::smooth ? hn::Max(before, after) : hn::Min(before, after);
         return hn::SaturatedSub(hn::SaturatedSub(rise, steady), steady);
     };
     const auto lanes = hn::Lanes(levels);
@@ -77,11 +79,14 @@ HWY_INLINE std::uint64_t jumps_at(const std::uint8_t* a, const std::uint8_t* b,
     return result;
 }
 
-void find_jumps(const l3d_pixels& picture, bool grey, const l3d_pixel_box& where,
-                level_jumps& jumps) {
+template <jump_rule Rule>
+HWY_INLINE void find_by(const l3d_pixels& picture, bool grey, const l3d_pixel_box& where,
+                        level_jumps& jumps) {
     const std::int32_t last = (where.right + side - 1) / side;
     for (int shift = 0; shift < (grey ? 8 : 24); shift += 8)
         for (std::int32_t w = where.left / side; w < last; ++w) {
+            // Beyond its right end, the picture goes on with its last column, jumps and all.
+            const std::uint64_t inside = pixel_bits::within(w, 0, picture.width);
             level_row rows[4]; // y - 1 to y + 2, that of row y in place y % 4
             const auto row = [&](std::int32_t y) -> level_row& { return rows[(y + 4) % 4]; };
             for (std::int32_t y = where.top - 1; y < where.top + 2; ++y)
@@ -90,11 +95,20 @@ void find_jumps(const l3d_pixels& picture, bool grey, const l3d_pixel_box& where
                 row(y + 2).load(picture, w * side, y + 2, shift);
                 const level_row& here = row(y);
                 jumps.right.row(y)[w] |=
-                    jumps_at(here.from(-1), here.from(0), here.from(1), here.from(2));
-                jumps.down.row(y)[w] |= jumps_at(row(y - 1).from(0), here.from(0),
-                                                 row(y + 1).from(0), row(y + 2).from(0));
+                    jumps_at<Rule>(here.from(-1), here.from(0), here.from(1), here.from(2));
+                jumps.down.row(y)[w] |=
+                    inside & jumps_at<Rule>(row(y - 1).from(0), here.from(0), row(y + 1).from(0),
+                                      row(y + 2).from(0));
             }
         }
+}
+
+void find_jumps(const l3d_pixels& picture, bool grey, jump_rule rule, const l3d_pixel_box& where,
+                level_jumps& jumps) {
+    if (rule == jump_rule::smooth)
+        find_by<jump_rule::smooth>(picture, grey, where, jumps);
+    else
+        find_by<jump_rule::any>(picture, grey, where, jumps);
 }
 
 } // namespace
@@ -107,10 +121,10 @@ namespace l3d_detail {
 
 L3D_SIMD_TABLE(find_jumps);
 
-void find_jumps(const l3d_pixels& picture, bool grey, const l3d_pixel_box& where,
+void find_jumps(const l3d_pixels& picture, bool grey, jump_rule rule, const l3d_pixel_box& where,
                 level_jumps& jumps) {
     if (!where.empty())
-        L3D_SIMD_CALL(find_jumps)(picture, grey, where, jumps);
+        L3D_SIMD_CALL(find_jumps)(picture, grey, rule, where, jumps);
 }
 
 } // namespace l3d_detail

@@ -15,6 +15,13 @@ namespace l3d_detail {
 /// refined.
 inline constexpr std::uint8_t jump_levels = 8;
 
+/// What steady shading explains: the differences before and behind, as far as these go the same
+/// way.
+enum class jump_rule {
+    any,   ///< the smaller of both: edges of facets count, too
+    smooth ///< the larger: surfaces are lit so that only their contours and cuts are edges
+};
+
 /// Jumps from pixels to their neighbours: on the right, and below.
 struct level_jumps {
     pixel_bits right, down;
@@ -29,12 +36,10 @@ struct level_jumps {
     }
 };
 
-/// Finds the jumps of the pixels of `where`, and perhaps of some beside them. Steady shading
-/// explains twice the smaller of the differences before and behind, as far as these go the same
-/// way.
+/// Finds the jumps of the pixels of `where`, and perhaps of some beside them.
 /// Expects: `where` lies inside the picture; all have the same size; the rows' bits are clear;
 ///          `grey`: the channels of all pixels are equal.
-void find_jumps(const l3d_pixels& picture, bool grey, const l3d_pixel_box& where,
+void find_jumps(const l3d_pixels& picture, bool grey, jump_rule rule, const l3d_pixel_box& where,
                 level_jumps& jumps);
 
 } // namespace l3d_detail

@@ -63,16 +63,22 @@ void picture_refiner::find_contours(const drawn_frame& frame, int band, worker_s
     const l3d_pixel_box drawn = frame.coarse.drawn_in(
         std::max(box.top - 1, frame.window.top), std::min(box.bottom + 1, frame.window.bottom));
     const l3d_pixel_box reached{drawn.left - 1, box.top, drawn.right + 1, box.bottom};
-    find_jumps(frame.target, is_grey(frame.shading.mode), reached.intersected(box), jumps_);
+    const jump_rule rule =
+        frame.shading.mode == l3d_shade::levels ? jump_rule::smooth : jump_rule::any;
+    find_jumps(frame.target, is_grey(frame.shading.mode), rule, reached.intersected(box), jumps_);
 
     contour_pixels& contours = each_band_[static_cast<std::size_t>(band)].contours;
     const drawn_depth depth(frame.depth.data(), frame.depth.pitch(), frame.window, frame.coarse);
     contours.begin(box);
+    space.borders.begin(box.top, box.bottom);
     for (const std::uint32_t index : frame.list.items(band)) {
         const band_item& item = frame.list.item(index);
         for (const contour_edge& edge : space.edges.find(frame.list, item, box.top, box.bottom))
             contours.add(edge, depth);
+        space.borders.add(item);
     }
+    for (const contour_edge& edge : space.borders.match())
+        contours.add(edge, depth);
     contours.finish(cuts_, contour_bits_);
 }
 

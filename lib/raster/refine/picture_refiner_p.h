@@ -5,6 +5,7 @@
 
 #include "raster/parallel/workers.h"
 #include "raster/refine/band_fragments_p.h"
+#include "raster/refine/border_edges_p.h"
 #include "raster/refine/contour_edges_p.h"
 #include "raster/refine/contour_pixels_p.h"
 #include "raster/refine/find_jumps_p.h"
@@ -58,6 +59,7 @@ private:
     };
     struct alignas(128) worker_space {
         contour_edges edges;
+        border_edges borders;
         band_fragments fragments;
         pixel_mixer mixer;
     };

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// l3d_note_border: an edge's segments and the quads beside them.
+#include "dice/edges/border.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+void l3d_note_border(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
+                     double t0, double t1) {
+    const l3d_micro_grid& grid = piece.part.grid;
+    const bool along_u = side < 2, at_end = side == 1 || side == 3;
+    // So the quad is on the right if its corners p00 p10 p11 p01 turn to the right.
+    const bool forward = side == 0 || side == 3;
+    const std::vector<double>& parameters = along_u ? piece.u : piece.v;
+    const double per_t = (parameters.back() - parameters.front()) / (t1 - t0);
+    const std::size_t first = edge.point_before(t0), last = edge.point_before(t1);
+    const int quads = static_cast<int>(parameters.size()) - 1;
+    const int across = at_end ? (along_u ? grid.rows : grid.columns) - 2 : 0;
+    constexpr int sides[] = {0, 2, 3, 1}; // v = 0, v = 1, u = 0, u = 1
+    const int side_of_quad = sides[side];
+    int quad = 0;
+    for (std::size_t i = first; i < last; ++i) {
+        const double middle =
+            parameters.front() + per_t * ((edge.t()[i] + edge.t()[i + 1]) / 2 - t0);
+        while (quad + 1 < quads && parameters[static_cast<std::size_t>(quad) + 1] <= middle)
+            ++quad;
+        const int row = along_u ? across : quad, column = along_u ? quad : across;
+        // The level of the grid's vertex on the side where the quad begins.
+        const std::size_t vertex = grid.index(row + (along_u && at_end ? 1 : 0),
+                                              column + (!along_u && at_end ? 1 : 0));
+        std::size_t from = i, to = i + 1;
+        if (!forward)
+            std::swap(from, to);
+        piece.part.border.push_back({edge.x()[from], edge.y()[from], edge.x()[to], edge.y()[to],
+                                     std::max(edge.inv_w()[from], edge.inv_w()[to]),
+                                     piece.has_levels ? grid.normal[0][vertex]
+                                                      : std::numeric_limits<float>::quiet_NaN(),
+                                     row, column, side_of_quad});
+    }
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// border_edges: a table of edges by their ends.
+#include "raster/refine/border_edges_p.h"
+
+#include "raster/refine/find_jumps_p.h"
+#include "raster/surfaces/quad_cut_p.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace l3d_detail {
+
+namespace {
+
+/// How a quad turns at one of its sides: 1 to the right, -1 to the left, 0 if it covers nothing.
+int turn_at(const l3d_micro_grid& grid, const l3d_border_edge& edge) {
+    const std::size_t p00 = grid.index(edge.row, edge.column);
+    const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
+    const quad_corners v{grid.vertex(p00), grid.vertex(p00 + 1), grid.vertex(p01 + 1),
+                         grid.vertex(p01)};
+    const quad_turns turns(v);
+    if (turns.level())
+        return 0;
+    if (!turns.folded())
+        return turns.area2() > 0 ? 1 : -1;
+    const auto side = static_cast<std::size_t>(edge.side);
+    const scan_point from = position(v[side]);
+    return cross(position(v[(side + 1) % 4]) - from, position(projective_centre(v)) - from) > 0
+               ? 1
+               : -1;
+}
+
+/// The same for both directions.
+std::uint32_t hash_of(const contour_edge& edge) {
+    const auto of = [](scan_point p) {
+        const std::uint32_t mixed = static_cast<std::uint32_t>(p.x) * 0x9e3779b1u +
+                                    static_cast<std::uint32_t>(p.y) * 0x85ebca77u;
+        return mixed ^ mixed >> 15;
+    };
+    return (of(edge.from) + of(edge.to)) * 0x9e3779b1u;
+}
+
+bool equal(scan_point a, scan_point b) {
+    return a.x == b.x && a.y == b.y;
+}
+
+} // namespace
+
+void border_edges::add(const band_item& item) {
+    const grid_cells& cells = item.cells;
+    for (const l3d_border_edge& e : item.part->border) {
+        if (e.row < cells.row_begin || e.row >= cells.row_end || e.column < cells.column_begin ||
+            e.column >= cells.column_end)
+            continue;
+        const auto [high, low] = std::minmax(e.from_y, e.to_y);
+        // A vertex on a pixel's border belongs to the pixel above.
+        if ((high - 1) >> l3d_subpixel_bits >= bottom_ || low >> l3d_subpixel_bits < top_ ||
+            (e.from_x == e.to_x && e.from_y == e.to_y))
+            continue;
+        const int turn = turn_at(item.part->grid, e);
+        if (turn == 0)
+            continue;
+        contour_edge edge{{e.from_x, e.from_y}, {e.to_x, e.to_y}, e.nearest};
+        if (turn < 0)
+            std::swap(edge.from, edge.to);
+        edges_.push_back({edge, e.level, kind::end});
+    }
+}
+
+std::span<const contour_edge> border_edges::match() {
+    contours_.clear();
+    if (edges_.empty())
+        return contours_;
+    const std::size_t places = std::bit_ceil(2 * edges_.size());
+    table_.assign(places, 0);
+    const int shift = 32 - std::countr_zero(places);
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+        border& here = edges_[i];
+        std::size_t at = hash_of(here.edge) >> shift;
+        for (;; at = (at + 1) % places) {
+            if (table_[at] == 0) {
+                table_[at] = static_cast<std::uint32_t>(i + 1);
+                break;
+            }
+            border& other = edges_[table_[at] - 1];
+            const bool along = equal(other.edge.from, here.edge.from) &&
+                               equal(other.edge.to, here.edge.to);
+            const bool against = equal(other.edge.from, here.edge.to) &&
+                                 equal(other.edge.to, here.edge.from);
+            if (!along && !against)
+                continue;
+            here.is = kind::inside; // the other one stands for both
+            if (along)
+                other.is = kind::fold;
+            else
+                other.is = std::abs(other.level - here.level) > jump_levels ? kind::crease
+                                                                            : kind::inside;
+            break;
+        }
+    }
+    // The two sides of a crease may both be nearer to the eye, by what depth changes in a pixel.
+    constexpr float in_front = 1 + 1.0f / 512;
+    for (border& b : edges_) {
+        if (b.is == kind::crease)
+            b.edge.nearest *= in_front;
+        if (b.is != kind::inside)
+            contours_.push_back(b.edge);
+    }
+    return contours_;
+}
+
+} // namespace l3d_detail

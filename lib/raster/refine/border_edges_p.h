@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// border_edges: the borders of parts at which a surface ends, folds over or has a crease.
+#ifndef L3D_RASTER_REFINE_BORDER_EDGES_P_H
+#define L3D_RASTER_REFINE_BORDER_EDGES_P_H
+
+#include "raster/refine/contour_edges_p.h"
+#include "raster/surfaces/band_list_p.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Finds out which borders of a band's parts are contours. Two parts that share an edge have the
+/// same vertices there, bit by bit. If both lie on the same side of it, the surface folds over.
+/// If they lie on either side, it goes on, and there is nothing to see unless their levels differ.
+/// Lives: of one worker, kept for its memory.
+class border_edges {
+public:
+    /// Starts pixel rows [top, bottom).
+    void begin(std::int32_t top, std::int32_t bottom) {
+        top_ = top;
+        bottom_ = bottom;
+        edges_.clear();
+    }
+
+    /// Adds the border beside an item's quads.
+    void add(const band_item& item);
+
+    /// The contours among all that was added. Returns: valid until the next call.
+    std::span<const contour_edge> match();
+
+private:
+    enum class kind : unsigned char { end, fold, inside, crease };
+    struct border {
+        contour_edge edge;
+        float level;
+        kind is;
+    };
+
+    std::int32_t top_ = 0, bottom_ = 0;
+    std::vector<border> edges_;
+    std::vector<std::uint32_t> table_; ///< 1 + index of an edge
+    std::vector<contour_edge> contours_;
+};
+
+} // namespace l3d_detail
+
+#endif
