@@ -15,11 +15,12 @@ std::int64_t fragment_polygon::area2() const {
     return cross(first, second);
 }
 
-void band_fragments::begin(const pixel_bits& bits, std::int32_t width, std::int32_t top,
-                           std::int32_t bottom) {
+void band_fragments::begin(const pixel_bits& bits, const drawn_depth& depth, std::int32_t width,
+                           std::int32_t top, std::int32_t bottom) {
     bits_ = &bits;
     band_ = {0, top, width, bottom};
     pixels_.clear();
+    farthest_.clear();
     before_.clear();
     polygons_.clear();
     pair_pixel_.clear();
@@ -34,6 +35,8 @@ void band_fragments::begin(const pixel_bits& bits, std::int32_t width, std::int3
                                        std::countr_zero(left),
                                    y});
         }
+    for (const pixel& p : pixels_)
+        farthest_.push_back(depth.farthest(p.x, p.y));
 }
 
 std::size_t band_fragments::index_of(std::int32_t x, std::int32_t y) const {
@@ -44,22 +47,60 @@ std::size_t band_fragments::index_of(std::int32_t x, std::int32_t y) const {
     return before_[row * bits_->row_words() + word] + static_cast<std::size_t>(bits_in(below));
 }
 
-void band_fragments::add(const l3d_surface_part& part, const grid_cells& cells, bool levels) {
+/// Rows of quads that reach no marked pixel are left out, then columns that no row has a mark in.
+void band_fragments::add(const band_list& list, const band_item& item, bool levels) {
+    const l3d_pixel_box box = item.box.intersected(band_);
+    if (box.empty() || !bits_->any(box))
+        return;
+    add_triangles(*item.part, item.triangle_begin, item.triangle_end);
+    columns_.assign(bits_->row_words(), 0);
+    for (int row = item.cells.row_begin; row < item.cells.row_end; ++row) {
+        // Rows are told by the centres that they may cover: one more on either side is reached.
+        const band_rows& reached = list.rows(item)[row - item.cells.row_begin];
+        const std::int32_t top = std::max(reached.top - 1, box.top);
+        const std::int32_t bottom = std::min(reached.bottom + 1, box.bottom);
+        std::uint64_t any = 0;
+        for (std::int32_t w = box.left / pixel_bits::word_pixels;
+             w * pixel_bits::word_pixels < box.right; ++w) {
+            std::uint64_t& columns = columns_[static_cast<std::size_t>(w)];
+            columns = 0;
+            for (std::int32_t y = top; y < bottom; ++y)
+                columns |= bits_->row(y)[w];
+            any |= columns &= pixel_bits::within(w, box.left, box.right);
+        }
+        if (any != 0)
+            add_row(*item.part, item.cells, row, levels);
+    }
+}
+
+void band_fragments::add_row(const l3d_surface_part& part, const grid_cells& cells, int row,
+                             bool levels) {
     const l3d_micro_grid& grid = part.grid;
     const auto pitch = static_cast<std::size_t>(grid.pitch);
     const auto box_of = [pitch](const std::int32_t* at) {
         return std::pair(std::min(std::min(at[0], at[1]), std::min(at[pitch], at[pitch + 1])),
                          std::max(std::max(at[0], at[1]), std::max(at[pitch], at[pitch + 1])));
     };
-    for (int row = cells.row_begin; row < cells.row_end; ++row)
-        for (int column = cells.column_begin; column < cells.column_end; ++column) {
-            const std::size_t p00 = grid.index(row, column);
-            const auto [left, right] = box_of(grid.x.data() + p00);
-            const auto [top, bottom] = box_of(grid.y.data() + p00);
-            const l3d_pixel_box box = squares_in({left, top, right, bottom}).intersected(band_);
-            if (!box.empty() && bits_->any(box))
-                add_quad(part, p00, box, levels);
-        }
+    const auto in_columns = [&](const l3d_pixel_box& box) {
+        std::uint64_t any = 0;
+        for (std::int32_t w = box.left / pixel_bits::word_pixels;
+             w * pixel_bits::word_pixels < box.right; ++w)
+            any |= columns_[static_cast<std::size_t>(w)] &
+                   pixel_bits::within(w, box.left, box.right);
+        return any != 0;
+    };
+    for (int column = cells.column_begin; column < cells.column_end; ++column) {
+        const std::size_t p00 = grid.index(row, column);
+        const auto [left, right] = box_of(grid.x.data() + p00);
+        const l3d_pixel_box wide =
+            squares_in({left, 0, right, 0}).intersected({band_.left, 0, band_.right, 0});
+        if (wide.left >= wide.right || !in_columns(wide))
+            continue;
+        const auto [top, bottom] = box_of(grid.y.data() + p00);
+        const l3d_pixel_box box = squares_in({left, top, right, bottom}).intersected(band_);
+        if (!box.empty() && bits_->any(box))
+            add_quad(part, p00, box, levels);
+    }
 }
 
 void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
@@ -82,7 +123,8 @@ void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
         cut_folded(corners, add_piece);
 }
 
-void band_fragments::add(const l3d_surface_part& part, std::size_t first, std::size_t last) {
+void band_fragments::add_triangles(const l3d_surface_part& part, std::size_t first,
+                                   std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
         const std::array corners{part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
                                  part.triangles.vertex(i, 2)};
@@ -124,7 +166,10 @@ void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners,
     const auto name = static_cast<std::uint32_t>(polygons_.size());
     const std::size_t pairs = pair_pixel_.size();
     bits_->for_each_in(box, [&](std::int32_t x, std::int32_t y) {
-        pair_pixel_.push_back(static_cast<std::uint32_t>(index_of(x, y)));
+        const std::size_t pixel = index_of(x, y);
+        if (polygon.nearest < farthest_[pixel])
+            return;
+        pair_pixel_.push_back(static_cast<std::uint32_t>(pixel));
         pair_polygon_.push_back(name);
         pair_x_.push_back(x);
         pair_y_.push_back(y);

@@ -5,7 +5,8 @@
 
 #include "raster/refine/pixel_bits_p.h"
 #include "raster/surface_part.h"
-#include "raster/surfaces/band_cells_p.h"
+#include "raster/refine/drawn_depth_p.h"
+#include "raster/surfaces/band_list_p.h"
 
 #include <array>
 #include <cstddef>
@@ -38,12 +39,13 @@ struct fragment_polygon {
 class band_fragments {
 public:
     /// Starts rows [top, bottom) of a picture. Expects: bits outlive the band.
-    void begin(const pixel_bits& bits, std::int32_t width, std::int32_t top, std::int32_t bottom);
+    void begin(const pixel_bits& bits, const drawn_depth& depth, std::int32_t width,
+               std::int32_t top, std::int32_t bottom);
 
-    /// Adds those of a part's quads, or of its triangles, that reach a marked pixel. Folded quads
-    /// come in pieces; `levels`: those of mode l3d_shade::levels.
-    void add(const l3d_surface_part& part, const grid_cells& cells, bool levels);
-    void add(const l3d_surface_part& part, std::size_t first, std::size_t last);
+    /// Adds those of an item's quads and triangles that reach a marked pixel and are no farther
+    /// than all that was drawn there and around. Folded quads come in pieces; `levels`: those of
+    /// mode l3d_shade::levels.
+    void add(const band_list& list, const band_item& item, bool levels);
 
     /// Sorts the pairs by pixel; those of one pixel stay in their order.
     void sort();
@@ -52,6 +54,10 @@ public:
         std::int32_t x, y;
     };
     std::span<const pixel> pixels() const { return pixels_; }
+
+    /// Whether something was drawn in pixel i and in all around it. Then what is left empty by the
+    /// polygons is no background: they are not all here.
+    bool closed(std::size_t i) const { return farthest_[i] > 0; }
 
     /// Pairs come polygon by polygon. Pair i belongs to the pixel at pair_x()[i], pair_y()[i], and
     /// to polygon polygon_of(i). A whole vector may be read from each pair on.
@@ -68,6 +74,8 @@ public:
     std::span<const fragment_polygon> polygons() const { return polygons_; }
 
 private:
+    void add_row(const l3d_surface_part& part, const grid_cells& cells, int row, bool levels);
+    void add_triangles(const l3d_surface_part& part, std::size_t first, std::size_t last);
     void add_quad(const l3d_surface_part& part, std::size_t p00, const l3d_pixel_box& box,
                   bool levels);
     void add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t error_color,
@@ -78,6 +86,8 @@ private:
     const pixel_bits* bits_ = nullptr;
     l3d_pixel_box band_;
     std::vector<pixel> pixels_;
+    std::vector<float> farthest_; ///< what was drawn in each of these and around it
+    std::vector<std::uint64_t> columns_; ///< marked in any row that some quads may reach
     std::vector<std::uint32_t> before_; ///< marked pixels before each word of bits of the band
     std::vector<fragment_polygon> polygons_;
     std::vector<std::uint32_t> pair_pixel_, pair_polygon_;

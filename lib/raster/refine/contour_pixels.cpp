@@ -22,25 +22,6 @@ std::uint32_t name_of(scan_point vertex) {
 
 } // namespace
 
-float drawn_depth::at(std::int32_t x, std::int32_t y) const {
-    return coarse_->drawn_at(x, y) ? first_[y * pitch_ + x] : 0.0f;
-}
-
-bool drawn_depth::hides(std::int32_t x, std::int32_t y, float inv_w) const {
-    const std::int32_t left = std::max(x - 1, window_.left), top = std::max(y - 1, window_.top);
-    const std::int32_t right = std::min(x + 1, window_.right - 1);
-    const std::int32_t bottom = std::min(y + 1, window_.bottom - 1);
-    constexpr std::int32_t width = depth_tile::width, height = depth_tile::height;
-    const bool one_tile = left / width == right / width && top / height == bottom / height;
-    if (one_tile && !coarse_->drawn_at(x, y))
-        return false;
-    for (std::int32_t row = top; row <= bottom; ++row)
-        for (std::int32_t column = left; column <= right; ++column)
-            if (inv_w > (one_tile ? first_[row * pitch_ + column] : at(column, row)))
-                return false;
-    return true;
-}
-
 /// Places are moved to the left and up by 2^-13 pixels. So no vertex is on a pixel's border, nor on
 /// a line through centres: what is on these belongs where the fill rule says.
 void contour_pixels::add(const contour_edge& edge, const drawn_depth& depth) {

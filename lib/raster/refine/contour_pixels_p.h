@@ -4,8 +4,8 @@
 #define L3D_RASTER_REFINE_CONTOUR_PIXELS_P_H
 
 #include "raster/refine/contour_edges_p.h"
+#include "raster/refine/drawn_depth_p.h"
 #include "raster/refine/pixel_bits_p.h"
-#include "raster/surfaces/coarse_depth_p.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,26 +28,6 @@ struct contour_cuts {
         for (pixel_bits* const of : {&up, &down, &left, &right})
             of->clear(top, bottom);
     }
-};
-
-/// The depths of a picture that has been drawn. Where nothing was, they are not defined.
-class drawn_depth {
-public:
-    drawn_depth() = default;
-    drawn_depth(const float* first, std::ptrdiff_t pitch, const l3d_pixel_box& window,
-                const coarse_depth& coarse)
-        : first_(first), pitch_(pitch), window_(window), coarse_(&coarse) {}
-
-    /// Whether all pixels around one, and itself, show what is nearer than `inv_w`.
-    bool hides(std::int32_t x, std::int32_t y, float inv_w) const;
-
-private:
-    float at(std::int32_t x, std::int32_t y) const;
-
-    const float* first_ = nullptr;
-    std::ptrdiff_t pitch_ = 0;
-    l3d_pixel_box window_;
-    const coarse_depth* coarse_ = nullptr;
 };
 
 /// A pixel that contours pass through, all taken together.

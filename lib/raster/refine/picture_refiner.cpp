@@ -99,29 +99,39 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
     }
 }
 
-/// Marks both sides of jumps between pixels that no contour divides.
+/// Marks both sides of jumps between pixels that no contour divides. Beside a fold, the shading of
+/// a surface that bends away is steep: jumps at a pixel of one contour are its own.
 void picture_refiner::mark_others(const drawn_frame& frame, const l3d_pixel_box& box) {
     const std::size_t words = others_.row_words();
     constexpr int last = pixel_bits::word_pixels - 1;
+    const bool smooth = frame.shading.mode == l3d_shade::levels;
+    const auto steep = [&](std::int32_t y, std::size_t w) -> std::uint64_t {
+        return smooth ? contour_bits_.row(y)[w] : 0;
+    };
+    /// The jumps of row y to the next one that nothing explains.
+    const auto down_from = [&](std::int32_t y, std::size_t w) -> std::uint64_t {
+        const std::uint64_t jumps = jumps_.down.row(y)[w];
+        if (jumps == 0 || y + 1 >= frame.window.bottom)
+            return 0;
+        return jumps & ~(cuts_.down.row(y)[w] ^ cuts_.up.row(y + 1)[w]) & ~steep(y, w) &
+               ~steep(y + 1, w);
+    };
     for (std::int32_t y = box.top; y < box.bottom; ++y) {
         std::uint64_t* const to = others_.row(y);
         for (std::size_t w = 0; w < words; ++w) {
-            std::uint64_t down = jumps_.down.row(y)[w], above = 0;
-            if (down != 0 && y + 1 < frame.window.bottom)
-                down &= ~(cuts_.down.row(y)[w] ^ cuts_.up.row(y + 1)[w]);
-            if (y > frame.window.top)
-                above = jumps_.down.row(y - 1)[w];
-            if (above != 0)
-                above &= ~(cuts_.down.row(y - 1)[w] ^ cuts_.up.row(y)[w]);
+            const std::uint64_t above = y > frame.window.top ? down_from(y - 1, w) : 0;
             std::uint64_t right = jumps_.right.row(y)[w];
             if (right != 0) {
+                const bool ends = w + 1 == words;
                 const std::uint64_t* const left = cuts_.left.row(y) + w;
-                const std::uint64_t next = left[0] >> 1 | (w + 1 < words ? left[1] << last : 0);
-                right &= ~(cuts_.right.row(y)[w] ^ next);
+                const std::uint64_t next_cuts = left[0] >> 1 | (ends ? 0 : left[1] << last);
+                const std::uint64_t next_steep =
+                    steep(y, w) >> 1 | (ends ? 0 : steep(y, w + 1) << last);
+                right &= ~(cuts_.right.row(y)[w] ^ next_cuts) & ~steep(y, w) & ~next_steep;
             }
-            // The last row of words goes on beyond the picture with its last column.
+            // The last words of rows go on beyond the picture with its last column.
             const auto first = static_cast<std::int32_t>(w);
-            to[w] |= (down | above | right | right << 1) &
+            to[w] |= (down_from(y, w) | above | right | right << 1) &
                      pixel_bits::within(first, 0, frame.target.width);
             if (w + 1 < words)
                 to[w + 1] |= right >> last; // a pixel of the picture: none jumps to beyond its end
@@ -131,18 +141,13 @@ void picture_refiner::mark_others(const drawn_frame& frame, const l3d_pixel_box&
 
 void picture_refiner::resolve(const drawn_frame& frame, int band, worker_space& space) {
     const l3d_pixel_box box = box_of_band(frame, band);
-    space.fragments.begin(others_, frame.target.width, box.top, box.bottom);
+    const drawn_depth depth(frame.depth.data(), frame.depth.pitch(), frame.window, frame.coarse);
+    space.fragments.begin(others_, depth, frame.target.width, box.top, box.bottom);
     if (space.fragments.pixels().empty())
         return;
     const bool levels = frame.shading.mode == l3d_shade::levels;
-    for (const std::uint32_t index : frame.list.items(band)) {
-        const band_item& item = frame.list.item(index);
-        if (!others_.any(item.box.intersected(box)))
-            continue;
-        if (item.triangle_begin < item.triangle_end)
-            space.fragments.add(*item.part, item.triangle_begin, item.triangle_end);
-        space.fragments.add(*item.part, item.cells, levels);
-    }
+    for (const std::uint32_t index : frame.list.items(band))
+        space.fragments.add(frame.list, frame.list.item(index), levels);
     space.fragments.sort();
     auto& refined = each_band_[static_cast<std::size_t>(band)].refined;
     space.mixer.draw(space.fragments, frame.shading);

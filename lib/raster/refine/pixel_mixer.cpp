@@ -57,12 +57,12 @@ void pixel_mixer::draw_by(Shader shader, const band_fragments& band) {
         collect(band, i);
         hide();
         light_sum light;
-        if (!mix(shader, band, corner, light)) {
+        if (!mix(shader, band, corner, band.closed(i), light)) {
             ++sampled_;
             sampler_.begin(corner);
             for (const fragment& f : fragments_)
                 sampler_.add(band.polygons()[f.polygon]);
-            light = sampler_.light(shader);
+            light = sampler_.light(shader, band.closed(i));
         }
         words_.push_back(light.word(tables));
     }
@@ -142,7 +142,7 @@ light_sum pixel_mixer::light_of(Shader& shader, const band_fragments& band, cons
 /// False if the areas do not tell enough.
 template <class Shader>
 bool pixel_mixer::mix(Shader& shader, const band_fragments& band, scan_point corner,
-                      light_sum& light) {
+                      bool closed, light_sum& light) {
     std::uint64_t seen = 0;
     std::array<float, 2> of_slivers{};
     float known = 0;
@@ -159,16 +159,16 @@ bool pixel_mixer::mix(Shader& shader, const band_fragments& band, scan_point cor
     // Slivers of both turns may lie before each other.
     if (of_slivers[0] > 0 && of_slivers[1] > 0 && of_slivers[0] + of_slivers[1] > harmless_area)
         return false;
-    return add_rest(shader, band, corner, known, seen, light);
+    return add_rest(shader, band, corner, closed, known, seen, light);
 }
 
 /// Adds what shares the area that is not known: polygons that are hidden in part, and the empty
 /// background.
 template <class Shader>
 bool pixel_mixer::add_rest(Shader& shader, const band_fragments& band, scan_point corner,
-                           float known, std::uint64_t seen, light_sum& light) {
+                           bool closed, float known, std::uint64_t seen, light_sum& light) {
     const float rest = 1 - known;
-    const int empty = bits_in(~seen);
+    const int empty = closed ? 0 : bits_in(~seen);
     light_sum sum;
     float least = 1, most = 0;
     int samples = empty;
@@ -185,7 +185,7 @@ bool pixel_mixer::add_rest(Shader& shader, const band_fragments& band, scan_poin
         most = std::max(most, *std::ranges::max_element(here.of));
     }
     if (samples == 0) {
-        if (std::abs(rest) > harmless_area / 4)
+        if (std::abs(rest) > harmless_area / 4 && !(closed && known > 0.5f && rest > 0))
             return false;
         light_sum whole;
         whole.add(light, 1 / known);

@@ -51,10 +51,11 @@ private:
     std::uint64_t nearer_samples(const fragment& one, const fragment& other) const;
     bool is_hidden(const fragment& sliver) const;
     template <class Shader>
-    bool mix(Shader& shader, const band_fragments& band, scan_point corner, light_sum& light);
+    bool mix(Shader& shader, const band_fragments& band, scan_point corner, bool closed,
+             light_sum& light);
     template <class Shader>
-    bool add_rest(Shader& shader, const band_fragments& band, scan_point corner, float known,
-                  std::uint64_t seen, light_sum& light);
+    bool add_rest(Shader& shader, const band_fragments& band, scan_point corner, bool closed,
+                  float known, std::uint64_t seen, light_sum& light);
     template <class Shader>
     light_sum light_of(Shader& shader, const band_fragments& band, const fragment& of,
                        scan_point corner) const;

@@ -28,7 +28,8 @@ public:
     /// Of polygons that are equally near, the one that was added first is seen.
     void add(const fragment_polygon& polygon);
 
-    template <class Shader> light_sum light(Shader& shader);
+    /// `closed`: samples that no polygon covers show what the others do.
+    template <class Shader> light_sum light(Shader& shader, bool closed);
 
 private:
     struct fragment {
@@ -42,19 +43,26 @@ private:
     std::vector<fragment> fragments_; ///< nearest corner first
 };
 
-template <class Shader> light_sum sampled_pixel::light(Shader& shader) {
+template <class Shader> light_sum sampled_pixel::light(Shader& shader, bool closed) {
     hide();
     light_sum sum;
+    float covered = 0;
     for (const fragment& f : fragments_) {
         const coverage_moments m = moments_of(f.seen);
         if (m.count == 0)
             continue;
+        const float share = static_cast<float>(m.count) / sample_pattern::count;
+        covered += share;
         const double half_each = 0.5 / m.count;
         sum.add(
             light_at(shader, *f.polygon, corner_.x + half_each * m.x, corner_.y + half_each * m.y),
-            static_cast<float>(m.count) / sample_pattern::count);
+            share);
     }
-    return sum;
+    if (!closed || covered <= 0)
+        return sum;
+    light_sum all;
+    all.add(sum, 1 / covered);
+    return all;
 }
 
 } // namespace l3d_detail

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// drawn_depth: what is hidden in a picture that has been drawn.
+#ifndef L3D_RASTER_REFINE_DRAWN_DEPTH_P_H
+#define L3D_RASTER_REFINE_DRAWN_DEPTH_P_H
+
+#include "raster/surfaces/coarse_depth_p.h"
+#include "tool_2d/pixels.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace l3d_detail {
+
+/// The depths of a picture that has been drawn. Where nothing was, they are not defined.
+class drawn_depth {
+public:
+    drawn_depth() = default;
+    drawn_depth(const float* first, std::ptrdiff_t pitch, const l3d_pixel_box& window,
+                const coarse_depth& coarse)
+        : first_(first), pitch_(pitch), window_(window), coarse_(&coarse) {}
+
+    /// The farthest depth of a pixel and those around it; 0 if nothing is in one of them.
+    float farthest(std::int32_t x, std::int32_t y) const;
+
+    /// Whether all pixels around one, and itself, show what is nearer than `inv_w`.
+    bool hides(std::int32_t x, std::int32_t y, float inv_w) const;
+
+private:
+    float at(std::int32_t x, std::int32_t y) const;
+
+    const float* first_ = nullptr;
+    std::ptrdiff_t pitch_ = 0;
+    l3d_pixel_box window_;
+    const coarse_depth* coarse_ = nullptr;
+};
+
+} // namespace l3d_detail
+
+#endif
