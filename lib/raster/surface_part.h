@@ -27,10 +27,10 @@ struct L3D_PUBLIC l3d_block_starts {
 /// picture, if that quad's corners p00 p10 p11 p01 turn to the right there.
 struct L3D_PUBLIC l3d_border_edge {
     std::int32_t from_x = 0, from_y = 0, to_x = 0, to_y = 0; ///< its ends
-    float nearest = 0;       ///< of both ends' inv_w
-    float level = 0;         ///< of the light beside it, in mode l3d_shade::levels; else not a number
+    float nearest = 0;                                       ///< of both ends' inv_w
+    float level = 0; ///< of the light beside it, in mode l3d_shade::levels; else not a number
     int row = 0, column = 0; ///< the quad of the grid that it lies beside
-    int side = 0; ///< which of its sides: p00 to p10, p10 to p11, p11 to p01, p01 to p00
+    int side = 0;            ///< which of its sides: p00 to p10, p10 to p11, p11 to p01, p01 to p00
 };
 
 /// A grid of micro-quads and loose triangles, drawn together.

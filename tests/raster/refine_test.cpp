@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Anti-aliasing: against a picture of 16 x 16 times the pixels, and against exact areas.
 #include "raster/refine/linear_light_p.h"
+#include "raster/refine/sample_pattern_p.h"
 #include "surface_scene.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <random>
 
 namespace {
 
 using l3d_detail::light_of_level;
+using l3d_detail::scan_point;
 
 constexpr int fine = 16; ///< samples of a pixel along x and along y
 
@@ -76,8 +80,8 @@ public:
     }
 
     static double level_of_light(double light) {
-        return 255 * (light <= 0.0031308 ? 12.92 * light
-                                         : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
+        return 255 *
+               (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
     }
 
 private:
@@ -107,23 +111,133 @@ TEST(Refine, DrawsWhatTheSlowTwinDraws) {
     for (const l3d_shade mode : {l3d_shade::gouraud, l3d_shade::flat, l3d_shade::levels})
         for (unsigned n = 0; n < 6; ++n) {
             const surface_parts scene = random_scene(scene_seed + n, size, 6);
-            surface_picture drawn(size.width, size.height, 2);
+            surface_picture drawn(size.width, size.height, 2), stairs(size.width, size.height, 2);
             draw(drawn, scene, antialiased(mode));
+            draw(stairs, scene, scene_shading(mode));
             slow_picture slow(scene, size, mode);
-            share_errors errors;
-            int far = 0;
+            share_errors errors, of_stairs;
             for (int y = 0; y < size.height; ++y)
                 for (int x = 0; x < size.width; ++x) {
                     const auto exact = slow.at(x, y);
-                    const int level = int(drawn.word(x, y) & 255);
-                    errors.add(level, exact);
-                    if (std::abs(level - exact.level) > 30)
-                    far += std::abs(level - exact.level) > 30;
+                    errors.add(int(drawn.word(x, y) & 255), exact);
+                    of_stairs.add(int(stairs.word(x, y) & 255), exact);
                 }
-            printf("mode %d n %u outlines %d rms %.4f largest %.3f far %d\n", int(mode), n,
-                   errors.outlines, errors.rms(), errors.largest, far);
-            EXPECT_LT(errors.rms(), 1.0 / 4);
+            SCOPED_TRACE(testing::Message() << "mode " << int(mode) << ", seed " << n);
+            ASSERT_GT(errors.outlines, 100);
+            // Here and there shading jumps from facet to facet by less than what counts as an edge,
+            // and no centre sees what is thinner than a pixel.
+            EXPECT_LT(errors.rms(), 0.15);
+            EXPECT_LT(errors.rms(), 0.5 * of_stairs.rms());
         }
+}
+
+/// A sheet that is folded along the line from `a` to `b`, lit alike everywhere, and its two borders
+/// far away on the right of that way.
+l3d_surface_part folded_at(scan_point a, scan_point b, int rows) {
+    const scan_point across{(a.y - b.y), (b.x - a.x)};
+    l3d_micro_grid grid;
+    grid.resize(3, rows + 1);
+    for (int row = 0; row <= rows; ++row)
+        for (int column = 0; column < 3; ++column) {
+            const bool at_fold = column == 1;
+            const std::int32_t x = a.x + (b.x - a.x) * row / rows,
+                               y = a.y + (b.y - a.y) * row / rows;
+            surface_picture::set(grid, row, column,
+                                 {at_fold ? x : x + across.x,
+                                  at_fold ? y : y + across.y,
+                                  column == 0   ? 0.6f
+                                  : column == 1 ? 0.5f
+                                                : 0.4f,
+                                  {100.25f, 0, 0}});
+        }
+    return part_of(grid);
+}
+
+/// The part of a pixel that is on the right of a line, seen in the picture.
+double area_right_of(scan_point a, scan_point b, int x, int y) {
+    // Rows of a 512th of a pixel: each is cut by a straight line, in the mean exactly.
+    constexpr int rows = 512;
+    double sum = 0;
+    for (int row = 0; row < rows; ++row) {
+        const double at_y = 256 * (y + (row + 0.5) / rows);
+        const double at_x = a.x + (at_y - a.y) * (b.x - a.x) / double(b.y - a.y);
+        const double left = std::clamp(at_x / 256 - x, 0.0, 1.0);
+        sum += b.y < a.y ? 1 - left : left;
+    }
+    return sum / rows;
+}
+
+TEST(Refine, AFoldHasItsExactShareOfEachPixel) {
+    constexpr l3d_size size{48, 32};
+    std::mt19937 random(scene_seed);
+    const auto number = [&](int least, int most) {
+        return std::uniform_int_distribution<int>(least, most)(random);
+    };
+    surface_picture picture(size.width, size.height, 1);
+    const double surface = light_of_level(std::round(25.5 + 100.25));
+    int between = 0;
+    for (int n = 0; n < 300; ++n) {
+        // From below the picture to above it, and back.
+        scan_point a{number(0, 256 * size.width), 256 * size.height + number(3000, 6000)};
+        scan_point b{number(0, 256 * size.width), -number(3000, 6000)};
+        if (n % 2 != 0)
+            std::swap(a, b);
+        const int rows = number(1, 12);
+        if (a.y - b.y == 0 || (a.y - b.y) % rows != 0 || (a.x - b.x) % rows != 0)
+            b.y = a.y + (b.y - a.y) / rows * rows, b.x = a.x + (b.x - a.x) / rows * rows;
+        draw(picture, {folded_at(a, b, rows)}, antialiased(l3d_shade::levels));
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                const double area = area_right_of(a, b, x, y);
+                between += area > 0.01 && area < 0.99;
+                const double shown = light_of_level(picture.word(x, y) & 255) / surface;
+                // Half a level of 126 is 2.4 / 2 / 126 of its light.
+                ASSERT_NEAR(shown, area, 1.0 / 100) << n << ": " << x << ", " << y;
+            }
+    }
+    EXPECT_GT(between, 5000);
+}
+
+TEST(Refine, LevelsComeBackFromLight) {
+    const l3d_detail::linear_light& tables = l3d_detail::linear_light_tables();
+    for (std::uint32_t level = 0; level < 256; ++level)
+        EXPECT_EQ(tables.level(tables.light(level)), level);
+    for (int i = 0; i < 2550; ++i) {
+        const double level = i / 10.0;
+        if (i % 10 != 5)
+            EXPECT_EQ(tables.level(float(light_of_level(level))), std::uint32_t(level + 0.5)) << i;
+    }
+}
+
+TEST(Refine, SamplesTellAreasOfHalfPlanes) {
+    using pattern = l3d_detail::sample_pattern;
+    double largest = 0;
+    for (int direction = 0; direction < 180; ++direction) {
+        const double angle = direction * 3.14159265358979 / 180;
+        const double nx = std::cos(angle), ny = std::sin(angle);
+        for (int step = -70; step <= 70; ++step) {
+            const double at = step / 100.0; // of the line from the pixel's middle
+            int inside = 0;
+            for (std::size_t row = 0; row < pattern::rows; ++row)
+                for (std::size_t column = 0; column < pattern::columns; ++column)
+                    inside += nx * (pattern::x(row, column) / 512.0 - 0.5) +
+                                  ny * (pattern::y(row, column) / 512.0 - 0.5) <
+                              at;
+            constexpr int fine_rows = 2000;
+            double area = 0;
+            for (int row = 0; row < fine_rows; ++row) {
+                // Along the axis that the line crosses, so that nothing is divided by 0.
+                const bool along_x = std::abs(nx) > std::abs(ny);
+                const double other = (row + 0.5) / fine_rows - 0.5;
+                const double slope = along_x ? nx : ny, rest = along_x ? ny : nx;
+                const double end = (at - rest * other) / slope;
+                const double below = std::clamp(end + 0.5, 0.0, 1.0);
+                area += (slope > 0 ? below : 1 - below) / fine_rows;
+            }
+            largest = std::max(largest, std::abs(inside / double(pattern::count) - area));
+        }
+    }
+    EXPECT_LT(largest, 1.25 / 64);
 }
 
 } // namespace

@@ -28,15 +28,15 @@ void l3d_note_border(l3d_diced_piece& piece, std::size_t side, const l3d_edge_po
             ++quad;
         const int row = along_u ? across : quad, column = along_u ? quad : across;
         // The level of the grid's vertex on the side where the quad begins.
-        const std::size_t vertex = grid.index(row + (along_u && at_end ? 1 : 0),
-                                              column + (!along_u && at_end ? 1 : 0));
+        const std::size_t vertex =
+            grid.index(row + (along_u && at_end ? 1 : 0), column + (!along_u && at_end ? 1 : 0));
         std::size_t from = i, to = i + 1;
         if (!forward)
             std::swap(from, to);
-        piece.part.border.push_back({edge.x()[from], edge.y()[from], edge.x()[to], edge.y()[to],
-                                     std::max(edge.inv_w()[from], edge.inv_w()[to]),
-                                     piece.has_levels ? grid.normal[0][vertex]
-                                                      : std::numeric_limits<float>::quiet_NaN(),
-                                     row, column, side_of_quad});
+        piece.part.border.push_back(
+            {edge.x()[from], edge.y()[from], edge.x()[to], edge.y()[to],
+             std::max(edge.inv_w()[from], edge.inv_w()[to]),
+             piece.has_levels ? grid.normal[0][vertex] : std::numeric_limits<float>::quiet_NaN(),
+             row, column, side_of_quad});
     }
 }

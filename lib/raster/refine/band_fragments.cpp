@@ -85,8 +85,8 @@ void band_fragments::add_row(const l3d_surface_part& part, const grid_cells& cel
         std::uint64_t any = 0;
         for (std::int32_t w = box.left / pixel_bits::word_pixels;
              w * pixel_bits::word_pixels < box.right; ++w)
-            any |= columns_[static_cast<std::size_t>(w)] &
-                   pixel_bits::within(w, box.left, box.right);
+            any |=
+                columns_[static_cast<std::size_t>(w)] & pixel_bits::within(w, box.left, box.right);
         return any != 0;
     };
     for (int column = cells.column_begin; column < cells.column_end; ++column) {

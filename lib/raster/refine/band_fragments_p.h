@@ -86,9 +86,9 @@ private:
     const pixel_bits* bits_ = nullptr;
     l3d_pixel_box band_;
     std::vector<pixel> pixels_;
-    std::vector<float> farthest_; ///< what was drawn in each of these and around it
+    std::vector<float> farthest_;        ///< what was drawn in each of these and around it
     std::vector<std::uint64_t> columns_; ///< marked in any row that some quads may reach
-    std::vector<std::uint32_t> before_; ///< marked pixels before each word of bits of the band
+    std::vector<std::uint32_t> before_;  ///< marked pixels before each word of bits of the band
     std::vector<fragment_polygon> polygons_;
     std::vector<std::uint32_t> pair_pixel_, pair_polygon_;
     std::vector<std::int32_t> pair_x_, pair_y_;

@@ -85,18 +85,18 @@ std::span<const contour_edge> border_edges::match() {
                 break;
             }
             border& other = edges_[table_[at] - 1];
-            const bool along = equal(other.edge.from, here.edge.from) &&
-                               equal(other.edge.to, here.edge.to);
-            const bool against = equal(other.edge.from, here.edge.to) &&
-                                 equal(other.edge.to, here.edge.from);
+            const bool along =
+                equal(other.edge.from, here.edge.from) && equal(other.edge.to, here.edge.to);
+            const bool against =
+                equal(other.edge.from, here.edge.to) && equal(other.edge.to, here.edge.from);
             if (!along && !against)
                 continue;
             here.is = kind::inside; // the other one stands for both
             if (along)
                 other.is = kind::fold;
             else
-                other.is = std::abs(other.level - here.level) > jump_levels ? kind::crease
-                                                                            : kind::inside;
+                other.is =
+                    std::abs(other.level - here.level) > jump_levels ? kind::crease : kind::inside;
             break;
         }
     }

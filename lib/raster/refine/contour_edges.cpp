@@ -68,8 +68,7 @@ void turns_of_row(const l3d_micro_grid& grid, int row, int begin, int end, std::
         float_lanes least = hn::Zero(floats), most = hn::Zero(floats);
         for (std::size_t i = 0; i < 4; ++i) {
             const std::size_t next = (i + 1) % 4;
-            const float_lanes turn =
-                hn::Sub(hn::Mul(dx[i], dy[next]), hn::Mul(dy[i], dx[next]));
+            const float_lanes turn = hn::Sub(hn::Mul(dx[i], dy[next]), hn::Mul(dy[i], dx[next]));
             least = hn::Min(least, turn);
             most = hn::Max(most, turn);
         }
@@ -127,7 +126,7 @@ std::span<const contour_edge> contour_edges::find(const band_list& list, const b
         of.assign(2 * words, 0);
         if (row >= 0)
             L3D_SIMD_CALL(turns_of_row)
-            (grid, row, begin, cells.column_end, of.data(), of.data() + words);
+        (grid, row, begin, cells.column_end, of.data(), of.data() + words);
     };
     int filled = -1; // the row whose turns are in here_
     for (int row = cells.row_begin; row < cells.row_end; ++row) {
@@ -149,7 +148,8 @@ std::span<const contour_edge> contour_edges::find(const band_list& list, const b
 void contour_edges::add_row(const l3d_micro_grid& grid, const grid_cells& cells, int row) {
     const std::size_t words = here_.size() / 2;
     const std::uint64_t *const right = here_.data(), *const folded = right + words;
-    const std::uint64_t *const right_above = above_.data(), *const folded_above = right_above + words;
+    const std::uint64_t *const right_above = above_.data(), *const folded_above =
+                                                                right_above + words;
     const auto turns = [&](int of_row, int column, std::size_t side) {
         const bool is_here = of_row == row;
         if (!has(is_here ? folded : folded_above, column))
@@ -159,15 +159,13 @@ void contour_edges::add_row(const l3d_micro_grid& grid, const grid_cells& cells,
     };
     for (int word = cells.column_begin / word_bits; word * word_bits < cells.column_end; ++word) {
         const auto w = static_cast<std::size_t>(word);
-        const std::uint64_t inside =
-            pixel_bits::within(word, cells.column_begin, cells.column_end);
+        const std::uint64_t inside = pixel_bits::within(word, cells.column_begin, cells.column_end);
         const std::uint64_t any_folded = folded[w] | folded_above[w];
         std::uint64_t level = row > 0 ? (right[w] ^ right_above[w]) | any_folded : 0;
         for (level &= inside; level != 0; level &= level - 1) {
             const int column = word * word_bits + std::countr_zero(level);
             const std::size_t p = grid.index(row, column);
-            add_between(grid, p, p + 1, turns(row, column, upper),
-                        turns(row - 1, column, lower));
+            add_between(grid, p, p + 1, turns(row, column, upper), turns(row - 1, column, lower));
         }
         const auto moved = [&](const std::uint64_t* of) {
             return of[w] << 1 | (w > 0 ? of[w - 1] >> (word_bits - 1) : 0);

@@ -33,7 +33,7 @@ public:
     /// upper and left ends are its own, those on the others are its neighbours'.
     /// Returns: valid until the next call.
     std::span<const contour_edge> find(const band_list& list, const band_item& item,
-                                          std::int32_t top, std::int32_t bottom);
+                                       std::int32_t top, std::int32_t bottom);
 
 private:
     void add_row(const l3d_micro_grid& grid, const grid_cells& cells, int row);

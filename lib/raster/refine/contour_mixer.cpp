@@ -83,8 +83,7 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     // of the own share lies rest / 2 before it, that of the other share (1 + rest) / 2 nearer than
     // the neighbour's.
     const float to_own = 0.5f * rest, to_rest = 0.5f * (1 + rest);
-    word = 0;
-    for (int shift = channels_end - 8; shift >= 0; shift -= 8) {
+    const auto mixed = [&](int shift) {
         const auto level = [&](std::uint32_t at, std::uint32_t next, float way) {
             const auto a = static_cast<float>(channel(at, shift));
             const auto b = static_cast<float>(channel(next, shift));
@@ -92,8 +91,10 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
         };
         const float light =
             own * level(here, before, to_own) + rest * level(there, after, -to_rest);
-        word = word << 8 | tables_.level(light);
-    }
+        return tables_.level(light);
+    };
+    constexpr std::uint32_t all_channels = 0x010101;
+    word = is_grey_ ? all_channels * mixed(0) : mixed(16) << 16 | mixed(8) << 8 | mixed(0);
     return true;
 }
 

@@ -19,8 +19,10 @@ namespace l3d_detail {
 /// Lives: borrows all for a call. None of it changes meanwhile.
 class contour_mixer {
 public:
-    contour_mixer(const l3d_pixels& picture, const l3d_pixel_box& window, const contour_cuts& cuts)
-        : picture_(picture), window_(window), cuts_(cuts), tables_(linear_light_tables()) {}
+    contour_mixer(const l3d_pixels& picture, const l3d_pixel_box& window, const contour_cuts& cuts,
+                  bool is_grey)
+        : picture_(picture), window_(window), cuts_(cuts), is_grey_(is_grey),
+          tables_(linear_light_tables()) {}
 
     /// The pixel's word. False if no neighbour shows the other side.
     bool mix(const contour_pixel& pixel, std::uint32_t& word) const;
@@ -43,6 +45,7 @@ private:
     const l3d_pixels& picture_;
     l3d_pixel_box window_;
     const contour_cuts& cuts_;
+    bool is_grey_; ///< the channels of all pixels are equal
     const linear_light& tables_;
 };
 

@@ -72,8 +72,10 @@ void contour_pixels::add(const contour_edge& edge, const drawn_depth& depth) {
 void contour_pixels::pass(std::int32_t x, std::int32_t y, place from, place to, bool enters,
                           bool leaves, std::uint32_t loose, const contour_edge& edge,
                           const drawn_depth& depth) {
+    const auto sign = [](std::int32_t n) { return (n > 0 ? 1 : 0) - (n < 0 ? 1 : 0); };
+    const scan_point to_left{sign(edge.to.y - edge.from.y), sign(edge.from.x - edge.to.x)};
     if (y < band_.top || y >= band_.bottom || x < band_.left || x >= band_.right ||
-        depth.hides(x, y, edge.nearest))
+        depth.hides(x, y, edge.nearest, to_left.x, to_left.y))
         return;
     // The way along the border on to corner (0, 0): the right side adds what is left of it.
     const auto beyond = [](place p) { return p.x >= 1 ? p.y : p.y <= 0 ? 0.0 : 1.0; };
@@ -92,15 +94,13 @@ void contour_pixels::pass(std::int32_t x, std::int32_t y, place from, place to, 
     }
     std::uint32_t cuts = 0;
     if ((from.y > centre) != (to.y > centre)) {
-        const double there =
-            from.x + (centre - from.y) / (to.y - from.y) * (to.x - from.x);
+        const double there = from.x + (centre - from.y) / (to.y - from.y) * (to.x - from.x);
         cuts ^= there > centre ? cut_right : cut_left;
         if (there > centre)
             turns += to.y > from.y ? 1 : -1;
     }
     if ((from.x > centre) != (to.x > centre)) {
-        const double there =
-            from.y + (centre - from.x) / (to.x - from.x) * (to.y - from.y);
+        const double there = from.y + (centre - from.x) / (to.x - from.x) * (to.y - from.y);
         cuts ^= there > centre ? cut_down : cut_up;
     }
     const auto units = static_cast<std::int32_t>(std::lrint(area * contour_pixel::whole));
@@ -130,9 +130,12 @@ void contour_pixels::finish(contour_cuts& cuts, pixel_bits& seen) {
         contour_pixel& to =
             pixels_[before_[row * words + word] +
                     static_cast<std::size_t>(bits_in(seen.row(p.of.y)[word] & below))];
-        to = {p.of.x,          p.of.y,
-              to.area + p.of.area, to.turns + p.of.turns,
-              to.crossings + p.of.crossings, to.loose ^ p.of.loose};
+        to = {p.of.x,
+              p.of.y,
+              to.area + p.of.area,
+              to.turns + p.of.turns,
+              to.crossings + p.of.crossings,
+              to.loose ^ p.of.loose};
         const auto flip = [&](pixel_bits& of, std::uint32_t which) {
             if ((p.cuts & which) != 0)
                 of.row(p.of.y)[word] ^= std::uint64_t{1} << bit;

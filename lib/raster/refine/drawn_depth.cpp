@@ -33,14 +33,18 @@ float drawn_depth::farthest(std::int32_t x, std::int32_t y) const {
     float result = at(x, y);
     for (std::int32_t row = near.top; row <= near.bottom; ++row)
         for (std::int32_t column = near.left; column <= near.right; ++column)
-            result = std::min(result, near.one_tile ? first_[row * pitch_ + column]
-                                                    : at(column, row));
+            result =
+                std::min(result, near.one_tile ? first_[row * pitch_ + column] : at(column, row));
     return result;
 }
 
-bool drawn_depth::hides(std::int32_t x, std::int32_t y, float inv_w) const {
+bool drawn_depth::hides(std::int32_t x, std::int32_t y, float inv_w, std::int32_t to_x,
+                        std::int32_t to_y) const {
     const neighbourhood near(x, y, window_);
     if (near.one_tile && !coarse_->drawn_at(x, y))
+        return false;
+    if (inv_w > at(std::clamp(x + to_x, near.left, near.right),
+                   std::clamp(y + to_y, near.top, near.bottom)))
         return false;
     for (std::int32_t row = near.top; row <= near.bottom; ++row)
         for (std::int32_t column = near.left; column <= near.right; ++column)

@@ -22,8 +22,10 @@ public:
     /// The farthest depth of a pixel and those around it; 0 if nothing is in one of them.
     float farthest(std::int32_t x, std::int32_t y) const;
 
-    /// Whether all pixels around one, and itself, show what is nearer than `inv_w`.
-    bool hides(std::int32_t x, std::int32_t y, float inv_w) const;
+    /// Whether all pixels around one, and itself, show what is nearer than `inv_w`. It is fastest
+    /// if the one at (x + to_x, y + to_y) does not. Expects: |to_x|, |to_y| <= 1.
+    bool hides(std::int32_t x, std::int32_t y, float inv_w, std::int32_t to_x,
+               std::int32_t to_y) const;
 
 private:
     float at(std::int32_t x, std::int32_t y) const;

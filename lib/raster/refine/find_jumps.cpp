@@ -32,8 +32,7 @@ struct level_row {
     alignas(64) std::uint8_t at[size];
 
     HWY_INLINE void load(const l3d_pixels& picture, std::int32_t x, std::int32_t y, int shift) {
-        const std::uint32_t* const row =
-            picture.row(std::clamp(y, 0, picture.height - 1)).data();
+        const std::uint32_t* const row = picture.row(std::clamp(y, 0, picture.height - 1)).data();
         if (HWY_LIKELY(x > 0 && x + side + 2 <= picture.width)) {
             const auto lanes = static_cast<std::int32_t>(hn::Lanes(words));
             for (std::int32_t i = 0; i < side; i += lanes)
@@ -98,7 +97,7 @@ HWY_INLINE void find_by(const l3d_pixels& picture, bool grey, const l3d_pixel_bo
                     jumps_at<Rule>(here.from(-1), here.from(0), here.from(1), here.from(2));
                 jumps.down.row(y)[w] |=
                     inside & jumps_at<Rule>(row(y - 1).from(0), here.from(0), row(y + 1).from(0),
-                                      row(y + 2).from(0));
+                                            row(y + 2).from(0));
             }
         }
 }

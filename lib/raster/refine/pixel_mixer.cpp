@@ -47,8 +47,7 @@ void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading) {
     with_shader(shading, 0, [&](auto shader) { draw_by(shader, band); });
 }
 
-template <class Shader>
-void pixel_mixer::draw_by(Shader shader, const band_fragments& band) {
+template <class Shader> void pixel_mixer::draw_by(Shader shader, const band_fragments& band) {
     const linear_light& tables = linear_light_tables();
     const auto pixels = band.pixels();
     words_.clear();
@@ -141,8 +140,8 @@ light_sum pixel_mixer::light_of(Shader& shader, const band_fragments& band, cons
 
 /// False if the areas do not tell enough.
 template <class Shader>
-bool pixel_mixer::mix(Shader& shader, const band_fragments& band, scan_point corner,
-                      bool closed, light_sum& light) {
+bool pixel_mixer::mix(Shader& shader, const band_fragments& band, scan_point corner, bool closed,
+                      light_sum& light) {
     std::uint64_t seen = 0;
     std::array<float, 2> of_slivers{};
     float known = 0;

@@ -44,8 +44,7 @@ private:
         bool clockwise;
     };
 
-    template <class Shader>
-    void draw_by(Shader shader, const band_fragments& band);
+    template <class Shader> void draw_by(Shader shader, const band_fragments& band);
     void collect(const band_fragments& band, std::size_t pixel);
     void hide();
     std::uint64_t nearer_samples(const fragment& one, const fragment& other) const;

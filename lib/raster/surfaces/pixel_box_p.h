@@ -16,10 +16,11 @@ inline l3d_pixel_box pixels_in(const l3d_subpixel_box& box) {
             first_centre(box.bottom)};
 }
 
-/// The pixels whose squares a polygon in the box may reach into.
+/// The pixels whose squares a polygon in the box may reach into. What lies on a square's left or
+/// upper side belongs to the pixel before, too: contours are walked a little to the left and up.
 inline l3d_pixel_box squares_in(const l3d_subpixel_box& box) {
     constexpr std::int32_t last = l3d_subpixel_one - 1;
-    return {box.left >> l3d_subpixel_bits, box.top >> l3d_subpixel_bits,
+    return {(box.left - 1) >> l3d_subpixel_bits, (box.top - 1) >> l3d_subpixel_bits,
             (box.right + last) >> l3d_subpixel_bits, (box.bottom + last) >> l3d_subpixel_bits};
 }
 
