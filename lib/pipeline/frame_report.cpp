@@ -54,6 +54,8 @@ std::string l3d_frame_report::json() const {
     const bool has_outlines = outline_pixels != l3d_surface_counts::none_counted;
     if (has_outlines)
         times["outlines"] = time_ms.outlines;
+    if (std::isfinite(color_bound))
+        times["error_map"] = time_ms.error_map;
     l3d_detail::json line = l3d_detail::head_json(*this);
     line.update({{"tolerance_px", tolerance_px},
                  {"near", near},
@@ -79,7 +81,9 @@ std::string l3d_frame_report::json() const {
                  {"outline_pixels",
                   has_outlines ? l3d_detail::json(outline_pixels) : l3d_detail::json(nullptr)},
                  {"error_bound_px", number_or_null(dice.bound_px)},
-                 {"depth_error_bound_px", number_or_null(dice.depth_bound_px)}});
+                 {"depth_error_bound_px", number_or_null(dice.depth_bound_px)},
+                 {"coverage_error_bound", number_or_null(coverage_bound)},
+                 {"color_error_bound", number_or_null(color_bound)}});
     l3d_detail::add_tail(line, *this, reasons);
     return line.dump();
 }

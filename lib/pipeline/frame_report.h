@@ -8,6 +8,7 @@
 #include "pipeline/report_parts.h"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 /// Times of the stages of a frame of patches. Units: milliseconds.
@@ -15,6 +16,7 @@ struct L3D_PUBLIC l3d_stage_times : l3d_common_times {
     double transform = 0; ///< what may be seen, sorted front to back
     double dice = 0;      ///< control nets to the image, bounds, steps, forward differences
     double outlines = 0;  ///< finding the pixels that outlines reach; not part of total
+    double error_map = 0; ///< bounding the error of each pixel; not part of total
 };
 
 /// One frame.
@@ -30,6 +32,15 @@ struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     /// Pixels that any outline's bound reaches, where nothing is certain about what is seen. It is
     /// none_counted if nobody asked, or if only a part of the picture was drawn.
     std::int64_t outline_pixels = l3d_surface_counts::none_counted;
+
+    /// The largest part of any pixel's square that may show another surface, or the background,
+    /// than in the exact picture, from 0 to 1. It counts what is drawn in another place, and not
+    /// that pixels are sampled. It is infinite if nobody asked for the map of errors, or if places
+    /// or depth have no bound.
+    double coverage_bound = std::numeric_limits<double>::infinity();
+    /// The largest error of any channel in pixels that lie inside one surface, in levels of 255. It
+    /// is infinite if nobody asked for the map of errors.
+    double color_bound = std::numeric_limits<double>::infinity();
 
     /// One line of JSON, without the line's end.
     std::string json() const;

@@ -7,6 +7,7 @@
 #include "raster/parallel/workers.h"
 #include "scene/camera_shading.h"
 #include "scene/drawn_pixels.h"
+#include "dice/doubts/frame_doubts.h"
 #include "dice/edges/edge_polyline.h"
 #include "dice/frame_dicer.h"
 #include "scene/image_transform.h"
@@ -48,7 +49,7 @@ struct l3d_pipeline_afd::basis {
     l3d_matrix<double> to_image;
     l3d_dice_view view;
     l3d_shading shading;
-    bool wireframe = false, net = false, depth = false, outlines = false;
+    bool wireframe = false, net = false, depth = false, outlines = false, error_map = false;
 
     friend bool operator==(const basis&, const basis&) = default;
 };
@@ -67,6 +68,7 @@ struct l3d_pipeline_afd::stages {
     l3d_box_lanes moved_to; ///< kept for its memory
     l3d_scene_culling wire_culling;
     l3d_frame_dicer<l3d_real> wire_dicer;
+    std::unique_ptr<l3d_frame_doubts> doubts; ///< of the last frame, if it asked for them
 };
 
 std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
@@ -115,6 +117,10 @@ const l3d_outline_mask* l3d_pipeline_afd::outlines() const {
                                                                       : stages_->method->outlines();
 }
 
+const l3d_error_map* l3d_pipeline_afd::error_map() const {
+    return stages_->doubts ? &stages_->doubts->map() : nullptr;
+}
+
 void l3d_pipeline_afd::resize_event(l3d_size) {
     imp_->set_target(screen_->pixels());
     touch();
@@ -140,6 +146,9 @@ void l3d_pipeline_afd::draw_event() {
         fill_surfaces(now, l3d_pixel_boxes(changed_), times);
     }
 
+    if (!changed_.empty())
+        find_doubts(times);
+
     const stopwatch overlaying;
     if (stale_ || !changed_.empty())
         draw_on_top();
@@ -148,7 +157,7 @@ void l3d_pipeline_afd::draw_event() {
     scene_.forget_changes();
     is_drawing_ = is_foreign_ = false;
 
-    times.total = whole.milliseconds() - times.outlines;
+    times.total = whole.milliseconds() - times.outlines - times.error_map;
     report_.time_ms = times;
     ++report_.frame;
     report_.simd = l3d_simd_target();
@@ -188,7 +197,8 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
             .wireframe = settings_.wireframe,
             .net = settings_.net,
             .depth = settings_.depth,
-            .outlines = settings_.outlines};
+            .outlines = settings_.outlines,
+            .error_map = settings_.error_map};
 }
 
 /// The parts of the picture to draw: none if the picture is right as it is. It is the whole picture
@@ -307,6 +317,34 @@ void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
     now.near = std::max(now.near, kept.near);
     now.coarse = std::max(now.coarse, kept.coarse);
     now.coarsest = std::max(now.coarsest, kept.coarsest);
+}
+
+/// Compares surfaces with the exact picture as long as nothing is drawn on top of them.
+void l3d_pipeline_afd::find_doubts(l3d_stage_times& times) {
+    const stopwatch finding;
+    constexpr double unknown = std::numeric_limits<double>::infinity();
+    report_.coverage_bound = report_.color_bound = unknown;
+    const bool is_light = settings_.shade == l3d_shade::lambert ||
+                          settings_.shade == l3d_shade::gouraud ||
+                          settings_.shade == l3d_shade::flat;
+    if (!settings_.error_map || settings_.wireframe || !is_light) {
+        stages_->doubts.reset();
+        return;
+    }
+    if (!stages_->doubts)
+        stages_->doubts = std::make_unique<l3d_frame_doubts>();
+    l3d_frame_doubts& doubts = *stages_->doubts;
+    doubts.find({.scene = scene_,
+                 .to_image = stages_->transform.matrix(),
+                 .view = stages_->view,
+                 .light = settings_.light,
+                 .bound_px = report_.dice.bound_px,
+                 .depth_bound_px = report_.dice.depth_bound_px,
+                 .drawn = screen_->pixels()},
+                stages_->workers);
+    report_.coverage_bound = doubts.coverage_bound();
+    report_.color_bound = doubts.color_bound();
+    times.error_map += finding.milliseconds();
 }
 
 void l3d_pipeline_afd::draw_on_top() {

@@ -18,6 +18,7 @@
 #include <memory>
 #include <string>
 
+class l3d_error_map;
 class l3d_outline_mask;
 class l3d_pixel_boxes;
 
@@ -51,6 +52,7 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// so.
     std::int64_t most_samples = 0;
     bool outlines = false;       ///< report how many pixels outlines reach, and keep them
+    bool error_map = false;      ///< bound the error of each pixel, for error_map()
     int threads = 1;             ///< number of drawing threads; constant from the first frame on
     l3d_method_factory method{}; ///< fills surfaces; constant from the first frame on
 };
@@ -102,6 +104,11 @@ public:
     /// The pixels that outlines reach in the last frame. It is null if nobody asked for them, if
     /// the method does not find them, or if a part of the picture was drawn alone.
     const l3d_outline_mask* outlines() const;
+
+    /// How far each pixel of the last frame's surfaces may be from the exact picture, which is lit
+    /// by Lambert's rule. It is null if nobody asked for it, for a wireframe, and for shades that
+    /// are not light.
+    const l3d_error_map* error_map() const;
 
     /// The last frame drawn; the hash is counted when asked for.
     l3d_frame_report report() const;
@@ -157,6 +164,7 @@ private:
     void keep_picture();
     void fill_surfaces(const basis& now, const l3d_pixel_boxes& parts, l3d_stage_times& times);
     void keep_bounds(const l3d_dice_counts& kept);
+    void find_doubts(l3d_stage_times& times);
     void draw_on_top();
     void draw_wireframe();
     void draw_nets();

@@ -87,13 +87,17 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                 1, 1024);
     options.add("--depth-output", depth_output_,
                 "write the last frame's distances along the view axis (.pfm)", "FILE");
+    options.add("--error-output", error_output_,
+                "write how far each pixel of the last frame may be from the exact picture, in "
+                "levels of 255 (.pfm)",
+                "FILE");
     options.add("--report", report_,
                 "write one line of JSON per frame that is drawn; - is the standard output", "FILE");
     options.add("--one-sided", settings_.one_sided,
                 "leave out surfaces whose back is turned to the eye");
     options.add("--explain", explain_, "tell what the last frame did not need, and why");
     options.add("--keep-all", keep_all_, "leave nothing out");
-    for (const char* const name : {"--depth-output", "--report", "--explain"})
+    for (const char* const name : {"--depth-output", "--error-output", "--report", "--explain"})
         options.has_result(name);
 }
 
@@ -125,6 +129,12 @@ l3d_afd_settings l3d_afd_options::settings() const {
     const int processors = static_cast<int>(std::thread::hardware_concurrency());
     result.threads = threads_.value_or(std::clamp(processors, 1, most_threads_unasked));
     result.depth = !depth_output_.empty();
+    result.error_map = !error_output_.empty();
+    const bool is_light = result.shade != l3d_shade::normals && result.shade != l3d_shade::error;
+    if (result.error_map && (result.wireframe || !is_light))
+        throw l3d_error(l3d_exit::usage, "--error-output: only surfaces that show light have an "
+                                         "exact picture, and neither --wireframe nor --shade "
+                                         "normals or error does");
     if (keep_all_)
         result.keep = l3d_kept_work::all();
     const double length = l3d_length(result.light);

@@ -53,6 +53,8 @@ public:
     double turntable() const { return turntable_; }
     /// The file that the last frame's distances go to; empty for none.
     const std::string& depth_output() const { return depth_output_; }
+    /// The file that the last frame's bounds of pixels go to; empty for none.
+    const std::string& error_output() const { return error_output_; }
     /// The file that gets a line of JSON for each frame; empty for none, "-" for the standard
     /// output.
     const std::string& report() const { return report_; }
@@ -67,7 +69,7 @@ private:
     l3d_camera camera_ = teapot_view();
     l3d_afd_settings settings_;
     double turntable_ = 0;
-    std::string depth_output_, report_;
+    std::string depth_output_, error_output_, report_;
     bool explain_ = false, keep_all_ = false;
     std::optional<double> tolerance_;
     std::optional<int> threads_, most_samples_;

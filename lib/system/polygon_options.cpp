@@ -91,6 +91,9 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
     if (shared.depth)
         throw l3d_error(l3d_exit::usage,
                         "--depth-output: only --pipeline afd keeps the distances for it");
+    if (shared.error_map)
+        throw l3d_error(l3d_exit::usage,
+                        "--error-output: only --pipeline afd has the bounds for it");
     if (shared.shade == l3d_shade::error)
         throw l3d_error(l3d_exit::usage,
                         "--shade: only --pipeline afd has the bound that error shows");

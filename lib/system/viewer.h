@@ -8,6 +8,7 @@
 #include "system/program.h"
 #include "system/report_writer.h"
 #include "system/screenshot.h"
+#include "raster/error_map.h"
 #include "tool_2d/image_file.h"
 
 #include <iostream>
@@ -16,7 +17,7 @@
 #include <utility>
 
 /// A `Pipeline` with l3d_viewer_controls and a report of each frame, for which --turntable,
-/// --report, --explain and --depth-output do what they say.
+/// --report, --explain, --depth-output and --error-output do what they say.
 ///
 /// Lives:   borrows the options.
 template <class Pipeline> class L3D_PUBLIC l3d_viewer final : public Pipeline {
@@ -40,13 +41,18 @@ public:
             reports_->add(this->report().json());
     }
 
-    /// After the last frame: its distances, and what it did not need.
+    /// After the last frame: its distances, the bounds of its pixels, and what it did not need.
     /// Errors:  l3d_error(failure) that names the file and the system's reason.
     void finish() const {
         if constexpr (requires { this->depth(); })
             if (const std::string& file = asked_.depth_output(); !file.empty())
                 l3d_write_pfm(file, this->depth().size().width, this->depth().size().height,
                               l3d_distances(this->depth()));
+        if constexpr (requires { this->error_map(); })
+            if (const std::string& file = asked_.error_output();
+                !file.empty() && this->error_map() != nullptr)
+                l3d_write_pfm(file, this->error_map()->size().width,
+                              this->error_map()->size().height, this->error_map()->levels());
         if (asked_.explain())
             std::cerr << this->report().explanation();
     }

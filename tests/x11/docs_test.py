@@ -41,7 +41,7 @@ def links(text):
 def outputs(command):
     """Files that a command is told to write; a numbered name stands for its first file."""
     return [re.sub(r"%0(.)d", lambda field: "0" * int(field[1]), name)
-            for name in re.findall(r"--(?:output|report|depth-output) (\S+)", command)]
+            for name in re.findall(r"--(?:output|report|depth-output|error-output) (\S+)", command)]
 
 
 def run(command, folder):

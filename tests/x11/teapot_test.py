@@ -166,6 +166,25 @@ def modelview_reports_as_well():
         expect(said.startswith("modelview: --depth-output: "), said)
 
 
+def writes_the_map_of_errors():
+    """A level for each pixel; the report tells the largest inside surfaces; wires have no map."""
+    with folder() as path:
+        done = memory("--output", "o.png", "--error-output", "e.pfm", "--report", "r.json", cwd=path)
+        expect_equal(done, (0, b"", ""))
+        with open(os.path.join(path, "e.pfm"), "rb") as file:
+            expect_equal([file.readline() for _ in range(3)], [b"Pf\n", b"157 119\n", b"-1.0\n"])
+            levels = struct.unpack("<%df" % (157 * 119), file.read())
+        expect(all(0 <= level <= 255 for level in levels), "levels")
+        expect(levels[0] < 0.01, "the background in a corner is certain")
+        with open(os.path.join(path, "r.json"), encoding="utf-8") as file:
+            report = json.loads(file.readline())
+        expect(0 < report["color_error_bound"] <= max(levels), report)
+        expect(0 < report["coverage_error_bound"] <= 1, report)
+        status, out, said = memory("--wireframe", "--error-output", "w.pfm", cwd=path)
+        expect_equal((status, out), (2, b""))
+        expect("--error-output: " in said, said)
+
+
 def writes_distances():
     """The PFM has a distance exactly where the picture has a surface."""
     with folder() as path:
@@ -329,7 +348,7 @@ def main():
         refuses_wrong_models, draws_a_model_cut_at_no_byte,
         draws_the_same_patches_from_every_format, reports_every_frame,
         reports_to_the_standard_output, reports_into_an_open_file,
-        modelview_reports_as_well, writes_distances,
+        modelview_reports_as_well, writes_distances, writes_the_map_of_errors,
         repeats_itself, explains_what_it_left_out, refuses_wrong_values,
         refuses_a_tolerance_that_nobody_keeps, keeps_all_frames,
         shows_the_error_where_it_is_bounded, obeys_its_keys, obeys_the_mouse,

@@ -129,9 +129,12 @@ void picture_refiner::mark_others(const drawn_frame& frame, const l3d_pixel_box&
                     steep(y, w) >> 1 | (ends ? 0 : steep(y, w + 1) << last);
                 right &= ~(cuts_.right.row(y)[w] ^ next_cuts) & ~steep(y, w) & ~next_steep;
             }
-            to[w] |= down_from(y, w) | above | right | right << 1;
+            // The last words of rows go on beyond the picture with its last column.
+            const auto first = static_cast<std::int32_t>(w);
+            to[w] |= (down_from(y, w) | above | right | right << 1) &
+                     pixel_bits::within(first, 0, frame.target.width);
             if (w + 1 < words)
-                to[w + 1] |= right >> last;
+                to[w + 1] |= right >> last; // a pixel of the picture: none jumps to beyond its end
         }
     }
 }

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// l3d_doubt_piece: a part of an exact patch.
+#ifndef L3D_DICE_DOUBTS_DOUBT_PIECE_H
+#define L3D_DICE_DOUBTS_DOUBT_PIECE_H
+
+#include "dice/doubts/side_pairs.h"
+#include "geom/normal_net.h"
+#include "geom/step_bound.h"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+/// A patch that stands in the picture.
+struct l3d_doubt_patch {
+    std::uint32_t instance = 0, patch = 0;
+    double error_xy = 0, error_w = 0;      ///< of its homogeneous points
+    double near = 0;                       ///< nothing nearer is drawn
+    double normal_off = 0;                 ///< of its normals, whose length is that of the model's
+    const l3d_side_pairs* sides = nullptr; ///< of its model
+    /// Whether its back need not be drawn, and the sign of the facing that is the back.
+    bool one_sided = false;
+    double back = 1;
+};
+
+/// A part of a patch by halves. Shape: nets as l3d_bezier_patch and l3d_normal_net have them.
+struct l3d_doubt_piece {
+    using vector = l3d_vector<double, 3>;
+    static constexpr std::size_t order = 6; ///< of normals, of degree 5
+
+    const l3d_doubt_patch* of = nullptr;
+    l3d_image_patch net;
+    std::array<vector, order * order> normals; ///< in the world
+    double u0 = 0, u1 = 1, v0 = 0, v1 = 1;     ///< of the patch; exact
+
+    /// The halves along u, or along v.
+    std::pair<l3d_doubt_piece, l3d_doubt_piece> split(bool along_u) const;
+
+    /// Whether the picture is longer along u than along v. Expects: every w > 0.
+    bool is_longer_along_u() const;
+
+    /// Whether the piece reaches a side of its patch, in the order of l3d_side_pairs.
+    bool reaches(std::size_t side) const {
+        return side == 0 ? v0 == 0 : side == 1 ? u1 == 1 : side == 2 ? v1 == 1 : u0 == 0;
+    }
+};
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// l3d_side_pairs: sides in the order of their control points.
+#include "dice/doubts/side_pairs.h"
+
+#include <algorithm>
+#include <map>
+
+namespace {
+
+using curve = l3d_patch_model::patch::curve;
+using numbers = std::array<double, 12>;
+
+numbers numbers_of(const curve& c) {
+    numbers result;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (int k = 0; k < 3; ++k) // no -0, which is 0
+            result[3 * i + static_cast<std::size_t>(k)] = c.points[i][k] + 0.0;
+    return result;
+}
+
+struct side_of {
+    std::size_t patch, side;
+    bool forward; ///< walked in the direction that is the first in order
+};
+
+} // namespace
+
+l3d_side_pairs::l3d_side_pairs(const l3d_patch_model& model) {
+    const auto patches = model.patches();
+    beyond_.resize(patches.size());
+    std::map<numbers, std::vector<side_of>> by_place;
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        const auto& p = patches[i];
+        const std::array<curve, sides> walked{p.row(0), p.column(3), p.row(3).reversed(),
+                                              p.column(0).reversed()};
+        for (std::size_t k = 0; k < sides; ++k) {
+            const auto& points = walked[k].points;
+            const numbers there = numbers_of(walked[k]), back = numbers_of(walked[k].reversed());
+            if (std::all_of(points.begin(), points.end(),
+                            [&](const auto& q) { return q == points[0]; }))
+                beyond_[i][k].is = kind::point;
+            else if (there != back) // a curve that runs back on itself has no direction
+                by_place[std::min(there, back)].push_back({i, k, there <= back});
+        }
+    }
+    for (const auto& [place, met] : by_place)
+        for (std::size_t k = 0; k < 2 && met.size() == 2; ++k) {
+            const side_of &here = met[k], &there = met[1 - k];
+            beyond_[here.patch][here.side] = {kind::paired, here.forward == there.forward,
+                                              static_cast<std::uint32_t>(there.patch),
+                                              static_cast<std::uint32_t>(there.side)};
+        }
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// l3d_side_pairs: which side of which patch goes on where a side ends.
+#ifndef L3D_DICE_DOUBTS_SIDE_PAIRS_H
+#define L3D_DICE_DOUBTS_SIDE_PAIRS_H
+
+#include "scene/patch_model.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/// How the surface goes on beyond the sides of a model's patches.
+///
+/// It goes on where exactly one other side has the same control points, in either direction.
+/// Sides are those of l3d_patch_sides: v = 0, u = 1, v = 1, u = 0, walked round the patch.
+/// Cost: some microseconds a patch.
+class l3d_side_pairs {
+public:
+    static constexpr std::size_t sides = 4;
+    enum class kind : unsigned char {
+        open,  ///< the surface ends
+        point, ///< the side is a point, around which the surface goes on
+        paired ///< another side has the same points
+    };
+    struct beyond {
+        kind is = kind::open;
+        /// Both are walked in the same direction, so their normals are opposite.
+        bool turns = false;
+        std::uint32_t patch = 0, side = 0;
+    };
+
+    explicit l3d_side_pairs(const l3d_patch_model& model);
+
+    const beyond& at(std::size_t patch, std::size_t side) const { return beyond_[patch][side]; }
+
+private:
+    std::vector<std::array<beyond, sides>> beyond_;
+};
+
+#endif
