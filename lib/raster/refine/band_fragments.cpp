@@ -166,10 +166,10 @@ void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners,
     const auto name = static_cast<std::uint32_t>(polygons_.size());
     const std::size_t pairs = pair_pixel_.size();
     bits_->for_each_in(box, [&](std::int32_t x, std::int32_t y) {
-        const std::size_t pixel = index_of(x, y);
-        if (polygon.nearest < farthest_[pixel])
+        const std::size_t index = index_of(x, y);
+        if (polygon.nearest < farthest_[index])
             return;
-        pair_pixel_.push_back(static_cast<std::uint32_t>(pixel));
+        pair_pixel_.push_back(static_cast<std::uint32_t>(index));
         pair_polygon_.push_back(name);
         pair_x_.push_back(x);
         pair_y_.push_back(y);
