@@ -10,9 +10,6 @@ namespace l3d_detail {
 
 namespace {
 
-constexpr std::uint64_t all_samples = ~std::uint64_t{0};
-constexpr float samples_of_pixel = mask_side * mask_side;
-
 /// Light that may be shared out by samples: 3 of 64 samples wrong are then less than a level.
 constexpr float harmless_contrast = 1.0f / 256;
 
