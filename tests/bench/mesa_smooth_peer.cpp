@@ -107,9 +107,9 @@ void mesa_smooth_peer::make_fine_picture(mesa_fineness fineness) {
         gl_->BindTexture(kind, made.texture);
         gl_->TexImage2D(kind, 0, GL_R8, large.width, large.height, 0, GL_RED, GL_UNSIGNED_BYTE,
                         nullptr);
-        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        for (const GLenum filter : {GLenum{GL_TEXTURE_MIN_FILTER}, GLenum{GL_TEXTURE_MAG_FILTER}})
             gl_->TexParameteri(kind, filter, GL_NEAREST);
-        for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        for (const GLenum wrap : {GLenum{GL_TEXTURE_WRAP_S}, GLenum{GL_TEXTURE_WRAP_T}})
             gl_->TexParameteri(kind, wrap, GL_CLAMP_TO_EDGE);
         gl_->RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, large.width, large.height);
     }
