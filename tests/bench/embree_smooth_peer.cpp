@@ -19,18 +19,17 @@ constexpr int samples = 16;
 /// Packets a call, as without anti-aliasing.
 constexpr int stream = 16;
 
-/// Places of the rays in a pixel, from its centre: a Hammersley set, each in a column and a row of
-/// its own. It is nearer to the mean along edges that are nearly upright or level than 4 x 4
-/// places in four columns and rows.
+/// Places of the rays in a pixel, from its centre: 4 x 4. With a Hammersley set, each ray in a
+/// column and a row of its own, pictures of fine meshes err up to 1.4 times as much.
 struct ray_places {
     std::array<float, samples> x{}, y{};
 
     constexpr ray_places() {
+        constexpr int side = 4;
         for (int i = 0; i < samples; ++i) {
-            const int mirrored = (i & 1) << 3 | (i & 2) << 1 | (i & 4) >> 1 | (i & 8) >> 3;
             const auto at = static_cast<std::size_t>(i);
-            x[at] = (static_cast<float>(i) + 0.5f) / samples - 0.5f;
-            y[at] = (static_cast<float>(mirrored) + 0.5f) / samples - 0.5f;
+            x[at] = (static_cast<float>(i % side) + 0.5f) / side - 0.5f;
+            y[at] = (static_cast<float>(i / side) + 0.5f) / side - 0.5f;
         }
     }
 };

@@ -17,7 +17,7 @@ namespace {
 
 /// Turns, and a side's frames in a turn: as many as fit into some time. The first finds its caches
 /// cold and is not counted, unless it takes so long that they do not matter.
-constexpr int turns = 5, most_frames = 5;
+constexpr int turns = 3, most_frames = 5;
 constexpr double turn_ms = 150;
 constexpr int trial_frames = 5;
 
