@@ -225,6 +225,7 @@ pictures: packages-report packages-bench $(APPS) $(PLUGINS) $(DATA) $(OUT)/tests
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --wireframe --net --output docs/pictures/steps.png
 	$(OUT)/tests/bench/fixed_failure_bench docs/pictures/fixed_16_16.png
 	gnuplot docs/report/peers.gp
+	gnuplot docs/report/antialias_peers.gp
 	for drawing in docs/pictures/*.dot; do dot -Tpng -Gdpi=90 $$drawing -o $${drawing%.dot}.png; done
 
 docs: packages-docs $(DOOR) ## the reference of all public headers; a public thing without a comment is an error

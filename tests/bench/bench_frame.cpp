@@ -21,8 +21,11 @@ l3d_afd_settings settings(double tolerance, int threads, l3d_shade shade) {
 
 bench_frame::bench_frame(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size,
                          double tolerance, int threads, l3d_shade shade)
-    : camera_(camera),
-      pipeline_(l3d_memory_canvas(size), scene, camera, settings(tolerance, threads, shade)) {}
+    : bench_frame(scene, camera, size, settings(tolerance, threads, shade)) {}
+
+bench_frame::bench_frame(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size,
+                         const l3d_afd_settings& settings)
+    : camera_(camera), pipeline_(l3d_memory_canvas(size), scene, camera, settings) {}
 
 double bench_frame::draw() {
     // Tenths of a millionth of the distance: no picture shows it, no frame equals another.

@@ -24,6 +24,8 @@ class bench_frame {
 public:
     bench_frame(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size,
                 double tolerance, int threads, l3d_shade shade = l3d_shade::lambert);
+    bench_frame(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size,
+                const l3d_afd_settings& settings);
 
     /// Draws a frame from an eye that is never twice at the same place: nothing can be reused.
     /// Returns its milliseconds, by the wall's clock.

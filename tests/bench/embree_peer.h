@@ -3,14 +3,13 @@
 #ifndef L3D_TESTS_BENCH_EMBREE_PEER_H
 #define L3D_TESTS_BENCH_EMBREE_PEER_H
 
-#include "bench/peer_mesh.h"
-#include "scene/camera.h"
+#include "bench/embree_scene.h"
 #include "raster/parallel/workers.h"
 #include "tool_2d/image.h"
 
 #include <memory>
 #include <string>
-#include <vector>
+#include <utility>
 
 /// A scene built once at high quality, seen by streams of coherent packets of rays, 4 x 2 or 4 x 4
 /// pixels each, with the grey of each vertex interpolated.
@@ -18,7 +17,6 @@ class embree_peer {
 public:
     /// Errors: null, with one line in `why`, if there is no device.
     static std::unique_ptr<embree_peer> open(std::string& why);
-    ~embree_peer();
 
     std::string name() const;
 
@@ -31,12 +29,10 @@ public:
     l3d_pixels picture() { return picture_.pixels(); }
 
 private:
-    struct scene;
-    explicit embree_peer(std::unique_ptr<scene> made);
+    explicit embree_peer(std::unique_ptr<embree_scene> made) : scene_(std::move(made)) {}
     template <class Packet> void draw_row(int top);
 
-    std::unique_ptr<scene> scene_;
-    std::vector<float> grey_, along_u_, along_v_; ///< of each triangle: at its corner, and changes
+    std::unique_ptr<embree_scene> scene_;
     l3d_image picture_{{4, 4}, 4};
     int rays_ = 16;
 };

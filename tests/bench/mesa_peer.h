@@ -3,9 +3,7 @@
 #ifndef L3D_TESTS_BENCH_MESA_PEER_H
 #define L3D_TESTS_BENCH_MESA_PEER_H
 
-#include "bench/peer_mesh.h"
-#include "scene/camera.h"
-#include "tool_2d/pixels.h"
+#include "bench/mesa_calls.h"
 
 #include <cstdint>
 #include <memory>
@@ -37,16 +35,14 @@ public:
     std::vector<std::uint8_t> picture();
 
 private:
-    struct calls;
-    explicit mesa_peer(std::unique_ptr<calls> gl);
+    explicit mesa_peer(std::unique_ptr<mesa_calls> gl);
     bool make_program(std::string& why);
 
-    std::unique_ptr<calls> gl_;
+    std::unique_ptr<mesa_calls> gl_;
+    std::unique_ptr<mesa_mesh> mesh_;
     l3d_size size_;
-    int index_count_ = 0;
-    unsigned index_type_ = 0;
-    unsigned buffers_[3] = {}, color_ = 0, depth_ = 0, framebuffer_ = 0, program_ = 0;
-    int matrix_ = 0;
+    unsigned color_ = 0, depth_ = 0, framebuffer_ = 0;
+    int to_clip_ = 0;
 };
 
 #endif

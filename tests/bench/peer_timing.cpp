@@ -81,12 +81,6 @@ std::unique_ptr<embree_peer> open_embree() {
     return peer;
 }
 
-child_setting setting_of(const peer_choice& choice) {
-    return {{{"LP_NUM_THREADS", std::to_string(choice.mesa_threads)},
-             {"LP_NATIVE_VECTOR_WIDTH", std::to_string(choice.mesa_bits)}},
-            choice.one_processor};
-}
-
 bool is_of(const peer_choice& choice, const peer_choice& way) {
     return choice.mesa_threads == way.mesa_threads && choice.mesa_bits == way.mesa_bits;
 }
@@ -97,19 +91,6 @@ std::vector<int> mesa_widths() {
     if (best == "AVX3")
         return {256, 512};
     return {best == "AVX2" ? 256 : 128};
-}
-
-/// llvmpipe's ways to use so many processors.
-std::vector<peer_choice> mesa_ways(int threads) {
-    std::vector<peer_choice> ways;
-    for (const int workers : {threads - 1, threads})
-        for (const int bits : mesa_widths()) {
-            peer_choice& way = ways.emplace_back();
-            way.mesa_threads = workers;
-            way.mesa_bits = bits;
-            way.one_processor = threads == 1 && workers > 0;
-        }
-    return ways;
 }
 
 /// A cell's mesh, drawn in some way.
@@ -306,6 +287,24 @@ void read(std::span<const double, numbers_of_a_cell> numbers, cell_times& t) {
 }
 
 } // namespace
+
+child_setting setting_of(const peer_choice& choice) {
+    return {{{"LP_NUM_THREADS", std::to_string(choice.mesa_threads)},
+             {"LP_NATIVE_VECTOR_WIDTH", std::to_string(choice.mesa_bits)}},
+            choice.one_processor};
+}
+
+std::vector<peer_choice> mesa_ways(int threads) {
+    std::vector<peer_choice> ways;
+    for (const int workers : {threads - 1, threads})
+        for (const int bits : mesa_widths()) {
+            peer_choice& way = ways.emplace_back();
+            way.mesa_threads = workers;
+            way.mesa_bits = bits;
+            way.one_processor = threads == 1 && workers > 0;
+        }
+    return ways;
+}
 
 std::vector<cell_times> compare(const l3d_patch_model& model, std::span<const bench_cell> cells,
                                 int threads) {

@@ -4,6 +4,7 @@
 #define L3D_TESTS_BENCH_PEER_TIMING_H
 
 #include "bench/bench_cell.h"
+#include "bench/child_process.h"
 
 #include <cstddef>
 #include <span>
@@ -19,6 +20,12 @@ struct peer_choice {
     bool one_processor = false;
     double ms = 0;
 };
+
+/// llvmpipe's ways to use so many processors: numbers of workers, and widths of vectors.
+std::vector<peer_choice> mesa_ways(int threads);
+
+/// The child in which llvmpipe draws in a way: it reads its settings once in a process.
+child_setting setting_of(const peer_choice& choice);
 
 /// Of many frames. Units: milliseconds.
 struct frame_times {

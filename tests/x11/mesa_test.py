@@ -12,6 +12,7 @@ import harness
 from harness import Checks, Onlooker, environment, expect, expect_equal, folder, run, started
 from harness import wait_for, window_of, x_server
 
+SHARP = "--antialias", "off"  # GL does not smooth edges
 SHADES = ("lambert", "gouraud", "flat", "normals", "error")
 NAMES = {"egl": ("libEGL.so.1",), "osmesa": ("libOSMesa.so.8", "libOSMesa.so.6")}
 
@@ -154,7 +155,8 @@ def tells_the_renderer(program):
 
 def draws_what_the_cpu_draws(program):
     """Points, lines and polygons are the same, word for word."""
-    more = ("--wireframe", "--net") if program.name == "teapot_afd" else ("--frames", "40")
+    afd = "--wireframe", "--net", "--antialias", "off"
+    more = afd if program.name == "teapot_afd" else ("--frames", "40")
     by_cpu = picture(program, environment(), *more, backend="memory")
     for way in NAMES:
         by_gl = picture(program, environment(L3D_MESA=way), *more)
@@ -164,8 +166,8 @@ def draws_what_the_cpu_draws(program):
 def is_a_second_opinion(program):
     """Surfaces: at most 2 % of the pixels differ by more than a level, 0.1 % by more than 16."""
     for shade in SHADES:
-        by_cpu = picture(program, environment(), "--shade", shade, backend="memory")
-        by_gl = picture(program, environment(), "--shade", shade)
+        by_cpu = picture(program, environment(), "--shade", shade, *SHARP, backend="memory")
+        by_gl = picture(program, environment(), "--shade", shade, *SHARP)
         levels = differences(by_gl, by_cpu)
         expect(above(levels, 1) <= 0.02, shade, above(levels, 1))
         expect(above(levels, 16) <= 0.001, shade, above(levels, 16), max(levels))

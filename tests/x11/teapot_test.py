@@ -186,9 +186,9 @@ def writes_the_map_of_errors():
 
 
 def writes_distances():
-    """The PFM has a distance exactly where the picture has a surface."""
+    """The PFM has a distance exactly where a pixel's centre shows a surface."""
     with folder() as path:
-        done = memory("--output", "o.png", "--depth-output", "d.pfm", cwd=path)
+        done = memory("--antialias", "off", "--output", "o.png", "--depth-output", "d.pfm", cwd=path)
         expect_equal(done, (0, b"", ""))
         rows = harness.read_png(os.path.join(path, "o.png"))
         with open(os.path.join(path, "d.pfm"), "rb") as file:
@@ -266,7 +266,7 @@ def shows_the_error_where_it_is_bounded():
     bounded = ("afd", "fd", "subdivision", "tessellation", "micropolygons")
     with folder() as path:
         for method in bounded:
-            done = memory("--shade", "error", "--method", method, "--output", "o.png", cwd=path)
+            done = memory("--shade", "error", "--method", method, "--antialias", "off", "--output", "o.png", cwd=path)
             expect_equal(done, (0, b"", ""), method)
             rows = harness.read_png(os.path.join(path, "o.png"))
             drawn = {pixel for row in rows for pixel in row if pixel}
