@@ -124,7 +124,7 @@ double median(std::vector<double> values) {
 void print_ratios(std::span<const smooth_duel> duels, smooth_rival rival,
                   const smooth_measure& measure) {
     std::vector<double> reached, at_best;
-    std::size_t lines = 0;
+    std::size_t lines = 0, views = 0;
     for (const smooth_duel& duel : duels) {
         if (duel.rival != rival)
             continue;
@@ -134,16 +134,21 @@ void print_ratios(std::span<const smooth_duel> duels, smooth_rival rival,
                 reached.push_back(r.value);
             ++lines;
         }
-        at_best.push_back(best_ratio(duel, measure).value);
+        ++views;
+        if (const ratio r = best_ratio(duel, measure); r.reached)
+            at_best.push_back(r.value);
     }
     std::printf("%-22s over %-5s: ", name_of(rival), measure.name);
     if (!reached.empty())
         std::printf("least %.1f, median %.1f, most %.1f of %zu lines; ",
                     *std::ranges::min_element(reached), median(reached),
                     *std::ranges::max_element(reached), reached.size());
-    std::printf("%zu of %zu lines not reached; at the rival's own least error %.1f, %.1f, %.1f\n",
-                lines - reached.size(), lines, *std::ranges::min_element(at_best), median(at_best),
-                *std::ranges::max_element(at_best));
+    std::printf("%zu of %zu lines not reached; ", lines - reached.size(), lines);
+    std::printf("ours reaches the rival's least error in %zu of %zu views", at_best.size(), views);
+    if (!at_best.empty())
+        std::printf(": least %.1f, median %.1f", *std::ranges::min_element(at_best),
+                    median(at_best));
+    std::printf("\n");
 }
 
 /// As it stands in docs/SPEED.md: a line for each picture of ours.
