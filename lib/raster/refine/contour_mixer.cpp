@@ -43,7 +43,6 @@ bool contour_mixer::divided(std::int32_t x, std::int32_t y, step to) const {
 /// False if there is none, or if they show more than one surface.
 bool contour_mixer::find_other(const contour_pixel& pixel, step& to) const {
     const std::int32_t x = pixel.x, y = pixel.y;
-    constexpr step beside[] = {{0, -1}, {0, 1}, {-1, 0}, {1, 0}};
     bool found = false;
     for (const step s : beside)
         if (inside(x + s.x, y + s.y) && divided(x, y, s)) {
@@ -64,19 +63,23 @@ bool contour_mixer::find_other(const contour_pixel& pixel, step& to) const {
     return false;
 }
 
-/// Finds the next pixel's word, if it shows the same steady surface; else the one here. False if it
-/// shows the same surface at a level that is far from the one here: a centre beside a fold may have
-/// met a sliver of the other side.
-bool contour_mixer::find_behind(std::int32_t x, std::int32_t y, step to, std::uint32_t here,
-                                std::uint32_t& word) const {
-    word = here;
+/// The next pixel's word, if it shows the same steady surface; else the one here.
+std::uint32_t contour_mixer::behind(std::int32_t x, std::int32_t y, step to,
+                                    std::uint32_t here) const {
     if (!inside(x + to.x, y + to.y) || (to.x != 0 && divided(x, y, {to.x, 0})) ||
         (to.y != 0 && divided(x + to.x, y, {0, to.y})))
-        return true;
-    const std::uint32_t next = word_at(x + to.x, y + to.y);
-    if (within(steady, next, here))
-        word = next;
-    return within(like, next, here);
+        return here;
+    const std::uint32_t word = word_at(x + to.x, y + to.y);
+    return within(steady, word, here) ? word : here;
+}
+
+/// Whether a neighbour shows the same surface at a level that is far from the one here. A centre
+/// beside a fold may have met a sliver of the other side.
+bool contour_mixer::is_odd(std::int32_t x, std::int32_t y) const {
+    return std::ranges::any_of(beside, [&](step s) {
+        return inside(x + s.x, y + s.y) && !divided(x, y, s) &&
+               !within(like, word_at(x + s.x, y + s.y), word_at(x, y));
+    });
 }
 
 bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
@@ -92,10 +95,10 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
         word = here;
         return true;
     }
-    std::uint32_t before = 0, after = 0;
-    if (!find_behind(x, y, {-to.x, -to.y}, here, before) ||
-        !find_behind(x + to.x, y + to.y, to, there, after))
+    if (is_odd(x, y) || is_odd(x + to.x, y + to.y))
         return false;
+    const std::uint32_t before = behind(x, y, {-to.x, -to.y}, here);
+    const std::uint32_t after = behind(x + to.x, y + to.y, to, there);
     // A straight contour across the way to the neighbour lies own - 1/2 from the centre. The middle
     // of the own share lies rest / 2 before it, that of the other share (1 + rest) / 2 nearer than
     // the neighbour's.

@@ -32,6 +32,7 @@ private:
     struct step {
         std::int32_t x, y;
     };
+    static constexpr step beside[] = {{0, -1}, {0, 1}, {-1, 0}, {1, 0}};
 
     bool inside(std::int32_t x, std::int32_t y) const {
         return x >= window_.left && x < window_.right && y >= window_.top && y < window_.bottom;
@@ -41,8 +42,8 @@ private:
     }
     bool divided(std::int32_t x, std::int32_t y, step to) const;
     bool find_other(const contour_pixel& pixel, step& to) const;
-    bool find_behind(std::int32_t x, std::int32_t y, step to, std::uint32_t here,
-                     std::uint32_t& word) const;
+    bool is_odd(std::int32_t x, std::int32_t y) const;
+    std::uint32_t behind(std::int32_t x, std::int32_t y, step to, std::uint32_t here) const;
 
     const l3d_pixels& picture_;
     l3d_pixel_box window_;
