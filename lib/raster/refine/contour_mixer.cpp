@@ -19,7 +19,7 @@ constexpr int channels_end = 24;
 
 /// How far neighbours' levels go on as they change, and how far two on the other side of a contour
 /// may be apart, being a diagonal's ends.
-constexpr int steady = 2 * jump_levels, like = 5 * jump_levels;
+constexpr int steady = jump_levels, like = jump_levels;
 
 bool within(int levels, std::uint32_t a, std::uint32_t b) {
     for (int shift = 0; shift < channels_end; shift += 8)
@@ -63,14 +63,14 @@ bool contour_mixer::find_other(const contour_pixel& pixel, step& to) const {
     return false;
 }
 
-/// The next pixel's word, if it shows the same steady surface; else the one here.
-std::uint32_t contour_mixer::behind(std::int32_t x, std::int32_t y, step to,
-                                    std::uint32_t here) const {
+/// Finds the next pixel's word. False if it does not show the same steady surface.
+bool contour_mixer::find_behind(std::int32_t x, std::int32_t y, step to, std::uint32_t here,
+                                std::uint32_t& word) const {
     if (!inside(x + to.x, y + to.y) || (to.x != 0 && divided(x, y, {to.x, 0})) ||
         (to.y != 0 && divided(x + to.x, y, {0, to.y})))
-        return here;
-    const std::uint32_t word = word_at(x + to.x, y + to.y);
-    return within(steady, word, here) ? word : here;
+        return false;
+    word = word_at(x + to.x, y + to.y);
+    return within(steady, word, here);
 }
 
 /// Whether a neighbour shows the same surface at a level that is far from the one here. A centre
@@ -97,8 +97,10 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     }
     if (is_odd(x, y) || is_odd(x + to.x, y + to.y))
         return false;
-    const std::uint32_t before = behind(x, y, {-to.x, -to.y}, here);
-    const std::uint32_t after = behind(x + to.x, y + to.y, to, there);
+    std::uint32_t before = 0, after = 0;
+    if (!find_behind(x, y, {-to.x, -to.y}, here, before) ||
+        !find_behind(x + to.x, y + to.y, to, there, after))
+        return false;
     // A straight contour across the way to the neighbour lies own - 1/2 from the centre. The middle
     // of the own share lies rest / 2 before it, that of the other share (1 + rest) / 2 nearer than
     // the neighbour's.

@@ -43,7 +43,8 @@ private:
     bool divided(std::int32_t x, std::int32_t y, step to) const;
     bool find_other(const contour_pixel& pixel, step& to) const;
     bool is_odd(std::int32_t x, std::int32_t y) const;
-    std::uint32_t behind(std::int32_t x, std::int32_t y, step to, std::uint32_t here) const;
+    bool find_behind(std::int32_t x, std::int32_t y, step to, std::uint32_t here,
+                     std::uint32_t& word) const;
 
     const l3d_pixels& picture_;
     l3d_pixel_box window_;
