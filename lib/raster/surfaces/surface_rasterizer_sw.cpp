@@ -45,9 +45,9 @@ struct l3d_surface_rasterizer_sw::work_space {
     std::vector<band_painter> painters;          ///< one for each worker
     std::vector<l3d_depth_buffer> worker_depths; ///< of a band, if nobody wants it afterwards
     l3d_depth_buffer kept_depth; ///< of a picture, if nobody but anti-aliasing wants it afterwards
-    std::vector<std::int64_t> covered;           ///< in each band, if that is counted
-    l3d_image picture;                           ///< in which parts of pictures are drawn
-    std::vector<const l3d_surface_part*> parts;  ///< of all draws, for anti-aliasing
+    std::vector<std::int64_t> covered;          ///< in each band, if that is counted
+    l3d_image picture;                          ///< in which parts of pictures are drawn
+    std::vector<const l3d_surface_part*> parts; ///< of all draws, for anti-aliasing
     picture_refiner refiner;
 };
 

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// l3d_afd_complaint: the values that a frame of patches cannot be drawn with.
+#include "pipeline/pipeline_afd.h"
+
+#include <limits>
+#include <string>
+
+std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
+                              const l3d_afd_settings& settings) {
+    constexpr double largest = std::numeric_limits<double>::max();
+    const std::string most = std::to_string(l3d_largest_side);
+    if (size.width < 1 || size.height < 1 || size.width > l3d_largest_side ||
+        size.height > l3d_largest_side)
+        return "picture: " + std::to_string(size.width) + 'x' + std::to_string(size.height) +
+               " is not within 1x1 and " + most + 'x' + most;
+    if (!(settings.tolerance > 0 && settings.tolerance <= l3d_largest_side))
+        return "tolerance: " + std::to_string(settings.tolerance) + " px is not within 0 and " +
+               most;
+    if (!(settings.shade_tolerance > 0 && settings.shade_tolerance <= 255))
+        return "shade tolerance: " + std::to_string(settings.shade_tolerance) +
+               " levels is not within 0 and 255";
+    const double length = l3d_length(settings.light);
+    if (!(length > 0 && length <= largest))
+        return "light: no direction";
+    if (settings.most_samples < 0)
+        return "most samples: " + std::to_string(settings.most_samples) + " is negative";
+    if (settings.threads < 1)
+        return "threads: " + std::to_string(settings.threads) + " is not positive";
+    if (settings.shade == l3d_shade::error && !settings.method.has_bound())
+        return "shade: error shows a bound of the error, and " + settings.method.name() +
+               " has none";
+    return camera.complaint();
+}
