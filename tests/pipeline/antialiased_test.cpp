@@ -76,9 +76,9 @@ TEST(antialiased, pictures_are_within_their_bounds) {
     expect_all_within_bounds({80, 60}, 12);
 }
 
-/// Some minutes: twelve views of four models.
+/// Two minutes: twelve views of four models.
 TEST(antialiased, DISABLED_pictures_are_within_their_bounds_from_twelve_sides) {
-    expect_all_within_bounds({160, 120}, 1);
+    expect_all_within_bounds({80, 60}, 1);
 }
 
 } // namespace
