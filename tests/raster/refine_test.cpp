@@ -204,8 +204,9 @@ TEST(Refine, LevelsComeBackFromLight) {
         EXPECT_EQ(tables.level(tables.light(level)), level);
     for (int i = 0; i < 2550; ++i) {
         const double level = i / 10.0;
-        if (i % 10 != 5)
-            EXPECT_EQ(tables.level(float(light_of_level(level))), std::uint32_t(level + 0.5)) << i;
+        if (i % 10 == 5)
+            continue;
+        EXPECT_EQ(tables.level(float(light_of_level(level))), std::uint32_t(level + 0.5)) << i;
     }
 }
 
