@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Anti-aliasing: against a picture of 16 x 16 times the pixels, and against exact areas.
 #include "raster/refine/linear_light_p.h"
+#include "raster/srgb_light.h"
 #include "raster/refine/sample_pattern_p.h"
 #include "surface_scene.h"
 
@@ -12,7 +13,6 @@
 
 namespace {
 
-using l3d_detail::light_of_level;
 using l3d_detail::scan_point;
 
 constexpr int fine = 16; ///< samples of a pixel along x and along y
@@ -73,15 +73,10 @@ public:
                 const int level = int(picture_.word(x * fine + column, y * fine + row) & 255);
                 result.darkest = std::min(result.darkest, level);
                 result.brightest = std::max(result.brightest, level);
-                sum += light_of_level(level);
+                sum += l3d_light_of_level(level);
             }
-        result.level = level_of_light(sum / (fine * fine));
+        result.level = l3d_level_of_light(sum / (fine * fine));
         return result;
-    }
-
-    static double level_of_light(double light) {
-        return 255 *
-               (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
     }
 
 private:
@@ -94,11 +89,12 @@ struct share_errors {
     double largest = 0, sum = 0;
 
     void add(double drawn, const slow_picture::pixel& exact) {
-        const double dark = light_of_level(exact.darkest), bright = light_of_level(exact.brightest);
+        const double dark = l3d_light_of_level(exact.darkest),
+                     bright = l3d_light_of_level(exact.brightest);
         if (exact.brightest - exact.darkest < 24)
             return;
         const double error =
-            std::abs(light_of_level(drawn) - light_of_level(exact.level)) / (bright - dark);
+            std::abs(l3d_light_of_level(drawn) - l3d_light_of_level(exact.level)) / (bright - dark);
         ++outlines;
         sum += error * error;
         largest = std::max(largest, error);
@@ -174,7 +170,7 @@ TEST(Refine, AFoldHasItsExactShareOfEachPixel) {
         return std::uniform_int_distribution<int>(least, most)(random);
     };
     surface_picture picture(size.width, size.height, 1);
-    const double surface = light_of_level(std::round(25.5 + 100.25));
+    const double surface = l3d_light_of_level(std::round(25.5 + 100.25));
     int between = 0;
     for (int n = 0; n < 300; ++n) {
         // From below the picture to above it, and back.
@@ -190,7 +186,7 @@ TEST(Refine, AFoldHasItsExactShareOfEachPixel) {
             for (int x = 0; x < size.width; ++x) {
                 const double area = area_right_of(a, b, x, y);
                 between += area > 0.01 && area < 0.99;
-                const double shown = light_of_level(picture.word(x, y) & 255) / surface;
+                const double shown = l3d_light_of_level(picture.word(x, y) & 255) / surface;
                 // Half a level of 126 is 2.4 / 2 / 126 of its light.
                 ASSERT_NEAR(shown, area, 1.0 / 100) << n << ": " << x << ", " << y;
             }
@@ -206,7 +202,7 @@ TEST(Refine, LevelsComeBackFromLight) {
         const double level = i / 10.0;
         if (i % 10 == 5)
             continue;
-        EXPECT_EQ(tables.level(float(light_of_level(level))), std::uint32_t(level + 0.5)) << i;
+        EXPECT_EQ(tables.level(float(l3d_light_of_level(level))), std::uint32_t(level + 0.5)) << i;
     }
 }
 

@@ -2,7 +2,7 @@
 // l3d_doubt_judge: sheets of pieces, whether they fill a cell, and the light of what is seen.
 #include "dice/doubts/doubt_judge.h"
 
-#include "dice/doubts/srgb_light.h"
+#include "raster/srgb_light.h"
 
 #include <algorithm>
 #include <array>

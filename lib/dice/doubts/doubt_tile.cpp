@@ -2,7 +2,7 @@
 // l3d_doubt_tile: cells and pieces, halved together.
 #include "dice/doubts/doubt_tile.h"
 
-#include "dice/doubts/srgb_light.h"
+#include "raster/srgb_light.h"
 
 #include <algorithm>
 #include <cmath>

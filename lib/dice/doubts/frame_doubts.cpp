@@ -2,7 +2,7 @@
 // l3d_frame_doubts: patches to tiles, and the drawn picture beside the exact one.
 #include "dice/doubts/frame_doubts.h"
 
-#include "dice/doubts/srgb_light.h"
+#include "raster/srgb_light.h"
 #include "scene/placed_net.h"
 
 #include <algorithm>

@@ -2,13 +2,15 @@
 // linear_light: the tables.
 #include "raster/refine/linear_light_p.h"
 
+#include "raster/srgb_light.h"
+
 namespace l3d_detail {
 
 linear_light::linear_light() {
     for (std::size_t level = 0; level < light_.size(); ++level) {
         const auto at = static_cast<double>(level);
-        light_[level] = static_cast<float>(light_of_level(at));
-        begins_[level] = level == 0 ? 0.0f : static_cast<float>(light_of_level(at - 0.5));
+        light_[level] = static_cast<float>(l3d_light_of_level(at));
+        begins_[level] = level == 0 ? 0.0f : static_cast<float>(l3d_light_of_level(at - 0.5));
     }
     std::uint8_t level = 0;
     for (std::size_t i = 0; i < guesses; ++i) {

@@ -4,19 +4,12 @@
 #define L3D_RASTER_REFINE_LINEAR_LIGHT_P_H
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
 namespace l3d_detail {
 
-/// The sRGB curve (IEC 61966-2-1): level / 255 to light, both in [0, 1].
-inline double light_of_level(double level) {
-    const double v = level / 255;
-    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
-
-/// Tables of the curve. A level that is taken to light and back is the same level.
+/// Tables of the sRGB curve. A level that is taken to light and back is the same level.
 class linear_light {
 public:
     linear_light();

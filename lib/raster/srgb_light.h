@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Levels of a picture and the linear light that they stand for, by the sRGB curve.
-#ifndef L3D_DICE_DOUBTS_SRGB_LIGHT_H
-#define L3D_DICE_DOUBTS_SRGB_LIGHT_H
+#ifndef L3D_RASTER_SRGB_LIGHT_H
+#define L3D_RASTER_SRGB_LIGHT_H
 
 #include <algorithm>
 #include <cmath>
