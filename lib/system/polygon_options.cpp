@@ -53,7 +53,6 @@ l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_opt
 l3d_polygon_model l3d_polygon_options::model() const {
     std::string why;
     l3d_polygon_mesh mesh;
-    bool has_patches = true;
     if (const std::string& name = shared_.model_file(); !name.empty()) {
         auto file = l3d_read_model(l3d_read_text_file(l3d_data_file(name)), name, why);
         if (!file)
@@ -61,12 +60,19 @@ l3d_polygon_model l3d_polygon_options::model() const {
         for (const std::string& note : file->notes)
             std::cerr << note << '\n';
         mesh = std::move(file->mesh);
-        has_patches = !file->patches.empty();
+        const bool has_patches = !file->patches.empty();
         if (!has_patches && mesh.faces() == 0)
             throw l3d_error(l3d_exit::bad_input, name + ": no polygons and no patches");
-    }
-    if (has_patches)
+        // A pipe can be read only once.
+        if (has_patches) {
+            const auto patches = l3d_patch_model::from_patches(file->patches, name, why);
+            if (!patches)
+                throw l3d_error(l3d_exit::bad_input, why);
+            mesh.append(l3d_tessellated(*patches, facets_).mesh);
+        }
+    } else {
         mesh.append(l3d_tessellated(shared_.model(), facets_).mesh);
+    }
     return l3d_polygon_model(std::move(mesh), to_origin_);
 }
 

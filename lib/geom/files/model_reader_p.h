@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -76,7 +77,14 @@ std::optional<l3d_model_file> read_model_by(Read read, std::string_view text, st
                                             std::string& why, char comment = '\0') {
     text_cursor cursor(text, name, comment);
     l3d_model_file model;
-    if (!read(cursor, model)) {
+    const auto reads = [&] {
+        try {
+            return read(cursor, model);
+        } catch (const std::length_error& too_long) {
+            return cursor.fail(too_long.what());
+        }
+    };
+    if (!reads()) {
         why = cursor.why();
         return std::nullopt;
     }

@@ -88,8 +88,9 @@ private:
         std::int64_t edges = 0;
         if (!whole(vertices, "the number of vertices", 0, l3d_detail::most_vertices) ||
             !whole(faces, "the number of faces", 0, l3d_detail::most_vertices) ||
-            !whole(edges, "the number of edges", std::numeric_limits<std::int32_t>::min(),
-                   std::numeric_limits<std::int32_t>::max()))
+            (counts_edges() &&
+             !whole(edges, "the number of edges", std::numeric_limits<std::int32_t>::min(),
+                    std::numeric_limits<std::int32_t>::max())))
             return false;
         // Three numbers of a digit and a blank; a face has at least its number of corners.
         const std::size_t vertex = is_binary_ ? 3 * sizeof(float) : 3 * 2;
@@ -98,6 +99,13 @@ private:
         faces_ = static_cast<std::size_t>(faces);
         return text_.plausible(vertices, "vertices", vertex) &&
                text_.plausible(faces, "faces", face);
+    }
+
+    /// Whether a third count follows. Some programs leave out the edges: then the line ends here,
+    /// and more than one number stands in the next, the first vertex.
+    bool counts_edges() const {
+        text_cursor ahead = text_;
+        return is_binary_ || ahead.next_in_line() || (ahead.next() && !ahead.next_in_line());
     }
 
     bool read_vertex() {
@@ -112,9 +120,23 @@ private:
                     return false;
             mesh_.vertex_normals.emplace_back(v[0], v[1], v[2]);
         }
-        double skipped = 0;
-        for (int i = 0; i < (kind_.color ? 4 : 0) + (kind_.texture ? 2 : 0); ++i)
-            if (!real(skipped, i < 4 && kind_.color ? "a colour" : "a texture coordinate"))
+        return skip_looks();
+    }
+
+    /// The four components of a vertex' colour and its two texture coordinates. In a text a line
+    /// may end after three components, or leave out just the fourth.
+    bool skip_looks() {
+        const int components = kind_.color ? 4 : 0;
+        const int numbers = components + (kind_.texture ? 2 : 0);
+        const char* const what = kind_.color ? "a colour" : "a texture coordinate";
+        int skipped = 0;
+        for (; !is_binary_ && skipped < numbers && text_.next_in_line(); ++skipped)
+            if (!text_.skipped_number_in(text_.token(), what))
+                return false;
+        if (kind_.color && skipped == numbers - 1)
+            return true;
+        for (double value = 0; skipped < numbers; ++skipped)
+            if (!(is_binary_ ? real(value, what) : text_.skip_number(what)))
                 return false;
         return true;
     }
@@ -132,7 +154,7 @@ private:
             mesh_.corners.push_back(static_cast<std::uint32_t>(index));
         }
         if (corners >= 3) {
-            mesh_.face_ends.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
+            mesh_.end_face();
         } else {
             mesh_.corners.resize(begin);
             text_.note("a face of " + std::to_string(corners) + " corners is skipped");
