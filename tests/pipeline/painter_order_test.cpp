@@ -114,6 +114,57 @@ TEST(painter_order, ten_thousand_scenes_are_right_in_every_pixel) {
               << tied << ", wrong when only sorted " << wrong_unresolved << '\n';
 }
 
+/// Large triangles at all angles through each other.
+std::vector<l3d_painter_triangle> bush(unsigned count, unsigned seed) {
+    std::mt19937 random(seed);
+    std::vector<l3d_painter_triangle> triangles(count);
+    const auto below = [&](int most) { return static_cast<int>(random() % unsigned(most)); };
+    for (unsigned i = 0; i < count; ++i) {
+        triangles[i].color = i + 1;
+        for (l3d_micro_vertex& v : triangles[i].v)
+            v = {below(window.width << l3d_subpixel_bits),
+                 below(window.height << l3d_subpixel_bits),
+                 static_cast<float>(1 + below(1 << 20)) / (1 << 20),
+                 {0, 0, 1}};
+    }
+    return triangles;
+}
+
+TEST(painter_order, a_bush_of_crossing_triangles_is_cut_only_where_it_is_seen) {
+    painting painted;
+    for (const unsigned count : {49u, 60u, 300u, 1000u}) {
+        const auto triangles = bush(count, count);
+        const nearest_triangles exact = find_nearest(triangles, window);
+        EXPECT_EQ(differences(painted.paint(triangles, l3d_shade::error), exact.number, exact), 0)
+            << count;
+        EXPECT_EQ(painted.order.counts().knots, 1);
+        // Each with each would be cut into more than count * count / 2 pieces.
+        EXPECT_LT(painted.order.pieces().size(), 20u * count);
+        std::cout << count << ": " << painted.order.pieces().size() << " pieces, "
+                  << painted.order.counts().cuts << " cuts\n";
+    }
+}
+
+/// Lines of what is hidden must not show where the areas that hide it end.
+TEST(painter_order, what_is_left_out_of_a_bush_would_not_show_its_sides) {
+    const auto triangles = bush(120, 3);
+    l3d_painter_order order;
+    l3d_painter painter;
+    order.make(triangles, window);
+    canvas with_order;
+    painter.paint_lines(with_order.pixels(), order.triangles(), order.pieces(), order.cuts(),
+                        0xffffff);
+    // Pixel by pixel, the nearest triangle decides in areas; a side shows where its triangle is the
+    // nearest one or lies at the edge of all.
+    const nearest_triangles exact = find_nearest(triangles, window);
+    const auto lines = with_order.picture();
+    int lit = 0;
+    for (const std::uint32_t word : lines)
+        lit += word == 0xffffff;
+    EXPECT_GT(lit, 0);
+    EXPECT_LT(lit, window.width * window.height);
+}
+
 TEST(painter_order, the_cycle_of_three_rectangles) {
     const auto triangles = rectangle_cycle(window);
     const nearest_triangles exact = find_nearest(triangles, window);

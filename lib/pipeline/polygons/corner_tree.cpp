@@ -31,7 +31,7 @@ corner_tree::corner_tree(std::span<const flat_place> places)
 void corner_tree::make(const half& of) {
     const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(of.begin);
     const auto end = order_.begin() + static_cast<std::ptrdiff_t>(of.end);
-    box& box = boxes_[of.node];
+    bounds& box = boxes_[of.node];
     box.left = of.end - of.begin;
     box.least = box.most = places_[*begin];
     for (auto corner = begin; corner != end; ++corner) {
@@ -62,7 +62,7 @@ void corner_tree::remove(std::size_t corner) {
 /// False only if no point of the box is in the triangle. Rounding keeps the order of sums and
 /// products, so turn() at the corner of the box that lies farthest to the left of a side is no less
 /// than at any point in it.
-bool corner_tree::may_meet(const box& box, const std::array<flat_place, 3>& triangle) const {
+bool corner_tree::may_meet(const bounds& box, const std::array<flat_place, 3>& triangle) const {
     for (std::size_t i = 0; i < 3; ++i) {
         const flat_place &a = triangle[i], &b = triangle[(i + 1) % 3];
         const flat_place farthest{b.v >= a.v ? box.least.u : box.most.u,
@@ -98,7 +98,7 @@ bool corner_tree::any_in(const std::array<std::size_t, 3>& triangle) const {
     open[count++] = whole();
     while (count > 0) {
         const half next = open[--count];
-        const box& box = boxes_[next.node];
+        const bounds& box = boxes_[next.node];
         if (box.left == 0 || !may_meet(box, corners))
             continue;
         if (!is_leaf(next)) {

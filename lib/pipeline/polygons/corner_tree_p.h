@@ -40,7 +40,7 @@ public:
     bool any_in(const std::array<std::size_t, 3>& triangle) const;
 
 private:
-    struct box {
+    struct bounds {
         flat_place least, most;
         std::size_t left = 0; ///< corners not yet removed
     };
@@ -57,14 +57,14 @@ private:
     static std::size_t middle(const half& of) { return of.begin + (of.end - of.begin) / 2; }
     bool is_leaf(const half& of) const { return of.end - of.begin <= leaf; }
     half whole() const { return {1, 0, order_.size()}; }
-    bool may_meet(const box& box, const std::array<flat_place, 3>& triangle) const;
+    bool may_meet(const bounds& box, const std::array<flat_place, 3>& triangle) const;
     bool any_in_leaf(const half& of, const std::array<std::size_t, 3>& triangle) const;
 
     std::span<const flat_place> places_;
     std::vector<std::size_t> order_;    ///< corners, halves side by side
     std::vector<std::size_t> position_; ///< of each corner in `order_`
     std::vector<bool> removed_;
-    std::vector<box> boxes_; ///< node n has the halves 2n and 2n + 1; the whole is 1
+    std::vector<bounds> boxes_; ///< node n has the halves 2n and 2n + 1; the whole is 1
 };
 
 } // namespace l3d_detail
