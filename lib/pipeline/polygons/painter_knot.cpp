@@ -10,14 +10,6 @@
 
 namespace l3d_detail {
 
-namespace {
-
-/// In a set larger than this, all pairs are not looked at again after each division: halving is
-/// quicker than finding out whether an order exists.
-constexpr std::size_t few = 48;
-
-} // namespace
-
 painter_knot::fragment painter_knot::whole(std::uint32_t triangle) const {
     const auto& v = triangles_[triangle].v;
     fragment result{
@@ -192,7 +184,7 @@ void painter_knot::untie(l3d_size size, std::span<const l3d_painter_triangle> tr
     pieces_ = &pieces;
     cuts_ = &cuts;
     const auto first_piece = static_cast<std::ptrdiff_t>(pieces.size());
-    covers_ = members.size() > few; // else clearing the picture's bits would take longer
+    covers_ = members.size() > most_without_search_;
     if (covers_)
         cover_.begin(size, triangles, cuts);
     fragments set;
@@ -206,11 +198,15 @@ void painter_knot::untie(l3d_size size, std::span<const l3d_painter_triangle> tr
         task next = std::move(tasks_.back());
         tasks_.pop_back();
         leave_out_hidden(next.set);
+        if (next.set.empty())
+            continue;
         if (next.set.size() == 1)
             emit(next.set.front());
+        // In a set larger than this, all pairs are not looked at again after each division:
+        // halving is quicker than finding out whether an order exists.
         else if (next.cyclic || next.set.size() > few)
             divide(std::move(next.set));
-        else if (!next.set.empty())
+        else
             arrange(std::move(next.set));
     }
     std::reverse(pieces.begin() + first_piece, pieces.end());

@@ -27,6 +27,13 @@ namespace l3d_detail {
 /// Lives:   keeps its memory.
 class painter_knot {
 public:
+    /// Knots of more members than that are searched for hidden ones. In a smaller one, clearing the
+    /// bits of the picture would take longer than painting what is hidden.
+    static constexpr std::size_t few = 48;
+
+    explicit painter_knot(std::size_t most_without_search = few)
+        : most_without_search_(most_without_search) {}
+
     /// Adds the members' pieces in painting order, and their cuts.
     /// Expects: members name triangles, rising.
     void untie(l3d_size size, std::span<const l3d_painter_triangle> triangles,
@@ -69,6 +76,7 @@ private:
     };
     std::vector<task> tasks_; ///< the last is the next, in front of all others
     painter_cover cover_;     ///< of a large knot
+    std::size_t most_without_search_;
     bool covers_ = false;
     ordered_components components_;
     picture_region common_, scratch_;
