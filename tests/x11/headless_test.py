@@ -123,7 +123,7 @@ def reports_a_full_disk(program):
                       ("--diagnose",), ("--help",), ("--version",)):
         with open("/dev/full", "wb") as full:
             status, _, messages = run(program.command(*arguments), environment(), stdout=full)
-        expect_equal((status, messages.count("\n")), (1, 1), arguments, messages)
+        expect_equal((status, messages.count("\n")), (1, 1), [arguments, messages])
 
 
 def writes_no_control_characters(program):
