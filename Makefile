@@ -161,7 +161,7 @@ MAKEFLAGS += -rR --no-print-directory
 .SECONDEXPANSION:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: FORCE all run test stress stability matrix lint $(CHECKS) tidy format golden pictures docs bench report \
+.PHONY: FORCE all run test stress faults stability matrix lint $(CHECKS) tidy format golden pictures docs bench report \
         fuzz fuzz-each packages hooks clean help
 
 Q    := $(if $(V),,@)
@@ -195,6 +195,9 @@ stress: packages-test ## what takes minutes: servers that die at every request, 
 
 test-%: packages-test ## the tests of one layer: make test-geom
 	@$(call judge,$(OUT)/log/$*.log)
+
+faults: packages-faults $(OUT)/bin/teapot_afd ## batches killed, out of disk or without power at each call that writes
+	L3D_BIN=$(abspath $(OUT)/bin) tests/faults/batch_faults.py
 
 stability: packages-stability ## 600 cases made to break it, and a million random ones, in four arithmetics
 	@$(again) $(STABILITY)
@@ -251,7 +254,7 @@ fuzz-each: $(FUZZERS)
 
 packages: packages-build packages-test packages-lint ## install the Debian packages that are missing
 packages-test packages-lint packages-tidy packages-bench packages-matrix packages-fuzz \
-    packages-stability packages-report: packages-build
+    packages-stability packages-faults packages-report: packages-build
 packages-%:
 	@CXX="$(CXX)" tests/lint/packages.sh $(PACKAGES_$*)
 

@@ -10,9 +10,11 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <system_error>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -44,16 +46,37 @@ std::string led_to(fs::path name) {
     return name.string();
 }
 
-/// A new name in a folder, short enough beside any other. 64 random bits: not to be guessed by
-/// those who might put a link there.
-std::string free_name(const std::string& folder) {
-    std::uint64_t number = 0;
-    if (getrandom(&number, sizeof number, 0) != sizeof number)
-        number = static_cast<std::uint64_t>(getpid());
+/// A name in a folder, short enough beside any other.
+std::string part_name(const std::string& folder, std::uint64_t number) {
     std::array<char, 32> name{};
     std::snprintf(name.data(), name.size(), "/.l3d-%016llx.part",
                   static_cast<unsigned long long>(number));
     return folder + name.data();
+}
+
+/// 64 random bits: not to be guessed by those who might put a link there.
+std::string free_name(const std::string& folder) {
+    std::uint64_t number = 0;
+    if (getrandom(&number, sizeof number, 0) != sizeof number)
+        number = static_cast<std::uint64_t>(getpid());
+    return part_name(folder, number);
+}
+
+/// The name that a complete file has for the moment between its link and its renaming. It is always
+/// the same, so that one which a death in this moment left behind is found by the next writer.
+/// Nobody need be kept from guessing it: a link follows and replaces nothing.
+std::string complete_name(const std::string& target) {
+    return part_name(folder_of(target), std::hash<std::string>()(target));
+}
+
+/// Removes what the death of a writer left behind. One that lives holds a lock on its file.
+void remove_left_behind(const std::string& name) {
+    const int descriptor = open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+        unlink(name.c_str());
+    close(descriptor);
 }
 
 /// Calls make(name) with new names until it does not fail with EEXIST; returns what it returned.
@@ -108,6 +131,8 @@ output_file::output_file(const std::string& path) : path_(path), target_(path) {
         open_directly();
         return;
     }
+    // Tells remove_left_behind that we live; where locks are not known, nobody asks.
+    static_cast<void>(flock(descriptor, LOCK_EX | LOCK_NB));
     if (exists) {
         // Only root may give a file away, and it is no harm if nobody may.
         static_cast<void>(!fchown(descriptor, old.st_uid, old.st_gid));
@@ -145,22 +170,27 @@ int output_file::open_named() {
     });
 }
 
-/// Gives the file its name, that of its predecessor or not.
+/// Gives a nameless file its name; one for the moment, if another file has that.
 void output_file::link() {
-    if (temporary_.empty()) {
-        const std::string open_file = name_of(fileno(file_.get()));
-        const auto link_to = [&](const char* name) {
-            return linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW);
-        };
-        if (link_to(target_.c_str()) == 0)
-            return;
-        // A link cannot replace a file; a name can.
-        if (errno != EEXIST || with_free_name(folder_of(target_), temporary_, link_to) < 0)
-            throw_write_error(path_);
-    }
-    if (std::rename(temporary_.c_str(), target_.c_str()) != 0)
+    const std::string open_file = name_of(fileno(file_.get()));
+    const auto link_to = [&](const char* name) {
+        return linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW);
+    };
+    if (link_to(target_.c_str()) == 0)
+        return;
+    if (errno != EEXIST)
         throw_write_error(path_);
-    temporary_.clear();
+    // A link cannot replace a file; a name can.
+    const std::string name = complete_name(target_);
+    int result = link_to(name.c_str());
+    if (result != 0 && errno == EEXIST) {
+        remove_left_behind(name);
+        result = link_to(name.c_str());
+    }
+    if (result == 0)
+        temporary_ = name;
+    else if (errno != EEXIST || with_free_name(folder_of(target_), temporary_, link_to) < 0)
+        throw_write_error(path_);
 }
 
 /// A name is on the disk when its folder is. Some file systems cannot be asked for that.
@@ -180,7 +210,11 @@ void output_file::commit() {
         // Otherwise, after a power failure, the name might lead to an empty file.
         if (fsync(fileno(file_.get())) != 0)
             throw_write_error(path_);
-        link();
+        if (temporary_.empty())
+            link();
+        if (!temporary_.empty() && std::rename(temporary_.c_str(), target_.c_str()) != 0)
+            throw_write_error(path_);
+        temporary_.clear();
     }
     if (std::fclose(file_.release()) != 0)
         throw_write_error(path_);

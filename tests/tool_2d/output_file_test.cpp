@@ -96,6 +96,34 @@ TEST_F(output_files, a_death_leaves_nothing_behind) {
     EXPECT_EQ(files(), 0);
 }
 
+TEST_F(output_files, what_a_death_before_renaming_left_is_removed_by_the_next_writer) {
+    write("a", "old");
+    const pid_t child = fork();
+    if (child == 0) {
+        output_file file(path("a"));
+        std::fputs("new", file.get());
+        // A folder in the way lets the renaming fail, which comes after the link.
+        fs::remove(path("a"));
+        fs::create_directory(path("a"));
+        try {
+            file.commit();
+        } catch (const l3d_error&) {
+            raise(SIGKILL);
+        }
+        _exit(1);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    fs::remove(path("a"));
+    if (files() == 0)
+        GTEST_SKIP() << "no files without names here";
+    write("a", "old");
+    write("a", "new");
+    EXPECT_EQ(contents("a"), "new");
+    EXPECT_EQ(files(), 1);
+}
+
 TEST_F(output_files, writers_of_one_path_do_not_collide) {
     constexpr std::size_t size = 100000;
     std::vector<std::thread> writers;
