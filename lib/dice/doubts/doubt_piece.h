@@ -3,7 +3,7 @@
 #ifndef L3D_DICE_DOUBTS_DOUBT_PIECE_H
 #define L3D_DICE_DOUBTS_DOUBT_PIECE_H
 
-#include "dice/doubts/side_pairs.h"
+#include "scene/side_pairs.h"
 #include "geom/normal_net.h"
 #include "geom/step_bound.h"
 
