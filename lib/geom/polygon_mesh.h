@@ -43,7 +43,7 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     std::vector<std::uint32_t> face_materials; ///< optional, one per face, index into `materials`
     std::vector<std::string> materials;        ///< names
     std::vector<l3d_material> looks; ///< optional, one per name: what the material looks like
-    std::vector<part> parts;                   ///< optional, in the order of their first faces
+    std::vector<part> parts;         ///< optional, in the order of their first faces
 
     /// The number of faces.
     std::size_t faces() const { return face_ends.size(); }

@@ -23,7 +23,7 @@ struct l3d_dice_view;
 ///
 /// Lives: everything that it refers to must outlive the frame.
 struct L3D_PUBLIC l3d_method_frame {
-    const l3d_patch_scene& scene;       ///< what is drawn
+    const l3d_patch_scene& scene; ///< what is drawn
     /// The scene's materials, whose places are l3d_patch_scene::material_of; none if all is white.
     std::span<const l3d_material> materials;
     const l3d_camera& camera;           ///< from where

@@ -66,7 +66,7 @@ struct l3d_patch_model::contents {
 };
 
 struct l3d_patch_model::paint {
-    std::vector<l3d_material> materials;  ///< each once
+    std::vector<l3d_material> materials;   ///< each once
     std::vector<std::uint32_t> of_patches; ///< places in these; empty if there is only one
 };
 
@@ -154,19 +154,18 @@ l3d_patch_model l3d_patch_model::painted(std::span<const l3d_material> materials
     result.paint_ = nullptr;
     if (std::ranges::all_of(materials, &l3d_material::is_plain))
         return result;
-    auto paint = std::make_shared<struct paint>();
+    const auto made = std::make_shared<paint>();
     std::map<std::tuple<std::uint32_t, std::uint32_t, float>, std::uint32_t> places;
     for (const l3d_material& m : materials) {
-        const auto next = static_cast<std::uint32_t>(paint->materials.size());
-        const auto [place, is_new] =
-            places.try_emplace({m.color, m.highlight, m.sharpness}, next);
+        const auto next = static_cast<std::uint32_t>(made->materials.size());
+        const auto [place, is_new] = places.try_emplace({m.color, m.highlight, m.sharpness}, next);
         if (is_new)
-            paint->materials.push_back(m);
-        paint->of_patches.push_back(place->second);
+            made->materials.push_back(m);
+        made->of_patches.push_back(place->second);
     }
-    if (paint->materials.size() == 1)
-        paint->of_patches.clear();
-    result.paint_ = std::move(paint);
+    if (made->materials.size() == 1)
+        made->of_patches.clear();
+    result.paint_ = made;
     return result;
 }
 
@@ -189,8 +188,7 @@ l3d_patch_model l3d_patch_model::load(const std::string& file) {
 }
 
 std::optional<l3d_patch_model> l3d_patch_model::from_file(const l3d_model_file& file,
-                                                          std::string_view name,
-                                                          std::string& why) {
+                                                          std::string_view name, std::string& why) {
     auto model = from_patches(file.patches, name, why);
     if (!model || file.patch_materials.empty() || file.mesh.looks.empty())
         return model;

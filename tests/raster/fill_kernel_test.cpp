@@ -55,8 +55,7 @@ struct filled {
                                  size.width,
                                  top,
                                  std::min(top + rows, size.height)};
-            const fill_target target{band,   shading, queue,             counts,
-                                     rest,   leaves_out_hidden, {}};
+            const fill_target target{band, shading, queue, counts, rest, leaves_out_hidden, {}};
             fill(target);
             fill_finish(target);
         }

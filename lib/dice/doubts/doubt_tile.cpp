@@ -244,7 +244,8 @@ std::vector<l3d_doubt_tile::cell> l3d_doubt_tile::judge_cells() {
 }
 
 void l3d_doubt_tile::give_up() {
-    std::fill(pixels_.begin(), pixels_.end(), l3d_doubt_pixel{l3d_light_bounds::any(), 1, 1, false});
+    std::fill(pixels_.begin(), pixels_.end(),
+              l3d_doubt_pixel{l3d_light_bounds::any(), 1, 1, false});
 }
 
 std::span<const l3d_doubt_pixel> l3d_doubt_tile::finish() {

@@ -59,8 +59,8 @@ struct l3d_light_bounds {
         double result = 0;
         for (std::size_t i = 0; i < least.size(); ++i)
             if (i == 0 || least[i] != least[i - 1] || most[i] != most[i - 1])
-                result = std::max(result,
-                                  l3d_level_of_light(most[i]) - l3d_level_of_light(least[i]));
+                result =
+                    std::max(result, l3d_level_of_light(most[i]) - l3d_level_of_light(least[i]));
         return result;
     }
 };

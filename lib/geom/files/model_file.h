@@ -42,7 +42,7 @@ struct L3D_PUBLIC l3d_model_file {
     l3d_polygon_mesh mesh;                 ///< the polygons; without faces if there are none
     std::vector<l3d_patch_points> patches; ///< the surface patches, of any degrees
     std::vector<std::string> notes;        ///< "name:line: what was skipped"; some 20 at the most
-    std::vector<std::uint32_t> patch_materials{}; ///< optional, one per patch, as a face has it
+    std::vector<std::uint32_t> patch_materials{};    ///< optional, one per patch, as a face has it
     std::vector<l3d_material_file> material_files{}; ///< what the mesh's materials look like
 
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;

@@ -11,9 +11,9 @@ using l3d_detail::text_cursor;
 
 /// Statements of things that are not drawn; their loss is noted once for each kind.
 constexpr std::string_view noted_statements[] = {
-    "map_Ka", "map_Kd", "map_Ks", "map_Ke", "map_Ns", "map_d", "map_bump", "map_Bump",
-    "bump",   "disp",   "decal",  "refl",   "norm",   "d",     "Tr",       "Tf",
-    "map_Pr", "map_Pm", "map_Ps", "map_Tr"};
+    "map_Ka",   "map_Kd", "map_Ks", "map_Ke", "map_Ns", "map_d", "map_bump",
+    "map_Bump", "bump",   "disp",   "decal",  "refl",   "norm",  "d",
+    "Tr",       "Tf",     "map_Pr", "map_Pm", "map_Ps", "map_Tr"};
 
 /// Those whose loss few would see: ambient and own light, refraction, physical models.
 constexpr std::string_view silent_statements[] = {

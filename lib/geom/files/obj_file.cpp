@@ -12,10 +12,10 @@ using l3d_detail::text_cursor;
 
 /// Statements that say nothing that is read here.
 constexpr std::string_view skipped_statements[] = {
-    "vt",    "vp",       "l",        "p",   "s",          "mg",        "usemap", "maplib",
-    "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech",  "stech",  "curv",
-    "curv2", "con",      "call",     "csh", "cdc",        "cdp",       "res",    "bsp",    "bzp",
-    "bmat",  "step",     "scrv",     "sp",  "trim",       "hole"};
+    "vt",    "vp",       "l",        "p",    "s",          "mg",        "usemap", "maplib",
+    "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",
+    "curv",  "curv2",    "con",      "call", "csh",        "cdc",       "cdp",    "res",
+    "bsp",   "bzp",      "bmat",     "step", "scrv",       "sp",        "trim",   "hole"};
 
 /// Those among them whose loss nobody would see.
 constexpr std::string_view silent_statements[] = {"s",     "mg",    "lod",      "bevel",

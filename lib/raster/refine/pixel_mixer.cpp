@@ -39,7 +39,8 @@ std::uint64_t samples_above(float at, float of_x, float of_y) {
 
 } // namespace
 
-void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading) {
+void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading, bool has_color) {
+    has_color_ = has_color;
     measure_pairs(band, measures_);
     with_shader(shading, 0, [&](auto shader) { draw_by(shader, band); });
 }
@@ -58,7 +59,7 @@ template <class Shader> void pixel_mixer::draw_by(Shader shader, const band_frag
             sampler_.begin(corner);
             for (const fragment& f : fragments_)
                 sampler_.add(band.polygons()[f.polygon]);
-            light = sampler_.light(shader, band.closed(i));
+            light = sampler_.light(shader, has_color_, band.closed(i));
         }
         words_.push_back(light.word(tables));
     }
@@ -126,10 +127,11 @@ light_sum pixel_mixer::light_of(Shader& shader, const band_fragments& band, cons
                                 scan_point corner) const {
     const linear_light& tables = linear_light_tables();
     if constexpr (has_bends<Shader>) {
-        const float light = tables.light_between(measures_.level[of.pair]);
-        return {{light, light, light}};
+        constexpr std::uint32_t white = 0xffffff;
+        return light_sum::of_level(measures_.level[of.pair],
+                                   has_color_ ? band.polygons()[of.polygon].color : white, tables);
     } else {
-        return light_at(shader, band.polygons()[of.polygon],
+        return light_at(shader, band.polygons()[of.polygon], has_color_,
                         corner.x + double{l3d_subpixel_one * measures_.x[of.pair]},
                         corner.y + double{l3d_subpixel_one * measures_.y[of.pair]});
     }

@@ -15,8 +15,8 @@
 /// A triangle of the picture.
 struct l3d_painter_triangle {
     std::array<l3d_micro_vertex, 3> v;
-    std::uint32_t color = 0; ///< in mode `error`, a pixel word; else of no meaning
-    std::uint32_t sides = 7; ///< bit k: the side from corner k to the next is drawn as a line
+    std::uint32_t color = 0;    ///< in mode `error`, a pixel word; else of no meaning
+    std::uint32_t sides = 7;    ///< bit k: the side from corner k to the next is drawn as a line
     std::uint32_t material = 0; ///< its place among the materials that it is painted with
 };
 

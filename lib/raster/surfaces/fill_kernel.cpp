@@ -253,17 +253,16 @@ HWY_INLINE void triangles_by(const fill_target& to, const l3d_micro_triangles& t
     const corner_arrays corners{vertex_arrays(triangles.corners[0]),
                                 vertex_arrays(triangles.corners[1]), last, last};
     const Lights lights(to, nullptr);
-    fill_stream<typename Lights::lanes_type>(to).take({corners,
-                                                       {first, first, first, first},
-                                                       lights.triangles(corners, first, count),
-                                                       count,
-                                                       &triangles,
-                                                       -1 - static_cast<std::int32_t>(first),
-                                                       -1,
-                                                       material,
-                                                       triangles.materials.empty()
-                                                           ? nullptr
-                                                           : triangles.materials.data() + first});
+    fill_stream<typename Lights::lanes_type>(to).take(
+        {corners,
+         {first, first, first, first},
+         lights.triangles(corners, first, count),
+         count,
+         &triangles,
+         -1 - static_cast<std::int32_t>(first),
+         -1,
+         material,
+         triangles.materials.empty() ? nullptr : triangles.materials.data() + first});
 }
 
 void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, float* levels) {

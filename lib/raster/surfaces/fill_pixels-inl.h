@@ -31,8 +31,7 @@ template <class D> struct word_maker {
 
     HWY_INLINE word_maker(const fill_table& table, std::size_t i)
 #if HWY_TARGET == HWY_SCALAR // has no bytes to shuffle
-        : unit_(hn::Set(tag(), table.words.unit())), material_(hn::Set(tag(), table.material[i])) {
-    }
+        : unit_(hn::Set(tag(), table.words.unit())), material_(hn::Set(tag(), table.material[i])){}
 #else
         : bytes_(hn::LoadDup128(hn::Repartition<std::uint8_t, D>(),
                                 table.words.has_materials ? bytes_of_levels : bytes_of_greys)),
@@ -41,8 +40,8 @@ template <class D> struct word_maker {
     }
 #endif
 
-    /// Expects: levels in [0, 255].
-    HWY_INLINE word_vec of_levels(hn::Vec<D> level) const {
+          /// Expects: levels in [0, 255].
+          HWY_INLINE word_vec of_levels(hn::Vec<D> level) const {
         return hn::Or(spread(hn::Add(level, hn::Set(D(), whole_numbers))), material_);
     }
 

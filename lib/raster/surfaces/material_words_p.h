@@ -35,11 +35,14 @@ public:
             colors_.push_back(material.color);
     }
 
+    /// One for each material.
+    std::span<const std::uint32_t> colors() const { return colors_; }
+
     /// Whether words are levels of materials, to be coloured.
     bool wanted() const { return !colors_.empty(); }
 
-    /// Makes the words of levels of materials (fill_words) to colours, where depth is not 0: nothing
-    /// was filled elsewhere.
+    /// Makes the words of levels of materials (fill_words) to colours, where depth is not 0:
+    /// nothing was filled elsewhere.
     void color(const material_pixels& pixels) const;
 
     /// The same, pixel by pixel. The slow twin.

@@ -148,7 +148,8 @@ void l3d_surface_rasterizer_mesa::add_part(const l3d_surface_part& part) {
 
 /// Vertices that are added from now on are of this material.
 void l3d_surface_rasterizer_mesa::set_material(std::uint32_t material) {
-    const std::uint32_t word = materials().empty() ? l3d_material().color : materials()[material].color;
+    const std::uint32_t word =
+        materials().empty() ? l3d_material().color : materials()[material].color;
     for (std::size_t i = 0; i < 3; ++i)
         color_[i] = static_cast<std::uint8_t>(word >> (16 - 8 * i));
 }

@@ -33,8 +33,8 @@ private:
     const l3d_surface_counts& do_counts() const override;
 
     struct vertex {
-        float position[3]; ///< x, y in pixels, inv_w
-        float normal[3];   ///< or, in mode `error`, red, green, blue
+        float position[3];                    ///< x, y in pixels, inv_w
+        float normal[3];                      ///< or, in mode `error`, red, green, blue
         std::array<std::uint8_t, 4> material; ///< red, green, blue of the material
     };
 

@@ -235,6 +235,7 @@ void l3d_surface_rasterizer_sw::refine() {
     counts_.refined = work_->refiner.refine({.target = target_,
                                              .depth = *depth_,
                                              .shading = work_->frame.shading,
+                                             .colors = work_->materials.colors(),
                                              .list = list,
                                              .coarse = work_->coarse,
                                              .window = window_,
