@@ -41,9 +41,10 @@ struct light_sum {
         }
         const float level = linear_light::level_of(lit);
         light_sum result;
-        for (std::size_t i = 0; i < result.of.size(); ++i)
-            result.of[i] = tables.light_at_level(static_cast<float>(color >> (16 - 8 * i) & 255) *
-                                                 (level * (1.0f / 255)));
+        for (std::size_t i = 0; i < result.of.size(); ++i) {
+            const std::uint32_t part = color >> (16 - 8 * i) & 255;
+            result.of[i] = tables.light_at_level(level * static_cast<float>(part) / 255);
+        }
         return result;
     }
 

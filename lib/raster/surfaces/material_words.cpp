@@ -34,37 +34,71 @@ HWY_INLINE half_vec products(half_vec levels, half_vec colors) {
     return hn::Add(x, hn::ShiftRight<8>(x));
 }
 
-HWY_INLINE word_vec colored(word_vec coded, word_vec color) {
-    const word_vec level = hn::And(coded, hn::Set(words, 0xffu));
-    const half_vec both = hn::BitCast(halves, hn::Or(level, hn::ShiftLeft<16>(level)));
-    const half_vec color_halves = hn::BitCast(halves, color);
-    const half_vec red_blue = products(both, hn::And(color_halves, hn::Set(halves, 0xff)));
-    const half_vec green = products(hn::BitCast(halves, level), hn::ShiftRight<8>(color_halves));
-    return hn::Or(hn::BitCast(words, hn::ShiftRight<8>(red_blue)),
-                  hn::And(hn::BitCast(words, green), hn::Set(words, 0xff00u)));
-}
+/// Colours of a vector of words, apart: where red and blue are, and where green is.
+struct color_halves {
+    half_vec red_blue, green;
 
-HWY_INLINE void color_vector(std::uint32_t* at, const float* depths, const std::uint32_t* colors) {
-    const hn::RebindToFloat<decltype(words)> numbers;
-    const hn::RebindToSigned<decltype(words)> integers;
-    const auto filled = hn::Gt(hn::LoadU(numbers, depths), hn::Zero(numbers));
-    if (hn::AllFalse(numbers, filled))
-        return;
-    const word_vec coded = hn::LoadU(words, at);
-    const word_vec filled_words = hn::IfThenElseZero(hn::RebindMask(words, filled), coded);
-    const word_vec material = hn::ShiftRight<8>(filled_words);
-    const word_vec first = hn::Set(words, hn::GetLane(material));
-    word_vec color;
-    if (HWY_LIKELY(hn::AllTrue(words, hn::Eq(material, first))))
-        color = hn::Set(words, colors[hn::GetLane(material)]);
-    else
-        color = hn::GatherIndex(words, colors, hn::BitCast(integers, material));
-    const word_vec made = colored(filled_words, color);
-    hn::StoreU(hn::IfThenElse(hn::RebindMask(words, filled), made, coded), words, at);
-}
+    HWY_INLINE explicit color_halves(word_vec colors)
+        : red_blue(hn::And(hn::BitCast(halves, colors), hn::Set(halves, 0xff))),
+          green(hn::ShiftRight<8>(hn::BitCast(halves, colors))) {}
+
+    HWY_INLINE word_vec of(word_vec coded) const {
+        const word_vec level = hn::And(coded, hn::Set(words, 0xffu));
+        const half_vec both = hn::BitCast(halves, hn::Or(level, hn::ShiftLeft<16>(level)));
+        return hn::Or(hn::BitCast(words, hn::ShiftRight<8>(products(both, red_blue))),
+                      hn::And(hn::BitCast(words, products(hn::BitCast(halves, level), green)),
+                              hn::Set(words, 0xff00u)));
+    }
+};
+
+/// Most vectors are full and of the material of the one before.
+class word_colorer {
+public:
+    HWY_INLINE explicit word_colorer(const std::uint32_t* colors)
+        : colors_(colors), material_(hn::Zero(words)), color_(hn::Set(words, colors[0])) {}
+
+    HWY_INLINE void color(std::uint32_t* at, const float* depths) {
+        const hn::RebindToFloat<decltype(words)> numbers;
+        const auto filled = hn::Gt(hn::LoadU(numbers, depths), hn::Zero(numbers));
+        if (HWY_LIKELY(hn::AllTrue(numbers, filled))) {
+            const word_vec coded = hn::LoadU(words, at);
+            hn::StoreU(colored(coded), words, at);
+        } else if (!hn::AllFalse(numbers, filled)) {
+            const auto mask = hn::RebindMask(words, filled);
+            const word_vec there = hn::LoadU(words, at);
+            const word_vec coded = hn::IfThenElseZero(mask, there);
+            hn::StoreU(hn::IfThenElse(mask, by_each(coded), there), words, at);
+        }
+    }
+
+private:
+    HWY_INLINE word_vec colored(word_vec coded) {
+        const word_vec material = hn::ShiftRight<8>(coded);
+        if (HWY_LIKELY(hn::AllTrue(words, hn::Eq(material, material_))))
+            return color_.of(coded);
+        const std::uint32_t first = hn::GetLane(material);
+        material_ = hn::Set(words, first);
+        color_ = color_halves(hn::Set(words, colors_[first]));
+        return hn::AllTrue(words, hn::Eq(material, material_)) ? color_.of(coded) : by_each(coded);
+    }
+
+    HWY_INLINE word_vec by_each(word_vec coded) const {
+        const hn::RebindToSigned<decltype(words)> places;
+        return color_halves(
+                   hn::GatherIndex(words, colors_, hn::BitCast(places, hn::ShiftRight<8>(coded))))
+            .of(coded);
+    }
+
+    const std::uint32_t* colors_;
+    word_vec material_; ///< of the last vector, and its colour
+    color_halves color_;
+};
 #endif
 
 void color_words(const material_pixels& pixels, const std::uint32_t* colors) {
+#if HWY_TARGET != HWY_SCALAR
+    word_colorer colorer(colors);
+#endif
     const auto width = static_cast<std::size_t>(pixels.width);
     for (std::int32_t row = 0; row < pixels.height; ++row) {
         std::uint32_t* const at = pixels.words + row * pixels.word_pitch;
@@ -72,7 +106,7 @@ void color_words(const material_pixels& pixels, const std::uint32_t* colors) {
         std::size_t i = 0;
 #if HWY_TARGET != HWY_SCALAR
         for (; i + hn::Lanes(words) <= width; i += hn::Lanes(words))
-            color_vector(at + i, depths + i, colors);
+            colorer.color(at + i, depths + i);
 #endif
         for (; i < width; ++i)
             if (depths[i] > 0)
