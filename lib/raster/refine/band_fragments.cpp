@@ -110,13 +110,12 @@ void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
     const quad_corners corners{grid.vertex(p00), grid.vertex(p00 + 1), grid.vertex(p01 + 1),
                                grid.vertex(p01)};
     const quad_turns turns(corners);
+    const std::uint32_t color = color_of(part, part.material);
     if (turns.level())
         return;
     if (!turns.folded())
-        return add_convex(corners, part.error_color, box);
-    const auto add_piece = [&](const auto& piece) {
-        add_convex(piece, part.error_color, reached(piece));
-    };
+        return add_convex(corners, color, box);
+    const auto add_piece = [&](const auto& piece) { add_convex(piece, color, reached(piece)); };
     if (levels)
         cut_folded_levels(corners, add_piece);
     else
@@ -128,7 +127,7 @@ void band_fragments::add_triangles(const l3d_surface_part& part, std::size_t fir
     for (std::size_t i = first; i < last; ++i) {
         const std::array corners{part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
                                  part.triangles.vertex(i, 2)};
-        add_convex(corners, part.error_color, reached(corners));
+        add_convex(corners, color_of(part, part.material_of(i)), reached(corners));
     }
 }
 
@@ -143,8 +142,8 @@ l3d_pixel_box band_fragments::reached(std::span<const l3d_micro_vertex> corners)
     return squares_in(box).intersected(band_);
 }
 
-void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners,
-                                std::uint32_t error_color, const l3d_pixel_box& box) {
+void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t color,
+                                const l3d_pixel_box& box) {
     if (box.empty())
         return;
     fragment_polygon polygon;
@@ -162,7 +161,7 @@ void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners,
     if (polygon.area2() == 0)
         return;
     polygon.corners = static_cast<std::int32_t>(corners.size());
-    polygon.error_color = error_color;
+    polygon.color = color;
     const auto name = static_cast<std::uint32_t>(polygons_.size());
     const std::size_t pairs = pair_pixel_.size();
     bits_->for_each_in(box, [&](std::int32_t x, std::int32_t y) {

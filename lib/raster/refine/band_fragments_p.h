@@ -22,7 +22,7 @@ struct fragment_polygon {
     float inv_w[4];
     float light[3][4]; ///< the corners' three numbers of l3d_micro_vertex::normal
     std::int32_t corners;
-    std::uint32_t error_color;
+    std::uint32_t color;     ///< of its material; in mode `error`, the part's own
     float farthest, nearest; ///< of the corners' inv_w
     std::uint32_t pairs_end; ///< behind the last of its pairs
 
@@ -41,6 +41,9 @@ public:
     /// Starts rows [top, bottom) of a picture. Expects: bits outlive the band.
     void begin(const pixel_bits& bits, const drawn_depth& depth, std::int32_t width,
                std::int32_t top, std::int32_t bottom);
+
+    /// The colours of the frame's materials, if it has any. Lives: until the next call.
+    void use_colors(std::span<const std::uint32_t> colors) { colors_ = colors; }
 
     /// Adds those of an item's quads and triangles that reach a marked pixel and are no farther
     /// than all that was drawn there and around. Folded quads come in pieces; `levels`: those of
@@ -78,11 +81,15 @@ private:
     void add_triangles(const l3d_surface_part& part, std::size_t first, std::size_t last);
     void add_quad(const l3d_surface_part& part, std::size_t p00, const l3d_pixel_box& box,
                   bool levels);
-    void add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t error_color,
+    void add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t color,
                     const l3d_pixel_box& box);
+    std::uint32_t color_of(const l3d_surface_part& part, std::uint32_t material) const {
+        return colors_.empty() ? part.error_color : colors_[material];
+    }
     l3d_pixel_box reached(std::span<const l3d_micro_vertex> corners) const;
     std::size_t index_of(std::int32_t x, std::int32_t y) const;
 
+    std::span<const std::uint32_t> colors_;
     const pixel_bits* bits_ = nullptr;
     l3d_pixel_box band_;
     std::vector<pixel> pixels_;

@@ -16,6 +16,26 @@ constexpr float harmless_contrast = 1.0f / 256;
 /// Slivers, which no sample meets, may be missing up to this area in all.
 constexpr float harmless_area = 1.0f / 64;
 
+/// The least and the most light of several.
+struct light_range {
+    light_sum least{{1, 1, 1}}, most;
+
+    void add(const light_sum& light) {
+        for (std::size_t i = 0; i < light.of.size(); ++i) {
+            least.of[i] = std::min(least.of[i], light.of[i]);
+            most.of[i] = std::max(most.of[i], light.of[i]);
+        }
+    }
+
+    /// How far apart they are, in the channel where that is most.
+    float contrast() const {
+        float result = most.of[0] - least.of[0];
+        for (std::size_t i = 1; i < most.of.size(); ++i)
+            result = std::max(result, most.of[i] - least.of[i]);
+        return result;
+    }
+};
+
 /// The sample whose cell a place lies in.
 std::uint64_t sample_at(float x, float y) {
     const auto cell = [](float place) {
@@ -39,7 +59,8 @@ std::uint64_t samples_above(float at, float of_x, float of_y) {
 
 } // namespace
 
-void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading) {
+void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading, bool has_color) {
+    has_color_ = has_color;
     measure_pairs(band, measures_);
     with_shader(shading, 0, [&](auto shader) { draw_by(shader, band); });
 }
@@ -58,7 +79,7 @@ template <class Shader> void pixel_mixer::draw_by(Shader shader, const band_frag
             sampler_.begin(corner);
             for (const fragment& f : fragments_)
                 sampler_.add(band.polygons()[f.polygon]);
-            light = sampler_.light(shader, band.closed(i));
+            light = sampler_.light(shader, has_color_, band.closed(i));
         }
         words_.push_back(light.word(tables));
     }
@@ -126,10 +147,11 @@ light_sum pixel_mixer::light_of(Shader& shader, const band_fragments& band, cons
                                 scan_point corner) const {
     const linear_light& tables = linear_light_tables();
     if constexpr (has_bends<Shader>) {
-        const float light = tables.light_between(measures_.level[of.pair]);
-        return {{light, light, light}};
+        constexpr std::uint32_t white = 0xffffff;
+        return light_sum::of_level(measures_.level[of.pair],
+                                   has_color_ ? band.polygons()[of.polygon].color : white, tables);
     } else {
-        return light_at(shader, band.polygons()[of.polygon],
+        return light_at(shader, band.polygons()[of.polygon], has_color_,
                         corner.x + double{l3d_subpixel_one * measures_.x[of.pair]},
                         corner.y + double{l3d_subpixel_one * measures_.y[of.pair]});
     }
@@ -166,10 +188,10 @@ bool pixel_mixer::add_rest(Shader& shader, const band_fragments& band, scan_poin
     const float rest = 1 - known;
     const int empty = closed ? 0 : bits_in(~seen);
     light_sum sum;
-    float least = 1, most = 0;
+    light_range range;
     int samples = empty;
     if (empty > 0)
-        least = 0;
+        range.add({});
     for (const fragment& f : fragments_) {
         if (f.seen == 0 || f.seen == f.mask)
             continue;
@@ -177,8 +199,7 @@ bool pixel_mixer::add_rest(Shader& shader, const band_fragments& band, scan_poin
         const int count = bits_in(f.seen);
         sum.add(here, static_cast<float>(count));
         samples += count;
-        least = std::min(least, *std::ranges::min_element(here.of));
-        most = std::max(most, *std::ranges::max_element(here.of));
+        range.add(here);
     }
     if (samples == 0) {
         if (std::abs(rest) > harmless_area / 4 && !(closed && known > 0.5f && rest > 0))
@@ -188,7 +209,7 @@ bool pixel_mixer::add_rest(Shader& shader, const band_fragments& band, scan_poin
         light = whole;
         return true;
     }
-    if (most - least > harmless_contrast)
+    if (range.contrast() > harmless_contrast)
         return false;
     if (rest > 0)
         light.add(sum, rest / static_cast<float>(samples));
