@@ -13,7 +13,7 @@ enum class lesson { window, event, image };
 
 /// The name that X gives an event, with its values; empty for events that X does not know.
 std::string name_of(const l3d_event& event) {
-    const std::string place = ' ' + std::to_string(event.x) + ',' + std::to_string(event.y);
+    const std::string place = ' ' + std::to_string(event.x) + ',' + std::to_string(event.notches);
     const std::string button = " button " + std::to_string(event.button);
     const std::string key = event.key > ' ' && event.key < 127
                                 ? std::string(1, static_cast<char>(event.key))

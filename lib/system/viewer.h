@@ -17,7 +17,8 @@
 #include <utility>
 
 /// A `Pipeline` with l3d_viewer_controls and a report of each frame, for which --turntable,
-/// --report, --explain, --depth-output and --error-output do what they say.
+/// --report, --explain, --depth-output and --error-output do what they say. Without --eye and
+/// --target it frames its model.
 ///
 /// Lives:   borrows the options.
 template <class Pipeline> class L3D_PUBLIC l3d_viewer final : public Pipeline {
@@ -27,6 +28,11 @@ public:
     template <class... Arguments>
     l3d_viewer(l3d_program& program, const l3d_afd_options& asked, Arguments&&... arguments)
         : Pipeline(std::forward<Arguments>(arguments)...), asked_(asked) {
+        if (!asked.places_camera())
+            this->controls().set_home([this] {
+                return asked_.camera(
+                    [this](const l3d_camera& usual) { return this->framed_unless_well(usual); });
+            });
         this->controls().set_turntable(asked.turntable(),
                                        1 / program.options().frame_settings().step());
         this->controls().set_screenshot(l3d_save_screenshot);
