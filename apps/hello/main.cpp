@@ -13,7 +13,7 @@ enum class lesson { window, event, image };
 
 /// The name that X gives an event, with its values; empty for events that X does not know.
 std::string name_of(const l3d_event& event) {
-    const std::string place = ' ' + std::to_string(event.x) + ',' + std::to_string(event.notches);
+    const std::string place = ' ' + std::to_string(event.x) + ',' + std::to_string(event.y);
     const std::string button = " button " + std::to_string(event.button);
     const std::string key = event.key > ' ' && event.key < 127
                                 ? std::string(1, static_cast<char>(event.key))
@@ -30,7 +30,7 @@ std::string name_of(const l3d_event& event) {
     case l3d_event_type::pointer_motion:
         return "MotionNotify" + place;
     case l3d_event_type::wheel:
-        return "ButtonPress wheel " + std::to_string(event.y);
+        return "ButtonPress wheel " + std::to_string(event.notches);
     case l3d_event_type::resize:
         return "ConfigureNotify " + std::to_string(event.size.width) + 'x' +
                std::to_string(event.size.height);

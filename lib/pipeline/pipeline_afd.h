@@ -104,6 +104,9 @@ public:
     /// That camera, or the one given if it shows the scene well: l3d_framed_unless_well.
     l3d_camera framed_unless_well(const l3d_camera& usual) const;
 
+    /// Why the last picture shows nothing, as l3d_why_unseen tells it; "" if it may show something.
+    std::string why_empty() const;
+
     /// What is seen at (x, y) of the picture: l3d_pick_at, with the camera and settings of now.
     std::optional<l3d_pick> pick(double x, double y) const;
 

@@ -93,6 +93,9 @@ void l3d_pipeline_afd_viewer::update_event(double seconds) {
 }
 
 void l3d_pipeline_afd_viewer::draw_overlay() {
+    if (screen().is_window())
+        controls_.set_empty(
+            last_report().dice.drawn == 0 && last_report().pixels_kept == 0 ? why_empty() : "");
     if (!controls_.shows_text())
         return; // asking for the rasterizer makes the next frame clear the picture
     const std::array lines{

@@ -76,8 +76,17 @@ public:
     /// A line that is shown until the next key. Expects: an action of a row is running.
     void say(std::string line) { message_ = std::move(line); }
 
+    /// That line; "" if there is none.
+    const std::string& message() const { return message_; }
+
+    /// Why the picture is empty, as l3d_why_unseen tells it; "" if it is not. It is shown with the
+    /// way to mend it as long as it is so.
+    void set_empty(std::string why) { why_empty_ = std::move(why); }
+
     /// Whether draw() draws anything.
-    bool shows_text() const { return status_shown_ || help_shown_ || !message_.empty(); }
+    bool shows_text() const {
+        return status_shown_ || help_shown_ || !message_.empty() || !why_empty_.empty();
+    }
 
     /// Status, help and message, as they are switched on, on top of a finished picture.
     /// Units: what the picture took, in milliseconds. `lines` are the viewer's own of the status.
@@ -102,6 +111,7 @@ private:
     bool status_shown_ = false;
     bool help_shown_ = false;
     std::string message_;
+    std::string why_empty_;
     double smoothed_seconds_ = 0; ///< between frames
     std::function<std::string(const l3d_pixels&)> save_;
 };

@@ -154,7 +154,7 @@ struct depths {
 
     /// How far the eye stays away at least. A model without any size is seen from anywhere.
     double least_distance() const {
-        const double size = (farthest - nearest) * 1e-3;
+        const double size = (farthest - nearest) * 1e-6;
         const double largest = std::max(std::abs(nearest), std::abs(farthest));
         return size > 0 ? size : largest > 0 ? largest : 1;
     }
@@ -225,4 +225,56 @@ bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3d_reach& re
 
 l3d_camera l3d_framed_unless_well(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
     return l3d_shows_well(camera, size, reach) ? camera : l3d_framed(camera, size, reach);
+}
+
+namespace {
+
+/// How a model lies along the width or the height of a picture.
+struct side_of_picture {
+    bool is_beside, is_within_a_pixel;
+};
+
+/// By the planes through the eye and two opposite sides of the picture, whose tangent is `slope`.
+side_of_picture seen_along(const vector& side, const vector& forward, const vector& eye,
+                           double slope, int pixels, const l3d_reach& reach) {
+    const double at = l3d_dot(eye, side), depth = l3d_dot(eye, forward);
+    const bool after = -reach(forward * slope - side) > at - slope * depth;
+    const bool before = reach(side + forward * slope) < at + slope * depth;
+    return {after || before, wedge(side, forward, slope / pixels, reach).deepest() > depth};
+}
+
+/// By the planes `half` away from the eye.
+side_of_picture seen_parallel(const vector& side, const vector& eye, double half, int pixels,
+                              const l3d_reach& reach) {
+    const double at = l3d_dot(eye, side), least = -reach(-side), most = reach(side);
+    return {least > at + half || most < at - half, most - least < 2 * half / pixels};
+}
+
+} // namespace
+
+std::string l3d_why_unseen(const l3d_camera& camera, l3d_size size, const l3d_reach& reach,
+                           bool is_parallel) {
+    const l3d_camera::frame axes = camera.axes();
+    const depths depth(axes.forward, reach);
+    const double eye = l3d_dot(camera.eye, axes.forward);
+    if (depth.empty())
+        return "without any surface";
+    if (!is_parallel && depth.farthest < eye)
+        return "behind the eye";
+    if (!is_parallel && depth.farthest < eye + camera.near)
+        return "nearer than the near plane";
+    if (!is_parallel && depth.nearest > eye + camera.far)
+        return "beyond the far plane";
+    const double distance = l3d_length(camera.target - camera.eye);
+    const auto seen = [&](const vector& side, int pixels) {
+        const double slope = pixels / 2.0 / camera.focal_length(size);
+        return is_parallel ? seen_parallel(side, camera.eye, slope * distance, pixels, reach)
+                           : seen_along(side, axes.forward, camera.eye, slope, pixels, reach);
+    };
+    const side_of_picture across = seen(axes.right, size.width), along = seen(axes.up, size.height);
+    if (across.is_beside || along.is_beside)
+        return "outside of the picture";
+    if (across.is_within_a_pixel && along.is_within_a_pixel)
+        return "smaller than a pixel";
+    return "";
 }

@@ -9,6 +9,7 @@
 #include "tool_2d/pixels.h"
 
 #include <functional>
+#include <string>
 
 /// How far something reaches along a direction: the largest dot product of the direction with any
 /// of its points; minus infinity if it has no points.
@@ -40,6 +41,12 @@ L3D_PUBLIC l3d_camera l3d_framed_parallel(const l3d_camera& camera, l3d_size siz
 /// Whether a picture of that size shows all of a model, at 60 % or more of its width or height.
 /// Expects: a valid camera.
 L3D_PUBLIC bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3d_reach& reach);
+
+/// Why nothing of a model is in a picture, as "behind the eye"; "" if something may be. It is
+/// "smaller than a pixel", too, if its picture is less than one pixel wide and high.
+/// Expects: a valid camera. In parallel projection nothing is behind the eye.
+L3D_PUBLIC std::string l3d_why_unseen(const l3d_camera& camera, l3d_size size,
+                                      const l3d_reach& reach, bool is_parallel = false);
 
 /// The camera itself if it l3d_shows_well, else l3d_framed. Expects, Errors: as these.
 L3D_PUBLIC l3d_camera l3d_framed_unless_well(const l3d_camera& camera, l3d_size size,

@@ -167,7 +167,10 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
                   .point_error = length_of_radii(jet.point),
                   .depth = hit->depth,
                   .is_proven = hit->is_proven};
-    pick.point_error = std::max(pick.point_error, ray.length(hit->width, hit->depth_width));
+    if (!hit->is_proven) {
+        pick.point = view.camera.eye + ray.direction() * hit->depth;
+        pick.point_error = ray.length(hit->width, hit->depth_width) + rounding;
+    }
     describe_surface(pick, jet, ray.direction());
     return pick;
 }

@@ -67,6 +67,10 @@ public:
     /// Whether --explain asks what the last frame did not need.
     bool explain() const { return explain_; }
 
+    /// The place of the picture that --pick names, in pixels from its left upper corner; nothing
+    /// if it was not given.
+    const std::optional<l3d_vector<double, 2>>& pick() const { return pick_; }
+
     /// Neither a model nor a camera was asked for.
     bool shows_the_usual() const;
 
@@ -75,6 +79,7 @@ private:
     l3d_camera camera_ = teapot_view();
     std::optional<l3d_camera::vector> eye_, target_;
     std::optional<double> near_;
+    std::optional<l3d_vector<double, 2>> pick_;
     l3d_afd_settings settings_;
     double turntable_ = 0;
     std::string depth_output_, error_output_, report_;

@@ -204,6 +204,16 @@ void l3d_options::add(const std::string& name, std::optional<l3d_vector<double, 
              [name, &value](const std::string& text) { value = read_vector(name, text); });
 }
 
+void l3d_options::add(const std::string& name, std::optional<l3d_vector<double, 2>>& value,
+                      const std::string& help) {
+    add_text(parser_->app, name, help, "X,Y", "", [name, &value](const std::string& text) {
+        std::array<double, 2> numbers{};
+        if (!l3d_read_numbers(text, ',', numbers))
+            refuse(name, text, "two numbers X,Y");
+        value = {numbers[0], numbers[1]};
+    });
+}
+
 void l3d_options::add(const std::string& name, l3d_size& value, const std::string& help) {
     const std::string preset = std::to_string(value.width) + 'x' + std::to_string(value.height);
     const auto read = [name, &value](const std::string& text) {

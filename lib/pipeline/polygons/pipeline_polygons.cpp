@@ -170,6 +170,8 @@ void l3d_pipeline_polygons::update_event(double seconds) {
 }
 
 void l3d_pipeline_polygons::draw_overlay() {
+    if (screen_->is_window())
+        controls_.set_empty(report_.polygons.drawn == 0 ? why_empty() : "");
     if (!controls_.shows_text())
         return;
     std::vector lines{formatted("%s  %lld of %lld polygons", name(),

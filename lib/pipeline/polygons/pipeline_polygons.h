@@ -18,6 +18,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 class l3d_polygon_frame;
@@ -73,6 +74,9 @@ public:
 
     /// That camera, or the one given if it shows the model well: l3d_shows_well.
     l3d_camera framed_unless_well(const l3d_camera& usual) const;
+
+    /// Why the last picture shows nothing, as l3d_why_unseen tells it; "" if it may show something.
+    std::string why_empty() const;
 
     /// What is seen at (x, y) of the picture: l3d_polygon_pick_at, with the camera and settings of
     /// now.

@@ -52,6 +52,15 @@ void l3d_pipeline_polygons::frame_all() {
     redraw();
 }
 
+std::string l3d_pipeline_polygons::why_empty() const {
+    const l3d_polygon_view now = view();
+    std::string why =
+        l3d_why_unseen(camera_, now.size(), reach_of(model_, now.placement()), now.is_parallel());
+    if (!why.empty() || report_.polygons.drawn > 0)
+        return why;
+    return report_.polygons.back > 0 ? "turning its back" : "not where a pixel shows it";
+}
+
 std::optional<l3d_polygon_pick> l3d_pipeline_polygons::pick(double x, double y) const {
     return l3d_polygon_pick_at(model_, view(), settings_.cull, x, y);
 }

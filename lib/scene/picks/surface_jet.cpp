@@ -69,32 +69,35 @@ private:
     double factor_, terms_;
 };
 
-/// Evaluates derivatives at all parameters around a place.
+/// All derivatives, at all parameters around a place.
 class around {
 public:
     around(const patch_3& patch, double u, double v, double u_error, double v_error,
-           double rounding)
-        : patch_(patch), u_(u), v_(v), u_error_(u_error), v_error_(v_error), rounding_(rounding) {}
+           double rounding) {
+        // Of the highest order first: a derivative changes by as much as the next ones are large,
+        // and those of the fourth are zero.
+        for (std::size_t i = 4; i-- > 0;)
+            for (std::size_t j = 4; j-- > 0;) {
+                derivative_net net(patch, static_cast<int>(i), static_cast<int>(j));
+                const patch_3::point middle = net.value(u, v);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const int coordinate = static_cast<int>(k);
+                    const double radius = net.terms() * rounding + net.most(coordinate) * 0x1p-49 +
+                                          u_error * most_[i + 1][j][k] +
+                                          v_error * most_[i][j + 1][k];
+                    derivatives_[i][j][k] = l3d_interval::around(middle[coordinate], radius);
+                    most_[i][j][k] = std::abs(middle[coordinate]) + radius;
+                }
+            }
+    }
 
-    /// The value in the middle, and what the next derivatives add at most.
-    jet_vector derivative(int along_u, int along_v) const {
-        derivative_net net(patch_, along_u, along_v);
-        const patch_3::point middle = net.value(u_, v_);
-        jet_vector result;
-        for (int i = 0; i < 3; ++i) {
-            double radius = net.terms() * rounding_ + net.most(i) * 0x1p-49;
-            if (along_u < 3)
-                radius += derivative_net(patch_, along_u + 1, along_v).most(i) * u_error_;
-            if (along_v < 3)
-                radius += derivative_net(patch_, along_u, along_v + 1).most(i) * v_error_;
-            result[static_cast<std::size_t>(i)] = l3d_interval::around(middle[i], radius);
-        }
-        return result;
+    const jet_vector& derivative(std::size_t along_u, std::size_t along_v) const {
+        return derivatives_[along_u][along_v];
     }
 
 private:
-    const patch_3& patch_;
-    double u_, v_, u_error_, v_error_, rounding_;
+    std::array<std::array<jet_vector, 4>, 4> derivatives_;
+    std::array<std::array<std::array<double, 3>, 5>, 5> most_{}; ///< magnitudes, with zeros beyond
 };
 
 l3d_interval dot(const jet_vector& a, const jet_vector& b) {
