@@ -9,6 +9,7 @@
 #include "pipeline/pipeline.h"
 #include "pipeline/pipeline_2d.h"
 #include "pipeline/polygons/polygon_model.h"
+#include "pipeline/polygons/polygon_pick.h"
 #include "pipeline/polygons/polygon_report.h"
 #include "pipeline/polygons/polygon_view.h"
 #include "pipeline/viewer_controls.h"
@@ -18,6 +19,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 class l3d_polygon_frame;
@@ -68,9 +70,24 @@ public:
     /// Asks for the next frame to be drawn, whatever has changed.
     void redraw() { stale_ = true; }
 
+    /// Moves the camera along the line of sight, and beside it, so that the whole model is seen:
+    /// l3d_framed, for the projection of the settings.
+    void frame_all();
+
+    /// That camera, or the one given if it shows the model well: l3d_shows_well.
+    l3d_camera framed_unless_well(const l3d_camera& usual) const;
+
+    /// Why the last picture shows nothing, as l3d_why_unseen tells it; "" if it may show something.
+    std::string why_empty() const;
+
+    /// What is seen at (x, y) of the picture: l3d_polygon_pick_at, with the camera and settings of
+    /// now.
+    std::optional<l3d_polygon_pick> pick(double x, double y) const;
+
     /// The viewer's keys, mouse and lines of text.
     l3d_viewer_controls& controls() { return controls_; }
 
+    void any_event(const l3d_event& event) override { controls_.note(event); }
     void key_event(int key) override;
     void pointer_event(const l3d_event& event) override;
     void resize_event(l3d_size size) override;
@@ -110,6 +127,9 @@ private:
 
     void draw_model(l3d_polygon_report& report);
     void draw_overlay();
+    l3d_polygon_view view() const;
+    l3d_camera framed(const l3d_camera& camera) const;
+    l3d_viewed viewed();
     std::vector<l3d_viewer_row> own_rows();
     void reset_view();
 
