@@ -191,11 +191,12 @@ void contour_edges::add_between(const l3d_micro_grid& grid, std::size_t from, st
         return;
     const contour_edge edge{{grid.x[from], grid.y[from]},
                             {grid.x[to], grid.y[to]},
-                            std::max(grid.inv_w[from], grid.inv_w[to])};
+                            std::max(grid.inv_w[from], grid.inv_w[to]),
+                            true};
     if (right_turns)
         edges_.push_back(edge);
     else
-        edges_.push_back({edge.to, edge.from, edge.nearest});
+        edges_.push_back({edge.to, edge.from, edge.nearest, true});
 }
 
 /// The edges between the pieces of a folded quad.
@@ -213,9 +214,9 @@ void contour_edges::add_spokes(const l3d_micro_grid& grid, int row, int column) 
         const float nearest = std::max(v[i].inv_w, centre.inv_w);
         // The piece at side i goes from the centre to its first corner.
         if (turns[i])
-            edges_.push_back({middle, corner, nearest});
+            edges_.push_back({middle, corner, nearest, true});
         else
-            edges_.push_back({corner, middle, nearest});
+            edges_.push_back({corner, middle, nearest, true});
     }
 }
 

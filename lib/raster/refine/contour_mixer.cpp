@@ -5,6 +5,7 @@
 #include "raster/refine/find_jumps_p.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace l3d_detail {
@@ -21,6 +22,8 @@ constexpr int channels_end = 24;
 /// may be apart, being a diagonal's ends.
 constexpr int steady = jump_levels, like = jump_levels;
 
+constexpr float bend_limit = 3, rise_limit = 60;
+
 bool within(int levels, std::uint32_t a, std::uint32_t b) {
     for (int shift = 0; shift < channels_end; shift += 8)
         if (std::abs(channel(a, shift) - channel(b, shift)) > levels)
@@ -33,10 +36,8 @@ bool within(int levels, std::uint32_t a, std::uint32_t b) {
 /// Whether a contour divides the centres of a pixel and of one beside, above or below it.
 bool contour_mixer::divided(std::int32_t x, std::int32_t y, step to) const {
     if (to.x != 0)
-        return to.x > 0 ? cuts_.right.has(x, y) != cuts_.left.has(x + 1, y)
-                        : cuts_.left.has(x, y) != cuts_.right.has(x - 1, y);
-    return to.y > 0 ? cuts_.down.has(x, y) != cuts_.up.has(x, y + 1)
-                    : cuts_.up.has(x, y) != cuts_.down.has(x, y - 1);
+        return cuts_.on_right(std::min(x, x + to.x), y);
+    return cuts_.below(x, std::min(y, y + to.y));
 }
 
 /// The neighbour on the other side: of those beside, above and below it, one; else at a corner.
@@ -63,14 +64,10 @@ bool contour_mixer::find_other(const contour_pixel& pixel, step& to) const {
     return false;
 }
 
-/// Finds the next pixel's word. False if it does not show the same steady surface.
-bool contour_mixer::find_behind(std::int32_t x, std::int32_t y, step to, std::uint32_t here,
-                                std::uint32_t& word) const {
-    if (!inside(x + to.x, y + to.y) || (to.x != 0 && divided(x, y, {to.x, 0})) ||
-        (to.y != 0 && divided(x + to.x, y, {0, to.y})))
-        return false;
-    word = word_at(x + to.x, y + to.y);
-    return within(steady, word, here);
+/// Whether no contour divides a pixel from the next one.
+bool contour_mixer::goes_on(std::int32_t x, std::int32_t y, step to) const {
+    return inside(x + to.x, y + to.y) && !(to.x != 0 && divided(x, y, {to.x, 0})) &&
+           !(to.y != 0 && divided(x + to.x, y, {0, to.y}));
 }
 
 /// Whether a neighbour shows the same surface at a level that is far from the one here. A centre
@@ -80,6 +77,42 @@ bool contour_mixer::is_odd(std::int32_t x, std::int32_t y) const {
         return inside(x + s.x, y + s.y) && !divided(x, y, s) &&
                !within(like, word_at(x + s.x, y + s.y), word_at(x, y));
     });
+}
+
+/// A side whose levels change steadily: on a straight line from a pixel of it on to the next one.
+/// `way` of that leads to the middle of the share.
+bool contour_mixer::find_steady(std::int32_t x, std::int32_t y, step away, float way,
+                                side& found) const {
+    if (!goes_on(x, y, away) || is_odd(x, y))
+        return false;
+    const std::uint32_t here = word_at(x, y), next = word_at(x + away.x, y + away.y);
+    found = {{here, next, 0}, {1 - way, way, 0}};
+    return within(steady, here, next);
+}
+
+/// A side that folds over at the contour: (x, y) is its first pixel beside the one that is mixed.
+bool contour_mixer::find_steep(std::int32_t x, std::int32_t y, step away, float share,
+                               side& found) const {
+    const std::int32_t x1 = x + away.x, y1 = y + away.y, x2 = x1 + away.x, y2 = y1 + away.y;
+    if (!goes_on(x, y, away) || !goes_on(x1, y1, away))
+        return false;
+    // Sizes of what a level is a parabola of: the root of the way to the fold.
+    const float a = std::sqrt(share + 0.5f), b = std::sqrt(share + 1.5f),
+                c = std::sqrt(share + 2.5f), at = 2.0f / 3 * std::sqrt(share);
+    const auto weights = [&](float u) -> std::array<float, 3> {
+        return {(u - b) * (u - c) / ((a - b) * (a - c)), (u - a) * (u - c) / ((b - a) * (b - c)),
+                (u - a) * (u - b) / ((c - a) * (c - b))};
+    };
+    found = {{word_at(x, y), word_at(x1, y1), word_at(x2, y2)}, weights(at)};
+    for (int shift = 0; shift < channels_end; shift += 8) {
+        const auto at_a = static_cast<float>(channel(found.words[0], shift));
+        const auto at_b = static_cast<float>(channel(found.words[1], shift));
+        const auto at_c = static_cast<float>(channel(found.words[2], shift));
+        const float guess = at_a + (at_b - at_a) * (c - a) / (b - a);
+        if (std::abs(guess - at_c) > bend_limit || std::abs(at_b - at_a) > rise_limit)
+            return false;
+    }
+    return true;
 }
 
 bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
@@ -95,25 +128,20 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
         word = here;
         return true;
     }
-    if (is_odd(x, y) || is_odd(x + to.x, y + to.y))
-        return false;
-    std::uint32_t before = 0, after = 0;
-    if (!find_behind(x, y, {-to.x, -to.y}, here, before) ||
-        !find_behind(x + to.x, y + to.y, to, there, after))
-        return false;
     // A straight contour across the way to the neighbour lies own - 1/2 from the centre. The middle
     // of the own share lies rest / 2 before it, that of the other share (1 + rest) / 2 nearer than
     // the neighbour's.
-    const float to_own = 0.5f * rest, to_rest = 0.5f * (1 + rest);
+    side of_own, of_rest;
+    const bool own_folds = pixel.folds && centre == 1, rest_folds = pixel.folds && centre == 0;
+    if (!find_steady(x, y, -to, 0.5f * rest, of_own) &&
+        !(own_folds && goes_on(x, y, -to) && find_steep(x - to.x, y - to.y, -to, own, of_own)))
+        return false;
+    if (!find_steady(x + to.x, y + to.y, to, -0.5f * (1 + rest), of_rest) &&
+        !(rest_folds && find_steep(x + to.x, y + to.y, to, rest, of_rest)))
+        return false;
     const auto mixed = [&](int shift) {
-        const auto level = [&](std::uint32_t at, std::uint32_t next, float way) {
-            const auto a = static_cast<float>(channel(at, shift));
-            const auto b = static_cast<float>(channel(next, shift));
-            return tables_.light_at_level(a + way * (b - a));
-        };
-        const float light =
-            own * level(here, before, to_own) + rest * level(there, after, -to_rest);
-        return tables_.level(light);
+        return tables_.level(own * tables_.light_at_level(of_own.level(shift)) +
+                             rest * tables_.light_at_level(of_rest.level(shift)));
     };
     constexpr std::uint32_t all_channels = 0x010101;
     word = is_grey_ ? all_channels * mixed(0) : mixed(16) << 16 | mixed(8) << 8 | mixed(0);

@@ -7,6 +7,8 @@
 #include "raster/refine/linear_light_p.h"
 #include "tool_2d/pixels.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace l3d_detail {
@@ -31,6 +33,20 @@ public:
 private:
     struct step {
         std::int32_t x, y;
+
+        step operator-() const { return {-x, -y}; }
+    };
+    /// A side's level in the middle of its share, as a sum of drawn ones.
+    struct side {
+        std::array<std::uint32_t, 3> words{};
+        std::array<float, 3> weights{};
+
+        float level(int shift) const {
+            float sum = 0;
+            for (std::size_t i = 0; i < words.size(); ++i)
+                sum += weights[i] * static_cast<float>(words[i] >> shift & 255);
+            return sum;
+        }
     };
     static constexpr step beside[] = {{0, -1}, {0, 1}, {-1, 0}, {1, 0}};
 
@@ -43,8 +59,9 @@ private:
     bool divided(std::int32_t x, std::int32_t y, step to) const;
     bool find_other(const contour_pixel& pixel, step& to) const;
     bool is_odd(std::int32_t x, std::int32_t y) const;
-    bool find_behind(std::int32_t x, std::int32_t y, step to, std::uint32_t here,
-                     std::uint32_t& word) const;
+    bool goes_on(std::int32_t x, std::int32_t y, step to) const;
+    bool find_steady(std::int32_t x, std::int32_t y, step away, float way, side& found) const;
+    bool find_steep(std::int32_t x, std::int32_t y, step away, float share, side& found) const;
 
     const l3d_pixels& picture_;
     l3d_pixel_box window_;

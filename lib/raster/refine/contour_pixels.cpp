@@ -110,7 +110,7 @@ void contour_pixels::pass(std::int32_t x, std::int32_t y, place from, place to, 
         cuts ^= there > centre ? cut_down : cut_up;
     }
     const auto units = static_cast<std::int32_t>(std::lrint(area * contour_pixel::whole));
-    pairs_.push_back({{x, y, units, turns, crossings, loose, false},
+    pairs_.push_back({{x, y, units, turns, crossings, loose, false, edge.fold},
                       cuts,
                       enters ? along(from) : -1,
                       leaves ? along(to) : -1,
@@ -146,15 +146,17 @@ void contour_pixels::finish(contour_cuts& cuts, pixel_bits& seen) {
               to.turns + p.of.turns,
               to.crossings + p.of.crossings,
               to.loose ^ p.of.loose,
-              false};
+              false,
+              to.folds && p.of.folds};
         const auto flip = [&](pixel_bits& of, std::uint32_t which) {
             if ((p.cuts & which) != 0)
                 of.row(p.of.y)[word] ^= std::uint64_t{1} << bit;
         };
         flip(cuts.up, cut_up);
         flip(cuts.down, cut_down);
-        flip(cuts.left, cut_left);
         flip(cuts.right, cut_right);
+        if ((p.cuts & cut_left) != 0 && p.of.x > 0)
+            cuts.right.flip(p.of.x - 1, p.of.y);
     }
     find_turns();
 }

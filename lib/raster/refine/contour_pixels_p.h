@@ -15,20 +15,27 @@
 
 namespace l3d_detail {
 
-/// A bit for each way from a pixel's centre to the middle of a side: whether contours cross it an
-/// odd number of times. So two neighbours' centres lie on different sides of a contour if just one
-/// of the two halves of the way between them is cut.
+/// Which ways between the centres of neighbours contours cross an odd number of times. So these
+/// lie on different sides of a contour.
+///
+/// Ways down are in halves, since bands are worked on side by side: from a pixel's centre to the
+/// middle of its lower side, and on from the upper side of the next one.
 struct contour_cuts {
-    pixel_bits up, down, left, right;
+    pixel_bits right, down, up;
 
     void resize(l3d_size size) {
-        for (pixel_bits* const of : {&up, &down, &left, &right})
+        for (pixel_bits* const of : {&right, &down, &up})
             of->resize(size);
     }
     void clear(std::int32_t top, std::int32_t bottom) {
-        for (pixel_bits* const of : {&up, &down, &left, &right})
+        for (pixel_bits* const of : {&right, &down, &up})
             of->clear(top, bottom);
     }
+
+    /// Whether the pixel on the right is on another side. Expects: it is in the picture.
+    bool on_right(std::int32_t x, std::int32_t y) const { return right.has(x, y); }
+    /// Whether the pixel below is. Expects: it is in the picture.
+    bool below(std::int32_t x, std::int32_t y) const { return down.has(x, y) != up.has(x, y + 1); }
 };
 
 /// A pixel that contours pass through, all taken together.
@@ -44,6 +51,8 @@ struct contour_pixel {
     /// Of more than two crossings: beginnings and ends of contours take turns round the border. So
     /// all of them together divide the square into two, what is on the right and what is not.
     bool takes_turns;
+
+    bool folds = true; ///< at all of its contours, the surface on the right folds over
 
     static constexpr std::int32_t whole = 1 << 20;
 

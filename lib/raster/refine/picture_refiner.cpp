@@ -123,11 +123,9 @@ void picture_refiner::mark_others(const drawn_frame& frame, const l3d_pixel_box&
             std::uint64_t right = jumps_.right.row(y)[w];
             if (right != 0) {
                 const bool ends = w + 1 == words;
-                const std::uint64_t* const left = cuts_.left.row(y) + w;
-                const std::uint64_t next_cuts = left[0] >> 1 | (ends ? 0 : left[1] << last);
                 const std::uint64_t next_steep =
                     steep(y, w) >> 1 | (ends ? 0 : steep(y, w + 1) << last);
-                right &= ~(cuts_.right.row(y)[w] ^ next_cuts) & ~steep(y, w) & ~next_steep;
+                right &= ~cuts_.right.row(y)[w] & ~steep(y, w) & ~next_steep;
             }
             // The last words of rows go on beyond the picture with its last column.
             const auto first = static_cast<std::int32_t>(w);
