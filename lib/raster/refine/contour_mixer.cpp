@@ -24,6 +24,33 @@ constexpr int steady = jump_levels, like = jump_levels;
 
 constexpr float bend_limit = 3, rise_limit = 60;
 
+/// Means over the part of a pixel on one side of a straight contour: of the way to the contour along
+/// an axis, of its root and of its square.
+struct share_means {
+    float root = 0, way = 0, square = 0;
+
+    /// The way to the centre, negative on the other side; its change from one end of the pixel to
+    /// the other.
+    share_means(float to_centre, float slope) {
+        // Two places that give the mean of a cubic.
+        constexpr float place = 0.28867513f;
+        float area = 0;
+        for (const float aside : {-place, place}) {
+            const float far = std::max(to_centre + 0.5f + aside * slope, 0.0f);
+            const float near = std::max(to_centre - 0.5f + aside * slope, 0.0f);
+            area += far - near;
+            root += 2.0f / 3 * (far * std::sqrt(far) - near * std::sqrt(near));
+            way += 0.5f * (far * far - near * near);
+            square += 1.0f / 3 * (far * far * far - near * near * near);
+        }
+        if (area > 0) {
+            root /= area;
+            way /= area;
+            square /= area;
+        }
+    }
+};
+
 bool within(int levels, std::uint32_t a, std::uint32_t b) {
     for (int shift = 0; shift < channels_end; shift += 8)
         if (std::abs(channel(a, shift) - channel(b, shift)) > levels)
@@ -90,20 +117,46 @@ bool contour_mixer::find_steady(std::int32_t x, std::int32_t y, step away, float
     return within(steady, here, next);
 }
 
-/// A side that folds over at the contour: (x, y) is its first pixel beside the one that is mixed.
-bool contour_mixer::find_steep(std::int32_t x, std::int32_t y, step away, float share,
+/// A side whose levels change fast: on a curve through three of its pixels' levels. Where a surface
+/// folds over, this is a parabola over the root of the way to the fold. Pixels beside a fold may
+/// show a sliver of the other side, so the one that is mixed is left out.
+bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_own, bool folds,
                                side& found) const {
+    if (pixel.crossings != 2 || (away.x != 0 && away.y != 0))
+        return false;
+    const auto cross_along =
+        static_cast<float>(std::abs(pixel.along_x * away.y - pixel.along_y * away.x));
+    const auto along = static_cast<float>(std::abs(pixel.along_x * away.x + pixel.along_y * away.y));
+    if (!(cross_along > 0))
+        return false;
+    // Ways along `away` from the contour: to the centre, and its change across the pixel.
+    const float to_centre =
+        (is_own ? 1.0f : -1.0f) * std::abs(static_cast<float>(pixel.to_centre)) / cross_along;
+    const share_means means(to_centre, along / cross_along);
+    const bool skips = !is_own || folds;
+    std::int32_t x = pixel.x, y = pixel.y;
+    float way = to_centre;
+    if (skips) {
+        if (is_own && !goes_on(x, y, away))
+            return false;
+        x += away.x;
+        y += away.y;
+        way += 1;
+    }
     const std::int32_t x1 = x + away.x, y1 = y + away.y, x2 = x1 + away.x, y2 = y1 + away.y;
     if (!goes_on(x, y, away) || !goes_on(x1, y1, away))
         return false;
-    // Sizes of what a level is a parabola of: the root of the way to the fold.
-    const float a = std::sqrt(share + 0.5f), b = std::sqrt(share + 1.5f),
-                c = std::sqrt(share + 2.5f), at = 2.0f / 3 * std::sqrt(share);
-    const auto weights = [&](float u) -> std::array<float, 3> {
-        return {(u - b) * (u - c) / ((a - b) * (a - c)), (u - a) * (u - c) / ((b - a) * (b - c)),
-                (u - a) * (u - b) / ((c - a) * (c - b))};
-    };
-    found = {{word_at(x, y), word_at(x1, y1), word_at(x2, y2)}, weights(at)};
+    found.words = {word_at(x, y), word_at(x1, y1), word_at(x2, y2)};
+    // The places of the three on the scale on which levels make a parabola.
+    const auto scaled = [&](float to) { return folds ? std::sqrt(std::max(to, 0.0f)) : to; };
+    const float a = scaled(way), b = scaled(way + 1), c = scaled(way + 2);
+    const float mean = folds ? means.root : means.way, squares = folds ? means.way : means.square;
+    const float first = mean - a, second = squares - (a + b) * mean + a * b;
+    const float third = second / ((c - b) * (c - a));
+    const float middle =
+        first / (b - a) - second * (1 / (c - b) + 1 / (b - a)) / (c - a);
+    found.weights = {1 - middle - third, middle, third};
+    const step aside{away.y, away.x};
     for (int shift = 0; shift < channels_end; shift += 8) {
         const auto at_a = static_cast<float>(channel(found.words[0], shift));
         const auto at_b = static_cast<float>(channel(found.words[1], shift));
@@ -111,15 +164,37 @@ bool contour_mixer::find_steep(std::int32_t x, std::int32_t y, step away, float 
         const float guess = at_a + (at_b - at_a) * (c - a) / (b - a);
         if (std::abs(guess - at_c) > bend_limit || std::abs(at_b - at_a) > rise_limit)
             return false;
+        for (const step s : {aside, -aside}) {
+            if (!inside(x + s.x, y + s.y) || divided(x, y, s))
+                continue;
+            const auto beside_a = static_cast<float>(channel(word_at(x + s.x, y + s.y), shift));
+            if (std::abs(beside_a - at_a) > like + 1.5f * std::abs(at_b - at_a))
+                return false;
+        }
     }
     return true;
+}
+
+/// The way to the pixel on the other side.
+bool contour_mixer::find_way(const contour_pixel& pixel, step& to) const {
+    if (pixel.crossings == 2) {
+        if (std::abs(pixel.along_x) > std::abs(pixel.along_y))
+            to = {0, pixel.along_x > 0 ? 1 : -1};
+        else
+            to = {pixel.along_y > 0 ? -1 : 1, 0};
+        if (pixel.centre() == 1)
+            to = -to;
+        if (inside(pixel.x + to.x, pixel.y + to.y) && divided(pixel.x, pixel.y, to))
+            return true;
+    }
+    return find_other(pixel, to);
 }
 
 bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     const std::int32_t x = pixel.x, y = pixel.y;
     step to{};
     const std::int32_t centre = pixel.centre();
-    if ((centre != 0 && centre != 1) || !find_other(pixel, to))
+    if ((centre != 0 && centre != 1) || !find_way(pixel, to))
         return false;
     const float right = static_cast<float>(pixel.share()) / contour_pixel::whole;
     const float own = centre == 1 ? right : 1 - right, rest = 1 - own;
@@ -134,10 +209,10 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     side of_own, of_rest;
     const bool own_folds = pixel.folds && centre == 1, rest_folds = pixel.folds && centre == 0;
     if (!find_steady(x, y, -to, 0.5f * rest, of_own) &&
-        !(own_folds && goes_on(x, y, -to) && find_steep(x - to.x, y - to.y, -to, own, of_own)))
+        !find_steep(pixel, -to, true, own_folds, of_own))
         return false;
     if (!find_steady(x + to.x, y + to.y, to, -0.5f * (1 + rest), of_rest) &&
-        !(rest_folds && find_steep(x + to.x, y + to.y, to, rest, of_rest)))
+        !find_steep(pixel, to, false, rest_folds, of_rest))
         return false;
     const auto mixed = [&](int shift) {
         return tables_.level(own * tables_.light_at_level(of_own.level(shift)) +

@@ -109,8 +109,13 @@ void contour_pixels::pass(std::int32_t x, std::int32_t y, place from, place to, 
         const double there = from.y + (centre - from.x) / (to.x - from.x) * (to.y - from.y);
         cuts ^= there > centre ? cut_down : cut_up;
     }
-    const auto units = static_cast<std::int32_t>(std::lrint(area * contour_pixel::whole));
-    pairs_.push_back({{x, y, units, turns, crossings, loose, false, edge.fold},
+    const auto units = [](double number) {
+        return static_cast<std::int32_t>(std::lrint(number * contour_pixel::whole));
+    };
+    const double along_x = to.x - from.x, along_y = to.y - from.y;
+    const double to_centre = along_x * (centre - from.y) - along_y * (centre - from.x);
+    pairs_.push_back({{x, y, units(area), turns, crossings, loose, false, units(along_x),
+                       units(along_y), units(to_centre), edge.fold},
                       cuts,
                       enters ? along(from) : -1,
                       leaves ? along(to) : -1,
@@ -147,6 +152,9 @@ void contour_pixels::finish(contour_cuts& cuts, pixel_bits& seen) {
               to.crossings + p.of.crossings,
               to.loose ^ p.of.loose,
               false,
+              to.along_x + p.of.along_x,
+              to.along_y + p.of.along_y,
+              to.to_centre + p.of.to_centre,
               to.folds && p.of.folds};
         const auto flip = [&](pixel_bits& of, std::uint32_t which) {
             if ((p.cuts & which) != 0)
