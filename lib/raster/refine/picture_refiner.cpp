@@ -5,6 +5,7 @@
 #include "raster/refine/contour_mixer_p.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace l3d_detail {
@@ -15,6 +16,12 @@ l3d_pixel_box box_of_band(const drawn_frame& frame, int band) {
     const int top = frame.window.top + band * frame.rows;
     return {frame.window.left, top, frame.window.right,
             std::min(top + frame.rows, frame.window.bottom)};
+}
+
+/// Whether all that was drawn where an item reaches, and around, is nearer than all of it.
+bool is_hidden(const drawn_frame& frame, const band_item& item) {
+    return frame.coarse.hidden(item.box.grown(1).intersected(frame.window),
+                               std::nextafter(item.nearest, HUGE_VALF));
 }
 
 bool is_grey(l3d_shade mode) {
@@ -73,9 +80,11 @@ void picture_refiner::find_contours(const drawn_frame& frame, int band, worker_s
     space.borders.begin(box.top, box.bottom);
     for (const std::uint32_t index : frame.list.items(band)) {
         const band_item& item = frame.list.item(index);
+        space.borders.add(item);
+        if (is_hidden(frame, item))
+            continue;
         for (const contour_edge& edge : space.edges.find(frame.list, item, box.top, box.bottom))
             contours.add(edge, depth);
-        space.borders.add(item);
     }
     for (const contour_edge& edge : space.borders.match())
         contours.add(edge, depth);
@@ -144,8 +153,11 @@ void picture_refiner::resolve(const drawn_frame& frame, int band, worker_space& 
     if (space.fragments.pixels().empty())
         return;
     const bool levels = frame.shading.mode == l3d_shade::levels;
-    for (const std::uint32_t index : frame.list.items(band))
-        space.fragments.add(frame.list, frame.list.item(index), levels);
+    for (const std::uint32_t index : frame.list.items(band)) {
+        const band_item& item = frame.list.item(index);
+        if (!is_hidden(frame, item))
+            space.fragments.add(frame.list, item, levels);
+    }
     space.fragments.sort();
     auto& refined = each_band_[static_cast<std::size_t>(band)].refined;
     space.mixer.draw(space.fragments, frame.shading);
