@@ -192,11 +192,12 @@ void contour_edges::add_between(const l3d_micro_grid& grid, std::size_t from, st
     const contour_edge edge{{grid.x[from], grid.y[from]},
                             {grid.x[to], grid.y[to]},
                             std::max(grid.inv_w[from], grid.inv_w[to]),
+                            0.5f * (grid.normal[0][from] + grid.normal[0][to]),
                             true};
     if (right_turns)
         edges_.push_back(edge);
     else
-        edges_.push_back({edge.to, edge.from, edge.nearest, true});
+        edges_.push_back({edge.to, edge.from, edge.nearest, edge.level, true});
 }
 
 /// The edges between the pieces of a folded quad.
@@ -212,11 +213,12 @@ void contour_edges::add_spokes(const l3d_micro_grid& grid, int row, int column) 
             continue;
         const scan_point corner = position(v[i]), middle = position(centre);
         const float nearest = std::max(v[i].inv_w, centre.inv_w);
+        const float level = 0.5f * (v[i].normal[0] + centre.normal[0]);
         // The piece at side i goes from the centre to its first corner.
         if (turns[i])
-            edges_.push_back({middle, corner, nearest, true});
+            edges_.push_back({middle, corner, nearest, level, true});
         else
-            edges_.push_back({corner, middle, nearest, true});
+            edges_.push_back({corner, middle, nearest, level, true});
     }
 }
 

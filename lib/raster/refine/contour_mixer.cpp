@@ -22,7 +22,8 @@ constexpr int channels_end = 24;
 /// may be apart, being a diagonal's ends.
 constexpr int steady = jump_levels, like = jump_levels;
 
-constexpr float bend_limit = 3, rise_limit = 60;
+/// Levels of the mixed pixel that a parabola may be wrong by, as a fourth level tells.
+constexpr float most_doubt = 3;
 
 /// Means over the part of a pixel on one side of a straight contour: of the way to the contour along
 /// an axis, of its root and of its square.
@@ -117,62 +118,65 @@ bool contour_mixer::find_steady(std::int32_t x, std::int32_t y, step away, float
     return within(steady, here, next);
 }
 
-/// A side whose levels change fast: on a curve through three of its pixels' levels. Where a surface
-/// folds over, this is a parabola over the root of the way to the fold. Pixels beside a fold may
-/// show a sliver of the other side, so the one that is mixed is left out.
-bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_own, bool folds,
-                               side& found) const {
-    if (pixel.crossings != 2 || (away.x != 0 && away.y != 0))
+/// A side whose levels change fast: on a curve through three levels. Where a surface folds over,
+/// this is a parabola over the root of the way to the fold. Pixels beside a fold may show a sliver
+/// of the other side, so the level at the contour takes the place of the pixel that is mixed.
+bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_own, bool is_right,
+                               float share, side& found) const {
+    if (!has_levels_ || pixel.crossings != 2 || (away.x != 0 && away.y != 0))
         return false;
-    const auto cross_along =
+    const auto across =
         static_cast<float>(std::abs(pixel.along_x * away.y - pixel.along_y * away.x));
     const auto along = static_cast<float>(std::abs(pixel.along_x * away.x + pixel.along_y * away.y));
-    if (!(cross_along > 0))
+    if (!(across > 0))
         return false;
     // Ways along `away` from the contour: to the centre, and its change across the pixel.
     const float to_centre =
-        (is_own ? 1.0f : -1.0f) * std::abs(static_cast<float>(pixel.to_centre)) / cross_along;
-    const share_means means(to_centre, along / cross_along);
-    const bool skips = !is_own || folds;
+        (is_own ? 1.0f : -1.0f) * std::abs(static_cast<float>(pixel.to_centre)) / across;
+    const share_means means(to_centre, along / across);
+    // Levels at the contour are those of its right side.
     std::int32_t x = pixel.x, y = pixel.y;
     float way = to_centre;
-    if (skips) {
+    if (is_right || !is_own) {
         if (is_own && !goes_on(x, y, away))
             return false;
         x += away.x;
         y += away.y;
         way += 1;
     }
-    const std::int32_t x1 = x + away.x, y1 = y + away.y, x2 = x1 + away.x, y2 = y1 + away.y;
-    if (!goes_on(x, y, away) || !goes_on(x1, y1, away))
-        return false;
-    found.words = {word_at(x, y), word_at(x1, y1), word_at(x2, y2)};
-    // The places of the three on the scale on which levels make a parabola.
-    const auto scaled = [&](float to) { return folds ? std::sqrt(std::max(to, 0.0f)) : to; };
-    const float a = scaled(way), b = scaled(way + 1), c = scaled(way + 2);
-    const float mean = folds ? means.root : means.way, squares = folds ? means.way : means.square;
-    const float first = mean - a, second = squares - (a + b) * mean + a * b;
-    const float third = second / ((c - b) * (c - a));
-    const float middle =
-        first / (b - a) - second * (1 / (c - b) + 1 / (b - a)) / (c - a);
-    found.weights = {1 - middle - third, middle, third};
-    const step aside{away.y, away.x};
-    for (int shift = 0; shift < channels_end; shift += 8) {
-        const auto at_a = static_cast<float>(channel(found.words[0], shift));
-        const auto at_b = static_cast<float>(channel(found.words[1], shift));
-        const auto at_c = static_cast<float>(channel(found.words[2], shift));
-        const float guess = at_a + (at_b - at_a) * (c - a) / (b - a);
-        if (std::abs(guess - at_c) > bend_limit || std::abs(at_b - at_a) > rise_limit)
+    std::array<float, 4> places{}, levels{};
+    std::size_t count = 0;
+    if (is_right)
+        levels[count++] = 25.5f + std::max(pixel.level(), 0.0f);
+    const std::uint32_t first = word_at(x, y);
+    for (std::int32_t px = x, py = y; count < places.size(); px += away.x, py += away.y, way += 1) {
+        places[count] = way;
+        levels[count++] = static_cast<float>(channel(word_at(px, py), 0));
+        if (count < places.size() && !goes_on(px, py, away))
             return false;
-        for (const step s : {aside, -aside}) {
-            if (!inside(x + s.x, y + s.y) || divided(x, y, s))
-                continue;
-            const auto beside_a = static_cast<float>(channel(word_at(x + s.x, y + s.y), shift));
-            if (std::abs(beside_a - at_a) > like + 1.5f * std::abs(at_b - at_a))
-                return false;
-        }
     }
-    return true;
+    const step aside{away.y, away.x};
+    const float rise = std::abs(levels[3] - levels[2]) + std::abs(levels[2] - levels[1]);
+    for (const step s : {aside, -aside})
+        if (inside(x + s.x, y + s.y) && !divided(x, y, s) &&
+            std::abs(channel(word_at(x + s.x, y + s.y), 0) - channel(first, 0)) > like + rise)
+            return false;
+    const bool folds = is_right && pixel.folds;
+    if (folds)
+        for (float& place : places)
+            place = std::sqrt(place);
+    const float mean = folds ? means.root : means.way, squares = folds ? means.way : means.square;
+    const auto slope = [&](float l1, float l0, std::size_t i, std::size_t k) {
+        return (l1 - l0) / (places[i] - places[k]);
+    };
+    const float rise01 = slope(levels[1], levels[0], 1, 0), rise12 = slope(levels[2], levels[1], 2, 1),
+                rise23 = slope(levels[3], levels[2], 3, 2);
+    const float bend02 = slope(rise12, rise01, 2, 0), bend13 = slope(rise23, rise12, 3, 1);
+    const float twist = slope(bend13, bend02, 3, 0);
+    const float second = squares - (places[0] + places[1]) * mean + places[0] * places[1];
+    found = {};
+    found.constant = levels[0] + (mean - places[0]) * rise01 + second * bend02;
+    return std::abs(second * (mean - places[2]) * twist) * share < most_doubt;
 }
 
 /// The way to the pixel on the other side.
@@ -207,12 +211,11 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     // of the own share lies rest / 2 before it, that of the other share (1 + rest) / 2 nearer than
     // the neighbour's.
     side of_own, of_rest;
-    const bool own_folds = pixel.folds && centre == 1, rest_folds = pixel.folds && centre == 0;
     if (!find_steady(x, y, -to, 0.5f * rest, of_own) &&
-        !find_steep(pixel, -to, true, own_folds, of_own))
+        !find_steep(pixel, -to, true, centre == 1, own, of_own))
         return false;
     if (!find_steady(x + to.x, y + to.y, to, -0.5f * (1 + rest), of_rest) &&
-        !find_steep(pixel, to, false, rest_folds, of_rest))
+        !find_steep(pixel, to, false, centre == 0, rest, of_rest))
         return false;
     const auto mixed = [&](int shift) {
         return tables_.level(own * tables_.light_at_level(of_own.level(shift)) +

@@ -22,9 +22,9 @@ namespace l3d_detail {
 class contour_mixer {
 public:
     contour_mixer(const l3d_pixels& picture, const l3d_pixel_box& window, const contour_cuts& cuts,
-                  bool is_grey)
+                  bool is_grey, bool has_levels)
         : picture_(picture), window_(window), cuts_(cuts), is_grey_(is_grey),
-          tables_(linear_light_tables()) {}
+          has_levels_(has_levels), tables_(linear_light_tables()) {}
 
     /// The pixel's word. False if neighbours show nothing of the other side, or several surfaces.
     /// Expects: a simple pixel.
@@ -40,9 +40,10 @@ private:
     struct side {
         std::array<std::uint32_t, 3> words{};
         std::array<float, 3> weights{};
+        float constant = 0;
 
         float level(int shift) const {
-            float sum = 0;
+            float sum = constant;
             for (std::size_t i = 0; i < words.size(); ++i)
                 sum += weights[i] * static_cast<float>(words[i] >> shift & 255);
             return sum;
@@ -62,13 +63,14 @@ private:
     bool goes_on(std::int32_t x, std::int32_t y, step to) const;
     bool find_way(const contour_pixel& pixel, step& to) const;
     bool find_steady(std::int32_t x, std::int32_t y, step away, float way, side& found) const;
-    bool find_steep(const contour_pixel& pixel, step away, bool is_own, bool folds,
-                    side& found) const;
+    bool find_steep(const contour_pixel& pixel, step away, bool is_own, bool is_right,
+                    float share, side& found) const;
 
     const l3d_pixels& picture_;
     l3d_pixel_box window_;
     const contour_cuts& cuts_;
     bool is_grey_; ///< the channels of all pixels are equal
+    bool has_levels_; ///< contours have levels, too
     const linear_light& tables_;
 };
 

@@ -114,8 +114,14 @@ void contour_pixels::pass(std::int32_t x, std::int32_t y, place from, place to, 
     };
     const double along_x = to.x - from.x, along_y = to.y - from.y;
     const double to_centre = along_x * (centre - from.y) - along_y * (centre - from.x);
+    // Levels are less than 2^8, and few pieces are longer than 2: their sum has room.
+    constexpr double length_units = 1 << 12;
+    const auto length = static_cast<std::int32_t>(
+        std::lrint(length_units * (std::abs(along_x) + std::abs(along_y))));
+    const auto levels = static_cast<std::int32_t>(
+        std::isfinite(edge.level) ? std::lrint(length * double{edge.level}) : 0);
     pairs_.push_back({{x, y, units(area), turns, crossings, loose, false, units(along_x),
-                       units(along_y), units(to_centre), edge.fold},
+                       units(along_y), units(to_centre), length, levels, edge.fold},
                       cuts,
                       enters ? along(from) : -1,
                       leaves ? along(to) : -1,
@@ -155,6 +161,8 @@ void contour_pixels::finish(contour_cuts& cuts, pixel_bits& seen) {
               to.along_x + p.of.along_x,
               to.along_y + p.of.along_y,
               to.to_centre + p.of.to_centre,
+              to.length + p.of.length,
+              to.levels + p.of.levels,
               to.folds && p.of.folds};
         const auto flip = [&](pixel_bits& of, std::uint32_t which) {
             if ((p.cuts & which) != 0)

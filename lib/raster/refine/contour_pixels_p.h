@@ -56,6 +56,9 @@ struct contour_pixel {
     /// from them to the centre, positive if that is on the right. Units: 1 / whole.
     std::int32_t along_x, along_y, to_centre;
 
+    /// The sums of the pieces' lengths, and of these times contour_edge::level.
+    std::int32_t length, levels;
+
     bool folds = true; ///< at all of its contours, the surface on the right folds over
 
     static constexpr std::int32_t whole = 1 << 20;
@@ -64,6 +67,10 @@ struct contour_pixel {
     bool simple() const { return loose == 0 && (crossings == 2 || takes_turns); }
     /// The share of the square on the right of the contour.
     std::int32_t share() const { return area & (whole - 1); }
+    /// The level at the contour, if vertices have levels.
+    float level() const {
+        return length > 0 ? static_cast<float>(levels) / static_cast<float>(length) : 0.0f;
+    }
     /// Whether the centre is on the right: 1, or on the left: 0.
     std::int32_t centre() const { return turns - (area >> 20); }
 };

@@ -96,7 +96,8 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
     const l3d_pixel_box box = box_of_band(frame, band);
     mark_others(frame, box);
     band_space& space = each_band_[static_cast<std::size_t>(band)];
-    const contour_mixer mixer(frame.target, frame.window, cuts_, is_grey(frame.shading.mode));
+    const contour_mixer mixer(frame.target, frame.window, cuts_, is_grey(frame.shading.mode),
+                              frame.shading.mode == l3d_shade::levels);
     for (const contour_pixel& pixel : space.contours.pixels()) {
         if (others_.has(pixel.x, pixel.y))
             continue;
