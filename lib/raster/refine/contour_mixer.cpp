@@ -147,7 +147,7 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
     std::array<float, 4> places{}, levels{};
     std::size_t count = 0;
     if (is_right)
-        levels[count++] = 25.5f + std::max(pixel.level(), 0.0f);
+        ++count;
     const std::uint32_t first = word_at(x, y);
     for (std::int32_t px = x, py = y; count < places.size(); px += away.x, py += away.y, way += 1) {
         places[count] = way;
@@ -159,12 +159,19 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
     const float rise = std::abs(levels[3] - levels[2]) + std::abs(levels[2] - levels[1]);
     for (const step s : {aside, -aside})
         if (inside(x + s.x, y + s.y) && !divided(x, y, s) &&
-            std::abs(channel(word_at(x + s.x, y + s.y), 0) - channel(first, 0)) > like + rise)
+            std::abs(channel(word_at(x + s.x, y + s.y), 0) - channel(first, 0)) > like + static_cast<int>(rise))
             return false;
     const bool folds = is_right && pixel.folds;
     if (folds)
         for (float& place : places)
             place = std::sqrt(place);
+    if (is_right) {
+        // The level at the contour is that of the side that is seen, or of the other one, which is
+        // as far below 0 as this is above.
+        constexpr float ambient = 25.5f;
+        const float guess = levels[1] - places[1] * (levels[2] - levels[1]) / (places[2] - places[1]);
+        levels[0] = ambient + (guess > ambient + 0.5f * pixel.level() ? pixel.level() : 0.0f);
+    }
     const float mean = folds ? means.root : means.way, squares = folds ? means.way : means.square;
     const auto slope = [&](float l1, float l0, std::size_t i, std::size_t k) {
         return (l1 - l0) / (places[i] - places[k]);
