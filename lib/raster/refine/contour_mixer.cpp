@@ -168,7 +168,9 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
     if (is_right) {
         // The level at the contour is that of the side that is seen, or of the other one, which is
         // as far below 0 as this is above.
-        constexpr float ambient = 25.5f;
+        constexpr float ambient = 25.5f, darkest = 26;
+        if (std::min({levels[1], levels[2], levels[3]}) <= darkest)
+            return false; // where light begins, there is a corner in the curve
         const float guess = levels[1] - places[1] * (levels[2] - levels[1]) / (places[2] - places[1]);
         levels[0] = ambient + (guess > ambient + 0.5f * pixel.level() ? pixel.level() : 0.0f);
     }
