@@ -25,6 +25,9 @@ constexpr int steady = jump_levels, like = jump_levels;
 /// Levels of the mixed pixel that a parabola may be wrong by, as a fourth level tells.
 constexpr float most_doubt = 3;
 
+/// A pixel whose centre is nearer to a contour than this may show a sliver of the other side.
+constexpr float least_way = 0.1f;
+
 /// Means over the part of a pixel on one side of a straight contour: of the way to the contour along
 /// an axis, of its root and of its square.
 struct share_means {
@@ -137,7 +140,7 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
     // Levels at the contour are those of its right side.
     std::int32_t x = pixel.x, y = pixel.y;
     float way = to_centre;
-    if (is_right || !is_own) {
+    if (!is_own || (is_right && to_centre < least_way)) {
         if (is_own && !goes_on(x, y, away))
             return false;
         x += away.x;
