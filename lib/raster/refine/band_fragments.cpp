@@ -23,10 +23,7 @@ void band_fragments::begin(const pixel_bits& bits, const drawn_depth& depth, std
     farthest_.clear();
     before_.clear();
     polygons_.clear();
-    pair_pixel_.clear();
-    pair_polygon_.clear();
-    pair_x_.clear();
-    pair_y_.clear();
+    pairs_.clear();
     for (std::int32_t y = top; y < bottom; ++y)
         for (std::size_t w = 0; w < bits.row_words(); ++w) {
             before_.push_back(static_cast<std::uint32_t>(pixels_.size()));
@@ -163,33 +160,26 @@ void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners, std::
     polygon.corners = static_cast<std::int32_t>(corners.size());
     polygon.color = color;
     const auto name = static_cast<std::uint32_t>(polygons_.size());
-    const std::size_t pairs = pair_pixel_.size();
+    const std::size_t pairs = pairs_.size();
     bits_->for_each_in(box, [&](std::int32_t x, std::int32_t y) {
         const std::size_t index = index_of(x, y);
         if (polygon.nearest < farthest_[index])
             return;
-        pair_pixel_.push_back(static_cast<std::uint32_t>(index));
-        pair_polygon_.push_back(name);
-        pair_x_.push_back(x);
-        pair_y_.push_back(y);
+        pairs_.push_back({static_cast<std::uint32_t>(index), name});
     });
-    if (pair_pixel_.size() == pairs)
-        return;
-    polygon.pairs_end = static_cast<std::uint32_t>(pair_pixel_.size());
-    polygons_.push_back(polygon);
+    if (pairs_.size() != pairs)
+        polygons_.push_back(polygon);
 }
 
 void band_fragments::sort() {
-    pair_x_.resize(pairs() + widest_vector);
-    pair_y_.resize(pairs() + widest_vector);
     begins_.assign(pixels_.size() + 2, 0);
-    for (const std::uint32_t of : pair_pixel_)
-        ++begins_[of + 2];
+    for (const pair& p : pairs_)
+        ++begins_[p.pixel + 2];
     for (std::size_t i = 2; i < begins_.size(); ++i)
         begins_[i] += begins_[i - 1];
-    sorted_.resize(pair_pixel_.size());
-    for (std::size_t i = 0; i < pair_pixel_.size(); ++i)
-        sorted_[begins_[pair_pixel_[i] + 1]++] = static_cast<std::uint32_t>(i);
+    sorted_.resize(pairs_.size());
+    for (const pair& p : pairs_)
+        sorted_[begins_[p.pixel + 1]++] = p;
     begins_.pop_back();
 }
 

@@ -44,19 +44,6 @@ std::uint64_t sample_at(float x, float y) {
     return std::uint64_t{1} << (cell(y) * mask_side + cell(x));
 }
 
-/// The samples where at + of_x x + of_y y is positive.
-std::uint64_t samples_above(float at, float of_x, float of_y) {
-    const float step_x = of_x / mask_side, step_y = of_y / mask_side;
-    float row_value = at + 0.5f * (step_x + step_y);
-    std::uint64_t result = 0;
-    for (int row = 0; row < mask_side; ++row, row_value += step_y)
-        for (int column = 0; column < mask_side; ++column) {
-            const bool above = row_value + static_cast<float>(column) * step_x > 0;
-            result |= std::uint64_t{above} << (row * mask_side + column);
-        }
-    return result;
-}
-
 } // namespace
 
 void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading, bool has_color) {
@@ -87,15 +74,16 @@ template <class Shader> void pixel_mixer::draw_by(Shader shader, const band_frag
 
 void pixel_mixer::collect(const band_fragments& band, std::size_t pixel) {
     fragments_.clear();
-    for (const std::uint32_t pair : band.pairs_of(pixel)) {
+    const std::size_t end = band.begin_of(pixel + 1);
+    for (std::size_t pair = band.begin_of(pixel); pair < end; ++pair) {
         const std::uint64_t mask = measures_.samples(pair);
         const float area = measures_.area[pair];
         if (mask == 0 && !(area > 0))
             continue;
-        const std::uint32_t name = band.polygon_of(pair);
+        const std::uint32_t name = band.pairs()[pair].polygon;
         const fragment_polygon& polygon = band.polygons()[name];
         fragments_.push_back(
-            {pair, name, area, mask, mask, polygon.farthest, polygon.nearest, polygon.area2() > 0});
+            {static_cast<std::uint32_t>(pair), name, area, mask, mask, polygon.farthest, polygon.nearest, polygon.area2() > 0});
     }
 }
 
