@@ -100,6 +100,8 @@ TEST(dialects, obj_vertices_may_have_seven_numbers_and_any_colour) {
                             "f 1 2 3\n");
     EXPECT_EQ(model.mesh.vertices, (std::vector<vector>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     EXPECT_EQ(model.notes.size(), 1u);
+    EXPECT_EQ(read("v 0 0 0 1 1 0 0\nv 1 0 0 0 1 0 1\nv 0 1 0 0 0 1\nf 1 2 3\n").mesh.face_colors,
+              numbers{0x555555});
     EXPECT_EQ(complaint("v 0 0 0 1 1 1 1 1\n"), "name:1: '1' at the end of a statement");
     EXPECT_EQ(complaint("v 0 0 0 nan\n"), "name:1: 'nan', a weight, is not finite");
     EXPECT_EQ(complaint("v 0 0 0 1 x 1\n"), "name:1: 'x', a weight or colour, is not a number");
@@ -124,17 +126,21 @@ TEST(dialects, off_may_leave_out_the_number_of_edges) {
 }
 
 TEST(dialects, off_colours_of_vertices_may_have_three_components) {
-    const auto plain = read(off_text).mesh;
-    EXPECT_EQ(read("COFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n").mesh,
-              plain);
-    EXPECT_EQ(read("COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 0 1 0 1\n0 1 0 nan 0 1 1\n3 0 1 2\n").mesh,
-              plain);
-    EXPECT_EQ(read("COFF\n3 1 0\n0 0 0\n1 0 0 1\n1 0 0 0 1 0 1\n0 1 0 0 0 1 1\n3 0 1 2\n").mesh,
-              plain);
-    EXPECT_EQ(read("STCOFF\n3 1 0\n0 0 0 1 0 0 .5 .5\n1 0 0 0 1 0 1 .5 .5\n0 1 0 0 0 1 0 0\n"
-                   "3 0 1 2\n")
-                  .mesh,
-              plain);
+    // The mean of red, green and blue.
+    const auto expect_grey = [](std::string_view text) {
+        const auto mesh = read(text).mesh;
+        EXPECT_EQ(mesh.vertices, read(off_text).mesh.vertices) << text;
+        EXPECT_EQ(mesh.corners, read(off_text).mesh.corners) << text;
+        EXPECT_EQ(mesh.face_colors, numbers{0x555555}) << text;
+    };
+    expect_grey("COFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n");
+    expect_grey("COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 0 1 0 1\n0 1 0 0 0 1 nan\n3 0 1 2\n");
+    expect_grey("COFF\n3 1 0\n0 0 0\n1 0 0 1\n1 0 0 0 1 0 1\n0 1 0 0 0 1 1\n3 0 1 2\n");
+    expect_grey("STCOFF\n3 1 0\n0 0 0 1 0 0 .5 .5\n1 0 0 0 1 0 1 .5 .5\n0 1 0 0 0 1 0 0\n"
+                "3 0 1 2\n");
+    EXPECT_EQ(
+        read("COFF\n3 1 0\n0 0 0 nan 0 1\n1 0 0 1 0 1\n0 1 0 1 0 1\n3 0 1 2\n").mesh.face_colors,
+        numbers{0xff00ff});
 }
 
 // ---- .ply

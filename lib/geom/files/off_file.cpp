@@ -2,6 +2,7 @@
 // Reader and writer of geomview's .off: polygons with colours, text or binary.
 #include "geom/files/model_reader_p.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -52,6 +53,8 @@ public:
         text_.forget_place();
         if (!mesh_.face_colors.empty())
             mesh_.face_colors.resize(mesh_.faces(), uncolored);
+        else
+            vertex_colors_.finish(mesh_);
         return is_binary_
                    ? text_.rest().empty() || text_.fail("more bytes follow the last face")
                    : !text_.next() ||
@@ -73,7 +76,7 @@ private:
                               " has vertices of other than 3 coordinates");
         kind_ = *kind;
         if (kind_.color)
-            text_.note("the colours of vertices are skipped");
+            text_.note(l3d_detail::vertex_colors_note);
         if (kind_.texture)
             text_.note("texture coordinates are skipped");
         return true;
@@ -120,25 +123,34 @@ private:
                     return false;
             mesh_.vertex_normals.emplace_back(v[0], v[1], v[2]);
         }
-        return skip_looks();
+        return read_looks();
     }
 
-    /// The four components of a vertex' colour and its two texture coordinates. In a text a line
-    /// may end after three components, or leave out just the fourth.
-    bool skip_looks() {
-        const int components = kind_.color ? 4 : 0;
-        const int numbers = components + (kind_.texture ? 2 : 0);
+    /// The colour of the last vertex, and its texture coordinates. In a text, a line that ends one
+    /// number too early leaves out the fourth component of the colour.
+    bool read_looks() {
+        const std::size_t numbers = (kind_.color ? 4u : 0u) + (kind_.texture ? 2u : 0u);
         const char* const what = kind_.color ? "a colour" : "a texture coordinate";
-        int skipped = 0;
-        for (; !is_binary_ && skipped < numbers && text_.next_in_line(); ++skipped)
-            if (!text_.skipped_number_in(text_.token(), what))
+        std::array<double, 6> values{};
+        std::size_t count = 0;
+        for (; !is_binary_ && count < numbers && text_.next_in_line(); ++count)
+            if (!text_.any_number_in(text_.token(), values[count], what))
                 return false;
-        if (kind_.color && skipped == numbers - 1)
-            return true;
-        for (double value = 0; skipped < numbers; ++skipped)
-            if (!(is_binary_ ? real(value, what) : text_.skip_number(what)))
+        const bool has_fourth = !kind_.color || count + 1 != numbers;
+        for (; has_fourth && count < numbers; ++count)
+            if (!(is_binary_ ? real(values[count], what) : text_.any_number(values[count], what)))
                 return false;
+        if (kind_.color)
+            give_color(values);
         return true;
+    }
+
+    /// Components are fractions up to 1, or in some programs' files whole numbers up to 255.
+    void give_color(std::array<double, 6> values) {
+        if (std::max({values[0], values[1], values[2]}) > 1)
+            for (double& value : values)
+                value /= 255;
+        vertex_colors_.give(mesh_, values.data());
     }
 
     bool read_face() {
@@ -226,6 +238,7 @@ private:
 
     text_cursor& text_;
     l3d_polygon_mesh& mesh_;
+    l3d_detail::vertex_colors vertex_colors_;
     off_kind kind_;
     bool is_binary_ = false;
     std::size_t vertices_ = 0, faces_ = 0;

@@ -31,6 +31,7 @@ public:
         text_.forget_place();
         if (!mesh_.face_colors.empty())
             mesh_.face_colors.resize(mesh_.faces(), uncolored);
+        vertex_colors_.finish(mesh_);
         const bool ends = order_ ? text_.rest().empty() : text_.at_end();
         return ends || text_.fail("more follows the last element");
     }
@@ -60,8 +61,10 @@ private:
         vertices_ = vertex->count;
         has_normals_ = vertex->has(meaning::normal_x) && vertex->has(meaning::normal_y) &&
                        vertex->has(meaning::normal_z);
-        has_colors_ = face && face->has(meaning::red) && face->has(meaning::green) &&
-                      face->has(meaning::blue);
+        has_colors_ = face && face->has_color();
+        has_vertex_colors_ = !has_colors_ && vertex->has_color();
+        if (has_vertex_colors_)
+            text_.note(l3d_detail::vertex_colors_note);
         return true;
     }
 
@@ -142,9 +145,11 @@ private:
 
     /// Components of colours are whole numbers up to 255, or fractions up to 1.
     static double scaled(const property& p, double value) {
-        const bool color =
-            p.means == meaning::red || p.means == meaning::green || p.means == meaning::blue;
-        return color && is_whole(p.type) ? value / 255 : value;
+        return is_color(p.means) && is_whole(p.type) ? value / 255 : value;
+    }
+
+    static bool is_color(meaning what) {
+        return what == meaning::red || what == meaning::green || what == meaning::blue;
     }
 
     bool add_corner(double value, std::int64_t least) {
@@ -166,6 +171,9 @@ private:
         if (has_normals_)
             mesh_.vertex_normals.emplace_back(seen(meaning::normal_x), seen(meaning::normal_y),
                                               seen(meaning::normal_z));
+        const double color[] = {seen(meaning::red), seen(meaning::green), seen(meaning::blue)};
+        if (has_vertex_colors_)
+            vertex_colors_.give(mesh_, color);
         return true;
     }
 
@@ -210,15 +218,14 @@ private:
 
     // ---- numbers
 
-    /// Takes the number of a property; whole ones are exact in a double. One that nobody will use
-    /// may be infinite or NaN.
+    /// Takes the number of a property; whole ones are exact in a double. A colour, and what nobody
+    /// will use, may be infinite or NaN.
     bool number(const property& p, double& value, const char* what) {
+        const bool any = p.means == meaning::nothing || is_color(p.means);
         if (!order_)
-            return p.means == meaning::nothing && !is_whole(p.type)
-                       ? text_.skip_number(what)
-                       : text_number(p.type, value, what);
-        return bits_of(p.type, value, what) &&
-               (p.means == meaning::nothing || text_.is_finite(value, what));
+            return any && !is_whole(p.type) ? text_.any_number(value, what)
+                                            : text_number(p.type, value, what);
+        return bits_of(p.type, value, what) && (any || text_.is_finite(value, what));
     }
 
     bool bits_of(number_type type, double& value, const char* what) {
@@ -272,7 +279,8 @@ private:
     l3d_detail::ply::header header_;
     std::optional<std::endian> order_; ///< of a binary file
     std::int64_t vertices_ = 0;
-    bool has_normals_ = false, has_colors_ = false;
+    bool has_normals_ = false, has_colors_ = false, has_vertex_colors_ = false;
+    l3d_detail::vertex_colors vertex_colors_;
     std::array<double, static_cast<std::size_t>(meaning::corners) + 1> seen_{};
     std::vector<std::uint32_t> face_;
 };

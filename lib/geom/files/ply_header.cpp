@@ -32,7 +32,8 @@ row_kind kind_of(std::string_view element) {
 meaning vertex_meaning(std::string_view name) {
     constexpr std::pair<std::string_view, meaning> names[] = {
         {"x", meaning::x},         {"y", meaning::y},         {"z", meaning::z},
-        {"nx", meaning::normal_x}, {"ny", meaning::normal_y}, {"nz", meaning::normal_z}};
+        {"nx", meaning::normal_x}, {"ny", meaning::normal_y}, {"nz", meaning::normal_z},
+        {"red", meaning::red},     {"green", meaning::green}, {"blue", meaning::blue}};
     const auto found = std::ranges::find(names, name, &std::pair<std::string_view, meaning>::first);
     return found == std::end(names) ? meaning::nothing : found->second;
 }

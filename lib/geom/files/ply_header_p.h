@@ -46,6 +46,10 @@ struct element {
         return std::ranges::any_of(properties,
                                    [what](const property& p) { return p.means == what; });
     }
+
+    bool has_color() const {
+        return has(meaning::red) && has(meaning::green) && has(meaning::blue);
+    }
 };
 
 /// Reads a header, line by line.

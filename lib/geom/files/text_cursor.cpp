@@ -46,8 +46,10 @@ text_cursor::text_cursor(std::string_view text, std::string_view name, char comm
     if (rest_.starts_with(mark))
         rest_.remove_prefix(mark.size());
     // In the binary part of a .ply file any byte may follow the header's lines.
-    const bool is_ply = rest_.starts_with("ply\r") && !rest_.starts_with("ply\r\n");
-    if (is_ply || (rest_.find('\n') == rest_.npos && rest_.find('\r') != rest_.npos))
+    const bool is_ply = rest_.starts_with("ply\r") && !rest_.substr(4).starts_with('\n');
+    // One at the very end is half of a line's end on DOS.
+    const std::size_t first = rest_.find('\r');
+    if (first < rest_.size() - 1 && (is_ply || rest_.find('\n') == rest_.npos))
         line_end_ = '\r';
 }
 
@@ -175,11 +177,10 @@ bool text_cursor::parsed(std::string_view digits, Number& value, const char* wha
 }
 
 bool text_cursor::number_in(std::string_view digits, double& value, const char* what) {
-    return parsed(digits, value, what, "a number") && is_finite(value, what);
+    return any_number_in(digits, value, what) && is_finite(value, what);
 }
 
-bool text_cursor::skipped_number_in(std::string_view digits, const char* what) {
-    double value = 0;
+bool text_cursor::any_number_in(std::string_view digits, double& value, const char* what) {
     return parsed(digits, value, what, "a number");
 }
 
@@ -191,8 +192,8 @@ bool text_cursor::number(double& value, const char* what) {
     return next() ? number_in(token_, value, what) : ends(what);
 }
 
-bool text_cursor::skip_number(const char* what) {
-    return next() ? skipped_number_in(token_, what) : ends(what);
+bool text_cursor::any_number(double& value, const char* what) {
+    return next() ? any_number_in(token_, value, what) : ends(what);
 }
 
 bool text_cursor::integer(std::int64_t& value, const char* what) {

@@ -67,6 +67,8 @@ public:
     bool at_end();
 
     std::string_view token() const { return token_; }
+    /// The line of the current token, from 1 on.
+    std::size_t line() const { return static_cast<std::size_t>(line_); }
     std::string_view rest() const { return rest_; }
 
     /// From now on a newline after a backslash is white space like a blank, but still counts.
@@ -74,8 +76,8 @@ public:
 
     /// Takes the next token as a number; `what` names it in messages.
     bool number(double& value, const char* what);
-    /// Takes the next token as a number that nobody will use: it may be infinite or NaN.
-    bool skip_number(const char* what);
+    /// Takes the next token as a number that may be infinite or NaN.
+    bool any_number(double& value, const char* what);
     bool integer(std::int64_t& value, const char* what);
     bool integer_in(std::int64_t& value, const char* what, std::int64_t least, std::int64_t most);
     bool coordinate(double& value);
@@ -87,7 +89,7 @@ public:
 
     /// The current token as a number; `digits` is the part of it that must be one.
     bool number_in(std::string_view digits, double& value, const char* what);
-    bool skipped_number_in(std::string_view digits, const char* what);
+    bool any_number_in(std::string_view digits, double& value, const char* what);
     bool integer_in_text(std::string_view digits, std::int64_t& value, const char* what);
 
     /// Whether the text can hold so many things of at least `shortest` bytes each: to be asked
