@@ -242,6 +242,7 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     report_.surface = {};
     for (const l3d_pixel_box& part : parts.boxes()) {
         const l3d_method_frame frame{.scene = scene_,
+                                     .materials = scene_.materials(),
                                      .camera = camera_,
                                      .to_image = stages_->transform.matrix(),
                                      .view = stages_->view,

@@ -2,10 +2,9 @@
 // l3d_afd_options: declarations and what the values must be.
 #include "system/afd_options.h"
 
-#include "geom/files/model_file.h"
+#include "scene/model_loader.h"
 #include "system/number_text.h"
 #include "system/places.h"
-#include "tool_2d/text_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -174,22 +173,19 @@ l3d_afd_settings l3d_afd_options::settings() const {
 l3d_patch_model l3d_afd_options::model() const {
     if (model_file_.empty())
         return l3d_patch_model::teapot();
-    std::string why;
-    const auto file =
-        l3d_read_model(l3d_read_text_file(l3d_data_file(model_file_)), model_file_, why);
-    if (!file)
-        throw l3d_error(l3d_exit::bad_input, why);
-    const std::string polygons = std::to_string(file->mesh.faces()) + " polygons";
-    if (file->patches.empty())
+    const l3d_model_file file = l3d_load_model(l3d_data_file(model_file_), model_file_);
+    const std::string polygons = std::to_string(file.mesh.faces()) + " polygons";
+    if (file.patches.empty())
         throw l3d_error(l3d_exit::bad_input,
                         model_file_ + ": holds " + polygons +
                             " and no patches; modelview --pipeline zbuffer shows them");
-    auto model = l3d_patch_model::from_patches(file->patches, model_file_, why);
+    std::string why;
+    auto model = l3d_patch_model::from_file(file, model_file_, why);
     if (!model)
         throw l3d_error(l3d_exit::bad_input, why);
-    for (const std::string& note : file->notes)
+    for (const std::string& note : file.notes)
         std::cerr << note << '\n';
-    if (file->mesh.faces() > 0)
+    if (file.mesh.faces() > 0)
         std::cerr << model_file_ << ": " << polygons
                   << " are skipped; modelview --pipeline zbuffer shows them\n";
     return *std::move(model);

@@ -2,10 +2,9 @@
 // l3d_polygon_options: declarations, and the model.
 #include "system/polygon_options.h"
 
-#include "geom/files/model_file.h"
+#include "scene/model_loader.h"
 #include "pipeline/polygons/patch_tessellation.h"
 #include "system/places.h"
-#include "tool_2d/text_file.h"
 
 #include <iostream>
 #include <utility>
@@ -30,23 +29,13 @@ l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_opt
 }
 
 l3d_polygon_model l3d_polygon_options::model() const {
-    std::string why;
-    l3d_polygon_mesh mesh;
-    bool has_patches = true;
-    if (const std::string& name = shared_.model_file(); !name.empty()) {
-        auto file = l3d_read_model(l3d_read_text_file(l3d_data_file(name)), name, why);
-        if (!file)
-            throw l3d_error(l3d_exit::bad_input, why);
-        for (const std::string& note : file->notes)
-            std::cerr << note << '\n';
-        mesh = std::move(file->mesh);
-        has_patches = !file->patches.empty();
-        if (!has_patches && mesh.faces() == 0)
-            throw l3d_error(l3d_exit::bad_input, name + ": no polygons and no patches");
-    }
-    if (has_patches)
-        mesh.append(l3d_tessellated(shared_.model(), facets_).mesh);
-    return l3d_polygon_model(std::move(mesh), to_origin_);
+    const std::string& name = shared_.model_file();
+    if (name.empty())
+        return l3d_polygon_model(l3d_tessellated(shared_.model(), facets_).mesh, to_origin_);
+    const l3d_model_file file = l3d_load_model(l3d_data_file(name), name);
+    for (const std::string& note : file.notes)
+        std::cerr << note << '\n';
+    return l3d_polygon_model(l3d_mesh_of(file, name, facets_), to_origin_);
 }
 
 l3d_polygon_settings l3d_polygon_options::settings() const {

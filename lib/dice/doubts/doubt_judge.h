@@ -11,11 +11,11 @@
 #include <span>
 #include <vector>
 
-/// What is known of a cell. Units: linear light, from 0 to 1; levels.
+/// What is known of a cell. Units: levels.
 struct l3d_doubt_verdict {
-    bool is_certain = false;    ///< one surface, or the background, fills it
-    double least = 0, most = 1; ///< of the mean of its light
-    double spread = 0;          ///< of its levels that is not known
+    bool is_certain = false; ///< one surface of one colour, or the background, fills it
+    l3d_light_bounds light = l3d_light_bounds::any(); ///< the mean over the cell
+    double spread = 0;                                ///< of its levels that is not known
 };
 
 /// Judges cells by the pieces that reach into them.

@@ -5,7 +5,7 @@
 
 #include "dice/doubts/doubt_tile.h"
 #include "raster/error_map.h"
-#include "dice/doubts/side_pairs.h"
+#include "scene/side_pairs.h"
 #include "geom/matrix.h"
 #include "raster/parallel/workers.h"
 #include "scene/dice_view.h"

@@ -18,6 +18,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,8 +43,9 @@ struct L3D_PUBLIC l3d_polygon_settings {
     l3d_projection projection = l3d_projection::perspective; ///< whether far things look smaller
     l3d_vector<double, 3> light = l3d_usual_light; ///< towards the light, world space, any length
     l3d_vector<double, 3> rotation{0.0, 0.0,
-                                   0.0}; ///< degrees about x, y, z, round the box's middle
-    bool cull = true;                    ///< faces seen from behind are left out
+                                   0.0};  ///< degrees about x, y, z, round the box's middle
+    std::optional<l3d_material> material; ///< of all faces, whatever the model says
+    bool cull = true;                     ///< faces seen from behind are left out
     bool antialias = false;    ///< edges are means over pixels, not stairs; lines are smooth
     bool count_pixels = false; ///< report how many are covered
     int threads = 1;           ///< constant from the first frame on
@@ -106,10 +108,11 @@ public:
 protected:
     /// The inputs of a frame.
     struct scene {
-        l3d_pixels target;              ///< the picture, to be written to
-        const l3d_polygon_frame& frame; ///< the model's triangles in it
-        l3d_shading shading;            ///< light, and the way to shade
-        bool count_pixels;              ///< as in the settings
+        l3d_pixels target;                       ///< the picture, to be written to
+        const l3d_polygon_frame& frame;          ///< the model's triangles in it
+        std::span<const l3d_material> materials; ///< theirs; none if all are plain
+        l3d_shading shading;                     ///< light, and the way to shade
+        bool count_pixels;                       ///< as in the settings
     };
 
     /// Errors:  as l3d_rasterizer_factory::create_2d.

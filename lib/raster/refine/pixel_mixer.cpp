@@ -16,6 +16,26 @@ constexpr float harmless_contrast = 1.0f / 256;
 /// Slivers, which no sample meets, may be missing up to this area in all.
 constexpr float harmless_area = 1.0f / 64;
 
+/// The least and the most light of several.
+struct light_range {
+    light_sum least{{1, 1, 1}}, most;
+
+    void add(const light_sum& light) {
+        for (std::size_t i = 0; i < light.of.size(); ++i) {
+            least.of[i] = std::min(least.of[i], light.of[i]);
+            most.of[i] = std::max(most.of[i], light.of[i]);
+        }
+    }
+
+    /// How far apart they are, in the channel where that is most.
+    float contrast() const {
+        float result = most.of[0] - least.of[0];
+        for (std::size_t i = 1; i < most.of.size(); ++i)
+            result = std::max(result, most.of[i] - least.of[i]);
+        return result;
+    }
+};
+
 /// The sample whose cell a place lies in.
 std::uint64_t sample_at(float x, float y) {
     const auto cell = [](float place) {
@@ -24,22 +44,10 @@ std::uint64_t sample_at(float x, float y) {
     return std::uint64_t{1} << (cell(y) * mask_side + cell(x));
 }
 
-/// The samples where at + of_x x + of_y y is positive.
-std::uint64_t samples_above(float at, float of_x, float of_y) {
-    const float step_x = of_x / mask_side, step_y = of_y / mask_side;
-    float row_value = at + 0.5f * (step_x + step_y);
-    std::uint64_t result = 0;
-    for (int row = 0; row < mask_side; ++row, row_value += step_y)
-        for (int column = 0; column < mask_side; ++column) {
-            const bool above = row_value + static_cast<float>(column) * step_x > 0;
-            result |= std::uint64_t{above} << (row * mask_side + column);
-        }
-    return result;
-}
-
 } // namespace
 
-void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading) {
+void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading, bool has_color) {
+    has_color_ = has_color;
     measure_pairs(band, measures_);
     with_shader(shading, 0, [&](auto shader) { draw_by(shader, band); });
 }
@@ -58,7 +66,7 @@ template <class Shader> void pixel_mixer::draw_by(Shader shader, const band_frag
             sampler_.begin(corner);
             for (const fragment& f : fragments_)
                 sampler_.add(band.polygons()[f.polygon]);
-            light = sampler_.light(shader, band.closed(i));
+            light = sampler_.light(shader, has_color_, band.closed(i));
         }
         words_.push_back(light.word(tables));
     }
@@ -66,15 +74,16 @@ template <class Shader> void pixel_mixer::draw_by(Shader shader, const band_frag
 
 void pixel_mixer::collect(const band_fragments& band, std::size_t pixel) {
     fragments_.clear();
-    for (const std::uint32_t pair : band.pairs_of(pixel)) {
+    const std::size_t end = band.begin_of(pixel + 1);
+    for (std::size_t pair = band.begin_of(pixel); pair < end; ++pair) {
         const std::uint64_t mask = measures_.samples(pair);
         const float area = measures_.area[pair];
         if (mask == 0 && !(area > 0))
             continue;
-        const std::uint32_t name = band.polygon_of(pair);
+        const std::uint32_t name = band.pairs()[pair].polygon;
         const fragment_polygon& polygon = band.polygons()[name];
         fragments_.push_back(
-            {pair, name, area, mask, mask, polygon.farthest, polygon.nearest, polygon.area2() > 0});
+            {static_cast<std::uint32_t>(pair), name, area, mask, mask, polygon.farthest, polygon.nearest, polygon.area2() > 0});
     }
 }
 
@@ -126,10 +135,11 @@ light_sum pixel_mixer::light_of(Shader& shader, const band_fragments& band, cons
                                 scan_point corner) const {
     const linear_light& tables = linear_light_tables();
     if constexpr (has_bends<Shader>) {
-        const float light = tables.light_between(measures_.level[of.pair]);
-        return {{light, light, light}};
+        constexpr std::uint32_t white = 0xffffff;
+        return light_sum::of_level(measures_.level[of.pair],
+                                   has_color_ ? band.polygons()[of.polygon].color : white, tables);
     } else {
-        return light_at(shader, band.polygons()[of.polygon],
+        return light_at(shader, band.polygons()[of.polygon], has_color_,
                         corner.x + double{l3d_subpixel_one * measures_.x[of.pair]},
                         corner.y + double{l3d_subpixel_one * measures_.y[of.pair]});
     }
@@ -166,10 +176,10 @@ bool pixel_mixer::add_rest(Shader& shader, const band_fragments& band, scan_poin
     const float rest = 1 - known;
     const int empty = closed ? 0 : bits_in(~seen);
     light_sum sum;
-    float least = 1, most = 0;
+    light_range range;
     int samples = empty;
     if (empty > 0)
-        least = 0;
+        range.add({});
     for (const fragment& f : fragments_) {
         if (f.seen == 0 || f.seen == f.mask)
             continue;
@@ -177,8 +187,7 @@ bool pixel_mixer::add_rest(Shader& shader, const band_fragments& band, scan_poin
         const int count = bits_in(f.seen);
         sum.add(here, static_cast<float>(count));
         samples += count;
-        least = std::min(least, *std::ranges::min_element(here.of));
-        most = std::max(most, *std::ranges::max_element(here.of));
+        range.add(here);
     }
     if (samples == 0) {
         if (std::abs(rest) > harmless_area / 4 && !(closed && known > 0.5f && rest > 0))
@@ -188,7 +197,7 @@ bool pixel_mixer::add_rest(Shader& shader, const band_fragments& band, scan_poin
         light = whole;
         return true;
     }
-    if (most - least > harmless_contrast)
+    if (range.contrast() > harmless_contrast)
         return false;
     if (rest > 0)
         light.add(sum, rest / static_cast<float>(samples));

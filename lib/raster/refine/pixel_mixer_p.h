@@ -25,8 +25,9 @@ namespace l3d_detail {
 /// Lives: of one worker, kept for its memory.
 class pixel_mixer {
 public:
-    /// Makes the words of the band's marked pixels. Expects: its pairs are sorted.
-    void draw(const band_fragments& band, const l3d_shading& shading);
+    /// Makes the words of the band's marked pixels; its polygons have the colours of materials if
+    /// `has_color`. Expects: its pairs are sorted.
+    void draw(const band_fragments& band, const l3d_shading& shading, bool has_color);
 
     /// One for each of the band's pixels, in their order.
     std::span<const std::uint32_t> words() const { return words_; }
@@ -59,6 +60,7 @@ private:
     light_sum light_of(Shader& shader, const band_fragments& band, const fragment& of,
                        scan_point corner) const;
 
+    bool has_color_ = false;
     pair_measures measures_;
     std::vector<fragment> fragments_;
     std::vector<std::uint32_t> words_;

@@ -28,8 +28,9 @@ public:
     /// Of polygons that are equally near, the one that was added first is seen.
     void add(const fragment_polygon& polygon);
 
-    /// `closed`: samples that no polygon covers show what the others do.
-    template <class Shader> light_sum light(Shader& shader, bool closed);
+    /// `has_color`: polygons have the colours of materials. `closed`: samples that no polygon
+    /// covers show what the others do.
+    template <class Shader> light_sum light(Shader& shader, bool has_color, bool closed);
 
 private:
     struct fragment {
@@ -43,7 +44,8 @@ private:
     std::vector<fragment> fragments_; ///< nearest corner first
 };
 
-template <class Shader> light_sum sampled_pixel::light(Shader& shader, bool closed) {
+template <class Shader>
+light_sum sampled_pixel::light(Shader& shader, bool has_color, bool closed) {
     hide();
     light_sum sum;
     float covered = 0;
@@ -54,9 +56,9 @@ template <class Shader> light_sum sampled_pixel::light(Shader& shader, bool clos
         const float share = static_cast<float>(m.count) / sample_pattern::count;
         covered += share;
         const double half_each = 0.5 / m.count;
-        sum.add(
-            light_at(shader, *f.polygon, corner_.x + half_each * m.x, corner_.y + half_each * m.y),
-            share);
+        sum.add(light_at(shader, *f.polygon, has_color, corner_.x + half_each * m.x,
+                         corner_.y + half_each * m.y),
+                share);
     }
     if (!closed || covered <= 0)
         return sum;
