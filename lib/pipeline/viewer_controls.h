@@ -81,8 +81,9 @@ public:
 
     /// Why the picture is empty, as l3d_why_unseen tells it; "" if it is not. It is shown as long
     /// as it is so, with the key that mends it.
-    void set_empty(const std::string& why, char key = 'f') {
-        empty_line_ = why.empty() ? "" : "The model is " + why + ": press " + key + " to see it.";
+    void set_empty(const std::string& reason, char key = 'f') {
+        empty_line_ =
+            reason.empty() ? "" : "The model is " + reason + ": press " + key + " to see it.";
     }
 
     /// Whether draw() draws anything.

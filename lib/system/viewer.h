@@ -72,10 +72,10 @@ public:
 
 private:
     /// What the options did, and what undoes it.
-    std::string way_to_mend(const std::string& why) const {
-        if (why == l3d_turning_its_back)
+    std::string way_to_mend(const std::string& reason) const {
+        if (reason == l3d_turning_its_back)
             return "give --all-faces, or press b in a window";
-        if (why.ends_with("plane"))
+        if (reason.ends_with("plane"))
             return "leave out --near and --far, or press f in a window";
         return asked_.places_camera() ? "leave out --eye and --target, or press f in a window"
                                       : "press f in a window";
