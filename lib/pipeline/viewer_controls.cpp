@@ -188,8 +188,8 @@ void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, double millisecond
     if (help_shown_)
         for (const l3d_viewer_row& row : rows_)
             write(formatted("%-14s%s", row.keys, row.text));
-    if (!why_empty_.empty())
-        write("The model is " + why_empty_ + ": press f to see it.");
+    if (!empty_line_.empty())
+        write(empty_line_);
     if (!message_.empty())
         write(message_);
 }

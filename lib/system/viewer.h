@@ -4,6 +4,7 @@
 #define L3D_SYSTEM_VIEWER_H
 
 #include "base/public.h"
+#include "pipeline/polygons/pipeline_polygons.h"
 #include "system/afd_options.h"
 #include "system/program.h"
 #include "system/report_writer.h"
@@ -71,8 +72,10 @@ public:
 
 private:
     /// What the options did, and what undoes it.
-    std::string way_to_mend(const std::string& why) const {
-        if (why.ends_with("plane"))
+    std::string way_to_mend(const std::string& reason) const {
+        if (reason == l3d_turning_its_back)
+            return "give --all-faces, or press b in a window";
+        if (reason.ends_with("plane"))
             return "leave out --near and --far, or press f in a window";
         return asked_.places_camera() ? "leave out --eye and --target, or press f in a window"
                                       : "press f in a window";

@@ -17,7 +17,7 @@ namespace {
 /// A viewer of nothing, with a key of its own.
 class nothing_viewer : public l3d_pipeline {
 public:
-    l3d_screen_memory screen{{403, 311}};
+    l3d_screen_memory screen{{403, 611}};
     l3d_camera camera;
     int own = 0, resets = 0;
     l3d_viewer_controls controls{
