@@ -23,7 +23,7 @@ constexpr int channels_end = 24;
 constexpr int steady = jump_levels, like = jump_levels;
 
 /// Levels of the mixed pixel that a parabola may be wrong by, as a fourth level tells.
-constexpr float most_doubt = 1.5f;
+constexpr float most_doubt = 0.75f;
 
 /// What the area beside a straight contour may differ by from the share.
 constexpr float straight = 1.0f / 16;
