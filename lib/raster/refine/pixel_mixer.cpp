@@ -82,8 +82,8 @@ void pixel_mixer::collect(const band_fragments& band, std::size_t pixel) {
             continue;
         const std::uint32_t name = band.pairs()[pair].polygon;
         const fragment_polygon& polygon = band.polygons()[name];
-        fragments_.push_back(
-            {static_cast<std::uint32_t>(pair), name, area, mask, mask, polygon.farthest, polygon.nearest, polygon.area2() > 0});
+        fragments_.push_back({static_cast<std::uint32_t>(pair), name, area, mask, mask,
+                              polygon.farthest, polygon.nearest, polygon.area2() > 0});
     }
 }
 
