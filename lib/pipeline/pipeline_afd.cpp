@@ -163,6 +163,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
         l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
     shading.keep_unit_normals = settings_.keep.unit_normals;
     shading.antialias = settings_.antialias;
+    shading.background = settings_.background;
     return {.target = target,
             .to_image = stages_->transform.matrix(),
             .view = stages_->view,
@@ -300,7 +301,9 @@ void l3d_pipeline_afd::find_doubts(l3d_stage_times& times) {
     const bool is_light = settings_.shade == l3d_shade::lambert ||
                           settings_.shade == l3d_shade::gouraud ||
                           settings_.shade == l3d_shade::flat;
-    if (!settings_.error_map || settings_.wireframe || !is_light) {
+    const bool has_exact = is_light && !settings_.wireframe && settings_.background.is_grey() &&
+                           !settings_.background.is_none();
+    if (!settings_.error_map || !has_exact) {
         stages_->doubts.reset();
         return;
     }
@@ -313,7 +316,8 @@ void l3d_pipeline_afd::find_doubts(l3d_stage_times& times) {
                  .light = settings_.light,
                  .bound_px = report_.dice.bound_px,
                  .depth_bound_px = report_.dice.depth_bound_px,
-                 .drawn = screen_->pixels()},
+                 .drawn = screen_->pixels(),
+                 .background = settings_.background},
                 stages_->workers);
     report_.coverage_bound = doubts.coverage_bound();
     report_.color_bound = doubts.color_bound();
@@ -333,7 +337,7 @@ void l3d_pipeline_afd::draw_on_top() {
 void l3d_pipeline_afd::draw_wireframe() {
     const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
     untouched_ = false;
-    rasterizer_.clear_buffer();
+    settings_.background.fill(screen_->pixels());
     if (settings_.depth) {
         depth_.resize(stages_->view.size);
         depth_.clear();

@@ -195,6 +195,29 @@ void l3d_options::add(const std::string& name, l3d_vector<double, 3>& value,
     });
 }
 
+void l3d_options::add(const std::string& name, std::optional<l3d_background>& value,
+                      const std::string& help) {
+    const auto read = [name, &value](const std::string& text) {
+        std::array<int, 3> levels{};
+        if (text == "gradient")
+            value = l3d_background::gradient();
+        else if (text == "none")
+            value = l3d_background::none();
+        else if (l3d_read_numbers(text, ',', levels) &&
+                 std::ranges::all_of(levels, [](int level) { return level >= 0 && level <= 255; }))
+            value = l3d_background::color(l3d_screen_info::ext_to_native(
+                static_cast<std::uint8_t>(levels[0]), static_cast<std::uint8_t>(levels[1]),
+                static_cast<std::uint8_t>(levels[2])));
+        else
+            refuse(name, text, "gradient, none or a colour R,G,B, each from 0 to 255");
+    };
+    const auto read_and_tell = [this, read, &value](const std::string& text) {
+        read(text);
+        common_.alpha = value->is_none() ? l3d_alpha::transparency : l3d_alpha::none;
+    };
+    add_text(parser_->app, name, help, "gradient|none|R,G,B", "", read_and_tell);
+}
+
 void l3d_options::add(const std::string& name, l3d_size& value, const std::string& help) {
     const std::string preset = std::to_string(value.width) + 'x' + std::to_string(value.height);
     const auto read = [name, &value](const std::string& text) {
@@ -276,6 +299,7 @@ l3d_frame_settings l3d_options::frame_settings() const {
             .fps = common_.fps,
             .fixed_step = common_.frames > 0,
             .output = common_.output,
+            .alpha = common_.alpha,
             .program = command_};
 }
 

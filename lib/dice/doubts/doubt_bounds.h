@@ -5,6 +5,7 @@
 
 #include "dice/doubts/doubt_piece.h"
 #include "geom/step_bound.h"
+#include "raster/background.h"
 #include "scene/dice_view.h"
 
 #include <array>
@@ -22,6 +23,10 @@ struct l3d_doubt_view {
     l3d_vector<double, 3> light{0.0, 0.0, 1.0}; ///< unit, in the world
     /// How far drawn things may be from the exact ones: in the picture, and along the normal.
     double bound_px = 0, depth_bound_px = 0;
+    l3d_background background{}; ///< grey
+
+    /// The background's level in a row of pixels, of 255.
+    double background_level(int row) const { return background.word(row, view.size.height) & 255; }
 };
 
 /// A number that changes over a piece. It is between least and most, and also within `off` of a

@@ -234,7 +234,7 @@ void l3d_doubt_judge::mark_seen(std::vector<bool>& pieces) const {
 l3d_doubt_verdict l3d_doubt_judge::judge(const l3d_image_box& cell,
                                          std::span<const std::uint32_t> touching,
                                          std::span<const l3d_doubt_leaf> leaves,
-                                         const l3d_dice_view& view) {
+                                         const l3d_dice_view& view, double background) {
     gather(cell, touching, leaves);
     connect();
     look_for(cell, view, 0);
@@ -251,17 +251,20 @@ l3d_doubt_verdict l3d_doubt_judge::judge(const l3d_image_box& cell,
         levels.add(levels_in(pieces_[i]->bounds, cell));
     }
     if (is_certain)
-        return judge_alone(cell);
-    if (farthest == infinite)
-        return {false, 0, light_above_ambient(levels.high), l3d_ambient_level + levels.high};
+        return judge_alone(cell, background);
+    if (farthest == infinite) {
+        const double low = std::min(l3d_ambient_level + std::max(0.0, levels.low), background);
+        const double high = std::max(l3d_ambient_level + std::max(0.0, levels.high), background);
+        return {false, l3d_light_of_level(low), l3d_light_of_level(high), high - low};
+    }
     return {false, light_above_ambient(levels.low), light_above_ambient(levels.high),
             levels.high - levels.low};
 }
 
 /// All pieces of the sheet, by the line of the best: how far they may be below and above it.
-l3d_doubt_verdict l3d_doubt_judge::judge_alone(const l3d_image_box& cell) const {
+l3d_doubt_verdict l3d_doubt_judge::judge_alone(const l3d_image_box& cell, double background) const {
     if (only_ == nowhere)
-        return {true, 0, 0, 0};
+        return {true, l3d_light_of_level(background), l3d_light_of_level(background), 0};
     const l3d_doubt_bounds* line = nullptr;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
         if (const l3d_doubt_bounds& b = pieces_[i]->bounds;

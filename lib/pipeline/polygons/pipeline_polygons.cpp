@@ -87,7 +87,7 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
         report.polygons = {};
         report.time_ms.place = placing.milliseconds();
         const stopwatch drawing;
-        rasterizer_.clear_buffer();
+        settings_.background.fill(target);
         l3d_detail::wire_drawer(rasterizer_, wire_color, settings_.antialias).draw(lines);
         report.time_ms.raster = drawing.milliseconds();
         return;
@@ -97,6 +97,7 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
     const bool smooth = settings_.shade != l3d_shade::flat;
     l3d_shading shading = view.shading(settings_.shade, settings_.light);
     shading.antialias = settings_.antialias && is_solid;
+    shading.background = settings_.background;
     frame_->make(model_, view,
                  {.cull = settings_.cull, .smooth = smooth, .squares = shading.antialias},
                  workers_);

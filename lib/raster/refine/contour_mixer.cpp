@@ -2,6 +2,7 @@
 // contour_mixer: which neighbour shows the other side, and what the two make together.
 #include "raster/refine/contour_mixer_p.h"
 
+#include "raster/background.h"
 #include "raster/refine/find_jumps_p.h"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ int channel(std::uint32_t word, int shift) {
     return static_cast<int>(word >> shift & 255);
 }
 
-constexpr int channels_end = 24;
+/// How transparent a pixel is counts as a channel where pixels are compared.
+constexpr int channels_end = 32;
 
 /// How far neighbours' levels go on as they change, and how far two on the other side of a contour
 /// may be apart, being a diagonal's ends.
@@ -105,15 +107,24 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     // of the own share lies rest / 2 before it, that of the other share (1 + rest) / 2 nearer than
     // the neighbour's.
     const float to_own = 0.5f * rest, to_rest = 0.5f * (1 + rest);
-    const auto mixed = [&](int shift) {
-        const auto level = [&](std::uint32_t at, std::uint32_t next, float way) {
-            const auto a = static_cast<float>(channel(at, shift));
-            const auto b = static_cast<float>(channel(next, shift));
-            return tables_.light_at_level(a + way * (b - a));
+    const auto light = [&](int shift, std::uint32_t at, std::uint32_t next, float way) {
+        const auto a = static_cast<float>(channel(at, shift));
+        const auto b = static_cast<float>(channel(next, shift));
+        return tables_.light_at_level(a + way * (b - a));
+    };
+    if (here == l3d_pixels::transparent || there == l3d_pixels::transparent) {
+        const bool is_there = here == l3d_pixels::transparent;
+        const auto level = [&](int shift) {
+            return tables_.level(is_there ? light(shift, there, after, -to_rest)
+                                          : light(shift, here, before, to_own));
         };
-        const float light =
-            own * level(here, before, to_own) + rest * level(there, after, -to_rest);
-        return tables_.level(light);
+        word =
+            l3d_transparency_of(is_there ? own : rest) | level(16) << 16 | level(8) << 8 | level(0);
+        return true;
+    }
+    const auto mixed = [&](int shift) {
+        return tables_.level(own * light(shift, here, before, to_own) +
+                             rest * light(shift, there, after, -to_rest));
     };
     constexpr std::uint32_t all_channels = 0x010101;
     word = is_grey_ ? all_channels * mixed(0) : mixed(16) << 16 | mixed(8) << 8 | mixed(0);

@@ -17,8 +17,9 @@ l3d_pixel_box box_of_band(const drawn_frame& frame, int band) {
             std::min(top + frame.rows, frame.window.bottom)};
 }
 
-bool is_grey(l3d_shade mode) {
-    return mode != l3d_shade::normals && mode != l3d_shade::error;
+bool is_grey(const l3d_shading& shading) {
+    return shading.mode != l3d_shade::normals && shading.mode != l3d_shade::error &&
+           shading.background.is_grey() && !shading.background.is_none();
 }
 
 } // namespace
@@ -65,7 +66,7 @@ void picture_refiner::find_contours(const drawn_frame& frame, int band, worker_s
     const l3d_pixel_box reached{drawn.left - 1, box.top, drawn.right + 1, box.bottom};
     const jump_rule rule =
         frame.shading.mode == l3d_shade::levels ? jump_rule::smooth : jump_rule::any;
-    find_jumps(frame.target, is_grey(frame.shading.mode), rule, reached.intersected(box), jumps_);
+    find_jumps(frame.target, is_grey(frame.shading), rule, reached.intersected(box), jumps_);
 
     contour_pixels& contours = each_band_[static_cast<std::size_t>(band)].contours;
     const drawn_depth depth(frame.depth.data(), frame.depth.pitch(), frame.window, frame.coarse);
@@ -87,7 +88,7 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
     const l3d_pixel_box box = box_of_band(frame, band);
     mark_others(frame, box);
     band_space& space = each_band_[static_cast<std::size_t>(band)];
-    const contour_mixer mixer(frame.target, frame.window, cuts_, is_grey(frame.shading.mode));
+    const contour_mixer mixer(frame.target, frame.window, cuts_, is_grey(frame.shading));
     for (const contour_pixel& pixel : space.contours.pixels()) {
         if (others_.has(pixel.x, pixel.y))
             continue;
@@ -141,8 +142,9 @@ void picture_refiner::mark_others(const drawn_frame& frame, const l3d_pixel_box&
 
 void picture_refiner::resolve(const drawn_frame& frame, int band, worker_space& space) {
     const l3d_pixel_box box = box_of_band(frame, band);
+    const l3d_size size = frame.target.size();
     const drawn_depth depth(frame.depth.data(), frame.depth.pitch(), frame.window, frame.coarse);
-    space.fragments.begin(others_, depth, frame.target.width, box.top, box.bottom);
+    space.fragments.begin(others_, depth, size.width, box.top, box.bottom);
     if (space.fragments.pixels().empty())
         return;
     const bool levels = frame.shading.mode == l3d_shade::levels;
@@ -150,7 +152,7 @@ void picture_refiner::resolve(const drawn_frame& frame, int band, worker_space& 
         space.fragments.add(frame.list, frame.list.item(index), levels);
     space.fragments.sort();
     auto& refined = each_band_[static_cast<std::size_t>(band)].refined;
-    space.mixer.draw(space.fragments, frame.shading);
+    space.mixer.draw(space.fragments, frame.shading, size.height);
     const auto pixels = space.fragments.pixels();
     for (std::size_t i = 0; i < pixels.size(); ++i)
         refined.push_back({pixels[i].x, pixels[i].y, space.mixer.words()[i]});

@@ -28,8 +28,9 @@ public:
     /// Of polygons that are equally near, the one that was added first is seen.
     void add(const fragment_polygon& polygon);
 
-    /// `closed`: samples that no polygon covers show what the others do.
-    template <class Shader> light_sum light(Shader& shader, bool closed);
+    /// `closed`: samples that no polygon covers show what the others do. Of others, `empty` gets
+    /// the share.
+    template <class Shader> light_sum light(Shader& shader, bool closed, float& empty);
 
 private:
     struct fragment {
@@ -43,7 +44,7 @@ private:
     std::vector<fragment> fragments_; ///< nearest corner first
 };
 
-template <class Shader> light_sum sampled_pixel::light(Shader& shader, bool closed) {
+template <class Shader> light_sum sampled_pixel::light(Shader& shader, bool closed, float& empty) {
     hide();
     light_sum sum;
     float covered = 0;
@@ -58,7 +59,8 @@ template <class Shader> light_sum sampled_pixel::light(Shader& shader, bool clos
             light_at(shader, *f.polygon, corner_.x + half_each * m.x, corner_.y + half_each * m.y),
             share);
     }
-    if (!closed || covered <= 0)
+    empty = closed && covered > 0 ? 0.0f : 1 - covered;
+    if (empty > 0 || covered <= 0)
         return sum;
     light_sum all;
     all.add(sum, 1 / covered);
