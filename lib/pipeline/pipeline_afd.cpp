@@ -337,17 +337,23 @@ void l3d_pipeline_afd::draw_on_top() {
 void l3d_pipeline_afd::draw_wireframe() {
     const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
     untouched_ = false;
-    settings_.background.fill(screen_->pixels());
+    const bool is_none = settings_.background.is_none();
+    (is_none ? l3d_background() : settings_.background).fill(screen_->pixels());
     if (settings_.depth) {
         depth_.resize(stages_->view.size);
         depth_.clear();
     }
     stages_->wire_culling.begin(scene_, stages_->transform.matrix(), stages_->view);
     stages_->wire_dicer.begin(stages_->view);
-    l3d_detail::wire_lines lines({rasterizer_, wire_color, settings_.antialias});
+    l3d_detail::wire_lines lines(
+        {rasterizer_, is_none ? l3d_detail::white : wire_color, settings_.antialias});
     for (auto batch = stages_->wire_culling.next(nothing_is_hidden); !batch.empty();
          batch = stages_->wire_culling.next(nothing_is_hidden))
         lines.draw(stages_->wire_dicer.dice(scene_, stages_->wire_culling, batch));
+    if (is_none) {
+        rasterizer_.finish();
+        l3d_detail::make_lines_transparent(screen_->pixels(), wire_color);
+    }
     report_.dice = stages_->wire_dicer.counts();
     report_.dice.add(stages_->wire_culling.counts());
     report_.surface = {};
@@ -376,7 +382,9 @@ void l3d_pipeline_afd::draw_nets() {
                 }
         }
     }
-    l3d_detail::wire_drawer(rasterizer_, net_color, settings_.antialias).draw(lines);
+    // A smooth line does not cover what is transparent.
+    const bool smooth = settings_.antialias && !settings_.background.is_none();
+    l3d_detail::wire_drawer(rasterizer_, net_color, smooth).draw(lines);
 }
 
 l3d_frame_report l3d_pipeline_afd::report() const {

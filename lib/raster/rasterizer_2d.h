@@ -129,8 +129,7 @@ public:
     /// Let a be the coordinate along the longer axis, from a0 to a1, and b(a) the line's other one.
     /// Pixel (a, b) is covered by w v. w is the part of [a - 1/2, a + 1/2] that lies in [a0 - 1/2,
     /// a1 + 1/2]; v is max(0, 1 - |b - b(a)|). The product is rounded to a multiple of 1/255. The
-    /// same pixels in both directions. A pixel that is transparent in part becomes less so, but
-    /// with GL stays as transparent as it was.
+    /// same pixels in both directions. A pixel word's highest byte stays what it was.
     /// Source:  Wu: An Efficient Antialiasing Technique (SIGGRAPH 1991); the ends are ours.
     void draw_line_antialiased(l3d_point_2d from, l3d_point_2d to, std::uint32_t color) {
         imp_.do_draw_line_antialiased(from, to, color);
@@ -168,8 +167,10 @@ public:
     }
 
     /// Moves each pixel's red, green and blue towards the colour's by coverage / 255, to the
-    /// nearest. So text has smooth edges, and panels let the picture shine through. Transparent
-    /// pixels become less so, as with smooth lines.
+    /// nearest. So text has smooth edges, and panels let the picture shine through.
+    ///
+    /// In a picture without background, what is covered becomes less transparent; with GL, it stays
+    /// as transparent as it was.
     void draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color) {
         imp_.do_draw_coverage(shape, color);
     }

@@ -87,8 +87,15 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
         report.polygons = {};
         report.time_ms.place = placing.milliseconds();
         const stopwatch drawing;
-        settings_.background.fill(target);
-        l3d_detail::wire_drawer(rasterizer_, wire_color, settings_.antialias).draw(lines);
+        const bool is_none = settings_.background.is_none();
+        (is_none ? l3d_background() : settings_.background).fill(target);
+        l3d_detail::wire_drawer(rasterizer_, is_none ? l3d_detail::white : wire_color,
+                                settings_.antialias)
+            .draw(lines);
+        if (is_none) {
+            rasterizer_.finish();
+            l3d_detail::make_lines_transparent(target, wire_color);
+        }
         report.time_ms.raster = drawing.milliseconds();
         return;
     }

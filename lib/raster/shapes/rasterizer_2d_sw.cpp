@@ -39,33 +39,31 @@ bool gains_ahead(const line_steps& line) {
     return !line.x_major && line.last - line.first > 8 * pixels_ahead;
 }
 
-/// The same of a word that is transparent in part: both colours count by what they cover.
+/// A word whose three lower bytes are moved towards the colour's by coverage / 255, to nearest.
+std::uint32_t blended(std::uint32_t word, std::uint32_t color, int coverage) {
+    std::uint32_t result = word & 0xff000000;
+    for (const int shift : {0, 8, 16}) {
+        const int from = static_cast<int>(word >> shift & 255);
+        const int to = static_cast<int>(color >> shift & 255);
+        const int sum = from * (255 - coverage) + to * coverage;
+        result |= static_cast<std::uint32_t>((sum + 127) / 255) << shift;
+    }
+    return result;
+}
+
+/// The same of a word that may be transparent: both colours count by what they cover.
 std::uint32_t blended_over_gap(std::uint32_t word, std::uint32_t color, int coverage) {
-    const auto transparency = static_cast<int>(word >> 24);
-    const int of_color = 255 * coverage, of_word = (255 - coverage) * (255 - transparency);
-    const int sum = of_color + of_word;
-    if (sum == 0)
-        return word;
+    if (word >> 24 == 0)
+        return blended(word, color, coverage);
+    const int of_color = 255 * coverage;
+    const int of_word = (255 - coverage) * (255 - static_cast<int>(word >> 24));
+    const int sum = of_color + of_word; // not 0, as something is covered
     std::uint32_t result = static_cast<std::uint32_t>(255 - (sum + 127) / 255) << 24;
     for (const int shift : {0, 8, 16}) {
         const int from = static_cast<int>(word >> shift & 255);
         const int to = static_cast<int>(color >> shift & 255);
         result |= static_cast<std::uint32_t>((from * of_word + to * of_color + sum / 2) / sum)
                   << shift;
-    }
-    return result;
-}
-
-/// A word whose three lower bytes are moved towards the colour's by coverage / 255, to nearest.
-std::uint32_t blended(std::uint32_t word, std::uint32_t color, int coverage) {
-    if (word >> 24 != 0)
-        return blended_over_gap(word, color, coverage);
-    std::uint32_t result = 0;
-    for (const int shift : {0, 8, 16}) {
-        const int from = static_cast<int>(word >> shift & 255);
-        const int to = static_cast<int>(color >> shift & 255);
-        const int sum = from * (255 - coverage) + to * coverage;
-        result |= static_cast<std::uint32_t>((sum + 127) / 255) << shift;
     }
     return result;
 }
@@ -164,7 +162,7 @@ void l3d_rasterizer_2d_sw_imp::do_draw_coverage(const l3d_coverage_2d& shape, st
         std::uint32_t* word = target_.row(y).data() + x;
         for (const std::uint8_t coverage : values) {
             if (coverage > 0)
-                *word = blended(*word, color, coverage);
+                *word = blended_over_gap(*word, color, coverage);
             ++word;
         }
     });
