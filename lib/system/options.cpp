@@ -281,7 +281,8 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
             l3d_exit::usage,
             (unknown.front().starts_with('-') ? "unknown option '" : "one argument too many: '") +
                 unknown.front() + "' (see --help)");
-    const l3d_frame_writer complains_now_rather_than_after_a_question(common_.output);
+    const l3d_frame_writer complains_now_rather_than_after_a_question(common_.output,
+                                                                      common_.alpha);
     if (common_.resume && !complains_now_rather_than_after_a_question.is_numbered())
         throw l3d_error(l3d_exit::usage,
                         "--resume: needs a numbered --output, as in frame%04d.png");

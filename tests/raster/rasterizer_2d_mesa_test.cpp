@@ -142,8 +142,8 @@ TEST_P(mesa_2d, CoverageIsMixedToWithinALevel) {
         std::vector<std::uint8_t> values(static_cast<std::size_t>(width * height));
         for (std::uint8_t& value : values)
             value = static_cast<std::uint8_t>(random() % 2 == 0 ? 200 : random());
-        const l3d_coverage_2d shape{near(random), near(random), width, height, values.data(),
-                                    n % 2 == 0 ? 0 : width};
+        const l3d_coverage_2d shape{near(random), near(random),  width,
+                                    height,       values.data(), n % 2 == 0 ? 0 : width};
         const auto color = static_cast<std::uint32_t>(random() & 0x00ffffff);
         t.draw([&](l3d_rasterizer_2d& r) { r.draw_coverage(shape, color); });
         if (n % 10 == 0) {
