@@ -21,7 +21,9 @@ constexpr double least_tolerance = 1.0 / 64, largest_tolerance = 64;
 
 std::vector<l3d_viewer_row> l3d_pipeline_afd_viewer::own_rows() {
     const auto finer = [this] { scale_tolerance(0.5); };
-    return {{"+ -", "detail", {{'+', finer}, {'=', finer}, {'-', [this] { scale_tolerance(2); }}}},
+    return {{"+, -",
+             "finer, coarser",
+             {{'+', finer}, {'=', finer}, {'-', [this] { scale_tolerance(2); }}}},
             {"c", "shading", {{'c', [this] { take_next_shade(); }}}},
             {"w", "wireframe", {{'w', [this] { switch_wireframe(); }}}},
             {"a", "smooth edges", {{'a', [this] { switch_antialias(); }}}},

@@ -89,8 +89,8 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::last_rows(l3d_pipeline& viewer,
         {"r", "reset view", {{'r', first_view}}},
         {"s", "save a picture", {{'s', save}}},
         {"F11", "whole screen"},
-        {"h ?", "this help", {{'h', help}, {'?', help}}},
-        {"q Esc", "quit", {{'q', end}, {l3d_key_escape, end}}},
+        {"h, ?", "this help", {{'h', help}, {'?', help}}},
+        {"q, Escape", "quit", {{'q', end}, {l3d_key_escape, end}}},
     };
 }
 

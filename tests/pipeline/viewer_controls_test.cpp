@@ -147,8 +147,9 @@ TEST(viewer_controls, fit_into_every_window) {
         for (int y = 0; y < size.height; ++y) {
             const auto row = it.screen.pixels().row(y);
             ASSERT_EQ(row.front() | row.back(), 0u) << size.width << ", row " << y;
-            if (y == 0 || y == size.height - 1)
+            if (y == 0 || y == size.height - 1) {
                 ASSERT_TRUE(std::ranges::all_of(row, [](std::uint32_t word) { return word == 0; }));
+            }
         }
     }
 }

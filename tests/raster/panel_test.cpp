@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -70,8 +71,12 @@ TEST(panel, shows_all_of_a_long_help_from_320x240_on) {
                     fits = layout.make(letters, columns, size);
             ASSERT_TRUE(fits) << font.name() << " " << size.width;
             const std::string words = words_of(layout);
-            for (const auto& [key, text] : help)
-                EXPECT_NE(words.find(key), std::string::npos);
+            for (const auto& [key, text] : help) {
+                EXPECT_NE(words.find(key + " "), std::string::npos) << key;
+                std::istringstream each(text);
+                for (std::string word; each >> word;)
+                    EXPECT_NE(words.find(word + " "), std::string::npos) << word << " is torn";
+            }
             for (const panel_line& line : layout.lines()) {
                 EXPECT_GE(line.x, 0);
                 EXPECT_LE(line.x + font.width(line.text, layout.letter_size()),

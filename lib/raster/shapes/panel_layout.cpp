@@ -91,11 +91,25 @@ void panel_layout::add_row(std::size_t row, int x, int key_width, int text_width
     }
 }
 
+/// The widest word of rows, which is not to be torn apart.
+int panel_layout::word_width_of(std::span<const panel_row> rows) const {
+    int most = 0;
+    for (const panel_row& r : rows)
+        for (std::string_view rest = r.text; !rest.empty();) {
+            const std::size_t end = std::min(rest.find(' '), rest.size());
+            most = std::max(most, font_.width(rest.substr(0, end), letter_size_));
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+        }
+    return most;
+}
+
 /// Returns where the column ends on the right.
 int panel_layout::add_column(std::size_t first, std::size_t end, int x, int most_width) {
     const auto rows = rows_.subspan(first, end - first);
     const int key_width = key_width_of(rows);
-    const int text_width = text_width_of(rows, std::max(1, most_width - key_width));
+    const int room = std::max(1, most_width - key_width);
+    const int text_width = text_width_of(rows, room);
+    is_torn_ = is_torn_ || word_width_of(rows) > room;
     int y = padding();
     for (std::size_t row = first; row < end; ++row)
         add_row(row, x, key_width, text_width, y);
@@ -103,24 +117,28 @@ int panel_layout::add_column(std::size_t first, std::size_t end, int x, int most
     return x + key_width + text_width;
 }
 
-bool panel_layout::make(int size, int columns, l3d_size most) {
-    letter_size_ = size;
+/// Lays out columns that are no wider than that.
+void panel_layout::add_columns(std::size_t columns, int most_width) {
     lines_.clear();
     lowest_ = 0;
-    const auto count = static_cast<std::size_t>(columns);
-    const std::size_t each = (rows_.size() + count - 1) / count;
-    const int inside = most.width - 2 * padding() - 2 * (columns - 1) * gap();
-    int right = padding();
-    int x = padding();
+    is_torn_ = false;
+    const std::size_t each = (rows_.size() + columns - 1) / columns;
+    int x = padding(), right = x;
     for (std::size_t first = 0; first < rows_.size(); first += each) {
-        right = add_column(first, std::min(first + each, rows_.size()), x, inside / columns);
+        right = add_column(first, std::min(first + each, rows_.size()), x, most_width);
         x = right + 2 * gap();
     }
     size_ = {right + padding(), lowest_ + padding()};
-    // A column that is a single long word wide is too narrow to be read.
-    constexpr int least_letters = 10;
-    const bool is_narrow = columns > 1 && inside / columns < least_letters * letter_size_;
-    return size_.width <= most.width && size_.height <= most.height && !is_narrow;
+}
+
+/// Columns are as wide as their lines where that fits, else all have the same room.
+bool panel_layout::make(int size, int columns, l3d_size most) {
+    letter_size_ = size;
+    const int inside = most.width - 2 * padding() - 2 * (columns - 1) * gap();
+    add_columns(static_cast<std::size_t>(columns), inside);
+    if (columns > 1 && size_.width > most.width)
+        add_columns(static_cast<std::size_t>(columns), inside / columns);
+    return size_.width <= most.width && size_.height <= most.height && !is_torn_;
 }
 
 void panel_layout::cut(l3d_size most) {

@@ -39,7 +39,8 @@ public:
     panel_layout(const l3d_font& font, std::span<const panel_row> rows)
         : font_(font), rows_(rows) {}
 
-    /// Lays all out with letters of a size in so many columns. False if that does not fit.
+    /// Lays all out with letters of a size in so many columns. False if that does not fit, or tears
+    /// a word apart.
     bool make(int size, int columns, l3d_size most);
 
     /// Leaves out of the last layout what does not fit, and says so by three dots.
@@ -61,7 +62,9 @@ private:
     int gap() const { return letter_size_; }
     int text_width_of(std::span<const panel_row> rows, int most) const;
     int key_width_of(std::span<const panel_row> rows) const;
+    int word_width_of(std::span<const panel_row> rows) const;
     int add_column(std::size_t first, std::size_t end, int x, int most_width);
+    void add_columns(std::size_t columns, int most_width);
     void add_row(std::size_t row, int x, int key_width, int text_width, int& y);
 
     const l3d_font& font_;
@@ -69,7 +72,8 @@ private:
     std::vector<panel_line> lines_;
     l3d_size size_;
     int letter_size_ = 1;
-    int lowest_ = 0; ///< where the longest column ends
+    int lowest_ = 0;       ///< where the longest column ends
+    bool is_torn_ = false; ///< a word does not fit into its column
 };
 
 } // namespace l3d_detail
