@@ -46,9 +46,9 @@ public:
     /// Units:   pictures per second.
     double usual_fps() const { return do_usual_fps(); }
 
-    /// How much larger text has to be than on a display of 96 dots an inch, so that people read it
-    /// as easily: 1.5 where the user has set 144 and a pixel of ours is one of the display's. At
-    /// least 1.
+    /// How much larger text has to be than on a display of 96 dots an inch. It is 1.5 where the
+    /// user has set 144 and a pixel of ours is one of the display's. People read it as easily
+    /// then. At least 1.
     double text_scale() const { return do_text_scale(); }
 
     /// Covers the whole display, or no longer. A screen that is no window stays as it is.

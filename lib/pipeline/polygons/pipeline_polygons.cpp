@@ -179,9 +179,9 @@ void l3d_pipeline_polygons::update_event(double seconds) {
 void l3d_pipeline_polygons::draw_overlay() {
     if (!controls_.shows_text())
         return;
-    std::vector lines{formatted("%s  %lld of %lld polygons", name(),
+    std::vector lines{formatted("%lld of %lld polygons drawn by %s",
                                 static_cast<long long>(report_.polygons.drawn),
-                                static_cast<long long>(report_.triangles))};
+                                static_cast<long long>(report_.triangles), name())};
     if (report_.order.knots > 0)
         lines.push_back(formatted("%lld knots, %lld cuts",
                                   static_cast<long long>(report_.order.knots),

@@ -30,10 +30,10 @@ public:
     /// Errors:  nothing, and the reason in `why`, which names the file.
     static std::optional<l3d_font> load(const std::string& file, std::string& why);
 
-    /// The face that this machine has for people: that of the environment's L3D_FONT, which is a
-    /// file's name or "built-in"; else the first one found in the usual places of DejaVu, Noto,
-    /// Liberation and FreeFont; else the built-in one. A file that cannot be read gives the
-    /// built-in one, and the reason in `why`.
+    /// The face that this machine has for people. The environment's L3D_FONT names a file, or is
+    /// "built-in". Without it, the first one found in the usual places of DejaVu, Noto, Liberation
+    /// and FreeFont is taken, else the built-in one. A file that cannot be read gives the built-in
+    /// one, and the reason in `why`.
     static l3d_font of_system(std::string& why);
 
     /// The file, or "built-in".
