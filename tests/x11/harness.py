@@ -32,6 +32,10 @@ class Program:
         return [os.path.join(BIN, self.name), "--size", size, *arguments]
 
 
+# Frames that are counted show what memory holds: no gradient, and no word about the help. These last
+# longer than anybody looks.
+COUNTED = ("--frames", "1000000")
+
 DRAWDOT = Program("drawdot", (53, 31))
 PROGRAMS = [
     program
