@@ -142,15 +142,16 @@ INCLUDES  := $(HEADERS:%=$(OUT)/%.d)
 # A check writes a log; summary.awk judges any set of logs.
 CHECKS    := format-check headers front-door layers errors-doc sentences fail
 LINT_LOGS := $(CHECKS:%=$(OUT)/log/%.log) $(OUT)/log/x11/docs_test.py.log $(OUT)/log/tidy.log
-STRESS_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log) $(OUT)/log/raster-stress.log \
-               $(OUT)/log/pipeline-stress.log
+SERVER_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log)
+STRESS_LOGS := $(SERVER_LOGS) $(OUT)/log/raster-stress.log $(OUT)/log/pipeline-stress.log
 # What takes longest to compile is begun first, so that no processor waits for it in the end.
 SLOW_FIRST := $(patsubst %,$(OUT)/lib/%.o,raster/surfaces/fill_kernel system/options scene/bends/surface_bends_lanes)
 # What is tested is made before anything is run, and what runs longest is begun first.
 MADE_FIRST = $(TESTERS) $(STABILITY) $(APPS) $(PLUGINS) $(DATA) \
              $(if $(filter install,$(WITH)),$(PAGES) $(STATIC) $(SHARED))
 TEST_LOGS := $(if $(filter install,$(WITH)),$(OUT)/log/installcheck.log) \
-             $(if $(filter stress,$(WITH)),$(STRESS_LOGS)) $(tested:%=$(OUT)/log/%.log) \
+             $(if $(filter stress,$(WITH)),$(STRESS_LOGS)) \
+             $(if $(filter servers,$(WITH)),$(SERVER_LOGS)) $(tested:%=$(OUT)/log/%.log) \
              $(SCRIPTS:tests/%=$(OUT)/log/%.log) $(OUT)/log/stability.log $(OUT)/log/layers.log \
              $(OUT)/log/fail.log $(OUT)/log/front-door.log $(OUT)/log/sentences.log
 
@@ -190,7 +191,7 @@ test: packages-test $(if $(filter install,$(WITH)),packages-install) ## build an
 	@$(call build,-k $(SLOW_FIRST) $(MADE_FIRST)) || true
 	@$(call judge,$(TEST_LOGS))
 
-stress: packages-test ## what takes minutes: servers that die at every request, a million shapes; also: make test WITH=stress
+stress: packages-test ## what takes minutes: servers that die at every request, a million shapes, hundreds of pictures; make test WITH=stress adds all to a test, WITH=servers the servers
 	@$(call judge,$(STRESS_LOGS))
 
 test-%: packages-test ## the tests of one layer: make test-geom

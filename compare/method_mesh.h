@@ -48,6 +48,7 @@ private:
         if (frame.wants_depth)
             frame.depth.resize(frame.view.size);
         surface_->count_pixels(frame.counts_pixels);
+        surface_->use_materials(frame.materials);
         surface_->begin(frame.target, frame.wants_depth ? &frame.depth : nullptr, frame.shading,
                         frame.untouched);
         surface_->draw(parts);

@@ -45,10 +45,12 @@ void l3d_method_patches::dice_one(const l3d_method_frame& frame, const l3d_place
     worker_space& space = each_worker_[static_cast<std::size_t>(worker)];
     const l3d_patch_instance& instance = frame.scene.instances()[placed.instance];
     const l3d_patch_model& model = instance.model();
+    const std::uint32_t material = frame.scene.material_of(placed.instance, placed.patch);
     const l3d_method_patch patch{
         l3d_placed_net(culling_.matrix(placed), model.patches()[placed.patch]),
         instance.turns_normals() ? model.normals(placed.patch).turned(instance.normal_matrix())
-                                 : model.normals(placed.patch)};
+                                 : model.normals(placed.patch),
+        frame.materials.empty() ? l3d_material().color : frame.materials[material].color};
     if (l3d_left_out(patch.net, frame.view, space.counts))
         return;
     if (l3d_needs_no_clipping(patch.net, frame.view)) {
@@ -58,6 +60,8 @@ void l3d_method_patches::dice_one(const l3d_method_frame& frame, const l3d_place
         space.edges.build(patch.net, frame.view);
         space.clipping.dice(patch.net, patch.normals, frame.view, space.edges, out, space.counts);
     }
-    for (l3d_diced_piece& piece : out.used())
+    for (l3d_diced_piece& piece : out.used()) {
         piece.part.error_color = l3d_error_color(piece.bound, frame.view.tolerance);
+        piece.part.material = material;
+    }
 }

@@ -12,6 +12,7 @@
 #include "raster/parallel/workers.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -20,6 +21,7 @@
 struct l3d_method_patch {
     l3d_image_patch net;
     l3d_normal_net normals;
+    std::uint32_t color = 0xffffff; ///< of its material
 };
 
 /// Whether a net lies wholly in front of the near plane, before the far one, and in the guard band.

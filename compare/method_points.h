@@ -41,13 +41,16 @@ private:
         surface_->count_pixels(false);
         l3d_shading shading = frame.shading;
         shading.antialias = false; // points have no edges
+        surface_->use_materials(frame.materials);
         surface_->begin(frame.target, &frame.depth, shading);
         surface_->draw(parts);
         surface_->finish();
         canvas_.begin(frame.target, frame.depth, frame.shading);
         counts_ = patches_.counts();
-        for (const l3d_method_patch& patch : ordinary_)
+        for (const l3d_method_patch& patch : ordinary_) {
+            canvas_.set_color(patch.color);
             plotter_.plot(patch.net, {patch.normals, frame.view, canvas_, counts_});
+        }
         surface_counts_ = surface_->counts();
         surface_counts_.samples += canvas_.counts().samples;
         surface_counts_.written += canvas_.counts().written;

@@ -28,7 +28,9 @@ vector moved(const l3d_matrix<double>& by, const vector& v, double w) {
 l3d_patch_mesh mesh_of(const l3d_patch_scene& scene, int n) {
     l3d_patch_mesh all;
     for (const l3d_patch_instance& instance : scene.instances()) {
-        l3d_patch_mesh one = l3d_tessellated(instance.model(), n);
+        const l3d_patch_model& model = instance.model();
+        l3d_patch_mesh one =
+            l3d_tessellated(instance.material() ? model.painted(*instance.material()) : model, n);
         for (vector& v : one.mesh.vertices)
             v = moved(instance.placement(), v, 1);
         for (vector& normal : one.mesh.vertex_normals)
@@ -139,6 +141,7 @@ void l3d_method_tessellation::do_draw(const l3d_method_frame& frame, l3d_stage_t
     if (frame.wants_depth)
         frame.depth.resize(frame.view.size);
     surface_->count_pixels(frame.counts_pixels);
+    surface_->use_materials(model_.materials());
     surface_->begin(frame.target, frame.wants_depth ? &frame.depth : nullptr, frame.shading,
                     frame.untouched);
     surface_->draw(polygons_.parts());

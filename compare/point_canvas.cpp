@@ -22,6 +22,7 @@ void l3d_point_canvas::put(int x, int y, float inv_w, const std::array<float, 3>
 
 std::uint32_t l3d_point_canvas::word_of(const float (&normal)[4]) const {
     assert(shading_.mode != l3d_shade::error);
-    return shading_.mode == l3d_shade::normals ? l3d_detail::normals_shader(shading_).word(normal)
-                                               : l3d_detail::lambert_shader(shading_).word(normal);
+    if (shading_.mode == l3d_shade::normals)
+        return l3d_detail::normals_shader(shading_).word(normal);
+    return l3d_product_of_colors(color_, l3d_detail::lambert_shader(shading_).word(normal));
 }

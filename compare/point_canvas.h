@@ -23,8 +23,12 @@ public:
         target_ = target;
         depth_ = &depth;
         shading_ = shading;
+        color_ = l3d_material().color;
         counts_ = {};
     }
+
+    /// The colour of the material of the points that come now; at first white.
+    void set_color(std::uint32_t color) { color_ = color; }
 
     l3d_size size() const { return target_.size(); }
 
@@ -48,6 +52,7 @@ private:
     l3d_pixels target_;
     l3d_depth_buffer* depth_ = nullptr;
     l3d_shading shading_;
+    std::uint32_t color_ = 0;
     l3d_surface_counts counts_;
 };
 

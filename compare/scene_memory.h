@@ -6,10 +6,9 @@
 #include "scene/patch_scene.h"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
-/// The models of a scene and where they stood, for what is made once and kept.
+/// The models of a scene, where they stood and of what, for what is made once and kept.
 ///
 /// Lives: shares the models, so no other model can come to the address of one that is remembered.
 class l3d_scene_memory {
@@ -18,22 +17,22 @@ public:
         const auto instances = scene.instances();
         return is_set_ &&
                std::equal(instances.begin(), instances.end(), instances_.begin(), instances_.end(),
-                          [](const l3d_patch_instance& is, const auto& was) {
-                              return is.model().identity() == was.first.identity() &&
-                                     is.placement() == was.second;
+                          [](const l3d_patch_instance& is, const l3d_patch_instance& was) {
+                              return is.model().identity() == was.model().identity() &&
+                                     is.model().paint_identity() == was.model().paint_identity() &&
+                                     is.material() == was.material() &&
+                                     is.placement() == was.placement();
                           });
     }
 
     void remember(const l3d_patch_scene& scene) {
-        instances_.clear();
-        for (const l3d_patch_instance& instance : scene.instances())
-            instances_.emplace_back(instance.model(), instance.placement());
+        instances_.assign(scene.instances().begin(), scene.instances().end());
         is_set_ = true;
     }
 
 private:
     bool is_set_ = false;
-    std::vector<std::pair<l3d_patch_model, l3d_matrix<double>>> instances_;
+    std::vector<l3d_patch_instance> instances_;
 };
 
 #endif

@@ -30,7 +30,7 @@ std::string name_of(const l3d_event& event) {
     case l3d_event_type::pointer_motion:
         return "MotionNotify" + place;
     case l3d_event_type::wheel:
-        return "ButtonPress wheel " + std::to_string(event.y);
+        return "ButtonPress wheel " + std::to_string(event.notches);
     case l3d_event_type::resize:
         return "ConfigureNotify " + std::to_string(event.size.width) + 'x' +
                std::to_string(event.size.height);

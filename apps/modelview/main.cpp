@@ -24,8 +24,8 @@ public:
                 return show<l3d_pipeline_afd_viewer>(afd_.model(), camera, settings);
             }
             const l3d_polygon_settings settings = polygons_.settings();
+            const l3d_camera camera = afd_.camera();
             const l3d_polygon_model model = polygons_.model();
-            const l3d_camera camera = polygons_.camera(model);
             switch (polygons_.pipeline()) {
             case l3d_pipeline_kind::zsort:
                 return show<l3d_pipeline_zsort>(model, camera, settings);

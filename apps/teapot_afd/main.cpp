@@ -3,6 +3,7 @@
 #include "compare/method_option.h"
 #include <l3d/pipeline_afd_viewer.h>
 #include <l3d/afd_options.h>
+#include <l3d/framing.h>
 #include <l3d/program.h>
 #include <l3d/viewer.h>
 
@@ -40,7 +41,12 @@ int main(int argc, char** argv) {
         settings = method.settings(afd);
         if (folder.empty())
             return true;
-        write_error_report(folder, afd.model(), camera, program.options().common().size,
+        const l3d_patch_scene scene(afd.model());
+        const l3d_size size = program.options().common().size;
+        camera = afd.camera([&](const l3d_camera& usual) {
+            return l3d_framed_unless_well(usual, size, l3d_reach_of(scene));
+        });
+        write_error_report(folder, scene.instances()[0].model(), camera, size,
                            {afd.shows_the_usual(), quick});
         return false;
     });

@@ -143,6 +143,9 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t s
     slot(i).clear();
     space.counts = {};
     dice_placed(i, of, budget, space);
+    const std::uint32_t material = of.scene.material_of(of.batch[i].instance, of.batch[i].patch);
+    for (l3d_diced_piece& piece : slot(i).used())
+        piece.part.material = material;
     result.counts = space.counts;
     result.cost = share - budget.left;
     const double bound = space.counts.bound_px;

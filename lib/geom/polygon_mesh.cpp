@@ -29,17 +29,58 @@ void l3d_polygon_mesh::append(const l3d_polygon_mesh& more) {
     vertices.insert(vertices.end(), more.vertices.begin(), more.vertices.end());
     for (const std::uint32_t corner : more.corners)
         corners.push_back(corner + offset);
-    for (const std::uint32_t end : more.face_ends)
-        face_ends.push_back(end + corner_offset);
     if (have_normals)
         vertex_normals.insert(vertex_normals.end(), more.vertex_normals.begin(),
                               more.vertex_normals.end());
     else
         vertex_normals.clear();
-    face_colors.clear();
-    face_materials.clear();
-    materials.clear();
+    append_colors(more);
+    append_materials(more);
+    for (const std::uint32_t end : more.face_ends)
+        face_ends.push_back(end + corner_offset);
     parts.clear();
+}
+
+/// Expects: the other mesh's faces are not added yet.
+void l3d_polygon_mesh::append_colors(const l3d_polygon_mesh& more) {
+    if (face_colors.empty() && more.face_colors.empty())
+        return;
+    constexpr std::uint32_t white = 0xffffff;
+    face_colors.resize(faces(), white);
+    face_colors.insert(face_colors.end(), more.face_colors.begin(), more.face_colors.end());
+    face_colors.resize(faces() + more.faces(), white);
+}
+
+/// Expects: the other mesh's faces are not added yet.
+void l3d_polygon_mesh::append_materials(const l3d_polygon_mesh& more) {
+    if (face_materials.empty() && more.face_materials.empty())
+        return;
+    looks.resize(materials.size());
+    const auto name = [this](std::size_t missing) {
+        if (missing > 0) {
+            materials.emplace_back();
+            looks.emplace_back();
+        }
+        return static_cast<std::uint32_t>(materials.size() - 1);
+    };
+    const std::size_t without = faces() - face_materials.size();
+    face_materials.resize(faces(), name(without));
+    const auto offset = static_cast<std::uint32_t>(materials.size());
+    for (const std::uint32_t material : more.face_materials)
+        face_materials.push_back(material + offset);
+    materials.insert(materials.end(), more.materials.begin(), more.materials.end());
+    looks.insert(looks.end(), more.looks.begin(), more.looks.end());
+    looks.resize(materials.size());
+    face_materials.resize(faces() + more.faces(), name(more.faces() - more.face_materials.size()));
+}
+
+l3d_material l3d_polygon_mesh::look_of(std::size_t face) const {
+    l3d_material result;
+    if (!face_materials.empty() && !looks.empty())
+        result = looks[face_materials[face]];
+    if (!face_colors.empty())
+        result.color = l3d_product_of_colors(result.color, face_colors[face]);
+    return result;
 }
 
 bool l3d_polygon_mesh::is_valid() const {
@@ -60,12 +101,12 @@ bool l3d_polygon_mesh::is_valid() const {
            std::ranges::all_of(vertices, is_finite) &&
            std::ranges::all_of(vertex_normals, is_finite) &&
            absent_or(vertex_normals, vertices.size()) && absent_or(face_colors, faces()) &&
-           absent_or(face_materials, faces()) &&
+           absent_or(face_materials, faces()) && absent_or(looks, materials.size()) &&
            std::ranges::all_of(face_materials,
                                [&](std::uint32_t i) { return i < materials.size(); });
 }
 
 std::size_t l3d_polygon_mesh::bytes() const {
     return bytes_of(vertices) + bytes_of(corners) + bytes_of(face_ends) + bytes_of(vertex_normals) +
-           bytes_of(face_colors) + bytes_of(face_materials);
+           bytes_of(face_colors) + bytes_of(face_materials) + bytes_of(looks);
 }

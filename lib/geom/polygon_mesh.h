@@ -4,6 +4,7 @@
 #define L3D_GEOM_POLYGON_MESH_H
 
 #include "base/public.h"
+#include "geom/material.h"
 #include "geom/vector.h"
 
 #include <cassert>
@@ -41,7 +42,8 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     std::vector<std::uint32_t> face_colors;    ///< optional, one per face, 0x00RRGGBB
     std::vector<std::uint32_t> face_materials; ///< optional, one per face, index into `materials`
     std::vector<std::string> materials;        ///< names
-    std::vector<part> parts;                   ///< optional, in the order of their first faces
+    std::vector<l3d_material> looks; ///< optional, one per name: what the material looks like
+    std::vector<part> parts;         ///< optional, in the order of their first faces
 
     /// The number of faces.
     std::size_t faces() const { return face_ends.size(); }
@@ -59,9 +61,14 @@ struct L3D_PUBLIC l3d_polygon_mesh {
         face_ends.push_back(static_cast<std::uint32_t>(corners.size()));
     }
 
-    /// Adds the vertices and faces of another mesh, and vertices' normals if both have them. All
-    /// other arrays become empty: what only a part of the faces would have cannot be kept.
+    /// Adds the vertices and faces of another mesh, and vertices' normals if both have them. Faces
+    /// keep their colours and materials; those that had none, where others have, get white and a
+    /// material without a name. Parts are forgotten.
     void append(const l3d_polygon_mesh& more);
+
+    /// What a face is made of: its material, if that has a look, in the product of its colours.
+    /// Expects: face < faces().
+    l3d_material look_of(std::size_t face) const;
 
     /// Whether every index names something, every face has three corners or more, every coordinate
     /// is finite and every optional array has its size.
@@ -71,6 +78,10 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     std::size_t bytes() const;
 
     friend bool operator==(const l3d_polygon_mesh&, const l3d_polygon_mesh&) = default;
+
+private:
+    void append_colors(const l3d_polygon_mesh& more);
+    void append_materials(const l3d_polygon_mesh& more);
 };
 
 #endif

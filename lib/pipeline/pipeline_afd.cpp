@@ -243,6 +243,7 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     report_.surface = {};
     for (const l3d_pixel_box& part : parts.boxes()) {
         const l3d_method_frame frame{.scene = scene_,
+                                     .materials = scene_.materials(),
                                      .camera = camera_,
                                      .to_image = stages_->transform.matrix(),
                                      .view = stages_->view,
@@ -301,8 +302,7 @@ void l3d_pipeline_afd::find_doubts(l3d_stage_times& times) {
     const bool is_light = settings_.shade == l3d_shade::lambert ||
                           settings_.shade == l3d_shade::gouraud ||
                           settings_.shade == l3d_shade::flat;
-    const bool has_exact = is_light && !settings_.wireframe && settings_.background.is_grey() &&
-                           !settings_.background.is_none();
+    const bool has_exact = is_light && !settings_.wireframe && !settings_.background.is_none();
     if (!settings_.error_map || !has_exact) {
         stages_->doubts.reset();
         return;

@@ -13,9 +13,11 @@
 #include "scene/camera_shading.h"
 #include "scene/kept_patches.h"
 #include "scene/patch_scene.h"
+#include "scene/pick.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 class l3d_error_map;
@@ -96,6 +98,19 @@ public:
     /// How the next frame is to be drawn.
     const l3d_afd_settings& settings() const { return settings_; }
 
+    /// Moves the camera along the line of sight, and beside it, so that the whole scene is seen:
+    /// l3d_framed.
+    void frame_all();
+
+    /// That camera, or the one given if it shows the scene well: l3d_framed_unless_well.
+    l3d_camera framed_unless_well(const l3d_camera& usual) const;
+
+    /// Why the last picture shows nothing, as l3d_why_unseen tells it; "" if it may show something.
+    std::string why_empty() const;
+
+    /// What is seen at (x, y) of the picture: l3d_pick_at, with the camera and settings of now.
+    std::optional<l3d_pick> pick(double x, double y) const;
+
     /// Asks for the next frame to be drawn: camera, settings or what is drawn on top may differ.
     void redraw() { stale_ = true; }
 
@@ -108,7 +123,7 @@ public:
 
     /// How far each pixel of the last frame's surfaces may be from the exact picture, which is lit
     /// by Lambert's rule. It is null if nobody asked for it, for a wireframe, for shades that are
-    /// not light, and for backgrounds that are not grey.
+    /// not light, and without a background.
     const l3d_error_map* error_map() const;
 
     /// The last frame drawn; the hash is counted when asked for.

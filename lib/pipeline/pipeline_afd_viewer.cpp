@@ -4,6 +4,7 @@
 
 #include "pipeline/formatted_p.h"
 #include "dice/error_color.h"
+#include "scene/framing.h"
 
 #include <algorithm>
 #include <array>
@@ -28,6 +29,19 @@ std::vector<l3d_viewer_row> l3d_pipeline_afd_viewer::own_rows() {
             {"w", "wireframe", {{'w', [this] { switch_wireframe(); }}}},
             {"a", "smooth edges", {{'a', [this] { switch_antialias(); }}}},
             {"n", "control nets", {{'n', [this] { settings().net = !settings().net; }}}}};
+}
+
+l3d_viewed l3d_pipeline_afd_viewer::viewed() {
+    const auto framed = [this](const l3d_camera& camera) {
+        return l3d_framed(camera, screen().pixels().size(), l3d_reach_of(scene()));
+    };
+    const auto place_at = [this](double x, double y) -> std::optional<l3d_pointed_place> {
+        const auto found = pick(x, y);
+        if (!found)
+            return std::nullopt;
+        return l3d_pointed_place{found->point, found->point_error, found->line()};
+    };
+    return {.framed = framed, .place_at = place_at};
 }
 
 void l3d_pipeline_afd_viewer::scale_tolerance(double factor) {
@@ -71,12 +85,20 @@ void l3d_pipeline_afd_viewer::pointer_event(const l3d_event& event) {
         redraw();
 }
 
+void l3d_pipeline_afd_viewer::resize_event(l3d_size size) {
+    l3d_pipeline_afd::resize_event(size);
+    controls_.resized();
+}
+
 void l3d_pipeline_afd_viewer::update_event(double seconds) {
     if (controls_.update(seconds))
         redraw();
 }
 
 void l3d_pipeline_afd_viewer::draw_overlay() {
+    if (screen().is_window())
+        controls_.set_empty(
+            last_report().dice.drawn == 0 && last_report().pixels_kept == 0 ? why_empty() : "");
     const l3d_panel key = legend();
     if (!controls_.shows_text() && key.empty())
         return; // asking for the rasterizer makes the next frame clear the picture

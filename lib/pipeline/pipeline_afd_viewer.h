@@ -17,8 +17,10 @@ public:
     /// The viewer's keys, mouse and lines of text.
     l3d_viewer_controls& controls() { return controls_; }
 
+    void any_event(const l3d_event& event) override { controls_.note(event); }
     void key_event(int key) override;
     void pointer_event(const l3d_event& event) override;
+    void resize_event(l3d_size size) override;
     void update_event(double seconds) override;
 
 protected:
@@ -26,13 +28,14 @@ protected:
 
 private:
     std::vector<l3d_viewer_row> own_rows();
+    l3d_viewed viewed();
     void scale_tolerance(double factor);
     void take_next_shade();
     void switch_wireframe();
     void switch_antialias();
     l3d_panel legend();
 
-    l3d_viewer_controls controls_{*this, screen(), camera(), own_rows()};
+    l3d_viewer_controls controls_{*this, screen(), camera(), own_rows(), {}, viewed()};
 };
 
 #endif

@@ -14,6 +14,7 @@
 #include "tool_2d/pixels.h"
 
 #include <memory>
+#include <span>
 
 class l3d_outline_mask;
 struct l3d_dice_view;
@@ -22,7 +23,9 @@ struct l3d_dice_view;
 ///
 /// Lives: everything that it refers to must outlive the frame.
 struct L3D_PUBLIC l3d_method_frame {
-    const l3d_patch_scene& scene;       ///< what is drawn
+    const l3d_patch_scene& scene; ///< what is drawn
+    /// The scene's materials, whose places are l3d_patch_scene::material_of; none if all is white.
+    std::span<const l3d_material> materials;
     const l3d_camera& camera;           ///< from where
     const l3d_matrix<double>& to_image; ///< world to (x, y, -, w) in the view's units
     const l3d_dice_view& view;          ///< the same view as dicing wants it

@@ -18,8 +18,6 @@ using l3d_detail::formatted;
 constexpr double degree = std::numbers::pi / 180;
 constexpr double key_turn = 5 * degree;
 constexpr double zoom_factor = 1.1;
-/// A drag across 360 pixels is one turn.
-constexpr double drag_turn = degree;
 /// The key t: a turn in six seconds.
 constexpr double usual_turntable = 60;
 
@@ -35,8 +33,10 @@ constexpr double usual_turntable = 60;
 
 l3d_viewer_controls::l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& screen,
                                          l3d_camera& camera, std::vector<l3d_viewer_row> rows,
-                                         std::function<void()> reset)
-    : screen_(screen), camera_(camera), rows_(first_rows()) {
+                                         std::function<void()> reset, l3d_viewed viewed)
+    : screen_(screen), viewed_(viewed), steering_(screen, camera, std::move(viewed)),
+      rows_(first_rows()) {
+    std::ranges::move(side_rows(), std::back_inserter(rows_));
     std::ranges::move(rows, std::back_inserter(rows_));
     std::ranges::move(last_rows(viewer, screen, std::move(reset)), std::back_inserter(rows_));
     assert(each_key_is_in_one_row(rows_));
@@ -45,10 +45,10 @@ l3d_viewer_controls::l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& scree
 /// Of the eye.
 std::vector<l3d_viewer_row> l3d_viewer_controls::first_rows() {
     const auto turn = [this](double around_up, double around_right) {
-        return [this, around_up, around_right] { camera_.orbit(around_up, around_right); };
+        return [this, around_up, around_right] { steering_.turn(around_up, around_right); };
     };
     const auto approach = [this](double factor) {
-        return [this, factor] { camera_.approach(factor); };
+        return [this, factor] { steering_.approach(factor); };
     };
     return {{"arrows, drag",
              "turn",
@@ -56,10 +56,30 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::first_rows() {
               {l3d_key_right, turn(-key_turn, 0)},
               {l3d_key_up, turn(0, -key_turn)},
               {l3d_key_down, turn(0, key_turn)}}},
+            {"Shift+drag", "move, as the middle button does"},
             {"wheel, Page",
-             "zoom",
+             "zoom, as a drag with the right button",
              {{l3d_key_page_up, approach(1 / zoom_factor)},
-              {l3d_key_page_down, approach(zoom_factor)}}}};
+              {l3d_key_page_down, approach(zoom_factor)}}},
+            {"double click", "turn about this place"},
+            {"Ctrl+click", "what is there; a second one: the distance"}};
+}
+
+/// Of the model's sides, by the keys that Blender has for them.
+std::vector<l3d_viewer_row> l3d_viewer_controls::side_rows() {
+    const auto look = [this](double right, double up, double front) {
+        return [this, right, up, front] {
+            const double sign = control_ ? -1 : 1;
+            steering_.look_from(sign * right, sign * up, sign * front);
+        };
+    };
+    return {
+        {"f", "show all of it", {{'f', [this] { steering_.frame_all(); }}}},
+        {"1 3 7",
+         "front, right, top (Ctrl: back, left, bottom)",
+         {{'1', look(0, 0, 1)}, {'3', look(1, 0, 0)}, {'7', look(0, 1, 0)}}},
+        {"9", "the opposite side", {{'9', [this] { steering_.look_from_opposite(); }}}},
+    };
 }
 
 /// Of the program.
@@ -71,10 +91,10 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::last_rows(l3d_pipeline& viewer,
     };
     const auto help = [this] { help_shown_ = !help_shown_; };
     const auto end = [&viewer] { viewer.done = true; };
-    const auto first_view = [this, first = camera_, reset = std::move(reset)] {
-        camera_ = first;
+    const auto first_view = [this, reset = std::move(reset)] {
         if (reset)
             reset();
+        steering_.go_home();
     };
     const auto save = [this, &screen] {
         if (save_)
@@ -108,16 +128,33 @@ bool l3d_viewer_controls::key(int key) {
 }
 
 bool l3d_viewer_controls::pointer(const l3d_event& event) {
-    if (event.type == l3d_event_type::wheel) {
-        camera_.approach(event.y > 0 ? 1 / zoom_factor : zoom_factor);
-        return true;
+    const bool needs_picture = steering_.pointer(event);
+    if (event.type != l3d_event_type::button_press || event.button != 1 || event.shift)
+        return needs_picture;
+    // The middle of the pixel under the pointer.
+    const double x = event.x + 0.5, y = event.y + 0.5;
+    if (event.control)
+        measure(x, y);
+    else if (event.clicks == 2)
+        return steering_.turn_about(x, y);
+    return event.control;
+}
+
+/// Every other click is the second one.
+void l3d_viewer_controls::measure(double x, double y) {
+    if (!viewed_.place_at)
+        return;
+    const auto found = viewed_.place_at(x, y);
+    if (!found) {
+        say("nothing is there");
+    } else if (!measured_) {
+        measured_ = found;
+        say(found->text);
+    } else {
+        say(formatted("distance %.9g, good to %.1g", l3d_length(found->place - measured_->place),
+                      found->error + measured_->error));
+        measured_.reset();
     }
-    const bool drags = event.type == l3d_event_type::pointer_motion && event.button == 1;
-    if (drags)
-        camera_.orbit((pointer_x_ - event.x) * drag_turn, (pointer_y_ - event.y) * drag_turn);
-    pointer_x_ = event.x;
-    pointer_y_ = event.y;
-    return drags;
 }
 
 bool l3d_viewer_controls::update(double seconds) {
@@ -126,7 +163,7 @@ bool l3d_viewer_controls::update(double seconds) {
         smoothed_seconds_ == 0 ? seconds : memory * smoothed_seconds_ + (1 - memory) * seconds;
     const bool turns = turntable_degrees_ != 0 && !paused_ && !first_frame_;
     if (turns)
-        camera_.orbit(turntable_degrees_ * seconds * degree, 0);
+        steering_.turn(turntable_degrees_ * seconds * degree, 0);
     first_frame_ = false;
     return passes_hint(seconds) || turns;
 }
@@ -159,6 +196,8 @@ void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, double millisecond
     if (help_shown_)
         for (const l3d_viewer_row& row : rows_)
             help.add(row.keys, row.text);
+    if (!why_empty_.empty())
+        message.add("f", "shows the model, which is " + why_empty_);
     if (!message_.empty())
         message.add(message_);
     else if (hint_seconds_ > 0)

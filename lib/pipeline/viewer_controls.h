@@ -6,11 +6,13 @@
 #include "base/public.h"
 #include "scene/camera.h"
 #include "pipeline/pipeline.h"
+#include "pipeline/view_steering.h"
 #include "raster/rasterizer_2d.h"
 #include "raster/shapes/panel.h"
 #include "tool_2d/screen.h"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -34,10 +36,11 @@ struct L3D_PUBLIC l3d_viewer_row {
 class L3D_PUBLIC l3d_viewer_controls {
 public:
     /// `rows` are the viewer's own; `reset` takes back what it changed of the view beside the
-    /// camera, and may be empty.
+    /// camera, and may be empty; `viewed` tells what is in the picture.
     /// Expects: no key is in two rows, ours included.
     l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& screen, l3d_camera& camera,
-                        std::vector<l3d_viewer_row> rows, std::function<void()> reset = {});
+                        std::vector<l3d_viewer_row> rows, std::function<void()> reset = {},
+                        l3d_viewed viewed = {});
 
     /// The eye circles the target by this angle from frame to frame (per 1 / fps of a second
     /// where time is measured); the first frame is not turned. Units: degrees; frames a second.
@@ -51,9 +54,22 @@ public:
         save_ = std::move(save);
     }
 
+    /// The first view, which the key r returns to: l3d_view_steering::set_home.
+    void set_home(std::function<l3d_camera()> home) { steering_.set_home(std::move(home)); }
+
+    /// Shows everything along the line of sight, as the key f does.
+    void frame_all() { steering_.frame_all(); }
+
+    /// The picture has another size.
+    void resized() { steering_.resized(); }
+
+    /// Learns whether Ctrl is held: called with each event, before key() or pointer().
+    void note(const l3d_event& event) { control_ = event.control; }
+
     /// Does what the key means. Expects: an ASCII code or an l3d_key.
     bool key(int key);
-    /// Turns or zooms as the pointer is moved or its wheel turned.
+    /// Turns, moves or zooms as the pointer is moved or its wheel turned; sets what is turned
+    /// about, and measures.
     bool pointer(const l3d_event& event);
     /// Lets time pass: the turntable turns. Units: seconds.
     bool update(double seconds);
@@ -70,9 +86,17 @@ public:
     /// A line that is shown until the next key. Expects: an action of a row is running.
     void say(std::string line) { message_ = std::move(line); }
 
+    /// That line; "" if there is none.
+    const std::string& message() const { return message_; }
+
+    /// Why the picture is empty, as l3d_why_unseen tells it; "" if it is not. It is shown with the
+    /// way to mend it as long as it is so.
+    void set_empty(std::string why) { why_empty_ = std::move(why); }
+
     /// Whether draw() draws anything.
     bool shows_text() const {
-        return status_shown_ || help_shown_ || !message_.empty() || hint_seconds_ > 0;
+        return status_shown_ || help_shown_ || !message_.empty() || !why_empty_.empty() ||
+               hint_seconds_ > 0;
     }
 
     /// Panels on top of a finished picture: status, help and message, as they are switched on, and
@@ -84,22 +108,27 @@ public:
 private:
     bool passes_hint(double seconds);
     std::vector<l3d_viewer_row> first_rows();
+    std::vector<l3d_viewer_row> side_rows();
+    void measure(double x, double y);
     std::vector<l3d_viewer_row> last_rows(l3d_pipeline& viewer, l3d_screen& screen,
                                           std::function<void()> reset);
 
     l3d_screen& screen_;
-    l3d_camera& camera_;
     l3d_font font_;
     double hint_seconds_ = 0; ///< that are left
+    l3d_viewed viewed_;
+    l3d_view_steering steering_;
     std::vector<l3d_viewer_row> rows_;
+    std::optional<l3d_pointed_place> measured_; ///< the first end of a distance
+    bool control_ = false;
     double turntable_degrees_ = 0; ///< per second
     bool first_frame_ = true;
     bool paused_ = false;
     bool status_shown_ = false;
     bool help_shown_ = false;
     std::string message_;
+    std::string why_empty_;
     double smoothed_seconds_ = 0; ///< between frames
-    int pointer_x_ = 0, pointer_y_ = 0;
     std::function<std::string(const l3d_pixels&)> save_;
 };
 

@@ -29,9 +29,14 @@ struct L3D_PUBLIC l3d_micro_triangles {
 
     std::array<corner, 3> corners; ///< of all triangles
     std::size_t count = 0;         ///< the number of triangles
+    /// Of each triangle, if not all have the one of their l3d_surface_part; else empty.
+    std::vector<std::uint32_t> materials;
 
     /// Forgets all triangles.
-    void clear() { count = 0; }
+    void clear() {
+        count = 0;
+        materials.clear();
+    }
 
     /// Adds a triangle.
     void add(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c) {
@@ -41,6 +46,13 @@ struct L3D_PUBLIC l3d_micro_triangles {
         set(corners[1], b);
         set(corners[2], c);
         ++count;
+    }
+
+    /// Adds a triangle of a material. Expects: all others were added so.
+    void add(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c,
+             std::uint32_t material) {
+        add(a, b, c);
+        materials.push_back(material);
     }
 
     /// One corner of one triangle. Expects: triangle < count, at < 3.

@@ -48,6 +48,13 @@ struct L3D_PUBLIC l3d_surface_part {
     std::vector<l3d_border_edge> border;
     unsigned unseen = 0; ///< bit 4 * row + column: a block of the grid that nobody need draw
     std::uint32_t error_color = 0; ///< of everything in it, in mode `error`. A pixel word
+    /// Index of l3d_surface_rasterizer::use_materials, of all but triangles that have their own.
+    std::uint32_t material = 0;
+
+    /// The index of a triangle's material.
+    std::uint32_t material_of(std::size_t triangle) const {
+        return triangles.materials.empty() ? material : triangles.materials[triangle];
+    }
 };
 
 #endif

@@ -4,6 +4,7 @@
 #define L3D_RASTER_SURFACE_RASTERIZER_H
 
 #include "base/public.h"
+#include "geom/material.h"
 #include "raster/background.h"
 #include "raster/depth_buffer.h"
 #include "raster/surface_part.h"
@@ -139,9 +140,19 @@ public:
     ///          else wrote to the target's words since then, should it be the same target.
     void begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
                bool untouched = false) {
-        counts_pixels_ = counting_wanted_;
+        begin_frame(shading);
         do_begin(target, depth, shading, untouched);
     }
+
+    /// The materials that parts name by their place here, in frames that are begun from now on; at
+    /// first and if there are none, all surfaces are white. Shades that are not light have no use
+    /// for them.
+    /// Expects: at most most_materials; parts name none beyond the last.
+    /// Lives:   until the frame's finish; the next frame needs the call again.
+    void use_materials(std::span<const l3d_material> materials) { materials_ = materials; }
+
+    /// The most materials that a frame may have: their numbers share a word with levels.
+    static constexpr std::size_t most_materials = std::size_t{1} << 24;
 
     /// Whether frames that are begun from now on count covered pixels; at first they do. That takes
     /// some 2 % of a frame. With GL, `samples` and `written` are counted only then, too, for each
@@ -160,7 +171,7 @@ public:
     ///          no meaning after the frame.
     void begin_part(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
                     const l3d_pixel_box& part) {
-        counts_pixels_ = counting_wanted_;
+        begin_frame(shading);
         do_begin_part(target, depth, shading, part);
     }
 
@@ -191,7 +202,18 @@ protected:
     /// Whether the frame that was begun last counts pixels.
     bool counts_pixels() const { return counts_pixels_; }
 
+    /// The materials of the frame that was begun last; none if its mode shows no light.
+    std::span<const l3d_material> materials() const { return materials_of_frame_; }
+
 private:
+    void begin_frame(const l3d_shading& shading) {
+        counts_pixels_ = counting_wanted_;
+        const bool is_light =
+            shading.mode != l3d_shade::normals && shading.mode != l3d_shade::error;
+        materials_of_frame_ = is_light ? materials_ : std::span<const l3d_material>();
+        materials_ = {};
+    }
+
     virtual void do_begin(l3d_pixels, l3d_depth_buffer*, const l3d_shading&, bool untouched) = 0;
     virtual bool do_takes_levels() const { return false; }
     virtual bool do_draws_parts() const { return false; }
@@ -204,6 +226,7 @@ private:
     virtual const l3d_surface_counts& do_counts() const = 0;
 
     bool counting_wanted_ = true, counts_pixels_ = true;
+    std::span<const l3d_material> materials_, materials_of_frame_;
 };
 
 #endif

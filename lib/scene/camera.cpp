@@ -39,6 +39,13 @@ std::string text_of(const vector& v) {
 
 } // namespace
 
+l3d_upright::l3d_upright(const vector& upwards) : up(unit_of_any_length(upwards)) {
+    const bool z_is_up = std::abs(up[2]) > 0.9;
+    const vector across = z_is_up ? vector{0.0, -1.0, 0.0} : vector{0.0, 0.0, 1.0};
+    right = l3d_normalized(l3d_cross(up, across));
+    front = l3d_cross(right, up);
+}
+
 l3d_camera::frame l3d_camera::axes() const {
     const vector forward = l3d_normalized(target - eye);
     const vector right = l3d_normalized(l3d_cross(forward, unit_of_any_length(up)));
@@ -99,6 +106,18 @@ void l3d_camera::orbit(double around_up, double around_right) {
         eye = target + arm;
 }
 
-void l3d_camera::approach(double factor) {
-    eye = target + (eye - target) * factor;
+void l3d_camera::approach(double factor, const vector& place) {
+    eye = place + (eye - place) * factor;
+    target = place + (target - place) * factor;
+}
+
+double l3d_camera::depth_of(const vector& place) const {
+    return l3d_dot(place - eye, l3d_normalized(target - eye));
+}
+
+vector l3d_camera::place_at(double x, double y, double depth, l3d_size size) const {
+    const frame f = axes();
+    const double pixel = depth / focal_length(size);
+    return eye + f.forward * depth + f.right * ((x - size.width / 2.0) * pixel) -
+           f.up * ((y - size.height / 2.0) * pixel);
 }

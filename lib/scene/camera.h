@@ -18,6 +18,26 @@ inline constexpr double l3d_least_distance = 1e-32;
 /// picture by a part in 10^9 and more.
 inline constexpr double l3d_least_up_sine = 1e-6;
 
+/// Directions as a person sees them who stands upright before a model. Front is the z axis, or -y
+/// if z is up, as in many files.
+///
+/// Shape:   three perpendicular unit vectors; right x up = front.
+struct L3D_PUBLIC l3d_upright {
+    /// A direction in the world.
+    using vector = l3d_vector<double, 3>;
+    vector right, ///< of the person who looks at the model's front
+        up,       ///< above the model
+        front;    ///< from the model to that person
+
+    /// Expects: a direction of any length but zero, finite.
+    explicit l3d_upright(const vector& upwards);
+
+    /// The sum of so many steps along each.
+    vector at(double rightwards, double upwards, double forwards) const {
+        return right * rightwards + up * upwards + front * forwards;
+    }
+};
+
 /// A perspective camera in a right-handed world with y up, looking along target - eye. Unless a
 /// program places it, it looks at the origin from one unit in front.
 ///
@@ -65,7 +85,24 @@ struct L3D_PUBLIC l3d_camera {
     void orbit(double around_up, double around_right);
 
     /// Moves the eye towards the target: distance times `factor`. Expects: factor > 0.
-    void approach(double factor);
+    void approach(double factor) { approach(factor, target); }
+
+    /// Moves eye and target towards a place: both distances times `factor`. The place stays where
+    /// it is in the picture. Expects: factor > 0.
+    void approach(double factor, const vector& place);
+
+    /// Moves eye and target alike. Units: world.
+    void move(const vector& by) {
+        eye += by;
+        target += by;
+    }
+
+    /// The distance of a place along the view axis.
+    double depth_of(const vector& place) const;
+
+    /// The place that is seen at the position (x, y) of a picture at this distance along the view
+    /// axis. Units: pixels from the picture's left upper corner, where a pixel's middle is at 1/2.
+    vector place_at(double x, double y, double depth, l3d_size size) const;
 };
 
 #endif

@@ -3,6 +3,7 @@
 #include "scene/patch_model.h"
 
 #include "geom/files/model_file.h"
+#include "scene/model_loader.h"
 #include "geom/files/patch_file.h"
 #include "geom/normal_net.h"
 #include "geom/teapot.h"
@@ -11,12 +12,14 @@
 #include "scene/closed_body.h"
 #include "scene/facing_cones.h"
 #include "tool_2d/error.h"
-#include "tool_2d/text_file.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <map>
+#include <tuple>
 #include <utility>
 
 namespace {
@@ -60,6 +63,11 @@ struct l3d_patch_model::contents {
     int orientation = 0;
     vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
     l3d_box_lanes boxes;
+};
+
+struct l3d_patch_model::paint {
+    std::vector<l3d_material> materials;   ///< each once
+    std::vector<std::uint32_t> of_patches; ///< places in these; empty if there is only one
 };
 
 l3d_patch_model::contents::contents(std::vector<patch> of) : patches(std::move(of)) {
@@ -128,6 +136,39 @@ const void* l3d_patch_model::identity() const {
     return contents_.get();
 }
 
+const void* l3d_patch_model::paint_identity() const {
+    return paint_.get();
+}
+
+std::span<const l3d_material> l3d_patch_model::materials() const {
+    return paint_ ? std::span(paint_->materials) : std::span<const l3d_material>();
+}
+
+std::uint32_t l3d_patch_model::material_of(std::size_t index) const {
+    return paint_ && !paint_->of_patches.empty() ? paint_->of_patches[index] : 0;
+}
+
+l3d_patch_model l3d_patch_model::painted(std::span<const l3d_material> materials) const {
+    assert(materials.size() == 1 || materials.size() == patches().size());
+    l3d_patch_model result = *this;
+    result.paint_ = nullptr;
+    if (std::ranges::all_of(materials, &l3d_material::is_plain))
+        return result;
+    const auto made = std::make_shared<paint>();
+    std::map<std::tuple<std::uint32_t, std::uint32_t, float>, std::uint32_t> places;
+    for (const l3d_material& m : materials) {
+        const auto next = static_cast<std::uint32_t>(made->materials.size());
+        const auto [place, is_new] = places.try_emplace({m.color, m.highlight, m.sharpness}, next);
+        if (is_new)
+            made->materials.push_back(m);
+        made->of_patches.push_back(place->second);
+    }
+    if (made->materials.size() == 1)
+        made->of_patches.clear();
+    result.paint_ = made;
+    return result;
+}
+
 l3d_patch_model l3d_patch_model::teapot() {
     std::string why;
     const auto model = from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);
@@ -137,15 +178,25 @@ l3d_patch_model l3d_patch_model::teapot() {
 }
 
 l3d_patch_model l3d_patch_model::load(const std::string& file) {
-    std::string why;
-    if (const auto read = l3d_read_model(l3d_read_text_file(file), file, why)) {
-        if (read->patches.empty())
-            why =
-                file + ": holds " + std::to_string(read->mesh.faces()) + " polygons and no patches";
-        else if (const auto model = from_patches(read->patches, file, why))
+    const l3d_model_file read = l3d_load_model(file, file);
+    std::string why =
+        file + ": holds " + std::to_string(read.mesh.faces()) + " polygons and no patches";
+    if (!read.patches.empty())
+        if (const auto model = from_file(read, file, why))
             return *model;
-    }
     throw l3d_error(l3d_exit::bad_input, why);
+}
+
+std::optional<l3d_patch_model> l3d_patch_model::from_file(const l3d_model_file& file,
+                                                          std::string_view name, std::string& why) {
+    auto model = from_patches(file.patches, name, why);
+    if (!model || file.patch_materials.empty() || file.mesh.looks.empty())
+        return model;
+    std::vector<l3d_material> materials;
+    materials.reserve(file.patch_materials.size());
+    for (const std::uint32_t material : file.patch_materials)
+        materials.push_back(file.mesh.looks[material]);
+    return model->painted(materials);
 }
 
 std::optional<l3d_patch_model> l3d_patch_model::checked(std::vector<patch> patches,

@@ -5,9 +5,11 @@
 
 #include "base/public.h"
 #include "geom/bezier_patch.h"
+#include "geom/material.h"
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,6 +21,7 @@ class l3d_box_lanes;
 class l3d_facing_cones;
 class l3d_normal_net;
 class l3d_surface_bends;
+struct l3d_model_file;
 struct l3d_patch_points;
 
 /// The largest coordinates, as magnitudes, of a patch's control points and of those of its edges.
@@ -57,7 +60,8 @@ public:
     /// The teapot that l3d has at hand, l3d_teapot_bpt().
     static l3d_patch_model teapot();
 
-    /// The patches of a file in any format of l3d_read_model. Its polygons and notes are left out.
+    /// The patches of a file in any format of l3d_read_model, in the colours that it has for them.
+    /// Its polygons and notes are left out.
     /// Errors: throws l3d_error(bad_input) with file, line and reason: also for a file without
     ///         patches, and for patches that from_patches refuses.
     static l3d_patch_model load(const std::string& file);
@@ -77,6 +81,26 @@ public:
     /// Errors: nothing, with the patch and its degrees in `why`, if it is no bicubic one.
     static std::optional<l3d_patch_model> from_patches(std::span<const l3d_patch_points> patches,
                                                        std::string_view name, std::string& why);
+
+    /// The patches of a file that was read, in the colours that it has for them.
+    /// Errors: as from_patches.
+    static std::optional<l3d_patch_model> from_file(const l3d_model_file& file,
+                                                    std::string_view name, std::string& why);
+
+    /// The same patches of these materials: one for all of them, or one for each, in their order.
+    /// Expects: 1 or patches().size() materials.
+    /// Cost:    the patches and all that is known of them are shared.
+    l3d_patch_model painted(std::span<const l3d_material> materials) const;
+    /// The same patches, all of one material.
+    l3d_patch_model painted(const l3d_material& material) const {
+        return painted(std::span(&material, 1));
+    }
+
+    /// The different materials of the patches, each once; none if all are plain, that is white.
+    std::span<const l3d_material> materials() const;
+    /// The place of a patch's material in materials(); 0 if there are none. Expects: index <
+    /// patches().size().
+    std::uint32_t material_of(std::size_t index) const;
 
     /// All patches, in the order in which they were given.
     std::span<const patch> patches() const;
@@ -101,13 +125,18 @@ public:
     /// The boxes of the patches' control points, in their order; upright.
     const l3d_box_lanes& boxes() const;
 
-    /// The same address for copies of one model, and another for any other model that lives at the
-    /// same time, even one of equal patches.
+    /// The same address for copies of one model, however they are painted, and another for any
+    /// other model that lives at the same time, even one of equal patches.
     const void* identity() const;
+    /// The same for its materials; null if all are plain.
+    const void* paint_identity() const;
 
 private:
     struct contents;
     std::shared_ptr<const contents> contents_;
+
+    struct paint;
+    std::shared_ptr<const paint> paint_; ///< null if all is plain
 };
 
 #endif

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
 
 namespace {
 
@@ -183,27 +184,77 @@ void l3d_patch_scene::add(const l3d_patch_model& model, const l3d_matrix<double>
     patch_count_ += patches_of(instance.model());
     is_moved_.push_back(false);
     is_rebuilt_ = true;
+    knows_materials_ = false;
 }
 
 void l3d_patch_scene::place(std::size_t index, const l3d_patch_model& model,
                             const l3d_matrix<double>& placement) {
     l3d_patch_instance& instance = instances_[index];
-    if (model.identity() == instance.model().identity() && placement == instance.placement())
+    const bool is_same = model.identity() == instance.model().identity() &&
+                         model.paint_identity() == instance.model().paint_identity();
+    if (is_same && placement == instance.placement())
         return;
     check(model, placement);
-    if (!is_moved_[index]) {
-        is_moved_[index] = true;
-        moved_.push_back(index);
-        moved_from_.add(instance.box());
-    }
-    if (model.identity() == instance.model().identity()) {
+    note_change(index);
+    if (is_same) {
         instance.place(placement);
     } else {
         patch_count_ += patches_of(model) - patches_of(instance.model());
         instance = l3d_patch_instance(model, placement);
+        knows_materials_ = false;
     }
     boxes_.set(index, instance.box());
     extent_count_ = 0;
+}
+
+/// Keeps the box that an instance has before its first change.
+void l3d_patch_scene::note_change(std::size_t index) {
+    if (is_moved_[index])
+        return;
+    is_moved_[index] = true;
+    moved_.push_back(index);
+    moved_from_.add(instances_[index].box());
+}
+
+void l3d_patch_scene::paint(std::size_t index, const std::optional<l3d_material>& material) {
+    if (instances_[index].material() == material)
+        return;
+    note_change(index);
+    instances_[index].paint(material);
+    knows_materials_ = false;
+}
+
+/// Instances of one model share its materials.
+std::span<const l3d_material> l3d_patch_scene::materials() const {
+    if (knows_materials_)
+        return materials_;
+    knows_materials_ = true;
+    materials_.clear();
+    first_materials_.clear();
+    const auto is_plain = [](const l3d_patch_instance& i) {
+        return i.material() ? i.material()->is_plain() : i.model().materials().empty();
+    };
+    if (std::ranges::all_of(instances_, is_plain))
+        return materials_;
+    materials_.emplace_back(); // of all that is plain
+    std::map<const void*, std::uint32_t> firsts;
+    for (const l3d_patch_instance& instance : instances_) {
+        const auto next = static_cast<std::uint32_t>(materials_.size());
+        if (is_plain(instance)) {
+            first_materials_.push_back(0);
+        } else if (instance.material()) {
+            first_materials_.push_back(next);
+            materials_.push_back(*instance.material());
+        } else {
+            const l3d_patch_model& model = instance.model();
+            const auto [place, is_new] = firsts.try_emplace(model.paint_identity(), next);
+            if (is_new)
+                materials_.insert(materials_.end(), model.materials().begin(),
+                                  model.materials().end());
+            first_materials_.push_back(place->second);
+        }
+    }
+    return materials_;
 }
 
 /// Looks at those instances that it has not seen; at all of them once one was moved, since nobody
@@ -233,6 +284,7 @@ void l3d_patch_scene::clear() {
     patch_count_ = 0;
     extent_ = {};
     extent_count_ = 0;
+    knows_materials_ = false;
     forget_changes();
     is_moved_.clear();
     is_rebuilt_ = true;

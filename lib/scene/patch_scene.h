@@ -4,12 +4,14 @@
 #define L3D_SCENE_PATCH_SCENE_H
 
 #include "base/public.h"
+#include "geom/material.h"
 #include "geom/matrix.h"
 #include "scene/box_lanes.h"
 #include "scene/patch_model.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,6 +29,11 @@ public:
 
     /// Puts the same model elsewhere. Expects: as the constructor.
     void place(const l3d_matrix<double>& placement);
+
+    /// Makes all of it of one material; without one, the model's own are seen.
+    void paint(const std::optional<l3d_material>& material) { material_ = material; }
+    /// The material that all of it is made of, if it is not the model's.
+    const std::optional<l3d_material>& material() const { return material_; }
 
     /// From the model's space to the world.
     const l3d_matrix<double>& placement() const { return placement_; }
@@ -62,6 +69,7 @@ public:
 
 private:
     l3d_patch_model model_;
+    std::optional<l3d_material> material_;
     l3d_matrix<double> placement_;
     l3d_matrix<double> normal_matrix_;
     l3d_vector<double, 3> terms_{0.0, 0.0, 0.0};
@@ -107,6 +115,26 @@ public:
     void place(std::size_t index, const l3d_patch_model& model,
                const l3d_matrix<double>& placement);
 
+    /// Makes all of an instance of one material; without one, its model's own are seen again. It
+    /// stays so when the instance is placed elsewhere, until another model comes to its place.
+    /// Expects: an index of instances().
+    void paint(std::size_t index, const std::optional<l3d_material>& material);
+
+    /// The materials of all instances; none if all are plain.
+    ///
+    /// Expects: at most l3d_surface_rasterizer::most_materials.
+    /// Lives:   until the next change of the scene.
+    /// Cost:    after one of models or materials, time for each instance.
+    std::span<const l3d_material> materials() const;
+    /// The place of a patch's material in materials(); 0 if there are none.
+    /// Expects: materials() was called since the last change of the scene.
+    std::uint32_t material_of(std::size_t instance, std::size_t patch) const {
+        if (materials_.empty())
+            return 0;
+        const l3d_patch_instance& of = instances_[instance];
+        return first_materials_[instance] + (of.material() ? 0 : of.model().material_of(patch));
+    }
+
     /// Takes all instances away, and keeps their memory.
     void clear();
 
@@ -150,12 +178,16 @@ private:
     };
 
     const whole& extent() const;
+    void note_change(std::size_t index);
 
     std::vector<l3d_patch_instance> instances_;
     std::int64_t patch_count_ = 0;
     l3d_box_lanes boxes_;
     mutable whole extent_; ///< of the first extent_count_ instances
     mutable std::size_t extent_count_ = 0;
+    mutable std::vector<l3d_material> materials_;
+    mutable std::vector<std::uint32_t> first_materials_; ///< of each instance, in materials_
+    mutable bool knows_materials_ = true;
     bool is_rebuilt_ = true;
     std::vector<std::size_t> moved_;
     std::vector<bool> is_moved_; ///< of each instance, whether it is in moved_

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_sides: sides that meet their like.
+// l3d_patch_sides: how smoothly sides meet their like.
 #include "scene/patch_sides.h"
 #include "geom/normal_net.h"
+#include "scene/side_pairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,7 @@
 namespace {
 
 using vector = l3d_patch_model::vector;
-using curve = l3d_patch_model::patch::curve;
-using numbers = std::array<double, 12>;
+using pairs = l3d_side_pairs;
 
 /// Normals are compared at so many places of a side. A shared side's normals are of degree 5, so
 /// five places would do for curves that are the same. These are twice as many.
@@ -21,51 +21,14 @@ constexpr int places = 11;
 /// of both patches a pixel shows.
 constexpr double least_angle = 8 / 229.5;
 
-/// The sides in the order in which one walks round the patch.
-std::array<curve, 4> sides_of(const l3d_patch_model::patch& p) {
-    return {p.row(0), p.column(3), p.row(3).reversed(), p.column(0).reversed()};
-}
-
-/// The parameters at t of a side.
-std::array<double, 2> place_on(std::size_t side, double t) {
-    switch (side) {
-    case 0:
-        return {t, 0};
-    case 1:
-        return {1, t};
-    case 2:
-        return {1 - t, 1};
-    default:
-        return {0, 1 - t};
-    }
-}
-
-numbers numbers_of(const curve& c) {
-    numbers result;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (int k = 0; k < 3; ++k) // no -0, which is 0
-            result[3 * i + static_cast<std::size_t>(k)] = c.points[i][k] + 0.0;
-    return result;
-}
-
-bool is_point(const curve& c) {
-    return std::all_of(c.points.begin(), c.points.end(),
-                       [&](const vector& q) { return q == c.points[0]; });
-}
-
-struct side_of {
-    std::size_t patch, side;
-    bool forward; ///< walked in the direction that is the first in order
-};
-
 vector unit(const vector& n) {
     const double length = l3d_length(n);
     return length > 0 ? n * (1 / length) : vector(0.0);
 }
 
-vector normal_at(const l3d_patch_model& model, const side_of& s, double t) {
-    const auto [u, v] = place_on(s.side, s.forward ? t : 1 - t);
-    return unit(model.normals(s.patch).evaluate(u, v));
+vector normal_at(const l3d_patch_model& model, std::size_t patch, std::size_t side, double t) {
+    const auto [u, v] = pairs::place_on(side, t);
+    return unit(model.normals(patch).evaluate(u, v));
 }
 
 bool same_direction(const vector& a, const vector& b) {
@@ -74,20 +37,23 @@ bool same_direction(const vector& a, const vector& b) {
 }
 
 /// Neighbours that walk their side in the same direction have opposite normals.
-bool is_smooth(const l3d_patch_model& model, const side_of& a, const side_of& b) {
-    const double turn = a.forward == b.forward ? -1 : 1;
+bool is_smooth(const l3d_patch_model& model, std::size_t patch, std::size_t side,
+               const pairs::beyond& next) {
+    const double turn = next.turns ? -1 : 1;
     for (int i = 0; i < places; ++i) {
         const double t = static_cast<double>(i) / (places - 1);
-        if (!same_direction(normal_at(model, a, t), normal_at(model, b, t) * turn))
+        const vector there = normal_at(model, next.patch, next.side, next.turns ? t : 1 - t);
+        if (!same_direction(normal_at(model, patch, side, t), there * turn))
             return false;
     }
     return true;
 }
 
-bool is_smooth_point(const l3d_patch_model& model, const side_of& at) {
+bool is_smooth_point(const l3d_patch_model& model, std::size_t patch, std::size_t side) {
+    const vector first = normal_at(model, patch, side, 0);
     for (int i = 1; i < places; ++i)
-        if (!same_direction(normal_at(model, at, 0),
-                            normal_at(model, at, static_cast<double>(i) / (places - 1))))
+        if (!same_direction(first,
+                            normal_at(model, patch, side, static_cast<double>(i) / (places - 1))))
             return false;
     return true;
 }
@@ -96,25 +62,17 @@ bool is_smooth_point(const l3d_patch_model& model, const side_of& at) {
 
 l3d_patch_sides::l3d_patch_sides(const l3d_patch_model& model) {
     const auto patches = model.patches();
+    const l3d_side_pairs beyond(model);
     outlines_.resize(patches.size());
-    std::map<numbers, std::vector<side_of>> by_place;
-    const auto mark = [&](const side_of& s) {
-        outlines_[s.patch] = static_cast<unsigned char>(outlines_[s.patch] | (1U << s.side));
-    };
-    for (std::size_t i = 0; i < patches.size(); ++i) {
-        const auto sides = sides_of(patches[i]);
-        for (std::size_t k = 0; k < sides.size(); ++k) {
-            const numbers there = numbers_of(sides[k]), back = numbers_of(sides[k].reversed());
-            const side_of here{i, k, there <= back};
-            if (!is_point(sides[k]))
-                by_place[std::min(there, back)].push_back(here);
-            else if (!is_smooth_point(model, here))
-                mark(here);
+    for (std::size_t i = 0; i < patches.size(); ++i)
+        for (std::size_t side = 0; side < pairs::sides; ++side) {
+            const pairs::beyond& next = beyond.at(i, side);
+            const bool smooth =
+                (next.is == pairs::kind::paired && is_smooth(model, i, side, next)) ||
+                (next.is == pairs::kind::point && is_smooth_point(model, i, side));
+            if (!smooth)
+                outlines_[i] = static_cast<unsigned char>(outlines_[i] | (1U << side));
         }
-    }
-    for (const auto& [place, sides] : by_place)
-        if (sides.size() != 2 || !is_smooth(model, sides[0], sides[1]))
-            std::for_each(sides.begin(), sides.end(), mark);
     find_touching(patches);
 }
 

@@ -13,9 +13,9 @@
 
 /// Which sides of a model's patches end the surface or break it, and which patches touch.
 ///
-/// A side is inside the surface if exactly one other has the same control points, in either
-/// direction. It is smooth if on both sides normals point the same way, to eight levels of grey. A
-/// side that is a point is smooth if its normals are. Cost: some 10 us a patch.
+/// A side is inside the surface if l3d_side_pairs finds another. It is smooth if on both sides
+/// normals point the same way, to eight levels of grey. A side that is a point is smooth if its
+/// normals are. Cost: some 10 us a patch.
 class l3d_patch_sides {
 public:
     explicit l3d_patch_sides(const l3d_patch_model& model);

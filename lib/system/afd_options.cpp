@@ -2,10 +2,9 @@
 // l3d_afd_options: declarations and what the values must be.
 #include "system/afd_options.h"
 
-#include "geom/files/model_file.h"
+#include "scene/model_loader.h"
 #include "system/number_text.h"
 #include "system/places.h"
-#include "tool_2d/text_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,12 +61,14 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                 "unasked, 65536 and 2 a pixel, more below 0.05 px; the report tells what it did "
                 "not suffice for",
                 1, std::numeric_limits<int>::max());
-    options.add("--eye", camera_.eye, "where the camera is");
-    options.add("--target", camera_.target, "what it looks at");
+    options.add("--eye", eye_,
+                "where the camera is; without it and --target, where the whole model is seen");
+    options.add("--target", target_, "what it looks at");
     options.add("--up", camera_.up, "what is upright in the picture");
     options.add("--fov", camera_.fov, "vertical field of view in degrees", 0.001, 179.9);
-    options.add("--near", camera_.near, "nearest distance that is drawn", l3d_least_distance,
-                largest);
+    options.add("--near", near_, camera_.near,
+                "nearest distance that is drawn; less, unasked, of small models",
+                l3d_least_distance, largest);
     options.add("--far", camera_.far, "farthest distance that is drawn", least_positive, largest);
     options.add_choice<l3d_shade>(
         "--shade", settings_.shade,
@@ -102,7 +103,11 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                 "leave out surfaces whose back is turned to the eye");
     options.add("--explain", explain_, "tell what the last frame did not need, and why");
     options.add("--keep-all", keep_all_, "leave nothing out");
-    for (const char* const name : {"--depth-output", "--error-output", "--report", "--explain"})
+    options.add("--pick", pick_,
+                "tell what the last frame shows at this place, in pixels from the left upper "
+                "corner: patch, parameters, point, normal and curvature, each with its error");
+    for (const char* const name :
+         {"--depth-output", "--error-output", "--report", "--explain", "--pick"})
         options.has_result(name);
 }
 
@@ -116,17 +121,38 @@ bool l3d_afd_options::shows_the_usual() const {
 
 l3d_camera l3d_afd_options::camera() const {
     const auto refuse = [](const std::string& why) { throw l3d_error(l3d_exit::usage, why); };
-    check_place("--eye", camera_.eye);
-    check_place("--target", camera_.target);
-    check_place("--up", camera_.up);
-    if (camera_.eye == camera_.target)
-        refuse("--target: '" + text_of(camera_.target) + "' is the eye's place");
-    if (!(camera_.near < camera_.far))
-        refuse("--far: '" + l3d_number_text(camera_.far) + "' is not beyond --near " +
-               l3d_number_text(camera_.near));
-    if (!camera_.is_valid())
+    const auto refuse_up = [&] {
         refuse("--up: '" + text_of(camera_.up) + "' is zero or along the line of sight");
-    return camera_;
+    };
+    check_place("--up", camera_.up);
+    if (camera_.up == l3d_camera::vector{0.0, 0.0, 0.0})
+        refuse_up();
+    l3d_camera result = camera_;
+    const l3d_upright stands(camera_.up);
+    const auto upright = [&](const l3d_camera::vector& v) { return stands.at(v[0], v[1], v[2]); };
+    result.eye = eye_.value_or(places_camera() ? camera_.eye : upright(camera_.eye));
+    result.target = target_.value_or(places_camera() ? camera_.target : upright(camera_.target));
+    result.near = near_.value_or(camera_.near);
+    check_place("--eye", result.eye);
+    check_place("--target", result.target);
+    if (result.eye == result.target)
+        refuse("--target: '" + text_of(result.target) + "' is the eye's place");
+    if (!(result.near < result.far))
+        refuse("--far: '" + l3d_number_text(result.far) + "' is not beyond --near " +
+               l3d_number_text(result.near));
+    if (!result.is_valid())
+        refuse_up();
+    return result;
+}
+
+l3d_camera
+l3d_afd_options::camera(const std::function<l3d_camera(const l3d_camera&)>& framed) const {
+    const l3d_camera asked = camera();
+    if (places_camera())
+        return asked;
+    l3d_camera result = framed(asked);
+    result.near = near_.value_or(result.near);
+    return result;
 }
 
 l3d_afd_settings l3d_afd_options::settings() const {
@@ -145,10 +171,9 @@ l3d_afd_settings l3d_afd_options::settings() const {
                                          "exact picture, and neither --wireframe nor --shade "
                                          "normals or error does");
     result.background = background_.value_or(l3d_background());
-    if (result.error_map && (!result.background.is_grey() || result.background.is_none()))
-        throw l3d_error(l3d_exit::usage,
-                        "--error-output: the bounds are those of greys, and so must be "
-                        "--background: a colour of three equal levels, such as 128,128,128");
+    if (result.error_map && result.background.is_none())
+        throw l3d_error(l3d_exit::usage, "--error-output: pixels have bounds on a background, and "
+                                         "--background none has none");
     if (keep_all_)
         result.keep = l3d_kept_work::all();
     const double length = l3d_length(result.light);
@@ -161,22 +186,19 @@ l3d_afd_settings l3d_afd_options::settings() const {
 l3d_patch_model l3d_afd_options::model() const {
     if (model_file_.empty())
         return l3d_patch_model::teapot();
-    std::string why;
-    const auto file =
-        l3d_read_model(l3d_read_text_file(l3d_data_file(model_file_)), model_file_, why);
-    if (!file)
-        throw l3d_error(l3d_exit::bad_input, why);
-    const std::string polygons = std::to_string(file->mesh.faces()) + " polygons";
-    if (file->patches.empty())
+    const l3d_model_file file = l3d_load_model(l3d_data_file(model_file_), model_file_);
+    const std::string polygons = std::to_string(file.mesh.faces()) + " polygons";
+    if (file.patches.empty())
         throw l3d_error(l3d_exit::bad_input,
                         model_file_ + ": holds " + polygons +
                             " and no patches; modelview --pipeline zbuffer shows them");
-    auto model = l3d_patch_model::from_patches(file->patches, model_file_, why);
+    std::string why;
+    auto model = l3d_patch_model::from_file(file, model_file_, why);
     if (!model)
         throw l3d_error(l3d_exit::bad_input, why);
-    for (const std::string& note : file->notes)
+    for (const std::string& note : file.notes)
         std::cerr << note << '\n';
-    if (file->mesh.faces() > 0)
+    if (file.mesh.faces() > 0)
         std::cerr << model_file_ << ": " << polygons
                   << " are skipped; modelview --pipeline zbuffer shows them\n";
     return *std::move(model);

@@ -9,6 +9,7 @@
 #include "pipeline/pipeline_afd.h"
 #include "system/options.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -22,8 +23,15 @@ public:
     l3d_afd_options(const l3d_afd_options&) = delete;
     l3d_afd_options& operator=(const l3d_afd_options&) = delete;
 
+    /// As --eye, --target and the others say; what they leave out is as teapot_view() has it, for
+    /// the direction that is up.
     /// Errors: l3d_error(usage) that names the option if the values do not make a camera.
     l3d_camera camera() const;
+
+    /// The same if --eye or --target was given, else what `framed` makes of it, with the planes
+    /// that --near and --far ask for.
+    /// Errors: as the other.
+    l3d_camera camera(const std::function<l3d_camera(const l3d_camera&)>& framed) const;
 
     /// Errors: l3d_error(usage) for a light of no direction.
     l3d_afd_settings settings() const;
@@ -41,10 +49,8 @@ public:
     /// Where the teapot is seen from unless the user says otherwise; the rest is l3d_camera's.
     static l3d_camera teapot_view() { return {.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0.0}}; }
 
-    /// Whether --eye or --target say anything else than their defaults.
-    bool places_camera() const {
-        return camera_.eye != teapot_view().eye || camera_.target != teapot_view().target;
-    }
+    /// Whether --eye or --target was given.
+    bool places_camera() const { return eye_.has_value() || target_.has_value(); }
 
     /// Whether --light says anything else than its default.
     bool places_light() const { return settings_.light != l3d_usual_light; }
@@ -67,12 +73,19 @@ public:
     /// Whether --explain asks what the last frame did not need.
     bool explain() const { return explain_; }
 
+    /// The place of the picture that --pick names, in pixels from its left upper corner; nothing
+    /// if it was not given.
+    const std::optional<l3d_vector<double, 2>>& pick() const { return pick_; }
+
     /// Neither a model nor a camera was asked for.
     bool shows_the_usual() const;
 
 private:
     std::string model_file_;
     l3d_camera camera_ = teapot_view();
+    std::optional<l3d_camera::vector> eye_, target_;
+    std::optional<double> near_;
+    std::optional<l3d_vector<double, 2>> pick_;
     l3d_afd_settings settings_;
     double turntable_ = 0;
     std::string depth_output_, error_output_, report_;

@@ -64,6 +64,13 @@ void add_number(CLI::App& app, const std::string& name, Value& value, const std:
     add_text(app, name, help, kind, preset, read);
 }
 
+l3d_vector<double, 3> read_vector(const std::string& name, const std::string& text) {
+    std::array<double, 3> numbers{};
+    if (!l3d_read_numbers(text, ',', numbers))
+        refuse(name, text, "three numbers X,Y,Z");
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
 void print(std::ostream& out, const std::string& text) {
     if (!(out << text << std::flush))
         throw l3d_error(l3d_exit::failure, "cannot write to the standard output");
@@ -187,11 +194,23 @@ void l3d_options::add(const std::string& name, l3d_vector<double, 3>& value,
                       const std::string& help) {
     const std::string preset = l3d_number_text(value[0]) + ',' + l3d_number_text(value[1]) + ',' +
                                l3d_number_text(value[2]);
-    add_text(parser_->app, name, help, "X,Y,Z", preset, [name, &value](const std::string& text) {
-        std::array<double, 3> numbers{};
+    add_text(parser_->app, name, help, "X,Y,Z", preset,
+             [name, &value](const std::string& text) { value = read_vector(name, text); });
+}
+
+void l3d_options::add(const std::string& name, std::optional<l3d_vector<double, 3>>& value,
+                      const std::string& help) {
+    add_text(parser_->app, name, help, "X,Y,Z", "",
+             [name, &value](const std::string& text) { value = read_vector(name, text); });
+}
+
+void l3d_options::add(const std::string& name, std::optional<l3d_vector<double, 2>>& value,
+                      const std::string& help) {
+    add_text(parser_->app, name, help, "X,Y", "", [name, &value](const std::string& text) {
+        std::array<double, 2> numbers{};
         if (!l3d_read_numbers(text, ',', numbers))
-            refuse(name, text, "three numbers X,Y,Z");
-        value = {numbers[0], numbers[1], numbers[2]};
+            refuse(name, text, "two numbers X,Y");
+        value = {numbers[0], numbers[1]};
     });
 }
 

@@ -86,6 +86,14 @@ public:
     void add(const std::string& name, std::optional<l3d_background>& value,
              const std::string& help);
 
+    /// The same where the default is found out later.
+    void add(const std::string& name, std::optional<l3d_vector<double, 3>>& value,
+             const std::string& help);
+
+    /// Two finite numbers X,Y.
+    void add(const std::string& name, std::optional<l3d_vector<double, 2>>& value,
+             const std::string& help);
+
     /// WIDTHxHEIGHT, each from 1 to l3d_largest_side.
     void add(const std::string& name, l3d_size& value, const std::string& help);
 

@@ -1,35 +1,13 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_options: declarations, the model, and the camera that frames it.
+// l3d_polygon_options: declarations, and the model.
 #include "system/polygon_options.h"
 
-#include "geom/files/model_file.h"
+#include "scene/model_loader.h"
 #include "pipeline/polygons/patch_tessellation.h"
 #include "system/places.h"
-#include "tool_2d/text_file.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iostream>
-#include <numbers>
 #include <utility>
-
-namespace {
-
-/// Directions as seen by a person who stands upright before a model.
-struct upright_frame {
-    l3d_camera::vector right, up, front;
-
-    explicit upright_frame(const l3d_camera::vector& upwards) : up(l3d_normalized(upwards)) {
-        // Front is the z axis, or -y where that is up.
-        const bool z_is_up = std::abs(up[2]) > 0.9;
-        const l3d_camera::vector across =
-            z_is_up ? l3d_camera::vector{0.0, -1.0, 0.0} : l3d_camera::vector{0.0, 0.0, 1.0};
-        right = l3d_normalized(l3d_cross(up, across));
-        front = l3d_cross(right, up);
-    }
-};
-
-} // namespace
 
 l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared)
     : shared_(shared) {
@@ -51,39 +29,13 @@ l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_opt
 }
 
 l3d_polygon_model l3d_polygon_options::model() const {
-    std::string why;
-    l3d_polygon_mesh mesh;
-    bool has_patches = true;
-    if (const std::string& name = shared_.model_file(); !name.empty()) {
-        auto file = l3d_read_model(l3d_read_text_file(l3d_data_file(name)), name, why);
-        if (!file)
-            throw l3d_error(l3d_exit::bad_input, why);
-        for (const std::string& note : file->notes)
-            std::cerr << note << '\n';
-        mesh = std::move(file->mesh);
-        has_patches = !file->patches.empty();
-        if (!has_patches && mesh.faces() == 0)
-            throw l3d_error(l3d_exit::bad_input, name + ": no polygons and no patches");
-    }
-    if (has_patches)
-        mesh.append(l3d_tessellated(shared_.model(), facets_).mesh);
-    return l3d_polygon_model(std::move(mesh), to_origin_);
-}
-
-l3d_camera l3d_polygon_options::camera(const l3d_polygon_model& model) const {
-    l3d_camera camera = shared_.camera();
-    if (shared_.places_camera())
-        return camera;
-    const double radius = model.radius() > 0 ? model.radius() : 1;
-    constexpr double margin = 1.05;
-    const double half_angle = camera.fov / 2 * std::numbers::pi / 180;
-    const double distance = margin * radius / std::sin(half_angle);
-    const upright_frame frame(camera.up);
-    camera.target = model.centre();
-    camera.eye = camera.target +
-                 l3d_normalized(frame.front + frame.right * 0.35 + frame.up * 0.45) * distance;
-    camera.near = std::min(camera.near, 1e-3 * radius);
-    return camera;
+    const std::string& name = shared_.model_file();
+    if (name.empty())
+        return l3d_polygon_model(l3d_tessellated(shared_.model(), facets_).mesh, to_origin_);
+    const l3d_model_file file = l3d_load_model(l3d_data_file(name), name);
+    for (const std::string& note : file.notes)
+        std::cerr << note << '\n';
+    return l3d_polygon_model(l3d_mesh_of(file, name, facets_), to_origin_);
 }
 
 l3d_polygon_settings l3d_polygon_options::settings() const {
@@ -106,9 +58,8 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
     settings.light = shared.light;
     if (!shared_.places_camera() && !shared_.places_light()) {
         // The teapot's, from where this model is looked at.
-        const upright_frame frame(shared_.camera().up);
-        settings.light = frame.right * shared.light[0] + frame.up * shared.light[1] +
-                         frame.front * shared.light[2];
+        settings.light =
+            l3d_upright(shared_.camera().up).at(shared.light[0], shared.light[1], shared.light[2]);
     }
     settings.rotation = rotation_;
     settings.cull = !all_faces_;

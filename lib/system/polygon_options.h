@@ -36,11 +36,6 @@ public:
     /// Errors: l3d_error(bad_input) with file and line.
     l3d_polygon_model model() const;
 
-    /// As --eye and --target say; without them, so that the whole model is seen from the front, a
-    /// little from the right and from above.
-    /// Errors: as l3d_afd_options::camera.
-    l3d_camera camera(const l3d_polygon_model& model) const;
-
     /// Errors: as l3d_afd_options::settings; l3d_error(usage) for --depth-output.
     l3d_polygon_settings settings() const;
 

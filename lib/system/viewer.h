@@ -18,7 +18,8 @@
 #include <utility>
 
 /// A `Pipeline` with l3d_viewer_controls and a report of each frame, for which --turntable,
-/// --report, --explain, --depth-output and --error-output do what they say.
+/// --report, --explain, --depth-output and --error-output do what they say. Without --eye and
+/// --target it frames its model.
 ///
 /// Lives:   borrows the options.
 template <class Pipeline> class L3D_PUBLIC l3d_viewer final : public Pipeline {
@@ -28,7 +29,13 @@ public:
     ///          picture without background that nothing can hold.
     template <class... Arguments>
     l3d_viewer(l3d_program& program, const l3d_afd_options& asked, Arguments&&... arguments)
-        : Pipeline(std::forward<Arguments>(arguments)...), asked_(asked) {
+        : Pipeline(std::forward<Arguments>(arguments)...), asked_(asked),
+          command_(program.options().command()) {
+        if (!asked.places_camera())
+            this->controls().set_home([this] {
+                return asked_.camera(
+                    [this](const l3d_camera& usual) { return this->framed_unless_well(usual); });
+            });
         this->controls().set_turntable(asked.turntable(),
                                        1 / program.options().frame_settings().step());
         this->controls().set_screenshot(l3d_save_screenshot);
@@ -44,7 +51,8 @@ public:
             reports_->add(this->report().json());
     }
 
-    /// After the last frame: its distances, the bounds of its pixels, and what it did not need.
+    /// After the last frame: its distances, the bounds of its pixels, what it did not need, why it
+    /// is empty, and what --pick asks for.
     /// Errors:  l3d_error(failure) that names the file and the system's reason.
     void finish() const {
         if constexpr (requires { this->depth(); })
@@ -58,6 +66,10 @@ public:
                               this->error_map()->size().height, this->error_map()->levels());
         if (asked_.explain())
             std::cerr << this->report().explanation();
+        if (const std::string why = this->why_empty(); !why.empty())
+            std::cerr << command_ << ": the picture is empty, as the model is " << why << "; "
+                      << way_to_mend(why) << '\n';
+        tell_pick();
     }
 
 private:
@@ -81,7 +93,25 @@ private:
             this->controls().show_hint(seconds);
     }
 
+    /// What the options did, and what undoes it.
+    std::string way_to_mend(const std::string& why) const {
+        if (why.ends_with("plane"))
+            return "leave out --near and --far, or press f in a window";
+        return asked_.places_camera() ? "leave out --eye and --target, or press f in a window"
+                                      : "press f in a window";
+    }
+
+    /// Errors:  l3d_error(failure) if the standard output cannot be written to.
+    void tell_pick() const {
+        if (!asked_.pick())
+            return;
+        const auto found = this->pick((*asked_.pick())[0], (*asked_.pick())[1]);
+        if (!(std::cout << (found ? found->text() : "nothing there\n") << std::flush))
+            throw l3d_error(l3d_exit::failure, "cannot write to the standard output");
+    }
+
     const l3d_afd_options& asked_;
+    std::string command_;
     std::optional<l3d_report_writer> reports_;
 };
 

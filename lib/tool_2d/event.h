@@ -47,9 +47,12 @@ struct L3D_PUBLIC l3d_event {
     l3d_event_type type{}; ///< what happened
     int key = 0;           ///< key_*: ASCII code or l3d_key
     int button = 0;        ///< button_*: 1 left, 2 middle, 3 right; pointer_motion: the button held
-    /// Pointer position in pixels. Of a wheel, y is +1 away from the user, -1 towards.
-    int x = 0, y = 0;
-    l3d_size size{}; ///< resize
+    int x = 0, y = 0;      ///< key_*, button_*, pointer_motion, wheel: the pointer, in pixels
+    l3d_size size{};       ///< resize
+    int notches = 0;       ///< wheel: +1 away from the user, -1 towards
+    int clicks = 0; ///< button_press: 2 if it followed another one soon at the same place, else 1
+    bool shift = false;   ///< key_press, button_*, pointer_motion, wheel: the key Shift was held
+    bool control = false; ///< the same for the key Ctrl
 };
 
 /// A thing a dispatcher can pull events from (the book's marker class, given its two calls).

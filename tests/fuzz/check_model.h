@@ -65,6 +65,7 @@ inline bool survives_off(const l3d_polygon_mesh& mesh) {
     l3d_polygon_mesh kept = mesh;
     kept.parts.clear();
     kept.materials.clear();
+    kept.looks.clear();
     kept.face_materials.clear();
     std::string why;
     const auto again = l3d_read_off(l3d_write_off(mesh), "again", why);
@@ -74,6 +75,7 @@ inline bool survives_off(const l3d_polygon_mesh& mesh) {
 inline bool survives_obj(const l3d_model_file& model) {
     l3d_model_file kept = model;
     kept.mesh.face_colors.clear();
+    kept.mesh.looks.clear();
     kept.notes.clear();
     std::string why;
     const auto again = l3d_read_obj(l3d_write_obj(model), "again", why);

@@ -41,8 +41,8 @@ public:
                                      l3d_shade shade, bool resolve = true) {
         canvas on;
         order.make(triangles, window, resolve);
-        painter_.paint(on.pixels(), {shade, {0.6f, 0, 0.8f}, {0, 0, -1}, {}, {}}, order.triangles(),
-                       order.pieces(), order.cuts());
+        painter_.paint(on.pixels(), {shade, {0.6f, 0, 0.8f}, {0, 0, -1}, {}, {}}, {},
+                       order.triangles(), order.pieces(), order.cuts());
         return on.picture();
     }
 

@@ -77,13 +77,13 @@ TEST(viewer_controls, drag_and_wheel) {
     nothing_viewer it;
     const l3d_camera first = it.camera;
     using type = l3d_event_type;
-    EXPECT_FALSE(it.controls.pointer({type::pointer_motion, 0, 0, 31, 17, {}}));
+    EXPECT_FALSE(it.controls.pointer({type::button_press, 0, 1, 31, 17, {}}));
     EXPECT_EQ(it.camera.eye, first.eye);
     EXPECT_TRUE(it.controls.pointer({type::pointer_motion, 0, 1, 121, 17, {}}));
     // A quarter of a turn, to where the eye is at right angles to where it was, seen from above.
     const auto was = first.eye - first.target, is = it.camera.eye - it.camera.target;
     EXPECT_NEAR(was[0] * is[0] + was[2] * is[2], 0, 1e-9);
-    EXPECT_TRUE(it.controls.pointer({type::wheel, 0, 0, 0, -1, {}}));
+    EXPECT_TRUE(it.controls.pointer({.type = type::wheel, .x = 201, .y = 155, .notches = -1}));
     EXPECT_NEAR(distance(it.camera), 1.1 * distance(first), 1e-9);
 }
 

@@ -55,7 +55,7 @@ struct filled {
                                  size.width,
                                  top,
                                  std::min(top + rows, size.height)};
-            const fill_target target{band, shading, queue, counts, rest, leaves_out_hidden};
+            const fill_target target{band, shading, queue, counts, rest, leaves_out_hidden, {}};
             fill(target);
             fill_finish(target);
         }
@@ -65,7 +65,7 @@ struct filled {
     fill_grid lit(const l3d_micro_grid& grid) {
         levels.resize(grid.x.size());
         light_vertices(shading, grid, levels.data());
-        return {grid, levels.data()};
+        return {grid, levels.data(), 0};
     }
 
     void draw(const l3d_micro_grid& grid, int rows = 1 << 20) {
@@ -77,7 +77,7 @@ struct filled {
 
     void draw(const l3d_micro_triangles& triangles, int rows = 1 << 20) {
         in_bands(std::min(rows, size.height), [&](const fill_target& target) {
-            fill_triangles(target, triangles, 0, triangles.count);
+            fill_triangles(target, triangles, 0, 0, triangles.count);
         });
     }
 

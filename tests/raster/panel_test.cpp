@@ -159,6 +159,22 @@ TEST(panel, without_room_says_so_by_dots_or_not_at_all) {
     EXPECT_LE(layout.size().height, 70);
 }
 
+TEST(panel, breaks_lines_where_the_text_says_so) {
+    const auto height = [](const std::string& text) {
+        canvas it(200, 100);
+        l3d_panel panel;
+        panel.add("key", text);
+        l3d_pixel_box free = l3d_whole({200, 100});
+        const l3d_pixel_box box = panel.draw(it.draw, free, l3d_corner::top_left);
+        return box.bottom - box.top;
+    };
+    const int line = l3d_font().line(l3d_panel_style().size);
+    EXPECT_EQ(height("a\nb"), height("a") + line);
+    EXPECT_EQ(height("a\nb\n"), height("a\nb")) << "the end of a line begins none";
+    EXPECT_EQ(height("a\n\nb"), height("a\nb") + line);
+    EXPECT_EQ(height(""), height("a"));
+}
+
 TEST(panel, that_is_empty_draws_nothing) {
     canvas it(50, 40);
     l3d_pixel_box free = l3d_whole({50, 40});

@@ -102,13 +102,16 @@ public:
         send(event, type == KeyPress ? KeyPressMask : KeyReleaseMask);
     }
 
-    void send_button(int type, unsigned button, int x, int y) const {
+    void send_button(int type, unsigned button, int x, int y, Time time = 0,
+                     unsigned state = 0) const {
         XEvent event{};
         event.xbutton.type = type;
         event.xbutton.root = root();
         event.xbutton.button = button;
         event.xbutton.x = x;
         event.xbutton.y = y;
+        event.xbutton.time = time;
+        event.xbutton.state = state;
         send(event, type == ButtonPress ? ButtonPressMask : ButtonReleaseMask);
     }
 

@@ -72,15 +72,46 @@ TEST(screen_x11_events, buttons_wheel_and_motion) {
         other.send_button(ButtonRelease, wheel, 5, 6);
     }
     std::vector<std::array<int, 4>> seen;
+    std::vector<int> notches;
     l3d_event event;
-    while (screen->next_event(event))
+    while (screen->next_event(event)) {
         seen.push_back({static_cast<int>(event.type), event.button, event.x, event.y});
+        notches.push_back(event.notches);
+    }
     const auto row = [](l3d_event_type type, int button, int x, int y) {
         return std::array{static_cast<int>(type), button, x, y};
     };
     EXPECT_EQ(seen, (std::vector{row(button_press, 3, 17, 29), row(pointer_motion, 3, 24, 26),
-                                 row(button_release, 3, 24, 26), row(wheel, 0, 0, 1),
-                                 row(wheel, 0, 0, -1)}));
+                                 row(button_release, 3, 24, 26), row(wheel, 0, 5, 6),
+                                 row(wheel, 0, 5, 6)}));
+    EXPECT_EQ(notches, (std::vector{0, 0, 0, 1, -1}));
+}
+
+TEST(screen_x11_events, two_clicks_soon_at_one_place_are_a_double_click) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    drop_events(*screen);
+    const auto click = [&](unsigned button, int x, Time time, unsigned state = 0) {
+        other.send_button(ButtonPress, button, x, 29, time, state);
+        other.send_button(ButtonRelease, button, x, 29, time + 10, state);
+    };
+    click(1, 17, 5000);
+    click(1, 20, 5400); // soon enough, near enough
+    click(1, 20, 5401); // a third one begins anew
+    click(1, 20, 5802); // too late
+    click(1, 25, 5803); // too far away
+    click(3, 25, 5804); // another button
+    click(3, 25, 5805, ShiftMask | ControlMask);
+    std::vector<int> clicks;
+    l3d_event event;
+    while (screen->next_event(event))
+        if (event.type == button_press)
+            clicks.push_back(event.clicks);
+    EXPECT_EQ(clicks, (std::vector{1, 2, 1, 1, 1, 1, 2}));
+    EXPECT_TRUE(event.shift);
+    EXPECT_TRUE(event.control);
 }
 
 TEST(screen_x11_events, a_storm_of_sizes_ends_at_the_last) {

@@ -111,15 +111,24 @@ double level_at(const l3d_doubt_bounds& b, double x, double y) {
     return b.level.at(x - b.at_x, y - b.at_y);
 }
 
-double light_above_ambient(double level) {
-    return l3d_light_of_level(l3d_ambient_level + std::max(0.0, level));
+/// The light of a level above ambient light, in a channel that has this part of white.
+double light_above_ambient(double level, double part) {
+    return l3d_light_of_level(part * (l3d_ambient_level + std::max(0.0, level)));
+}
+
+/// The light of levels between two bounds, of a material.
+l3d_light_bounds light_of(const interval& levels, const l3d_color_parts& color) {
+    return l3d_light_bounds::by_parts(color, [&](double part) {
+        return std::array{light_above_ambient(levels.low, part),
+                          light_above_ambient(levels.high, part)};
+    });
 }
 
 /// Bounds of the mean light of a cell whose level is between line - below and line + above. Light
 /// is a convex function of the level, and so of the place. So the mean over a square is at least
 /// the middle's, and at most the mean of the corners'.
 interval mean_light(const l3d_doubt_bounds& line, double below, double above,
-                    const l3d_image_box& cell) {
+                    const l3d_image_box& cell, double part) {
     const double change =
         std::abs(line.level.along_x) * cell.width() + std::abs(line.level.along_y) * cell.height();
     const int cuts = change > even_levels ? finer_cuts : 1;
@@ -130,11 +139,11 @@ interval mean_light(const l3d_doubt_bounds& line, double below, double above,
     };
     for (int row = 0; row < cuts; ++row)
         for (int column = 0; column < cuts; ++column)
-            sum.low += light_above_ambient(level(column + 0.5, row + 0.5) - below);
+            sum.low += light_above_ambient(level(column + 0.5, row + 0.5) - below, part);
     for (int row = 0; row <= cuts; ++row)
         for (int column = 0; column <= cuts; ++column) {
             const double weight = (row % cuts == 0 ? 0.5 : 1.0) * (column % cuts == 0 ? 0.5 : 1.0);
-            sum.high += weight * light_above_ambient(level(column, row) + above);
+            sum.high += weight * light_above_ambient(level(column, row) + above, part);
         }
     return {sum.low / (cuts * cuts), sum.high / (cuts * cuts)};
 }
@@ -234,37 +243,42 @@ void l3d_doubt_judge::mark_seen(std::vector<bool>& pieces) const {
 l3d_doubt_verdict l3d_doubt_judge::judge(const l3d_image_box& cell,
                                          std::span<const std::uint32_t> touching,
                                          std::span<const l3d_doubt_leaf> leaves,
-                                         const l3d_dice_view& view, double background) {
+                                         const l3d_dice_view& view,
+                                         const l3d_light_bounds& background) {
     gather(cell, touching, leaves);
     connect();
     look_for(cell, view, 0);
     const double farthest = farthest_seen();
     only_ = nowhere;
     bool is_certain = true;
-    interval levels;
+    l3d_light_bounds light;
+    bool is_any = false;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         const std::size_t root = root_of(i);
         if (!sheets_[root].may_be_there || !(members_[i].nearest <= farthest))
             continue;
         is_certain = is_certain && sheets_[root].fills() && (only_ == nowhere || only_ == root);
         only_ = root;
-        levels.add(levels_in(pieces_[i]->bounds, cell));
+        const l3d_light_bounds here =
+            light_of(levels_in(pieces_[i]->bounds, cell), pieces_[i]->piece.of->color);
+        if (is_any)
+            light.include(here);
+        else
+            light = here;
+        is_any = true;
     }
     if (is_certain)
         return judge_alone(cell, background);
-    if (farthest == infinite) {
-        const double low = std::min(l3d_ambient_level + std::max(0.0, levels.low), background);
-        const double high = std::max(l3d_ambient_level + std::max(0.0, levels.high), background);
-        return {false, l3d_light_of_level(low), l3d_light_of_level(high), high - low};
-    }
-    return {false, light_above_ambient(levels.low), light_above_ambient(levels.high),
-            levels.high - levels.low};
+    if (farthest == infinite)
+        light.include(background);
+    return {false, light, light.levels_apart()};
 }
 
 /// All pieces of the sheet, by the line of the best: how far they may be below and above it.
-l3d_doubt_verdict l3d_doubt_judge::judge_alone(const l3d_image_box& cell, double background) const {
+l3d_doubt_verdict l3d_doubt_judge::judge_alone(const l3d_image_box& cell,
+                                               const l3d_light_bounds& background) const {
     if (only_ == nowhere)
-        return {true, l3d_light_of_level(background), l3d_light_of_level(background), 0};
+        return {true, background, 0};
     const l3d_doubt_bounds* line = nullptr;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
         if (const l3d_doubt_bounds& b = pieces_[i]->bounds;
@@ -272,11 +286,22 @@ l3d_doubt_verdict l3d_doubt_judge::judge_alone(const l3d_image_box& cell, double
             line = &b;
     double below = 0, above = 0;
     interval levels;
+    l3d_light_bounds light; // if there is more than one colour
+    const l3d_color_parts* color = nullptr;
+    bool is_one_color = true;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         const l3d_doubt_bounds& b = pieces_[i]->bounds;
         if (root_of(i) != only_ || !b.touches(cell))
             continue;
-        levels.add(levels_in(b, cell));
+        const interval here = levels_in(b, cell);
+        levels.add(here);
+        const l3d_color_parts& own = pieces_[i]->piece.of->color;
+        if (color == nullptr)
+            light = light_of(here, own);
+        else
+            light.include(light_of(here, own));
+        is_one_color = is_one_color && (color == nullptr || own == *color);
+        color = &own;
         const l3d_image_box part = b.box.intersected(cell);
         for (const double x : {part.left, part.right})
             for (const double y : {part.top, part.bottom}) {
@@ -286,10 +311,15 @@ l3d_doubt_verdict l3d_doubt_judge::judge_alone(const l3d_image_box& cell, double
             }
     }
     if (!(levels.low <= levels.high)) // rounding left nothing of the sheet
-        return {false, 0, 1, 255};
-    const interval mean = mean_light(*line, below, above, cell);
-    return {true, std::max(light_above_ambient(levels.low), mean.low),
-            std::min(light_above_ambient(levels.high), mean.high),
+        return {false, l3d_light_bounds::any(), 255};
+    if (!is_one_color)
+        return {false, light, light.levels_apart()};
+    const auto of_part = [&](double part) {
+        const interval mean = mean_light(*line, below, above, cell, part);
+        return std::array{std::max(light_above_ambient(levels.low, part), mean.low),
+                          std::min(light_above_ambient(levels.high, part), mean.high)};
+    };
+    return {true, l3d_light_bounds::by_parts(*color, of_part),
             std::min(levels.high - levels.low, below + above)};
 }
 

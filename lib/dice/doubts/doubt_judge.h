@@ -11,11 +11,11 @@
 #include <span>
 #include <vector>
 
-/// What is known of a cell. Units: linear light, from 0 to 1; levels.
+/// What is known of a cell. Units: levels.
 struct l3d_doubt_verdict {
-    bool is_certain = false;    ///< one surface, or the background, fills it
-    double least = 0, most = 1; ///< of the mean of its light
-    double spread = 0;          ///< of its levels that is not known
+    bool is_certain = false; ///< one surface of one colour, or the background, fills it
+    l3d_light_bounds light = l3d_light_bounds::any(); ///< the mean over the cell
+    double spread = 0;                                ///< of its levels that is not known
 };
 
 /// Judges cells by the pieces that reach into them.
@@ -26,10 +26,10 @@ struct l3d_doubt_verdict {
 class l3d_doubt_judge {
 public:
     /// What the exact picture shows in a cell. Shape: indices into leaves, of all pieces that may
-    /// reach into the cell. Units: the background's level, of 255.
+    /// reach into the cell.
     l3d_doubt_verdict judge(const l3d_image_box& cell, std::span<const std::uint32_t> touching,
                             std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view,
-                            double background);
+                            const l3d_light_bounds& background);
 
     /// Whether a cell, grown by the bound of places, shows a single surface, even if all is drawn
     /// nearer or farther by its bound. Shape: as judge.
@@ -38,7 +38,8 @@ public:
 
     /// What the exact picture shows in a part of the cell that was judged last. Expects: a single
     /// surface, or the background, was found to fill that.
-    l3d_doubt_verdict judge_alone(const l3d_image_box& part, double background) const;
+    l3d_doubt_verdict judge_alone(const l3d_image_box& part,
+                                  const l3d_light_bounds& background) const;
 
     /// Sets what stands for the pieces that may be seen in the cell that was judged last. Of sheets
     /// that are wholly hidden there nothing needs to be known: what hides them is nearer, also in

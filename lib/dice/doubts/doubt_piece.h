@@ -3,7 +3,8 @@
 #ifndef L3D_DICE_DOUBTS_DOUBT_PIECE_H
 #define L3D_DICE_DOUBTS_DOUBT_PIECE_H
 
-#include "dice/doubts/side_pairs.h"
+#include "dice/doubts/light_bounds.h"
+#include "scene/side_pairs.h"
 #include "geom/normal_net.h"
 #include "geom/step_bound.h"
 
@@ -21,6 +22,7 @@ struct l3d_doubt_patch {
     /// Whether its back need not be drawn, and the sign of the facing that is the back.
     bool one_sided = false;
     double back = 1;
+    l3d_color_parts color{1, 1, 1}; ///< of its material
 };
 
 /// A part of a patch by halves. Shape: nets as l3d_bezier_patch and l3d_normal_net have them.

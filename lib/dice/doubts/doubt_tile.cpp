@@ -197,15 +197,14 @@ void l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching
     }
     if (!c.of_light)
         return;
-    const double background = view_->background_level(tile_.top + (c.row >> fineness_));
+    const l3d_light_bounds background = view_->background_light(tile_.top + (c.row >> fineness_));
     const l3d_doubt_verdict v = is_alone
                                     ? judge_.judge_alone(box, background)
                                     : judge_.judge(box, touching, leaves_, view_->view, background);
-    c.least = part * v.least;
-    c.most = part * v.most;
+    c.light = l3d_light_bounds::none();
+    c.light.add(v.light, part);
     c.unsure = v.is_certain ? 0 : part;
-    pixel.least += c.least;
-    pixel.most += c.most;
+    pixel.light.add(c.light);
     pixel.unsure += c.unsure;
     const int finest = v.is_certain ? finest_surface : finest_contrast;
     c.of_light = v.spread > std::ldexp(fine_levels, fineness_) && fineness_ < finest;
@@ -218,8 +217,7 @@ bool l3d_doubt_tile::is_cut(cell& c) {
     l3d_doubt_pixel& pixel = pixel_of(c);
     c.of_light = c.of_light && pixel.is_open;
     if (c.of_light) {
-        pixel.least -= c.least;
-        pixel.most -= c.most;
+        pixel.light.add(c.light, -1);
         pixel.unsure -= c.unsure;
     }
     return c.of_light || c.of_drawing;
@@ -233,8 +231,7 @@ std::vector<l3d_doubt_tile::cell> l3d_doubt_tile::judge_cells() {
     for (const cell& c : cells_)
         if (c.of_light) {
             l3d_doubt_pixel& pixel = pixel_of(c);
-            pixel.is_open =
-                l3d_level_of_light(pixel.most) - l3d_level_of_light(pixel.least) > enough;
+            pixel.is_open = pixel.light.levels_apart() > enough;
         }
     std::vector<cell> quarters;
     for (cell& c : cells_)
@@ -249,7 +246,8 @@ std::vector<l3d_doubt_tile::cell> l3d_doubt_tile::judge_cells() {
 }
 
 void l3d_doubt_tile::give_up() {
-    std::fill(pixels_.begin(), pixels_.end(), l3d_doubt_pixel{0, 1, 1, 1, false});
+    std::fill(pixels_.begin(), pixels_.end(),
+              l3d_doubt_pixel{l3d_light_bounds::any(), 1, 1, false});
 }
 
 std::span<const l3d_doubt_pixel> l3d_doubt_tile::finish() {

@@ -12,12 +12,12 @@
 #include <span>
 #include <vector>
 
-/// What is certain of a pixel of the exact picture. Units: linear light; parts of the square.
+/// What is certain of a pixel of the exact picture. Units: parts of the square.
 struct l3d_doubt_pixel {
-    double least = 0, most = 0; ///< of its light
-    double unsure = 0;          ///< the part that may show another surface in the exact picture
-    double unsure_drawn = 0;    ///< the part that may show another surface when it is drawn
-    bool is_open = true;        ///< its light is worth being known better
+    l3d_light_bounds light;
+    double unsure = 0;       ///< the part that may show another surface in the exact picture
+    double unsure_drawn = 0; ///< the part that may show another surface when it is drawn
+    bool is_open = true;     ///< its light is worth being known better
 };
 
 /// Cuts patches into pieces as small as pixels and judges each pixel. What is not certain is cut
@@ -44,7 +44,8 @@ private:
     struct cell {
         int column = 0, row = 0;
         bool of_light = true, of_drawing = true;
-        double least = 0, most = 0, unsure = 0; ///< its part of what is certain of the pixel
+        l3d_light_bounds light{}; ///< its part of what is certain of the pixel
+        double unsure = 0;        ///< likewise
     };
 
     l3d_image_box box_of(const cell& c) const;

@@ -31,13 +31,13 @@ std::array<vector, 3> world_of_image(const l3d_matrix<double>& m) {
             l3d_cross<double>(x, y) * part};
 }
 
-/// How far a drawn word may be from light between two bounds, in its worst channel.
-double most_off(std::uint32_t word, double least_light, double most_light) {
-    const double least = l3d_level_of_light(least_light), most = l3d_level_of_light(most_light);
+/// How far a drawn word may be from light between bounds, in its worst channel.
+double most_off(std::uint32_t word, const l3d_light_bounds& light) {
     double result = 0;
-    for (const int shift : {0, 8, 16}) {
-        const double level = word >> shift & 0xff;
-        result = std::max({result, level - least, most - level});
+    for (std::size_t i = 0; i < light.least.size(); ++i) {
+        const double level = word >> (16 - 8 * i) & 0xff;
+        result = std::max({result, level - l3d_level_of_light(light.least[i]),
+                           l3d_level_of_light(light.most[i]) - level});
     }
     return std::min(result + rounding, 255.0);
 }
@@ -89,6 +89,8 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
                     .sides = &sides,
                     .one_sided = frame.view.one_sided,
                     .back = back};
+            if (const auto materials = frame.scene.materials(); !materials.empty())
+                p.of.color = l3d_parts_of(materials[frame.scene.material_of(index, i)].color);
             const l3d_image_patch net = l3d_placed_net(to_image, model.patches()[i]);
             const l3d_depth_range w = l3d_depth_range_of(net.points);
             const double margin = 1 + p.of.error_xy / near;
@@ -135,7 +137,7 @@ void l3d_frame_doubts::find_tile(const l3d_doubted_frame& frame, const l3d_pixel
         const auto words = frame.drawn.row(y);
         for (int x = box.left; x < box.right; ++x, ++i) {
             const l3d_doubt_pixel& p = pixels[i];
-            const double bound = most_off(words[static_cast<std::size_t>(x)], p.least, p.most);
+            const double bound = most_off(words[static_cast<std::size_t>(x)], p.light);
             map_.set(x, y, static_cast<float>(bound));
             const double part = is_searched_ ? p.unsure_drawn : 1;
             coverage_.set(x, y, static_cast<float>(part));

@@ -5,7 +5,7 @@
 
 #include "dice/doubts/doubt_tile.h"
 #include "raster/error_map.h"
-#include "dice/doubts/side_pairs.h"
+#include "scene/side_pairs.h"
 #include "geom/matrix.h"
 #include "raster/parallel/workers.h"
 #include "scene/dice_view.h"
@@ -27,7 +27,7 @@ struct l3d_doubted_frame {
     /// Of places and of depth; infinite if there is none. Units: pixels.
     double bound_px, depth_bound_px;
     l3d_pixels drawn;            ///< greys in all three channels, or any colours
-    l3d_background background{}; ///< what is exactly seen behind all surfaces; grey
+    l3d_background background{}; ///< what is exactly seen behind all surfaces; not none
 };
 
 /// Bounds the exact picture from the exact patches, and compares what was drawn with it (NUMERICS,

@@ -53,15 +53,19 @@ struct quintic_weights {
 using floats = hn::CappedTag<float, lane_columns>;
 using float_lanes = hn::Vec<floats>;
 
+using six_lanes = std::array<float_lanes, quintic_weights::order>;
+
+/// Six vectors: what `at` gives for 0 to 5.
+template <class At> HWY_ATTR HWY_INLINE six_lanes six_of(const At& at) {
+    return {at(0), at(1), at(2), at(3), at(4), at(5)};
+}
+
 /// Sum of six products.
-HWY_ATTR HWY_INLINE float_lanes weighed(const float_lanes& a0, const float_lanes& a1,
-                                        const float_lanes& a2, const float_lanes& a3,
-                                        const float_lanes& a4, const float_lanes& a5,
-                                        const float_lanes& b0, const float_lanes& b1,
-                                        const float_lanes& b2, const float_lanes& b3,
-                                        const float_lanes& b4, const float_lanes& b5) {
-    const auto low = hn::Add(hn::Add(hn::Mul(a0, b0), hn::Mul(a1, b1)), hn::Mul(a2, b2));
-    const auto high = hn::Add(hn::Add(hn::Mul(a3, b3), hn::Mul(a4, b4)), hn::Mul(a5, b5));
+HWY_ATTR HWY_INLINE float_lanes weighed(const six_lanes& a, const six_lanes& b) {
+    const auto low =
+        hn::Add(hn::Add(hn::Mul(a[0], b[0]), hn::Mul(a[1], b[1])), hn::Mul(a[2], b[2]));
+    const auto high =
+        hn::Add(hn::Add(hn::Mul(a[3], b[3]), hn::Mul(a[4], b[4])), hn::Mul(a[5], b[5]));
     return hn::Add(low, high);
 }
 
@@ -92,29 +96,23 @@ struct net_columns {
     HWY_ATTR HWY_INLINE void cut(const l3d_normal_net::float_net& net, const quintic_weights& in_u,
                                  std::size_t column) {
         const floats d;
-        const auto weight = [&](std::size_t i)
-                                HWY_ATTR { return hn::Load(d, in_u.at[i] + column); };
-        const auto u0 = weight(0), u1 = weight(1), u2 = weight(2);
-        const auto u3 = weight(3), u4 = weight(4), u5 = weight(5);
+        const auto weights =
+            six_of([&](std::size_t i) HWY_ATTR { return hn::Load(d, in_u.at[i] + column); });
         for (std::size_t k = 0; k < 3; ++k)
             for (std::size_t r = 0; r < order; ++r) {
                 const auto& a = net[k][r];
-                hn::Store(weighed(hn::Set(d, a[0]), hn::Set(d, a[1]), hn::Set(d, a[2]),
-                                  hn::Set(d, a[3]), hn::Set(d, a[4]), hn::Set(d, a[5]), u0, u1, u2,
-                                  u3, u4, u5),
-                          d, at[k][r]);
+                const auto row = six_of([&](std::size_t i) HWY_ATTR { return hn::Set(d, a[i]); });
+                hn::Store(weighed(row, weights), d, at[k][r]);
             }
     }
 
     HWY_ATTR HWY_INLINE normal_lanes normals(const quintic_weights& in_v, std::size_t row) const {
         const floats d;
-        const auto weight = [&](std::size_t i) HWY_ATTR { return hn::Set(d, in_v.at[i][row]); };
-        const auto v0 = weight(0), v1 = weight(1), v2 = weight(2);
-        const auto v3 = weight(3), v4 = weight(4), v5 = weight(5);
+        const auto weights =
+            six_of([&](std::size_t i) HWY_ATTR { return hn::Set(d, in_v.at[i][row]); });
         const auto component = [&](const float(&a)[order][lane_columns]) HWY_ATTR {
-            return weighed(hn::Load(d, a[0]), hn::Load(d, a[1]), hn::Load(d, a[2]),
-                           hn::Load(d, a[3]), hn::Load(d, a[4]), hn::Load(d, a[5]), v0, v1, v2, v3,
-                           v4, v5);
+            const auto column = six_of([&](std::size_t i) HWY_ATTR { return hn::Load(d, a[i]); });
+            return weighed(column, weights);
         };
         return {component(at[0]), component(at[1]), component(at[2])};
     }

@@ -3,6 +3,7 @@
 #include "geom/files/model_reader_p.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace {
 
@@ -55,6 +56,24 @@ private:
     std::string_view rest_;
 };
 
+/// The colour that 3D Studio names a material by: "r255g0b128a0".
+std::optional<std::uint32_t> color_of(std::string_view name) {
+    std::uint32_t word = 0;
+    for (const char letter : {'r', 'g', 'b'}) {
+        unsigned component = 0;
+        if (!name.starts_with(letter))
+            return std::nullopt;
+        name.remove_prefix(1);
+        const auto [end, error] =
+            std::from_chars(name.data(), name.data() + name.size(), component);
+        if (error != std::errc() || component > 255)
+            return std::nullopt;
+        name.remove_prefix(static_cast<std::size_t>(end - name.data()));
+        word = word << 8 | component;
+    }
+    return name.empty() || name.starts_with('a') ? std::optional(word) : std::nullopt;
+}
+
 class asc_reader {
 public:
     asc_reader(text_cursor& text, l3d_polygon_mesh& mesh)
@@ -76,11 +95,22 @@ public:
             return false;
         if (mesh_.faces() == 0)
             return text_.fail("the text ends without a triangle");
-        materials_.finish();
+        std::vector<std::uint32_t> no_patches;
+        materials_.finish(no_patches);
+        give_looks();
         return true;
     }
 
 private:
+    /// Materials whose names say a colour look like that.
+    void give_looks() {
+        for (std::size_t i = 0; i < mesh_.materials.size(); ++i)
+            if (const auto color = color_of(mesh_.materials[i])) {
+                mesh_.looks.resize(mesh_.materials.size());
+                mesh_.looks[i].color = *color;
+            }
+    }
+
     bool read_line(field_line& line) {
         if (line.take("Page"))
             return true; // a printer's page begins

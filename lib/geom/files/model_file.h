@@ -7,7 +7,10 @@
 #include "geom/files/patch_file.h"
 #include "geom/polygon_mesh.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,11 +26,24 @@ enum class L3D_PUBLIC l3d_model_format {
     bez,        ///< geomview's patches, BEZ and BBP, text or binary
 };
 
+/// A file of materials that a model file names.
+struct L3D_PUBLIC l3d_material_file {
+    std::string name;     ///< as it is named, from the model's own folder
+    std::size_t line = 0; ///< where it is named
+
+    /// Where it is named makes no difference.
+    friend bool operator==(const l3d_material_file& a, const l3d_material_file& b) {
+        return a.name == b.name;
+    }
+};
+
 /// Polygons, patches, or both; as the file has them, in its own coordinates.
 struct L3D_PUBLIC l3d_model_file {
     l3d_polygon_mesh mesh;                 ///< the polygons; without faces if there are none
     std::vector<l3d_patch_points> patches; ///< the surface patches, of any degrees
     std::vector<std::string> notes;        ///< "name:line: what was skipped"; some 20 at the most
+    std::vector<std::uint32_t> patch_materials{};    ///< optional, one per patch, as a face has it
+    std::vector<l3d_material_file> material_files{}; ///< what the mesh's materials look like
 
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;
 };
@@ -57,13 +73,30 @@ l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
     l3d_read_videoscape,       ///< 3DG1
     l3d_read_bez;              ///< geomview's patches
 
+/// A material by its name.
+struct L3D_PUBLIC l3d_named_material {
+    std::string name;  ///< what faces and patches call it
+    l3d_material look; ///< its colour and highlights
+
+    friend bool operator==(const l3d_named_material&, const l3d_named_material&) = default;
+};
+
+/// Reads the materials of an .mtl file: Kd, Ks, Ns and illum. What cannot be read is skipped, with
+/// a note "name:line: what" for each of the first 20 such lines: no model is lost for a colour.
+L3D_PUBLIC std::vector<l3d_named_material>
+l3d_read_mtl(std::string_view text, std::string_view name, std::vector<std::string>& notes);
+
+/// Gives a mesh's materials the looks of those that have their names; of equal names the last.
+L3D_PUBLIC void l3d_give_looks(l3d_polygon_mesh& mesh,
+                               std::span<const l3d_named_material> materials);
+
 /// The text of an .off file; reading it gives the same vertices, faces, normals and colours, bit
 /// for bit. Parts and materials have no place in it.
 /// Expects: a valid mesh.
 L3D_PUBLIC std::string l3d_write_off(const l3d_polygon_mesh& mesh);
 
 /// The text of an .obj file; reading it gives the same model, bit for bit, but for colours of
-/// faces, which have no place in it.
+/// faces and looks of materials, which have no place in it.
 ///
 /// Expects: a valid mesh with a material for every face if it has materials; patches of degrees 1
 ///          to l3d_bpt_largest_degree. Names are words with single blanks between, without # and

@@ -6,7 +6,9 @@
 #include "geom/files/model_file.h"
 #include "geom/files/text_cursor_p.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -14,6 +16,7 @@
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace l3d_detail {
 
@@ -40,24 +43,68 @@ public:
         mesh_.face_materials.push_back(material);
     }
 
-    /// If some faces have a material, the others get one without a name; if none has, there are no
-    /// materials.
-    void finish() {
-        if (mesh_.face_materials.empty()) {
+    /// What stands for the material of a thing that has none, until all is read.
+    static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
+
+    /// If some faces have a material, the others get one without a name, and so do patches; if none
+    /// of either has, there are no materials.
+    void finish(std::vector<std::uint32_t>& patches) {
+        if (std::ranges::all_of(patches, [](std::uint32_t m) { return m == nothing; }))
+            patches.clear();
+        if (!mesh_.face_materials.empty())
+            mesh_.face_materials.resize(mesh_.faces(), nothing);
+        else if (patches.empty())
             mesh_.materials.clear();
-            return;
-        }
-        mesh_.face_materials.resize(mesh_.faces(), nothing);
-        for (std::uint32_t& material : mesh_.face_materials)
-            if (material == nothing)
-                material = named("");
+        for (std::vector<std::uint32_t>* const of : {&mesh_.face_materials, &patches})
+            for (std::uint32_t& material : *of)
+                if (material == nothing)
+                    material = named("");
     }
 
 private:
-    static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
     l3d_polygon_mesh& mesh_;
     std::unordered_map<std::string, std::uint32_t> indices_;
 };
+
+/// Colours of vertices, which become those of faces: the means of their corners.
+class vertex_colors {
+public:
+    /// Gives the last vertex a colour; those without one are white. Units: components from 0 to 1,
+    /// held there. Expects: there is a vertex.
+    void give(const l3d_polygon_mesh& mesh, const double* color) {
+        colors_.resize(mesh.vertices.size() - 1, {1, 1, 1});
+        auto& given = colors_.emplace_back();
+        for (std::size_t i = 0; i < given.size(); ++i)
+            given[i] = static_cast<float>(std::clamp(color[i], 0.0, 1.0));
+    }
+
+    /// Expects: a mesh whose faces have no colours.
+    void finish(l3d_polygon_mesh& mesh) {
+        if (colors_.empty())
+            return;
+        colors_.resize(mesh.vertices.size(), {1, 1, 1});
+        mesh.face_colors.reserve(mesh.faces());
+        for (std::size_t f = 0; f < mesh.faces(); ++f) {
+            std::array<double, 3> sum{};
+            const auto face = mesh.face(f);
+            for (const std::uint32_t corner : face)
+                for (std::size_t i = 0; i < sum.size(); ++i)
+                    sum[i] += double{colors_[corner][i]};
+            std::uint32_t word = 0;
+            for (const double component : sum)
+                word = 256 * word + static_cast<std::uint32_t>(std::lround(
+                                        255 * component / static_cast<double>(face.size())));
+            mesh.face_colors.push_back(word);
+        }
+    }
+
+private:
+    std::vector<std::array<float, 3>> colors_;
+};
+
+/// What is said of such colours.
+inline constexpr const char* vertex_colors_note =
+    "the colours of vertices become those of faces, as means";
 
 inline bool read_vertex(text_cursor& text, l3d_polygon_mesh& mesh) {
     std::array<double, 3> v{};

@@ -12,10 +12,10 @@ using l3d_detail::text_cursor;
 
 /// Statements that say nothing that is read here.
 constexpr std::string_view skipped_statements[] = {
-    "vt",    "vp",       "l",        "p",   "s",          "mg",        "mtllib", "usemap", "maplib",
-    "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech",  "stech",  "curv",
-    "curv2", "con",      "call",     "csh", "cdc",        "cdp",       "res",    "bsp",    "bzp",
-    "bmat",  "step",     "scrv",     "sp",  "trim",       "hole"};
+    "vt",    "vp",       "l",        "p",    "s",          "mg",        "usemap", "maplib",
+    "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",
+    "curv",  "curv2",    "con",      "call", "csh",        "cdc",       "cdp",    "res",
+    "bsp",   "bzp",      "bmat",     "step", "scrv",       "sp",        "trim",   "hole"};
 
 /// Those among them whose loss nobody would see.
 constexpr std::string_view silent_statements[] = {"s",     "mg",    "lod",      "bevel",
@@ -34,7 +34,8 @@ public:
         if (!surfaces_.finish())
             return false;
         finish_vertices();
-        materials_.finish();
+        materials_.finish(model_.patch_materials);
+        vertex_colors_.finish(mesh());
         return true;
     }
 
@@ -56,8 +57,17 @@ private:
             material_ = materials_.named(rest_of_line());
             return true;
         }
-        if (l3d_detail::obj_surfaces::knows(word))
-            return surfaces_.read_statement(word, mesh().vertices, weights_) && line_ends();
+        if (word == "mtllib") {
+            const std::size_t line = text_.line();
+            model_.material_files.push_back({rest_of_line(), line});
+            return true;
+        }
+        if (l3d_detail::obj_surfaces::knows(word)) {
+            const bool is_read = surfaces_.read_statement(word, mesh().vertices, weights_);
+            model_.patch_materials.resize(model_.patches.size(),
+                                          material_.value_or(l3d_detail::face_materials::nothing));
+            return is_read && line_ends();
+        }
         if (std::ranges::find(skipped_statements, word) == std::end(skipped_statements))
             return text_.fail(quoted(word) + " begins no statement of an .obj file");
         skip(word);
@@ -114,9 +124,12 @@ private:
         if (numbers == 1 && more[0] != 1) {
             weights_.resize(mesh().vertices.size() - 1, 1);
             weights_.push_back(more[0]);
-        } else if (numbers > 1 && !has_vertex_colors_) {
+        } else if (numbers > 1) {
+            if (!has_vertex_colors_)
+                text_.note(l3d_detail::vertex_colors_note);
             has_vertex_colors_ = true;
-            text_.note("the colours of vertices are skipped");
+            if (numbers == 3)
+                vertex_colors_.give(mesh(), more);
         }
         return true;
     }
@@ -206,6 +219,7 @@ private:
     l3d_model_file& model_;
     l3d_detail::face_materials materials_;
     l3d_detail::obj_surfaces surfaces_;
+    l3d_detail::vertex_colors vertex_colors_;
     std::optional<std::uint32_t> material_;
     std::vector<std::string_view> noted_; ///< statements that a note has been made of
     std::vector<double> weights_;         ///< per vertex; those left out at the end are 1

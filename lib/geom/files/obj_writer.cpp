@@ -12,14 +12,21 @@ void append_vector(std::string& text, const char* word, double x, double y, doub
     l3d_detail::append(text, z, '\n');
 }
 
-void append_mesh(std::string& text, const l3d_polygon_mesh& mesh) {
+/// Materials are known in the order of their names' first appearance.
+void append_uses(std::string& text, const l3d_polygon_mesh& mesh) {
+    for (const std::string& material : mesh.materials)
+        text += "usemtl " + material + '\n';
+}
+
+void append_vertices(std::string& text, const l3d_polygon_mesh& mesh) {
     for (const l3d_polygon_mesh::vector& v : mesh.vertices)
         append_vector(text, "v ", v[0], v[1], v[2]);
     for (const l3d_polygon_mesh::vector& n : mesh.vertex_normals)
         append_vector(text, "vn ", n[0], n[1], n[2]);
-    // Materials are known in the order of their names' first appearance.
-    for (const std::string& material : mesh.materials)
-        text += "usemtl " + material + '\n';
+}
+
+void append_faces(std::string& text, const l3d_polygon_mesh& mesh) {
+    append_uses(text, mesh);
     auto part = mesh.parts.begin();
     for (std::size_t i = 0; i <= mesh.faces(); ++i) {
         for (; part != mesh.parts.end() && part->first_face <= i; ++part)
@@ -50,14 +57,30 @@ void append_patch(std::string& text, const l3d_patch_points& patch) {
     text += "\nparm u 0 1\nparm v 0 1\nend\n";
 }
 
+void append_patches(std::string& text, const l3d_model_file& model) {
+    const std::vector<std::uint32_t>& materials = model.patch_materials;
+    if (!model.patches.empty())
+        text += "cstype bezier\n";
+    for (std::size_t i = 0; i < model.patches.size(); ++i) {
+        if (!materials.empty() && (i == 0 || materials[i] != materials[i - 1]))
+            text += "usemtl " + model.mesh.materials[materials[i]] + '\n';
+        append_patch(text, model.patches[i]);
+    }
+}
+
 } // namespace
 
 std::string l3d_write_obj(const l3d_model_file& model) {
     std::string text;
-    append_mesh(text, model.mesh);
-    if (!model.patches.empty())
-        text += "cstype bezier\n";
-    for (const l3d_patch_points& patch : model.patches)
-        append_patch(text, patch);
+    for (const l3d_material_file& file : model.material_files)
+        text += "mtllib " + file.name + '\n';
+    append_vertices(text, model.mesh);
+    // A material goes on until the next one: patches without any come before it.
+    const bool plain = model.patch_materials.empty();
+    if (plain)
+        append_patches(text, model);
+    append_faces(text, model.mesh);
+    if (!plain)
+        append_patches(text, model);
     return text;
 }

@@ -52,6 +52,8 @@ public:
         text_.forget_place();
         if (!mesh_.face_colors.empty())
             mesh_.face_colors.resize(mesh_.faces(), uncolored);
+        else
+            vertex_colors_.finish(mesh_);
         return is_binary_
                    ? text_.rest().empty() || text_.fail("more bytes follow the last face")
                    : !text_.next() ||
@@ -73,7 +75,7 @@ private:
                               " has vertices of other than 3 coordinates");
         kind_ = *kind;
         if (kind_.color)
-            text_.note("the colours of vertices are skipped");
+            text_.note(l3d_detail::vertex_colors_note);
         if (kind_.texture)
             text_.note("texture coordinates are skipped");
         return true;
@@ -112,9 +114,14 @@ private:
                     return false;
             mesh_.vertex_normals.emplace_back(v[0], v[1], v[2]);
         }
-        double skipped = 0;
-        for (int i = 0; i < (kind_.color ? 4 : 0) + (kind_.texture ? 2 : 0); ++i)
-            if (!real(skipped, i < 4 && kind_.color ? "a colour" : "a texture coordinate"))
+        double color[4], skipped = 0;
+        for (double& component : color)
+            if (kind_.color && !real(component, "a colour"))
+                return false;
+        if (kind_.color)
+            vertex_colors_.give(mesh_, color);
+        for (int i = 0; i < (kind_.texture ? 2 : 0); ++i)
+            if (!real(skipped, "a texture coordinate"))
                 return false;
         return true;
     }
@@ -204,6 +211,7 @@ private:
 
     text_cursor& text_;
     l3d_polygon_mesh& mesh_;
+    l3d_detail::vertex_colors vertex_colors_;
     off_kind kind_;
     bool is_binary_ = false;
     std::size_t vertices_ = 0, faces_ = 0;

@@ -48,12 +48,17 @@ struct element {
         return std::ranges::any_of(properties,
                                    [what](const property& p) { return p.means == what; });
     }
+
+    bool has_color() const {
+        return has(meaning::red) && has(meaning::green) && has(meaning::blue);
+    }
 };
 
 meaning vertex_meaning(std::string_view name) {
     constexpr std::pair<std::string_view, meaning> names[] = {
         {"x", meaning::x},         {"y", meaning::y},         {"z", meaning::z},
-        {"nx", meaning::normal_x}, {"ny", meaning::normal_y}, {"nz", meaning::normal_z}};
+        {"nx", meaning::normal_x}, {"ny", meaning::normal_y}, {"nz", meaning::normal_z},
+        {"red", meaning::red},     {"green", meaning::green}, {"blue", meaning::blue}};
     const auto found = std::ranges::find(names, name, &std::pair<std::string_view, meaning>::first);
     return found == std::end(names) ? meaning::nothing : found->second;
 }
@@ -79,6 +84,7 @@ public:
             if (!read_element(e))
                 return false;
         text_.forget_place();
+        vertex_colors_.finish(mesh_);
         const bool ends = order_ ? text_.rest().empty() : text_.at_end();
         return ends || text_.fail("more follows the last element");
     }
@@ -213,8 +219,10 @@ private:
         vertices_ = vertex->count;
         has_normals_ = vertex->has(meaning::normal_x) && vertex->has(meaning::normal_y) &&
                        vertex->has(meaning::normal_z);
-        has_colors_ = face && face->has(meaning::red) && face->has(meaning::green) &&
-                      face->has(meaning::blue);
+        has_colors_ = face && face->has_color();
+        has_vertex_colors_ = !has_colors_ && vertex->has_color();
+        if (has_vertex_colors_)
+            text_.note(l3d_detail::vertex_colors_note);
         return true;
     }
 
@@ -296,6 +304,9 @@ private:
         if (has_normals_)
             mesh_.vertex_normals.emplace_back(seen(meaning::normal_x), seen(meaning::normal_y),
                                               seen(meaning::normal_z));
+        const double color[] = {seen(meaning::red), seen(meaning::green), seen(meaning::blue)};
+        if (has_vertex_colors_)
+            vertex_colors_.give(mesh_, color);
         return true;
     }
 
@@ -368,7 +379,8 @@ private:
     std::vector<element> elements_;
     std::optional<std::endian> order_; ///< of a binary file
     std::int64_t vertices_ = 0;
-    bool has_normals_ = false, has_colors_ = false;
+    bool has_normals_ = false, has_colors_ = false, has_vertex_colors_ = false;
+    l3d_detail::vertex_colors vertex_colors_;
     std::array<double, static_cast<std::size_t>(meaning::corners) + 1> seen_{};
     std::vector<std::uint32_t> face_;
 };

@@ -66,6 +66,8 @@ public:
     bool at_end();
 
     std::string_view token() const { return token_; }
+    /// The line of the current token, from 1 on.
+    std::size_t line() const { return static_cast<std::size_t>(line_); }
     std::string_view rest() const { return rest_; }
 
     /// From now on a newline after a backslash is white space like a blank, but still counts.

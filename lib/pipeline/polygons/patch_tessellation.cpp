@@ -4,6 +4,8 @@
 
 #include "dice/normal_columns.h"
 #include "geom/bezier_curve.h"
+#include "geom/files/model_file.h"
+#include "tool_2d/error.h"
 
 #include <algorithm>
 #include <array>
@@ -133,7 +135,27 @@ l3d_patch_mesh l3d_tessellated(const l3d_patch_model& model, int n) {
                 add(at[0], at[side + 1], at[side]);
             }
         result.face_ends.push_back(mesh.faces());
+        if (!model.materials().empty())
+            mesh.face_materials.resize(mesh.faces(), model.material_of(i));
     }
+    mesh.looks.assign(model.materials().begin(), model.materials().end());
+    for (std::size_t i = 0; i < mesh.looks.size(); ++i)
+        mesh.materials.push_back(std::to_string(i + 1));
     turn_to_faces(mesh);
     return result;
+}
+
+l3d_polygon_mesh l3d_mesh_of(const l3d_model_file& file, const std::string& name, int n) {
+    const auto refuse = [](const std::string& why) { throw l3d_error(l3d_exit::bad_input, why); };
+    l3d_polygon_mesh mesh = file.mesh;
+    if (!file.patches.empty()) {
+        std::string why;
+        const auto patches = l3d_patch_model::from_file(file, name, why);
+        if (!patches)
+            refuse(why);
+        mesh.append(l3d_tessellated(*patches, n).mesh);
+    }
+    if (mesh.faces() == 0)
+        refuse(name + ": no polygons and no patches");
+    return mesh;
 }

@@ -8,7 +8,10 @@
 #include "scene/patch_model.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
+
+struct l3d_model_file;
 
 /// Largest n that programs take: 2 n^2 triangles for each patch are two millions of the teapot.
 inline constexpr int l3d_most_facets = 192;
@@ -23,7 +26,7 @@ struct L3D_PUBLIC l3d_patch_mesh {
 };
 
 /// Each patch as n by n quads of two triangles, counterclockwise where dS/du x dS/dv points to,
-/// with the patch's normals at the vertices.
+/// with the patch's normals at the vertices, and of its material.
 ///
 /// Patches with a common boundary have the same points on it: these are a function of the
 /// boundary's control points, whichever way it runs. They are one vertex, unless the normals of the
@@ -31,5 +34,11 @@ struct L3D_PUBLIC l3d_patch_mesh {
 /// out.
 /// Expects: n >= 1.
 L3D_PUBLIC l3d_patch_mesh l3d_tessellated(const l3d_patch_model& model, int n);
+
+/// The polygons of a file that was read, and its patches as n by n quads each.
+/// Errors: throws l3d_error(bad_input) for a file that holds neither, and for patches that are no
+///         bicubic ones.
+/// Expects: n >= 1.
+L3D_PUBLIC l3d_polygon_mesh l3d_mesh_of(const l3d_model_file& file, const std::string& name, int n);
 
 #endif

@@ -44,7 +44,8 @@ l3d_pipeline_polygons::l3d_pipeline_polygons(l3d_canvas canvas, l3d_polygon_mode
       imp_(canvas.rasterizers->create_2d(screen_->pixels())), rasterizer_(*imp_),
       model_(std::move(model)), camera_(camera), settings_(settings), first_settings_(settings),
       frame_(std::make_unique<l3d_polygon_frame>()), wires_(std::make_unique<l3d_polygon_wires>()),
-      controls_(*this, *screen_, camera_, own_rows(), [this] { reset_view(); }) {
+      controls_(
+          *this, *screen_, camera_, own_rows(), [this] { reset_view(); }, viewed()) {
     report_.frame = -1;
     report_.real = l3d_real_name();
     report_.simd = l3d_simd_target();
@@ -57,6 +58,7 @@ l3d_pipeline_polygons::~l3d_pipeline_polygons() = default;
 
 void l3d_pipeline_polygons::resize_event(l3d_size) {
     imp_->set_target(screen_->pixels());
+    controls_.resized();
     stale_ = true;
 }
 
@@ -80,8 +82,7 @@ void l3d_pipeline_polygons::draw_event() {
 void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
     const stopwatch placing;
     const l3d_pixels target = screen_->pixels();
-    const l3d_polygon_view view(camera_, target.size(), settings_.projection,
-                                l3d_euler_rotation(settings_.rotation, model_.centre()));
+    const l3d_polygon_view view = this->view();
     if (settings_.style == l3d_polygon_style::wireframe) {
         const auto lines = wires_->make(model_, view, settings_.cull);
         report.polygons = {};
@@ -109,7 +110,13 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
                  {.cull = settings_.cull, .smooth = smooth, .squares = shading.antialias},
                  workers_);
     report.polygons = frame_->counts();
-    const scene what{target, *frame_, shading, settings_.count_pixels};
+    const std::vector<l3d_material> repainted(settings_.material ? model_.materials().size() + 1
+                                                                 : 0,
+                                              settings_.material.value_or(l3d_material()));
+    const scene what{target, *frame_,
+                     settings_.material ? std::span<const l3d_material>(repainted)
+                                        : model_.materials(),
+                     shading, settings_.count_pixels};
     report.time_ms.place = placing.milliseconds();
     if (is_solid)
         draw_solid(what, report);
@@ -177,6 +184,8 @@ void l3d_pipeline_polygons::update_event(double seconds) {
 }
 
 void l3d_pipeline_polygons::draw_overlay() {
+    if (screen_->is_window())
+        controls_.set_empty(report_.polygons.drawn == 0 ? why_empty() : "");
     if (!controls_.shows_text())
         return;
     std::vector lines{formatted("%lld of %lld polygons drawn by %s",

@@ -9,6 +9,7 @@
 #include "pipeline/pipeline.h"
 #include "pipeline/pipeline_2d.h"
 #include "pipeline/polygons/polygon_model.h"
+#include "pipeline/polygons/polygon_pick.h"
 #include "pipeline/polygons/polygon_report.h"
 #include "pipeline/polygons/polygon_view.h"
 #include "pipeline/viewer_controls.h"
@@ -16,6 +17,9 @@
 #include "raster/parallel/workers.h"
 
 #include <memory>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 class l3d_polygon_frame;
@@ -35,9 +39,10 @@ struct L3D_PUBLIC l3d_polygon_settings {
     l3d_projection projection = l3d_projection::perspective; ///< whether far things look smaller
     l3d_vector<double, 3> light = l3d_usual_light; ///< towards the light, world space, any length
     l3d_vector<double, 3> rotation{0.0, 0.0,
-                                   0.0}; ///< degrees about x, y, z, round the box's middle
-    bool cull = true;                    ///< faces seen from behind are left out
-    l3d_background background{};         ///< what is seen where nothing is drawn
+                                   0.0};  ///< degrees about x, y, z, round the box's middle
+    std::optional<l3d_material> material; ///< of all faces, whatever the model says
+    bool cull = true;                     ///< faces seen from behind are left out
+    l3d_background background{};          ///< what is seen where nothing is drawn
     bool antialias = false;    ///< edges are means over pixels, not stairs; lines are smooth
     bool count_pixels = false; ///< report how many are covered
     int threads = 1;           ///< constant from the first frame on
@@ -66,9 +71,24 @@ public:
     /// Asks for the next frame to be drawn, whatever has changed.
     void redraw() { stale_ = true; }
 
+    /// Moves the camera along the line of sight, and beside it, so that the whole model is seen:
+    /// l3d_framed, for the projection of the settings.
+    void frame_all();
+
+    /// That camera, or the one given if it shows the model well: l3d_shows_well.
+    l3d_camera framed_unless_well(const l3d_camera& usual) const;
+
+    /// Why the last picture shows nothing, as l3d_why_unseen tells it; "" if it may show something.
+    std::string why_empty() const;
+
+    /// What is seen at (x, y) of the picture: l3d_polygon_pick_at, with the camera and settings of
+    /// now.
+    std::optional<l3d_polygon_pick> pick(double x, double y) const;
+
     /// The viewer's keys, mouse and lines of text.
     l3d_viewer_controls& controls() { return controls_; }
 
+    void any_event(const l3d_event& event) override { controls_.note(event); }
     void key_event(int key) override;
     void pointer_event(const l3d_event& event) override;
     void resize_event(l3d_size size) override;
@@ -84,10 +104,11 @@ public:
 protected:
     /// The inputs of a frame.
     struct scene {
-        l3d_pixels target;              ///< the picture, to be written to
-        const l3d_polygon_frame& frame; ///< the model's triangles in it
-        l3d_shading shading;            ///< light, and the way to shade
-        bool count_pixels;              ///< as in the settings
+        l3d_pixels target;                       ///< the picture, to be written to
+        const l3d_polygon_frame& frame;          ///< the model's triangles in it
+        std::span<const l3d_material> materials; ///< theirs; none if all are plain
+        l3d_shading shading;                     ///< light, and the way to shade
+        bool count_pixels;                       ///< as in the settings
     };
 
     /// Errors:  as l3d_rasterizer_factory::create_2d.
@@ -107,6 +128,9 @@ private:
 
     void draw_model(l3d_polygon_report& report);
     void draw_overlay();
+    l3d_polygon_view view() const;
+    l3d_camera framed(const l3d_camera& camera) const;
+    l3d_viewed viewed();
     std::vector<l3d_viewer_row> own_rows();
     void reset_view();
 

@@ -24,6 +24,7 @@ l3d_pipeline_zbuffer::~l3d_pipeline_zbuffer() = default;
 void l3d_pipeline_zbuffer::fill(const scene& what, l3d_depth_buffer* depth,
                                 l3d_polygon_report& report) {
     rasterizer_->count_pixels(what.count_pixels);
+    rasterizer_->use_materials(what.materials);
     rasterizer_->begin(what.target, depth, what.shading);
     rasterizer_->draw(what.frame.parts());
     rasterizer_->finish();

@@ -37,7 +37,7 @@ void l3d_pipeline_zsort::make_order(const scene& what, l3d_polygon_report& repor
 void l3d_pipeline_zsort::draw_solid(const scene& what, l3d_polygon_report& report) {
     make_order(what, report);
     const stopwatch painting;
-    stages_->painter.paint(what.target, what.shading, stages_->order.triangles(),
+    stages_->painter.paint(what.target, what.shading, what.materials, stages_->order.triangles(),
                            stages_->order.pieces(), stages_->order.cuts());
     report.surface = stages_->painter.counts();
     report.time_ms.raster = painting.milliseconds();

@@ -147,7 +147,7 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
         set_normals(in, triangle, from_behind, whole, v);
         if (whole) {
             ++to.counts.drawn;
-            to.part.triangles.add(v[0], v[1], v[2]);
+            add(in, triangle, v, to);
             to.sides.push_back(static_cast<std::uint8_t>(triangle.sides));
         } else {
             add_clipped(in, triangle, v, to);
@@ -169,6 +169,14 @@ void l3d_polygon_frame::set_normals(const frame_input& in, const l3d_model_trian
             for (float& component : v[k].normal)
                 component = -component;
     }
+}
+
+void l3d_polygon_frame::add(const frame_input& in, const l3d_model_triangle& triangle,
+                            const std::array<l3d_micro_vertex, 3>& v, chunk& to) {
+    if (in.model.materials().empty())
+        to.part.triangles.add(v[0], v[1], v[2]);
+    else
+        to.part.triangles.add(v[0], v[1], v[2], in.model.material_of(triangle.face));
 }
 
 /// In a parallel projection, a clipped corner carries its depth as its parameter u.
@@ -195,7 +203,7 @@ void l3d_polygon_frame::add_clipped(const frame_input& in, const l3d_model_trian
         }
         if (reach_of(p[0], p[1], p[2], in.view.size(), in.how.squares) != reach::seen)
             continue;
-        to.part.triangles.add(p[0], p[1], p[2]);
+        add(in, triangle, p, to);
         // The pieces are a fan: the first side of the first and the last of the last are outside.
         const bool first = i == 0, last = i + 1 == pieces.count;
         to.sides.push_back(static_cast<std::uint8_t>(first | 2 | last << 2));
@@ -212,6 +220,7 @@ void l3d_polygon_frame::list(std::vector<l3d_painter_triangle>& out) const {
         for (std::size_t i = 0; i < triangles.count; ++i)
             out.push_back({{triangles.vertex(i, 0), triangles.vertex(i, 1), triangles.vertex(i, 2)},
                            0,
-                           chunks_[c].sides[i]});
+                           chunks_[c].sides[i],
+                           parts_[c]->material_of(i)});
     }
 }

@@ -78,6 +78,8 @@ private:
     void place_chunk(const frame_input& in, std::size_t index);
     void set_normals(const frame_input& in, const l3d_model_triangle& triangle, bool from_behind,
                      bool placed, std::array<l3d_micro_vertex, 3>& v) const;
+    static void add(const frame_input& in, const l3d_model_triangle& triangle,
+                    const std::array<l3d_micro_vertex, 3>& v, chunk& to);
     void add_clipped(const frame_input& in, const l3d_model_triangle& triangle,
                      const std::array<l3d_micro_vertex, 3>& v, chunk& to) const;
     double depth_value(double distance) const { return depth_base_ + depth_step_ * distance; }

@@ -2,14 +2,14 @@
 // l3d_polygon_model: ears, normals, box.
 #include "pipeline/polygons/polygon_model.h"
 
-#include "geom/files/model_file.h"
+#include "scene/model_loader.h"
 #include "pipeline/polygons/patch_tessellation.h"
-#include "tool_2d/error.h"
-#include "tool_2d/text_file.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
+#include <tuple>
 #include <utility>
 
 namespace {
@@ -127,21 +127,7 @@ l3d_polygon_model::l3d_polygon_model(l3d_polygon_mesh mesh, bool to_origin)
     : contents_(std::make_shared<const contents>(std::move(mesh), to_origin)) {}
 
 l3d_polygon_model l3d_polygon_model::load(const std::string& file) {
-    const auto refuse = [](const std::string& why) { throw l3d_error(l3d_exit::bad_input, why); };
-    std::string why;
-    auto read = l3d_read_model(l3d_read_text_file(file), file, why);
-    if (!read)
-        refuse(why);
-    l3d_polygon_mesh mesh = std::move(read->mesh);
-    if (!read->patches.empty()) {
-        const auto patches = l3d_patch_model::from_patches(read->patches, file, why);
-        if (!patches)
-            refuse(why);
-        mesh.append(l3d_tessellated(*patches, l3d_usual_facets).mesh);
-    }
-    if (mesh.faces() == 0)
-        refuse(file + ": no polygons and no patches");
-    return l3d_polygon_model(std::move(mesh));
+    return l3d_polygon_model(l3d_mesh_of(l3d_load_model(file, file), file, l3d_usual_facets));
 }
 
 l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin) : mesh(std::move(of)) {
@@ -166,6 +152,30 @@ l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin) : mes
         radius = std::max(radius, l3d_length(v - centre()));
     make_triangles();
     make_normals();
+    make_materials();
+}
+
+/// Faces that look alike share a material. If all are plain, there are none.
+void l3d_polygon_model::contents::make_materials() {
+    using key = std::tuple<std::uint32_t, std::uint32_t, float>;
+    std::map<key, std::uint32_t> places;
+    materials.emplace_back();
+    places[key(materials[0].color, materials[0].highlight, materials[0].sharpness)] = 0;
+    for (std::size_t f = 0; f < mesh.faces(); ++f) {
+        const l3d_material look = mesh.look_of(f);
+        const auto next = static_cast<std::uint32_t>(materials.size());
+        const auto [place, is_new] =
+            places.try_emplace({look.color, look.highlight, look.sharpness}, next);
+        if (is_new)
+            materials.push_back(look);
+        if (place->second == 0 && materials_of_faces.empty())
+            continue;
+        materials_of_faces.resize(f);
+        materials_of_faces.push_back(place->second);
+    }
+    materials_of_faces.resize(materials_of_faces.empty() ? 0 : mesh.faces());
+    if (materials_of_faces.empty())
+        materials.clear();
 }
 
 void l3d_polygon_model::contents::make_triangles() {
@@ -200,5 +210,7 @@ void l3d_polygon_model::contents::make_normals() {
 
 std::size_t l3d_polygon_model::bytes() const {
     return mesh().bytes() + triangles().size() * sizeof(l3d_model_triangle) +
+           materials().size() * sizeof(l3d_material) +
+           contents_->materials_of_faces.size() * sizeof(std::uint32_t) +
            (face_normals().size() + vertex_normals().size()) * sizeof(direction);
 }

@@ -68,6 +68,14 @@ public:
     /// vectors; zero where no face is.
     std::span<const direction> vertex_normals() const { return contents_->vertex_normals; }
 
+    /// What faces are made of (l3d_polygon_mesh::look_of), each once; none if all are plain.
+    std::span<const l3d_material> materials() const { return contents_->materials; }
+    /// The place of a face's material in materials(); 0 if there are none. Expects: face <
+    /// mesh().faces().
+    std::uint32_t material_of(std::size_t face) const {
+        return contents_->materials.empty() ? 0 : contents_->materials_of_faces[face];
+    }
+
     /// The corner of the model's box with the smallest x, y and z.
     const vector& least() const { return contents_->least; }
     /// The corner of the model's box with the largest x, y and z.
@@ -88,10 +96,13 @@ private:
         vector centre() const { return (least + most) * 0.5; }
         void make_triangles();
         void make_normals();
+        void make_materials();
 
         l3d_polygon_mesh mesh;
         std::vector<l3d_model_triangle> triangles;
         std::vector<direction> face_normals, vertex_normals;
+        std::vector<l3d_material> materials;
+        std::vector<std::uint32_t> materials_of_faces; ///< places in these
         vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
         double radius = 0;
     };

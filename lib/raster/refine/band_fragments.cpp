@@ -23,10 +23,7 @@ void band_fragments::begin(const pixel_bits& bits, const drawn_depth& depth, std
     farthest_.clear();
     before_.clear();
     polygons_.clear();
-    pair_pixel_.clear();
-    pair_polygon_.clear();
-    pair_x_.clear();
-    pair_y_.clear();
+    pairs_.clear();
     for (std::int32_t y = top; y < bottom; ++y)
         for (std::size_t w = 0; w < bits.row_words(); ++w) {
             before_.push_back(static_cast<std::uint32_t>(pixels_.size()));
@@ -110,13 +107,12 @@ void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
     const quad_corners corners{grid.vertex(p00), grid.vertex(p00 + 1), grid.vertex(p01 + 1),
                                grid.vertex(p01)};
     const quad_turns turns(corners);
+    const std::uint32_t color = color_of(part, part.material);
     if (turns.level())
         return;
     if (!turns.folded())
-        return add_convex(corners, part.error_color, box);
-    const auto add_piece = [&](const auto& piece) {
-        add_convex(piece, part.error_color, reached(piece));
-    };
+        return add_convex(corners, color, box);
+    const auto add_piece = [&](const auto& piece) { add_convex(piece, color, reached(piece)); };
     if (levels)
         cut_folded_levels(corners, add_piece);
     else
@@ -128,7 +124,7 @@ void band_fragments::add_triangles(const l3d_surface_part& part, std::size_t fir
     for (std::size_t i = first; i < last; ++i) {
         const std::array corners{part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
                                  part.triangles.vertex(i, 2)};
-        add_convex(corners, part.error_color, reached(corners));
+        add_convex(corners, color_of(part, part.material_of(i)), reached(corners));
     }
 }
 
@@ -143,8 +139,8 @@ l3d_pixel_box band_fragments::reached(std::span<const l3d_micro_vertex> corners)
     return squares_in(box).intersected(band_);
 }
 
-void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners,
-                                std::uint32_t error_color, const l3d_pixel_box& box) {
+void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t color,
+                                const l3d_pixel_box& box) {
     if (box.empty())
         return;
     fragment_polygon polygon;
@@ -162,35 +158,28 @@ void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners,
     if (polygon.area2() == 0)
         return;
     polygon.corners = static_cast<std::int32_t>(corners.size());
-    polygon.error_color = error_color;
+    polygon.color = color;
     const auto name = static_cast<std::uint32_t>(polygons_.size());
-    const std::size_t pairs = pair_pixel_.size();
+    const std::size_t pairs = pairs_.size();
     bits_->for_each_in(box, [&](std::int32_t x, std::int32_t y) {
         const std::size_t index = index_of(x, y);
         if (polygon.nearest < farthest_[index])
             return;
-        pair_pixel_.push_back(static_cast<std::uint32_t>(index));
-        pair_polygon_.push_back(name);
-        pair_x_.push_back(x);
-        pair_y_.push_back(y);
+        pairs_.push_back({static_cast<std::uint32_t>(index), name});
     });
-    if (pair_pixel_.size() == pairs)
-        return;
-    polygon.pairs_end = static_cast<std::uint32_t>(pair_pixel_.size());
-    polygons_.push_back(polygon);
+    if (pairs_.size() != pairs)
+        polygons_.push_back(polygon);
 }
 
 void band_fragments::sort() {
-    pair_x_.resize(pairs() + widest_vector);
-    pair_y_.resize(pairs() + widest_vector);
     begins_.assign(pixels_.size() + 2, 0);
-    for (const std::uint32_t of : pair_pixel_)
-        ++begins_[of + 2];
+    for (const pair& p : pairs_)
+        ++begins_[p.pixel + 2];
     for (std::size_t i = 2; i < begins_.size(); ++i)
         begins_[i] += begins_[i - 1];
-    sorted_.resize(pair_pixel_.size());
-    for (std::size_t i = 0; i < pair_pixel_.size(); ++i)
-        sorted_[begins_[pair_pixel_[i] + 1]++] = static_cast<std::uint32_t>(i);
+    sorted_.resize(pairs_.size());
+    for (const pair& p : pairs_)
+        sorted_[begins_[p.pixel + 1]++] = p;
     begins_.pop_back();
 }
 

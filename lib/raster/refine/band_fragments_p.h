@@ -22,9 +22,8 @@ struct fragment_polygon {
     float inv_w[4];
     float light[3][4]; ///< the corners' three numbers of l3d_micro_vertex::normal
     std::int32_t corners;
-    std::uint32_t error_color;
+    std::uint32_t color;     ///< of its material; in mode `error`, the part's own
     float farthest, nearest; ///< of the corners' inv_w
-    std::uint32_t pairs_end; ///< behind the last of its pairs
 
     std::int64_t area2() const; ///< twice its area, positive if its corners turn to the right
     l3d_micro_vertex corner(std::size_t i) const {
@@ -41,6 +40,9 @@ public:
     /// Starts rows [top, bottom) of a picture. Expects: bits outlive the band.
     void begin(const pixel_bits& bits, const drawn_depth& depth, std::int32_t width,
                std::int32_t top, std::int32_t bottom);
+
+    /// The colours of the frame's materials, if it has any. Lives: until the next call.
+    void use_colors(std::span<const std::uint32_t> colors) { colors_ = colors; }
 
     /// Adds those of an item's quads and triangles that reach a marked pixel and are no farther
     /// than all that was drawn there and around. Folded quads come in pieces; `levels`: those of
@@ -59,18 +61,16 @@ public:
     /// polygons is no background: they are not all here.
     bool closed(std::size_t i) const { return farthest_[i] > 0; }
 
-    /// Pairs come polygon by polygon. Pair i belongs to the pixel at pair_x()[i], pair_y()[i], and
-    /// to polygon polygon_of(i). A whole vector may be read from each pair on.
-    static constexpr std::size_t widest_vector = 16;
-    std::size_t pairs() const { return pair_pixel_.size(); }
-    const std::int32_t* pair_x() const { return pair_x_.data(); }
-    const std::int32_t* pair_y() const { return pair_y_.data(); }
-    std::uint32_t polygon_of(std::size_t pair) const { return pair_polygon_[pair]; }
+    /// A pixel and a polygon that may reach into it, by their indices.
+    struct pair {
+        std::uint32_t pixel, polygon;
+    };
 
-    /// The pairs of pixel i. Expects: sort came before.
-    std::span<const std::uint32_t> pairs_of(std::size_t i) const {
-        return std::span(sorted_).subspan(begins_[i], begins_[i + 1] - begins_[i]);
-    }
+    /// All pairs, pixel by pixel; those of one pixel in the order of the polygons. Those of pixel i
+    /// go from begin_of(i) to begin_of(i + 1).
+    /// Expects: sort came before.
+    std::span<const pair> pairs() const { return sorted_; }
+    std::size_t begin_of(std::size_t i) const { return begins_[i]; }
     std::span<const fragment_polygon> polygons() const { return polygons_; }
 
 private:
@@ -78,11 +78,15 @@ private:
     void add_triangles(const l3d_surface_part& part, std::size_t first, std::size_t last);
     void add_quad(const l3d_surface_part& part, std::size_t p00, const l3d_pixel_box& box,
                   bool levels);
-    void add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t error_color,
+    void add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t color,
                     const l3d_pixel_box& box);
+    std::uint32_t color_of(const l3d_surface_part& part, std::uint32_t material) const {
+        return colors_.empty() ? part.error_color : colors_[material];
+    }
     l3d_pixel_box reached(std::span<const l3d_micro_vertex> corners) const;
     std::size_t index_of(std::int32_t x, std::int32_t y) const;
 
+    std::span<const std::uint32_t> colors_;
     const pixel_bits* bits_ = nullptr;
     l3d_pixel_box band_;
     std::vector<pixel> pixels_;
@@ -90,9 +94,8 @@ private:
     std::vector<std::uint64_t> columns_; ///< marked in any row that some quads may reach
     std::vector<std::uint32_t> before_;  ///< marked pixels before each word of bits of the band
     std::vector<fragment_polygon> polygons_;
-    std::vector<std::uint32_t> pair_pixel_, pair_polygon_;
-    std::vector<std::int32_t> pair_x_, pair_y_;
-    std::vector<std::uint32_t> begins_, sorted_;
+    std::vector<pair> pairs_, sorted_;
+    std::vector<std::uint32_t> begins_;
 };
 
 } // namespace l3d_detail

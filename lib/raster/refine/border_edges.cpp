@@ -62,7 +62,8 @@ void border_edges::add(const band_item& item) {
         const int turn = turn_at(item.part->grid, e);
         if (turn == 0)
             continue;
-        contour_edge edge{{e.from_x, e.from_y}, {e.to_x, e.to_y}, e.nearest};
+        contour_edge edge{
+            {e.from_x, e.from_y}, {e.to_x, e.to_y}, e.nearest, std::abs(e.level), false};
         if (turn < 0)
             std::swap(edge.from, edge.to);
         edges_.push_back({edge, e.level, kind::end});
@@ -105,6 +106,7 @@ std::span<const contour_edge> border_edges::match() {
     for (border& b : edges_) {
         if (b.is == kind::crease)
             b.edge.nearest *= in_front;
+        b.edge.fold = b.is == kind::fold;
         if (b.is != kind::inside)
             contours_.push_back(b.edge);
     }

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 
@@ -104,6 +105,11 @@ bool piece_turns_right(const quad_corners& v, const l3d_micro_vertex& centre, st
     return cross(position(v[(side + 1) % 4]) - from, position(centre) - from) > 0;
 }
 
+/// Beside a fold, some vertices' levels are those of the other side: of the other sign.
+float mean_level(float a, float b) {
+    return 0.5f * (std::abs(a) + std::abs(b));
+}
+
 bool has(const std::uint64_t* bits, int column) {
     return (bits[column / word_bits] >> (column % word_bits) & 1) != 0;
 }
@@ -191,11 +197,13 @@ void contour_edges::add_between(const l3d_micro_grid& grid, std::size_t from, st
         return;
     const contour_edge edge{{grid.x[from], grid.y[from]},
                             {grid.x[to], grid.y[to]},
-                            std::max(grid.inv_w[from], grid.inv_w[to])};
+                            std::max(grid.inv_w[from], grid.inv_w[to]),
+                            mean_level(grid.normal[0][from], grid.normal[0][to]),
+                            true};
     if (right_turns)
         edges_.push_back(edge);
     else
-        edges_.push_back({edge.to, edge.from, edge.nearest});
+        edges_.push_back({edge.to, edge.from, edge.nearest, edge.level, true});
 }
 
 /// The edges between the pieces of a folded quad.
@@ -211,11 +219,12 @@ void contour_edges::add_spokes(const l3d_micro_grid& grid, int row, int column) 
             continue;
         const scan_point corner = position(v[i]), middle = position(centre);
         const float nearest = std::max(v[i].inv_w, centre.inv_w);
+        const float level = mean_level(v[i].normal[0], centre.normal[0]);
         // The piece at side i goes from the centre to its first corner.
         if (turns[i])
-            edges_.push_back({middle, corner, nearest});
+            edges_.push_back({middle, corner, nearest, level, true});
         else
-            edges_.push_back({corner, middle, nearest});
+            edges_.push_back({corner, middle, nearest, level, true});
     }
 }
 

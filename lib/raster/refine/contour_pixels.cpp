@@ -109,8 +109,19 @@ void contour_pixels::pass(std::int32_t x, std::int32_t y, place from, place to, 
         const double there = from.y + (centre - from.x) / (to.x - from.x) * (to.y - from.y);
         cuts ^= there > centre ? cut_down : cut_up;
     }
-    const auto units = static_cast<std::int32_t>(std::lrint(area * contour_pixel::whole));
-    pairs_.push_back({{x, y, units, turns, crossings, loose, false},
+    const auto units = [](double number) {
+        return static_cast<std::int32_t>(std::lrint(number * contour_pixel::whole));
+    };
+    const double along_x = to.x - from.x, along_y = to.y - from.y;
+    const double to_centre = along_x * (centre - from.y) - along_y * (centre - from.x);
+    // Levels are less than 2^8, and few pieces are longer than 2: their sum has room.
+    constexpr double length_units = 1 << 12;
+    const auto length = static_cast<std::int32_t>(
+        std::lrint(length_units * (std::abs(along_x) + std::abs(along_y))));
+    const auto levels = static_cast<std::int32_t>(
+        std::isfinite(edge.level) ? std::lrint(length * double{edge.level}) : 0);
+    pairs_.push_back({{x, y, units(area), turns, crossings, loose, false, units(along_x),
+                       units(along_y), units(to_centre), length, levels, edge.fold},
                       cuts,
                       enters ? along(from) : -1,
                       leaves ? along(to) : -1,
@@ -146,15 +157,22 @@ void contour_pixels::finish(contour_cuts& cuts, pixel_bits& seen) {
               to.turns + p.of.turns,
               to.crossings + p.of.crossings,
               to.loose ^ p.of.loose,
-              false};
+              false,
+              to.along_x + p.of.along_x,
+              to.along_y + p.of.along_y,
+              to.to_centre + p.of.to_centre,
+              to.length + p.of.length,
+              to.levels + p.of.levels,
+              to.folds && p.of.folds};
         const auto flip = [&](pixel_bits& of, std::uint32_t which) {
             if ((p.cuts & which) != 0)
                 of.row(p.of.y)[word] ^= std::uint64_t{1} << bit;
         };
         flip(cuts.up, cut_up);
         flip(cuts.down, cut_down);
-        flip(cuts.left, cut_left);
         flip(cuts.right, cut_right);
+        if ((p.cuts & cut_left) != 0 && p.of.x > 0)
+            cuts.right.flip(p.of.x - 1, p.of.y);
     }
     find_turns();
 }

@@ -15,20 +15,27 @@
 
 namespace l3d_detail {
 
-/// A bit for each way from a pixel's centre to the middle of a side: whether contours cross it an
-/// odd number of times. So two neighbours' centres lie on different sides of a contour if just one
-/// of the two halves of the way between them is cut.
+/// Which ways between the centres of neighbours contours cross an odd number of times. So these
+/// lie on different sides of a contour.
+///
+/// Ways down are in halves, since bands are worked on side by side: from a pixel's centre to the
+/// middle of its lower side, and on from the upper side of the next one.
 struct contour_cuts {
-    pixel_bits up, down, left, right;
+    pixel_bits right, down, up;
 
     void resize(l3d_size size) {
-        for (pixel_bits* const of : {&up, &down, &left, &right})
+        for (pixel_bits* const of : {&right, &down, &up})
             of->resize(size);
     }
     void clear(std::int32_t top, std::int32_t bottom) {
-        for (pixel_bits* const of : {&up, &down, &left, &right})
+        for (pixel_bits* const of : {&right, &down, &up})
             of->clear(top, bottom);
     }
+
+    /// Whether the pixel on the right is on another side. Expects: it is in the picture.
+    bool on_right(std::int32_t x, std::int32_t y) const { return right.has(x, y); }
+    /// Whether the pixel below is. Expects: it is in the picture.
+    bool below(std::int32_t x, std::int32_t y) const { return down.has(x, y) != up.has(x, y + 1); }
 };
 
 /// A pixel that contours pass through, all taken together.
@@ -45,12 +52,25 @@ struct contour_pixel {
     /// all of them together divide the square into two, what is on the right and what is not.
     bool takes_turns;
 
+    /// The way along the contours in the pixel, and the sums of its pieces' cross products with
+    /// ways from them to the centre, positive if that is on the right. Units: 1 / whole.
+    std::int32_t along_x, along_y, to_centre;
+
+    /// The sums of the pieces' lengths, and of these times contour_edge::level.
+    std::int32_t length, levels;
+
+    bool folds = true; ///< at all of its contours, the surface on the right folds over
+
     static constexpr std::int32_t whole = 1 << 20;
 
     /// One contour passes through the pixel, or several of one surface, each in one piece.
     bool simple() const { return loose == 0 && (crossings == 2 || takes_turns); }
     /// The share of the square on the right of the contour.
     std::int32_t share() const { return area & (whole - 1); }
+    /// The level at the contour, if vertices have levels.
+    float level() const {
+        return length > 0 ? static_cast<float>(levels) / static_cast<float>(length) : 0.0f;
+    }
     /// Whether the centre is on the right: 1, or on the left: 0.
     std::int32_t centre() const { return turns - (area >> 20); }
 };

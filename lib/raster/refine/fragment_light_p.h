@@ -47,6 +47,22 @@ struct light_sum {
         return whole.word(tables) | l3d_transparency_of(share);
     }
 
+    /// The light of a level above the ambient one, in a material's colour.
+    static light_sum of_level(float lit, std::uint32_t color, const linear_light& tables) {
+        constexpr std::uint32_t white = 0xffffff;
+        if (color == white) {
+            const float light = tables.light_between(lit);
+            return {{light, light, light}};
+        }
+        const float level = linear_light::level_of(lit);
+        light_sum result;
+        for (std::size_t i = 0; i < result.of.size(); ++i) {
+            const std::uint32_t part = color >> (16 - 8 * i) & 255;
+            result.of[i] = tables.light_at_level(level * static_cast<float>(part) / 255);
+        }
+        return result;
+    }
+
     static light_sum of_word(std::uint32_t word, const linear_light& tables) {
         return {{tables.light(word >> 16 & 255), tables.light(word >> 8 & 255),
                  tables.light(word & 255)}};
@@ -77,12 +93,14 @@ attribute_planes<Count> planes_of(const fragment_polygon& polygon, const Numbers
     return {of.places, of.numbers, polygon.area2()};
 }
 
-/// The light of a polygon at a place. Units: 1/256 pixel.
+/// The light of a polygon at a place; its material's colour is seen if `has_color`.
+/// Units: 1/256 pixel.
 template <class Shader>
-light_sum light_at(Shader& shader, const fragment_polygon& polygon, double x, double y) {
+light_sum light_at(Shader& shader, const fragment_polygon& polygon, bool has_color, double x,
+                   double y) {
     const linear_light& tables = linear_light_tables();
     if constexpr (std::is_same_v<Shader, constant_shader>) {
-        return light_sum::of_word(polygon.error_color, tables);
+        return light_sum::of_word(polygon.color, tables);
     } else {
         const auto corners = static_cast<std::size_t>(polygon.corners);
         const std::array all{polygon.corner(0), polygon.corner(1), polygon.corner(2),
@@ -100,7 +118,9 @@ light_sum light_at(Shader& shader, const fragment_polygon& polygon, double x, do
             };
             values = planes_of<count>(polygon, numbers).at_place(x, y);
         }
-        return light_sum::of_word(shader.word(values.data()), tables);
+        const std::uint32_t word = shader.word(values.data());
+        return light_sum::of_word(has_color ? l3d_product_of_colors(polygon.color, word) : word,
+                                  tables);
     }
 }
 

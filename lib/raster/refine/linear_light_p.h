@@ -17,11 +17,14 @@ public:
     /// The light of a level of 255.
     float light(std::uint32_t level) const { return light_[level]; }
 
-    /// The light of a surface whose level above the ambient one is `lit`, as l3d_micro_vertex has
+    /// The level of a surface whose level above the ambient one is `lit`, as l3d_micro_vertex has
     /// it.
-    float light_between(float lit) const {
-        return light_at_level(25.5f + (lit > 0 ? (lit < 229.5f ? lit : 229.5f) : 0.0f));
+    static float level_of(float lit) {
+        return 25.5f + (lit > 0 ? (lit < 229.5f ? lit : 229.5f) : 0.0f);
     }
+
+    /// Its light.
+    float light_between(float lit) const { return light_at_level(level_of(lit)); }
 
     /// The light of a level that need not be whole: between the tables' levels on a straight line.
     /// What is less than 0 or more than 255 counts as these.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pair_measures: the pixels of a polygon in lanes.
+// pair_measures: pairs in lanes.
 #include "raster/refine/pair_measures_p.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -19,8 +19,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A polygon reaches few marked pixels: wider vectors would be half empty.
-using ints = hn::CappedTag<std::int32_t, 8>;
+using ints = hn::CappedTag<std::int32_t, pair_measures::widest_vector>;
 using floats = hn::RebindToFloat<ints>;
 using int_vec = hn::Vec<ints>;
 using float_vec = hn::Vec<floats>;
@@ -59,20 +58,40 @@ HWY_INLINE float_vec area_beside(float_vec ax, float_vec ay, float_vec bx, float
     return hn::Mul(mean, hn::Sub(to, from));
 }
 
-/// A polygon, and some of its pixels.
-class pair_lanes {
-public:
-    HWY_INLINE pair_lanes(const fragment_polygon& polygon, int_vec pixel_x, int_vec pixel_y)
-        : polygon_(polygon) {
-        const int_vec left = hn::ShiftLeft<l3d_subpixel_bits>(pixel_x);
-        const int_vec top = hn::ShiftLeft<l3d_subpixel_bits>(pixel_y);
-        const auto place = [&](std::int32_t of, int_vec corner) HWY_ATTR {
-            const float_vec units = hn::ConvertTo(floats(), hn::Sub(hn::Set(ints(), of), corner));
-            return hn::Mul(units, set(1.0f / l3d_subpixel_one));
+/// The polygons of some pairs, number by number. Places are relative to the pixels, in parts of
+/// them.
+struct pair_numbers {
+    alignas(64) float x[4][lanes], y[4][lanes], inv_w[4][lanes], level[4][lanes];
+    alignas(64) float ab[lanes], ad[lanes], bc[lanes], dc[lanes]; ///< what a quad's sides bend by
+    alignas(64) float farthest[lanes], nearest[lanes], is_quad[lanes];
+
+    void set(std::size_t lane, const fragment_polygon& of, std::int32_t left, std::int32_t top) {
+        const auto place = [](std::int32_t units, std::int32_t pixel) {
+            return static_cast<float>(units - pixel * l3d_subpixel_one) * (1.0f / l3d_subpixel_one);
         };
         for (std::size_t i = 0; i < 4; ++i) {
-            x_[i] = place(polygon.x[i], left);
-            y_[i] = place(polygon.y[i], top);
+            x[i][lane] = place(of.x[i], left);
+            y[i][lane] = place(of.y[i], top);
+            inv_w[i][lane] = of.inv_w[i];
+            level[i][lane] = of.light[0][i];
+        }
+        ab[lane] = of.light[1][0];
+        ad[lane] = of.light[2][0];
+        bc[lane] = of.light[2][1];
+        dc[lane] = of.light[1][3];
+        farthest[lane] = of.farthest;
+        nearest[lane] = of.nearest;
+        is_quad[lane] = of.corners == 4 ? 1.0f : 0.0f;
+    }
+};
+
+/// Some pairs of polygons and pixels.
+class pair_lanes {
+public:
+    HWY_INLINE explicit pair_lanes(const pair_numbers& numbers) : numbers_(numbers) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            x_[i] = load(numbers.x[i]);
+            y_[i] = load(numbers.y[i]);
         }
         along1_x_ = hn::Sub(x_[2], x_[0]);
         along1_y_ = hn::Sub(y_[2], y_[0]);
@@ -108,6 +127,8 @@ public:
     }
 
 private:
+    static HWY_INLINE float_vec load(const float (&of)[lanes]) { return hn::Load(floats(), of); }
+
     static HWY_INLINE float_vec mean_of(const float_vec (&v)[4]) {
         return hn::Mul(set(0.25f), hn::Add(hn::Add(v[0], v[2]), hn::Add(v[1], v[3])));
     }
@@ -166,12 +187,13 @@ private:
 
     HWY_INLINE void store_depth(pair_measures& to, std::size_t at, float_vec s, float_vec t) const {
         const floats d;
-        const auto& inv_w = polygon_.inv_w;
-        const float_vec first = set(inv_w[2] - inv_w[0]), second = set(inv_w[3] - inv_w[1]);
-        const float_vec mean = set(0.25f * ((inv_w[0] + inv_w[2]) + (inv_w[1] + inv_w[3])));
+        const float_vec inv_w[4] = {load(numbers_.inv_w[0]), load(numbers_.inv_w[1]),
+                                    load(numbers_.inv_w[2]), load(numbers_.inv_w[3])};
+        const float_vec first = hn::Sub(inv_w[2], inv_w[0]), second = hn::Sub(inv_w[3], inv_w[1]);
+        const float_vec mean = mean_of(inv_w);
         const float_vec there = hn::Add(mean, hn::Add(hn::Mul(s, first), hn::Mul(t, second)));
         const float_vec first1 = hn::Mul(first, inverse_), second1 = hn::Mul(second, inverse_);
-        hn::StoreU(hn::Min(hn::Max(there, set(polygon_.farthest)), set(polygon_.nearest)), d,
+        hn::StoreU(hn::Min(hn::Max(there, load(numbers_.farthest)), load(numbers_.nearest)), d,
                    to.inv_w.data() + at);
         hn::StoreU(hn::Sub(hn::Mul(first1, along2_y_), hn::Mul(second1, along1_y_)), d,
                    to.of_x.data() + at);
@@ -180,23 +202,24 @@ private:
     }
 
     HWY_INLINE void store_level(pair_measures& to, std::size_t at, float_vec s, float_vec t) const {
-        const float_vec level =
-            polygon_.corners == 4 ? level_of_quad(s, t) : level_of_triangle(s, t);
-        hn::StoreU(level, floats(), to.level.data() + at);
+        const auto is_quad = hn::Gt(load(numbers_.is_quad), hn::Zero(floats()));
+        hn::StoreU(hn::IfThenElse(is_quad, level_of_quad(s, t), level_of_triangle(s, t)), floats(),
+                   to.level.data() + at);
     }
 
     /// The bilinear map of a quad's corners' levels, and its sides' bends, at the parameters that a
     /// parallelogram would have. As level_lanes, for one place.
     HWY_INLINE float_vec level_of_quad(float_vec s, float_vec t) const {
-        const auto& level = polygon_.light[0];
-        const float_vec ab = set(polygon_.light[1][0]), ad = set(polygon_.light[2][0]);
-        const float_vec bc = set(polygon_.light[2][1]), dc = set(polygon_.light[1][3]);
+        const float_vec ab = load(numbers_.ab), ad = load(numbers_.ad);
+        const float_vec bc = load(numbers_.bc), dc = load(numbers_.dc);
         const float_vec half = set(0.5f), one = set(1), four = set(4);
         const float_vec u = within(hn::Add(half, hn::Sub(s, t)));
         const float_vec v = within(hn::Add(half, hn::Add(s, t)));
         const float_vec u1 = hn::Sub(one, u), v1 = hn::Sub(one, v);
-        const float_vec low = hn::Add(hn::Mul(u1, set(level[0])), hn::Mul(u, set(level[1])));
-        const float_vec high = hn::Add(hn::Mul(u1, set(level[3])), hn::Mul(u, set(level[2])));
+        const float_vec low =
+            hn::Add(hn::Mul(u1, load(numbers_.level[0])), hn::Mul(u, load(numbers_.level[1])));
+        const float_vec high =
+            hn::Add(hn::Mul(u1, load(numbers_.level[3])), hn::Mul(u, load(numbers_.level[2])));
         const float_vec of_u =
             hn::Mul(hn::Mul(four, hn::Mul(u, u1)), hn::Add(hn::Mul(v1, ab), hn::Mul(v, dc)));
         const float_vec of_v =
@@ -207,34 +230,52 @@ private:
     /// The parabola through a triangle's corners and the middles of its sides. With d = c, the
     /// place is (1/4 - s) a + (1/4 - t) b + (1/2 + s + t) c.
     HWY_INLINE float_vec level_of_triangle(float_vec s, float_vec t) const {
-        const auto& level = polygon_.light[0];
-        const float_vec ab = set(polygon_.light[1][0]), ac = set(polygon_.light[2][0]);
-        const float_vec bc = set(polygon_.light[2][1]);
+        const float_vec ab = load(numbers_.ab), ac = load(numbers_.ad), bc = load(numbers_.bc);
         const float_vec b = within(hn::Sub(set(0.25f), t));
         const float_vec c = within(hn::Add(set(0.5f), hn::Add(s, t)));
         const float_vec a = hn::Sub(hn::Sub(set(1), b), c);
         const float_vec bends =
             hn::Add(hn::Mul(hn::Mul(a, b), ab),
                     hn::Add(hn::Mul(hn::Mul(a, c), ac), hn::Mul(hn::Mul(b, c), bc)));
-        return hn::Add(hn::Add(hn::Mul(a, set(level[0])), hn::Mul(b, set(level[1]))),
-                       hn::Add(hn::Mul(c, set(level[2])), hn::Mul(set(4), bends)));
+        return hn::Add(
+            hn::Add(hn::Mul(a, load(numbers_.level[0])), hn::Mul(b, load(numbers_.level[1]))),
+            hn::Add(hn::Mul(c, load(numbers_.level[2])), hn::Mul(set(4), bends)));
     }
 
-    const fragment_polygon& polygon_;
+    const pair_numbers& numbers_;
     float_vec x_[4], y_[4];
     float_vec along1_x_, along1_y_, along2_x_, along2_y_, inverse_; ///< diagonals; 1 / their cross
     float_vec mean_x_, mean_y_;
 };
 
 void measure_pairs(const band_fragments& band, pair_measures& to) {
-    const ints d;
-    std::size_t begin = 0;
-    for (const fragment_polygon& polygon : band.polygons()) {
-        for (std::size_t at = begin; at < polygon.pairs_end; at += lanes)
-            pair_lanes(polygon, hn::LoadU(d, band.pair_x() + at), hn::LoadU(d, band.pair_y() + at))
-                .store(to, at);
-        begin = polygon.pairs_end;
+    const auto pairs = band.pairs();
+    pair_numbers numbers{};
+    for (std::size_t at = 0; at < pairs.size(); at += lanes) {
+        const std::size_t end = std::min(pairs.size(), at + lanes);
+        for (std::size_t i = at; i < end; ++i) {
+            const band_fragments::pixel& pixel = band.pixels()[pairs[i].pixel];
+            numbers.set(i - at, band.polygons()[pairs[i].polygon], pixel.x, pixel.y);
+        }
+        pair_lanes(numbers).store(to, at);
     }
+}
+
+std::uint64_t samples_above(float at, float of_x, float of_y) {
+    constexpr hn::CappedTag<float, mask_side> d;
+    const float step_x = of_x / mask_side, step_y = of_y / mask_side;
+    float row_value = at + 0.5f * (step_x + step_y);
+    std::uint8_t bytes[8] = {};
+    std::uint64_t result = 0;
+    for (int row = 0; row < mask_side; ++row, row_value += step_y)
+        for (std::size_t column = 0; column < mask_side; column += hn::Lanes(d)) {
+            const auto along = hn::Mul(hn::Iota(d, static_cast<float>(column)), hn::Set(d, step_x));
+            const auto value = hn::Add(hn::Set(d, row_value), along);
+            hn::StoreMaskBits(d, hn::Gt(value, hn::Zero(d)), bytes);
+            result |= std::uint64_t{bytes[0]}
+                      << (static_cast<std::size_t>(row * mask_side) + column);
+        }
+    return result;
 }
 
 } // namespace
@@ -246,10 +287,15 @@ HWY_AFTER_NAMESPACE();
 namespace l3d_detail {
 
 L3D_SIMD_TABLE(measure_pairs);
+L3D_SIMD_TABLE(samples_above);
+
+std::uint64_t samples_above(float at, float of_x, float of_y) {
+    return L3D_SIMD_CALL(samples_above)(at, of_x, of_y);
+}
 
 void pair_measures::resize(std::size_t count) {
-    // A polygon's last vector may be only begun.
-    const std::size_t room = count + band_fragments::widest_vector;
+    // The last vector may be only begun.
+    const std::size_t room = count + widest_vector;
     for (auto* const numbers : {&area, &x, &y, &inv_w, &of_x, &of_y, &level})
         if (numbers->size() < room)
             numbers->resize(room);
@@ -259,7 +305,7 @@ void pair_measures::resize(std::size_t count) {
 }
 
 void measure_pairs(const band_fragments& band, pair_measures& to) {
-    to.resize(band.pairs());
+    to.resize(band.pairs().size());
     L3D_SIMD_CALL(measure_pairs)(band, to);
 }
 

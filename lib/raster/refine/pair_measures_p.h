@@ -23,6 +23,7 @@ struct pair_measures {
     std::vector<float> inv_w, of_x, of_y; ///< the polygon's plane of depth: there; per pixel
     std::vector<float> level;             ///< in mode l3d_shade::levels: of the light there
 
+    static constexpr std::size_t widest_vector = 16;
     void resize(std::size_t count);
 
     std::uint64_t samples(std::size_t i) const { return std::uint64_t{bottom[i]} << 32 | top[i]; }
@@ -30,6 +31,9 @@ struct pair_measures {
 
 /// The samples of these masks: 8 rows of 8, in the middle of equal cells.
 inline constexpr int mask_side = 8;
+
+/// The samples where at + of_x x + of_y y is positive.
+std::uint64_t samples_above(float at, float of_x, float of_y);
 
 /// Measures all pairs of a band. Expects: they are sorted.
 void measure_pairs(const band_fragments& band, pair_measures& to);

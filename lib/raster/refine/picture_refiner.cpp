@@ -5,6 +5,7 @@
 #include "raster/refine/contour_mixer_p.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace l3d_detail {
@@ -17,9 +18,16 @@ l3d_pixel_box box_of_band(const drawn_frame& frame, int band) {
             std::min(top + frame.rows, frame.window.bottom)};
 }
 
-bool is_grey(const l3d_shading& shading) {
-    return shading.mode != l3d_shade::normals && shading.mode != l3d_shade::error &&
-           shading.background.is_grey() && !shading.background.is_none();
+/// Whether all that was drawn where an item reaches, and around, is nearer than all of it.
+bool is_hidden(const drawn_frame& frame, const band_item& item) {
+    return frame.coarse.hidden(item.box.grown(1).intersected(frame.window),
+                               std::nextafter(item.nearest, HUGE_VALF));
+}
+
+bool is_grey(const drawn_frame& frame) {
+    const l3d_background& background = frame.shading.background;
+    return frame.colors.empty() && frame.shading.mode != l3d_shade::normals &&
+           frame.shading.mode != l3d_shade::error && background.is_grey() && !background.is_none();
 }
 
 } // namespace
@@ -66,7 +74,7 @@ void picture_refiner::find_contours(const drawn_frame& frame, int band, worker_s
     const l3d_pixel_box reached{drawn.left - 1, box.top, drawn.right + 1, box.bottom};
     const jump_rule rule =
         frame.shading.mode == l3d_shade::levels ? jump_rule::smooth : jump_rule::any;
-    find_jumps(frame.target, is_grey(frame.shading), rule, reached.intersected(box), jumps_);
+    find_jumps(frame.target, is_grey(frame), rule, reached.intersected(box), jumps_);
 
     contour_pixels& contours = each_band_[static_cast<std::size_t>(band)].contours;
     const drawn_depth depth(frame.depth.data(), frame.depth.pitch(), frame.window, frame.coarse);
@@ -74,9 +82,11 @@ void picture_refiner::find_contours(const drawn_frame& frame, int band, worker_s
     space.borders.begin(box.top, box.bottom);
     for (const std::uint32_t index : frame.list.items(band)) {
         const band_item& item = frame.list.item(index);
+        space.borders.add(item);
+        if (is_hidden(frame, item))
+            continue;
         for (const contour_edge& edge : space.edges.find(frame.list, item, box.top, box.bottom))
             contours.add(edge, depth);
-        space.borders.add(item);
     }
     for (const contour_edge& edge : space.borders.match())
         contours.add(edge, depth);
@@ -88,7 +98,8 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
     const l3d_pixel_box box = box_of_band(frame, band);
     mark_others(frame, box);
     band_space& space = each_band_[static_cast<std::size_t>(band)];
-    const contour_mixer mixer(frame.target, frame.window, cuts_, is_grey(frame.shading));
+    const contour_mixer mixer(frame.target, frame.window, cuts_, is_grey(frame),
+                              frame.shading.mode == l3d_shade::levels);
     for (const contour_pixel& pixel : space.contours.pixels()) {
         if (others_.has(pixel.x, pixel.y))
             continue;
@@ -124,11 +135,9 @@ void picture_refiner::mark_others(const drawn_frame& frame, const l3d_pixel_box&
             std::uint64_t right = jumps_.right.row(y)[w];
             if (right != 0) {
                 const bool ends = w + 1 == words;
-                const std::uint64_t* const left = cuts_.left.row(y) + w;
-                const std::uint64_t next_cuts = left[0] >> 1 | (ends ? 0 : left[1] << last);
                 const std::uint64_t next_steep =
                     steep(y, w) >> 1 | (ends ? 0 : steep(y, w + 1) << last);
-                right &= ~(cuts_.right.row(y)[w] ^ next_cuts) & ~steep(y, w) & ~next_steep;
+                right &= ~cuts_.right.row(y)[w] & ~steep(y, w) & ~next_steep;
             }
             // The last words of rows go on beyond the picture with its last column.
             const auto first = static_cast<std::int32_t>(w);
@@ -148,11 +157,15 @@ void picture_refiner::resolve(const drawn_frame& frame, int band, worker_space& 
     if (space.fragments.pixels().empty())
         return;
     const bool levels = frame.shading.mode == l3d_shade::levels;
-    for (const std::uint32_t index : frame.list.items(band))
-        space.fragments.add(frame.list, frame.list.item(index), levels);
+    space.fragments.use_colors(frame.colors);
+    for (const std::uint32_t index : frame.list.items(band)) {
+        const band_item& item = frame.list.item(index);
+        if (!is_hidden(frame, item))
+            space.fragments.add(frame.list, item, levels);
+    }
     space.fragments.sort();
     auto& refined = each_band_[static_cast<std::size_t>(band)].refined;
-    space.mixer.draw(space.fragments, frame.shading, size.height);
+    space.mixer.draw(space.fragments, frame.shading, !frame.colors.empty(), size.height);
     const auto pixels = space.fragments.pixels();
     for (std::size_t i = 0; i < pixels.size(); ++i)
         refined.push_back({pixels[i].x, pixels[i].y, space.mixer.words()[i]});

@@ -15,6 +15,7 @@
 #include "raster/surfaces/coarse_depth_p.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace l3d_detail {
@@ -24,6 +25,7 @@ struct drawn_frame {
     const l3d_pixels& target;
     l3d_depth_buffer& depth; ///< of the whole picture
     const l3d_shading& shading;
+    std::span<const std::uint32_t> colors; ///< of the materials; empty if all is grey
     const band_list& list;
     const coarse_depth& coarse;
     l3d_pixel_box window; ///< what is drawn of the target

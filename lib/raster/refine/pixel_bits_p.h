@@ -50,6 +50,10 @@ public:
         row(y)[x / word_pixels] |= std::uint64_t{1} << (x % word_pixels);
     }
 
+    void flip(std::int32_t x, std::int32_t y) {
+        row(y)[x / word_pixels] ^= std::uint64_t{1} << (x % word_pixels);
+    }
+
     bool has(std::int32_t x, std::int32_t y) const {
         return (row(y)[x / word_pixels] >> (x % word_pixels) & 1) != 0;
     }

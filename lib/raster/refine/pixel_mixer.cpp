@@ -16,6 +16,26 @@ constexpr float harmless_contrast = 1.0f / 256;
 /// Slivers, which no sample meets, may be missing up to this area in all.
 constexpr float harmless_area = 1.0f / 64;
 
+/// The least and the most light of several.
+struct light_range {
+    light_sum least{{1, 1, 1}}, most;
+
+    void add(const light_sum& light) {
+        for (std::size_t i = 0; i < light.of.size(); ++i) {
+            least.of[i] = std::min(least.of[i], light.of[i]);
+            most.of[i] = std::max(most.of[i], light.of[i]);
+        }
+    }
+
+    /// How far apart they are, in the channel where that is most.
+    float contrast() const {
+        float result = most.of[0] - least.of[0];
+        for (std::size_t i = 1; i < most.of.size(); ++i)
+            result = std::max(result, most.of[i] - least.of[i]);
+        return result;
+    }
+};
+
 /// The sample whose cell a place lies in.
 std::uint64_t sample_at(float x, float y) {
     const auto cell = [](float place) {
@@ -24,33 +44,18 @@ std::uint64_t sample_at(float x, float y) {
     return std::uint64_t{1} << (cell(y) * mask_side + cell(x));
 }
 
-/// The samples where at + of_x x + of_y y is positive.
-std::uint64_t samples_above(float at, float of_x, float of_y) {
-    const float step_x = of_x / mask_side, step_y = of_y / mask_side;
-    float row_value = at + 0.5f * (step_x + step_y);
-    std::uint64_t result = 0;
-    for (int row = 0; row < mask_side; ++row, row_value += step_y)
-        for (int column = 0; column < mask_side; ++column) {
-            const bool above = row_value + static_cast<float>(column) * step_x > 0;
-            result |= std::uint64_t{above} << (row * mask_side + column);
-        }
-    return result;
-}
-
 } // namespace
 
-void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading, int height) {
+void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading, bool has_color,
+                       int height) {
+    has_color_ = has_color;
     measure_pairs(band, measures_);
     with_shader(shading, 0,
                 [&](auto shader) { draw_by(shader, band, shading.background, height); });
 }
 
 pixel_mixer::ground pixel_mixer::ground_of(std::uint32_t word) {
-    if (word == l3d_pixels::transparent)
-        return {word, 0, 1};
-    const auto [least, most] =
-        std::ranges::minmax(light_sum::of_word(word, linear_light_tables()).of);
-    return {word, least, most};
+    return {word, light_sum::of_word(word, linear_light_tables())};
 }
 
 template <class Shader>
@@ -70,7 +75,7 @@ void pixel_mixer::draw_by(Shader shader, const band_fragments& band,
             sampler_.begin(corner);
             for (const fragment& f : fragments_)
                 sampler_.add(band.polygons()[f.polygon]);
-            sum.light = sampler_.light(shader, band.closed(i), sum.empty);
+            sum.light = sampler_.light(shader, has_color_, band.closed(i), sum.empty);
         }
         words_.push_back(sum.light.word_before(behind.word, sum.empty, tables));
     }
@@ -78,15 +83,16 @@ void pixel_mixer::draw_by(Shader shader, const band_fragments& band,
 
 void pixel_mixer::collect(const band_fragments& band, std::size_t pixel) {
     fragments_.clear();
-    for (const std::uint32_t pair : band.pairs_of(pixel)) {
+    const std::size_t end = band.begin_of(pixel + 1);
+    for (std::size_t pair = band.begin_of(pixel); pair < end; ++pair) {
         const std::uint64_t mask = measures_.samples(pair);
         const float area = measures_.area[pair];
         if (mask == 0 && !(area > 0))
             continue;
-        const std::uint32_t name = band.polygon_of(pair);
+        const std::uint32_t name = band.pairs()[pair].polygon;
         const fragment_polygon& polygon = band.polygons()[name];
-        fragments_.push_back(
-            {pair, name, area, mask, mask, polygon.farthest, polygon.nearest, polygon.area2() > 0});
+        fragments_.push_back({static_cast<std::uint32_t>(pair), name, area, mask, mask,
+                              polygon.farthest, polygon.nearest, polygon.area2() > 0});
     }
 }
 
@@ -138,10 +144,11 @@ light_sum pixel_mixer::light_of(Shader& shader, const band_fragments& band, cons
                                 scan_point corner) const {
     const linear_light& tables = linear_light_tables();
     if constexpr (has_bends<Shader>) {
-        const float light = tables.light_between(measures_.level[of.pair]);
-        return {{light, light, light}};
+        constexpr std::uint32_t white = 0xffffff;
+        return light_sum::of_level(measures_.level[of.pair],
+                                   has_color_ ? band.polygons()[of.polygon].color : white, tables);
     } else {
-        return light_at(shader, band.polygons()[of.polygon],
+        return light_at(shader, band.polygons()[of.polygon], has_color_,
                         corner.x + double{l3d_subpixel_one * measures_.x[of.pair]},
                         corner.y + double{l3d_subpixel_one * measures_.y[of.pair]});
     }
@@ -179,8 +186,10 @@ bool pixel_mixer::add_rest(Shader& shader, const band_fragments& band, scan_poin
     const float rest = 1 - known;
     const int empty = closed ? 0 : bits_in(~seen);
     light_sum in_part;
-    float least = 1, most = 0;
+    light_range range;
     int samples = empty;
+    if (empty > 0)
+        range.add(behind.light);
     for (const fragment& f : fragments_) {
         if (f.seen == 0 || f.seen == f.mask)
             continue;
@@ -188,8 +197,7 @@ bool pixel_mixer::add_rest(Shader& shader, const band_fragments& band, scan_poin
         const int count = bits_in(f.seen);
         in_part.add(here, static_cast<float>(count));
         samples += count;
-        least = std::min(least, *std::ranges::min_element(here.of));
-        most = std::max(most, *std::ranges::max_element(here.of));
+        range.add(here);
     }
     if (samples == 0) {
         if (std::abs(rest) > harmless_area / 4 && !(closed && known > 0.5f && rest > 0))
@@ -199,11 +207,8 @@ bool pixel_mixer::add_rest(Shader& shader, const band_fragments& band, scan_poin
         sum.light = whole;
         return true;
     }
-    if (samples > empty && empty > 0) {
-        least = std::min(least, behind.least);
-        most = std::max(most, behind.most);
-    }
-    if (most - least > harmless_contrast)
+    const bool is_mixed = samples > empty && empty > 0;
+    if (range.contrast() > harmless_contrast || (is_mixed && behind.is_none()))
         return false;
     if (rest > 0) {
         const float share = rest / static_cast<float>(samples);

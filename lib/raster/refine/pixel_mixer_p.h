@@ -25,9 +25,9 @@ namespace l3d_detail {
 /// Lives: of one worker, kept for its memory.
 class pixel_mixer {
 public:
-    /// Makes the words of the band's marked pixels, in a picture of that height.
-    /// Expects: its pairs are sorted.
-    void draw(const band_fragments& band, const l3d_shading& shading, int height);
+    /// Makes the words of the band's marked pixels, in a picture of that height; its polygons have
+    /// the colours of materials if `has_color`. Expects: its pairs are sorted.
+    void draw(const band_fragments& band, const l3d_shading& shading, bool has_color, int height);
 
     /// One for each of the band's pixels, in their order.
     std::span<const std::uint32_t> words() const { return words_; }
@@ -48,7 +48,8 @@ private:
     /// What is behind all surfaces of a pixel.
     struct ground {
         std::uint32_t word;
-        float least, most; ///< of its channels' light; nothing differs from any light
+        light_sum light; ///< black if there is nothing
+        bool is_none() const { return word == l3d_pixels::transparent; }
     };
     /// What the areas in a pixel sum up to.
     struct mixture {
@@ -74,6 +75,7 @@ private:
     light_sum light_of(Shader& shader, const band_fragments& band, const fragment& of,
                        scan_point corner) const;
 
+    bool has_color_ = false;
     pair_measures measures_;
     std::vector<fragment> fragments_;
     std::vector<std::uint32_t> words_;

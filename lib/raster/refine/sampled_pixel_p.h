@@ -28,9 +28,10 @@ public:
     /// Of polygons that are equally near, the one that was added first is seen.
     void add(const fragment_polygon& polygon);
 
-    /// `closed`: samples that no polygon covers show what the others do. Of others, `empty` gets
-    /// the share.
-    template <class Shader> light_sum light(Shader& shader, bool closed, float& empty);
+    /// `has_color`: polygons have the colours of materials. `closed`: samples that no polygon
+    /// covers show what the others do. Of others, `empty` gets the share.
+    template <class Shader>
+    light_sum light(Shader& shader, bool has_color, bool closed, float& empty);
 
 private:
     struct fragment {
@@ -44,7 +45,8 @@ private:
     std::vector<fragment> fragments_; ///< nearest corner first
 };
 
-template <class Shader> light_sum sampled_pixel::light(Shader& shader, bool closed, float& empty) {
+template <class Shader>
+light_sum sampled_pixel::light(Shader& shader, bool has_color, bool closed, float& empty) {
     hide();
     light_sum sum;
     float covered = 0;
@@ -55,9 +57,9 @@ template <class Shader> light_sum sampled_pixel::light(Shader& shader, bool clos
         const float share = static_cast<float>(m.count) / sample_pattern::count;
         covered += share;
         const double half_each = 0.5 / m.count;
-        sum.add(
-            light_at(shader, *f.polygon, corner_.x + half_each * m.x, corner_.y + half_each * m.y),
-            share);
+        sum.add(light_at(shader, *f.polygon, has_color, corner_.x + half_each * m.x,
+                         corner_.y + half_each * m.y),
+                share);
     }
     empty = closed && covered > 0 ? 0.0f : 1 - covered;
     if (empty > 0 || covered <= 0)

@@ -77,7 +77,10 @@ struct painting {
     l3d_pixels target;
     scan_polygon scan;
     std::vector<placed_cut> cuts;
+    std::uint32_t color = white; ///< of the material
     std::int64_t written = 0;
+
+    static constexpr std::uint32_t white = 0xffffff;
 };
 
 template <class Shader>
@@ -115,7 +118,7 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
             std::array<float, count> here;
             for (std::size_t i = 1; i < count; ++i)
                 here[i] = value[i] + step[i] * k;
-            words[x] = shader.word(here.data() + 1);
+            words[x] = l3d_product_of_colors(to.color, shader.word(here.data() + 1));
         }
         to.written += span.end - span.begin;
     }
@@ -125,12 +128,14 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
 
 struct l3d_painter::work_space {
     painting to;
+    std::span<const l3d_material> materials;
 
     void begin(l3d_pixels target, const l3d_background& background) {
         background.fill(target);
         to.target = target;
         to.scan.set_rows({0, target.height});
         to.written = 0;
+        to.color = painting::white;
     }
 
     void place_cuts(const l3d_painter_piece& piece, std::span<const l3d_painter_triangle> triangles,
@@ -148,6 +153,8 @@ struct l3d_painter::work_space {
             place_cuts(piece, triangles, cuts);
             if constexpr (std::is_same_v<Shader, own_color_shader>)
                 shader.color = triangles[piece.triangle].color;
+            if (!materials.empty())
+                to.color = materials[triangles[piece.triangle].material].color;
             paint_triangle(to, shader, triangles[piece.triangle].v);
         }
     }
@@ -170,10 +177,13 @@ l3d_painter::l3d_painter() : work_(std::make_unique<work_space>()) {}
 l3d_painter::~l3d_painter() = default;
 
 void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
+                        std::span<const l3d_material> materials,
                         std::span<const l3d_painter_triangle> triangles,
                         std::span<const l3d_painter_piece> pieces,
                         std::span<const l3d_painter_cut> cuts) {
     work_->begin(target, shading.background);
+    const bool is_light = shading.mode != l3d_shade::normals && shading.mode != l3d_shade::error;
+    work_->materials = is_light ? materials : std::span<const l3d_material>();
     switch (shading.mode) {
     case l3d_shade::lambert:
         work_->paint(lambert_shader(shading), triangles, pieces, cuts);

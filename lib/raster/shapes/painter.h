@@ -15,8 +15,9 @@
 /// A triangle of the picture.
 struct l3d_painter_triangle {
     std::array<l3d_micro_vertex, 3> v;
-    std::uint32_t color = 0; ///< in mode `error`, a pixel word; else of no meaning
-    std::uint32_t sides = 7; ///< bit k: the side from corner k to the next is drawn as a line
+    std::uint32_t color = 0;    ///< in mode `error`, a pixel word; else of no meaning
+    std::uint32_t sides = 7;    ///< bit k: the side from corner k to the next is drawn as a line
+    std::uint32_t material = 0; ///< its place among the materials that it is painted with
 };
 
 /// Keeps of a triangle the pixels in which it is in front of another one's plane (or behind it).
@@ -49,9 +50,11 @@ public:
     l3d_painter(const l3d_painter&) = delete;
     l3d_painter& operator=(const l3d_painter&) = delete;
 
-    /// Clears the picture and paints the pieces, the first at the bottom.
-    /// Expects: indices of pieces and cuts name what is there.
+    /// Clears the picture and paints the pieces, the first at the bottom. Without materials, all is
+    /// white; modes that show no light have no use for them.
+    /// Expects: indices of pieces, cuts and materials name what is there.
     void paint(l3d_pixels target, const l3d_shading& shading,
+               std::span<const l3d_material> materials,
                std::span<const l3d_painter_triangle> triangles,
                std::span<const l3d_painter_piece> pieces, std::span<const l3d_painter_cut> cuts);
 

@@ -61,6 +61,15 @@ l3d_pixel_box place_of(l3d_size size, const l3d_pixel_box& free, l3d_corner corn
 
 } // namespace
 
+void l3d_panel::add(const std::string& key, const std::string& text) {
+    std::size_t begin = 0;
+    do {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        rows_.push_back({begin == 0 ? key : "", text.substr(begin, end - begin), {}});
+        begin = end + 1;
+    } while (begin < text.size());
+}
+
 int l3d_panel_style::size_for(l3d_size picture, double text_scale) {
     constexpr int part = 50, least = 12, most = 16;
     const int at_usual_dots = std::clamp(picture.height / part, least, most);

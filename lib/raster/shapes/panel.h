@@ -40,13 +40,11 @@ enum class L3D_PUBLIC l3d_corner { top_left, top_right, bottom_left, bottom_righ
 /// Lives: a value; add lines, draw it, forget it.
 class L3D_PUBLIC l3d_panel {
 public:
-    /// Adds a line. Text is UTF-8.
-    void add(std::string text) { rows_.push_back({{}, std::move(text), {}}); }
+    /// Adds a line, or several that \n divides. Text is UTF-8.
+    void add(const std::string& text) { add({}, text); }
 
-    /// Adds a line with a word before it, such as a key. Such words form a column.
-    void add(std::string key, std::string text) {
-        rows_.push_back({std::move(key), std::move(text), {}});
-    }
+    /// Adds lines with a word before the first, such as a key. Such words form a column.
+    void add(const std::string& key, const std::string& text);
 
     /// Adds a scale: a bar of colours that pass into each other, and under its ends their names.
     /// Expects: at least two colours, which are pixel words.

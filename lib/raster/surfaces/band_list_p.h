@@ -68,8 +68,9 @@ public:
     const band_rows* rows(const band_item& item) const { return rows_.data() + item.rows_at; }
 
     /// An item's grid. Its levels are there if `make` was given a light.
-    fill_grid grid(const band_item& item) const {
-        return {item.part->grid, levels_.data() + item.levels_at};
+    fill_grid grid(const band_item& item, const fill_words& words) const {
+        return {item.part->grid, levels_.data() + item.levels_at,
+                words.of_material(item.part->material)};
     }
 
     /// Quads and triangles of all parts.

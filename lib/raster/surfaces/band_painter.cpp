@@ -16,7 +16,7 @@ void band_painter::reserve_as(const band_painter& other) {
 void band_painter::draw(const band_frame& frame, const fill_band& band, const band_list& list,
                         std::span<const std::uint32_t> items, coarse_depth& coarse) {
     const l3d_pixel_box here{0, band.top, band.width, band.bottom};
-    scalar_.begin(band, frame.shading);
+    scalar_.begin(band, frame.shading, frame.words);
     for (const std::uint32_t index : items) {
         const band_item& item = list.item(index);
         const l3d_pixel_box box = item.box.intersected(here);
@@ -36,7 +36,8 @@ void band_painter::draw_triangles(const band_frame& frame, const fill_band& band
     if (item.triangle_begin >= item.triangle_end)
         return;
     if (frame.by_lanes)
-        fill_triangles(by_lanes(frame, band), item.part->triangles, item.triangle_begin,
+        fill_triangles(by_lanes(frame, band), item.part->triangles,
+                       frame.words.of_material(item.part->material), item.triangle_begin,
                        item.triangle_end);
     else
         scalar_.fill(*item.part, item.triangle_begin, item.triangle_end);
@@ -63,8 +64,8 @@ void band_painter::draw_cells(const band_frame& frame, const fill_band& band, co
 void band_painter::draw_run(const band_frame& frame, const fill_band& band, const band_list& list,
                             const band_item& item, const grid_cells& cells) {
     if (frame.by_lanes)
-        fill_quads(by_lanes(frame, band), list.grid(item), cells.row_begin, cells.row_end,
-                   cells.column_begin, cells.column_end);
+        fill_quads(by_lanes(frame, band), list.grid(item, frame.words), cells.row_begin,
+                   cells.row_end, cells.column_begin, cells.column_end);
     else
         scalar_.fill(*item.part, cells);
 }

@@ -18,6 +18,7 @@ struct band_frame {
     l3d_shading shading;
     bool by_lanes = false;         ///< mode and width are such that the fill kernel can serve
     bool leaves_out_hidden = true; ///< what is behind the coarse depth is not looked at
+    fill_words words{};
 };
 
 /// A worker's own work space, and what it has counted.
@@ -46,7 +47,8 @@ private:
                   const band_item& item, const grid_cells& cells);
     void draw_rest(const band_frame& frame, const fill_band& band);
     fill_target by_lanes(const band_frame& frame, const fill_band& band) {
-        return {band, frame.shading, queue_, by_lanes_, rest_, frame.leaves_out_hidden};
+        return {band,  frame.shading,           queue_,     by_lanes_,
+                rest_, frame.leaves_out_hidden, frame.words};
     }
 
     band_scalar scalar_;

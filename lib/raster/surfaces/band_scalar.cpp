@@ -40,8 +40,10 @@ void fill_triangle(surface_fill<Shader>& fill, const l3d_micro_triangles& triang
 
 } // namespace
 
-void band_scalar::begin(const fill_band& band, const l3d_shading& shading) {
+void band_scalar::begin(const fill_band& band, const l3d_shading& shading,
+                        const fill_words& words) {
     target_.band = band;
+    target_.coding = words;
     target_.scan.set_rows({band.top, band.bottom});
     target_.counts = {};
     shading_ = &shading;
@@ -54,6 +56,7 @@ template <class Draw> void band_scalar::with_filler(std::uint32_t error_color, c
 }
 
 void band_scalar::fill(const l3d_surface_part& part, const grid_cells& cells) {
+    target_.material = target_.coding.of_material(part.material);
     with_filler(part.error_color, [&](auto fill) {
         for (int row = cells.row_begin; row < cells.row_end; ++row)
             for (int column = cells.column_begin; column < cells.column_end; ++column)
@@ -63,18 +66,24 @@ void band_scalar::fill(const l3d_surface_part& part, const grid_cells& cells) {
 
 void band_scalar::fill(const l3d_surface_part& part, std::size_t first, std::size_t last) {
     with_filler(part.error_color, [&](auto fill) {
-        for (std::size_t i = first; i < last; ++i)
+        for (std::size_t i = first; i < last; ++i) {
+            target_.material = target_.coding.of_material(part.material_of(i));
             fill_triangle(fill, part.triangles, i);
+        }
     });
 }
 
 void band_scalar::fill(const fill_rest& rest) {
     constexpr std::uint32_t no_color = 0; // the kernel does not take mode `error`
     with_filler(no_color, [&](auto fill) {
-        for (const fill_rest::quad& quad : rest.quads)
+        for (const fill_rest::quad& quad : rest.quads) {
+            target_.material = quad.material;
             fill_cell(fill, target_.band, *quad.grid, quad.index);
-        for (const fill_rest::triangle& triangle : rest.triangles)
+        }
+        for (const fill_rest::triangle& triangle : rest.triangles) {
+            target_.material = triangle.material;
             fill_triangle(fill, *triangle.triangles, triangle.index);
+        }
     });
 }
 

@@ -24,7 +24,7 @@ public:
     void reserve(int rows) { target_.scan.set_rows({0, rows}); }
 
     /// From now on it draws here and counts from 0.
-    void begin(const fill_band& band, const l3d_shading& shading);
+    void begin(const fill_band& band, const l3d_shading& shading, const fill_words& words);
 
     void fill(const l3d_surface_part& part, const grid_cells& cells);
 

@@ -6,6 +6,7 @@
 #include "raster/surfaces/fill_kernel_p.h"
 #include "raster/surfaces/pixel_box_p.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -70,6 +71,19 @@ public:
     /// The columns in which something may be, in a tile that has pixels of rows [top, bottom); as
     /// a box of these rows.
     l3d_pixel_box drawn_in(std::int32_t top, std::int32_t bottom) const;
+
+    /// Calls visit(box) for rows of tiles of the band in which something may be.
+    template <class Visit> void visit_drawn(const fill_band& band, const Visit& visit) const {
+        constexpr std::int32_t width = depth_tile::width, height = depth_tile::height;
+        for (std::int32_t y = band.top; y < band.bottom; y += height)
+            for (std::int32_t x = 0, end = 0; x < band.width; x = end) {
+                const bool drawn = drawn_at(x, y);
+                for (end = x + width; end < band.width && drawn_at(end, y) == drawn;)
+                    end += width;
+                if (drawn)
+                    visit({x, y, std::min(end, band.width), std::min(y + height, band.bottom)});
+            }
+    }
 
     /// Pixels of the band in which something is.
     std::int64_t covered(const fill_band& band) const;

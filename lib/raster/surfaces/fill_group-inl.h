@@ -32,6 +32,7 @@ public:
         const int_mask wanted = hn::And(seen, hn::FirstN(d, valid));
         if (hn::AllFalse(d, wanted))
             return false;
+        at_ = at;
         place(to.band, to.queue, at);
         const int_mask fits = classify(to, at, hn::And(live_, wanted));
         const int_vec height = hn::IfThenElseZero(fits, hn::Sub(to_row_, from_row_));
@@ -182,6 +183,10 @@ private:
         };
         hn::Store(first_of_row(to.band.word_pitch), d, table.word_at.of);
         hn::Store(first_of_row(to.band.depth_pitch), d, table.depth_at.of);
+        const hn::RebindToUnsigned<ints> dw;
+        table.words = to.words;
+        hn::Store(to.words.has_materials ? hn::LoadU(dw, to.queue.material + at_) : hn::Zero(dw),
+                  dw, table.material.of);
 
         const int_vec down = hn::Sub(hn::ShiftLeft<l3d_subpixel_bits>(from_row_), y_[0]);
         int_vec row_s = hn::Neg(hn::Add(hn::Mul(x_[0], along2_y_), hn::Mul(down, along2_x_)));
@@ -224,6 +229,7 @@ private:
         to.counts.samples += hn::GetLane(hn::SumOfLanes(d, samples));
     }
 
+    std::size_t at_ = 0;  ///< in the queue
     int_vec x_[4], y_[4]; ///< from the centre of pixel (column_, row_)
     int_vec column_, row_;
     int_vec from_column_, to_column_, from_row_, to_row_; ///< in the band; from (column_, row_)

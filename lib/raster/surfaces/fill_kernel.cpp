@@ -76,6 +76,8 @@ public:
         std::size_t count;
         const void* source;
         std::int32_t name, step;
+        std::uint32_t material;                   ///< of all of them, unless they have their own:
+        const std::uint32_t* materials = nullptr; ///< as l3d_micro_triangles has them
     };
 
     HWY_INLINE void take(const row& from) {
@@ -149,9 +151,26 @@ private:
         const auto name = from.name + static_cast<std::int32_t>(i) * from.step;
         put(hn::Add(hn::Mul(hn::Iota(d, 0), hn::Set(d, from.step)), hn::Set(d, name)), queue_.name);
         std::fill_n(queue_.source.begin() + static_cast<std::ptrdiff_t>(to), lanes, from.source);
+        if (target_.words.has_materials)
+            put_materials(d, from, i, live);
         queue_.count += found;
         if (queue_.count >= fill_queue::enough)
             fill_enough();
+    }
+
+    /// The materials of those of the row from `i` on that are live.
+    template <class D>
+    HWY_NOINLINE void put_materials(D d, const row& from, std::size_t i, hn::Mask<D> live) {
+        std::uint32_t* const to = queue_.material + queue_.count;
+        if (from.materials == nullptr) {
+            std::fill_n(to, lanes, from.material);
+            return;
+        }
+        std::uint8_t bits[8] = {};
+        hn::StoreMaskBits(d, live, bits);
+        for (std::size_t lane = 0, found = 0; lane < hn::MaxLanes(d); ++lane)
+            if (bits[lane / 8] >> (lane % 8) & 1)
+                to[found++] = target_.words.of_material(from.materials[i + lane]);
     }
 
     /// Adds a piece. Expects: room.
@@ -159,9 +178,10 @@ private:
         const std::size_t to = queue_.count++;
         for (std::size_t k = 0; k < 4; ++k)
             for (std::size_t c = 0; c < components; ++c)
-                queue_.corner[k][c][to] = triangle[std::min<std::size_t>(k, 2)][c];
+                queue_.corner[k][c][to] = triangle.corners[std::min<std::size_t>(k, 2)][c];
         queue_.name[to] = fill_queue::piece;
         queue_.source[to] = nullptr;
+        queue_.material[to] = triangle.material;
     }
 
     /// Fills as many as are enough, and moves the others, fewer than the widest vector, to the
@@ -179,6 +199,8 @@ private:
                 to_front(corner[c]);
         to_front(queue_.name);
         to_front(queue_.source.data());
+        if (target_.words.has_materials)
+            to_front(queue_.material);
         queue_.count -= fill_queue::enough;
     }
 
@@ -220,24 +242,27 @@ HWY_INLINE void quads_by(const fill_target& to, const fill_grid& of, int row_beg
         const std::size_t p00 = grid.index(row, column), p01 = grid.index(row + 1, column);
         const corner_places at{p00, p00 + 1, p01 + 1, p01};
         out.take({corners, at, lights.quads(corners, at, count), count, &grid,
-                  static_cast<std::int32_t>(p00), 1});
+                  static_cast<std::int32_t>(p00), 1, of.material});
     }
 }
 
 template <class Lights>
 HWY_INLINE void triangles_by(const fill_target& to, const l3d_micro_triangles& triangles,
-                             std::size_t first, std::size_t count) {
+                             std::uint32_t material, std::size_t first, std::size_t count) {
     const vertex_arrays last(triangles.corners[2]);
     const corner_arrays corners{vertex_arrays(triangles.corners[0]),
                                 vertex_arrays(triangles.corners[1]), last, last};
     const Lights lights(to, nullptr);
-    fill_stream<typename Lights::lanes_type>(to).take({corners,
-                                                       {first, first, first, first},
-                                                       lights.triangles(corners, first, count),
-                                                       count,
-                                                       &triangles,
-                                                       -1 - static_cast<std::int32_t>(first),
-                                                       -1});
+    fill_stream<typename Lights::lanes_type>(to).take(
+        {corners,
+         {first, first, first, first},
+         lights.triangles(corners, first, count),
+         count,
+         &triangles,
+         -1 - static_cast<std::int32_t>(first),
+         -1,
+         material,
+         triangles.materials.empty() ? nullptr : triangles.materials.data() + first});
 }
 
 void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, float* levels) {
@@ -265,18 +290,18 @@ void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int
     }
 }
 
-void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles, std::size_t first,
-                    std::size_t last) {
+void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles,
+                    std::uint32_t material, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; i += fill_queue::run) {
         const std::size_t count = std::min(last - i, fill_queue::run);
         if (to.shading.mode == l3d_shade::gouraud)
-            triangles_by<vertex_lights>(to, triangles, i, count);
+            triangles_by<vertex_lights>(to, triangles, material, i, count);
         else if (to.shading.mode == l3d_shade::flat)
-            triangles_by<polygon_lights>(to, triangles, i, count);
+            triangles_by<polygon_lights>(to, triangles, material, i, count);
         else if (to.shading.mode == l3d_shade::levels)
-            triangles_by<level_lights>(to, triangles, i, count);
+            triangles_by<level_lights>(to, triangles, material, i, count);
         else
-            triangles_by<normal_lights>(to, triangles, i, count);
+            triangles_by<normal_lights>(to, triangles, material, i, count);
     }
 }
 
@@ -315,10 +340,10 @@ void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int
     (to, grid, row_begin, row_end, column_begin, column_end);
 }
 
-void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles, std::size_t first,
-                    std::size_t last) {
+void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles,
+                    std::uint32_t material, std::size_t first, std::size_t last) {
     assert(to.band.width >= fill_least_width);
-    L3D_SIMD_CALL(fill_triangles)(to, triangles, first, last);
+    L3D_SIMD_CALL(fill_triangles)(to, triangles, material, first, last);
 }
 
 void fill_finish(const fill_target& to) {

@@ -72,11 +72,13 @@ struct fill_counts {
 struct fill_rest {
     struct quad {
         const l3d_micro_grid* grid;
-        std::size_t index; ///< l3d_micro_grid::index of the first corner
+        std::size_t index;      ///< l3d_micro_grid::index of the first corner
+        std::uint32_t material; ///< as fill_words has it
     };
     struct triangle {
         const l3d_micro_triangles* triangles;
         std::size_t index;
+        std::uint32_t material;
     };
 
     std::vector<quad> quads;
@@ -88,8 +90,28 @@ struct fill_rest {
     }
 };
 
+/// How pixels are written down while a frame is filled.
+///
+/// Without materials a word is a grey. With them it is the grey's level and, above it, the material
+/// (material_words makes colours of that when all is filled). So the lanes fill either alike.
+struct fill_words {
+    bool has_materials = false;
+
+    /// The part of a word that does not depend on the level.
+    std::uint32_t of_material(std::uint32_t material) const {
+        return has_materials ? material << 8 : 0;
+    }
+
+    /// A level of 1 in a word.
+    std::uint32_t unit() const { return has_materials ? 1 : 0x010101; }
+};
+
 /// A piece of a folded or skew quad. Shape: [corner][component], as in fill_queue.
-using fill_piece = std::array<std::array<std::int32_t, 6>, 3>;
+struct fill_piece {
+    using corner = std::array<std::int32_t, 6>;
+    std::array<corner, 3> corners;
+    std::uint32_t material = 0; ///< as fill_words has it
+};
 
 /// Polygons that wait until a vector of them can be set up together.
 ///
@@ -98,7 +120,7 @@ using fill_piece = std::array<std::array<std::int32_t, 6>, 3>;
 ///        level. Floats as their bits. A triangle's last corner is there twice.
 /// Lives: of one worker, kept for its memory. Empty between bands.
 struct fill_queue {
-    static constexpr std::size_t widest_vector = 16, components = fill_piece::value_type().size();
+    static constexpr std::size_t widest_vector = 16, components = fill_piece::corner().size();
     /// Number of polygons that are filled together: whole vectors of every width. So the set of
     /// waiting polygons does not depend on the width, nor what is drawn when somebody asks what is
     /// hidden.
@@ -112,6 +134,7 @@ struct fill_queue {
 
     alignas(64) std::array<const void*, room> source; ///< the grid or triangles it comes from
     alignas(64) std::int32_t seen[room]; ///< 0: hidden; found out when the polygon is to be filled
+    alignas(64) std::uint32_t material[room]; ///< as fill_words has it; only if there are any
     std::size_t count = 0;
 
     /// Folded and skew quads in pieces. They are filled after all others. So the order of two that
@@ -132,12 +155,14 @@ struct fill_target {
     fill_counts& counts;
     fill_rest& rest;
     bool leaves_out_hidden = true; ///< polygons behind what is there; `samples` then lacks theirs
+    fill_words words{};
 };
 
-/// A grid and, for gouraud, the grey levels of its vertices, from light_vertices.
+/// A grid and its material, and, for gouraud, the grey levels of its vertices, from light_vertices.
 struct fill_grid {
     const l3d_micro_grid& vertices;
     const float* levels;
+    std::uint32_t material = 0; ///< as fill_words has it
 };
 
 /// The grey level of every vertex, as gouraud interpolates it. Shape: levels like the grid's
@@ -157,9 +182,10 @@ void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, floa
 void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int row_end,
                 int column_begin, int column_end);
 
-/// Fills triangles [first, last); otherwise like fill_quads.
-void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles, std::size_t first,
-                    std::size_t last);
+/// Fills triangles [first, last) of the material, or of their own if they have; otherwise like
+/// fill_quads.
+void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles,
+                    std::uint32_t material, std::size_t first, std::size_t last);
 
 /// Fills what still waits, and only now is the band done but for the rest.
 void fill_finish(const fill_target& to);

@@ -22,16 +22,18 @@ quad_corners corners_of(const l3d_micro_grid& grid, std::size_t p00) {
 /// Adds a triangle to the queue's pieces.
 class piece_maker {
 public:
-    explicit piece_maker(const fill_target& to) : shading_(to.shading), pieces_(to.queue.pieces) {}
+    piece_maker(const fill_target& to, std::uint32_t material)
+        : shading_(to.shading), pieces_(to.queue.pieces), material_(material) {}
 
     void add(const std::array<l3d_micro_vertex, 3>& v) {
         const float of_all =
             shading_.mode == l3d_shade::flat ? 255 * polygon_intensity(v, shading_) : 0;
         fill_piece& piece = pieces_.emplace_back();
+        piece.material = material_;
         for (std::size_t i = 0; i < v.size(); ++i) {
             const std::array<float, 3> light = light_of(v[i], of_all);
-            piece[i] = {v[i].x,         v[i].y,         bits(v[i].inv_w),
-                        bits(light[0]), bits(light[1]), bits(light[2])};
+            piece.corners[i] = {v[i].x,         v[i].y,         bits(v[i].inv_w),
+                                bits(light[0]), bits(light[1]), bits(light[2])};
         }
     }
 
@@ -51,6 +53,7 @@ private:
 
     const l3d_shading& shading_;
     std::vector<fill_piece>& pieces_;
+    std::uint32_t material_;
 };
 
 } // namespace
@@ -59,19 +62,20 @@ void fill_put_by(const fill_target& to, std::size_t i, bool in_pieces) {
     const fill_queue& queue = to.queue;
     const std::int32_t name = queue.name[i];
     assert(name != fill_queue::piece); // pieces are no more unlike than lanes take
+    const std::uint32_t material = to.words.has_materials ? queue.material[i] : 0;
     if (name < 0) {
         to.rest.triangles.push_back({static_cast<const l3d_micro_triangles*>(queue.source[i]),
-                                     static_cast<std::size_t>(-1 - name)});
+                                     static_cast<std::size_t>(-1 - name), material});
         return;
     }
     const auto* const grid = static_cast<const l3d_micro_grid*>(queue.source[i]);
     const auto index = static_cast<std::size_t>(name);
     if (!in_pieces) {
-        to.rest.quads.push_back({grid, index});
+        to.rest.quads.push_back({grid, index, material});
         return;
     }
     const quad_corners corners = corners_of(*grid, index);
-    piece_maker pieces(to);
+    piece_maker pieces(to, material);
     const auto add = [&](const auto& piece) { pieces.add(piece); };
     if (to.shading.mode == l3d_shade::levels)
         cut_folded_levels(corners, add);

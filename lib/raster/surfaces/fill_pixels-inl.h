@@ -17,43 +17,74 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Three bytes like the lowest one of each sum.
-template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> three_bytes(D, hn::Vec<D> sum) {
-    const hn::RebindToUnsigned<D> dw;
+/// Where the bytes of words come from: their three lowest from a sum's lowest one, or only the
+/// lowest one, where the others are a material's.
+alignas(16) constexpr std::uint8_t bytes_of_greys[16] = {0, 0, 0, 0x80, 4,  4,  4,  0x80,
+                                                         8, 8, 8, 0x80, 12, 12, 12, 0x80};
+alignas(16) constexpr std::uint8_t bytes_of_levels[16] = {
+    0, 0x80, 0x80, 0x80, 4, 0x80, 0x80, 0x80, 8, 0x80, 0x80, 0x80, 12, 0x80, 0x80, 0x80};
+
+/// How a polygon's levels become words.
+template <class D> struct word_maker {
+    using tag = hn::RebindToUnsigned<D>;
+    using word_vec = hn::Vec<tag>;
+
+    HWY_INLINE word_maker(const fill_table& table, std::size_t i)
 #if HWY_TARGET == HWY_SCALAR // has no bytes to shuffle
-    return hn::Mul(hn::And(hn::BitCast(dw, sum), hn::Set(dw, 0xffu)), hn::Set(dw, 0x010101u));
+        : unit_(hn::Set(tag(), table.words.unit())), material_(hn::Set(tag(), table.material[i])){}
 #else
-    const hn::Repartition<std::uint8_t, D> bytes;
-    alignas(16) static constexpr std::uint8_t lowest[16] = {0, 0, 0, 0x80, 4,  4,  4,  0x80,
-                                                            8, 8, 8, 0x80, 12, 12, 12, 0x80};
-    return hn::BitCast(
-        dw, hn::TableLookupBytesOr0(hn::BitCast(bytes, sum), hn::LoadDup128(bytes, lowest)));
+        : bytes_(hn::LoadDup128(hn::Repartition<std::uint8_t, D>(),
+                                table.words.has_materials ? bytes_of_levels : bytes_of_greys)),
+          material_(hn::Set(tag(), table.material[i])),
+          darkest_(hn::Or(material_, hn::Set(tag(), ambient * table.words.unit()))) {
+    }
 #endif
-}
 
-/// Where this is added to a number below it, the last bits of the sum are the nearest integer.
-constexpr float whole_numbers = 8388608.0f; // 2^23
+          /// Expects: levels in [0, 255].
+          HWY_INLINE word_vec of_levels(hn::Vec<D> level) const {
+        return hn::Or(spread(hn::Add(level, hn::Set(D(), whole_numbers))), material_);
+    }
 
-/// Words from grey levels. Expects: levels in [0, 255].
-template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> level_words(D d, hn::Vec<D> level) {
-    return three_bytes(d, hn::Add(level, hn::Set(d, whole_numbers)));
-}
-
-/// Words of the levels 26 + floor(max(0, lit)), at most 255. Expects: lit < 256.
-template <class D> HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> cosine_words(D d, hn::Vec<D> lit) {
-    const hn::RebindToUnsigned<D> dw;
-    const auto sum =
-        hn::Max(hn::Add(lit, hn::Set(d, whole_numbers - 0.5f)), hn::Set(d, whole_numbers));
+    /// Levels 26 + floor(max(0, lit)), at most 255. Expects: lit < 256.
+    HWY_INLINE word_vec of_cosines(hn::Vec<D> lit) const {
+        const D d;
+        const auto sum =
+            hn::Max(hn::Add(lit, hn::Set(d, whole_numbers - 0.5f)), hn::Set(d, whole_numbers));
 #if HWY_TARGET == HWY_SCALAR
-    const auto level = hn::And(hn::BitCast(dw, sum), hn::Set(dw, 0xffu));
-    const auto grey = hn::Min(hn::Add(level, hn::Set(dw, 26u)), hn::Set(dw, 255u));
-    return hn::Mul(grey, hn::Set(dw, 0x010101u));
+        const auto level = hn::And(hn::BitCast(tag(), sum), hn::Set(tag(), 0xffu));
+        const auto grey = hn::Min(hn::Add(level, hn::Set(tag(), ambient)), hn::Set(tag(), 255u));
+        return hn::Or(hn::Mul(grey, unit_), material_);
 #else
-    const hn::Repartition<std::uint8_t, D> bytes;
-    const auto ambient = hn::BitCast(bytes, hn::Set(dw, 0x001a1a1au));
-    return hn::BitCast(dw, hn::SaturatedAdd(hn::BitCast(bytes, three_bytes(d, sum)), ambient));
+        // A material's bytes are added to 0, and its level is held at 255.
+        const hn::Repartition<std::uint8_t, D> bytes;
+        return hn::BitCast(
+            tag(), hn::SaturatedAdd(hn::BitCast(bytes, spread(sum)), hn::BitCast(bytes, darkest_)));
 #endif
-}
+    }
+
+private:
+    static constexpr std::uint32_t ambient = 26;
+
+    /// Where this is added to a number below it, the last bits of the sum are the nearest integer.
+    static constexpr float whole_numbers = 8388608.0f; // 2^23
+
+    /// Words of the lowest byte of each sum.
+    HWY_INLINE word_vec spread(hn::Vec<D> sum) const {
+#if HWY_TARGET == HWY_SCALAR
+        return hn::Mul(hn::And(hn::BitCast(tag(), sum), hn::Set(tag(), 0xffu)), unit_);
+#else
+        const hn::Repartition<std::uint8_t, D> bytes;
+        return hn::BitCast(tag(), hn::TableLookupBytesOr0(hn::BitCast(bytes, sum), bytes_));
+#endif
+    }
+
+#if HWY_TARGET == HWY_SCALAR
+    word_vec unit_, material_;
+#else
+    hn::Vec<hn::Repartition<std::uint8_t, D>> bytes_;
+    word_vec material_, darkest_; ///< without the level; with that of ambient light
+#endif
+};
 
 /// 1 / sqrt(q) over [0.75, 1.02] by a parabola through its Chebyshev points: within 3e-4, that is
 /// 0.07 grey levels.
@@ -75,7 +106,7 @@ public:
 
     HWY_INLINE fill_polygon(const fill_band& band, const fill_table& table, std::size_t i)
         : words_(band.words), depths_(band.depths), pitch_{band.word_pitch, band.depth_pitch},
-          table_(table), i_(i) {
+          table_(table), i_(i), make_(table, i) {
         const D d;
         farthest_ = hn::Set(d, table.farthest[i]);
         nearest_ = hn::Set(d, table.nearest[i]);
@@ -245,11 +276,11 @@ private:
                                                          std::size_t v) const {
         const D d;
         if constexpr (is_bent)
-            return cosine_words(
-                d, hn::Add(start.lit, hn::Add(hn::Mul(start.lit_x, x_[v]), lit_xx_[v])));
+            return make_.of_cosines(
+                hn::Add(start.lit, hn::Add(hn::Mul(start.lit_x, x_[v]), lit_xx_[v])));
         vec lit = hn::Add(start.lit, lit_x_[v]);
         if constexpr (is_grey)
-            return level_words(d, hn::Min(hn::Max(lit, darkest_), brightest_));
+            return make_.of_levels(hn::Min(hn::Max(lit, darkest_), brightest_));
         if constexpr (is_twisted) {
             const vec bend =
                 hn::Add(start.bend, hn::Add(hn::Mul(start.bend_x, x_[v]), bend_xx_[v]));
@@ -258,7 +289,7 @@ private:
             lit = hn::Mul(lit, hn::Add(hn::Set(d, unit_parabola[0]), hn::Mul(bend, line)));
             lit = hn::Xor(lit, hn::And(hn::Add(start.facing, facing_x_[v]), hn::SignBit(d)));
         }
-        return cosine_words(d, lit);
+        return make_.of_cosines(lit);
     }
 
     std::uint32_t* words_; ///< of the band, copied: what is stored might be the band's own members
@@ -266,6 +297,7 @@ private:
     run_place pitch_;
     const fill_table& table_;
     std::size_t i_;
+    word_maker<D> make_;
     count_vec columns_[vectors];
     vec inv_w_x_[vectors], lit_x_[vectors], farthest_, nearest_;
     vec darkest_, brightest_;

@@ -76,6 +76,8 @@ struct fill_row_twisted {
 /// A row's first run begins at its first covered pixel, the others follow. At the edge of the
 /// picture, what would not fit it begins further left.
 struct fill_table {
+    fill_words words;
+    lane_array<std::uint32_t> material;         ///< as fill_words has it
     lane_array<std::int32_t> word_at, depth_at; ///< of column 0 of the first row
     lane_array<std::int32_t> height;            ///< rows; 0 if there is none to fill
     lane_array<std::int32_t> longest;           ///< pixels of a row; > most_pixels at the edge

@@ -102,7 +102,7 @@ private:
             std::array<float, count> here;
             for (std::size_t i = 1; i < count; ++i)
                 here[i] = value[i] + step[i] * k;
-            words[x] = shader_.word(here.data() + 1);
+            words[x] = target_.word_of(shader_.word(here.data() + 1));
             ++written;
         }
         target_.counts.samples += end - begin;

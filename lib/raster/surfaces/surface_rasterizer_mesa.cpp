@@ -23,6 +23,7 @@ using namespace l3d_detail;
 const mesa_target::program_text shaded_surfaces{.vertex = R"(#version 120
         attribute vec3 position;
         attribute vec3 normal;
+        attribute vec4 material;
         uniform vec2 middle;
         uniform vec3 light;
         uniform vec3 ray;
@@ -32,10 +33,12 @@ const mesa_target::program_text shaded_surfaces{.vertex = R"(#version 120
         varying vec3 direction;
         varying float away;
         varying float grey;
+        varying vec3 color;
         float intensity(float cosine) { return 0.1 + 0.9 * clamp(cosine, 0.0, 1.0); }
         void main() {
             gl_Position = vec4((position.xy - middle) * (1.0 / 8192.0), 0.0, 1.0);
             inv_w = position.z;
+            color = material.rgb;
             direction = normal;
             float cosine = dot(light, normal) / sqrt(max(dot(normal, normal), 1.2e-38));
             away = dot(normal, ray + position.x * ray_right + position.y * ray_down);
@@ -48,6 +51,7 @@ const mesa_target::program_text shaded_surfaces{.vertex = R"(#version 120
         varying vec3 direction;
         varying float away;
         varying float grey;
+        varying vec3 color;
         vec3 shaded() {
             float side = away > 0.0 ? -1.0 : 1.0;
             if (shade == 1)
@@ -60,15 +64,16 @@ const mesa_target::program_text shaded_surfaces{.vertex = R"(#version 120
             return vec3(0.1 + 0.9 * clamp(dot(light, unit), 0.0, 1.0));
         }
         void main() {
-            gl_FragColor = vec4(floor(255.0 * clamp(shaded(), 0.0, 1.0) + 0.5) / 255.0, 0.0);
+            vec3 level = floor(255.0 * clamp(shaded(), 0.0, 1.0) + 0.5);
+            gl_FragColor = vec4(floor(color * level + 0.5) / 255.0, 0.0);
             gl_FragDepth = inv_w * (1.0 / 65536.0 / 65536.0);
         })",
-                                                .attributes = {"position", "normal"}};
+                                                .attributes = {"position", "normal", "material"}};
 static_assert(mesa_target::reach == 8192);
 static_assert(static_cast<int>(l3d_shade::gouraud) == 1 &&
               static_cast<int>(l3d_shade::normals) == 3 && static_cast<int>(l3d_shade::error) == 4);
 
-/// Vertices that are gathered before GL gets them: 24 bytes each, 1.2 MB.
+/// Vertices that are gathered before GL gets them: 28 bytes each, 1.4 MB.
 constexpr std::size_t full_batch = std::size_t{3} << 14;
 
 l3d_micro_vertex mean_normal(std::span<const l3d_micro_vertex> polygon, l3d_micro_vertex corner) {
@@ -107,6 +112,7 @@ void l3d_surface_rasterizer_mesa::do_begin(l3d_pixels target, l3d_depth_buffer* 
         own_depth_.resize(target.size());
     if (!fits_) {
         cpu_.count_pixels(counts_pixels());
+        cpu_.use_materials(materials());
         return cpu_.begin(target, depth_, shading);
     }
     gl.Uniform1i(gl_target_.uniform("shade"), static_cast<int>(shading.mode));
@@ -125,16 +131,27 @@ void l3d_surface_rasterizer_mesa::do_draw(std::span<const l3d_surface_part* cons
 
 void l3d_surface_rasterizer_mesa::add_part(const l3d_surface_part& part) {
     error_color_ = part.error_color;
+    set_material(part.material);
     const l3d_micro_grid& grid = part.grid;
     const grid_cells cells = all_cells(grid);
     for (int row = 0; row < cells.row_end; ++row)
         for (int column = 0; column < cells.column_end; ++column)
             add_quad({grid.vertex(row, column), grid.vertex(row, column + 1),
                       grid.vertex(row + 1, column + 1), grid.vertex(row + 1, column)});
-    for (std::size_t i = 0; i < part.triangles.count; ++i)
+    for (std::size_t i = 0; i < part.triangles.count; ++i) {
+        set_material(part.material_of(i));
         add(std::array{part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
                        part.triangles.vertex(i, 2)});
+    }
     counts_.quads += polygons(part);
+}
+
+/// Vertices that are added from now on are of this material.
+void l3d_surface_rasterizer_mesa::set_material(std::uint32_t material) {
+    const std::uint32_t word =
+        materials().empty() ? l3d_material().color : materials()[material].color;
+    for (std::size_t i = 0; i < 3; ++i)
+        color_[i] = static_cast<std::uint8_t>(word >> (16 - 8 * i));
 }
 
 void l3d_surface_rasterizer_mesa::add_quad(const std::array<l3d_micro_vertex, 4>& corners) {
@@ -154,10 +171,12 @@ void l3d_surface_rasterizer_mesa::add(std::span<const l3d_micro_vertex> convex) 
         vertex& made =
             batch_.emplace_back(vertex{{static_cast<float>(v.x) / l3d_subpixel_one,
                                         static_cast<float>(v.y) / l3d_subpixel_one, v.inv_w},
-                                       {v.normal[0], v.normal[1], v.normal[2]}});
+                                       {v.normal[0], v.normal[1], v.normal[2]},
+                                       color_});
         if (shading_.mode == l3d_shade::error)
             made = {{made.position[0], made.position[1], made.position[2]},
-                    {part(16), part(8), part(0)}};
+                    {part(16), part(8), part(0)},
+                    color_};
     };
     for (std::size_t i = 2; i < convex.size(); ++i) {
         add_corner(convex[0]);
@@ -178,6 +197,8 @@ void l3d_surface_rasterizer_mesa::flush() {
         return;
     gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(vertex), batch_[0].position);
     gl.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(vertex), batch_[0].normal);
+    gl.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(vertex),
+                           batch_[0].material.data());
 
     if (counts_pixels()) {
         gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);

@@ -33,11 +33,13 @@ private:
     const l3d_surface_counts& do_counts() const override;
 
     struct vertex {
-        float position[3]; ///< x, y in pixels, inv_w
-        float normal[3];   ///< or, in mode `error`, red, green, blue
+        float position[3];                    ///< x, y in pixels, inv_w
+        float normal[3];                      ///< or, in mode `error`, red, green, blue
+        std::array<std::uint8_t, 4> material; ///< red, green, blue of the material
     };
 
     void add_part(const l3d_surface_part& part);
+    void set_material(std::uint32_t material);
     void add_quad(const std::array<l3d_micro_vertex, 4>& corners);
     void add(std::span<const l3d_micro_vertex> convex);
     void flush();
@@ -50,6 +52,7 @@ private:
     l3d_shading shading_;
     l3d_surface_counts counts_;
     std::uint32_t error_color_ = 0x00ffffff;
+    std::array<std::uint8_t, 4> color_{}; ///< of the material that vertices are of now
     std::vector<vertex> batch_;
     l3d_size held_size_;
     bool fits_ = false;    ///< GL can hold the picture

@@ -17,12 +17,14 @@ void l3d_surface_rasterizer_scalar::do_begin(l3d_pixels target, l3d_depth_buffer
     depth->clear();
     shading.background.fill(target);
     shading_ = shading;
+    drawn_ = target;
+    materials_.begin(materials());
     part_ = {};
     depth_ = depth;
     counts_ = {};
     filler_.begin({target.words, target.stride, depth->data(), depth->pitch(), target.width, 0,
                    target.height},
-                  shading_);
+                  shading_, fill_words{materials_.wanted()});
 }
 
 void l3d_surface_rasterizer_scalar::do_begin_part(l3d_pixels target, l3d_depth_buffer* depth,
@@ -45,6 +47,9 @@ void l3d_surface_rasterizer_scalar::do_draw(std::span<const l3d_surface_part* co
 }
 
 void l3d_surface_rasterizer_scalar::do_finish() {
+    if (materials_.wanted())
+        materials_.color_slowly({drawn_.words, drawn_.stride, depth_->data(), depth_->pitch(),
+                                 drawn_.width, drawn_.height});
     for (int row = part_.top; row < part_.bottom; ++row)
         std::copy_n(own_picture_.pixels().row(row).data() + part_.left, part_.right - part_.left,
                     part_target_.row(row).data() + part_.left);

@@ -5,6 +5,7 @@
 
 #include "raster/surfaces/band_scalar_p.h"
 #include "raster/surface_rasterizer.h"
+#include "raster/surfaces/material_words_p.h"
 #include "tool_2d/image.h"
 
 /// The slow twin of l3d_surface_rasterizer_sw: draws parts in the order in which they come, into
@@ -27,12 +28,14 @@ private:
     const l3d_surface_counts& do_counts() const override { return counts_; }
 
     l3d_detail::band_scalar filler_;
+    l3d_detail::material_words materials_;
     l3d_shading shading_;
+    l3d_pixels drawn_; ///< the picture that is drawn into
     l3d_depth_buffer own_depth_;
     l3d_image own_picture_; ///< in which parts of pictures are drawn
     l3d_pixel_box part_;    ///< that goes from there to part_target_; may be empty
     l3d_pixels part_target_;
-    const l3d_depth_buffer* depth_ = nullptr;
+    l3d_depth_buffer* depth_ = nullptr;
     l3d_surface_counts counts_;
 };
 

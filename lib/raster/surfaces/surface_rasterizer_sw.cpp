@@ -4,6 +4,7 @@
 
 #include "raster/refine/picture_refiner_p.h"
 #include "raster/surfaces/band_painter_p.h"
+#include "raster/surfaces/material_words_p.h"
 #include "tool_2d/image.h"
 
 #include <algorithm>
@@ -42,6 +43,7 @@ struct l3d_surface_rasterizer_sw::work_space {
     band_frame frame;
     band_list list;
     coarse_depth coarse;
+    material_words materials;
     std::vector<band_painter> painters;          ///< one for each worker
     std::vector<l3d_depth_buffer> worker_depths; ///< of a band, if nobody wants it afterwards
     l3d_depth_buffer kept_depth; ///< of a picture, if nobody but anti-aliasing wants it afterwards
@@ -104,8 +106,9 @@ void l3d_surface_rasterizer_sw::start(l3d_depth_buffer* depth, const l3d_shading
     drawn_ = false;
     counts_ = {};
     work_->parts.clear();
+    work_->materials.begin(materials());
     work_->frame = {shading, fill_shades(shading.mode) && target_.width >= fill_least_width,
-                    settings_.leave_out_hidden};
+                    settings_.leave_out_hidden, fill_words{work_->materials.wanted()}};
     work_->coarse.resize(target_.size());
     const int bands = (size.height + rows_ - 1) / rows_;
     work_->covered.assign(static_cast<std::size_t>(bands), 0);
@@ -150,19 +153,11 @@ void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
     const std::span<const std::uint32_t> items = work_->list.items(index);
     if (drawn_ && items.empty())
         return;
-    const int top = window_.top + index * rows_, bottom = std::min(top + rows_, window_.bottom);
-    l3d_depth_buffer& depth = depth_ ? *depth_ : work_->worker_depths[worker];
-    const fill_band band{target_.row(top).data(),
-                         target_.stride,
-                         depth.row(depth_ ? top : 0).data(),
-                         depth.pitch(),
-                         target_.width,
-                         top,
-                         bottom};
+    const fill_band band = band_at(index, depth_ ? *depth_ : work_->worker_depths[worker]);
     coarse_depth& coarse = work_->coarse;
     if (!drawn_) {
         clear_words(band);
-        coarse.forget(top, bottom);
+        coarse.forget(band.top, band.bottom);
     }
     work_->painters[worker].draw(work_->frame, band, work_->list, items, coarse);
     const bool wanted = depth_ && depth_ != &work_->kept_depth;
@@ -172,6 +167,35 @@ void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
         coarse.refresh(band); // `hidden` may be asked by many, so it finds nothing itself
     if (counts_pixels())
         work_->covered[static_cast<std::size_t>(index)] = coarse.covered(band);
+    if (!depth_ && work_->materials.wanted())
+        color_band(band); // nothing more will come, and all is in the cache
+}
+
+/// Expects: a depth of the picture, or of the band alone if nobody wants the picture's.
+fill_band l3d_surface_rasterizer_sw::band_at(int index, l3d_depth_buffer& depth) const {
+    const int top = window_.top + index * rows_, bottom = std::min(top + rows_, window_.bottom);
+    return {target_.row(top).data(),
+            target_.stride,
+            depth.row(depth_ ? top : 0).data(),
+            depth.pitch(),
+            target_.width,
+            top,
+            bottom};
+}
+
+/// Only tiles that something was drawn to have defined depths.
+void l3d_surface_rasterizer_sw::color_band(const fill_band& band) const {
+    work_->coarse.visit_drawn(band, [&](const l3d_pixel_box& box) {
+        const std::ptrdiff_t row = box.top - band.top;
+        work_->materials.color({band.words + row * band.word_pitch + box.left, band.word_pitch,
+                                band.depths + row * band.depth_pitch + box.left, band.depth_pitch,
+                                box.right - box.left, box.bottom - box.top});
+    });
+}
+
+void l3d_surface_rasterizer_sw::color_bands() {
+    workers_.for_each_beside(static_cast<int>(work_->covered.size()),
+                             [&](int band, int) { color_band(band_at(band, *depth_)); });
 }
 
 void l3d_surface_rasterizer_sw::clear_words(const fill_band& band) {
@@ -190,6 +214,8 @@ bool l3d_surface_rasterizer_sw::do_hidden(const l3d_subpixel_box& box, float nea
 void l3d_surface_rasterizer_sw::do_finish() {
     if (!drawn_)
         do_draw({});
+    if (depth_ && work_->materials.wanted())
+        color_bands();
     if (work_->frame.shading.antialias)
         refine();
     for (int row = part_.top; row < part_.bottom; ++row)
@@ -209,6 +235,7 @@ void l3d_surface_rasterizer_sw::refine() {
     counts_.refined = work_->refiner.refine({.target = target_,
                                              .depth = *depth_,
                                              .shading = work_->frame.shading,
+                                             .colors = work_->materials.colors(),
                                              .list = list,
                                              .coarse = work_->coarse,
                                              .window = window_,

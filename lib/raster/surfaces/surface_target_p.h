@@ -16,6 +16,13 @@ struct surface_target {
     fill_band band{};
     scan_polygon scan;
     fill_counts counts;
+    fill_words coding{};
+    std::uint32_t material = 0; ///< of what is filled, as fill_words has it
+
+    /// What a pixel gets for a word of a shader.
+    std::uint32_t word_of(std::uint32_t shaded) const {
+        return coding.has_materials ? (shaded & 0xff) | material : shaded;
+    }
 
     /// Column 0 of a row of the picture. Expects: band.top <= row < band.bottom.
     std::uint32_t* words(std::int32_t row) const {

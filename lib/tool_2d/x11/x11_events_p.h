@@ -46,6 +46,7 @@ private:
     void take_release(const XKeyEvent& event);
     void release_all();
     void take_button(const XButtonEvent& event, l3d_event_type type);
+    int clicks_of(const XButtonEvent& press);
     void take_motion(const XMotionEvent& event);
     void take_message(XClientMessageEvent& event);
     bool is_autorepeat(const XKeyEvent& release) const;
@@ -54,6 +55,7 @@ private:
     std::deque<l3d_event> queue_;
     bool mapped_ = false, exposed_ = false, hidden_ = false;
     std::array<int, 256> held_{}; ///< by key code: the key told pressed; 0: it is up
+    XButtonEvent last_press_{};   ///< that a next one may make a double click with; button 0: none
 };
 
 } // namespace l3d_detail

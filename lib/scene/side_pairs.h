@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // l3d_side_pairs: which side of which patch goes on where a side ends.
-#ifndef L3D_DICE_DOUBTS_SIDE_PAIRS_H
-#define L3D_DICE_DOUBTS_SIDE_PAIRS_H
+#ifndef L3D_SCENE_SIDE_PAIRS_H
+#define L3D_SCENE_SIDE_PAIRS_H
 
 #include "scene/patch_model.h"
 
@@ -13,26 +13,34 @@
 /// How the surface goes on beyond the sides of a model's patches.
 ///
 /// It goes on where exactly one other side has the same control points, in either direction.
-/// Sides are those of l3d_patch_sides: v = 0, u = 1, v = 1, u = 0, walked round the patch.
+/// Sides are v = 0, u = 1, v = 1, u = 0, in the order in which one walks round the patch.
 /// Cost: some microseconds a patch.
 class l3d_side_pairs {
 public:
-    static constexpr std::size_t sides = 4;
+    static constexpr std::size_t sides = 4; ///< of a patch
+
+    /// What is beyond a side.
     enum class kind : unsigned char {
         open,  ///< the surface ends
         point, ///< the side is a point, around which the surface goes on
         paired ///< another side has the same points
     };
+
+    /// A side's neighbour.
     struct beyond {
         kind is = kind::open;
         /// Both are walked in the same direction, so their normals are opposite.
         bool turns = false;
-        std::uint32_t patch = 0, side = 0;
+        std::uint32_t patch = 0, side = 0; ///< of a paired side, the other one
     };
 
     explicit l3d_side_pairs(const l3d_patch_model& model);
 
+    /// What is beyond a side. Expects: a patch of the model, side < sides.
     const beyond& at(std::size_t patch, std::size_t side) const { return beyond_[patch][side]; }
+
+    /// The parameters (u, v) at t of a side, which begins at t = 0. Expects: side < sides.
+    static std::array<double, 2> place_on(std::size_t side, double t);
 
 private:
     std::vector<std::array<beyond, sides>> beyond_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_side_pairs: sides in the order of their control points.
-#include "dice/doubts/side_pairs.h"
+#include "scene/side_pairs.h"
 
 #include <algorithm>
 #include <map>
@@ -50,4 +50,17 @@ l3d_side_pairs::l3d_side_pairs(const l3d_patch_model& model) {
                                               static_cast<std::uint32_t>(there.patch),
                                               static_cast<std::uint32_t>(there.side)};
         }
+}
+
+std::array<double, 2> l3d_side_pairs::place_on(std::size_t side, double t) {
+    switch (side) {
+    case 0:
+        return {t, 0};
+    case 1:
+        return {1, t};
+    case 2:
+        return {1 - t, 1};
+    default:
+        return {0, 1 - t};
+    }
 }

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// l3d_read_mtl: the colours and highlights of Wavefront's materials.
+#include "geom/files/model_reader_p.h"
+
+#include <map>
+
+namespace {
+
+using l3d_detail::quoted;
+using l3d_detail::text_cursor;
+
+/// Statements of things that are not drawn; their loss is noted once for each kind.
+constexpr std::string_view noted_statements[] = {
+    "map_Ka",   "map_Kd", "map_Ks", "map_Ke", "map_Ns", "map_d", "map_bump",
+    "map_Bump", "bump",   "disp",   "decal",  "refl",   "norm",  "d",
+    "Tr",       "Tf",     "map_Pr", "map_Pm", "map_Ps", "map_Tr"};
+
+/// Those whose loss few would see: ambient and own light, refraction, physical models.
+constexpr std::string_view silent_statements[] = {
+    "Ka", "Ke", "Ni", "Pr", "Pm", "Ps", "Pc", "Pcr", "aniso", "anisor", "sharpness", "map_aat"};
+
+/// The first model of lighting that has highlights.
+constexpr std::int64_t highlights_from = 2;
+
+class mtl_reader {
+public:
+    mtl_reader(text_cursor& text, std::vector<l3d_named_material>& materials)
+        : text_(text), materials_(materials) {}
+
+    void read() {
+        while (text_.next()) {
+            read_statement(text_.token());
+            while (text_.next_in_line())
+                ;
+        }
+        finish_material();
+    }
+
+private:
+    void read_statement(std::string_view word) {
+        if (word == "newmtl") {
+            finish_material();
+            std::string name;
+            while (text_.next_in_line())
+                name.append(name.empty() ? "" : " ").append(text_.token());
+            materials_.push_back({std::move(name), {}});
+            has_highlights_ = true;
+            return;
+        }
+        const auto is_in = [word](const auto& list) {
+            return std::ranges::find(list, word) != std::end(list);
+        };
+        const bool is_read = word == "Kd" || word == "Ks" || word == "Ns" || word == "illum";
+        if (is_read && materials_.empty())
+            text_.note(quoted(word) + " before the first newmtl is skipped");
+        else if (is_read)
+            read_value(word);
+        else if (!is_in(silent_statements) && !is_in(noted_statements))
+            text_.note(quoted(word) + " begins no statement of an .mtl file");
+        else if (!is_in(silent_statements) && std::ranges::find(noted_, word) == noted_.end()) {
+            noted_.push_back(word);
+            text_.note("statements " + quoted(word) + " are skipped");
+        }
+    }
+
+    void read_value(std::string_view word) {
+        l3d_material& look = materials_.back().look;
+        double value = 0;
+        if (word == "Kd")
+            read_color(look.color);
+        else if (word == "Ks")
+            read_color(look.highlight);
+        else if (word == "Ns" && number(value, "Ns"))
+            look.sharpness = static_cast<float>(std::clamp(value, 1.0, most_sharpness));
+        else if (word == "illum" && number(value, "illum"))
+            has_highlights_ = value >= highlights_from;
+    }
+
+    /// One number in the line. What is wrong is noted.
+    bool number(double& value, const char* what) {
+        if (text_.next_in_line() && text_.number_in(text_.token(), value, what))
+            return true;
+        text_.note(std::string(what) + " without a number is skipped");
+        return false;
+    }
+
+    /// Three components from 0 to 1, or one for all. Spectra and CIE's X, Y, Z are not read.
+    void read_color(std::uint32_t& color) {
+        std::array<double, 3> components{};
+        std::size_t count = 0;
+        while (count < components.size() && text_.next_in_line())
+            if (!text_.number_in(text_.token(), components[count++], "a colour")) {
+                text_.note(quoted(text_.token()) + ", a colour, is not a number: skipped");
+                return;
+            }
+        if (count == 0 || count == 2) {
+            text_.note("a colour of " + std::to_string(count) + " components is skipped");
+            return;
+        }
+        if (count == 1)
+            components = {components[0], components[0], components[0]};
+        std::uint32_t word = 0;
+        for (const double component : components) {
+            if (!(component >= 0 && component <= 1)) {
+                text_.note("a colour is out of range: skipped");
+                return;
+            }
+            word = 256 * word + static_cast<std::uint32_t>(std::lround(255 * component));
+        }
+        color = word;
+    }
+
+    void finish_material() {
+        if (!materials_.empty() && !has_highlights_)
+            materials_.back().look.highlight = 0;
+    }
+
+    /// The format's own limit.
+    static constexpr double most_sharpness = 1000;
+
+    text_cursor& text_;
+    std::vector<l3d_named_material>& materials_;
+    std::vector<std::string_view> noted_;
+    bool has_highlights_ = true; ///< of the material that is read
+};
+
+} // namespace
+
+std::vector<l3d_named_material> l3d_read_mtl(std::string_view text, std::string_view name,
+                                             std::vector<std::string>& notes) {
+    text_cursor cursor(text, name, '#');
+    std::vector<l3d_named_material> materials;
+    mtl_reader(cursor, materials).read();
+    for (std::string& note : cursor.take_notes())
+        notes.push_back(std::move(note));
+    return materials;
+}
+
+void l3d_give_looks(l3d_polygon_mesh& mesh, std::span<const l3d_named_material> materials) {
+    std::map<std::string_view, l3d_material> by_name;
+    for (const l3d_named_material& material : materials)
+        by_name[material.name] = material.look;
+    mesh.looks.resize(mesh.materials.size());
+    for (std::size_t i = 0; i < mesh.materials.size(); ++i)
+        if (const auto found = by_name.find(mesh.materials[i]); found != by_name.end())
+            mesh.looks[i] = found->second;
+}

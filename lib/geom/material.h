@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// l3d_material: what a surface is made of, as far as light cares.
+#ifndef L3D_GEOM_MATERIAL_H
+#define L3D_GEOM_MATERIAL_H
+
+#include "base/public.h"
+
+#include <cstddef>
+#include <cstdint>
+
+/// The colour of a surface, and its highlights.
+///
+/// Units: colours are pixel words 0x00RRGGBB, encoded as pictures are. A surface that would be grey
+///        of level g, were it white, shows round(c g / 255) in a channel whose colour is c.
+struct L3D_PUBLIC l3d_material {
+    std::uint32_t color = 0xffffff; ///< of light that is scattered to all sides
+    std::uint32_t highlight = 0;    ///< of light that is mirrored; black has none
+    /// How small highlights are: the exponent of their cosine, at least 1.
+    float sharpness = 32;
+
+    /// Whether it looks as surfaces do that have no material.
+    bool is_plain() const { return color == 0xffffff && highlight == 0; }
+
+    friend bool operator==(const l3d_material&, const l3d_material&) = default;
+};
+
+/// The product of two encoded colours, channel by channel: white changes nothing.
+constexpr std::uint32_t l3d_product_of_colors(std::uint32_t a, std::uint32_t b) {
+    std::uint32_t result = 0;
+    for (int shift = 16; shift >= 0; shift -= 8)
+        result = result << 8 | ((a >> shift & 255) * (b >> shift & 255) + 127) / 255;
+    return result;
+}
+
+#endif

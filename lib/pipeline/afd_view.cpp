@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// l3d_pipeline_afd: what its camera shows, and where.
+#include "pipeline/pipeline_afd.h"
+#include "scene/framing.h"
+
+void l3d_pipeline_afd::frame_all() {
+    camera_ = l3d_framed(camera_, screen_->pixels().size(), l3d_reach_of(scene_));
+    redraw();
+}
+
+l3d_camera l3d_pipeline_afd::framed_unless_well(const l3d_camera& usual) const {
+    return l3d_framed_unless_well(usual, screen_->pixels().size(), l3d_reach_of(scene_));
+}
+
+std::optional<l3d_pick> l3d_pipeline_afd::pick(double x, double y) const {
+    return l3d_pick_at(scene_, {camera_, screen_->pixels().size(), settings_.one_sided}, x, y);
+}
+
+std::string l3d_pipeline_afd::why_empty() const {
+    std::string why = l3d_why_unseen(camera_, screen_->pixels().size(), l3d_reach_of(scene_));
+    const bool drew_nothing = report_.dice.drawn == 0 && report_.pixels_kept == 0;
+    return why.empty() && drew_nothing ? "not where a pixel shows it" : why;
+}

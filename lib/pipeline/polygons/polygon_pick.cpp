@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// l3d_polygon_pick_at: triangles in homogeneous coordinates that vanish along the ray.
+#include "pipeline/polygons/polygon_pick.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace {
+
+using vector = l3d_camera::vector;
+
+constexpr double epsilon = 0x1p-53;
+/// Roundings of a coordinate that the ray sees: the matrix is good to 24 of them, turning the model
+/// adds 24, products and sums 8. Units: of the sum of all terms' magnitudes.
+constexpr double ray_rounding = 64 * epsilon;
+constexpr double world_rounding = 32 * epsilon;
+
+double sum_of_magnitudes(const vector& v) {
+    return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
+}
+
+vector largest_of(const vector& a, const vector& b) {
+    return {std::max(std::abs(a[0]), std::abs(b[0])), std::max(std::abs(a[1]), std::abs(b[1])),
+            std::max(std::abs(a[2]), std::abs(b[2]))};
+}
+
+/// Two coordinates that are zero along the ray, and the depth, of a model's point.
+class seen_along_ray {
+public:
+    seen_along_ray(const l3d_polygon_model& model, const l3d_polygon_view& view, double x, double y)
+        : view_(view), x_(x - view.size().width / 2.0), y_(y - view.size().height / 2.0) {
+        const l3d_matrix<double>& m = view.placement();
+        reach_ = sum_of_magnitudes(largest_of(model.least(), model.most())) * 3 +
+                 sum_of_magnitudes({m(0, 3), m(1, 3), m(2, 3)});
+        const l3d_camera& camera = view.camera();
+        const double distance = view.is_parallel() ? l3d_length(camera.target - camera.eye) : 1;
+        const double scale = camera.focal_length(view.size()) / distance;
+        const double terms = reach_ + sum_of_magnitudes(camera.eye);
+        error_ = ray_rounding * 3 *
+                 (scale * terms +
+                  std::max(std::abs(x_), std::abs(y_)) * (view.is_parallel() ? 1 : terms));
+    }
+
+    vector operator()(const vector& point) const {
+        const auto p = view_.matrix() * l3d_vector<double, 4>(point[0], point[1], point[2], 1.0);
+        return {p[0] - x_ * p[3], p[1] - y_ * p[3], p[2]};
+    }
+
+    double error() const { return error_; }
+    double reach() const { return reach_; }
+
+private:
+    const l3d_polygon_view& view_;
+    double x_, y_, reach_ = 0, error_ = 0;
+};
+
+/// Where the ray meets a triangle: three areas that the corners' weights are in proportion to.
+struct crossing {
+    std::array<double, 3> weights{};
+    double error = 0, depth = 0;
+
+    /// False if the ray misses it, or sees it from its edge.
+    bool find(const std::array<vector, 3>& seen, double error_of_seen) {
+        std::array<double, 3> areas{};
+        double sum = 0, largest = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const vector &a = seen[(i + 1) % 3], &b = seen[(i + 2) % 3];
+            areas[i] = a[0] * b[1] - a[1] * b[0];
+            sum += areas[i];
+            largest = std::max({largest, std::abs(a[0]), std::abs(a[1])});
+        }
+        const double area_error =
+            4 * error_of_seen * (largest + error_of_seen) + 4 * epsilon * largest * largest;
+        if (!(std::abs(sum) > 6 * area_error))
+            return false;
+        const double side = sum > 0 ? 1 : -1;
+        // A ray that passes by within the error belongs to this triangle or its neighbour.
+        if (std::ranges::any_of(areas, [&](double a) { return side * a < -area_error; }))
+            return false;
+        for (std::size_t i = 0; i < 3; ++i)
+            weights[i] = std::clamp(areas[i] / sum, 0.0, 1.0);
+        error = 5 * area_error / (std::abs(sum) - 3 * area_error) + 4 * epsilon;
+        depth = weights[0] * seen[0][2] + weights[1] * seen[1][2] + weights[2] * seen[2][2];
+        return true;
+    }
+};
+
+vector placed(const l3d_matrix<double>& m, const vector& point) {
+    const auto p = m * l3d_vector<double, 4>(point[0], point[1], point[2], 1.0);
+    return {p[0], p[1], p[2]};
+}
+
+void describe(l3d_polygon_pick& pick, const l3d_polygon_model& model, const l3d_polygon_view& view,
+              double rounding) {
+    std::array<vector, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) {
+        p[i] = placed(view.placement(), model.mesh().vertices[pick.corners[i]]);
+        pick.point += p[i] * pick.weights[i];
+    }
+    const vector a = p[1] - p[0], b = p[2] - p[0];
+    const double sides = l3d_length(a) + l3d_length(b);
+    pick.point_error = 2 * pick.weights_error * sides + rounding;
+    const vector area = l3d_cross(a, b);
+    const vector& eye = view.camera().eye;
+    const vector towards = view.is_parallel() ? eye - view.camera().target : eye - pick.point;
+    const double side = l3d_dot(area, towards) < 0 ? -1 : 1;
+    pick.normal = l3d_normalized(area) * side;
+    pick.normal_error = 4 * sides * (rounding + epsilon * sides) / l3d_length(area) + 4 * epsilon;
+}
+
+std::string line_of(const char* format, double a, double b, double c, double error) {
+    char words[160];
+    std::snprintf(words, sizeof words, format, a, b, c, error);
+    return words;
+}
+
+} // namespace
+
+std::optional<l3d_polygon_pick> l3d_polygon_pick_at(const l3d_polygon_model& model,
+                                                    const l3d_polygon_view& view, bool culls,
+                                                    double x, double y) {
+    const seen_along_ray ray(model, view, x, y);
+    const auto& vertices = model.mesh().vertices;
+    std::optional<l3d_polygon_pick> nearest;
+    for (const l3d_model_triangle& triangle : model.triangles()) {
+        std::array<vector, 3> seen;
+        for (std::size_t i = 0; i < 3; ++i)
+            seen[i] = ray(vertices[triangle.corners[i]]);
+        crossing at;
+        if (!at.find(seen, ray.error()) || (nearest && at.depth >= nearest->depth))
+            continue;
+        const bool is_between =
+            view.is_parallel() || (at.depth >= view.camera().near && at.depth <= view.camera().far);
+        const auto normal = l3d_converted<double>(model.face_normals()[triangle.face]);
+        if (!is_between || (culls && !(view.faces_eye(normal, vertices[triangle.corners[0]]) > 0)))
+            continue;
+        nearest = l3d_polygon_pick{.face = triangle.face,
+                                   .corners = triangle.corners,
+                                   .weights = at.weights,
+                                   .weights_error = at.error,
+                                   .depth = at.depth};
+    }
+    if (nearest)
+        describe(*nearest, model, view, world_rounding * ray.reach());
+    return nearest;
+}
+
+std::string l3d_polygon_pick::text() const {
+    return "face " + std::to_string(face) + "\nvertices " + std::to_string(corners[0]) + ' ' +
+           std::to_string(corners[1]) + ' ' + std::to_string(corners[2]) + '\n' +
+           line_of("weights %.15g %.15g %.15g +- %.2g\n", weights[0], weights[1], weights[2],
+                   weights_error) +
+           line_of("point %.15g %.15g %.15g +- %.2g\n", point[0], point[1], point[2], point_error) +
+           line_of("normal %.15g %.15g %.15g +- %.2g\n", normal[0], normal[1], normal[2],
+                   normal_error);
+}
+
+std::string l3d_polygon_pick::line() const {
+    return "face " + std::to_string(face) +
+           line_of("  at %.6g, %.6g, %.6g +- %.1g", point[0], point[1], point[2], point_error);
+}

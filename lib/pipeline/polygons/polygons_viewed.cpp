@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// l3d_pipeline_polygons: what its camera shows, and where.
+#include "pipeline/polygons/pipeline_polygons.h"
+#include "scene/framing.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace {
+
+using vector = l3d_camera::vector;
+
+/// Of the faces' corners; other vertices are not drawn.
+l3d_reach reach_of(const l3d_polygon_model& model, const l3d_matrix<double>& placement) {
+    return [&model, placement](const vector& direction) {
+        double moved = 0, most = -std::numeric_limits<double>::infinity();
+        vector in_model{0.0, 0.0, 0.0};
+        for (int i = 0; i < 3; ++i) {
+            moved += direction[i] * placement(i, 3);
+            for (int k = 0; k < 3; ++k)
+                in_model[k] += direction[i] * placement(i, k);
+        }
+        for (const std::uint32_t corner : model.mesh().corners)
+            most = std::max(most, l3d_dot(in_model, model.mesh().vertices[corner]));
+        return most + moved;
+    };
+}
+
+} // namespace
+
+l3d_polygon_view l3d_pipeline_polygons::view() const {
+    return l3d_polygon_view(camera_, screen_->pixels().size(), settings_.projection,
+                            l3d_euler_rotation(settings_.rotation, model_.centre()));
+}
+
+l3d_camera l3d_pipeline_polygons::framed(const l3d_camera& camera) const {
+    const l3d_polygon_view now = view();
+    const l3d_reach reach = reach_of(model_, now.placement());
+    return now.is_parallel() ? l3d_framed_parallel(camera, now.size(), reach)
+                             : l3d_framed(camera, now.size(), reach);
+}
+
+l3d_camera l3d_pipeline_polygons::framed_unless_well(const l3d_camera& usual) const {
+    const l3d_polygon_view now = view();
+    const bool is_well =
+        !now.is_parallel() && l3d_shows_well(usual, now.size(), reach_of(model_, now.placement()));
+    return is_well ? usual : framed(usual);
+}
+
+void l3d_pipeline_polygons::frame_all() {
+    camera_ = framed(camera_);
+    redraw();
+}
+
+std::string l3d_pipeline_polygons::why_empty() const {
+    const l3d_polygon_view now = view();
+    std::string why =
+        l3d_why_unseen(camera_, now.size(), reach_of(model_, now.placement()), now.is_parallel());
+    if (!why.empty() || report_.polygons.drawn > 0)
+        return why;
+    return report_.polygons.back > 0 ? "turning its back" : "not where a pixel shows it";
+}
+
+std::optional<l3d_polygon_pick> l3d_pipeline_polygons::pick(double x, double y) const {
+    return l3d_polygon_pick_at(model_, view(), settings_.cull, x, y);
+}
+
+l3d_viewed l3d_pipeline_polygons::viewed() {
+    const auto place_at = [this](double x, double y) -> std::optional<l3d_pointed_place> {
+        const auto found = pick(x, y);
+        if (!found)
+            return std::nullopt;
+        return l3d_pointed_place{found->point, found->point_error, found->line()};
+    };
+    return {.framed = [this](const l3d_camera& camera) { return framed(camera); },
+            .place_at = place_at,
+            .is_parallel = [this] { return settings_.projection == l3d_projection::parallel; }};
+}

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// l3d_view_steering: how keys and the pointer move the eye of a viewer.
+#ifndef L3D_PIPELINE_VIEW_STEERING_H
+#define L3D_PIPELINE_VIEW_STEERING_H
+
+#include "base/public.h"
+#include "scene/camera.h"
+#include "tool_2d/event.h"
+#include "tool_2d/screen.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+/// The nearest place of a model at a position in the picture.
+struct L3D_PUBLIC l3d_pointed_place {
+    l3d_camera::vector place{0.0, 0.0, 0.0}; ///< in the world
+    double error = 0; ///< the largest distance from the exact place, in world units
+    std::string text; ///< a line that tells what is there
+};
+
+/// What the controls ask a viewer of what it shows. A function that is empty leaves out what needs
+/// it.
+struct L3D_PUBLIC l3d_viewed {
+    /// The camera that shows everything along the line of sight of the given one.
+    std::function<l3d_camera(const l3d_camera&)> framed{};
+    /// The nearest place at a position, in pixels from the picture's left upper corner; nothing if
+    /// nothing is there.
+    std::function<std::optional<l3d_pointed_place>(double x, double y)> place_at{};
+    /// Whether the projection is parallel now.
+    std::function<bool()> is_parallel{};
+};
+
+/// Moves a viewer's camera: turns it about its target, moves and zooms it with what is under the
+/// pointer, shows a model from its sides, and frames it.
+///
+/// Lives:   borrows screen and camera.
+class L3D_PUBLIC l3d_view_steering {
+public:
+    /// A place or a direction in the world.
+    using vector = l3d_camera::vector;
+
+    /// Steers the camera of pictures on that screen.
+    l3d_view_steering(l3d_screen& screen, l3d_camera& camera, l3d_viewed viewed);
+
+    /// The first view is what `home` makes, now and at each reset; and after each change of the
+    /// picture's size as long as nobody has moved the camera.
+    void set_home(std::function<l3d_camera()> home);
+
+    /// Back to the first view.
+    void go_home();
+    /// Shows everything along the line of sight.
+    void frame_all();
+    /// Keeps what is seen of the model, after the picture has another size. A camera that a program
+    /// placed itself stays as it is.
+    void resized();
+
+    /// The eye circles the target. Units: radians, about what is upright and about the picture's
+    /// right.
+    void turn(double around_up, double around_right);
+    /// Multiplies the distance from the target, unless that leads too near or too far.
+    void approach(double factor) { approach(factor, camera_.target); }
+    /// The model is seen from here, by a person who stands upright before its front.
+    void look_from(double right, double up, double front);
+    /// The model is seen from the other side.
+    void look_from_opposite();
+
+    /// The place under the pointer becomes the middle of the picture, which the eye turns about.
+    /// False if nothing is there.
+    bool turn_about(double x, double y);
+
+    /// A button went down, the pointer moved or the wheel turned: turns, moves or zooms. True if
+    /// another picture is needed.
+    bool pointer(const l3d_event& event);
+
+private:
+    enum class drag { none, turn, move, zoom };
+
+    void begin(const l3d_event& press);
+    bool go_on(const l3d_event& motion);
+    void approach(double factor, const vector& place);
+    void move(double x, double y);
+    /// The place under the pointer; where nothing is, at the target's depth.
+    vector place_under(double x, double y) const;
+    double depth_of(const vector& place) const;
+    void leave_pole();
+    bool sees_along_up() const { return camera_.up != up_; }
+
+    l3d_screen& screen_;
+    l3d_camera& camera_;
+    l3d_viewed viewed_;
+    std::function<l3d_camera()> home_;
+    l3d_camera first_; ///< the program's own view, without a home
+    l3d_camera kept_;  ///< as a home or a frame left it; differs from camera_ if that was moved
+    bool is_home_ = false, is_framed_ = false; ///< what kept_ is
+    vector up_;                                ///< what is upright, whatever the picture shows
+    l3d_size size_;
+    drag drag_ = drag::none;
+    vector grabbed_{0.0, 0.0, 0.0};
+    int x_ = 0, y_ = 0;
+};
+
+#endif

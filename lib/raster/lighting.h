@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// l3d_lighting: the lights of a frame, beside the direction of the first one.
+#ifndef L3D_RASTER_LIGHTING_H
+#define L3D_RASTER_LIGHTING_H
+
+#include "base/public.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+/// The parts of white that a light has: red, green, blue. Units: 1 is white; more is brighter.
+using l3d_light_color = std::array<float, 3>;
+
+/// A light so far away that its rays are parallel.
+struct L3D_PUBLIC l3d_far_light {
+    std::array<float, 3> direction{0, 0, 1}; ///< unit vector towards it, world space
+    l3d_light_color color{1, 1, 1};          ///< how bright it is
+
+    friend bool operator==(const l3d_far_light&, const l3d_far_light&) = default;
+};
+
+/// Ambient light, the first light's colour, and further lights. At first, the usual light: a white
+/// one, and a tenth of ambient light.
+///
+/// With n the unit normal, turned to the eye, a channel of a pixel is
+///
+///     255 (c (a + 0.9 sum L max(0, n.l)) + s sum L max(0, n.h)^k), at most 255,
+///
+/// summed over the lights that are before the surface, n.l > 0. l is the direction to a light, L
+/// its colour, a that of ambient light. c, s and k are the material's colour, highlight and
+/// sharpness. h is half-way between l and the direction to the eye.
+/// Source: J. F. Blinn, "Models of light reflection for computer synthesized pictures", 1977.
+struct L3D_PUBLIC l3d_lighting {
+    static constexpr std::size_t most_more = 7; ///< lights beside the first
+
+    l3d_light_color ambient{0.1F, 0.1F, 0.1F};     ///< part of a surface's colour without any light
+    l3d_light_color color{1, 1, 1};                ///< of the first light
+    std::array<l3d_far_light, most_more> lights{}; ///< the further ones
+    std::size_t count = 0;                         ///< number of these
+
+    /// Adds a light. Expects: a direction of any length but 0, in the world; count < most_more.
+    void add(double x, double y, double z, const l3d_light_color& of) {
+        const double length = std::sqrt(x * x + y * y + z * z);
+        lights[count++] = {{static_cast<float>(x / length), static_cast<float>(y / length),
+                            static_cast<float>(z / length)},
+                           of};
+    }
+
+    /// Whether it is what it is at first.
+    bool is_usual() const { return *this == l3d_lighting(); }
+
+    friend bool operator==(const l3d_lighting&, const l3d_lighting&) = default;
+};
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// material_words: from levels of materials to colours, when a picture's surfaces are filled.
+#ifndef L3D_RASTER_SURFACES_MATERIAL_WORDS_P_H
+#define L3D_RASTER_SURFACES_MATERIAL_WORDS_P_H
+
+#include "geom/material.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Some pixels of a picture, and their depths. Pitches in elements.
+struct material_pixels {
+    std::uint32_t* words;
+    std::ptrdiff_t word_pitch;
+    const float* depths;
+    std::ptrdiff_t depth_pitch;
+    std::int32_t width, height;
+};
+
+/// The colour of a material's level: the rule that l3d_material states.
+inline std::uint32_t color_of_level(std::uint32_t color, std::uint32_t level) {
+    return l3d_product_of_colors(color, level * 0x010101);
+}
+
+/// The colours of a frame's materials. Lives: kept for its memory.
+class material_words {
+public:
+    void begin(std::span<const l3d_material> materials) {
+        colors_.clear();
+        for (const l3d_material& material : materials)
+            colors_.push_back(material.color);
+    }
+
+    /// One for each material.
+    std::span<const std::uint32_t> colors() const { return colors_; }
+
+    /// Whether words are levels of materials, to be coloured.
+    bool wanted() const { return !colors_.empty(); }
+
+    /// Makes the words of levels of materials (fill_words) to colours, where depth is not 0:
+    /// nothing was filled elsewhere.
+    void color(const material_pixels& pixels) const;
+
+    /// The same, pixel by pixel. The slow twin.
+    void color_slowly(const material_pixels& pixels) const;
+
+private:
+    std::vector<std::uint32_t> colors_;
+};
+
+} // namespace l3d_detail
+
+#endif

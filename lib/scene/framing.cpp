@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+// l3d_framed: four planes through the eye that touch the model, and what they bound.
+#include "scene/framing.h"
+
+#include "geom/files/patch_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using vector = l3d_camera::vector;
+
+constexpr double least_share = 0.6;
+
+/// The part of what control points span that a reach may be too large by.
+constexpr double reach_error = 1e-4;
+/// Halving a patch twice brings control points 16 times nearer to it: 7 times is more than enough.
+constexpr int most_cuts = 7;
+
+/// Dot products of a direction with the control points of a patch, or of a part of it.
+using heights = std::array<double, 16>;
+
+double corner_most(const heights& h) {
+    return std::max({h[0], h[3], h[12], h[15]});
+}
+
+/// Halves four numbers, `step` apart, by de Casteljau's scheme.
+void halve(const double* from, double* low, double* high, std::size_t step) {
+    const double ab = (from[0] + from[step]) / 2, bc = (from[step] + from[2 * step]) / 2;
+    const double cd = (from[2 * step] + from[3 * step]) / 2;
+    const double abc = (ab + bc) / 2, bcd = (bc + cd) / 2, middle = (abc + bcd) / 2;
+    low[0] = from[0], low[step] = ab, low[2 * step] = abc, low[3 * step] = middle;
+    high[0] = middle, high[step] = bcd, high[2 * step] = cd, high[3 * step] = from[3 * step];
+}
+
+std::array<heights, 4> quarters(const heights& whole) {
+    std::array<heights, 2> halves;
+    for (std::size_t row = 0; row < 16; row += 4)
+        halve(&whole[row], &halves[0][row], &halves[1][row], 1);
+    std::array<heights, 4> result;
+    for (std::size_t half = 0; half < 2; ++half)
+        for (std::size_t column = 0; column < 4; ++column)
+            halve(&halves[half][column], &result[2 * half][column], &result[2 * half + 1][column],
+                  4);
+    return result;
+}
+
+/// Finds the largest height of all patches. Only parts whose control points are above the highest
+/// surface point so far are cut.
+class highest {
+public:
+    void add(const heights& patch) {
+        for (const double height : patch) {
+            most_ = std::max(most_, height);
+            least_ = std::min(least_, height);
+        }
+        if (*std::ranges::max_element(patch) > found_)
+            parts_.push_back(patch);
+        found_ = std::max(found_, corner_most(patch));
+    }
+
+    double height() {
+        const double error = (most_ - least_) * reach_error;
+        for (int cut = 0; cut < most_cuts && !parts_.empty(); ++cut) {
+            std::erase_if(parts_, [&](const heights& part) {
+                return *std::ranges::max_element(part) <= found_ + error;
+            });
+            std::vector<heights> smaller;
+            for (const heights& part : parts_)
+                for (const heights& quarter : quarters(part)) {
+                    found_ = std::max(found_, corner_most(quarter));
+                    smaller.push_back(quarter);
+                }
+            parts_ = std::move(smaller);
+        }
+        return std::min(found_ + error, most_);
+    }
+
+private:
+    std::vector<heights> parts_;
+    double found_ = -std::numeric_limits<double>::infinity();
+    double most_ = found_, least_ = -found_;
+};
+
+double reach_along(const l3d_patch_scene& scene, const vector& direction) {
+    highest found;
+    for (const l3d_patch_instance& instance : scene.instances()) {
+        const l3d_matrix<double>& m = instance.placement();
+        vector model{0.0, 0.0, 0.0}; // the direction as the model's points see it
+        double moved = 0;
+        for (int i = 0; i < 3; ++i) {
+            moved += direction[i] * m(i, 3);
+            for (int k = 0; k < 3; ++k)
+                model[k] += direction[i] * m(i, k);
+        }
+        for (const l3d_patch_model::patch& patch : instance.model().patches()) {
+            heights patch_heights;
+            for (std::size_t i = 0; i < 16; ++i)
+                patch_heights[i] = l3d_dot(model, patch.points[i]) + moved;
+            found.add(patch_heights);
+        }
+    }
+    return found.height();
+}
+
+/// A model between two pairs of planes that meet in the eye, left and right or below and above.
+/// Each has `slope` as the tangent of its angle to the line of sight. The planes hold everything
+/// if place - slope depth >= most and place + slope depth <= least, for the eye's own place and
+/// depth.
+struct wedge {
+    double slope, most, least;
+
+    wedge(const vector& side, const vector& forward, double tangent, const l3d_reach& reach)
+        : slope(tangent), most(reach(side - forward * tangent)),
+          least(-reach(-side - forward * tangent)) {}
+
+    /// The eye is nowhere nearer.
+    double deepest() const { return (least - most) / (2 * slope); }
+    /// Where the eye is then; farther away it is a good middle as well.
+    double place() const { return (most + least) / 2; }
+    bool holds(double at, double depth) const {
+        return at - slope * depth >= most && at + slope * depth <= least;
+    }
+};
+
+struct wedges {
+    wedge across, along;
+
+    wedges(const l3d_camera::frame& axes, const l3d_camera& camera, l3d_size size, double share,
+           const l3d_reach& reach)
+        : across(axes.right, axes.forward, share * size.width / 2.0 / camera.focal_length(size),
+                 reach),
+          along(axes.up, axes.forward, share * size.height / 2.0 / camera.focal_length(size),
+                reach) {}
+
+    double deepest() const { return std::min(across.deepest(), along.deepest()); }
+};
+
+/// How deep a model begins and ends along the line of sight, from the origin.
+struct depths {
+    double nearest, farthest;
+
+    depths(const vector& forward, const l3d_reach& reach)
+        : nearest(-reach(-forward)), farthest(reach(forward)) {}
+
+    bool empty() const { return !(nearest <= farthest); }
+    double middle() const { return (nearest + farthest) / 2; }
+
+    /// How far the eye stays away at least. A model without any size is seen from anywhere.
+    double least_distance() const {
+        const double size = (farthest - nearest) * 1e-6;
+        const double largest = std::max(std::abs(nearest), std::abs(farthest));
+        return size > 0 ? size : largest > 0 ? largest : 1;
+    }
+};
+
+/// The camera with eye and target at these depths of one line along the line of sight. The eye is
+/// brought to where eyes may be. Expects: the model begins at depth `nearest`.
+l3d_camera placed(const l3d_camera& camera, const vector& line, double eye, double target,
+                  double nearest) {
+    l3d_camera result = camera;
+    const vector forward = camera.axes().forward;
+    result.target = line + forward * target;
+    result.eye = line + forward * eye;
+    const vector arm = result.eye - result.target;
+    double part = 1;
+    for (int i = 0; i < 3; ++i)
+        if (std::abs(result.eye[i]) > l3d_bpt_largest_coordinate)
+            part = std::min(part,
+                            (std::copysign(l3d_bpt_largest_coordinate, arm[i]) - result.target[i]) /
+                                arm[i]);
+    if (part < 1) // a little less, so that rounding leads inside
+        result.eye = result.target + arm * (part * (1 - 0x1p-40));
+    // Depth is kept as 1 / distance in floats, which are as exact near the eye as far from it.
+    const double near = std::min(1e-3 * (target - eye), 0.5 * (nearest - eye));
+    result.near = std::clamp(near, l3d_least_distance, camera.near);
+    return result.is_valid() ? result : camera;
+}
+
+} // namespace
+
+l3d_reach l3d_reach_of(const l3d_patch_scene& scene) {
+    return [&scene](const vector& direction) { return reach_along(scene, direction); };
+}
+
+l3d_camera l3d_framed(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
+    const l3d_camera::frame axes = camera.axes();
+    const depths depth(axes.forward, reach);
+    if (depth.empty())
+        return camera;
+    const wedges all(axes, camera, size, l3d_framed_share, reach);
+    const double eye = std::min(all.deepest(), depth.nearest - depth.least_distance());
+    const vector line = axes.right * all.across.place() + axes.up * all.along.place();
+    return placed(camera, line, eye, depth.middle(), depth.nearest);
+}
+
+l3d_camera l3d_framed_parallel(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
+    const l3d_camera::frame axes = camera.axes();
+    const depths depth(axes.forward, reach);
+    if (depth.empty())
+        return camera;
+    const double left = -reach(-axes.right), right = reach(axes.right);
+    const double bottom = -reach(-axes.up), top = reach(axes.up);
+    const double pixel = std::max((right - left) / size.width, (top - bottom) / size.height);
+    const double distance = pixel * camera.focal_length(size) / l3d_framed_share;
+    const vector line = axes.right * ((left + right) / 2) + axes.up * ((bottom + top) / 2);
+    const double eye = depth.middle() - (distance > 0 ? distance : depth.least_distance());
+    return placed(camera, line, eye, depth.middle(), depth.nearest);
+}
+
+bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
+    const l3d_camera::frame axes = camera.axes();
+    const double depth = l3d_dot(camera.eye, axes.forward);
+    const wedges whole(axes, camera, size, 1, reach), part(axes, camera, size, least_share, reach);
+    return whole.across.holds(l3d_dot(camera.eye, axes.right), depth) &&
+           whole.along.holds(l3d_dot(camera.eye, axes.up), depth) && part.deepest() <= depth &&
+           depths(axes.forward, reach).nearest > depth + camera.near;
+}
+
+l3d_camera l3d_framed_unless_well(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
+    return l3d_shows_well(camera, size, reach) ? camera : l3d_framed(camera, size, reach);
+}
+
+namespace {
+
+/// How a model lies along the width or the height of a picture.
+struct side_of_picture {
+    bool is_beside, is_within_a_pixel;
+};
+
+/// By the planes through the eye and two opposite sides of the picture, whose tangent is `slope`.
+side_of_picture seen_along(const vector& side, const vector& forward, const vector& eye,
+                           double slope, int pixels, const l3d_reach& reach) {
+    const double at = l3d_dot(eye, side), depth = l3d_dot(eye, forward);
+    const bool after = -reach(forward * slope - side) > at - slope * depth;
+    const bool before = reach(side + forward * slope) < at + slope * depth;
+    return {after || before, wedge(side, forward, slope / pixels, reach).deepest() > depth};
+}
+
+/// By the planes `half` away from the eye.
+side_of_picture seen_parallel(const vector& side, const vector& eye, double half, int pixels,
+                              const l3d_reach& reach) {
+    const double at = l3d_dot(eye, side), least = -reach(-side), most = reach(side);
+    return {least > at + half || most < at - half, most - least < 2 * half / pixels};
+}
+
+} // namespace
+
+std::string l3d_why_unseen(const l3d_camera& camera, l3d_size size, const l3d_reach& reach,
+                           bool is_parallel) {
+    const l3d_camera::frame axes = camera.axes();
+    const depths depth(axes.forward, reach);
+    const double eye = l3d_dot(camera.eye, axes.forward);
+    if (depth.empty())
+        return "without any surface";
+    if (!is_parallel && depth.farthest < eye)
+        return "behind the eye";
+    if (!is_parallel && depth.farthest < eye + camera.near)
+        return "nearer than the near plane";
+    if (!is_parallel && depth.nearest > eye + camera.far)
+        return "beyond the far plane";
+    const double distance = l3d_length(camera.target - camera.eye);
+    const auto seen = [&](const vector& side, int pixels) {
+        const double slope = pixels / 2.0 / camera.focal_length(size);
+        return is_parallel ? seen_parallel(side, camera.eye, slope * distance, pixels, reach)
+                           : seen_along(side, axes.forward, camera.eye, slope, pixels, reach);
+    };
+    const side_of_picture across = seen(axes.right, size.width), along = seen(axes.up, size.height);
+    if (across.is_beside || along.is_beside)
+        return "outside of the picture";
+    if (across.is_within_a_pixel && along.is_within_a_pixel)
+        return "smaller than a pixel";
+    return "";
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// l3d_load_model: a model file, and the files of materials beside it.
+#ifndef L3D_SCENE_MODEL_LOADER_H
+#define L3D_SCENE_MODEL_LOADER_H
+
+#include "geom/files/model_file.h"
+
+#include <string>
+
+/// Reads a model file, and the files of materials that it names, from its own folder. What cannot
+/// be read of these is a note. Messages call the model by `name`.
+/// Errors: throws l3d_error(bad_input) with file, line and reason.
+l3d_model_file l3d_load_model(const std::string& path, const std::string& name);
+
+#endif

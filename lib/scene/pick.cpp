@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// l3d_pick_at: patches as the ray sees them, and what is told of the place where it meets them.
+#include "scene/pick.h"
+
+#include "geom/transform.h"
+#include "scene/picks/ray_search.h"
+#include "scene/picks/surface_jet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using vector = l3d_camera::vector;
+using patch_3 = l3d_patch_model::patch;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Roundings of a coordinate that is a sum of a few products: the axes are good to 24 of them, the
+/// products and sums add 8, placing the model 8, halving 50 times 3 each of what becomes smaller,
+/// 6, and evaluating 12. Units: of the sum of all terms' magnitudes.
+constexpr double ray_rounding = 128 * 0x1p-53;
+/// The same of a world coordinate.
+constexpr double world_rounding = 16 * 0x1p-53;
+
+/// The ray through a place of a picture: coordinates that vanish along it, and the depth.
+class eye_ray {
+public:
+    eye_ray(const l3d_pick_view& view, double x, double y)
+        : eye_(view.camera.eye), axes_(view.camera.axes()) {
+        const double focal = view.camera.focal_length(view.size);
+        right_ = (x - view.size.width / 2.0) / focal;
+        up_ = (view.size.height / 2.0 - y) / focal;
+    }
+
+    l3d_ray_net::point seen(const vector& world) const {
+        const vector arm = world - eye_;
+        const double depth = l3d_dot(axes_.forward, arm);
+        return {l3d_dot(axes_.right, arm) - right_ * depth, l3d_dot(axes_.up, arm) - up_ * depth,
+                depth};
+    }
+
+    /// Of what seen() makes of a point whose terms sum up to `reach`.
+    double rounding(double reach) const {
+        const double eye = std::max({std::abs(eye_[0]), std::abs(eye_[1]), std::abs(eye_[2])});
+        return ray_rounding * 3 * (reach + eye) * slant();
+    }
+
+    /// The distance of two places from what the ray sees of it.
+    double length(double across, double depth) const { return across + depth * slant(); }
+
+    vector direction() const { return axes_.forward + axes_.right * right_ + axes_.up * up_; }
+
+private:
+    double slant() const { return 1 + std::abs(right_) + std::abs(up_); }
+
+    vector eye_;
+    l3d_camera::frame axes_;
+    double right_ = 0, up_ = 0;
+};
+
+patch_3 placed(const patch_3& patch, const l3d_patch_instance& instance) {
+    patch_3 result = patch;
+    const l3d_matrix<double>& m = instance.placement();
+    if (m == l3d_identity<double>())
+        return result;
+    for (vector& point : result.points) {
+        const auto p = m * l3d_vector<double, 4>(point[0], point[1], point[2], 1.0);
+        point = {p[0], p[1], p[2]};
+    }
+    return result;
+}
+
+/// Where the patches of all instances are in one row.
+struct place_in_scene {
+    std::size_t instance, patch;
+};
+
+/// What a normal or a point is off by, as a length.
+double length_of_radii(const l3d_surface_jet::vector& v) {
+    double squares = 0;
+    for (const l3d_interval& coordinate : v)
+        squares += coordinate.radius() * coordinate.radius();
+    return std::sqrt(squares) * (1 + 0x1p-50);
+}
+
+vector middle(const l3d_surface_jet::vector& v) {
+    return {v[0].middle(), v[1].middle(), v[2].middle()};
+}
+
+void describe_surface(l3d_pick& pick, const l3d_surface_jet& jet, const vector& ray) {
+    pick.normal_error = pick.gaussian_error = pick.mean_error = infinite;
+    if (!jet.normal)
+        return;
+    const vector normal = middle(*jet.normal);
+    const double side = l3d_dot(normal, ray) > 0 ? -1 : 1;
+    pick.normal = normal * side;
+    pick.normal_error = length_of_radii(*jet.normal);
+    pick.gaussian = jet.gaussian.middle();
+    pick.gaussian_error = jet.gaussian.radius();
+    pick.mean = jet.mean.middle() * side;
+    pick.mean_error = jet.mean.radius();
+}
+
+void add_line(std::string& text, const char* name, std::initializer_list<double> values,
+              double error) {
+    char digits[40];
+    text += name;
+    for (const double value : values) {
+        std::snprintf(digits, sizeof digits, " %.15g", value);
+        text += digits;
+    }
+    std::snprintf(digits, sizeof digits, " +- %.2g\n", error);
+    text += digits;
+}
+
+} // namespace
+
+std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick_view& view,
+                                    double x, double y) {
+    const eye_ray ray(view, x, y);
+    std::vector<place_in_scene> places;
+    const auto world_patch = [&](std::size_t number) {
+        const l3d_patch_instance& instance = scene.instances()[places[number].instance];
+        return placed(instance.model().patches()[places[number].patch], instance);
+    };
+    const auto shows_front = [&](const l3d_ray_hit& hit) {
+        const patch_3 patch = world_patch(hit.patch);
+        const vector normal =
+            l3d_cross(patch.derivative_u(hit.u, hit.v), patch.derivative_v(hit.u, hit.v));
+        const l3d_patch_instance& instance = scene.instances()[places[hit.patch].instance];
+        const bool mirrored = l3d_determinant(instance.placement()) < 0;
+        return (l3d_dot(normal, ray.direction()) < 0) != mirrored;
+    };
+    l3d_ray_search search(view.camera.near, view.camera.far, [&](const l3d_ray_hit& hit) {
+        return !view.one_sided || shows_front(hit);
+    });
+    for (std::size_t i = 0; i < scene.instances().size(); ++i) {
+        const l3d_patch_instance& instance = scene.instances()[i];
+        const double error = ray.rounding(instance.reach());
+        for (std::size_t p = 0; p < instance.model().patches().size(); ++p) {
+            l3d_ray_net net = placed(instance.model().patches()[p], instance);
+            for (vector& point : net.points)
+                point = ray.seen(point);
+            search.add(places.size(), net, error);
+            places.push_back({i, p});
+        }
+    }
+    const auto hit = search.nearest();
+    if (!hit)
+        return std::nullopt;
+    const place_in_scene where = places[hit->patch];
+    const double rounding = world_rounding * scene.instances()[where.instance].reach();
+    const l3d_surface_jet jet(world_patch(hit->patch), hit->u, hit->v, hit->u_error, hit->v_error,
+                              rounding);
+    l3d_pick pick{.instance = where.instance,
+                  .patch = where.patch,
+                  .u = hit->u,
+                  .v = hit->v,
+                  .u_error = hit->u_error,
+                  .v_error = hit->v_error,
+                  .point = middle(jet.point),
+                  .point_error = length_of_radii(jet.point),
+                  .depth = hit->depth,
+                  .is_proven = hit->is_proven};
+    if (!hit->is_proven) {
+        pick.point = view.camera.eye + ray.direction() * hit->depth;
+        pick.point_error = ray.length(hit->width, hit->depth_width) + rounding;
+    }
+    describe_surface(pick, jet, ray.direction());
+    return pick;
+}
+
+std::string l3d_pick::text() const {
+    std::string result = "patch " + std::to_string(patch) + "\n";
+    if (instance > 0)
+        result = "instance " + std::to_string(instance) + "\n" + result;
+    add_line(result, "u", {u}, u_error);
+    add_line(result, "v", {v}, v_error);
+    add_line(result, "point", {point[0], point[1], point[2]}, point_error);
+    add_line(result, "depth", {depth}, point_error);
+    add_line(result, "normal", {normal[0], normal[1], normal[2]}, normal_error);
+    add_line(result, "gaussian-curvature", {gaussian}, gaussian_error);
+    add_line(result, "mean-curvature", {mean}, mean_error);
+    result += is_proven ? "proven yes\n" : "proven no, an outline or a corner is too near\n";
+    return result;
+}
+
+std::string l3d_pick::line() const {
+    char words[160];
+    std::snprintf(words, sizeof words, "patch %zu  u %.4f  v %.4f  at %.6g, %.6g, %.6g +- %.1g",
+                  patch, u, v, point[0], point[1], point[2], point_error);
+    return words;
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// l3d_ray_search: the nearest point of bicubic patches on a ray.
+#ifndef L3D_SCENE_PICKS_RAY_SEARCH_H
+#define L3D_SCENE_PICKS_RAY_SEARCH_H
+
+#include "geom/bezier_patch.h"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+/// A patch as a ray sees it: coordinates 0 and 1 are zero on the ray, 2 is the depth.
+using l3d_ray_net = l3d_bezier_patch<double, 3>;
+
+/// Where the ray meets a patch.
+struct l3d_ray_hit {
+    std::size_t patch = 0; ///< the number that it was added with
+    double u = 0, v = 0;   ///< from 0 to 1
+    double u_error = 0, v_error = 0;
+    double depth = 0;
+    bool is_proven = false; ///< by Krawczyk's operator
+    /// Of a hit that is not proven: how far the ray and the surface are together.
+    double width = 0, depth_width = 0;
+};
+
+/// Takes patches one after another, then finds the nearest hit of all.
+class l3d_ray_search {
+public:
+    /// Hits before `near` or beyond `far` do not count. `is_seen` is asked of each proven hit.
+    l3d_ray_search(double near, double far, std::function<bool(const l3d_ray_hit&)> is_seen)
+        : near_(near), far_(far), is_seen_(std::move(is_seen)) {}
+
+    /// `error` bounds the rounding of the net's coordinates, and that of halving and evaluating it.
+    void add(std::size_t patch, const l3d_ray_net& net, double error);
+
+    std::optional<l3d_ray_hit> nearest();
+
+private:
+    /// The whole of a patch.
+    struct root {
+        std::size_t patch;
+        l3d_ray_net net;
+        double error;
+    };
+    /// A part of a patch, or a hit that was found in it.
+    struct part {
+        double least_depth;
+        std::size_t root;
+        double u, v, du, dv; ///< where it begins, and its size
+        l3d_ray_net net;
+        std::optional<l3d_ray_hit> hit;
+    };
+
+    bool may_be_met(const l3d_ray_net& net, double error) const;
+    void push(part&& one);
+    part pop();
+    void look_into(const part& one);
+    void split(const part& one);
+    bool settle(const part& one);
+    void keep_unproven(const part& one);
+    l3d_ray_hit joined(l3d_ray_hit first);
+
+    double near_, far_;
+    std::function<bool(const l3d_ray_hit&)> is_seen_;
+    std::vector<root> roots_;
+    std::vector<part> heap_; ///< the least depth first
+    long steps_ = 0;
+};
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// l3d_surface_jet: point, normal and curvature of a patch where parameters are known to an error.
+#ifndef L3D_SCENE_PICKS_SURFACE_JET_H
+#define L3D_SCENE_PICKS_SURFACE_JET_H
+
+#include "geom/bezier_patch.h"
+#include "scene/picks/interval.h"
+
+#include <array>
+#include <optional>
+
+/// Bounds of what a patch has at all parameters within an error of (u, v).
+///
+/// Source: do Carmo, "Differential Geometry of Curves and Surfaces": K = (e g - f^2) / (E G - F^2)
+/// and H = (e G - 2 f F + g E) / (2 (E G - F^2)).
+struct l3d_surface_jet {
+    using vector = std::array<l3d_interval, 3>;
+
+    vector point;
+    std::optional<vector> normal; ///< unit, of dS/du x dS/dv; nothing where it may be none
+    l3d_interval gaussian, mean;  ///< meaningful if there is a normal
+
+    /// `rounding` bounds the errors of the control points' coordinates.
+    l3d_surface_jet(const l3d_bezier_patch<double, 3>& patch, double u, double v, double u_error,
+                    double v_error, double rounding);
+};
+
+#endif

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// Colours from every format of models that has them.
+#include "geom/files/model_file.h"
+
+#include "model_text.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using words = std::vector<std::uint32_t>;
+using texts = std::vector<std::string>;
+
+constexpr const char* vertex_note = "the colours of vertices become those of faces, as means";
+
+l3d_polygon_mesh mesh_of(l3d_model_reader& reader, std::string_view text) {
+    return model_text::read_by(reader, text, "name").mesh;
+}
+
+TEST(model_colors, of_vertices_are_the_means_of_the_corners_of_faces) {
+    const std::string_view ply =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+        "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+        "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n1 1 0 255 255 255\n3 0 1 2\n4 0 1 3 2\n";
+    const l3d_model_file of_ply = model_text::read_by(l3d_read_ply, ply, "name");
+    EXPECT_EQ(of_ply.mesh.face_colors, (words{0x555555, 0x808080}));
+    EXPECT_EQ(of_ply.notes.size(), 1u);
+    EXPECT_TRUE(of_ply.notes[0].ends_with(vertex_note)) << of_ply.notes[0];
+    EXPECT_EQ(mesh_of(l3d_read_off, "COFF 3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 0.4 1 0 1\n"
+                                    "3 0 1 2\n")
+                  .face_colors,
+              words{0xcc5500});
+    EXPECT_EQ(mesh_of(l3d_read_obj, "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 1\n")
+                  .face_colors,
+              (words{0xff5555, 0xff0000}));
+}
+
+TEST(model_colors, of_faces_come_before_those_of_vertices) {
+    EXPECT_EQ(mesh_of(l3d_read_off, "COFF 3 2 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n"
+                                    "3 0 1 2 0 0 255\n3 0 2 1\n")
+                  .face_colors,
+              (words{0x0000ff, 0xaaaaaa}));
+}
+
+TEST(model_colors, of_3d_studio_are_the_names_of_materials) {
+    const std::string head =
+        "Named object: \"a\"\nTri-mesh, Vertices: 3 Faces: 3\nVertex list:\n"
+        "Vertex 0: X:0 Y:0 Z:0\nVertex 1: X:1 Y:0 Z:0\nVertex 2: X:0 Y:1 Z:0\nFace list:\n";
+    const auto face = [](int i, const std::string& material) {
+        return "Face " + std::to_string(i) + ": A:0 B:1 C:2\nMaterial:\"" + material + "\"\n";
+    };
+    const l3d_polygon_mesh mesh = mesh_of(
+        l3d_read_asc, head + face(0, "r255g128b0a0") + face(1, "BLUE") + face(2, "r1g2b256a0"));
+    EXPECT_EQ(mesh.look_of(0).color, 0xff8000u);
+    EXPECT_EQ(mesh.look_of(1).color, 0xffffffu);
+    EXPECT_EQ(mesh.look_of(2).color, 0xffffffu) << "no component is more than 255";
+    EXPECT_TRUE(mesh_of(l3d_read_asc, head + face(0, "BLUE") + face(1, "BLUE") + face(2, "r"))
+                    .looks.empty());
+}
+
+TEST(model_colors, of_obj_files_are_looked_up_by_name) {
+    l3d_model_file model = model_text::read_by(
+        l3d_read_obj,
+        "mtllib a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\nusemtl none\nf 1 2 3\n"
+        "mtllib more.mtl\n",
+        "name");
+    EXPECT_EQ(model.material_files,
+              (std::vector<l3d_material_file>{{"a b.mtl", 1}, {"more.mtl", 9}}));
+    EXPECT_EQ(model.material_files[1].line, 9u);
+    EXPECT_EQ(model.notes, texts{});
+    EXPECT_TRUE(model.mesh.looks.empty());
+    const l3d_named_material materials[] = {{"red", {.color = 0x800000}},
+                                            {"red", {.color = 0xff0000}}};
+    l3d_give_looks(model.mesh, materials);
+    EXPECT_EQ(model.mesh.look_of(0).color, 0xff0000u);
+    EXPECT_EQ(model.mesh.look_of(1), l3d_material());
+    EXPECT_TRUE(model.mesh.is_valid());
+}
+
+TEST(model_colors, of_patches_of_obj_files_are_those_before_surf) {
+    std::string text = "cstype bezier\ndeg 1 1\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+    const std::string surface = "surf 0 1 0 1 1 2 3 4\nparm u 0 1\nparm v 0 1\nend\n";
+    const l3d_model_file plain = model_text::read_by(l3d_read_obj, text + surface, "name");
+    EXPECT_TRUE(plain.patch_materials.empty());
+    text +=
+        surface + "usemtl lid\n" + surface + "usemtl body\n" + surface + "usemtl lid\n" + surface;
+    const l3d_model_file model = model_text::read_by(l3d_read_obj, text, "name");
+    EXPECT_EQ(model.mesh.materials, (texts{"lid", "body", ""}));
+    EXPECT_EQ(model.patch_materials, (words{2, 0, 1, 0}));
+    EXPECT_EQ(model_text::read_by(l3d_read_obj, l3d_write_obj(model), "name"), model);
+}
+
+std::vector<l3d_named_material> read_mtl(std::string_view text, texts expected_notes = {}) {
+    texts notes;
+    const auto result = l3d_read_mtl(text, "a.mtl", notes);
+    EXPECT_EQ(notes, expected_notes);
+    return result;
+}
+
+TEST(mtl_file, has_colors_and_highlights) {
+    EXPECT_EQ(read_mtl("# by hand\nnewmtl shiny  red\nKa 0 0 0\nKd 1 .5 0\nKs 0.2\nNs 90.5\n"
+                       "illum 2\nnewmtl matt\r\n\tKd 0.1 0.2 0.3\r\nKs 1 1 1\nillum 1\n"),
+              (std::vector<l3d_named_material>{
+                  {"shiny red", {.color = 0xff8000, .highlight = 0x333333, .sharpness = 90.5F}},
+                  {"matt", {.color = 0x1a334d}}}));
+    EXPECT_EQ(
+        read_mtl("newmtl a\nNs 0\nnewmtl b\nNs 5000"),
+        (std::vector<l3d_named_material>{{"a", {.sharpness = 1}}, {"b", {.sharpness = 1000}}}));
+}
+
+TEST(mtl_file, notes_what_it_cannot_read_and_goes_on) {
+    EXPECT_EQ(read_mtl("Kd 1 1 1\nnewmtl a\nKd 1 x 1\nKd 1 1\nKd 2 0 0\nKd nan 0 0\nKd spectral a\n"
+                       "Ns\nNs many\nfoo 1\nmap_Kd a.png\nmap_Kd b.png\nd 0.5\nKd 0 1 0\n",
+                       {"a.mtl:1: 'Kd' before the first newmtl is skipped",
+                        "a.mtl:3: 'x', a colour, is not a number: skipped",
+                        "a.mtl:4: a colour of 2 components is skipped",
+                        "a.mtl:5: a colour is out of range: skipped",
+                        "a.mtl:6: 'nan', a colour, is not a number: skipped",
+                        "a.mtl:7: 'spectral', a colour, is not a number: skipped",
+                        "a.mtl:8: Ns without a number is skipped",
+                        "a.mtl:9: Ns without a number is skipped",
+                        "a.mtl:10: 'foo' begins no statement of an .mtl file",
+                        "a.mtl:11: statements 'map_Kd' are skipped",
+                        "a.mtl:13: statements 'd' are skipped"}),
+              (std::vector<l3d_named_material>{{"a", {.color = 0x00ff00}}}));
+}
+
+TEST(polygon_mesh, keeps_colors_and_materials_when_another_is_appended) {
+    const auto triangle = [] {
+        l3d_polygon_mesh mesh;
+        mesh.vertices.assign(3, {0.0, 0.0, 0.0});
+        mesh.add_face(words{0, 1, 2});
+        return mesh;
+    };
+    l3d_polygon_mesh red = triangle(), brass = triangle(), all;
+    red.face_colors = {0xff0000};
+    brass.face_materials = {0};
+    brass.materials = {"brass"};
+    brass.looks = {{.color = 0xb08020}};
+    for (const l3d_polygon_mesh& mesh : {triangle(), red, brass, triangle(), brass})
+        all.append(mesh);
+    EXPECT_TRUE(all.is_valid());
+    words colors;
+    for (std::size_t f = 0; f < all.faces(); ++f)
+        colors.push_back(all.look_of(f).color);
+    EXPECT_EQ(colors, (words{0xffffff, 0xff0000, 0xb08020, 0xffffff, 0xb08020}));
+    l3d_polygon_mesh plain = triangle();
+    plain.append(triangle());
+    EXPECT_TRUE(plain.face_colors.empty() && plain.face_materials.empty() && plain.looks.empty());
+}
+
+} // namespace

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// l3d_load_model: materials are looked up beside the model, and none is worth an error.
+#include "scene/model_loader.h"
+
+#include "../system/temporary_folder.h"
+#include "scene/patch_scene.h"
+#include "tool_2d/error.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace {
+
+constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
+
+void write(const std::filesystem::path& path, const std::string& text) {
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path) << text;
+}
+
+TEST(model_loader, finds_materials_beside_the_model) {
+    const temporary_folder folder;
+    const std::string model = folder.file("here/a.obj");
+    for (const std::string name : {"a b.mtl", "more/a.mtl", "/elsewhere/c.mtl"}) {
+        write(model, "mtllib " + name + '\n' + triangle);
+        const std::filesystem::path named(name);
+        write(std::filesystem::path(model).parent_path() /
+                  (named.is_absolute() ? named.filename() : named),
+              "newmtl red\nKd 1 0 0\nfoo\n");
+        const l3d_model_file file = l3d_load_model(model, "a.obj");
+        EXPECT_EQ(file.mesh.look_of(0).color, 0xff0000u) << name;
+        ASSERT_EQ(file.notes.size(), 1u) << name;
+        EXPECT_TRUE(file.notes[0].ends_with(".mtl:3: 'foo' begins no statement of an .mtl file"))
+            << file.notes[0];
+    }
+}
+
+TEST(model_loader, notes_a_file_of_materials_that_is_not_there) {
+    const temporary_folder folder;
+    const std::string model = folder.file("a.obj");
+    write(model, std::string(triangle) + "mtllib none.mtl\n");
+    const l3d_model_file file = l3d_load_model(model, "a.obj");
+    EXPECT_EQ(file.mesh.look_of(0), l3d_material());
+    ASSERT_EQ(file.notes.size(), 1u);
+    EXPECT_TRUE(file.notes[0].starts_with("a.obj:6: ")) << file.notes[0];
+    EXPECT_NE(file.notes[0].find("none.mtl"), std::string::npos) << file.notes[0];
+    EXPECT_TRUE(file.notes[0].ends_with("; its materials are white")) << file.notes[0];
+    EXPECT_THROW(l3d_load_model(folder.file("b.obj"), "b.obj"), l3d_error);
+}
+
+TEST(model_loader, gives_patches_their_materials) {
+    const temporary_folder folder;
+    const std::string model = folder.file("a.obj");
+    const std::string surface = "surf 0 1 0 1 1 2 3 4\nparm u 0 1\nparm v 0 1\nend\n";
+    write(model, "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\ncstype bezier\ndeg 1 1\n" +
+                     surface + "usemtl lid\n" + surface + surface);
+    write(folder.file("a.mtl"), "newmtl lid\nKd 0 0 1\n");
+    const l3d_patch_model patches = l3d_patch_model::load(model);
+    ASSERT_EQ(patches.materials().size(), 2u);
+    EXPECT_EQ(patches.materials()[patches.material_of(0)], l3d_material());
+    for (const std::size_t i : {1u, 2u})
+        EXPECT_EQ(patches.materials()[patches.material_of(i)], l3d_material{.color = 0x0000ff});
+}
+
+TEST(patch_scene, lists_the_materials_of_its_instances) {
+    std::vector<l3d_patch_model::patch> two(2);
+    for (std::size_t i = 0; i < 16; ++i)
+        for (auto& patch : two)
+            patch.points[i] = {static_cast<double>(i % 4), static_cast<double>(i / 4), 0.0};
+    const l3d_patch_model plain(two);
+    const l3d_material red{.color = 0xff0000}, blue{.color = 0x0000ff}, each[] = {red, blue};
+    const l3d_patch_model both = plain.painted(each);
+    EXPECT_EQ(both.identity(), plain.identity());
+    EXPECT_NE(both.paint_identity(), plain.paint_identity());
+    EXPECT_TRUE(plain.painted(l3d_material()).materials().empty());
+    EXPECT_EQ(plain.painted(red).materials().size(), 1u);
+
+    l3d_patch_scene scene;
+    scene.add(plain);
+    EXPECT_TRUE(scene.materials().empty());
+    EXPECT_EQ(scene.material_of(0, 1), 0u);
+    for (const l3d_patch_model& model : {both, both, plain})
+        scene.add(model);
+    scene.paint(2, blue);
+    EXPECT_EQ(scene.materials().size(), 4u) << "the plain one, two of the model, one painted";
+    const auto seen = [&](std::size_t instance, std::size_t patch) {
+        return scene.materials()[scene.material_of(instance, patch)];
+    };
+    for (const std::size_t i : {0u, 1u}) {
+        EXPECT_EQ(seen(0, i), l3d_material());
+        EXPECT_EQ(seen(1, i), each[i]);
+        EXPECT_EQ(seen(2, i), blue);
+        EXPECT_EQ(seen(3, i), l3d_material());
+    }
+    scene.forget_changes();
+    scene.paint(1, std::nullopt);
+    scene.paint(2, blue);
+    EXPECT_FALSE(scene.is_changed()) << "nothing looks otherwise";
+    scene.paint(1, red);
+    ASSERT_EQ(scene.moved().size(), 1u);
+    EXPECT_EQ(scene.moved()[0], 1u);
+    EXPECT_EQ(seen(1, 1), red);
+    scene.forget_changes();
+    scene.place(3, both, l3d_identity<double>());
+    EXPECT_TRUE(scene.is_changed()) << "the same patches, painted otherwise";
+    EXPECT_EQ(seen(3, 1), blue);
+}
+
+} // namespace

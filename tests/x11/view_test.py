@@ -1,0 +1,274 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What the viewers show: models of any size framed, keys and gestures, picks, empty pictures."""
+
+import contextlib
+import math
+import os
+
+import harness
+from harness import Checks, Onlooker, Program, environment, expect, expect_equal, folder, run
+from harness import started, wait_for, window_of, x_server, xdotool
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+VIEWERS = ("teapot_afd", "modelview")
+OLD_VIEW = ("--eye", "3.2,3.6,7.4", "--target", "0.2,1.3,0")
+
+
+def draw(viewer, size, *arguments, cwd):
+    command = Program(viewer, size).command("--backend", "memory", *arguments)
+    return run(command, environment(), cwd=cwd)
+
+
+# ---- framing ------------------------------------------------------------------------------------
+
+
+def turned(degrees, axis):
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    i, k = [a for a in range(3) if a != axis]
+
+    def turn(p):
+        q = list(p)
+        q[i], q[k] = c * p[i] - s * p[k], s * p[i] + c * p[k]
+        return q
+
+    return turn
+
+
+def scaled(x, y, z):
+    return lambda p: [p[0] * x, p[1] * y, p[2] * z]
+
+
+def moved(x, y, z):
+    return lambda p: [p[0] + x, p[1] + y, p[2] + z]
+
+
+MODELS = {
+    "tiny": scaled(1e-7, 1e-7, 1e-7),
+    "small": scaled(0.01, 0.01, 0.01),
+    "large": scaled(300, 300, 300),
+    "huge": scaled(1e9, 1e9, 1e9),
+    "wide": scaled(20, 1, 1),
+    "tall": scaled(1, 15, 1),
+    "flat": scaled(1, 1, 0.001),
+    "far-away": moved(5e4, -2e4, 7e5),
+    "lying": turned(90, 0),
+    "askew": turned(130, 1),
+}
+
+
+def teapot_as(change):
+    """The text of the shipped teapot, changed point by point."""
+    with open(os.path.join(ROOT, "data", "teapot.bpt"), encoding="ascii") as file:
+        lines = file.read().split("\n")
+    for index, line in enumerate(lines):
+        words = line.split()
+        if len(words) == 3:
+            lines[index] = " ".join("%.17g" % number for number in change([float(w) for w in words]))
+    return "\n".join(lines)
+
+
+def share_of(rows):
+    """The part of a picture's width or height that is covered, the larger one of the two, and
+    whether anything is cut. What differs from the left end of its row counts as covered."""
+    height, width = len(rows), len(rows[0])
+    columns = [x for row in rows for x in range(width) if row[x] != row[0]]
+    lines = [y for y, row in enumerate(rows) if any(word != row[0] for word in row)]
+    expect(lines, "an empty picture")
+    is_cut = max(columns) == width - 1 or lines[0] == 0 or lines[-1] == height - 1
+    wide = (max(columns) - min(columns) + 1) / width
+    tall = (lines[-1] - lines[0] + 1) / height
+    return max(wide, tall), is_cut
+
+
+def frames_any_model():
+    with folder() as path:
+        for name, change in MODELS.items():
+            with open(os.path.join(path, name + ".bpt"), "w", encoding="ascii") as file:
+                file.write(teapot_as(change))
+            for viewer in VIEWERS:
+                for size in ((160, 120), (100, 300), (300, 100)):
+                    said = draw(viewer, size, name + ".bpt", "--output", "o.png", cwd=path)
+                    expect_equal(said, (0, b"", ""), viewer)
+                    share, is_cut = share_of(harness.read_png(os.path.join(path, "o.png")))
+                    expect(0.6 <= share <= 0.95 and not is_cut, viewer, name, size, share, is_cut)
+
+
+def frames_the_teapot_where_it_was_cut():
+    with folder() as path:
+        for viewer in VIEWERS:
+            expect_equal(draw(viewer, (300, 900), "--output", "o.png", cwd=path), (0, b"", ""))
+            share, is_cut = share_of(harness.read_png(os.path.join(path, "o.png")))
+            expect(0.6 <= share <= 0.95 and not is_cut, viewer, share, is_cut)
+
+
+def keeps_the_teapots_own_view():
+    with folder() as path:
+        for size in ((640, 480), (1024, 768), (97, 73)):
+            draw("teapot_afd", size, "--output", "a.png", cwd=path)
+            draw("teapot_afd", size, *OLD_VIEW, "--output", "b.png", cwd=path)
+            with open(os.path.join(path, "a.png"), "rb") as a, open(os.path.join(path, "b.png"), "rb") as b:
+                expect(a.read() == b.read(), size)
+
+
+# ---- empty pictures and picks -------------------------------------------------------------------
+
+
+def says_why_a_picture_is_empty():
+    cases = (
+        (("--eye", "0,0,9", "--target", "0,0,20"), "behind the eye", "leave out --eye"),
+        (("--eye", "0,0,9", "--target", "9,0,9"), "outside of the picture", "leave out --eye"),
+        (("--eye", "0,0,9e5", "--target", "0,0,0"), "smaller than a pixel", "leave out --eye"),
+        (("--far", "2"), "beyond the far plane", "leave out --near and --far"),
+        (("--near", "1000"), "nearer than the near plane", "leave out --near and --far"),
+    )
+    with folder() as path:
+        for viewer in VIEWERS:
+            for arguments, why, mend in cases:
+                status, out, said = draw(viewer, (80, 60), *arguments, "--output", "o.png", cwd=path)
+                expect_equal((status, out, said.count("\n")), (0, b"", 1), why)
+                wanted = viewer + ": the picture is empty, as the model is " + why + "; " + mend
+                expect(said.startswith(wanted), said)
+
+
+def picks_from_the_command_line():
+    with folder() as path:
+        names = {
+            "teapot_afd": ["patch", "u", "v", "point", "depth", "normal", "gaussian-curvature",
+                           "mean-curvature", "proven"],
+            "modelview": ["face", "vertices", "weights", "point", "normal"],
+        }
+        for viewer in VIEWERS:
+            for place in ("320,260", "320.25,260.75"):
+                status, out, said = draw(viewer, (640, 480), *OLD_VIEW, "--pick", place, cwd=path)
+                expect_equal((status, said), (0, ""))
+                lines = out.decode().splitlines()
+                expect_equal([line.split()[0] for line in lines], names[viewer])
+                point = next(line for line in lines if line.startswith("point ")).split()
+                expect_equal(point[4], "+-")
+                expect(float(point[5]) < 1e-9, point)
+            expect_equal(draw(viewer, (640, 480), "--pick", "1,1", cwd=path), (0, b"nothing there\n", ""))
+            for wrong in ("1", "1,2,3", "1,x", "nan,3"):
+                status, out, said = draw(viewer, (64, 48), "--pick", wrong, cwd=path)
+                expect_equal((status, out), (2, b""), wrong)
+                expect(said.startswith(viewer + ": --pick: '" + wrong + "' is not two numbers X,Y"), said)
+
+
+# ---- keys and gestures --------------------------------------------------------------------------
+
+
+class Window:
+    """A viewer in a window, and what is in it."""
+
+    def __init__(self, stack, viewer, *arguments):
+        self.program = Program(viewer, (157, 119))
+        self.size = self.program.size
+        self.display = stack.enter_context(x_server()).display
+        self.eyes = stack.enter_context(Onlooker(self.display))
+        command = self.program.command("--backend", "ximage", *arguments)
+        self.process = stack.enter_context(started(command, environment(self.display)))
+        self.window = window_of(self.display, self.program)
+        wait_for(lambda: harness.has_picture(self.picture()), "the first picture")
+
+    def picture(self):
+        return self.eyes.picture(self.window, *self.size)
+
+    def does(self, what, *arguments):
+        """Sends keys or gestures, and returns the picture that follows, a different one."""
+        before = self.picture()
+        xdotool(self.display, *arguments)
+        wait_for(lambda: self.picture() != before, "a change by " + what)
+        return self.picture()
+
+    def at(self, x, y):
+        return ("mousemove", "--window", self.window, x, y)
+
+    def drag(self, button, *keys):
+        held = [word for key in keys for word in ("keydown", key)]
+        free = [word for key in keys for word in ("keyup", key)]
+        there = (*self.at(70, 60), *held, "mousedown", button, *self.at(95, 48), "mouseup", button)
+        return self.does("a drag with button %d" % button, *there, *free)
+
+    def end(self):
+        xdotool(self.display, "key", "Escape")
+        expect_equal(harness.ended(self.process), (0, b"", ""))
+
+
+def obeys_every_key_of_the_view():
+    for viewer in VIEWERS:
+        with contextlib.ExitStack() as stack:
+            it = Window(stack, viewer)
+            first = it.picture()
+            for key in ("f", "1", "ctrl+1", "3", "ctrl+3", "7", "ctrl+7", "9", "Left", "Prior"):
+                it.does(key, "key", key)
+            xdotool(it.display, "key", "r")
+            wait_for(lambda: it.picture() == first, "the first view again")
+            it.end()
+
+
+def obeys_every_gesture():
+    for viewer in VIEWERS:
+        with contextlib.ExitStack() as stack:
+            it = Window(stack, viewer)
+            it.drag(1)
+            it.drag(2)
+            it.drag(1, "shift")
+            it.drag(3)
+            it.does("the wheel", *it.at(60, 50), "click", 4)
+            it.does("the wheel", "click", 5, "click", 5)
+            it.does("a double click", *it.at(90, 62), "click", "--repeat", 2, "--delay", 30, 1)
+            it.does("a click with Ctrl", "keydown", "ctrl", *it.at(70, 60), "click", 1)
+            it.does("a second one", *it.at(80, 62), "click", 1, "keyup", "ctrl")
+            it.end()
+
+
+def keeps_the_model_in_a_window_of_another_size():
+    for viewer in VIEWERS:
+        with contextlib.ExitStack() as stack:
+            it = Window(stack, viewer)
+            for size in ((120, 400), (400, 120), (157, 119)):
+                xdotool(it.display, "windowsize", "--sync", it.window, *size)
+                it.size = size
+
+                def fits():
+                    rows = it.picture()
+                    if not harness.has_picture(rows):
+                        return False
+                    share, is_cut = share_of(rows)
+                    return 0.6 <= share <= 0.97 and not is_cut
+
+                wait_for(fits, "the whole model at %dx%d" % size)
+            it.end()
+
+
+def says_in_the_window_that_it_is_empty():
+    with contextlib.ExitStack() as stack:
+        program = Program("teapot_afd", (640, 200))
+        display = stack.enter_context(x_server()).display
+        eyes = stack.enter_context(Onlooker(display))
+        command = program.command("--backend", "ximage", "--eye", "0,0,9", "--target", "0,0,20")
+        process = stack.enter_context(started(command, environment(display)))
+        window = window_of(display, program)
+        text = lambda: eyes.picture(window, *program.size)
+        wait_for(lambda: harness.has_picture(text()), "a line of text")
+        said = text()
+        xdotool(display, "key", "f")
+        wait_for(lambda: text() != said, "the model after f")
+        xdotool(display, "key", "Escape")
+        expect_equal(harness.ended(process), (0, b"", ""))
+
+
+def main():
+    checks = Checks()
+    for check in (
+        frames_any_model, frames_the_teapot_where_it_was_cut, keeps_the_teapots_own_view,
+        says_why_a_picture_is_empty, picks_from_the_command_line, obeys_every_key_of_the_view,
+        obeys_every_gesture, keeps_the_model_in_a_window_of_another_size,
+        says_in_the_window_that_it_is_empty,
+    ):
+        checks.run("view " + check.__name__, check)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
