@@ -52,11 +52,13 @@ public:
         const float x = static_cast<float>(vertex.x) / l3d_subpixel_one;
         const float y = static_cast<float>(vertex.y) / l3d_subpixel_one;
         for (std::size_t i = 0; i < 3; ++i)
-            out[4 + i] = shading_.look[i] + x * shading_.look_right[i] + y * shading_.look_down[i];
+            out[4 + i] =
+                shading_.look[i] + x * shading_.look_right[i] + y * shading_.look_down[i];
     }
 
     std::uint32_t word(const float* at) const {
-        const float length = std::sqrt(safe_square(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]));
+        const float length =
+            std::sqrt(safe_square(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]));
         const float side = (at[3] > 0 ? -1.0F : 1.0F) / length;
         const vector3 normal{side * at[0], side * at[1], side * at[2]};
         const vector3 to_eye = unit({-at[4], -at[5], -at[6]});
