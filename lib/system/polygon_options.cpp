@@ -66,6 +66,7 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
     settings.rotation = rotation_;
     settings.cull = !all_faces_;
     settings.antialias = shared.antialias;
+    settings.background = shared.background;
     settings.count_pixels = shared.count_pixels;
     settings.threads = shared.threads;
     return settings;

@@ -2,6 +2,7 @@
 // contour_mixer: which neighbour shows the other side, and what the two make together.
 #include "raster/refine/contour_mixer_p.h"
 
+#include "raster/background.h"
 #include "raster/refine/find_jumps_p.h"
 
 #include <algorithm>
@@ -16,7 +17,8 @@ int channel(std::uint32_t word, int shift) {
     return static_cast<int>(word >> shift & 255);
 }
 
-constexpr int channels_end = 24;
+/// How transparent a pixel is counts as a channel where pixels are compared.
+constexpr int channels_end = 32;
 
 /// How far neighbours' levels go on as they change, and how far two on the other side of a contour
 /// may be apart, being a diagonal's ends.
@@ -56,6 +58,11 @@ struct share_means {
         }
     }
 };
+
+/// Whether a surface's word has a single level. A transparent word has none.
+bool is_grey(std::uint32_t word) {
+    return word == (word & 255) * 0x010101;
+}
 
 bool within(int levels, std::uint32_t a, std::uint32_t b) {
     for (int shift = 0; shift < channels_end; shift += 8)
@@ -160,8 +167,11 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
         ++count; // the level at the contour
     const std::uint32_t first = word_at(x, y);
     for (std::int32_t px = x, py = y; count < places.size(); px += away.x, py += away.y, way += 1) {
+        const std::uint32_t word = word_at(px, py);
+        if (!is_grey_ && !is_grey(word))
+            return false;
         places[count] = way;
-        levels[count++] = static_cast<float>(channel(word_at(px, py), 0));
+        levels[count++] = static_cast<float>(channel(word, 0));
         if (count < places.size() && !goes_on(px, py, away))
             return false;
     }
@@ -238,6 +248,16 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     if (!(is_plain && find_steady(x + to.x, y + to.y, to, -0.5f * (1 + rest), of_rest)) &&
         !find_steep(pixel, to, false, centre == 0, rest, of_rest))
         return false;
+    if (here == l3d_pixels::transparent || there == l3d_pixels::transparent) {
+        const bool is_there = here == l3d_pixels::transparent;
+        const side& seen = is_there ? of_rest : of_own;
+        const auto level = [&](int shift) {
+            return tables_.level(tables_.light_at_level(seen.level(shift)));
+        };
+        word =
+            l3d_transparency_of(is_there ? own : rest) | level(16) << 16 | level(8) << 8 | level(0);
+        return true;
+    }
     const auto mixed = [&](int shift) {
         return tables_.level(own * tables_.light_at_level(of_own.level(shift)) +
                              rest * tables_.light_at_level(of_rest.level(shift)));
