@@ -163,6 +163,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
         l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
     shading.keep_unit_normals = settings_.keep.unit_normals;
     shading.antialias = settings_.antialias;
+    shading.background = settings_.background;
     return {.target = target,
             .to_image = stages_->transform.matrix(),
             .view = stages_->view,
@@ -301,7 +302,8 @@ void l3d_pipeline_afd::find_doubts(l3d_stage_times& times) {
     const bool is_light = settings_.shade == l3d_shade::lambert ||
                           settings_.shade == l3d_shade::gouraud ||
                           settings_.shade == l3d_shade::flat;
-    if (!settings_.error_map || settings_.wireframe || !is_light) {
+    const bool has_exact = is_light && !settings_.wireframe && !settings_.background.is_none();
+    if (!settings_.error_map || !has_exact) {
         stages_->doubts.reset();
         return;
     }
@@ -314,7 +316,8 @@ void l3d_pipeline_afd::find_doubts(l3d_stage_times& times) {
                  .light = settings_.light,
                  .bound_px = report_.dice.bound_px,
                  .depth_bound_px = report_.dice.depth_bound_px,
-                 .drawn = screen_->pixels()},
+                 .drawn = screen_->pixels(),
+                 .background = settings_.background},
                 stages_->workers);
     report_.coverage_bound = doubts.coverage_bound();
     report_.color_bound = doubts.color_bound();
@@ -334,17 +337,23 @@ void l3d_pipeline_afd::draw_on_top() {
 void l3d_pipeline_afd::draw_wireframe() {
     const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
     untouched_ = false;
-    rasterizer_.clear_buffer();
+    const bool is_none = settings_.background.is_none();
+    (is_none ? l3d_background() : settings_.background).fill(screen_->pixels());
     if (settings_.depth) {
         depth_.resize(stages_->view.size);
         depth_.clear();
     }
     stages_->wire_culling.begin(scene_, stages_->transform.matrix(), stages_->view);
     stages_->wire_dicer.begin(stages_->view);
-    l3d_detail::wire_lines lines({rasterizer_, wire_color, settings_.antialias});
+    l3d_detail::wire_lines lines(
+        {rasterizer_, is_none ? l3d_detail::white : wire_color, settings_.antialias});
     for (auto batch = stages_->wire_culling.next(nothing_is_hidden); !batch.empty();
          batch = stages_->wire_culling.next(nothing_is_hidden))
         lines.draw(stages_->wire_dicer.dice(scene_, stages_->wire_culling, batch));
+    if (is_none) {
+        rasterizer_.finish();
+        l3d_detail::make_lines_transparent(screen_->pixels(), wire_color);
+    }
     report_.dice = stages_->wire_dicer.counts();
     report_.dice.add(stages_->wire_culling.counts());
     report_.surface = {};
@@ -373,7 +382,9 @@ void l3d_pipeline_afd::draw_nets() {
                 }
         }
     }
-    l3d_detail::wire_drawer(rasterizer_, net_color, settings_.antialias).draw(lines);
+    // A smooth line does not cover what is transparent.
+    const bool smooth = settings_.antialias && !settings_.background.is_none();
+    l3d_detail::wire_drawer(rasterizer_, net_color, smooth).draw(lines);
 }
 
 l3d_frame_report l3d_pipeline_afd::report() const {

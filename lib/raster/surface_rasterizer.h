@@ -5,6 +5,7 @@
 
 #include "base/public.h"
 #include "geom/material.h"
+#include "raster/background.h"
 #include "raster/depth_buffer.h"
 #include "raster/surface_part.h"
 #include "tool_2d/pixels.h"
@@ -52,6 +53,9 @@ struct L3D_PUBLIC l3d_shading {
     /// Light is linear: levels are decoded by the sRGB curve, and the mean is encoded again. A
     /// rasterizer that cannot do it draws as without (l3d_surface_rasterizer::antialiases).
     bool antialias = false;
+
+    /// What pixels show that no surface covers, and the rest of those that are covered in part.
+    l3d_background background{};
 
     /// A pixel depends on what is drawn in pixels so near in x and y. A contour's other side is
     /// shown by a neighbour, and its shading by that one's neighbour. Which contours divide these
@@ -126,12 +130,12 @@ public:
     /// Whether it obeys l3d_shading::antialias.
     bool antialiases() const { return do_antialiases(); }
 
-    /// Starts a frame: picture and depth are empty, that is 0, from now on. Each rasterizer decides
-    /// when it sets their memory to 0, at finish at the latest.
+    /// Starts a frame: from now on, the picture shows the background, and depth is 0. Each
+    /// rasterizer decides when it sets their memory, at finish at the latest.
     ///
     /// Without a depth buffer nobody wants depth afterwards, and one call of draw makes the whole
     /// frame; that is the fastest. In a picture that is `untouched` since the last finish, empty
-    /// parts need not be set to 0 again.
+    /// parts need not be set again.
     /// Expects: target and depth of equal size; both outlive the frame. `untouched` only if nobody
     ///          else wrote to the target's words since then, should it be the same target.
     void begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,

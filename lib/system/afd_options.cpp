@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <thread>
@@ -78,6 +79,10 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add_choice<bool>("--antialias", settings_.antialias,
                              "whether pixels at edges show the mean of all that is seen in them",
                              {{"on", true}, {"off", false}});
+    options.add("--background", background_,
+                "what is seen where no surface is: a quiet gradient, as in windows unless told "
+                "otherwise; nothing, which needs a .png; or a colour from 0 to 255 each, as black "
+                "elsewhere");
     options.add("--wireframe", settings_.wireframe, "the adaptive steps as lines");
     options.add("--net", settings_.net, "the control nets on top");
     options.add("--turntable", turntable_, "degrees that the eye turns from frame to frame", -360.0,
@@ -104,6 +109,10 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     for (const char* const name :
          {"--depth-output", "--error-output", "--report", "--explain", "--pick"})
         options.has_result(name);
+}
+
+std::string l3d_afd_options::model_title() const {
+    return model_file_.empty() ? "Utah teapot" : std::filesystem::path(model_file_).stem().string();
 }
 
 bool l3d_afd_options::shows_the_usual() const {
@@ -161,6 +170,10 @@ l3d_afd_settings l3d_afd_options::settings() const {
         throw l3d_error(l3d_exit::usage, "--error-output: only surfaces that show light have an "
                                          "exact picture, and neither --wireframe nor --shade "
                                          "normals or error does");
+    result.background = background_.value_or(l3d_background());
+    if (result.error_map && result.background.is_none())
+        throw l3d_error(l3d_exit::usage, "--error-output: pixels have bounds on a background, and "
+                                         "--background none has none");
     if (keep_all_)
         result.keep = l3d_kept_work::all();
     const double length = l3d_length(result.light);

@@ -43,6 +43,9 @@ public:
     /// As given; empty for the teapot.
     const std::string& model_file() const { return model_file_; }
 
+    /// What people call the model: the file's name without its folder and ending, or "Utah teapot".
+    std::string model_title() const;
+
     /// Where the teapot is seen from unless the user says otherwise; the rest is l3d_camera's.
     static l3d_camera teapot_view() { return {.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0.0}}; }
 
@@ -54,6 +57,9 @@ public:
 
     /// Whether --tolerance was given.
     bool gives_tolerance() const { return tolerance_.has_value(); }
+
+    /// What --background asks for, if it was given.
+    const std::optional<l3d_background>& background() const { return background_; }
 
     /// The angle of --turntable: degrees from frame to frame, 0 for none.
     double turntable() const { return turntable_; }
@@ -85,6 +91,7 @@ private:
     std::string depth_output_, error_output_, report_;
     bool explain_ = false, keep_all_ = false;
     std::optional<double> tolerance_;
+    std::optional<l3d_background> background_;
     std::optional<int> threads_, most_samples_;
 };
 

@@ -214,6 +214,29 @@ void l3d_options::add(const std::string& name, std::optional<l3d_vector<double, 
     });
 }
 
+void l3d_options::add(const std::string& name, std::optional<l3d_background>& value,
+                      const std::string& help) {
+    const auto read = [name, &value](const std::string& text) {
+        std::array<int, 3> levels{};
+        if (text == "gradient")
+            value = l3d_background::gradient();
+        else if (text == "none")
+            value = l3d_background::none();
+        else if (l3d_read_numbers(text, ',', levels) &&
+                 std::ranges::all_of(levels, [](int level) { return level >= 0 && level <= 255; }))
+            value = l3d_background::color(l3d_screen_info::ext_to_native(
+                static_cast<std::uint8_t>(levels[0]), static_cast<std::uint8_t>(levels[1]),
+                static_cast<std::uint8_t>(levels[2])));
+        else
+            refuse(name, text, "gradient, none or a colour R,G,B, each from 0 to 255");
+    };
+    const auto read_and_tell = [this, read, &value](const std::string& text) {
+        read(text);
+        common_.alpha = value->is_none() ? l3d_alpha::transparency : l3d_alpha::none;
+    };
+    add_text(parser_->app, name, help, "gradient|none|R,G,B", "", read_and_tell);
+}
+
 void l3d_options::add(const std::string& name, l3d_size& value, const std::string& help) {
     const std::string preset = std::to_string(value.width) + 'x' + std::to_string(value.height);
     const auto read = [name, &value](const std::string& text) {
@@ -277,7 +300,8 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
             l3d_exit::usage,
             (unknown.front().starts_with('-') ? "unknown option '" : "one argument too many: '") +
                 unknown.front() + "' (see --help)");
-    const l3d_frame_writer complains_now_rather_than_after_a_question(common_.output);
+    const l3d_frame_writer complains_now_rather_than_after_a_question(common_.output,
+                                                                      common_.alpha);
     if (common_.resume && !complains_now_rather_than_after_a_question.is_numbered())
         throw l3d_error(l3d_exit::usage,
                         "--resume: needs a numbered --output, as in frame%04d.png");
@@ -295,6 +319,7 @@ l3d_frame_settings l3d_options::frame_settings() const {
             .fps = common_.fps,
             .fixed_step = common_.frames > 0,
             .output = common_.output,
+            .alpha = common_.alpha,
             .program = command_};
 }
 

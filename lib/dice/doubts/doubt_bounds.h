@@ -5,6 +5,7 @@
 
 #include "dice/doubts/doubt_piece.h"
 #include "geom/step_bound.h"
+#include "raster/background.h"
 #include "scene/dice_view.h"
 
 #include <array>
@@ -22,7 +23,23 @@ struct l3d_doubt_view {
     l3d_vector<double, 3> light{0.0, 0.0, 1.0}; ///< unit, in the world
     /// How far drawn things may be from the exact ones: in the picture, and along the normal.
     double bound_px = 0, depth_bound_px = 0;
-};
+    l3d_background background{}; ///< any but none
+
+    /// The background's light in a row of pixels.
+    l3d_light_bounds background_light(int row) const {
+        const std::uint32_t word = background.word(row, view.size.height);
+        const auto light = [word](int shift) { return l3d_light_of_level(word >> shift & 255); };
+        const std::array<double, 3> channels{light(16), light(8), light(0)};
+        return {channels, channels};
+    }
+}; ///< grey
+
+/// The background's level in a row of pixels, of 255.
+double background_level(int row) const {
+    return background.word(row, view.size.height) & 255;
+}
+}
+;
 
 /// A number that changes over a piece. It is between least and most, and also within `off` of a
 /// linear function of the place.

@@ -151,6 +151,7 @@ void l3d_frame_doubts::find_tile(const l3d_doubted_frame& frame, const l3d_pixel
 void l3d_frame_doubts::find(const l3d_doubted_frame& frame, l3d_workers& workers) {
     view_.view = frame.view;
     view_.world_of_image = world_of_image(frame.to_image);
+    view_.background = frame.background;
     view_.light = frame.light * (1 / l3d_length(frame.light));
     const bool has_bounds = std::isfinite(frame.bound_px + frame.depth_bound_px);
     is_searched_ = frame.bound_px + frame.depth_bound_px <= most_searched;

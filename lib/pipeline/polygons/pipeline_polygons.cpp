@@ -88,8 +88,15 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
         report.polygons = {};
         report.time_ms.place = placing.milliseconds();
         const stopwatch drawing;
-        rasterizer_.clear_buffer();
-        l3d_detail::wire_drawer(rasterizer_, wire_color, settings_.antialias).draw(lines);
+        const bool is_none = settings_.background.is_none();
+        (is_none ? l3d_background() : settings_.background).fill(target);
+        l3d_detail::wire_drawer(rasterizer_, is_none ? l3d_detail::white : wire_color,
+                                settings_.antialias)
+            .draw(lines);
+        if (is_none) {
+            rasterizer_.finish();
+            l3d_detail::make_lines_transparent(target, wire_color);
+        }
         report.time_ms.raster = drawing.milliseconds();
         return;
     }
@@ -98,6 +105,7 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
     const bool smooth = settings_.shade != l3d_shade::flat;
     l3d_shading shading = view.shading(settings_.shade, settings_.light);
     shading.antialias = settings_.antialias && is_solid;
+    shading.background = settings_.background;
     frame_->make(model_, view,
                  {.cull = settings_.cull, .smooth = smooth, .squares = shading.antialias},
                  workers_);
@@ -185,9 +193,9 @@ void l3d_pipeline_polygons::draw_overlay() {
         tell_empty();
     if (!controls_.shows_text())
         return;
-    std::vector lines{formatted("%s  %lld of %lld polygons", name(),
+    std::vector lines{formatted("%lld of %lld polygons drawn by %s",
                                 static_cast<long long>(report_.polygons.drawn),
-                                static_cast<long long>(report_.triangles))};
+                                static_cast<long long>(report_.triangles), name())};
     if (report_.order.knots > 0)
         lines.push_back(formatted("%lld knots, %lld cuts",
                                   static_cast<long long>(report_.order.knots),

@@ -46,6 +46,7 @@ struct L3D_PUBLIC l3d_polygon_settings {
                                    0.0};  ///< degrees about x, y, z, round the box's middle
     std::optional<l3d_material> material; ///< of all faces, whatever the model says
     bool cull = true;                     ///< faces seen from behind are left out
+    l3d_background background{};          ///< what is seen where nothing is drawn
     bool antialias = false;    ///< edges are means over pixels, not stairs; lines are smooth
     bool count_pixels = false; ///< report how many are covered
     int threads = 1;           ///< constant from the first frame on

@@ -4,6 +4,7 @@
 #define L3D_RASTER_REFINE_FRAGMENT_LIGHT_P_H
 
 #include "raster/refine/band_fragments_p.h"
+#include "raster/background.h"
 #include "raster/refine/coverage_p.h"
 #include "raster/refine/linear_light_p.h"
 #include "raster/surfaces/shader_choice_p.h"
@@ -30,6 +31,20 @@ struct light_sum {
         for (const float channel : of)
             result = result << 8 | tables.level(channel);
         return result;
+    }
+
+    /// The word of a pixel of which a share shows nothing but what is behind all surfaces.
+    std::uint32_t word_before(std::uint32_t behind, float share, const linear_light& tables) const {
+        light_sum whole;
+        if (behind != l3d_pixels::transparent) {
+            whole = *this;
+            whole.add(of_word(behind, tables), share);
+            return whole.word(tables);
+        }
+        if (!(share < 1))
+            return behind;
+        whole.add(*this, 1 / (1 - share));
+        return whole.word(tables) | l3d_transparency_of(share);
     }
 
     /// The light of a level above the ambient one, in a material's colour.

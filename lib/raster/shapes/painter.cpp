@@ -29,6 +29,19 @@ struct own_color_shader {
     std::uint32_t word(const float*) const { return color; }
 };
 
+/// The background, where it is seen through the faces that hide lines.
+struct ground_shader {
+    static constexpr std::size_t components = 0;
+    l3d_background background;
+    int height;
+    std::uint32_t of_row = 0;
+
+    void begin_polygon(std::span<const l3d_micro_vertex>) {}
+    void begin_row(std::int32_t row) { of_row = background.word(row, height); }
+    void corner(const l3d_micro_vertex&, float*) const {}
+    std::uint32_t word(const float*) const { return of_row; }
+};
+
 /// Columns [begin, end).
 struct columns {
     std::int32_t begin, end;
@@ -96,6 +109,8 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
             continue;
         for (const placed_cut& cut : to.cuts)
             span = cut.kept(span, start, row);
+        if constexpr (requires { shader.begin_row(row); })
+            shader.begin_row(row);
         const typename planes::numbers value = plane.at(start, row);
         std::uint32_t* const words = to.target.row(row).data();
         for (std::int32_t x = span.begin; x < span.end; ++x) {
@@ -115,9 +130,8 @@ struct l3d_painter::work_space {
     painting to;
     std::span<const l3d_material> materials;
 
-    void begin(l3d_pixels target) {
-        for (int y = 0; y < target.height; ++y)
-            std::ranges::fill(target.row(y), 0u);
+    void begin(l3d_pixels target, const l3d_background& background) {
+        background.fill(target);
         to.target = target;
         to.scan.set_rows({0, target.height});
         to.written = 0;
@@ -167,7 +181,7 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
                         std::span<const l3d_painter_triangle> triangles,
                         std::span<const l3d_painter_piece> pieces,
                         std::span<const l3d_painter_cut> cuts) {
-    work_->begin(target);
+    work_->begin(target, shading.background);
     const bool is_light = shading.mode != l3d_shade::normals && shading.mode != l3d_shade::error;
     work_->materials = is_light ? materials : std::span<const l3d_material>();
     switch (shading.mode) {
@@ -196,14 +210,15 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
     counts_.covered = l3d_surface_counts::none_counted;
 }
 
-void l3d_painter::paint_lines(l3d_pixels target, std::span<const l3d_painter_triangle> triangles,
+void l3d_painter::paint_lines(l3d_pixels target, const l3d_background& background,
+                              std::span<const l3d_painter_triangle> triangles,
                               std::span<const l3d_painter_piece> pieces,
                               std::span<const l3d_painter_cut> cuts, std::uint32_t line_color) {
-    work_->begin(target);
-    own_color_shader black;
+    work_->begin(target, background);
+    ground_shader ground{background, target.height};
     for (const l3d_painter_piece& piece : pieces) {
         work_->place_cuts(piece, triangles, cuts);
-        paint_triangle(work_->to, black, triangles[piece.triangle].v);
+        paint_triangle(work_->to, ground, triangles[piece.triangle].v);
         work_->draw_sides(triangles[piece.triangle], line_color);
     }
     counts_ = {};

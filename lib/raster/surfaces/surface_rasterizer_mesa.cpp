@@ -190,9 +190,7 @@ void l3d_surface_rasterizer_mesa::add(std::span<const l3d_micro_vertex> convex) 
 void l3d_surface_rasterizer_mesa::flush() {
     const mesa_gl& gl = gl_target_.gl();
     if (!cleared_) {
-        gl.ClearColor(0, 0, 0, 0);
-        gl.ClearDepth(0);
-        gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        gl_target_.clear(shading_.background);
         cleared_ = true;
     }
     if (batch_.empty())
@@ -233,7 +231,7 @@ void l3d_surface_rasterizer_mesa::do_finish() {
     if (!fits_)
         return cpu_.finish();
     flush();
-    gl_target_.download(target_);
+    gl_target_.download(target_, shading_.background);
     if (depth_ != &own_depth_ || counts_pixels())
         gl_target_.download(*depth_);
     counts_.covered = counts_pixels() ? l3d_covered(*depth_) : l3d_surface_counts::none_counted;

@@ -15,8 +15,7 @@ void l3d_surface_rasterizer_scalar::do_begin(l3d_pixels target, l3d_depth_buffer
         depth->resize(target.size());
     }
     depth->clear();
-    for (int y = 0; y < target.height; ++y)
-        std::ranges::fill(target.row(y), 0u);
+    shading.background.fill(target);
     shading_ = shading;
     drawn_ = target;
     materials_.begin(materials());

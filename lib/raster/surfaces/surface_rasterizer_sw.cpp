@@ -67,7 +67,8 @@ void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer* de
                                          const l3d_shading& shading, bool untouched) {
     assert(!depth || target.size() == depth->size());
     untouched_ = untouched && finished_ && target.words == target_.words &&
-                 target.size() == target_.size() && target.stride == target_.stride;
+                 target.size() == target_.size() && target.stride == target_.stride &&
+                 shading.background == work_->frame.shading.background;
     target_ = target;
     window_ = l3d_whole(target.size());
     part_ = {};
@@ -198,11 +199,10 @@ void l3d_surface_rasterizer_sw::color_bands() {
 }
 
 void l3d_surface_rasterizer_sw::clear_words(const fill_band& band) {
+    const l3d_background& background = work_->frame.shading.background;
     if (untouched_)
-        return work_->coarse.clear_words(band);
-    const std::int32_t width = window_.right - window_.left;
-    for (int row = band.top; row < band.bottom; ++row)
-        std::fill_n(target_.row(row).data() + window_.left, width, 0u);
+        return work_->coarse.clear_words(band, background, target_.height);
+    background.fill(target_, {window_.left, band.top, window_.right, band.bottom});
 }
 
 bool l3d_surface_rasterizer_sw::do_hidden(const l3d_subpixel_box& box, float nearest_inv_w) const {
