@@ -192,7 +192,7 @@ std::string l3d_pick::text() const {
 
 std::string l3d_pick::line() const {
     char words[160];
-    std::snprintf(words, sizeof words, "patch %zu  u %.4f  v %.4f  at %.6g, %.6g, %.6g +- %.1g",
-                  patch, u, v, point[0], point[1], point[2], point_error);
+    std::snprintf(words, sizeof words, "patch %zu (%.4f, %.4f) at %.4g, %.4g, %.4g +- %.1g", patch,
+                  u, v, point[0], point[1], point[2], point_error);
     return words;
 }
