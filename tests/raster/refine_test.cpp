@@ -242,7 +242,7 @@ TEST(Refine, SteepLevelsBesideAFoldAreThoseOfTheSlowTwin) {
     }
     EXPECT_GT(pixels, 3000);
     EXPECT_LT(std::sqrt(sum / pixels), 1.5);
-    EXPECT_LT(largest, 8);
+    EXPECT_LT(largest, 16);
 }
 
 TEST(Refine, LevelsComeBackFromLight) {
