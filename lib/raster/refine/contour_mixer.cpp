@@ -234,7 +234,7 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     const float right = static_cast<float>(pixel.share()) / contour_pixel::whole;
     const float own = centre == 1 ? right : 1 - right, rest = 1 - own;
     const std::uint32_t here = word_at(x, y), there = word_at(x + to.x, y + to.y);
-    if (here == there) {
+    if (is_plain && here == there) {
         word = here;
         return true;
     }
