@@ -4,8 +4,10 @@
 #define L3D_DICE_DOUBTS_DOUBT_BOUNDS_H
 
 #include "dice/doubts/doubt_piece.h"
+#include "dice/doubts/light_bounds.h"
 #include "geom/step_bound.h"
 #include "raster/background.h"
+#include "raster/srgb_light.h"
 #include "scene/dice_view.h"
 
 #include <array>
@@ -28,18 +30,12 @@ struct l3d_doubt_view {
     /// The background's light in a row of pixels.
     l3d_light_bounds background_light(int row) const {
         const std::uint32_t word = background.word(row, view.size.height);
-        const auto light = [word](int shift) { return l3d_light_of_level(word >> shift & 255); };
-        const std::array<double, 3> channels{light(16), light(8), light(0)};
+        const std::array<double, 3> channels{l3d_light_of_level(word >> 16 & 255),
+                                             l3d_light_of_level(word >> 8 & 255),
+                                             l3d_light_of_level(word & 255)};
         return {channels, channels};
     }
-}; ///< grey
-
-/// The background's level in a row of pixels, of 255.
-double background_level(int row) const {
-    return background.word(row, view.size.height) & 255;
-}
-}
-;
+};
 
 /// A number that changes over a piece. It is between least and most, and also within `off` of a
 /// linear function of the place.
