@@ -38,7 +38,12 @@ include config.mk
 flags_float   := -DL3D_REAL_FLOAT
 flags_double  := -DL3D_REAL_DOUBLE
 flags_fixed   := -DL3D_REAL_FIXED
-flags_release := -O3 -DNDEBUG
+# What makes mistakes harder to misuse: guarded stacks, checked calls of the C library, addresses
+# that nobody can guess, and tables that nobody can write to after the start.
+HARDENED      := -fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2 -fPIE
+flags_release := -O3 -DNDEBUG $(HARDENED)
+link_release := -Wl,-z,relro,-z,now
+pie_release   := -pie
 flags_debug   := -O0 -g
 flags_asan    := -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
                  -fsanitize=address,undefined,float-cast-overflow
@@ -76,7 +81,7 @@ FLAGS_lib := -fPIC -fno-semantic-interposition -fvisibility=hidden
 FLAGS_tests := $(if $(filter release,$(MODE)),-O1) \
                $(if $(findstring clang,$(compiler)),,-Wno-array-bounds -Wno-stringop-overflow)
 PRECOMPILED := $(OUT)/tests/precompiled.h
-LINK      = $(CXX) $(FLAGS) -Wl,--as-needed $(LDFLAGS)
+LINK      = $(CXX) $(FLAGS) -Wl,--as-needed $(link_$(MODE)) $(LDFLAGS)
 
 # ---- what there is ------------------------------------------------------------------------------
 
@@ -162,7 +167,7 @@ MAKEFLAGS += -rR --no-print-directory
 .SECONDEXPANSION:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: FORCE all run test stress stability matrix lint $(CHECKS) tidy format golden pictures docs bench report \
+.PHONY: FORCE all run test stress faults stability matrix lint $(CHECKS) tidy format golden pictures docs bench report \
         fuzz fuzz-each packages hooks clean help
 
 Q    := $(if $(V),,@)
@@ -196,6 +201,9 @@ stress: packages-test ## what takes minutes: servers that die at every request, 
 
 test-%: packages-test ## the tests of one layer: make test-geom
 	@$(call judge,$(OUT)/log/$*.log)
+
+faults: packages-faults $(OUT)/bin/teapot_afd ## batches killed, out of disk or without power at each call that writes
+	L3D_BIN=$(abspath $(OUT)/bin) tests/faults/batch_faults.py
 
 stability: packages-stability ## 600 cases made to break it, and a million random ones, in four arithmetics
 	@$(again) $(STABILITY)
@@ -252,7 +260,7 @@ fuzz-each: $(FUZZERS)
 
 packages: packages-build packages-test packages-lint ## install the Debian packages that are missing
 packages-test packages-lint packages-tidy packages-bench packages-matrix packages-fuzz \
-    packages-stability packages-report: packages-build
+    packages-stability packages-faults packages-report: packages-build
 packages-%:
 	@CXX="$(CXX)" tests/lint/packages.sh $(PACKAGES_$*)
 
@@ -314,13 +322,13 @@ $(APPS): $(OUT)/bin/%: $$(objects_apps/$$*) \
         $$(call archives,$(LAYERS) $$(call beside,$$*)) \
         $(OUT)/list/apps/%
 	$(call say,LINK,$@)
-	$(Q)mkdir -p $(@D); $(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -o $@
+	$(Q)mkdir -p $(@D); $(LINK) $(pie_$(MODE)) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -o $@
 
 # A plug-in is loaded, not linked: it may be built otherwise than the library, here by itself.
 $(foreach p,$(plugins),$(eval $(call plugged,$(p)): $(p)))
 $(PLUGINS): $(OUT)/flags | packages-build
 	$(call say,PLUG,$@)
-	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) -I$(OUT)/include -fPIC -shared -MD -MP $(filter %.cpp,$^) -o $@
+	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(link_$(MODE)) -I$(OUT)/include -fPIC -shared -MD -MP $(filter %.cpp,$^) -o $@
 
 $(foreach d,$(data),$(eval $(OUT)/share/l3d/$(notdir $(d)): $(d)))
 $(DATA):

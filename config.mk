@@ -39,6 +39,7 @@ PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
 PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
 PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h
 PACKAGES_stability := libboost-dev:boost/multiprecision/cpp_bin_float.hpp
+PACKAGES_faults := python3:python3 strace:strace
 PACKAGES_fuzz   := $(PACKAGES_matrix)
 PACKAGES_bench  := libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so \
     libembree-dev:embree3/rtcore.h xvfb:Xvfb libbenchmark-dev:benchmark/benchmark.h

@@ -102,7 +102,7 @@ $(SHARED): $(objects_library) $(OUT)/list/library packaging/l3d.map
 run_path = $(if $(filter /usr/lib%,$(LIBDIR)),,-Wl,-rpath,'$$ORIGIN/$(shell realpath -ms --relative-to=$(BINDIR) $(LIBDIR))')
 $(SHARING:%=$(OUT)/sharing/%): $(OUT)/sharing/%: $$(objects_apps/$$*) $(SHARED) $(OUT)/list/apps/% $(OUT)/place
 	$(call say,LINK,$@)
-	$(Q)mkdir -p $(@D); $(LINK) $(filter %.o,$^) $(SHARED) $(run_path) -o $@
+	$(Q)mkdir -p $(@D); $(LINK) $(pie_$(MODE)) $(filter %.o,$^) $(SHARED) $(run_path) -o $@
 
 $(call remember,$(OUT)/place,$(PREFIX) $(LIBDIR) $(INCLUDEDIR))
 

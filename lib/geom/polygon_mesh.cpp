@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 namespace {
 
@@ -21,9 +23,17 @@ template <class T> bool absent_or(const std::vector<T>& array, std::size_t size)
 
 } // namespace
 
+std::uint32_t l3d_polygon_mesh::index_of(std::size_t number) {
+    if (number > std::numeric_limits<std::uint32_t>::max())
+        throw std::length_error("more than 4294967295 corners or vertices in a mesh");
+    return static_cast<std::uint32_t>(number);
+}
+
 void l3d_polygon_mesh::append(const l3d_polygon_mesh& more) {
-    const auto offset = static_cast<std::uint32_t>(vertices.size());
-    const auto corner_offset = static_cast<std::uint32_t>(corners.size());
+    index_of(vertices.size() + more.vertices.size());
+    index_of(corners.size() + more.corners.size());
+    const auto offset = index_of(vertices.size());
+    const auto corner_offset = index_of(corners.size());
     const bool have_normals = vertex_normals.size() == vertices.size() &&
                               more.vertex_normals.size() == more.vertices.size();
     vertices.insert(vertices.end(), more.vertices.begin(), more.vertices.end());

@@ -56,14 +56,24 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     }
 
     /// Adds a face with these vertex indices at its corners; its colour and material are not set.
+    /// Errors: as end_face.
     void add_face(std::span<const std::uint32_t> of) {
         corners.insert(corners.end(), of.begin(), of.end());
-        face_ends.push_back(static_cast<std::uint32_t>(corners.size()));
+        end_face();
     }
+
+    /// Makes a face of what was added to `corners` since the last one.
+    /// Errors: as index_of.
+    void end_face() { face_ends.push_back(index_of(corners.size())); }
+
+    /// A number of corners or vertices as the arrays hold it, in 32 bits.
+    /// Errors: std::length_error if it is larger.
+    static std::uint32_t index_of(std::size_t number);
 
     /// Adds the vertices and faces of another mesh, and vertices' normals if both have them. Faces
     /// keep their colours and materials; those that had none, where others have, get white and a
     /// material without a name. Parts are forgotten.
+    /// Errors: as index_of, and nothing is changed.
     void append(const l3d_polygon_mesh& more);
 
     /// What a face is made of: its material, if that has a look, in the product of its colours.

@@ -196,8 +196,8 @@ void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, double millisecond
     if (help_shown_)
         for (const l3d_viewer_row& row : rows_)
             help.add(row.keys, row.text);
-    if (!why_empty_.empty())
-        message.add("f", "shows the model, which is " + why_empty_);
+    if (!empty_line_.empty())
+        message.add(empty_line_);
     if (!message_.empty())
         message.add(message_);
     else if (hint_seconds_ > 0)

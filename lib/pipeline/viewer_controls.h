@@ -89,13 +89,16 @@ public:
     /// That line; "" if there is none.
     const std::string& message() const { return message_; }
 
-    /// Why the picture is empty, as l3d_why_unseen tells it; "" if it is not. It is shown with the
-    /// way to mend it as long as it is so.
-    void set_empty(std::string why) { why_empty_ = std::move(why); }
+    /// Why the picture is empty, as l3d_why_unseen tells it; "" if it is not. It is shown as long
+    /// as it is so, with the key that mends it.
+    void set_empty(const std::string& reason, char key = 'f') {
+        empty_line_ =
+            reason.empty() ? "" : "The model is " + reason + ": press " + key + " to see it.";
+    }
 
     /// Whether draw() draws anything.
     bool shows_text() const {
-        return status_shown_ || help_shown_ || !message_.empty() || !why_empty_.empty() ||
+        return status_shown_ || help_shown_ || !message_.empty() || !empty_line_.empty() ||
                hint_seconds_ > 0;
     }
 
@@ -127,7 +130,7 @@ private:
     bool status_shown_ = false;
     bool help_shown_ = false;
     std::string message_;
-    std::string why_empty_;
+    std::string empty_line_;
     double smoothed_seconds_ = 0; ///< between frames
     std::function<std::string(const l3d_pixels&)> save_;
 };

@@ -2,6 +2,7 @@
 // l3d_afd_options: declarations and what the values must be.
 #include "system/afd_options.h"
 
+#include "base/printable_p.h"
 #include "scene/model_loader.h"
 #include "system/number_text.h"
 #include "system/places.h"
@@ -91,11 +92,13 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                 "threads to draw with; unasked, as many as processors, at most " +
                     std::to_string(most_threads_unasked) + "; the picture is the same for any",
                 1, 1024);
-    options.add("--depth-output", depth_output_,
-                "write the last frame's distances along the view axis (.pfm)", "FILE");
+    options.add(
+        "--depth-output", depth_output_,
+        "write the last frame's distances along the view axis (.pfm); - is the standard output",
+        "FILE");
     options.add("--error-output", error_output_,
                 "write how far each pixel of the last frame may be from the exact picture, in "
-                "levels of 255 (.pfm)",
+                "levels of 255 (.pfm); - is the standard output",
                 "FILE");
     options.add("--report", report_,
                 "write one line of JSON per frame that is drawn; - is the standard output", "FILE");
@@ -199,7 +202,7 @@ l3d_patch_model l3d_afd_options::model() const {
     for (const std::string& note : file.notes)
         std::cerr << note << '\n';
     if (file.mesh.faces() > 0)
-        std::cerr << model_file_ << ": " << polygons
+        std::cerr << l3d_detail::printable(model_file_) << ": " << polygons
                   << " are skipped; modelview --pipeline zbuffer shows them\n";
     return *std::move(model);
 }

@@ -5,6 +5,7 @@
 #include "system/present_p.h"
 #include "system/progress_p.h"
 #include "system/remark_p.h"
+#include "system/signal_watch.h"
 
 #include <algorithm>
 #include <cassert>
@@ -26,7 +27,9 @@ l3d_exit l3d_dispatcher_script::do_start(l3d_pipeline& pipeline, l3d_screen& scr
     l3d_exit result = l3d_exit::well;
     l3d_detail::progress progress(std::cerr, isatty(STDERR_FILENO) != 0, settings_.program, frames,
                                   l3d_detail::progress::clock::now());
-    for (int frame = 0; frame < frames; ++frame) {
+    // A signal waits for the frame at hand: its file is finished, and nothing is left beside it.
+    const l3d_signal_watch signals;
+    for (int frame = 0; frame < frames && !signals.caught(); ++frame) {
         progress.done(frame, l3d_detail::progress::clock::now());
         for (; next != script_.end() && next->frame <= frame; ++next) {
             deliver(next->event, pipeline);
@@ -45,6 +48,8 @@ l3d_exit l3d_dispatcher_script::do_start(l3d_pipeline& pipeline, l3d_screen& scr
         l3d_detail::pass_on_remark(screen, settings_.program);
         stale = false;
     }
+    if (signals.caught())
+        return result;
     if (stale && !settings_.output.empty())
         pipeline.draw_event();
     writer_.finish(screen.pixels());

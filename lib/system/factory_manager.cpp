@@ -7,11 +7,13 @@
 #include "tool_2d/x11/screen_x11.h"
 #include "raster/rasterizer_factory_mesa.h"
 #include "raster/rasterizer_factory_sw.h"
+#include "base/printable_p.h"
 #include "system/backend_survey_p.h"
 #include "system/dispatcher_fitting.h"
 #include "system/dispatcher_script.h"
 #include "system/dispatcher_window.h"
 #include "system/options.h"
+#include "system/standard_output_p.h"
 
 #include <cassert>
 #include <cstdlib>
@@ -85,13 +87,15 @@ bool l3d_factory_manager::choose(l3d_options& options, std::istream& in, std::os
     l3d_detail::backend_survey survey(rows_);
     if (common.diagnose) {
         for (const char* const variable : {"DISPLAY", "L3D_BACKEND", "L3D_NO_SHM", "L3D_MESA"})
-            out << variable << "='" << environment(variable) << "' ";
+            out << variable << "='" << l3d_detail::printable(environment(variable)) << "' ";
         out << "terminal=" << (may_ask ? "yes" : "no") << '\n';
         survey.diagnose(out);
+        l3d_detail::check_written(out);
         return false;
     }
     if (common.list_backends) {
         survey.list(out);
+        l3d_detail::check_written(out);
         return false;
     }
     const bool by_option = !common.backend.empty();
@@ -118,8 +122,8 @@ bool l3d_factory_manager::choose(l3d_options& options, std::istream& in, std::os
                   << "' has no window, and no --output names a file\n";
     } else {
         options.set_output(options.program() + ".png");
-        std::cerr << options.command() << ": no window; the picture goes to " << common.output
-                  << '\n';
+        std::cerr << options.command() << ": no window; the picture goes to "
+                  << l3d_detail::printable(common.output) << '\n';
     }
     return true;
 }

@@ -85,8 +85,7 @@ std::string l3d_frame_writer::numbered_name() const {
 }
 
 bool l3d_frame_writer::has_frame() const {
-    std::error_code ignored;
-    return is_numbered() && std::filesystem::exists(numbered_name(), ignored);
+    return is_numbered() && l3d_is_whole_image(numbered_name());
 }
 
 void l3d_frame_writer::frame(const l3d_pixels& pixels) {

@@ -30,7 +30,7 @@ public:
     /// Whether each frame has a file of its own.
     bool is_numbered() const { return kind_ == kind::numbered; }
 
-    /// Whether this frame's file is there. A file has its name only when it is complete.
+    /// Whether this frame's file is there and whole. A disk may have lost a part of it.
     bool has_frame() const;
 
     /// Takes the last picture once more, when no other will follow. Errors: as frame().

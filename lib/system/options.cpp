@@ -2,11 +2,14 @@
 // l3d_options: the only file that knows the library behind it, CLI11, which is slow to compile.
 #include "system/options.h"
 
+#include "base/printable_p.h"
 #include "base/version.h"
 
 #include "geom/real.h"
 #include "system/frame_writer.h"
 #include "system/number_text.h"
+#include "system/reason_p.h"
+#include "system/standard_output_p.h"
 
 #include <CLI/CLI.hpp>
 
@@ -72,14 +75,29 @@ l3d_vector<double, 3> read_vector(const std::string& name, const std::string& te
 }
 
 void print(std::ostream& out, const std::string& text) {
-    if (!(out << text << std::flush))
-        throw l3d_error(l3d_exit::failure, "cannot write to the standard output");
+    out << text;
+    l3d_detail::check_written(out);
 }
 
 /// "--name=" would take the next argument for the value.
 void refuse_empty_value(const std::string& argument) {
     if (argument.rfind("--", 0) == 0 && argument.find('=') == argument.size() - 1)
         throw l3d_error(l3d_exit::usage, argument.substr(0, argument.size() - 1) + ": '' is empty");
+}
+
+/// Whether two names lead to one place that can hold only one thing. A device, such as /dev/null,
+/// takes anything.
+bool mean_one_file(const std::string& a, const std::string& b) {
+    namespace fs = std::filesystem;
+    if (a.empty() || b.empty() || a == "-" || b == "-")
+        return a == "-" && b == "-";
+    std::error_code unknown;
+    if (fs::exists(a, unknown))
+        return fs::is_regular_file(a, unknown) && fs::equivalent(a, b, unknown);
+    const auto place = [&unknown](const std::string& name) {
+        return fs::weakly_canonical(fs::absolute(name, unknown), unknown);
+    };
+    return place(a) == place(b);
 }
 
 /// Opens the closed ones among descriptors 0, 1 and 2, for reading only: so that writing to a
@@ -154,7 +172,7 @@ void l3d_options::add_batch() {
              "A:B: only those from number A to B - 1, each as it is in the whole sequence",
              "N|A:B", "0", read);
     add("--resume", common_.resume,
-        "leave out frames whose file is there; with a numbered --output");
+        "leave out frames whose file is there and whole; with a numbered --output");
 }
 
 void l3d_options::add(const std::string& name, double& value, const std::string& help, double least,
@@ -184,6 +202,8 @@ void l3d_options::add(const std::string& name, std::string& value, const std::st
             refuse(name, text, "a " + kind);
         value = text;
     });
+    if (kind == "FILE")
+        files_.push_back({long_name(name), &value});
 }
 
 void l3d_options::add(const std::string& name, bool& value, const std::string& help) {
@@ -276,7 +296,7 @@ bool l3d_options::parse(int argc, const char* const* argv) {
 
 bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
     if (argc > 0 && argv[0] && *argv[0])
-        command_ = std::filesystem::path(argv[0]).filename().string();
+        command_ = l3d_detail::printable(std::filesystem::path(argv[0]).filename().string());
     parser_->app.name(command_);
     // The library wants the arguments last one first.
     std::vector<std::string> arguments;
@@ -300,12 +320,21 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
             l3d_exit::usage,
             (unknown.front().starts_with('-') ? "unknown option '" : "one argument too many: '") +
                 unknown.front() + "' (see --help)");
+    refuse_one_file_for_two();
     const l3d_frame_writer complains_now_rather_than_after_a_question(common_.output,
                                                                       common_.alpha);
     if (common_.resume && !complains_now_rather_than_after_a_question.is_numbered())
         throw l3d_error(l3d_exit::usage,
                         "--resume: needs a numbered --output, as in frame%04d.png");
     return true;
+}
+
+void l3d_options::refuse_one_file_for_two() const {
+    for (auto second = files_.begin(); second != files_.end(); ++second)
+        for (auto first = files_.begin(); first != second; ++first)
+            if (mean_one_file(*first->value, *second->value))
+                throw l3d_error(l3d_exit::usage, second->option + ": '" + *second->value +
+                                                     "' is the file of " + first->option + ", too");
 }
 
 l3d_screen_request l3d_options::screen_request() const {
@@ -324,7 +353,7 @@ l3d_frame_settings l3d_options::frame_settings() const {
 }
 
 int l3d_report(std::string_view program, const std::exception& error) {
-    std::cerr << program << ": " << error.what() << '\n';
+    std::cerr << program << ": " << l3d_detail::printable(l3d_detail::reason_of(error)) << '\n';
     const auto* known = dynamic_cast<const l3d_error*>(&error);
     return static_cast<int>(known ? known->code() : l3d_exit::failure);
 }

@@ -107,7 +107,8 @@ public:
     /// the program ends well. A standard stream that was closed is opened on /dev/null first: the
     /// next socket would get its number, and with it all that is printed.
     ///
-    /// Errors: l3d_error(usage) that names the option and the value.
+    /// Errors: l3d_error(usage) that names the option and the value; also if two options name one
+    ///         file.
     bool parse(int argc, const char* const* argv);
     /// The same with the stream named that --help and --version are printed on.
     bool parse(int argc, const char* const* argv, std::ostream& out);
@@ -148,10 +149,18 @@ private:
                    std::function<void(std::size_t)> chosen);
     void add_common(l3d_size default_size);
     void add_batch();
+    void refuse_one_file_for_two() const;
+
+    /// An option that names a file. Lives: borrows the value.
+    struct named_file {
+        std::string option;
+        const std::string* value;
+    };
 
     std::string program_, command_;
     l3d_common_options common_;
     std::vector<std::string> with_results_;
+    std::vector<named_file> files_;
     std::unique_ptr<parser> parser_;
 };
 

@@ -2,7 +2,7 @@
 // Folders, found from the program's own.
 #include "system/places.h"
 
-#include <filesystem>
+#include "system/places_p.h"
 
 #ifndef L3D_PREFIX
 #define L3D_PREFIX "/usr/local"
@@ -14,12 +14,18 @@ namespace fs = std::filesystem;
 
 std::string folder(const char* below) {
     std::error_code unknown;
-    const fs::path beside =
-        fs::read_symlink("/proc/self/exe", unknown).parent_path().parent_path() / below;
-    return fs::is_directory(beside, unknown) ? beside : fs::path(L3D_PREFIX) / below;
+    return l3d_detail::folder_beside(fs::read_symlink("/proc/self/exe", unknown), below);
 }
 
 } // namespace
+
+fs::path l3d_detail::folder_beside(const fs::path& program, const char* below) {
+    std::error_code unknown;
+    const fs::path beside = program.parent_path().parent_path() / below;
+    return program.is_absolute() && fs::is_directory(beside, unknown)
+               ? beside
+               : fs::path(L3D_PREFIX) / below;
+}
 
 std::string l3d_plugin_folder() {
     return folder("lib/l3d");

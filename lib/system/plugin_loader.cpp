@@ -2,6 +2,7 @@
 // l3d_plugin_loader: the host's side of the interface, and dlopen.
 #include "system/plugin_loader.h"
 
+#include "base/printable_p.h"
 #include "geom/mesh_cut.h"
 #include "geom/files/model_file.h"
 #include "pipeline/worlds/object_plugin.h"
@@ -193,7 +194,8 @@ private:
         const bool silent = context_.complaint.empty();
         library_.plugin()->update(data_, seconds);
         if (silent && !context_.complaint.empty())
-            std::cerr << context_.program << ": " << context_.complaint << '\n';
+            std::cerr << context_.program << ": " << l3d_detail::printable(context_.complaint)
+                      << '\n';
     }
 
     std::unique_ptr<l3d_object_behaviour> do_clone(l3d_object& for_copy) const override {
@@ -205,7 +207,7 @@ private:
         std::string why;
         if (copy->is_set_up(why))
             return copy;
-        std::cerr << context_.program << ": " << why << '\n';
+        std::cerr << context_.program << ": " << l3d_detail::printable(why) << '\n';
         return nullptr;
     }
 

@@ -2,11 +2,12 @@
 // l3d_save_screenshot: finding a free name.
 #include "system/screenshot.h"
 
-#include "tool_2d/error.h"
+#include "system/reason_p.h"
 #include "tool_2d/image_file.h"
 
 #include <array>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 
 std::string l3d_save_screenshot(const l3d_pixels& pixels) {
@@ -14,12 +15,17 @@ std::string l3d_save_screenshot(const l3d_pixels& pixels) {
     for (int number = 1; number <= most; ++number) {
         std::array<char, 32> name{};
         std::snprintf(name.data(), name.size(), "l3d-%04d.png", number);
-        if (std::filesystem::exists(name.data()))
+        // A link that leads nowhere is somebody's name, too.
+        std::error_code problem;
+        const auto type = std::filesystem::symlink_status(name.data(), problem).type();
+        if (type == std::filesystem::file_type::none)
+            return "not saved: " + problem.message();
+        if (type != std::filesystem::file_type::not_found)
             continue;
         try {
             l3d_write_png(name.data(), pixels);
-        } catch (const l3d_error& error) {
-            return error.what();
+        } catch (const std::exception& error) {
+            return l3d_detail::reason_of(error);
         }
         return std::string("saved ") + name.data();
     }

@@ -4,6 +4,7 @@
 #define L3D_SYSTEM_VIEWER_H
 
 #include "base/public.h"
+#include "pipeline/polygons/pipeline_polygons.h"
 #include "system/afd_options.h"
 #include "system/program.h"
 #include "system/report_writer.h"
@@ -12,8 +13,10 @@
 #include "raster/shapes/font.h"
 #include "tool_2d/image_file.h"
 
+#include <cstdio>
 #include <iostream>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -57,13 +60,11 @@ public:
     void finish() const {
         if constexpr (requires { this->depth(); })
             if (const std::string& file = asked_.depth_output(); !file.empty())
-                l3d_write_pfm(file, this->depth().size().width, this->depth().size().height,
-                              l3d_distances(this->depth()));
+                write(file, this->depth().size(), l3d_distances(this->depth()));
         if constexpr (requires { this->error_map(); })
             if (const std::string& file = asked_.error_output();
                 !file.empty() && this->error_map() != nullptr)
-                l3d_write_pfm(file, this->error_map()->size().width,
-                              this->error_map()->size().height, this->error_map()->levels());
+                write(file, this->error_map()->size(), this->error_map()->levels());
         if (asked_.explain())
             std::cerr << this->report().explanation();
         if (const std::string why = this->why_empty(); !why.empty())
@@ -93,9 +94,19 @@ private:
             this->controls().show_hint(seconds);
     }
 
+    /// The name - is the standard output.
+    static void write(const std::string& file, l3d_size size, std::span<const float> values) {
+        if (file == "-")
+            l3d_write_pfm(stdout, "standard output", size.width, size.height, values);
+        else
+            l3d_write_pfm(file, size.width, size.height, values);
+    }
+
     /// What the options did, and what undoes it.
-    std::string way_to_mend(const std::string& why) const {
-        if (why.ends_with("plane"))
+    std::string way_to_mend(const std::string& reason) const {
+        if (reason == l3d_turning_its_back)
+            return "give --all-faces, or press b in a window";
+        if (reason.ends_with("plane"))
             return "leave out --near and --far, or press f in a window";
         return asked_.places_camera() ? "leave out --eye and --target, or press f in a window"
                                       : "press f in a window";

@@ -7,6 +7,7 @@
 #include "tool_2d/screen_info.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cctype>
 #include <cerrno>
@@ -56,6 +57,18 @@ bool ends_with(std::string_view path, std::string_view lower_case_end) {
     return std::equal(end.begin(), end.end(), lower_case_end.begin(), [](char a, char b) {
         return std::tolower(static_cast<unsigned char>(a)) == b;
     });
+}
+
+/// As l3d_write_ppm makes it: no comments, 255 levels.
+bool is_whole_ppm(std::FILE* file) {
+    int width = 0, height = 0;
+    char after = 0;
+    if (std::fscanf(file, "P6 %9d %9d 255%c", &width, &height, &after) != 3 || width < 1 ||
+        height < 1 || after != '\n')
+        return false;
+    const long begin = std::ftell(file);
+    const auto bytes = static_cast<long>(rgb_bytes) * width * height;
+    return std::fseek(file, 0, SEEK_END) == 0 && std::ftell(file) - begin == bytes;
 }
 
 /// libpng's picture, which holds memory between its calls.
@@ -115,10 +128,16 @@ void l3d_write_ppm(const std::string& path, const l3d_pixels& pixels) {
 }
 
 void l3d_write_pfm(const std::string& path, int width, int height, std::span<const float> values) {
-    assert(values.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     output_file file(path);
+    l3d_write_pfm(file.get(), path, width, height, values);
+    file.commit();
+}
+
+void l3d_write_pfm(std::FILE* file, const std::string& name, int width, int height,
+                   std::span<const float> values) {
+    assert(values.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     // A negative scale says that the floats are little-endian.
-    write_text(file.get(), path,
+    write_text(file, name,
                "Pf\n" + std::to_string(width) + " " + std::to_string(height) + "\n-1.0\n");
     std::vector<std::uint8_t> bytes;
     for (int y = height - 1; y >= 0; --y) {
@@ -129,9 +148,10 @@ void l3d_write_pfm(const std::string& path, int width, int height, std::span<con
             for (int shift = 0; shift < 32; shift += 8)
                 bytes.push_back(static_cast<std::uint8_t>(bits >> shift));
         }
-        write_bytes(file.get(), path, bytes);
+        write_bytes(file, name, bytes);
     }
-    file.commit();
+    if (std::fflush(file) != 0)
+        throw_write_error(name);
 }
 
 void l3d_write_image(const std::string& path, const l3d_pixels& pixels, l3d_alpha alpha) {
@@ -171,4 +191,23 @@ l3d_image l3d_read_png(const std::string& path) {
         }
     }
     return image;
+}
+
+bool l3d_is_whole_image(const std::string& path) {
+    const l3d_detail::unique_file file(std::fopen(path.c_str(), "rb"));
+    if (!file)
+        return false;
+    if (!ends_with(path, ".png"))
+        return is_whole_ppm(file.get());
+    try {
+        l3d_read_png(path);
+    } catch (const l3d_error&) {
+        return false;
+    }
+    // libpng stops reading behind the last row. A file ends with an empty chunk and its checksum.
+    constexpr std::string_view last_chunk("\0\0\0\0IEND\xAE\x42\x60\x82", 12);
+    std::array<char, last_chunk.size()> end{};
+    return std::fseek(file.get(), -static_cast<long>(end.size()), SEEK_END) == 0 &&
+           std::fread(end.data(), 1, end.size(), file.get()) == end.size() &&
+           std::string_view(end.data(), end.size()) == last_chunk;
 }

@@ -11,9 +11,9 @@
 #include <span>
 #include <string>
 
-// A file appears under its name only when it is complete. It is written beside that place and
-// renamed. So a full disk neither costs the old picture nor leaves half a new one. The same pixels
-// give the same bytes: no time and no program name is stored.
+// A file appears under its name only when it is complete and on the disk. So neither a full disk
+// nor a power failure costs the old picture or leaves half a new one. The same pixels give the same
+// bytes: no time and no program name is stored.
 
 /// What a word's highest byte says in a file.
 enum class L3D_PUBLIC l3d_alpha {
@@ -40,6 +40,11 @@ L3D_PUBLIC void l3d_write_ppm(const std::string& path, const l3d_pixels& pixels)
 L3D_PUBLIC void l3d_write_pfm(const std::string& path, int width, int height,
                               std::span<const float> values);
 
+/// The same into an open file, for streams.
+/// Errors:  l3d_error(failure) that gives `name` and the system's reason.
+L3D_PUBLIC void l3d_write_pfm(std::FILE* file, const std::string& name, int width, int height,
+                              std::span<const float> values);
+
 /// Writes PNG or PPM, by the end of the path: .png or .ppm, in either case.
 /// Errors:  l3d_error(usage) that names the path if it ends otherwise, or in .ppm although there is
 ///          alpha; else as l3d_write_png.
@@ -49,5 +54,10 @@ L3D_PUBLIC void l3d_write_image(const std::string& path, const l3d_pixels& pixel
 /// Reads any PNG as 8-bit RGB, rows without padding.
 /// Errors:  l3d_error(bad_input) that names the path and the reason.
 L3D_PUBLIC l3d_image l3d_read_png(const std::string& path);
+
+/// Whether a file holds a whole PNG or PPM, whose kind its name says as for l3d_write_image. False,
+/// without a reason, if there is no file, or one that was cut off or damaged on the disk.
+/// Cost:    reads and unpacks the file.
+L3D_PUBLIC bool l3d_is_whole_image(const std::string& path);
 
 #endif

@@ -17,9 +17,17 @@ struct file_closer {
 };
 using unique_file = std::unique_ptr<std::FILE, file_closer>;
 
-/// A file being written: under a name of its own beside the final one until commit().
+/// A file being written. It gets its name in commit(), when it is on the disk.
 ///
-/// A name that leads to a device or a pipe is written directly, since it cannot be replaced.
+/// Until then it has no name at all where the system permits that (O_TMPFILE), so that nothing is
+/// left behind, however the program ends. Elsewhere it has one of its own in the same folder, that
+/// nobody can guess and that follows no link. Several threads or processes may write one path: the
+/// last one's file stays, whole.
+///
+/// A name that leads to a device or a pipe is written directly, since it cannot be replaced. So is
+/// a file in a folder in which no other file can be made. A file that is replaced leaves its
+/// permissions, and if possible its owner, to the new one. A link is followed, even to a file that
+/// is not there yet.
 /// Lives:   a file that was not committed is removed.
 class output_file {
 public:
@@ -31,15 +39,21 @@ public:
 
     std::FILE* get() const { return file_.get(); }
 
-    /// Closes the file and gives it its final name. Errors: as the constructor.
+    /// Sees the file to the disk, and gives it its name there. Errors: as the constructor.
     void commit();
 
 private:
+    void open_directly();
+    int open_nameless() const;
+    int open_named();
+    void link();
+    void sync_folder() const;
+
     std::string path_;      ///< as the user wrote it, for messages
-    std::string target_;    ///< what it leads to: a link is followed, not replaced
-    std::string temporary_; ///< what is open; equal to target_ for a device
+    std::string target_;    ///< what it leads to through links
+    std::string temporary_; ///< the name that the file has before its own; empty: none
     unique_file file_;
-    bool committed_ = false;
+    bool is_direct_ = false;
 };
 
 } // namespace l3d_detail

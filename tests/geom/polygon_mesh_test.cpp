@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <stdexcept>
 #include <map>
 #include <utility>
 
@@ -61,6 +62,11 @@ TEST(polygon_mesh, a_grid_follows_its_height) {
     EXPECT_TRUE(grid.is_valid());
     for (const vector& v : grid.vertices)
         EXPECT_EQ(v[2], v[0] - 2 * v[1]);
+}
+
+TEST(polygon_mesh, numbers_beyond_32_bits_are_refused) {
+    EXPECT_EQ(l3d_polygon_mesh::index_of(4294967295), 4294967295u);
+    EXPECT_THROW(l3d_polygon_mesh::index_of(4294967296), std::length_error);
 }
 
 TEST(polygon_mesh, what_is_wrong_is_seen) {

@@ -3,6 +3,8 @@
 #include "pipeline/polygons/painter_order.h"
 
 #include "painter_scenes.h"
+#include "pipeline/polygons/painter_cover_p.h"
+#include "pipeline/polygons/painter_knot_p.h"
 #include "raster/surfaces/surface_rasterizer_scalar.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <numeric>
+#include <random>
 
 namespace pipeline_tests {
 namespace {
@@ -112,6 +116,113 @@ TEST(painter_order, ten_thousand_scenes_are_right_in_every_pixel) {
     RecordProperty("knots", static_cast<int>(knots));
     std::cout << "knots " << knots << ", cuts " << cuts << ", pixels " << covered << ", tied "
               << tied << ", wrong when only sorted " << wrong_unresolved << '\n';
+}
+
+/// Large triangles at all angles through each other.
+std::vector<l3d_painter_triangle> bush(unsigned count, unsigned seed) {
+    std::mt19937 random(seed);
+    std::vector<l3d_painter_triangle> triangles(count);
+    const auto below = [&](int most) { return static_cast<int>(random() % unsigned(most)); };
+    for (unsigned i = 0; i < count; ++i) {
+        triangles[i].color = i + 1;
+        for (l3d_micro_vertex& v : triangles[i].v)
+            v = {below(window.width << l3d_subpixel_bits),
+                 below(window.height << l3d_subpixel_bits),
+                 static_cast<float>(1 + below(1 << 20)) / (1 << 20),
+                 {0, 0, 1}};
+    }
+    return triangles;
+}
+
+TEST(painter_order, a_bush_of_crossing_triangles_is_cut_only_where_it_is_seen) {
+    painting painted;
+    for (const unsigned count : {49u, 60u, 300u, 1000u}) {
+        const auto triangles = bush(count, count);
+        const nearest_triangles exact = find_nearest(triangles, window);
+        EXPECT_EQ(differences(painted.paint(triangles, l3d_shade::error), exact.number, exact), 0)
+            << count;
+        EXPECT_EQ(painted.order.counts().knots, 1);
+        // Each with each would be cut into more than count * count / 2 pieces.
+        EXPECT_LT(painted.order.pieces().size(), 20u * count);
+        std::cout << count << ": " << painted.order.pieces().size() << " pieces, "
+                  << painted.order.counts().cuts << " cuts\n";
+    }
+}
+
+std::vector<std::uint32_t> all_of(std::span<const l3d_painter_triangle> triangles) {
+    std::vector<std::uint32_t> members(triangles.size());
+    std::iota(members.begin(), members.end(), 0u);
+    return members;
+}
+
+constexpr l3d_shading own_colors{l3d_shade::error, {0, 0, 1}, {0, 0, -1}, {}, {}};
+
+/// The slow twin cuts and paints all members, whether or not they are hidden.
+TEST(painter_order, what_a_knot_leaves_out_would_not_show) {
+    std::vector<std::vector<l3d_painter_triangle>> scenes{bush(60, 3)};
+    for (unsigned seed = 1; seed <= 500; ++seed) {
+        std::mt19937 random(seed);
+        scenes.push_back(random_triangles(random, window));
+    }
+    std::size_t left_out = 0;
+    for (const auto& scene : scenes) {
+        l3d_painter_order order; // sorts, and drops what has no area
+        order.make(scene, window, false);
+        const nearest_triangles exact = find_nearest(scene, window);
+        std::array<std::vector<l3d_painter_piece>, 2> pieces;
+        std::array<std::vector<std::uint32_t>, 2> pictures;
+        for (const std::size_t i : {0u, 1u}) {
+            l3d_detail::painter_knot knot(i == 0 ? 0 : scene.size());
+            std::vector<l3d_painter_cut> cuts;
+            knot.untie(window, order.triangles(), all_of(order.triangles()), pieces[i], cuts);
+            canvas on;
+            l3d_painter painter;
+            painter.paint(on.pixels(), own_colors, order.triangles(), pieces[i], cuts);
+            pictures[i] = on.picture();
+        }
+        ASSERT_EQ(differences(pictures[0], pictures[1], exact), 0);
+        left_out += pieces[1].size() - pieces[0].size();
+    }
+    EXPECT_GT(left_out, 1000u);
+    std::cout << left_out << " pieces left out\n";
+}
+
+/// The slow twin paints.
+TEST(painter_order, a_piece_is_hidden_if_its_area_and_its_sides_are_covered) {
+    int hidden = 0, shown_by_sides = 0;
+    for (unsigned seed = 1; seed <= 300; ++seed) {
+        std::mt19937 random(seed);
+        l3d_painter_order order;
+        order.make(random_triangles(random, window), window);
+        const auto triangles = order.triangles();
+        const std::vector<l3d_painter_cut> cuts(order.cuts().begin(), order.cuts().end());
+        const auto pieces = order.pieces();
+        l3d_detail::painter_cover cover;
+        cover.begin(window, triangles, cuts);
+        l3d_painter painter;
+        canvas on;
+        for (std::size_t i = pieces.size(); i > 0; --i) {
+            const auto piece = pieces.subspan(i - 1, 1), in_front = pieces.subspan(i);
+            painter.paint(on.pixels(), own_colors, triangles, in_front, cuts);
+            const auto covered = on.picture();
+            painter.paint(on.pixels(), own_colors, triangles, piece, cuts);
+            const auto area = on.picture();
+            painter.paint_lines(on.pixels(), triangles, piece, cuts, 0xffffff);
+            const auto lines = on.picture();
+            const auto hides = [&](const std::vector<std::uint32_t>& picture) {
+                for (std::size_t p = 0; p < picture.size(); ++p)
+                    if (picture[p] != 0 && covered[p] == 0)
+                        return false;
+                return true;
+            };
+            ASSERT_EQ(cover.hides(piece.front()), hides(area) && hides(lines)) << "seed " << seed;
+            hidden += hides(area) && hides(lines);
+            shown_by_sides += hides(area) && !hides(lines);
+            cover.add(piece.front());
+        }
+    }
+    EXPECT_GT(hidden, 100);
+    EXPECT_GT(shown_by_sides, 100);
 }
 
 TEST(painter_order, the_cycle_of_three_rectangles) {

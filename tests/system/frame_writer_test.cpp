@@ -76,6 +76,17 @@ TEST(frame_writer, skipped_frames_have_their_numbers) {
     EXPECT_FALSE(l3d_frame_writer(folder.file("f1.png")).has_frame()) << "not numbered";
 }
 
+TEST(frame_writer, a_frame_that_is_not_whole_is_missing) {
+    const temporary_folder folder;
+    l3d_frame_writer(folder.file("f%d.png")).frame(picture(0x010203).pixels());
+    const l3d_frame_writer writer(folder.file("f%d.png"));
+    EXPECT_TRUE(writer.has_frame());
+    std::filesystem::resize_file(folder.file("f0.png"), 40);
+    EXPECT_FALSE(writer.has_frame());
+    std::filesystem::resize_file(folder.file("f0.png"), 0);
+    EXPECT_FALSE(writer.has_frame());
+}
+
 TEST(frame_writer, number_wider_than_its_field) {
     const temporary_folder folder;
     l3d_frame_writer writer(folder.file("%01d.ppm"));

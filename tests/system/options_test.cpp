@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
 // l3d_options: what is read, what is refused and how that is said.
 #include "system/options.h"
+#include "system/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <new>
 #include <optional>
 #include <ostream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace {
@@ -273,6 +280,62 @@ TEST(options, output_that_cannot_be_written_to) {
     program tester;
     tester.out.setstate(std::ios::badbit);
     EXPECT_THROW(tester.parse({"--help"}), l3d_error);
+}
+
+TEST(options, one_file_for_two_options_is_refused) {
+    const temporary_folder folder;
+    const std::string twin = folder.file("./b.png");
+    program tester;
+    std::string first, second;
+    tester.options.add("--first", first, "a file", "FILE");
+    tester.options.add("--second", second, "a file", "FILE");
+    const auto fails = [&](const std::string& a, const std::string& b) {
+        try {
+            tester.parse({"--first", a.c_str(), "--second", b.c_str()});
+        } catch (const l3d_error& error) {
+            EXPECT_EQ(error.code(), l3d_exit::usage);
+            EXPECT_EQ(std::string(error.what()),
+                      "--second: '" + b + "' is the file of --first, too");
+            return true;
+        }
+        return false;
+    };
+    EXPECT_TRUE(fails(folder.file("a.png"), folder.file("a.png")));
+    EXPECT_TRUE(fails(folder.file("b.png"), twin));
+    EXPECT_TRUE(fails("a.png", "./a.png"));
+    EXPECT_TRUE(fails("-", "-"));
+    std::ofstream(folder.file("c.png")) << "old";
+    std::filesystem::create_hard_link(folder.file("c.png"), folder.file("d.png"));
+    std::filesystem::create_symlink("c.png", folder.file("e.png"));
+    EXPECT_TRUE(fails(folder.file("c.png"), folder.file("d.png")));
+    EXPECT_TRUE(fails(folder.file("e.png"), folder.file("c.png")));
+    EXPECT_FALSE(fails(folder.file("a.png"), folder.file("b.png")));
+    EXPECT_FALSE(fails("/dev/null", "/dev/null"));
+    EXPECT_FALSE(fails("a.png", "-"));
+}
+
+TEST(report, texts_of_the_libraries_become_words) {
+    const auto text_of = [](const std::exception& error) {
+        testing::internal::CaptureStderr();
+        l3d_report("tester", error);
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_EQ(text_of(std::bad_alloc()), "tester: there is not enough memory\n");
+    EXPECT_EQ(text_of(std::length_error("vector::_M_default_append")),
+              "tester: something is larger than memory can hold\n");
+    EXPECT_EQ(text_of(std::filesystem::filesystem_error(
+                  "cannot do", "some/file", std::make_error_code(std::errc::permission_denied))),
+              "tester: some/file: Permission denied\n");
+    EXPECT_EQ(text_of(std::system_error(EMFILE, std::generic_category(), "thread")),
+              "tester: Too many open files\n");
+}
+
+TEST(report, control_characters_are_written_out) {
+    testing::internal::CaptureStderr();
+    l3d_report("tester",
+               l3d_error(l3d_exit::usage, "--size: '\x1b[31m\n\xC2\x9b\x7f\xE9' \xC3\xA9"));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "tester: --size: '\\x1b[31m\\x0a\\xc2\\x9b\\x7f\\xe9' \xC3\xA9\n");
 }
 
 TEST(report, one_line_and_the_exit_code) {

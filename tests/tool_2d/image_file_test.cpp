@@ -201,6 +201,38 @@ TEST_F(image_file, a_link_is_followed_not_replaced) {
     EXPECT_EQ(contents(path("real.ppm")), contents(path("direct.ppm")));
 }
 
+TEST_F(image_file, a_cut_or_damaged_picture_is_not_whole) {
+    auto image = random_image({37, 11});
+    for (const std::string name : {"a.png", "a.ppm"}) {
+        EXPECT_FALSE(l3d_is_whole_image(path(name)));
+        l3d_write_image(path(name), image.pixels());
+        const std::string whole = contents(path(name));
+        EXPECT_TRUE(l3d_is_whole_image(path(name)));
+        for (std::size_t size = 0; size < whole.size(); ++size) {
+            fs::resize_file(path(name), size);
+            ASSERT_FALSE(l3d_is_whole_image(path(name))) << name << " of " << size;
+            std::ofstream(path(name), std::ios::binary) << whole;
+        }
+        std::ofstream(path(name), std::ios::binary | std::ios::app) << 'x';
+        EXPECT_FALSE(l3d_is_whole_image(path(name))) << "longer";
+    }
+    // A disk that lost a block has zeros there.
+    l3d_write_png(path("a.png"), image.pixels());
+    std::string zeros = contents(path("a.png"));
+    zeros.replace(zeros.size() / 2, 64, 64, '\0');
+    std::ofstream(path("a.png"), std::ios::binary) << zeros;
+    EXPECT_FALSE(l3d_is_whole_image(path("a.png")));
+}
+
+TEST_F(image_file, a_stream_of_floats_has_the_bytes_of_a_file) {
+    const std::vector<float> values{1.0f, 2.0f, -0.5f, 4.0f, 3.0f, 0.25f};
+    l3d_write_pfm(path("a.pfm"), 2, 3, values);
+    std::FILE* const stream = std::fopen(path("b.pfm").c_str(), "wb");
+    l3d_write_pfm(stream, "stream", 2, 3, values);
+    std::fclose(stream);
+    EXPECT_EQ(contents(path("a.pfm")), contents(path("b.pfm")));
+}
+
 TEST_F(image_file, reading_names_what_is_wrong) {
     EXPECT_EQ(code_of([&] { l3d_read_png(path("none.png")); }, "none.png: No such file"),
               l3d_exit::bad_input);

@@ -4,9 +4,10 @@
 
 import json
 import os
+import signal
 import time
 
-from harness import (BIN, PATIENCE, Checks, environment, expect, expect_equal, folder, run,
+from harness import (BIN, PATIENCE, Checks, ended, environment, expect, expect_equal, folder, run,
                      started)
 from programs_test import real_of, table
 
@@ -77,6 +78,38 @@ def killed_and_resumed():
             expect_equal(os.stat(os.path.join(path, name)).st_mtime_ns, when, name + ": time")
 
 
+def a_signal_leaves_whole_pictures_and_nothing_else():
+    with folder() as whole:
+        expect_done(sequence(whole, "40"))
+        wanted = pictures(whole)
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with folder() as path:
+                with started(sequence(path, "40"), environment()) as process:
+                    end = time.monotonic() + PATIENCE
+                    while len(os.listdir(path)) < 3 and time.monotonic() < end:
+                        time.sleep(0.001)
+                    process.send_signal(number)
+                    status, _, messages = ended(process, PATIENCE)
+                expect_equal((status, messages), (-number, ""))
+                made = pictures(path)
+                expect(2 < len(made) < 40, "too early or too late:", len(made))
+                expect_pictures(made, {name: wanted[name] for name in sorted(wanted)[:len(made)]})
+
+
+def what_a_disk_has_lost_is_made_again():
+    with folder() as path:
+        expect_done(sequence(path, "6", "--size", "97x61"))
+        wanted = pictures(path)
+        names = sorted(wanted)
+        for name, size in ((names[0], 0), (names[2], len(wanted[names[2]]) - 1)):
+            os.truncate(os.path.join(path, name), size)
+        with open(os.path.join(path, names[4]), "r+b") as file:
+            file.seek(100)
+            file.write(bytes(200))
+        expect_done(sequence(path, "6", "--size", "97x61", "--resume"))
+        expect_pictures(pictures(path), wanted)
+
+
 def reports_have_the_numbers():
     with folder() as path:
         for frames, *more in (["5:8"], ["8", "--resume"]):
@@ -92,5 +125,8 @@ if __name__ == "__main__":
             checks.run("batches.part.%s" % row.title, part_of, row)
     checks.run("batches.by_gnu_parallel", by_gnu_parallel)
     checks.run("batches.killed_and_resumed", killed_and_resumed)
+    for check in (a_signal_leaves_whole_pictures_and_nothing_else,
+                  what_a_disk_has_lost_is_made_again):
+        checks.run("batches." + check.__name__, check)
     checks.run("batches.reports_have_the_numbers", reports_have_the_numbers)
     checks.finish()

@@ -119,10 +119,29 @@ def tells_about_itself(program):
 
 
 def reports_a_full_disk(program):
-    with open("/dev/full", "wb") as full:
-        command = program.command("--backend", "memory", "--output", "-")
-        status, _, messages = run(command, environment(), stdout=full)
-    expect_equal((status, messages.count("\n")), (1, 1), messages)
+    for arguments in (("--backend", "memory", "--output", "-"), ("--list-backends",),
+                      ("--diagnose",), ("--help",), ("--version",)):
+        with open("/dev/full", "wb") as full:
+            status, _, messages = run(program.command(*arguments), environment(), stdout=full)
+        expect_equal((status, messages.count("\n")), (1, 1), [arguments, messages])
+
+
+def writes_no_control_characters(program):
+    for arguments in (
+        ("--\x1b[2J",),
+        ("--fps", "\x1b[2J\n\x9b"),
+        ("--backend", "\x1b]0;title\x07"),
+        ("--output", "no/\x1b[31m.png"),
+    ):
+        status, out, messages = run(program.command(*arguments), environment())
+        expect(status in (1, 2) and out == b"", status, out)
+        expect_equal([c for c in messages[:-1] if ord(c) < 32 or 127 <= ord(c) < 160], [], messages)
+        expect("\\x1b" in messages and messages.endswith("\n"), messages)
+    with folder() as path:
+        command = [os.path.join(path, "\x1b[2Jname"), "--output", "\x1b[31m.png"]
+        os.symlink(program.command()[0], command[0])
+        status, _, messages = run(command, environment(), cwd=path)
+        expect_equal((status, "\x1b" in messages), (0, False), messages)
 
 
 CHECKS = (
@@ -137,6 +156,7 @@ CHECKS = (
     refuses_wrong_usage,
     tells_about_itself,
     reports_a_full_disk,
+    writes_no_control_characters,
 )
 
 
@@ -150,10 +170,54 @@ def drawdot_leaves_a_trail():
     expect_equal(rows[1:], (height - 1) * [width * [0]])
 
 
+def teapot(*arguments, **options):
+    command = [os.path.join(harness.BIN, "teapot_afd"), "--size", "61x43", "--backend", "memory"]
+    return run([*command, *arguments], environment(), **options)
+
+
+def distances_go_to_the_standard_output():
+    with folder() as path:
+        for option in ("--depth-output", "--error-output"):
+            status, out, messages = teapot(option, "-", cwd=path)
+            expect_equal((status, messages, os.listdir(path)), (0, "", []), option)
+            teapot(option, "a.pfm", cwd=path)
+            with open(os.path.join(path, "a.pfm"), "rb") as file:
+                expect_equal(file.read(), out, option)
+            os.remove(os.path.join(path, "a.pfm"))
+
+
+def one_file_is_not_written_twice():
+    with folder() as path:
+        for first, second in (("--output", "--depth-output"), ("--report", "--error-output"),
+                              ("--model", "--report")):
+            name = "a.png"
+            status, out, messages = teapot(first, name, second, "./" + name, cwd=path)
+            expect_equal((status, out), (2, b""), messages)
+            expect("a.png' is the file of --" in messages, messages)
+            expect_equal(os.listdir(path), [])
+
+
+def models_come_through_pipes():
+    torus = os.path.join(harness.BIN, "..", "share", "l3d", "torus.off")
+    patches = os.path.join(harness.BIN, "..", "share", "l3d", "teapot.bpt")
+    for model in (torus, patches):
+        if not os.path.exists(model):
+            model = os.path.join("data", os.path.basename(model))
+        for pipeline in ("zbuffer", "zsort"):
+            command = [os.path.join(harness.BIN, "modelview"), "--pipeline", pipeline,
+                       "--size", "61x43", "--backend", "memory", "--output", "-"]
+            whole = run([*command, model], environment())
+            pipe = run(["sh", "-c", 'cat "$0" | "$@" /dev/stdin', model, *command], environment())
+            expect_equal((whole[0], whole[2]), (0, ""))
+            expect(pipe == whole, model, pipeline, pipe[0], pipe[2])
+
+
 if __name__ == "__main__":
     checks = Checks()
     for program in harness.PROGRAMS:
         for check in CHECKS:
             checks.run("headless.%s.%s" % (program.name, check.__name__), check, program)
-    checks.run("headless.drawdot_leaves_a_trail", drawdot_leaves_a_trail)
+    for check in (drawdot_leaves_a_trail, distances_go_to_the_standard_output,
+                  one_file_is_not_written_twice, models_come_through_pipes):
+        checks.run("headless." + check.__name__, check)
     checks.finish()

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -70,12 +71,13 @@ private:
 class vertex_colors {
 public:
     /// Gives the last vertex a colour; those without one are white. Units: components from 0 to 1,
-    /// held there. Expects: there is a vertex.
+    /// held there; NaN is 1. Expects: there is a vertex.
     void give(const l3d_polygon_mesh& mesh, const double* color) {
         colors_.resize(mesh.vertices.size() - 1, {1, 1, 1});
         auto& given = colors_.emplace_back();
         for (std::size_t i = 0; i < given.size(); ++i)
-            given[i] = static_cast<float>(std::clamp(color[i], 0.0, 1.0));
+            given[i] =
+                std::isnan(color[i]) ? 1 : static_cast<float>(std::clamp(color[i], 0.0, 1.0));
     }
 
     /// Expects: a mesh whose faces have no colours.
@@ -123,7 +125,14 @@ std::optional<l3d_model_file> read_model_by(Read read, std::string_view text, st
                                             std::string& why, char comment = '\0') {
     text_cursor cursor(text, name, comment);
     l3d_model_file model;
-    if (!read(cursor, model)) {
+    const auto reads = [&] {
+        try {
+            return read(cursor, model);
+        } catch (const std::length_error& too_long) {
+            return cursor.fail(too_long.what());
+        }
+    };
+    if (!reads()) {
         why = cursor.why();
         return std::nullopt;
     }

@@ -115,21 +115,27 @@ private:
                 !text_.is_coordinate(v[i]))
                 return false;
         mesh().vertices.push_back(v);
-        // One number more is a weight; three more are a colour, which some programs write.
-        double more[3];
+        l3d_polygon_mesh::index_of(mesh().vertices.size());
+        // One number more is a weight. Three or four more are a colour, which some programs write,
+        // with a weight before it or a fourth component behind it.
+        double more[4];
         std::size_t numbers = 0;
-        while (numbers < 3 && text_.next_in_line())
-            if (!text_.number_in(text_.token(), more[numbers++], "a weight or colour"))
+        while (numbers < 4 && text_.next_in_line())
+            if (!text_.any_number_in(text_.token(), more[numbers++], "a weight or colour"))
                 return false;
-        if (numbers == 1 && more[0] != 1) {
-            weights_.resize(mesh().vertices.size() - 1, 1);
-            weights_.push_back(more[0]);
+        if (numbers == 1) {
+            if (!text_.is_finite(more[0], "a weight"))
+                return false;
+            if (more[0] != 1) {
+                weights_.resize(mesh().vertices.size() - 1, 1);
+                weights_.push_back(more[0]);
+            }
         } else if (numbers > 1) {
             if (!has_vertex_colors_)
                 text_.note(l3d_detail::vertex_colors_note);
             has_vertex_colors_ = true;
-            if (numbers == 3)
-                vertex_colors_.give(mesh(), more);
+            if (numbers >= 3)
+                vertex_colors_.give(mesh(), numbers == 4 && more[0] == 1 ? more + 1 : more);
         }
         return true;
     }
@@ -148,15 +154,19 @@ private:
         while (text_.next_in_line())
             if (!read_corner(text_.token()))
                 return false;
-        if (mesh().corners.size() < begin + 3)
-            return text_.fail("a face of fewer than 3 corners");
-        mesh().face_ends.push_back(static_cast<std::uint32_t>(mesh().corners.size()));
+        if (const std::size_t corners = mesh().corners.size() - begin; corners < 3) {
+            text_.note("a face of " + std::to_string(corners) + " corners is skipped");
+            mesh().corners.resize(begin);
+            return true;
+        }
+        mesh().end_face();
         if (material_)
             materials_.give_to_last_face(*material_);
         return true;
     }
 
-    /// A corner: vertex, vertex/texture, vertex//normal or vertex/texture/normal.
+    /// A corner: vertex, vertex/texture, vertex//normal or vertex/texture/normal. A slash may have
+    /// nothing behind it.
     bool read_corner(std::string_view corner) {
         const std::size_t first = std::min(corner.find('/'), corner.size());
         std::uint32_t vertex = 0;
@@ -164,7 +174,7 @@ private:
             return false;
         mesh().corners.push_back(vertex);
         const std::size_t second = corner.find('/', std::min(first + 1, corner.size()));
-        if (second == corner.npos) {
+        if (second == corner.npos || second + 1 == corner.size()) {
             some_have_no_normal_ = true;
             return true;
         }

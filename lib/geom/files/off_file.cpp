@@ -2,6 +2,7 @@
 // Reader and writer of geomview's .off: polygons with colours, text or binary.
 #include "geom/files/model_reader_p.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -90,8 +91,9 @@ private:
         std::int64_t edges = 0;
         if (!whole(vertices, "the number of vertices", 0, l3d_detail::most_vertices) ||
             !whole(faces, "the number of faces", 0, l3d_detail::most_vertices) ||
-            !whole(edges, "the number of edges", std::numeric_limits<std::int32_t>::min(),
-                   std::numeric_limits<std::int32_t>::max()))
+            (counts_edges() &&
+             !whole(edges, "the number of edges", std::numeric_limits<std::int32_t>::min(),
+                    std::numeric_limits<std::int32_t>::max())))
             return false;
         // Three numbers of a digit and a blank; a face has at least its number of corners.
         const std::size_t vertex = is_binary_ ? 3 * sizeof(float) : 3 * 2;
@@ -100,6 +102,13 @@ private:
         faces_ = static_cast<std::size_t>(faces);
         return text_.plausible(vertices, "vertices", vertex) &&
                text_.plausible(faces, "faces", face);
+    }
+
+    /// Whether a third count follows. Some programs leave out the edges: then the line ends here,
+    /// and more than one number stands in the next, the first vertex.
+    bool counts_edges() const {
+        text_cursor ahead = text_;
+        return is_binary_ || ahead.next_in_line() || (ahead.next() && !ahead.next_in_line());
     }
 
     bool read_vertex() {
@@ -114,16 +123,34 @@ private:
                     return false;
             mesh_.vertex_normals.emplace_back(v[0], v[1], v[2]);
         }
-        double color[4], skipped = 0;
-        for (double& component : color)
-            if (kind_.color && !real(component, "a colour"))
+        return read_looks();
+    }
+
+    /// The colour of the last vertex, and its texture coordinates. In a text, a line that ends one
+    /// number too early leaves out the fourth component of the colour.
+    bool read_looks() {
+        const std::size_t numbers = (kind_.color ? 4u : 0u) + (kind_.texture ? 2u : 0u);
+        const char* const what = kind_.color ? "a colour" : "a texture coordinate";
+        std::array<double, 6> values{};
+        std::size_t count = 0;
+        for (; !is_binary_ && count < numbers && text_.next_in_line(); ++count)
+            if (!text_.any_number_in(text_.token(), values[count], what))
+                return false;
+        const bool has_fourth = !kind_.color || count + 1 != numbers;
+        for (; has_fourth && count < numbers; ++count)
+            if (!(is_binary_ ? real(values[count], what) : text_.any_number(values[count], what)))
                 return false;
         if (kind_.color)
-            vertex_colors_.give(mesh_, color);
-        for (int i = 0; i < (kind_.texture ? 2 : 0); ++i)
-            if (!real(skipped, "a texture coordinate"))
-                return false;
+            give_color(values);
         return true;
+    }
+
+    /// Components are fractions up to 1, or in some programs' files whole numbers up to 255.
+    void give_color(std::array<double, 6> values) {
+        if (std::max({values[0], values[1], values[2]}) > 1)
+            for (double& value : values)
+                value /= 255;
+        vertex_colors_.give(mesh_, values.data());
     }
 
     bool read_face() {
@@ -139,7 +166,7 @@ private:
             mesh_.corners.push_back(static_cast<std::uint32_t>(index));
         }
         if (corners >= 3) {
-            mesh_.face_ends.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
+            mesh_.end_face();
         } else {
             mesh_.corners.resize(begin);
             text_.note("a face of " + std::to_string(corners) + " corners is skipped");

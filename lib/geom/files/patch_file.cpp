@@ -93,7 +93,7 @@ bool make_cubic(std::vector<point>& line, int degree, double rounding) {
 
 std::optional<std::vector<l3d_patch_points>> l3d_read_bpt(std::string_view text,
                                                           std::string_view name, std::string& why) {
-    l3d_detail::text_cursor cursor(text, name);
+    l3d_detail::text_cursor cursor(text, name, '#');
     std::vector<l3d_patch_points> patches;
     if (read_patches(cursor, patches))
         return patches;

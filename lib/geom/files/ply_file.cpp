@@ -1,213 +1,53 @@
 // SPDX-License-Identifier: MIT
 // Reader of Stanford's .ply: text, and binary of either byte order.
 #include "geom/files/model_reader_p.h"
+#include "geom/files/ply_header_p.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace {
 
 using l3d_detail::quoted;
 using l3d_detail::text_cursor;
-
-enum class number_type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-struct type_name {
-    std::string_view name, other_name;
-    std::size_t bytes;
-};
-
-/// In the order of number_type.
-constexpr type_name type_names[] = {
-    {"char", "int8", 1}, {"uchar", "uint8", 1}, {"short", "int16", 2},   {"ushort", "uint16", 2},
-    {"int", "int32", 4}, {"uint", "uint32", 4}, {"float", "float32", 4}, {"double", "float64", 8}};
-
-std::size_t bytes_of(number_type type) {
-    return type_names[static_cast<std::size_t>(type)].bytes;
-}
-
-bool is_whole(number_type type) {
-    return type < number_type::float32;
-}
-
-/// The meaning of a property to us. All other properties are read and thrown away.
-enum class meaning { nothing, x, y, z, normal_x, normal_y, normal_z, red, green, blue, corners };
-
-struct property {
-    meaning means = meaning::nothing;
-    number_type type = number_type::float32;
-    std::optional<number_type> count; ///< of a list
-};
-
-struct element {
-    std::string name;
-    std::int64_t count = 0;
-    std::vector<property> properties;
-
-    bool has(meaning what) const {
-        return std::ranges::any_of(properties,
-                                   [what](const property& p) { return p.means == what; });
-    }
-
-    bool has_color() const {
-        return has(meaning::red) && has(meaning::green) && has(meaning::blue);
-    }
-};
-
-meaning vertex_meaning(std::string_view name) {
-    constexpr std::pair<std::string_view, meaning> names[] = {
-        {"x", meaning::x},         {"y", meaning::y},         {"z", meaning::z},
-        {"nx", meaning::normal_x}, {"ny", meaning::normal_y}, {"nz", meaning::normal_z},
-        {"red", meaning::red},     {"green", meaning::green}, {"blue", meaning::blue}};
-    const auto found = std::ranges::find(names, name, &std::pair<std::string_view, meaning>::first);
-    return found == std::end(names) ? meaning::nothing : found->second;
-}
-
-meaning face_meaning(std::string_view name, bool is_list) {
-    if (is_list)
-        return name == "vertex_indices" || name == "vertex_index" ? meaning::corners
-                                                                  : meaning::nothing;
-    return name == "red"     ? meaning::red
-           : name == "green" ? meaning::green
-           : name == "blue"  ? meaning::blue
-                             : meaning::nothing;
-}
+using l3d_detail::ply::element;
+using l3d_detail::ply::is_whole;
+using l3d_detail::ply::meaning;
+using l3d_detail::ply::number_type;
+using l3d_detail::ply::property;
+using l3d_detail::ply::row_kind;
 
 class ply_reader {
 public:
-    ply_reader(text_cursor& text, l3d_polygon_mesh& mesh) : text_(text), mesh_(mesh) {}
+    ply_reader(text_cursor& text, l3d_polygon_mesh& mesh)
+        : text_(text), mesh_(mesh), header_(text) {}
 
     bool read() {
-        if (!read_header() || !check())
+        if (!header_.read() || !check())
             return false;
-        for (const element& e : elements_)
+        order_ = header_.order();
+        for (const element& e : header_.elements())
             if (!read_element(e))
                 return false;
         text_.forget_place();
+        if (!mesh_.face_colors.empty())
+            mesh_.face_colors.resize(mesh_.faces(), uncolored);
         vertex_colors_.finish(mesh_);
         const bool ends = order_ ? text_.rest().empty() : text_.at_end();
         return ends || text_.fail("more follows the last element");
     }
 
 private:
-    // ---- the header, line by line
-
-    bool read_header() {
-        if (!text_.next_in_line() || text_.token() != "ply")
-            return text_.fail("there is no ply");
-        bool has_format = false;
-        while (text_.next()) {
-            const std::string_view word = text_.token();
-            if (word == "end_header") {
-                if (!has_format)
-                    return text_.fail("there is no format before end_header");
-                return text_.next_line() || elements_.empty() ||
-                       text_.fail("the text ends after end_header");
-            }
-            if (word == "comment" || word == "obj_info") {
-                text_.next_line();
-                continue;
-            }
-            const bool well = word == "format"     ? read_format(has_format)
-                              : word == "element"  ? read_element_line()
-                              : word == "property" ? read_property_line()
-                                                   : text_.fail(quoted(word) + " in the header");
-            if (!well)
-                return false;
-            if (text_.next_in_line())
-                return text_.fail(quoted(text_.token()) + " at the end of a line of the header");
-        }
-        return text_.fail("the text ends before end_header");
-    }
-
-    bool word(const char* what) {
-        return text_.next_in_line() ||
-               text_.fail("the line ends where " + std::string(what) + " should be");
-    }
-
-    bool read_format(bool& has_format) {
-        if (has_format)
-            return text_.fail("there is a second format");
-        has_format = true;
-        if (!word("a format"))
-            return false;
-        if (text_.token() == "binary_little_endian")
-            order_ = std::endian::little;
-        else if (text_.token() == "binary_big_endian")
-            order_ = std::endian::big;
-        else if (text_.token() != "ascii")
-            return text_.fail(quoted(text_.token()) + " is no format of ply");
-        return word("a version") && (text_.token() == "1.0" ||
-                                     text_.fail(quoted(text_.token()) + " is not version 1.0"));
-    }
-
-    bool read_element_line() {
-        element& e = elements_.emplace_back();
-        if (!word("the name of an element"))
-            return false;
-        e.name = text_.token();
-        const auto same = [&e](const element& other) { return other.name == e.name; };
-        if (std::any_of(elements_.begin(), elements_.end() - 1, same))
-            return text_.fail("there is a second element " + quoted(e.name));
-        return word("a number of elements") &&
-               text_.integer_in_text(text_.token(), e.count, "the number of elements") &&
-               text_.is_in(e.count, "the number of elements", 0, l3d_detail::most_vertices);
-    }
-
-    bool read_type(number_type& type) {
-        if (!word("a type"))
-            return false;
-        const auto found = std::ranges::find_if(type_names, [this](const type_name& t) {
-            return t.name == text_.token() || t.other_name == text_.token();
-        });
-        if (found == std::end(type_names))
-            return text_.fail(quoted(text_.token()) + " is no type of ply");
-        type = static_cast<number_type>(found - std::begin(type_names));
-        return true;
-    }
-
-    bool read_property_line() {
-        if (elements_.empty())
-            return text_.fail("a property of no element");
-        element& e = elements_.back();
-        property p;
-        const bool is_list = text_.take_in_line("list");
-        if (is_list) {
-            number_type count{};
-            if (!read_type(count))
-                return false;
-            if (!is_whole(count))
-                return text_.fail(quoted(text_.token()) + " counts a list");
-            p.count = count;
-        }
-        if (!read_type(p.type) || !word("the name of a property"))
-            return false;
-        if (e.name == "vertex" && !is_list)
-            p.means = vertex_meaning(text_.token());
-        else if (e.name == "face")
-            p.means = face_meaning(text_.token(), is_list);
-        if (p.means != meaning::nothing && e.has(p.means))
-            return text_.fail("there is a second property " + quoted(text_.token()));
-        if (p.means == meaning::corners && !is_whole(p.type))
-            return text_.fail("indices of vertices are not whole numbers");
-        e.properties.push_back(p);
-        return true;
-    }
-
     /// Whether the header makes sense as a whole.
     bool check() {
-        const element* vertex = nullptr;
-        const element* face = nullptr;
-        for (const element& e : elements_) {
+        for (const element& e : header_.elements()) {
             if (e.properties.empty() && e.count > 0)
                 return text_.fail("the element " + quoted(e.name) + " has no properties");
-            if (e.name == "vertex")
-                vertex = &e;
-            else if (e.name == "face")
-                face = &e;
-            else
+            if (e.kind == row_kind::other)
                 text_.note("the element " + quoted(e.name) + " is skipped");
         }
+        const element* const vertex = header_.find(row_kind::vertex);
+        const element* const face = header_.find(row_kind::face);
+        const element* const strip = header_.find(row_kind::strip);
         if (!vertex)
             return text_.fail("there is no element vertex");
         for (const auto& [axis, name] :
@@ -216,6 +56,8 @@ private:
                 return text_.fail("vertices have no " + std::string(name));
         if (face && !face->has(meaning::corners))
             return text_.fail("faces have no list vertex_indices");
+        if (strip && !strip->has(meaning::corners))
+            return text_.fail("tristrips have no list vertex_indices");
         vertices_ = vertex->count;
         has_normals_ = vertex->has(meaning::normal_x) && vertex->has(meaning::normal_y) &&
                        vertex->has(meaning::normal_z);
@@ -231,7 +73,8 @@ private:
     bool read_element(const element& e) {
         std::size_t shortest = 0;
         for (const property& p : e.properties)
-            shortest += order_ ? bytes_of(p.count.value_or(p.type)) : 2; // a digit and a blank
+            shortest += order_ ? l3d_detail::ply::bytes_of(p.count.value_or(p.type))
+                               : 2; // a digit and a blank
         text_.forget_place();
         // The last number of a text may have no blank behind it.
         const std::size_t room = text_.rest().size() + (order_ ? 0 : 1);
@@ -239,40 +82,62 @@ private:
             return text_.fail("the text is too short for " + std::to_string(e.count) +
                               " of the element " + quoted(e.name));
         const auto count = static_cast<std::size_t>(e.count);
-        const bool vertex = e.name == "vertex";
-        const bool face = e.name == "face";
-        if (vertex)
+        if (e.kind == row_kind::vertex)
             mesh_.vertices.reserve(count);
-        if (vertex && has_normals_)
+        if (e.kind == row_kind::vertex && has_normals_)
             mesh_.vertex_normals.reserve(count);
-        if (face)
-            mesh_.face_ends.reserve(count);
+        if (e.kind == row_kind::face)
+            mesh_.face_ends.reserve(mesh_.face_ends.size() + count);
         for (std::size_t i = 0; i < count; ++i) {
-            text_.set_place(vertex ? " of vertex" : face ? " of face" : " of element", i, count);
-            if (!read_properties(e) || (vertex && !add_vertex()) || (face && !add_face()))
+            text_.set_place(place_of(e.kind), i, count);
+            if (!read_properties(e) || !add_row(e.kind))
                 return false;
+        }
+        return true;
+    }
+
+    static const char* place_of(row_kind kind) {
+        return kind == row_kind::vertex  ? " of vertex"
+               : kind == row_kind::face  ? " of face"
+               : kind == row_kind::strip ? " of strip"
+                                         : " of element";
+    }
+
+    bool add_row(row_kind kind) {
+        switch (kind) {
+        case row_kind::vertex:
+            return add_vertex();
+        case row_kind::face:
+            return add_face();
+        case row_kind::strip:
+            add_strip();
+            return true;
+        case row_kind::other:
+            break;
         }
         return true;
     }
 
     bool read_properties(const element& e) {
         face_.clear();
+        // In a strip, -1 ends a run of triangles.
+        const std::int64_t least = e.kind == row_kind::strip ? -1 : 0;
         for (const property& p : e.properties) {
             double value = 0;
             if (!p.count) {
-                if (!number(p.type, value, "a number"))
+                if (!number(p, value, "a number"))
                     return false;
                 seen_[static_cast<std::size_t>(p.means)] = scaled(p, value);
                 continue;
             }
-            if (!number(*p.count, value, "the length of a list"))
+            if (!number({meaning::corners, *p.count, {}}, value, "the length of a list"))
                 return false;
             const auto length = static_cast<std::int64_t>(value);
             if (!text_.is_in(length, "the length of a list", 0, l3d_detail::most_vertices))
                 return false;
             for (std::int64_t i = 0; i < length; ++i)
-                if (!number(p.type, value, "a member of a list") ||
-                    (p.means == meaning::corners && !add_corner(value)))
+                if (!number(p, value, "a member of a list") ||
+                    (p.means == meaning::corners && !add_corner(value, least)))
                     return false;
         }
         return true;
@@ -280,14 +145,16 @@ private:
 
     /// Components of colours are whole numbers up to 255, or fractions up to 1.
     static double scaled(const property& p, double value) {
-        const bool color =
-            p.means == meaning::red || p.means == meaning::green || p.means == meaning::blue;
-        return color && is_whole(p.type) ? value / 255 : value;
+        return is_color(p.means) && is_whole(p.type) ? value / 255 : value;
     }
 
-    bool add_corner(double value) {
+    static bool is_color(meaning what) {
+        return what == meaning::red || what == meaning::green || what == meaning::blue;
+    }
+
+    bool add_corner(double value, std::int64_t least) {
         const auto index = static_cast<std::int64_t>(value);
-        if (!text_.is_in(index, "a corner", 0, vertices_ - 1))
+        if (!text_.is_in(index, "a corner", least, vertices_ - 1))
             return false;
         face_.push_back(static_cast<std::uint32_t>(index));
         return true;
@@ -316,24 +183,52 @@ private:
             return true;
         }
         mesh_.add_face(face_);
+        if (!has_colors_)
+            return true;
         std::uint32_t word = 0;
         for (const meaning what : {meaning::red, meaning::green, meaning::blue}) {
-            if (!has_colors_)
-                return true;
             if (!(seen(what) >= 0 && seen(what) <= 1))
                 return text_.fail("the colour of a face is out of range");
             word = 256 * word + static_cast<std::uint32_t>(std::lround(255 * seen(what)));
         }
+        mesh_.face_colors.resize(mesh_.faces() - 1, uncolored);
         mesh_.face_colors.push_back(word);
         return true;
     }
 
+    /// Each corner makes a triangle with the two before it; every other one has its first two
+    /// swapped, so that all are counterclockwise from the same side. Triangles of no area join
+    /// strips to one.
+    void add_strip() {
+        std::size_t run = 0; // where the strip at hand begins
+        for (std::size_t i = 0; i < face_.size(); ++i) {
+            if (face_[i] == ends_strip) {
+                run = i + 1;
+                continue;
+            }
+            if (i < run + 2)
+                continue;
+            const bool swaps = (i - run) % 2 != 0;
+            const std::array<std::uint32_t, 3> corners{face_[swaps ? i - 1 : i - 2],
+                                                       face_[swaps ? i - 2 : i - 1], face_[i]};
+            if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+                mesh_.add_face(corners);
+        }
+    }
+
     // ---- numbers
 
-    /// Takes a number of any type; whole ones are exact in a double.
-    bool number(number_type type, double& value, const char* what) {
+    /// Takes the number of a property; whole ones are exact in a double. A colour, and what nobody
+    /// will use, may be infinite or NaN.
+    bool number(const property& p, double& value, const char* what) {
+        const bool any = p.means == meaning::nothing || is_color(p.means);
         if (!order_)
-            return text_number(type, value, what);
+            return any && !is_whole(p.type) ? text_.any_number(value, what)
+                                            : text_number(p.type, value, what);
+        return bits_of(p.type, value, what) && (any || text_.is_finite(value, what));
+    }
+
+    bool bits_of(number_type type, double& value, const char* what) {
         switch (type) {
         case number_type::int8:
             return bits<std::int8_t>(value, what);
@@ -371,12 +266,17 @@ private:
         if (!text_.binary(number, *order_, what))
             return false;
         value = static_cast<double>(number);
-        return text_.is_finite(value, what);
+        return true;
     }
 
     text_cursor& text_;
     l3d_polygon_mesh& mesh_;
-    std::vector<element> elements_;
+    /// Faces of strips have no colour; they get the grey that those of .off files get.
+    static constexpr std::uint32_t uncolored = 0xaaaaaa;
+    /// -1 among the corners of a strip.
+    static constexpr std::uint32_t ends_strip = std::numeric_limits<std::uint32_t>::max();
+
+    l3d_detail::ply::header header_;
     std::optional<std::endian> order_; ///< of a binary file
     std::int64_t vertices_ = 0;
     bool has_normals_ = false, has_colors_ = false, has_vertex_colors_ = false;

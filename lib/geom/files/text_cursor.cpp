@@ -2,6 +2,7 @@
 // text_cursor: tokens, numbers and their limits, errors and notes.
 #include "geom/files/text_cursor_p.h"
 
+#include "base/printable_p.h"
 #include "geom/files/patch_file.h"
 
 #include <algorithm>
@@ -11,6 +12,12 @@
 #include <system_error>
 
 namespace l3d_detail {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n\v\f";
+
+} // namespace
 
 std::string quoted(std::string_view token) {
     constexpr std::size_t longest = 24;
@@ -31,6 +38,19 @@ void append(std::string& text, double value, char after) {
     const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
     assert(error == std::errc());
     text.append(digits, end).append(1, after);
+}
+
+text_cursor::text_cursor(std::string_view text, std::string_view name, char comment)
+    : text_(text), rest_(text), name_(printable(name)), comment_(comment) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF"; // U+FEFF in UTF-8
+    if (rest_.starts_with(mark))
+        rest_.remove_prefix(mark.size());
+    // In the binary part of a .ply file any byte may follow the header's lines.
+    const bool is_ply = rest_.starts_with("ply\r") && !rest_.substr(4).starts_with('\n');
+    // One at the very end is half of a line's end on DOS.
+    const std::size_t first = rest_.find('\r');
+    if (first < rest_.size() - 1 && (is_ply || rest_.find('\n') == rest_.npos))
+        line_end_ = '\r';
 }
 
 bool text_cursor::fail(const std::string& what) {
@@ -67,7 +87,7 @@ std::string text_cursor::shown(double value) const {
 }
 
 bool text_cursor::ends(const char* what) {
-    line_ += is_binary_ ? 0 : std::count(rest_.begin(), rest_.end(), '\n');
+    line_ += is_binary_ ? 0 : std::count(rest_.begin(), rest_.end(), line_end_);
     rest_ = {};
     return fail("the text ends where " + std::string(what) + place() + " should be");
 }
@@ -76,20 +96,20 @@ void text_cursor::skip_blanks(bool over_lines) {
     begin_line();
     while (!rest_.empty()) {
         const char c = rest_.front();
-        if (c == '\n') {
+        if (c == line_end_) {
             if (!over_lines)
                 return;
             ++line_;
         } else if (c == comment_ && comment_ != '\0') {
-            rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size()));
+            rest_.remove_prefix(std::min(rest_.find(line_end_), rest_.size()));
             continue;
         } else if (c == '\\' && joins_) {
-            const bool carriage = rest_.substr(1, 1) == "\r";
-            if (rest_.substr(carriage ? 2 : 1, 1) != "\n")
+            const bool carriage = line_end_ == '\n' && rest_.substr(1, 1) == "\r";
+            if (!rest_.substr(carriage ? 2 : 1).starts_with(line_end_))
                 return;
             ++line_;
             rest_.remove_prefix(carriage ? 2 : 1);
-        } else if (c != ' ' && c != '\t' && c != '\r' && c != '\v' && c != '\f') {
+        } else if (blanks.find(c) == blanks.npos) {
             return;
         }
         rest_.remove_prefix(1);
@@ -98,10 +118,9 @@ void text_cursor::skip_blanks(bool over_lines) {
 
 bool text_cursor::next_in_line() {
     skip_blanks(false);
-    if (rest_.empty() || rest_.front() == '\n')
+    if (rest_.empty() || rest_.front() == line_end_)
         return false;
     // A backslash that joins lines ends a token, but is one where it joins nothing.
-    constexpr std::string_view blanks = " \t\r\n\v\f";
     std::size_t size = 1;
     while (size < rest_.size() && blanks.find(rest_[size]) == blanks.npos &&
            !(rest_[size] == comment_ && comment_ != '\0') && !(rest_[size] == '\\' && joins_))
@@ -136,7 +155,7 @@ bool text_cursor::next_line() {
     begin_line();
     if (rest_.empty())
         return false;
-    const std::size_t size = rest_.find('\n');
+    const std::size_t size = rest_.find(line_end_);
     token_ = rest_.substr(0, size);
     rest_.remove_prefix(token_.size() + (size == rest_.npos ? 0 : 1));
     ended_line_ = size != rest_.npos;
@@ -158,7 +177,11 @@ bool text_cursor::parsed(std::string_view digits, Number& value, const char* wha
 }
 
 bool text_cursor::number_in(std::string_view digits, double& value, const char* what) {
-    return parsed(digits, value, what, "a number") && is_finite(value, what);
+    return any_number_in(digits, value, what) && is_finite(value, what);
+}
+
+bool text_cursor::any_number_in(std::string_view digits, double& value, const char* what) {
+    return parsed(digits, value, what, "a number");
 }
 
 bool text_cursor::integer_in_text(std::string_view digits, std::int64_t& value, const char* what) {
@@ -167,6 +190,10 @@ bool text_cursor::integer_in_text(std::string_view digits, std::int64_t& value, 
 
 bool text_cursor::number(double& value, const char* what) {
     return next() ? number_in(token_, value, what) : ends(what);
+}
+
+bool text_cursor::any_number(double& value, const char* what) {
+    return next() ? any_number_in(token_, value, what) : ends(what);
 }
 
 bool text_cursor::integer(std::int64_t& value, const char* what) {

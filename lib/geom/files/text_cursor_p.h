@@ -31,8 +31,9 @@ public:
     static constexpr std::size_t most_notes = 20;
 
     /// A comment begins with the character `comment` and ends with its line; 0: there are none.
-    text_cursor(std::string_view text, std::string_view name, char comment = '\0')
-        : text_(text), rest_(text), name_(name), comment_(comment) {}
+    /// A byte order mark at the beginning is passed over. Lines end as on Unix, as on DOS, or with
+    /// carriage returns alone.
+    text_cursor(std::string_view text, std::string_view name, char comment = '\0');
 
     /// Fails, for use as a result. The message names the line of the current token.
     bool fail(const std::string& what);
@@ -75,6 +76,8 @@ public:
 
     /// Takes the next token as a number; `what` names it in messages.
     bool number(double& value, const char* what);
+    /// Takes the next token as a number that may be infinite or NaN.
+    bool any_number(double& value, const char* what);
     bool integer(std::int64_t& value, const char* what);
     bool integer_in(std::int64_t& value, const char* what, std::int64_t least, std::int64_t most);
     bool coordinate(double& value);
@@ -86,6 +89,7 @@ public:
 
     /// The current token as a number; `digits` is the part of it that must be one.
     bool number_in(std::string_view digits, double& value, const char* what);
+    bool any_number_in(std::string_view digits, double& value, const char* what);
     bool integer_in_text(std::string_view digits, std::int64_t& value, const char* what);
 
     /// Whether the text can hold so many things of at least `shortest` bytes each: to be asked
@@ -141,6 +145,7 @@ private:
     std::size_t index_ = 0, count_ = 0;
     std::ptrdiff_t line_ = 1;
     char comment_;
+    char line_end_ = '\n';
     bool ended_line_ = false; ///< the line's end has been taken, the next has not begun
     bool joins_ = false, is_binary_ = false;
 };

@@ -10,14 +10,6 @@
 
 namespace l3d_detail {
 
-namespace {
-
-/// In a set larger than this, all pairs are not looked at again after each division: halving is
-/// quicker than finding out whether an order exists.
-constexpr std::size_t few = 48;
-
-} // namespace
-
 painter_knot::fragment painter_knot::whole(std::uint32_t triangle) const {
     const auto& v = triangles_[triangle].v;
     fragment result{
@@ -105,7 +97,7 @@ bool painter_knot::cut_where_they_meet(fragments& set) {
     return true;
 }
 
-/// Puts the strong components of a set, in their order, on the list of tasks.
+/// Puts the strong components of a set on the list of tasks, the foremost at its end.
 void painter_knot::arrange(fragments&& set) {
     std::vector<std::vector<std::uint32_t>> needs(set.size());
     visit_pairs(set, [&](std::uint32_t a, std::uint32_t b) {
@@ -115,19 +107,17 @@ void painter_knot::arrange(fragments&& set) {
         if (parts.second)
             needs[b].push_back(a);
     });
-    std::vector<task> found;
     components_.walk(
         static_cast<std::uint32_t>(set.size()),
         [&](std::uint32_t node, std::vector<std::uint32_t>& out) {
             out.insert(out.end(), needs[node].begin(), needs[node].end());
         },
         [&](std::span<const std::uint32_t> component) {
-            task& next = found.emplace_back();
+            task& next = tasks_.emplace_back();
             next.cyclic = component.size() > 1;
             for (const std::uint32_t i : component)
                 next.set.push_back(std::move(set[i]));
         });
-    std::ranges::move(found.rbegin(), found.rend(), std::back_inserter(tasks_));
 }
 
 /// Tries some eight members and takes the one whose plane cuts fewest and leaves the most equal
@@ -170,18 +160,33 @@ void painter_knot::divide(fragments&& set) {
             (parts.first ? in_front : behind).push_back(std::move(f));
         }
     }
-    tasks_.push_back({std::move(in_front), false});
-    tasks_.push_back({{splitter}, false});
     tasks_.push_back({std::move(behind), false});
+    tasks_.push_back({{splitter}, false});
+    tasks_.push_back({std::move(in_front), false});
 }
 
-void painter_knot::untie(std::span<const l3d_painter_triangle> triangles,
+void painter_knot::leave_out_hidden(fragments& set) {
+    if (covers_)
+        std::erase_if(set, [this](const fragment& f) { return cover_.hides(f.piece); });
+}
+
+void painter_knot::emit(const fragment& f) {
+    pieces_->push_back(f.piece);
+    if (covers_)
+        cover_.add(f.piece);
+}
+
+void painter_knot::untie(l3d_size size, std::span<const l3d_painter_triangle> triangles,
                          std::span<const std::uint32_t> members,
                          std::vector<l3d_painter_piece>& pieces,
                          std::vector<l3d_painter_cut>& cuts) {
     triangles_ = triangles;
     pieces_ = &pieces;
     cuts_ = &cuts;
+    const auto first_piece = static_cast<std::ptrdiff_t>(pieces.size());
+    covers_ = members.size() > most_without_search_;
+    if (covers_)
+        cover_.begin(size, triangles, cuts);
     fragments set;
     for (const std::uint32_t member : members)
         set.push_back(whole(member));
@@ -192,13 +197,19 @@ void painter_knot::untie(std::span<const l3d_painter_triangle> triangles,
     while (!tasks_.empty()) {
         task next = std::move(tasks_.back());
         tasks_.pop_back();
+        leave_out_hidden(next.set);
+        if (next.set.empty())
+            continue;
         if (next.set.size() == 1)
             emit(next.set.front());
+        // In a set larger than this, all pairs are not looked at again after each division:
+        // halving is quicker than finding out whether an order exists.
         else if (next.cyclic || next.set.size() > few)
             divide(std::move(next.set));
-        else if (!next.set.empty())
+        else
             arrange(std::move(next.set));
     }
+    std::reverse(pieces.begin() + first_piece, pieces.end());
 }
 
 } // namespace l3d_detail

@@ -4,6 +4,7 @@
 #define L3D_PIPELINE_POLYGONS_PAINTER_KNOT_P_H
 
 #include "pipeline/polygons/painter_components_p.h"
+#include "pipeline/polygons/painter_cover_p.h"
 #include "pipeline/polygons/painter_overlap_p.h"
 
 #include <cstddef>
@@ -20,12 +21,22 @@ namespace l3d_detail {
 /// are divided by whole planes; so is a set in which nearly all go through all. The part behind a
 /// plane comes first, the part in front of it last. That always ends, since a piece that was
 /// divided by a plane is never divided by it again.
+///
+/// All is found from front to back. So members of a large knot that are hidden by what was found
+/// are left out before they are cut any further, and the work is in proportion to what is seen.
 /// Lives:   keeps its memory.
 class painter_knot {
 public:
+    /// Knots of more members than that are searched for hidden ones. In a smaller one, clearing the
+    /// bits of the picture would take longer than painting what is hidden.
+    static constexpr std::size_t few = 48;
+
+    explicit painter_knot(std::size_t most_without_search = few)
+        : most_without_search_(most_without_search) {}
+
     /// Adds the members' pieces in painting order, and their cuts.
     /// Expects: members name triangles, rising.
-    void untie(std::span<const l3d_painter_triangle> triangles,
+    void untie(l3d_size size, std::span<const l3d_painter_triangle> triangles,
                std::span<const std::uint32_t> members, std::vector<l3d_painter_piece>& pieces,
                std::vector<l3d_painter_cut>& cuts);
 
@@ -52,7 +63,8 @@ private:
     void arrange(fragments&& set);
     void divide(fragments&& set);
     std::size_t best_splitter(const fragments& set) const;
-    void emit(const fragment& f) { pieces_->push_back(f.piece); }
+    void emit(const fragment& f);
+    void leave_out_hidden(fragments& set);
 
     std::span<const l3d_painter_triangle> triangles_;
     std::vector<l3d_painter_piece>* pieces_ = nullptr;
@@ -62,7 +74,10 @@ private:
         fragments set;
         bool cyclic; ///< known to have no order
     };
-    std::vector<task> tasks_; ///< the last is the next
+    std::vector<task> tasks_; ///< the last is the next, in front of all others
+    painter_cover cover_;     ///< of a large knot
+    std::size_t most_without_search_;
+    bool covers_ = false;
     ordered_components components_;
     picture_region common_, scratch_;
 };

@@ -185,7 +185,7 @@ void l3d_painter_order::make(std::span<const l3d_painter_triangle> triangles, l3
             }
             ++counts_.knots;
             counts_.knotted += static_cast<std::int64_t>(component.size());
-            w.knot.untie(w.sorted, component, w.pieces, w.cuts);
+            w.knot.untie(size, w.sorted, component, w.pieces, w.cuts);
         });
     counts_.cuts = static_cast<std::int64_t>(w.cuts.size()) / 2;
 }

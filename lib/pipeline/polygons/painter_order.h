@@ -21,7 +21,8 @@
 /// 2^-36 of the nearest corner.
 /// Cost:    sorting is linear. Comparing is linear in the number of triangles that lie over each
 ///          other within a tile of the picture; for surfaces, in that of triangles. A set of n that
-///          all go through each other may become n^2 pieces. Keeps its memory.
+///          all go through each other may become n^2 pieces if all of them are seen; what is hidden
+///          is left out. Keeps its memory.
 /// Source:  comparisons as in Newell, Newell, Sancha: A solution to the hidden surface problem (ACM
 ///          1972). Cuts as in Fuchs, Kedem, Naylor: On visible surface generation by a priori tree
 ///          structures (SIGGRAPH 1980).

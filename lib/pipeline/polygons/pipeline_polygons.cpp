@@ -183,9 +183,14 @@ void l3d_pipeline_polygons::update_event(double seconds) {
     stale_ |= controls_.update(seconds);
 }
 
+void l3d_pipeline_polygons::tell_empty() {
+    const std::string why = report_.polygons.drawn == 0 ? why_empty() : "";
+    controls_.set_empty(why, why == l3d_turning_its_back ? 'b' : 'f');
+}
+
 void l3d_pipeline_polygons::draw_overlay() {
     if (screen_->is_window())
-        controls_.set_empty(report_.polygons.drawn == 0 ? why_empty() : "");
+        tell_empty();
     if (!controls_.shows_text())
         return;
     std::vector lines{formatted("%lld of %lld polygons drawn by %s",

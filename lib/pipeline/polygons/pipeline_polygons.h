@@ -32,6 +32,10 @@ enum class L3D_PUBLIC l3d_polygon_style {
     hidden_lines, ///< the sides, without what faces hide
 };
 
+/// What l3d_pipeline_polygons::why_empty says if all faces were left out as they are seen from
+/// behind.
+inline constexpr const char* l3d_turning_its_back = "turning its back";
+
 /// How a model is to be drawn.
 struct L3D_PUBLIC l3d_polygon_settings {
     l3d_polygon_style style = l3d_polygon_style::solid;      ///< surfaces, or lines
@@ -78,7 +82,8 @@ public:
     /// That camera, or the one given if it shows the model well: l3d_shows_well.
     l3d_camera framed_unless_well(const l3d_camera& usual) const;
 
-    /// Why the last picture shows nothing, as l3d_why_unseen tells it; "" if it may show something.
+    /// Why the last picture shows nothing, as l3d_why_unseen tells it, or l3d_turning_its_back; ""
+    /// if it may show something.
     std::string why_empty() const;
 
     /// What is seen at (x, y) of the picture: l3d_polygon_pick_at, with the camera and settings of
@@ -128,6 +133,7 @@ private:
 
     void draw_model(l3d_polygon_report& report);
     void draw_overlay();
+    void tell_empty();
     l3d_polygon_view view() const;
     l3d_camera framed(const l3d_camera& camera) const;
     l3d_viewed viewed();

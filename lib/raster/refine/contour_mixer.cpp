@@ -25,29 +25,31 @@ constexpr int channels_end = 32;
 constexpr int steady = jump_levels, like = jump_levels;
 
 /// Levels of the mixed pixel that a parabola may be wrong by, as a fourth level tells.
-constexpr float most_doubt = 3;
+constexpr float most_doubt = 0.75f;
+
+/// What the area beside a straight contour may differ by from the share.
+constexpr float straight = 1.0f / 16;
 
 /// A pixel whose centre is nearer to a contour than this may show a sliver of the other side.
 constexpr float least_way = 0.1f;
 
 /// Means over the part of a pixel on one side of a straight contour: of the way to the contour
-/// along an axis, of its root and of its square.
+/// along an axis, of its root and of its square. And that part's area.
 struct share_means {
-    float root = 0, way = 0, square = 0;
+    float root = 0, way = 0, square = 0, area = 0;
 
     /// The way to the centre, negative on the other side; its change from one end of the pixel to
     /// the other.
     share_means(float to_centre, float slope) {
         // Two places that give the mean of a cubic.
         constexpr float place = 0.28867513f;
-        float area = 0;
         for (const float aside : {-place, place}) {
             const float far = std::max(to_centre + 0.5f + aside * slope, 0.0f);
             const float near = std::max(to_centre - 0.5f + aside * slope, 0.0f);
-            area += far - near;
-            root += 2.0f / 3 * (far * std::sqrt(far) - near * std::sqrt(near));
-            way += 0.5f * (far * far - near * near);
-            square += 1.0f / 3 * (far * far * far - near * near * near);
+            area += 0.5f * (far - near);
+            root += 1.0f / 3 * (far * std::sqrt(far) - near * std::sqrt(near));
+            way += 0.25f * (far * far - near * near);
+            square += 1.0f / 6 * (far * far * far - near * near * near);
         }
         if (area > 0) {
             root /= area;
@@ -133,7 +135,9 @@ bool contour_mixer::find_steady(std::int32_t x, std::int32_t y, step away, float
 /// of the other side, so the level at the contour takes the place of the pixel that is mixed.
 bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_own, bool is_right,
                                float share, side& found) const {
-    if (!has_levels_ || pixel.crossings != 2 || (away.x != 0 && away.y != 0))
+    // What is seen behind a contour would have to be carried on from too far.
+    if (!has_levels_ || pixel.crossings != 2 || (away.x != 0 && away.y != 0) ||
+        !(is_own || (is_right && pixel.folds)))
         return false;
     const auto across =
         static_cast<float>(std::abs(pixel.along_x * away.y - pixel.along_y * away.x));
@@ -145,10 +149,12 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
     const float to_centre =
         (is_own ? 1.0f : -1.0f) * std::abs(static_cast<float>(pixel.to_centre)) / across;
     const share_means means(to_centre, along / across);
-    // Levels at the contour are those of its right side.
+    if (std::abs(means.area - share) > straight)
+        return false; // it turns round a corner
+    const bool folds = is_right && pixel.folds;
     std::int32_t x = pixel.x, y = pixel.y;
     float way = to_centre;
-    if (!is_own || (is_right && to_centre < least_way)) {
+    if (!is_own || (folds && to_centre < least_way)) {
         if (is_own && !goes_on(x, y, away))
             return false;
         x += away.x;
@@ -157,8 +163,8 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
     }
     std::array<float, 4> places{}, levels{};
     std::size_t count = 0;
-    if (is_right)
-        ++count;
+    if (folds)
+        ++count; // the level at the contour
     const std::uint32_t first = word_at(x, y);
     for (std::int32_t px = x, py = y; count < places.size(); px += away.x, py += away.y, way += 1) {
         const std::uint32_t word = word_at(px, py);
@@ -176,11 +182,10 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
             std::abs(channel(word_at(x + s.x, y + s.y), 0) - channel(first, 0)) >
                 like + static_cast<int>(rise))
             return false;
-    const bool folds = is_right && pixel.folds;
     if (folds)
         for (float& place : places)
             place = std::sqrt(place);
-    if (is_right) {
+    if (folds) {
         // The level at the contour is that of the side that is seen, or of the other one, which is
         // as far below 0 as this is above.
         constexpr float ambient = 25.5f, darkest = 26;
@@ -205,26 +210,26 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
     return std::abs(second * (mean - places[2]) * twist) * share < most_doubt;
 }
 
-/// The way to the pixel on the other side.
-bool contour_mixer::find_way(const contour_pixel& pixel, step& to) const {
-    if (pixel.crossings == 2) {
-        if (std::abs(pixel.along_x) > std::abs(pixel.along_y))
-            to = {0, pixel.along_x > 0 ? 1 : -1};
-        else
-            to = {pixel.along_y > 0 ? -1 : 1, 0};
-        if (pixel.centre() == 1)
-            to = -to;
-        if (inside(pixel.x + to.x, pixel.y + to.y) && divided(pixel.x, pixel.y, to))
-            return true;
-    }
-    return find_other(pixel, to);
+/// The way across a contour at which a surface folds over, to the side where this is seen.
+bool contour_mixer::find_fold(const contour_pixel& pixel, step& to) const {
+    if (pixel.crossings != 2 || !pixel.folds || pixel.centre() != 0)
+        return false;
+    if (std::abs(pixel.along_x) > std::abs(pixel.along_y))
+        to = {0, pixel.along_x > 0 ? 1 : -1};
+    else
+        to = {pixel.along_y > 0 ? -1 : 1, 0};
+    return inside(pixel.x + to.x, pixel.y + to.y) && divided(pixel.x, pixel.y, to);
 }
 
 bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     const std::int32_t x = pixel.x, y = pixel.y;
     step to{};
     const std::int32_t centre = pixel.centre();
-    if ((centre != 0 && centre != 1) || !find_way(pixel, to))
+    if (centre != 0 && centre != 1)
+        return false;
+    // Beside a fold, neighbours of the same surface may be unlike.
+    const bool is_plain = find_other(pixel, to);
+    if (!is_plain && !find_fold(pixel, to))
         return false;
     const float right = static_cast<float>(pixel.share()) / contour_pixel::whole;
     const float own = centre == 1 ? right : 1 - right, rest = 1 - own;
@@ -240,7 +245,7 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     if (!find_steady(x, y, -to, 0.5f * rest, of_own) &&
         !find_steep(pixel, -to, true, centre == 1, own, of_own))
         return false;
-    if (!find_steady(x + to.x, y + to.y, to, -0.5f * (1 + rest), of_rest) &&
+    if (!(is_plain && find_steady(x + to.x, y + to.y, to, -0.5f * (1 + rest), of_rest)) &&
         !find_steep(pixel, to, false, centre == 0, rest, of_rest))
         return false;
     if (here == l3d_pixels::transparent || there == l3d_pixels::transparent) {

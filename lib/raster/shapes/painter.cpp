@@ -3,15 +3,13 @@
 #include "raster/shapes/painter.h"
 
 #include "raster/shapes/attribute_plane_p.h"
-#include "raster/shapes/line_pixels_p.h"
-#include "raster/shapes/picture_plane.h"
-#include "raster/shapes/scan_polygon_p.h"
+#include "raster/shapes/piece_pixels_p.h"
 #include "raster/surfaces/surface_shader_p.h"
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -42,36 +40,6 @@ struct ground_shader {
     std::uint32_t word(const float*) const { return of_row; }
 };
 
-/// Columns [begin, end).
-struct columns {
-    std::int32_t begin, end;
-};
-
-/// A cut with the planes it is between.
-struct placed_cut {
-    l3d_picture_plane own, other;
-    bool in_front;
-
-    bool keeps(int column, int row) const {
-        return (own.at_pixel(column, row) >= other.at_pixel(column, row)) == in_front;
-    }
-
-    /// The data that are kept of a row. Both sides of a cut find the same end of it: it depends on
-    /// the two planes and on where the whole triangle's row begins.
-    columns kept(columns of, std::int32_t start, std::int32_t row) const {
-        const double nearer = own.at_pixel(start, row) - other.at_pixel(start, row);
-        const double step = (own.along_x - other.along_x) * l3d_subpixel_one;
-        if (step == 0)
-            return (nearer >= 0) == in_front ? of : columns{of.begin, of.begin};
-        const double root = start - nearer / step;
-        // The first column in front where the front is to the right, or the first behind.
-        const double first = step > 0 ? std::ceil(root) : std::floor(root) + 1;
-        const auto at = static_cast<std::int32_t>(
-            std::clamp(first, static_cast<double>(of.begin), static_cast<double>(of.end)));
-        return (step > 0) == in_front ? columns{at, of.end} : columns{of.begin, at};
-    }
-};
-
 /// Everything a triangle is painted by.
 struct painting {
     l3d_pixels target;
@@ -87,31 +55,21 @@ template <class Shader>
 void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_vertex, 3>& v) {
     constexpr std::size_t count = 1 + Shader::components;
     using planes = attribute_planes<count>;
-    const std::array<scan_point, 3> points{{{v[0].x, v[0].y}, {v[1].x, v[1].y}, {v[2].x, v[2].y}}};
-    const std::int64_t area2 = cross(points[1] - points[0], points[2] - points[0]);
-    if (area2 == 0)
-        return;
-    const scan_rows rows = to.scan.convert(std::span<const scan_point, 3>(points), area2 > 0);
-    if (rows.top >= rows.bottom)
-        return;
-    shader.begin_polygon(v);
-    std::array<typename planes::numbers, 3> values;
-    for (std::size_t i = 0; i < 3; ++i) {
-        values[i][0] = v[i].inv_w;
-        shader.corner(v[i], values[i].data() + 1);
-    }
-    const planes plane(points, values, area2);
-    const typename planes::numbers step = plane.per_column();
-    for (std::int32_t row = rows.top; row < rows.bottom; ++row) {
-        const std::int32_t start = to.scan.first(row);
-        columns span{std::max(start, 0), std::min(to.scan.last(row), to.target.width)};
-        if (span.begin >= span.end)
-            continue;
-        for (const placed_cut& cut : to.cuts)
-            span = cut.kept(span, start, row);
+    std::optional<planes> plane;
+    const auto begin = [&](const std::array<scan_point, 3>& points, std::int64_t area2) {
+        shader.begin_polygon(v);
+        std::array<typename planes::numbers, 3> values;
+        for (std::size_t i = 0; i < 3; ++i) {
+            values[i][0] = v[i].inv_w;
+            shader.corner(v[i], values[i].data() + 1);
+        }
+        plane.emplace(points, values, area2);
+    };
+    const auto paint_row = [&](std::int32_t row, std::int32_t start, columns span) {
         if constexpr (requires { shader.begin_row(row); })
             shader.begin_row(row);
-        const typename planes::numbers value = plane.at(start, row);
+        const typename planes::numbers step = plane->per_column();
+        const typename planes::numbers value = plane->at(start, row);
         std::uint32_t* const words = to.target.row(row).data();
         for (std::int32_t x = span.begin; x < span.end; ++x) {
             const auto k = static_cast<float>(x - start);
@@ -121,7 +79,9 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
             words[x] = l3d_product_of_colors(to.color, shader.word(here.data() + 1));
         }
         to.written += span.end - span.begin;
-    }
+        return true;
+    };
+    visit_rows(to.scan, v, to.cuts, to.target.width, begin, paint_row);
 }
 
 } // namespace
@@ -138,19 +98,11 @@ struct l3d_painter::work_space {
         to.color = painting::white;
     }
 
-    void place_cuts(const l3d_painter_piece& piece, std::span<const l3d_painter_triangle> triangles,
-                    std::span<const l3d_painter_cut> cuts) {
-        to.cuts.clear();
-        for (std::uint32_t c = piece.cut; c != l3d_painter_cut::last; c = cuts[c].next)
-            to.cuts.push_back({l3d_picture_plane(triangles[piece.triangle].v),
-                               l3d_picture_plane(triangles[cuts[c].splitter].v), cuts[c].in_front});
-    }
-
     template <class Shader>
     void paint(Shader shader, std::span<const l3d_painter_triangle> triangles,
                std::span<const l3d_painter_piece> pieces, std::span<const l3d_painter_cut> cuts) {
         for (const l3d_painter_piece& piece : pieces) {
-            place_cuts(piece, triangles, cuts);
+            place_cuts(piece, triangles, cuts, to.cuts);
             if constexpr (std::is_same_v<Shader, own_color_shader>)
                 shader.color = triangles[piece.triangle].color;
             if (!materials.empty())
@@ -160,15 +112,8 @@ struct l3d_painter::work_space {
     }
 
     void draw_sides(const l3d_painter_triangle& of, std::uint32_t color) {
-        for (std::size_t k = 0; k < of.v.size(); ++k)
-            if (of.sides >> k & 1)
-                visit_line(side_of(of.v[k], of.v[(k + 1) % 3]), to.target.size(),
-                           [&](int x, int y, double) {
-                               if (std::ranges::all_of(to.cuts, [&](const placed_cut& cut) {
-                                       return cut.keeps(x, y);
-                                   }))
-                                   to.target.row(y)[static_cast<std::size_t>(x)] = color;
-                           });
+        visit_sides(of, to.cuts, to.target.size(),
+                    [&](int x, int y) { to.target.row(y)[static_cast<std::size_t>(x)] = color; });
     }
 };
 
@@ -217,7 +162,7 @@ void l3d_painter::paint_lines(l3d_pixels target, const l3d_background& backgroun
     work_->begin(target, background);
     ground_shader ground{background, target.height};
     for (const l3d_painter_piece& piece : pieces) {
-        work_->place_cuts(piece, triangles, cuts);
+        place_cuts(piece, triangles, cuts, work_->to.cuts);
         paint_triangle(work_->to, ground, triangles[piece.triangle].v);
         work_->draw_sides(triangles[piece.triangle], line_color);
     }

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// flat_face: a polygon in its plane, and the triangles that it is cut into.
+#ifndef L3D_PIPELINE_POLYGONS_FLAT_FACE_P_H
+#define L3D_PIPELINE_POLYGONS_FLAT_FACE_P_H
+
+#include "geom/polygon_mesh.h"
+#include "pipeline/polygons/corner_tree_p.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Twice the area times the normal. Source: Newell's sum over the sides; any corner may be concave.
+/// Counted from the first corner: far from the origin the products would cancel.
+l3d_polygon_mesh::vector area_vector(const l3d_polygon_mesh& mesh,
+                                     std::span<const std::uint32_t> face);
+
+/// A face seen along the axis its normal is nearest to, counterclockwise.
+class flat_face {
+public:
+    using triangle = std::array<std::size_t, 3>; ///< places in the list of the face's corners
+
+    flat_face(const l3d_polygon_mesh& mesh, std::span<const std::uint32_t> face);
+
+    /// The triangles that the face consists of, two fewer than its corners. A simple polygon is
+    /// covered once. One that crosses itself becomes some triangles or other.
+    ///
+    /// The first corner that makes a triangle with its neighbours which holds no other corner is
+    /// cut off, again and again.
+    /// Cost:    linear for a convex face. Else n log n, and three questions to a corner_tree for
+    ///          each corner: cutting one off changes the triangles of its neighbours alone.
+    /// Source:  Meisters: Polygons have ears (American Mathematical Monthly 82, 1975).
+    std::vector<triangle> triangles() const;
+
+private:
+    bool is_convex() const;
+
+    std::vector<flat_place> places_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// reason_of: any exception in words that users understand.
+#ifndef L3D_SYSTEM_REASON_P_H
+#define L3D_SYSTEM_REASON_P_H
+
+#include <exception>
+#include <string>
+
+namespace l3d_detail {
+
+/// What went wrong. Our own errors say it themselves. Those of the standard library name its
+/// functions and types, which help no user.
+std::string reason_of(const std::exception& error);
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// check_written: whether what was printed has arrived.
+#ifndef L3D_SYSTEM_STANDARD_OUTPUT_P_H
+#define L3D_SYSTEM_STANDARD_OUTPUT_P_H
+
+#include "tool_2d/error.h"
+
+#include <ostream>
+
+namespace l3d_detail {
+
+/// Flushes a stream that a program prints on. Errors: l3d_error(failure) if anything was lost.
+inline void check_written(std::ostream& out) {
+    if (!(out << std::flush))
+        throw l3d_error(l3d_exit::failure, "cannot write to the standard output");
+}
+
+} // namespace l3d_detail
+
+#endif
