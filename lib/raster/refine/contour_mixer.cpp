@@ -28,8 +28,8 @@ constexpr float most_doubt = 3;
 /// A pixel whose centre is nearer to a contour than this may show a sliver of the other side.
 constexpr float least_way = 0.1f;
 
-/// Means over the part of a pixel on one side of a straight contour: of the way to the contour along
-/// an axis, of its root and of its square.
+/// Means over the part of a pixel on one side of a straight contour: of the way to the contour
+/// along an axis, of its root and of its square.
 struct share_means {
     float root = 0, way = 0, square = 0;
 
@@ -54,6 +54,10 @@ struct share_means {
         }
     }
 };
+
+bool is_grey_word(std::uint32_t word) {
+    return word == 0x010101 * (word & 255);
+}
 
 bool within(int levels, std::uint32_t a, std::uint32_t b) {
     for (int shift = 0; shift < channels_end; shift += 8)
@@ -130,7 +134,8 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
         return false;
     const auto across =
         static_cast<float>(std::abs(pixel.along_x * away.y - pixel.along_y * away.x));
-    const auto along = static_cast<float>(std::abs(pixel.along_x * away.x + pixel.along_y * away.y));
+    const auto along =
+        static_cast<float>(std::abs(pixel.along_x * away.x + pixel.along_y * away.y));
     if (!(across > 0))
         return false;
     // Ways along `away` from the contour: to the centre, and its change across the pixel.
@@ -154,6 +159,9 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
     const std::uint32_t first = word_at(x, y);
     for (std::int32_t px = x, py = y; count < places.size(); px += away.x, py += away.y, way += 1) {
         places[count] = way;
+        // A contour knows the level beside it, but no colour.
+        if (!is_grey_ && !is_grey_word(word_at(px, py)))
+            return false;
         levels[count++] = static_cast<float>(channel(word_at(px, py), 0));
         if (count < places.size() && !goes_on(px, py, away))
             return false;
@@ -162,7 +170,8 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
     const float rise = std::abs(levels[3] - levels[2]) + std::abs(levels[2] - levels[1]);
     for (const step s : {aside, -aside})
         if (inside(x + s.x, y + s.y) && !divided(x, y, s) &&
-            std::abs(channel(word_at(x + s.x, y + s.y), 0) - channel(first, 0)) > like + static_cast<int>(rise))
+            std::abs(channel(word_at(x + s.x, y + s.y), 0) - channel(first, 0)) >
+                like + static_cast<int>(rise))
             return false;
     const bool folds = is_right && pixel.folds;
     if (folds)
@@ -174,14 +183,16 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
         constexpr float ambient = 25.5f, darkest = 26;
         if (std::min({levels[1], levels[2], levels[3]}) <= darkest)
             return false; // where light begins, there is a corner in the curve
-        const float guess = levels[1] - places[1] * (levels[2] - levels[1]) / (places[2] - places[1]);
+        const float guess =
+            levels[1] - places[1] * (levels[2] - levels[1]) / (places[2] - places[1]);
         levels[0] = ambient + (guess > ambient + 0.5f * pixel.level() ? pixel.level() : 0.0f);
     }
     const float mean = folds ? means.root : means.way, squares = folds ? means.way : means.square;
     const auto slope = [&](float l1, float l0, std::size_t i, std::size_t k) {
         return (l1 - l0) / (places[i] - places[k]);
     };
-    const float rise01 = slope(levels[1], levels[0], 1, 0), rise12 = slope(levels[2], levels[1], 2, 1),
+    const float rise01 = slope(levels[1], levels[0], 1, 0),
+                rise12 = slope(levels[2], levels[1], 2, 1),
                 rise23 = slope(levels[3], levels[2], 3, 2);
     const float bend02 = slope(rise12, rise01, 2, 0), bend13 = slope(rise23, rise12, 3, 1);
     const float twist = slope(bend13, bend02, 3, 0);

@@ -46,10 +46,11 @@ std::uint64_t sample_at(float x, float y) {
 
 } // namespace
 
-void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading, bool has_color) {
+void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading,
+                       std::span<const l3d_material> materials, bool has_color) {
     has_color_ = has_color;
     measure_pairs(band, measures_);
-    with_shader(shading, 0, [&](auto shader) { draw_by(shader, band); });
+    with_shader(shading, materials, 0, [&](auto shader) { draw_by(shader, band); });
 }
 
 template <class Shader> void pixel_mixer::draw_by(Shader shader, const band_fragments& band) {
@@ -82,8 +83,8 @@ void pixel_mixer::collect(const band_fragments& band, std::size_t pixel) {
             continue;
         const std::uint32_t name = band.pairs()[pair].polygon;
         const fragment_polygon& polygon = band.polygons()[name];
-        fragments_.push_back(
-            {static_cast<std::uint32_t>(pair), name, area, mask, mask, polygon.farthest, polygon.nearest, polygon.area2() > 0});
+        fragments_.push_back({static_cast<std::uint32_t>(pair), name, area, mask, mask,
+                              polygon.farthest, polygon.nearest, polygon.area2() > 0});
     }
 }
 
