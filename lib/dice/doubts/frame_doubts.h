@@ -26,8 +26,8 @@ struct l3d_doubted_frame {
     l3d_vector<double, 3> light; ///< towards the light, in the world; any length
     /// Of places and of depth; infinite if there is none. Units: pixels.
     double bound_px, depth_bound_px;
-    bool has_levels;  ///< it shows Lambert's levels of one white light; else nothing is known
-    l3d_pixels drawn; ///< greys in all three channels, or any colours
+    bool has_levels = true; ///< it shows Lambert's levels of one white light; else nothing is known
+    l3d_pixels drawn;       ///< greys in all three channels, or any colours
 };
 
 /// Bounds the exact picture from the exact patches, and compares what was drawn with it (NUMERICS,
