@@ -120,7 +120,7 @@ void l3d_pipeline_afd::draw_event() {
     }
 
     if (!changed_.empty())
-        find_doubts(times);
+        find_doubts(now.shading.is_lit(scene_.materials()), times);
 
     const stopwatch overlaying;
     if (stale_ || !changed_.empty())
@@ -159,8 +159,8 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
         stages_->view.keep.centreless = stages_->view.keep.dicing = true;
     stages_->view.one_sided = settings_.one_sided;
     stages_->view.most_samples = settings_.most_samples;
-    l3d_shading shading =
-        l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
+    l3d_shading shading = l3d_camera_shading(camera_, target.size(), settings_.shade,
+                                             settings_.light, settings_.lighting);
     shading.keep_unit_normals = settings_.keep.unit_normals;
     shading.antialias = settings_.antialias;
     shading.background = settings_.background;
@@ -264,7 +264,9 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     untouched_ = true;
     if (!stages_->method->certifies_depth() || stages_->view.focal == 0)
         report_.dice.depth_bound_px = std::numeric_limits<double>::infinity();
-    if (stages_->method->certifies_shade(now.shading) && stages_->view.focal > 0) {
+    const bool is_certified =
+        stages_->method->certifies_shade(now.shading) && !now.shading.is_lit(scene_.materials());
+    if (is_certified && stages_->view.focal > 0) {
         report_.dice.shade_bound += report_.surface.level_error;
         report_.dice.unshaded_quads += report_.surface.loose_levels;
     } else {
@@ -295,7 +297,7 @@ void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
 }
 
 /// Compares surfaces with the exact picture as long as nothing is drawn on top of them.
-void l3d_pipeline_afd::find_doubts(l3d_stage_times& times) {
+void l3d_pipeline_afd::find_doubts(bool is_lit, l3d_stage_times& times) {
     const stopwatch finding;
     constexpr double unknown = std::numeric_limits<double>::infinity();
     report_.coverage_bound = report_.color_bound = unknown;
@@ -316,6 +318,7 @@ void l3d_pipeline_afd::find_doubts(l3d_stage_times& times) {
                  .light = settings_.light,
                  .bound_px = report_.dice.bound_px,
                  .depth_bound_px = report_.dice.depth_bound_px,
+                 .has_levels = !is_lit,
                  .drawn = screen_->pixels(),
                  .background = settings_.background},
                 stages_->workers);

@@ -41,6 +41,8 @@ struct L3D_PUBLIC l3d_afd_settings {
     bool lateral_only = false;  ///< the tolerance holds for places in the picture only
     l3d_shade shade = l3d_shade::lambert;          ///< of the filled surface
     l3d_vector<double, 3> light = l3d_usual_light; ///< towards the light, world space, any length
+    l3d_lighting lighting{};     ///< colours of lights, and further lights; for it and for
+                                 ///< highlights nothing is certified of shades
     bool antialias = false;      ///< edges are means over pixels, not stairs; see l3d_shading
     l3d_background background{}; ///< what is seen where nothing is drawn
     bool wireframe = false;      ///< the lines of the adaptive grid instead of the filled surface
@@ -180,7 +182,7 @@ private:
     void keep_picture();
     void fill_surfaces(const basis& now, const l3d_pixel_boxes& parts, l3d_stage_times& times);
     void keep_bounds(const l3d_dice_counts& kept);
-    void find_doubts(l3d_stage_times& times);
+    void find_doubts(bool is_lit, l3d_stage_times& times);
     void draw_on_top();
     void draw_wireframe();
     void draw_nets();

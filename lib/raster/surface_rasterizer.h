@@ -7,6 +7,7 @@
 #include "geom/material.h"
 #include "raster/background.h"
 #include "raster/depth_buffer.h"
+#include "raster/lighting.h"
 #include "raster/surface_part.h"
 #include "tool_2d/pixels.h"
 
@@ -56,6 +57,21 @@ struct L3D_PUBLIC l3d_shading {
 
     /// What pixels show that no surface covers, and the rest of those that are covered in part.
     l3d_background background{};
+
+    l3d_lighting lighting{}; ///< colours of lights, and lights beside `light`
+
+    /// From the eye to a place, as `ray` has it, whether or not normals are turned to the eye.
+    std::array<float, 3> look{0, 0, -1}, look_right{}, look_down{};
+
+    /// Whether surfaces of these materials take more than one level in each pixel: unless the
+    /// lights are the usual ones and nothing has highlights. Modes that are not light never do.
+    /// Gouraud and levels then are as lambert.
+    bool is_lit(std::span<const l3d_material> materials) const {
+        return mode != l3d_shade::normals && mode != l3d_shade::error &&
+               !(lighting.is_usual() && std::ranges::all_of(materials, [](const l3d_material& m) {
+                     return m.highlight == 0;
+                 }));
+    }
 
     /// A pixel depends on what is drawn in pixels so near in x and y. A contour's other side is
     /// shown by a neighbour, and its shading by that one's neighbour. Which contours divide these

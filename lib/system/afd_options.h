@@ -81,7 +81,14 @@ public:
     bool shows_the_usual() const;
 
 private:
+    void add_light(const std::string& text);
+
+    /// A tenth of white, as l3d_lighting has it.
+    static l3d_vector<double, 3> usual_ambient() { return {25.5, 25.5, 25.5}; }
+
     std::string model_file_;
+    l3d_vector<double, 3> ambient_ = usual_ambient();
+    bool gives_light_ = false;
     l3d_camera camera_ = teapot_view();
     std::optional<l3d_camera::vector> eye_, target_;
     std::optional<double> near_;

@@ -269,6 +269,20 @@ void l3d_options::add(const std::string& name, l3d_size& value, const std::strin
     add_text(parser_->app, name, help, "WxH", preset, read);
 }
 
+void l3d_options::add_each(const std::string& name, const std::string& help,
+                           const std::string& kind, const std::string& preset,
+                           std::function<void(const std::string&)> take) {
+    const auto read = [take = std::move(take)](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts)
+            take(text);
+    };
+    parser_->app.add_option_function<std::vector<std::string>>(name, read, help)
+        ->type_name(kind)
+        ->default_str(preset)
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 void l3d_options::add_words(const std::string& name, const std::string& help,
                             const std::vector<std::string>& words, std::size_t preset,
                             std::function<void(std::size_t)> chosen) {

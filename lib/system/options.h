@@ -80,6 +80,10 @@ public:
 
     /// Three finite numbers X,Y,Z.
     void add(const std::string& name, l3d_vector<double, 3>& value, const std::string& help);
+    /// An option that may be given several times; `take` gets each text in its order, and what it
+    /// refuses it names in an l3d_error. Each time it is given replaces no other.
+    void add_each(const std::string& name, const std::string& help, const std::string& kind,
+                  const std::string& preset, std::function<void(const std::string&)> take);
 
     /// "gradient", "none", or a colour R,G,B of whole numbers from 0 to 255. Nothing is given by
     /// default: the help says what that means. With "none", files that are written have alpha.

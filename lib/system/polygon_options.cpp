@@ -58,6 +58,7 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
     settings.shade = shared.shade;
     settings.projection = parallel_ ? l3d_projection::parallel : l3d_projection::perspective;
     settings.light = shared.light;
+    settings.lighting = shared.lighting;
     if (!shared_.places_camera() && !shared_.places_light()) {
         // The teapot's, from where this model is looked at.
         settings.light =

@@ -103,7 +103,7 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
     assert(settings_.shade != l3d_shade::error);
     const bool is_solid = settings_.style == l3d_polygon_style::solid;
     const bool smooth = settings_.shade != l3d_shade::flat;
-    l3d_shading shading = view.shading(settings_.shade, settings_.light);
+    l3d_shading shading = view.shading(settings_.shade, settings_.light, settings_.lighting);
     shading.antialias = settings_.antialias && is_solid;
     shading.background = settings_.background;
     frame_->make(model_, view,

@@ -42,6 +42,7 @@ struct L3D_PUBLIC l3d_polygon_settings {
     l3d_shade shade = l3d_shade::flat;                       ///< how surfaces get their greys
     l3d_projection projection = l3d_projection::perspective; ///< whether far things look smaller
     l3d_vector<double, 3> light = l3d_usual_light; ///< towards the light, world space, any length
+    l3d_lighting lighting{};                       ///< colours of lights, and further lights
     l3d_vector<double, 3> rotation{0.0, 0.0,
                                    0.0};  ///< degrees about x, y, z, round the box's middle
     std::optional<l3d_material> material; ///< of all faces, whatever the model says

@@ -69,7 +69,7 @@ l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin, doubl
 
 /// Faces that look alike share a material. If all are plain, there are none.
 void l3d_polygon_model::contents::make_materials() {
-    using key = std::tuple<std::uint32_t, std::uint32_t, float>;
+    using key = std::tuple<std::uint32_t, std::uint32_t, int>;
     std::map<key, std::uint32_t> places;
     materials.emplace_back();
     places[key(materials[0].color, materials[0].highlight, materials[0].sharpness)] = 0;

@@ -105,6 +105,8 @@ light_sum light_at(Shader& shader, const fragment_polygon& polygon, bool has_col
         const auto corners = static_cast<std::size_t>(polygon.corners);
         const std::array all{polygon.corner(0), polygon.corner(1), polygon.corner(2),
                              polygon.corner(3)};
+        if constexpr (has_materials<Shader>)
+            shader.use_material(polygon.color);
         shader.begin_polygon(std::span(all).first(corners));
         constexpr std::size_t count = Shader::components;
         std::array<float, count> values{};

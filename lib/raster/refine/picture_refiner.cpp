@@ -26,8 +26,9 @@ bool is_hidden(const drawn_frame& frame, const band_item& item) {
 
 bool is_grey(const drawn_frame& frame) {
     const l3d_background& background = frame.shading.background;
-    return frame.colors.empty() && frame.shading.mode != l3d_shade::normals &&
-           frame.shading.mode != l3d_shade::error && background.is_grey() && !background.is_none();
+    return frame.colors.empty() && !frame.shading.is_lit(frame.materials) &&
+           frame.shading.mode != l3d_shade::normals && frame.shading.mode != l3d_shade::error &&
+           background.is_grey() && !background.is_none();
 }
 
 } // namespace
@@ -157,7 +158,7 @@ void picture_refiner::resolve(const drawn_frame& frame, int band, worker_space& 
     if (space.fragments.pixels().empty())
         return;
     const bool levels = frame.shading.mode == l3d_shade::levels;
-    space.fragments.use_colors(frame.colors);
+    space.fragments.use_colors(frame.colors, frame.shading.is_lit(frame.materials));
     for (const std::uint32_t index : frame.list.items(band)) {
         const band_item& item = frame.list.item(index);
         if (!is_hidden(frame, item))
@@ -165,7 +166,8 @@ void picture_refiner::resolve(const drawn_frame& frame, int band, worker_space& 
     }
     space.fragments.sort();
     auto& refined = each_band_[static_cast<std::size_t>(band)].refined;
-    space.mixer.draw(space.fragments, frame.shading, !frame.colors.empty(), size.height);
+    space.mixer.draw(space.fragments, frame.shading, frame.materials, !frame.colors.empty(),
+                     size.height);
     const auto pixels = space.fragments.pixels();
     for (std::size_t i = 0; i < pixels.size(); ++i)
         refined.push_back({pixels[i].x, pixels[i].y, space.mixer.words()[i]});

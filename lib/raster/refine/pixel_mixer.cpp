@@ -46,11 +46,11 @@ std::uint64_t sample_at(float x, float y) {
 
 } // namespace
 
-void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading, bool has_color,
-                       int height) {
+void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading,
+                       std::span<const l3d_material> materials, bool has_color, int height) {
     has_color_ = has_color;
     measure_pairs(band, measures_);
-    with_shader(shading, 0,
+    with_shader(shading, materials, 0,
                 [&](auto shader) { draw_by(shader, band, shading.background, height); });
 }
 

@@ -27,7 +27,8 @@ class pixel_mixer {
 public:
     /// Makes the words of the band's marked pixels, in a picture of that height; its polygons have
     /// the colours of materials if `has_color`. Expects: its pairs are sorted.
-    void draw(const band_fragments& band, const l3d_shading& shading, bool has_color, int height);
+    void draw(const band_fragments& band, const l3d_shading& shading,
+              std::span<const l3d_material> materials, bool has_color, int height);
 
     /// One for each of the band's pixels, in their order.
     std::span<const std::uint32_t> words() const { return words_; }

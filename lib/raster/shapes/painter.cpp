@@ -4,6 +4,7 @@
 
 #include "raster/shapes/attribute_plane_p.h"
 #include "raster/shapes/piece_pixels_p.h"
+#include "raster/surfaces/lit_shader_p.h"
 #include "raster/surfaces/surface_shader_p.h"
 
 #include <algorithm>
@@ -105,9 +106,36 @@ struct l3d_painter::work_space {
             place_cuts(piece, triangles, cuts, to.cuts);
             if constexpr (std::is_same_v<Shader, own_color_shader>)
                 shader.color = triangles[piece.triangle].color;
-            if (!materials.empty())
+            if constexpr (std::is_same_v<Shader, lit_shader>)
+                shader.use_material(triangles[piece.triangle].material);
+            else if (!materials.empty())
                 to.color = materials[triangles[piece.triangle].material].color;
             paint_triangle(to, shader, triangles[piece.triangle].v);
+        }
+    }
+
+    void paint_by_mode(const l3d_shading& shading, std::span<const l3d_painter_triangle> triangles,
+                       std::span<const l3d_painter_piece> pieces,
+                       std::span<const l3d_painter_cut> cuts) {
+        switch (shading.mode) {
+        case l3d_shade::lambert:
+            paint(lambert_shader(shading), triangles, pieces, cuts);
+            break;
+        case l3d_shade::gouraud:
+            paint(gouraud_shader(shading), triangles, pieces, cuts);
+            break;
+        case l3d_shade::flat:
+            paint(flat_shader(shading), triangles, pieces, cuts);
+            break;
+        case l3d_shade::normals:
+            paint(normals_shader(shading), triangles, pieces, cuts);
+            break;
+        case l3d_shade::error:
+            paint(own_color_shader(), triangles, pieces, cuts);
+            break;
+        case l3d_shade::levels:
+            assert(false); // only diced surfaces have levels
+            break;
         }
     }
 
@@ -129,26 +157,10 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
     work_->begin(target, shading.background);
     const bool is_light = shading.mode != l3d_shade::normals && shading.mode != l3d_shade::error;
     work_->materials = is_light ? materials : std::span<const l3d_material>();
-    switch (shading.mode) {
-    case l3d_shade::lambert:
-        work_->paint(lambert_shader(shading), triangles, pieces, cuts);
-        break;
-    case l3d_shade::gouraud:
-        work_->paint(gouraud_shader(shading), triangles, pieces, cuts);
-        break;
-    case l3d_shade::flat:
-        work_->paint(flat_shader(shading), triangles, pieces, cuts);
-        break;
-    case l3d_shade::normals:
-        work_->paint(normals_shader(shading), triangles, pieces, cuts);
-        break;
-    case l3d_shade::error:
-        work_->paint(own_color_shader(), triangles, pieces, cuts);
-        break;
-    case l3d_shade::levels:
-        assert(false); // only diced surfaces have levels
-        break;
-    }
+    if (shading.is_lit(materials))
+        work_->paint(lit_shader(shading, materials), triangles, pieces, cuts);
+    else
+        work_->paint_by_mode(shading, triangles, pieces, cuts);
     counts_ = {};
     counts_.quads = static_cast<std::int64_t>(pieces.size());
     counts_.samples = counts_.written = work_->to.written;

@@ -106,9 +106,11 @@ void l3d_surface_rasterizer_sw::start(l3d_depth_buffer* depth, const l3d_shading
     drawn_ = false;
     counts_ = {};
     work_->parts.clear();
-    work_->materials.begin(materials());
-    work_->frame = {shading, fill_shades(shading.mode) && target_.width >= fill_least_width,
-                    settings_.leave_out_hidden, fill_words{work_->materials.wanted()}};
+    const bool is_lit = shading.is_lit(materials());
+    work_->materials.begin(is_lit ? std::span<const l3d_material>() : materials());
+    work_->frame = {shading,
+                    !is_lit && fill_shades(shading.mode) && target_.width >= fill_least_width,
+                    settings_.leave_out_hidden, fill_words{work_->materials.wanted()}, materials()};
     work_->coarse.resize(target_.size());
     const int bands = (size.height + rows_ - 1) / rows_;
     work_->covered.assign(static_cast<std::size_t>(bands), 0);
@@ -235,6 +237,7 @@ void l3d_surface_rasterizer_sw::refine() {
     counts_.refined = work_->refiner.refine({.target = target_,
                                              .depth = *depth_,
                                              .shading = work_->frame.shading,
+                                             .materials = work_->frame.materials,
                                              .colors = work_->materials.colors(),
                                              .list = list,
                                              .coarse = work_->coarse,
