@@ -27,9 +27,9 @@ uses_stability       := base geom tool_2d raster scene dice pipeline
 
 # What a layer links from outside, and what pkg-config calls it.
 links_tool_2d := -lpng -lXext -lX11
-links_raster  := -ltbb -lhwy
+links_raster  := -ltbb -lhwy -lfreetype
 needs_tool_2d := libpng xext x11
-needs_raster  := tbb libhwy
+needs_raster  := tbb libhwy freetype2
 
 include config.mk
 
@@ -70,7 +70,7 @@ OUT      := $(BUILD)/$(REAL)-$(MODE)$(if $(filter-out g++,$(compiler)),-$(compil
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(WERROR) \
             $(if $(findstring clang,$(compiler)),,-Wno-restrict)
 FLAGS     = -std=c++20 $(WARNINGS) -ffp-contract=off -fno-math-errno -pthread \
-            $(flags_$(REAL)) $(flags_$(MODE)) -I$(OUT) $(CPPFLAGS) $(CXXFLAGS)
+            $(flags_$(REAL)) $(flags_$(MODE)) -I$(OUT) -isystem $(FREETYPE) $(CPPFLAGS) $(CXXFLAGS)
 # What the shared library is made of serves the static one, too: without interposition the code is
 # that of -fPIE, which programs get anyway, and one compilation is enough.
 # L3D_PUBLIC marks what the shared library exports.
@@ -306,6 +306,11 @@ $(PLUGINS): | $(DOOR)
 $(OUT)/%.inc: %
 	$(Q)mkdir -p $(@D); { printf 'R"text('; cat $<; printf ')text"\n'; } > $@
 $(OUT)/lib/geom/teapot.o: $(OUT)/data/teapot.bpt.inc
+
+# Any file as the numbers of its bytes, to be included between braces.
+$(OUT)/%.bytes: %
+	$(Q)mkdir -p $(@D); od -An -v -tu1 $< | sed 's/[0-9]\+/&,/g' > $@
+$(OUT)/lib/tool_2d/x11/x11_icon.o: $(OUT)/packaging/desktop/icon.png.bytes
 
 $(OUT)/libl3d_%.a: $$(objects_$$*) $(OUT)/list/%
 	$(call say,AR,$@)

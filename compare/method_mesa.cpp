@@ -207,7 +207,7 @@ void method_mesa::set_placement(const l3d_method_frame& frame, const l3d_patch_i
 }
 
 void method_mesa::read_back(const l3d_method_frame& frame) {
-    target_.download(frame.target);
+    target_.download(frame.target, frame.shading.background);
     surface_counts_.covered = l3d_surface_counts::none_counted;
     if (!frame.wants_depth && !frame.counts_pixels)
         return;
@@ -251,10 +251,8 @@ void method_mesa::do_draw(const l3d_method_frame& frame, l3d_stage_times& times)
     times.dice += dicing.milliseconds();
 
     const stopwatch drawing;
-    gl.ClearColor(0, 0, 0, 0);
-    gl.ClearDepth(0);
     gl.DepthFunc(GL_GREATER);
-    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    target_.clear(frame.shading.background);
     set_shading(frame.shading);
     for (const l3d_patch_instance& instance : frame.scene.instances()) {
         const mesh& triangles = mesh_of(instance.model(), n);

@@ -122,8 +122,8 @@ void l3d_method_voxels::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
         canvas.begin(frame.target, frame.depth, frame.shading);
     const vector eye = eye_of(frame.to_image);
     workers_.for_each(frame.view.size.height, [&](int row, int worker) {
-        const auto words = frame.target.row(row);
-        std::fill(words.begin(), words.end(), 0u);
+        std::ranges::fill(frame.target.row(row),
+                          frame.shading.background.word(row, frame.view.size.height));
         look_along(row, frame, eye, canvases_[static_cast<std::size_t>(worker)]);
     });
     surface_counts_ = {};

@@ -141,7 +141,7 @@ $(OUT)/completion/zsh/_%: $(OUT)/bin/% packaging/completion.awk
 	$(call completion,zsh)
 
 $(ICON): $(OUT)/bin/teapot_afd
-	$(Q)mkdir -p $(@D); $< --no-input --backend memory --size 128x128 --fov 30 --target 0.25,1.5,0 --output $@
+	$(Q)mkdir -p $(@D); $< --no-input --backend memory --size 128x128 --fov 30 --target 0.25,1.5,0 --background none --output $@
 
 # Where installed programs and the shared library look for data, if not beside themselves.
 $(OUT)/lib/system/places.o: $(OUT)/place

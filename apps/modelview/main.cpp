@@ -43,7 +43,8 @@ private:
     /// `arguments` are those of the Pipeline's constructor after the canvas.
     template <class Pipeline, class... Arguments> l3d_exit show(const Arguments&... arguments) {
         const auto dispatcher = program_.create_dispatcher(); // step 3
-        l3d_viewer<Pipeline> pipeline(program_, afd_, program_.create_canvas(), arguments...);
+        l3d_viewer<Pipeline> pipeline(program_, afd_, program_.create_canvas(afd_.model_title()),
+                                      arguments...);
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         const l3d_exit result = dispatcher->start();   // step 5
         pipeline.finish();

@@ -53,7 +53,8 @@ int main(int argc, char** argv) {
     return program.run(argc, argv, [&] { // step 1: choose factories
         const l3d_patch_model model = afd.model();
         const auto dispatcher = program.create_dispatcher(); // step 3
-        teapot_pipeline pipeline(program, afd, program.create_canvas(), model, camera, settings);
+        teapot_pipeline pipeline(program, afd, program.create_canvas(afd.model_title()), model,
+                                 camera, settings);
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         const l3d_exit result = dispatcher->start();   // step 5
         pipeline.finish();

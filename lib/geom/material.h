@@ -15,8 +15,10 @@
 struct L3D_PUBLIC l3d_material {
     std::uint32_t color = 0xffffff; ///< of light that is scattered to all sides
     std::uint32_t highlight = 0;    ///< of light that is mirrored; black has none
-    /// How small highlights are: the exponent of their cosine, at least 1.
-    float sharpness = 32;
+    /// How small highlights are: the exponent of their cosine, from 1 to most_sharpness.
+    int sharpness = 32;
+
+    static constexpr int most_sharpness = 1000; ///< that of .mtl files
 
     /// Whether it looks as surfaces do that have no material.
     bool is_plain() const { return color == 0xffffff && highlight == 0; }

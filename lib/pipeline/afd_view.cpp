@@ -18,6 +18,10 @@ std::optional<l3d_pick> l3d_pipeline_afd::pick(double x, double y) const {
 
 std::string l3d_pipeline_afd::why_empty() const {
     std::string why = l3d_why_unseen(camera_, screen_->pixels().size(), l3d_reach_of(scene_));
-    const bool drew_nothing = report_.dice.drawn == 0 && report_.pixels_kept == 0;
-    return why.empty() && drew_nothing ? "not where a pixel shows it" : why;
+    const l3d_dice_counts& dice = report_.dice;
+    // Some methods draw without counting.
+    const bool left_all_out = dice.drawn == 0 && dice.offscreen + dice.subpixel + dice.behind +
+                                                         dice.beyond + dice.backfacing >=
+                                                     scene_.patch_count();
+    return why.empty() && left_all_out ? "not where a pixel shows it" : why;
 }

@@ -25,7 +25,8 @@ template <class T> std::span<const l3d_placed_patch> l3d_method_afd<T>::next_bat
 template <class T>
 void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& times) {
     l3d_dice_view view = frame.view;
-    const l3d_shading shading = l3d_lit_while_diced(view, frame.shading, surface_->takes_levels());
+    const bool with_levels = surface_->takes_levels() && !frame.shading.is_lit(frame.materials);
+    const l3d_shading shading = l3d_lit_while_diced(view, frame.shading, with_levels);
     begin_outlines(frame, view, times);
     const stopwatch placing;
     culling_.begin(frame.scene, frame.to_image, view,

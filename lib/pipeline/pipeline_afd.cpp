@@ -120,7 +120,7 @@ void l3d_pipeline_afd::draw_event() {
     }
 
     if (!changed_.empty())
-        find_doubts(times);
+        find_doubts(now.shading.is_lit(scene_.materials()), times);
 
     const stopwatch overlaying;
     if (stale_ || !changed_.empty())
@@ -159,10 +159,11 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
         stages_->view.keep.centreless = stages_->view.keep.dicing = true;
     stages_->view.one_sided = settings_.one_sided;
     stages_->view.most_samples = settings_.most_samples;
-    l3d_shading shading =
-        l3d_camera_shading(camera_, target.size(), settings_.shade, settings_.light);
+    l3d_shading shading = l3d_camera_shading(camera_, target.size(), settings_.shade,
+                                             settings_.light, settings_.lighting);
     shading.keep_unit_normals = settings_.keep.unit_normals;
     shading.antialias = settings_.antialias;
+    shading.background = settings_.background;
     return {.target = target,
             .to_image = stages_->transform.matrix(),
             .view = stages_->view,
@@ -263,7 +264,9 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     untouched_ = true;
     if (!stages_->method->certifies_depth() || stages_->view.focal == 0)
         report_.dice.depth_bound_px = std::numeric_limits<double>::infinity();
-    if (stages_->method->certifies_shade(now.shading) && stages_->view.focal > 0) {
+    const bool is_certified =
+        stages_->method->certifies_shade(now.shading) && !now.shading.is_lit(scene_.materials());
+    if (is_certified && stages_->view.focal > 0) {
         report_.dice.shade_bound += report_.surface.level_error;
         report_.dice.unshaded_quads += report_.surface.loose_levels;
     } else {
@@ -294,14 +297,15 @@ void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
 }
 
 /// Compares surfaces with the exact picture as long as nothing is drawn on top of them.
-void l3d_pipeline_afd::find_doubts(l3d_stage_times& times) {
+void l3d_pipeline_afd::find_doubts(bool is_lit, l3d_stage_times& times) {
     const stopwatch finding;
     constexpr double unknown = std::numeric_limits<double>::infinity();
     report_.coverage_bound = report_.color_bound = unknown;
     const bool is_light = settings_.shade == l3d_shade::lambert ||
                           settings_.shade == l3d_shade::gouraud ||
                           settings_.shade == l3d_shade::flat;
-    if (!settings_.error_map || settings_.wireframe || !is_light) {
+    const bool has_exact = is_light && !settings_.wireframe && !settings_.background.is_none();
+    if (!settings_.error_map || !has_exact) {
         stages_->doubts.reset();
         return;
     }
@@ -314,7 +318,9 @@ void l3d_pipeline_afd::find_doubts(l3d_stage_times& times) {
                  .light = settings_.light,
                  .bound_px = report_.dice.bound_px,
                  .depth_bound_px = report_.dice.depth_bound_px,
-                 .drawn = screen_->pixels()},
+                 .has_levels = !is_lit,
+                 .drawn = screen_->pixels(),
+                 .background = settings_.background},
                 stages_->workers);
     report_.coverage_bound = doubts.coverage_bound();
     report_.color_bound = doubts.color_bound();
@@ -334,17 +340,23 @@ void l3d_pipeline_afd::draw_on_top() {
 void l3d_pipeline_afd::draw_wireframe() {
     const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
     untouched_ = false;
-    rasterizer_.clear_buffer();
+    const bool is_none = settings_.background.is_none();
+    (is_none ? l3d_background() : settings_.background).fill(screen_->pixels());
     if (settings_.depth) {
         depth_.resize(stages_->view.size);
         depth_.clear();
     }
     stages_->wire_culling.begin(scene_, stages_->transform.matrix(), stages_->view);
     stages_->wire_dicer.begin(stages_->view);
-    l3d_detail::wire_lines lines({rasterizer_, wire_color, settings_.antialias});
+    l3d_detail::wire_lines lines(
+        {rasterizer_, is_none ? l3d_detail::white : wire_color, settings_.antialias});
     for (auto batch = stages_->wire_culling.next(nothing_is_hidden); !batch.empty();
          batch = stages_->wire_culling.next(nothing_is_hidden))
         lines.draw(stages_->wire_dicer.dice(scene_, stages_->wire_culling, batch));
+    if (is_none) {
+        rasterizer_.finish();
+        l3d_detail::make_lines_transparent(screen_->pixels(), wire_color);
+    }
     report_.dice = stages_->wire_dicer.counts();
     report_.dice.add(stages_->wire_culling.counts());
     report_.surface = {};
@@ -373,7 +385,9 @@ void l3d_pipeline_afd::draw_nets() {
                 }
         }
     }
-    l3d_detail::wire_drawer(rasterizer_, net_color, settings_.antialias).draw(lines);
+    // A smooth line does not cover what is transparent.
+    const bool smooth = settings_.antialias && !settings_.background.is_none();
+    l3d_detail::wire_drawer(rasterizer_, net_color, smooth).draw(lines);
 }
 
 l3d_frame_report l3d_pipeline_afd::report() const {

@@ -41,14 +41,17 @@ struct L3D_PUBLIC l3d_afd_settings {
     bool lateral_only = false;  ///< the tolerance holds for places in the picture only
     l3d_shade shade = l3d_shade::lambert;          ///< of the filled surface
     l3d_vector<double, 3> light = l3d_usual_light; ///< towards the light, world space, any length
-    bool antialias = false;    ///< edges are means over pixels, not stairs; see l3d_shading
-    bool wireframe = false;    ///< the lines of the adaptive grid instead of the filled surface
-    bool net = false;          ///< the control nets on top
-    l3d_kept_work keep{};      ///< work to do although it could be left out
-    bool one_sided = false;    ///< leave out what turns its back, dS/du x dS/dv away from the eye
-                               ///< before it is placed: a mirrored model shows the same side
-    bool depth = false;        ///< keep the distance of each pixel, for depth()
-    bool count_pixels = false; ///< report how many are covered
+    l3d_lighting lighting{};     ///< colours of lights, and further lights; for it and for
+                                 ///< highlights nothing is certified of shades
+    bool antialias = false;      ///< edges are means over pixels, not stairs; see l3d_shading
+    l3d_background background{}; ///< what is seen where nothing is drawn
+    bool wireframe = false;      ///< the lines of the adaptive grid instead of the filled surface
+    bool net = false;            ///< the control nets on top
+    l3d_kept_work keep{};        ///< work to do although it could be left out
+    bool one_sided = false;      ///< leave out what turns its back, dS/du x dS/dv away from the eye
+                                 ///< before it is placed: a mirrored model shows the same side
+    bool depth = false;          ///< keep the distance of each pixel, for depth()
+    bool count_pixels = false;   ///< report how many are covered
     /// The budget of a frame for patches that have to be cut or clipped, see l3d_dice_budget; 0:
     /// l3d_usual_samples. If it does not suffice, the rest is drawn coarsely, and the bound says
     /// so.
@@ -121,8 +124,8 @@ public:
     const l3d_outline_mask* outlines() const;
 
     /// How far each pixel of the last frame's surfaces may be from the exact picture, which is lit
-    /// by Lambert's rule. It is null if nobody asked for it, for a wireframe, and for shades that
-    /// are not light.
+    /// by Lambert's rule. It is null if nobody asked for it, for a wireframe, for shades that are
+    /// not light, and without a background.
     const l3d_error_map* error_map() const;
 
     /// The last frame drawn; the hash is counted when asked for.
@@ -179,7 +182,7 @@ private:
     void keep_picture();
     void fill_surfaces(const basis& now, const l3d_pixel_boxes& parts, l3d_stage_times& times);
     void keep_bounds(const l3d_dice_counts& kept);
-    void find_doubts(l3d_stage_times& times);
+    void find_doubts(bool is_lit, l3d_stage_times& times);
     void draw_on_top();
     void draw_wireframe();
     void draw_nets();

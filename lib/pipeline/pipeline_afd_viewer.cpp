@@ -3,6 +3,7 @@
 #include "pipeline/pipeline_afd_viewer.h"
 
 #include "pipeline/formatted_p.h"
+#include "dice/error_color.h"
 #include "scene/framing.h"
 
 #include <algorithm>
@@ -21,7 +22,9 @@ constexpr double least_tolerance = 1.0 / 64, largest_tolerance = 64;
 
 std::vector<l3d_viewer_row> l3d_pipeline_afd_viewer::own_rows() {
     const auto finer = [this] { scale_tolerance(0.5); };
-    return {{"+ -", "detail", {{'+', finer}, {'=', finer}, {'-', [this] { scale_tolerance(2); }}}},
+    return {{"+, -",
+             "finer, coarser",
+             {{'+', finer}, {'=', finer}, {'-', [this] { scale_tolerance(2); }}}},
             {"c", "shading", {{'c', [this] { take_next_shade(); }}}},
             {"w", "wireframe", {{'w', [this] { switch_wireframe(); }}}},
             {"a", "smooth edges", {{'a', [this] { switch_antialias(); }}}},
@@ -96,11 +99,24 @@ void l3d_pipeline_afd_viewer::draw_overlay() {
     if (screen().is_window())
         controls_.set_empty(
             last_report().dice.drawn == 0 && last_report().pixels_kept == 0 ? why_empty() : "");
-    if (!controls_.shows_text())
+    const l3d_panel key = legend();
+    if (!controls_.shows_text() && key.empty())
         return; // asking for the rasterizer makes the next frame clear the picture
     const std::array lines{
         std::isfinite(bound())
-            ? formatted("error at most %.3f px (tolerance %.3g)", bound(), settings().tolerance)
+            ? formatted("error at most %.3f pixels, of %.3g allowed", bound(), settings().tolerance)
             : "no bound of the error with " + settings().method.name()};
-    controls_.draw(rasterizer(), last_report().time_ms.total, lines);
+    controls_.draw(rasterizer(), last_report().time_ms.total, lines, key);
+}
+
+/// What colours mean, for people: pictures in files have what was asked for, and nothing else.
+l3d_panel l3d_pipeline_afd_viewer::legend() {
+    l3d_panel result;
+    const bool is_filled = !settings().wireframe;
+    if (settings().shade == l3d_shade::error && is_filled && screen().is_window()) {
+        result.add("bound of the error, in pixels");
+        result.add_scale({l3d_error_color(0, 1), l3d_error_color(0.5, 1), l3d_error_color(1, 1)},
+                         "0", formatted("%.3g", settings().tolerance));
+    }
+    return result;
 }

@@ -33,6 +33,7 @@ private:
     void take_next_shade();
     void switch_wireframe();
     void switch_antialias();
+    l3d_panel legend();
 
     l3d_viewer_controls controls_{*this, screen(), camera(), own_rows(), {}, viewed()};
 };

@@ -3,7 +3,6 @@
 #include "pipeline/viewer_controls.h"
 
 #include "pipeline/formatted_p.h"
-#include "raster/shapes/text.h"
 
 #include <algorithm>
 #include <cassert>
@@ -22,9 +21,6 @@ constexpr double zoom_factor = 1.1;
 /// The key t: a turn in six seconds.
 constexpr double usual_turntable = 60;
 
-constexpr std::uint32_t text_color = 0x00ffe080, shadow_color = 0x00101010;
-constexpr int text_scale = 2, text_margin = 8;
-
 [[maybe_unused]] bool each_key_is_in_one_row(const std::vector<l3d_viewer_row>& rows) {
     std::set<int> keys;
     return std::ranges::all_of(rows, [&](const l3d_viewer_row& row) {
@@ -38,7 +34,8 @@ constexpr int text_scale = 2, text_margin = 8;
 l3d_viewer_controls::l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& screen,
                                          l3d_camera& camera, std::vector<l3d_viewer_row> rows,
                                          std::function<void()> reset, l3d_viewed viewed)
-    : viewed_(viewed), steering_(screen, camera, std::move(viewed)), rows_(first_rows()) {
+    : screen_(screen), viewed_(viewed), steering_(screen, camera, std::move(viewed)),
+      rows_(first_rows()) {
     std::ranges::move(side_rows(), std::back_inserter(rows_));
     std::ranges::move(rows, std::back_inserter(rows_));
     std::ranges::move(last_rows(viewer, screen, std::move(reset)), std::back_inserter(rows_));
@@ -112,14 +109,15 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::last_rows(l3d_pipeline& viewer,
         {"r", "reset view", {{'r', first_view}}},
         {"s", "save a picture", {{'s', save}}},
         {"F11", "whole screen"},
-        {"h ?", "this help", {{'h', help}, {'?', help}}},
-        {"q Esc", "quit", {{'q', end}, {l3d_key_escape, end}}},
+        {"h, ?", "this help", {{'h', help}, {'?', help}}},
+        {"q, Escape", "quit", {{'q', end}, {l3d_key_escape, end}}},
     };
 }
 
 bool l3d_viewer_controls::key(int key) {
-    const bool said = !message_.empty();
+    const bool said = !message_.empty() || hint_seconds_ > 0;
     message_.clear();
+    hint_seconds_ = 0;
     for (const l3d_viewer_row& row : rows_)
         for (const auto& [code, action] : row.actions)
             if (code == key) {
@@ -167,29 +165,47 @@ bool l3d_viewer_controls::update(double seconds) {
     if (turns)
         steering_.turn(turntable_degrees_ * seconds * degree, 0);
     first_frame_ = false;
-    return turns;
+    return passes_hint(seconds) || turns;
 }
 
-/// Text has a dark edge below and to the right, legible on any grey.
+/// Whether its time is over now.
+bool l3d_viewer_controls::passes_hint(double seconds) {
+    const bool was_shown = hint_seconds_ > 0;
+    hint_seconds_ -= seconds;
+    return was_shown && !(hint_seconds_ > 0);
+}
+
+l3d_panel_style l3d_viewer_controls::panel_style() const {
+    l3d_panel_style style;
+    style.font = font_;
+    style.size = l3d_panel_style::size_for(screen_.pixels().size(), screen_.text_scale());
+    return style;
+}
+
+/// What a key was answered with has room first, help what is left.
 void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, double milliseconds,
-                               std::span<const std::string> lines) const {
-    int line = 0;
-    const auto write = [&](const std::string& text) {
-        const int y = text_margin + line++ * l3d_text_line * text_scale;
-        l3d_draw_text(rasterizer, text_margin + 1, y + 1, text, shadow_color, text_scale);
-        l3d_draw_text(rasterizer, text_margin, y, text, text_color, text_scale);
-    };
+                               std::span<const std::string> lines, const l3d_panel& legend) const {
+    l3d_panel status, help, message;
     if (status_shown_) {
         constexpr double least_seconds = 1e-4; // that are told apart from none
-        write(formatted("%.0f fps  %.2f ms", 1 / std::max(smoothed_seconds_, least_seconds),
-                        milliseconds));
-        std::ranges::for_each(lines, write);
+        status.add(formatted("%.0f pictures a second, %.1f milliseconds each",
+                             1 / std::max(smoothed_seconds_, least_seconds), milliseconds));
+        for (const std::string& line : lines)
+            status.add(line);
     }
     if (help_shown_)
         for (const l3d_viewer_row& row : rows_)
-            write(formatted("%-14s%s", row.keys, row.text));
-    if (!why_empty_.empty())
-        write("The model is " + why_empty_ + ": press f to see it.");
+            help.add(row.keys, row.text);
+    if (!empty_line_.empty())
+        message.add(empty_line_);
     if (!message_.empty())
-        write(message_);
+        message.add(message_);
+    else if (hint_seconds_ > 0)
+        message.add("h", "shows all keys");
+    const l3d_panel_style style = panel_style();
+    l3d_pixel_box free = l3d_whole(screen_.pixels().size());
+    message.draw(rasterizer, free, l3d_corner::bottom_left, style);
+    legend.draw(rasterizer, free, l3d_corner::bottom_right, style);
+    status.draw(rasterizer, free, l3d_corner::top_left, style);
+    help.draw(rasterizer, free, l3d_corner::top_left, style);
 }

@@ -8,6 +8,7 @@
 #include "pipeline/pipeline.h"
 #include "pipeline/view_steering.h"
 #include "raster/rasterizer_2d.h"
+#include "raster/shapes/panel.h"
 #include "tool_2d/screen.h"
 
 #include <functional>
@@ -73,33 +74,51 @@ public:
     /// Lets time pass: the turntable turns. Units: seconds.
     bool update(double seconds);
 
+    /// The letters of all panels; at first the built-in ones.
+    void set_font(l3d_font font) { font_ = std::move(font); }
+
+    /// The looks of the panels, with letters as large as the window and its display ask for.
+    l3d_panel_style panel_style() const;
+
+    /// Shows for so many seconds, or until the first key, which key lists all others.
+    void show_hint(double seconds) { hint_seconds_ = seconds; }
+
     /// A line that is shown until the next key. Expects: an action of a row is running.
     void say(std::string line) { message_ = std::move(line); }
 
     /// That line; "" if there is none.
     const std::string& message() const { return message_; }
 
-    /// Why the picture is empty, as l3d_why_unseen tells it; "" if it is not. It is shown with the
-    /// way to mend it as long as it is so.
-    void set_empty(std::string why) { why_empty_ = std::move(why); }
+    /// Why the picture is empty, as l3d_why_unseen tells it; "" if it is not. It is shown as long
+    /// as it is so, with the key that mends it.
+    void set_empty(const std::string& reason, char key = 'f') {
+        empty_line_ =
+            reason.empty() ? "" : "The model is " + reason + ": press " + key + " to see it.";
+    }
 
     /// Whether draw() draws anything.
     bool shows_text() const {
-        return status_shown_ || help_shown_ || !message_.empty() || !why_empty_.empty();
+        return status_shown_ || help_shown_ || !message_.empty() || !empty_line_.empty() ||
+               hint_seconds_ > 0;
     }
 
-    /// Status, help and message, as they are switched on, on top of a finished picture.
+    /// Panels on top of a finished picture: status, help and message, as they are switched on, and
+    /// the viewer's own legend, if it is not empty. They fit into every window.
     /// Units: what the picture took, in milliseconds. `lines` are the viewer's own of the status.
     void draw(l3d_rasterizer_2d& rasterizer, double milliseconds,
-              std::span<const std::string> lines) const;
+              std::span<const std::string> lines, const l3d_panel& legend = {}) const;
 
 private:
+    bool passes_hint(double seconds);
     std::vector<l3d_viewer_row> first_rows();
     std::vector<l3d_viewer_row> side_rows();
     void measure(double x, double y);
     std::vector<l3d_viewer_row> last_rows(l3d_pipeline& viewer, l3d_screen& screen,
                                           std::function<void()> reset);
 
+    l3d_screen& screen_;
+    l3d_font font_;
+    double hint_seconds_ = 0; ///< that are left
     l3d_viewed viewed_;
     l3d_view_steering steering_;
     std::vector<l3d_viewer_row> rows_;
@@ -111,7 +130,7 @@ private:
     bool status_shown_ = false;
     bool help_shown_ = false;
     std::string message_;
-    std::string why_empty_;
+    std::string empty_line_;
     double smoothed_seconds_ = 0; ///< between frames
     std::function<std::string(const l3d_pixels&)> save_;
 };

@@ -23,6 +23,8 @@ struct wire {
     }
 };
 
+inline constexpr std::uint32_t white = 0x00ffffff;
+
 /// Draws lines of one colour, smooth ones where they are.
 class wire_drawer {
 public:
@@ -52,6 +54,16 @@ private:
     bool smooth_;
     std::vector<l3d_line_2d> lines_;
 };
+
+/// Where there is no background, lines are drawn in white on black first: then a level is what they
+/// cover of a pixel. This gives the pixels their colour, and what is left to shine through.
+inline void make_lines_transparent(const l3d_pixels& picture, std::uint32_t color) {
+    for (int y = 0; y < picture.height; ++y)
+        for (std::uint32_t& word : picture.row(y)) {
+            const std::uint32_t covered = word & 255;
+            word = covered == 0 ? l3d_pixels::transparent : color | (255 - covered) << 24;
+        }
+}
 
 } // namespace l3d_detail
 

@@ -95,6 +95,22 @@ void mesa_target::download(const l3d_pixels& pixels) {
                   pixels.words);
 }
 
+void mesa_target::clear(const l3d_background& background) {
+    const mesa_gl& gl = this->gl();
+    gl.ClearColor(0, 0, 0, background == l3d_background() ? 0 : 1);
+    gl.ClearDepth(0);
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void mesa_target::download(const l3d_pixels& pixels, const l3d_background& background) {
+    download(pixels);
+    if (background == l3d_background())
+        return;
+    for (int y = 0; y < pixels.height; ++y)
+        std::ranges::replace(pixels.row(y), l3d_pixels::transparent,
+                             background.word(y, pixels.height));
+}
+
 void mesa_target::download(l3d_depth_buffer& depth) {
     const mesa_gl& gl = context_->make_current();
     const auto width = static_cast<std::size_t>(size_.width);

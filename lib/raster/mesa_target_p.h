@@ -5,6 +5,7 @@
 
 #include "tool_2d/mesa/mesa_context_p.h"
 #include "tool_2d/pixels.h"
+#include "raster/background.h"
 #include "raster/depth_buffer.h"
 
 #include <initializer_list>
@@ -50,6 +51,12 @@ public:
 
     void upload(const l3d_pixels& pixels);
     void download(const l3d_pixels& pixels);
+
+    /// Empties picture and depth. Expects: surfaces are drawn with an alpha of 0, so that what has
+    /// another one later is empty. Nobody needs to know that where it is black.
+    void clear(const l3d_background& background);
+    /// Downloads what was drawn since clear().
+    void download(const l3d_pixels& pixels, const l3d_background& background);
 
     /// Depth is kept as inv_w depth_scale. Expects: with_depth.
     void download(l3d_depth_buffer& depth);

@@ -6,6 +6,7 @@
 #include "base/public.h"
 #include "tool_2d/pixels.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -26,6 +27,22 @@ struct L3D_PUBLIC l3d_colored_point_2d {
 struct L3D_PUBLIC l3d_line_2d {
     /// Columns and rows of its two ends, both drawn.
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+/// How much of each pixel of a rectangle a shape covers, such as a letter.
+///
+/// Shape: rows of `width` values from 0 to 255, `pitch` values apart. 0 repeats a single row.
+/// Lives: borrows the values.
+struct L3D_PUBLIC l3d_coverage_2d {
+    /// The first column and row, and how many there are. Not negative are the latter.
+    int left = 0, top = 0, width = 0, height = 0;
+    const std::uint8_t* values = nullptr; ///< of the first row
+    std::ptrdiff_t pitch = 0;             ///< from one row to the next
+
+    /// Row i of the shape. Expects: 0 <= i < height.
+    std::span<const std::uint8_t> row(int i) const {
+        return {values + i * pitch, static_cast<std::size_t>(width)};
+    }
 };
 
 /// The closed outline of an area: its corners in order, the last one joined to the first.
@@ -67,6 +84,9 @@ private:
     virtual void do_draw_polygon_gouraudshaded(std::span<const l3d_colored_point_2d> corners) = 0;
     virtual void do_draw_outlines(std::span<const l3d_outline_2d> outlines, l3d_winding inside,
                                   std::uint32_t color) = 0;
+
+    /// Unless a kind of output can mix colours, what is covered by half or more gets the colour.
+    virtual void do_draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color);
 };
 
 /// Draws points, lines and polygons; says nothing about where the pixels are.
@@ -144,6 +164,15 @@ public:
     void draw_outlines(std::span<const l3d_outline_2d> outlines, l3d_winding inside,
                        std::uint32_t color) {
         imp_.do_draw_outlines(outlines, inside, color);
+    }
+
+    /// Moves each pixel's red, green and blue towards the colour's by coverage / 255, to the
+    /// nearest. So text has smooth edges, and panels let the picture shine through.
+    ///
+    /// In a picture without background, what is covered becomes less transparent; with GL, it stays
+    /// as transparent as it was.
+    void draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color) {
+        imp_.do_draw_coverage(shape, color);
     }
 
     /// Afterwards, everything drawn so far is in the target's pixels. Call it before anybody else

@@ -5,7 +5,9 @@
 
 #include "base/public.h"
 #include "geom/material.h"
+#include "raster/background.h"
 #include "raster/depth_buffer.h"
+#include "raster/lighting.h"
 #include "raster/surface_part.h"
 #include "tool_2d/pixels.h"
 
@@ -52,6 +54,24 @@ struct L3D_PUBLIC l3d_shading {
     /// Light is linear: levels are decoded by the sRGB curve, and the mean is encoded again. A
     /// rasterizer that cannot do it draws as without (l3d_surface_rasterizer::antialiases).
     bool antialias = false;
+
+    /// What pixels show that no surface covers, and the rest of those that are covered in part.
+    l3d_background background{};
+
+    l3d_lighting lighting{}; ///< colours of lights, and lights beside `light`
+
+    /// From the eye to a place, as `ray` has it, whether or not normals are turned to the eye.
+    std::array<float, 3> look{0, 0, -1}, look_right{}, look_down{};
+
+    /// Whether surfaces of these materials take more than one level in each pixel: unless the
+    /// lights are the usual ones and nothing has highlights. Modes that are not light never do.
+    /// Gouraud and levels then are as lambert.
+    bool is_lit(std::span<const l3d_material> materials) const {
+        return mode != l3d_shade::normals && mode != l3d_shade::error &&
+               !(lighting.is_usual() && std::ranges::all_of(materials, [](const l3d_material& m) {
+                     return m.highlight == 0;
+                 }));
+    }
 
     /// A pixel depends on what is drawn in pixels so near in x and y. A contour's other side is
     /// shown by a neighbour, and its shading by that one's neighbour. Which contours divide these
@@ -126,12 +146,12 @@ public:
     /// Whether it obeys l3d_shading::antialias.
     bool antialiases() const { return do_antialiases(); }
 
-    /// Starts a frame: picture and depth are empty, that is 0, from now on. Each rasterizer decides
-    /// when it sets their memory to 0, at finish at the latest.
+    /// Starts a frame: from now on, the picture shows the background, and depth is 0. Each
+    /// rasterizer decides when it sets their memory, at finish at the latest.
     ///
     /// Without a depth buffer nobody wants depth afterwards, and one call of draw makes the whole
     /// frame; that is the fastest. In a picture that is `untouched` since the last finish, empty
-    /// parts need not be set to 0 again.
+    /// parts need not be set again.
     /// Expects: target and depth of equal size; both outlive the frame. `untouched` only if nobody
     ///          else wrote to the target's words since then, should it be the same target.
     void begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,

@@ -13,12 +13,17 @@ std::array<float, 3> to_floats(const l3d_camera::vector& v) {
 } // namespace
 
 l3d_shading l3d_camera_shading(const l3d_camera& camera, l3d_size size, l3d_shade mode,
-                               const l3d_camera::vector& light) {
+                               const l3d_camera::vector& light, const l3d_lighting& lighting) {
     const l3d_camera::frame axes = camera.axes();
     const auto corner = axes.forward * camera.focal_length(size) - axes.right * (size.width / 2.0) +
                         axes.up * (size.height / 2.0);
-    return {mode, to_floats(l3d_normalized(light)), to_floats(corner), to_floats(axes.right),
-            to_floats(axes.up * -1.0)};
+    l3d_shading result{mode, to_floats(l3d_normalized(light)), to_floats(corner),
+                       to_floats(axes.right), to_floats(axes.up * -1.0)};
+    result.lighting = lighting;
+    result.look = result.ray;
+    result.look_right = result.ray_right;
+    result.look_down = result.ray_down;
+    return result;
 }
 
 l3d_shading l3d_lit_while_diced(l3d_dice_view& view, const l3d_shading& shading, bool with_levels) {

@@ -14,13 +14,15 @@ inline constexpr l3d_camera::vector l3d_usual_light{0.4, 0.8, 0.45};
 
 /// The shading of one frame: what a surface rasterizer needs to know of the camera and the light.
 ///
-/// Units:   `light` points towards the light, world space, any length but 0.
+/// Units:   `light` points towards the first light, world space, any length but 0.
 /// Expects: camera.is_valid().
 L3D_PUBLIC l3d_shading l3d_camera_shading(const l3d_camera& camera, l3d_size size, l3d_shade mode,
-                                          const l3d_camera::vector& light);
+                                          const l3d_camera::vector& light,
+                                          const l3d_lighting& lighting = {});
 
 /// Has vertices lit where they are diced: with levels if `with_levels` and the mode is lambert,
-/// else with normals turned to the eye. Returns what the rasterizer has to do then.
+/// else with normals turned to the eye. Expects: no levels of what is lit (l3d_shading::is_lit).
+/// Returns what the rasterizer has to do then.
 L3D_PUBLIC l3d_shading l3d_lit_while_diced(l3d_dice_view& view, const l3d_shading& shading,
                                            bool with_levels);
 

@@ -155,7 +155,7 @@ l3d_patch_model l3d_patch_model::painted(std::span<const l3d_material> materials
     if (std::ranges::all_of(materials, &l3d_material::is_plain))
         return result;
     const auto made = std::make_shared<paint>();
-    std::map<std::tuple<std::uint32_t, std::uint32_t, float>, std::uint32_t> places;
+    std::map<std::tuple<std::uint32_t, std::uint32_t, int>, std::uint32_t> places;
     for (const l3d_material& m : materials) {
         const auto next = static_cast<std::uint32_t>(made->materials.size());
         const auto [place, is_new] = places.try_emplace({m.color, m.highlight, m.sharpness}, next);

@@ -20,9 +20,9 @@ using patch_3 = l3d_patch_model::patch;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Roundings of a coordinate that is a sum of a few products: the axes are good to 24 of them, the
-/// products and sums add 8, placing the model 8, halving 50 times 3 each of what becomes smaller,
-/// 6, and evaluating 12. Units: of the sum of all terms' magnitudes.
+/// Roundings of a coordinate that is a sum of a few products. The axes are good to 24 of them,
+/// products and sums add 8, placing the model 8. Halving adds 6, as what it halves becomes smaller,
+/// and evaluating 12. Twice that is enough. Units: of the sum of all terms' magnitudes.
 constexpr double ray_rounding = 128 * 0x1p-53;
 /// The same of a world coordinate.
 constexpr double world_rounding = 16 * 0x1p-53;
@@ -192,7 +192,7 @@ std::string l3d_pick::text() const {
 
 std::string l3d_pick::line() const {
     char words[160];
-    std::snprintf(words, sizeof words, "patch %zu  u %.4f  v %.4f  at %.6g, %.6g, %.6g +- %.1g",
-                  patch, u, v, point[0], point[1], point[2], point_error);
+    std::snprintf(words, sizeof words, "patch %zu (%.4f, %.4f) at %.4g, %.4g, %.4g +- %.1g", patch,
+                  u, v, point[0], point[1], point[2], point_error);
     return words;
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <thread>
@@ -32,6 +33,21 @@ void check_place(const char* option, const l3d_camera::vector& place) {
         if (!(std::abs(place[i]) <= l3d_bpt_largest_coordinate))
             throw l3d_error(l3d_exit::usage, std::string(option) + ": '" + text_of(place) +
                                                  "' is farther than 1e12 from the origin");
+}
+
+constexpr double white = 255;
+
+/// Parts of white. Expects: the name of the option that the colour comes from.
+l3d_light_color color_of(const char* option, const l3d_camera::vector& color) {
+    l3d_light_color result{};
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const double component = color[static_cast<int>(i)];
+        if (!(component >= 0 && component <= white))
+            throw l3d_error(l3d_exit::usage, std::string(option) + ": '" + text_of(color) +
+                                                 "' is no colour from 0 to 255");
+        result[i] = static_cast<float>(component / white);
+    }
+    return result;
 }
 
 } // namespace
@@ -75,10 +91,20 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
         "how the surface is coloured; error: by the bound of each piece's error, from green, "
         "none, to red, the tolerance or more",
         {l3d_shade_names.begin(), l3d_shade_names.end()});
-    options.add("--light", settings_.light, "direction towards the light");
+    options.add_each("--light",
+                     "direction towards a light and, if it is not white, its colour: X,Y,Z or "
+                     "X,Y,Z,R,G,B, colours from 0 to 255; each further --light adds one",
+                     "X,Y,Z[,R,G,B]", text_of(l3d_usual_light),
+                     [this](const std::string& text) { add_light(text); });
+    options.add("--ambient", ambient_,
+                "light that comes from everywhere: red, green, blue, from 0 to 255");
     options.add_choice<bool>("--antialias", settings_.antialias,
                              "whether pixels at edges show the mean of all that is seen in them",
                              {{"on", true}, {"off", false}});
+    options.add("--background", background_,
+                "what is seen where no surface is: a quiet gradient, as in windows unless told "
+                "otherwise; nothing, which needs a .png; or a colour from 0 to 255 each, as black "
+                "elsewhere");
     options.add("--wireframe", settings_.wireframe, "the adaptive steps as lines");
     options.add("--net", settings_.net, "the control nets on top");
     options.add("--turntable", turntable_, "degrees that the eye turns from frame to frame", -360.0,
@@ -107,6 +133,10 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     for (const char* const name :
          {"--depth-output", "--error-output", "--report", "--explain", "--pick"})
         options.has_result(name);
+}
+
+std::string l3d_afd_options::model_title() const {
+    return model_file_.empty() ? "Utah teapot" : std::filesystem::path(model_file_).stem().string();
 }
 
 bool l3d_afd_options::shows_the_usual() const {
@@ -149,8 +179,38 @@ l3d_afd_options::camera(const std::function<l3d_camera(const l3d_camera&)>& fram
     return result;
 }
 
+/// The first one replaces the usual light.
+void l3d_afd_options::add_light(const std::string& text) {
+    std::array<double, 6> numbers{0, 0, 0, white, white, white};
+    std::array<double, 3> direction{};
+    const bool is_white = l3d_read_numbers(text, ',', direction);
+    if (is_white)
+        std::ranges::copy(direction, numbers.begin());
+    else if (!l3d_read_numbers(text, ',', numbers))
+        throw l3d_error(l3d_exit::usage,
+                        "--light: '" + text + "' is neither X,Y,Z nor X,Y,Z,R,G,B");
+    const l3d_camera::vector towards{numbers[0], numbers[1], numbers[2]};
+    const double length = l3d_length(towards);
+    if (!(length > 0 && length < largest))
+        throw l3d_error(l3d_exit::usage, "--light: '" + text + "' has no direction");
+    const l3d_light_color color = color_of("--light", {numbers[3], numbers[4], numbers[5]});
+    l3d_lighting& lighting = settings_.lighting;
+    if (!gives_light_) {
+        settings_.light = towards;
+        lighting.color = color;
+    } else if (lighting.count == l3d_lighting::most_more) {
+        throw l3d_error(l3d_exit::usage, "--light: '" + text + "' is one more than " +
+                                             std::to_string(l3d_lighting::most_more + 1));
+    } else {
+        lighting.add(towards[0], towards[1], towards[2], color);
+    }
+    gives_light_ = true;
+}
+
 l3d_afd_settings l3d_afd_options::settings() const {
     l3d_afd_settings result = settings_;
+    if (ambient_ != usual_ambient())
+        result.lighting.ambient = color_of("--ambient", ambient_);
     result.tolerance = tolerance_.value_or(settings_.tolerance);
     result.most_samples = most_samples_.value_or(0);
     result.count_pixels = !report_.empty();
@@ -164,12 +224,12 @@ l3d_afd_settings l3d_afd_options::settings() const {
         throw l3d_error(l3d_exit::usage, "--error-output: only surfaces that show light have an "
                                          "exact picture, and neither --wireframe nor --shade "
                                          "normals or error does");
+    result.background = background_.value_or(l3d_background());
+    if (result.error_map && result.background.is_none())
+        throw l3d_error(l3d_exit::usage, "--error-output: pixels have bounds on a background, and "
+                                         "--background none has none");
     if (keep_all_)
         result.keep = l3d_kept_work::all();
-    const double length = l3d_length(result.light);
-    if (!(length > 0 && length < largest))
-        throw l3d_error(l3d_exit::usage,
-                        "--light: '" + text_of(result.light) + "' has no direction");
     return result;
 }
 

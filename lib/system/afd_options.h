@@ -43,6 +43,9 @@ public:
     /// As given; empty for the teapot.
     const std::string& model_file() const { return model_file_; }
 
+    /// What people call the model: the file's name without its folder and ending, or "Utah teapot".
+    std::string model_title() const;
+
     /// Where the teapot is seen from unless the user says otherwise; the rest is l3d_camera's.
     static l3d_camera teapot_view() { return {.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0.0}}; }
 
@@ -54,6 +57,9 @@ public:
 
     /// Whether --tolerance was given.
     bool gives_tolerance() const { return tolerance_.has_value(); }
+
+    /// What --background asks for, if it was given.
+    const std::optional<l3d_background>& background() const { return background_; }
 
     /// The angle of --turntable: degrees from frame to frame, 0 for none.
     double turntable() const { return turntable_; }
@@ -75,7 +81,14 @@ public:
     bool shows_the_usual() const;
 
 private:
+    void add_light(const std::string& text);
+
+    /// A tenth of white, as l3d_lighting has it.
+    static l3d_vector<double, 3> usual_ambient() { return {25.5, 25.5, 25.5}; }
+
     std::string model_file_;
+    l3d_vector<double, 3> ambient_ = usual_ambient();
+    bool gives_light_ = false;
     l3d_camera camera_ = teapot_view();
     std::optional<l3d_camera::vector> eye_, target_;
     std::optional<double> near_;
@@ -85,6 +98,7 @@ private:
     std::string depth_output_, error_output_, report_;
     bool explain_ = false, keep_all_ = false;
     std::optional<double> tolerance_;
+    std::optional<l3d_background> background_;
     std::optional<int> threads_, most_samples_;
 };
 

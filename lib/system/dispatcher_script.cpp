@@ -15,7 +15,7 @@
 
 l3d_dispatcher_script::l3d_dispatcher_script(const l3d_frame_settings& settings,
                                              std::vector<l3d_script_event> script)
-    : settings_(settings), script_(std::move(script)), writer_(settings.output) {
+    : settings_(settings), script_(std::move(script)), writer_(settings.output, settings.alpha) {
     assert(std::is_sorted(script_.begin(), script_.end(),
                           [](const auto& a, const auto& b) { return a.frame < b.frame; }));
 }

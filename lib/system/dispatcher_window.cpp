@@ -144,7 +144,7 @@ l3d_exit l3d_dispatcher_window::loop::run() {
 }
 
 l3d_dispatcher_window::l3d_dispatcher_window(const l3d_frame_settings& settings)
-    : settings_(settings), writer_(settings.output) {}
+    : settings_(settings), writer_(settings.output, settings.alpha) {}
 
 l3d_exit l3d_dispatcher_window::do_start(l3d_pipeline& pipeline, l3d_screen& screen) {
     signals_.emplace();

@@ -4,6 +4,7 @@
 #define L3D_SYSTEM_FRAME_SETTINGS_H
 
 #include "base/public.h"
+#include "tool_2d/image_file.h"
 
 #include <optional>
 #include <string>
@@ -29,6 +30,9 @@ struct L3D_PUBLIC l3d_frame_settings {
 
     /// A name for l3d_frame_writer; empty: nothing is written.
     std::string output;
+
+    /// What the highest bytes of pixel words say in the files that are written.
+    l3d_alpha alpha = l3d_alpha::none;
 
     /// The beginning of lines on stderr.
     std::string program = "l3d";

@@ -12,6 +12,9 @@
 
 namespace {
 
+constexpr const char* no_transparency =
+    "cannot hold the transparent pixels of --background none; a .png can";
+
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
@@ -20,12 +23,14 @@ bool is_digit(char c) {
     throw l3d_error(l3d_exit::usage, "--output: '" + name + "' " + reason);
 }
 
-void check_ending(const std::string& name) {
+void check_ending(const std::string& name, l3d_alpha alpha) {
     std::string ending = std::filesystem::path(name).extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (ending != ".png" && ending != ".ppm")
         refuse(name, "ends neither in .png nor in .ppm, nor is it - for a stream");
+    if (ending != ".png" && alpha == l3d_alpha::transparency)
+        refuse(name, no_transparency);
 }
 
 /// A run of frames should not end with the news that its folder never was there.
@@ -39,14 +44,17 @@ void check_folder(const std::string& name, const std::string& first_file) {
 
 } // namespace
 
-l3d_frame_writer::l3d_frame_writer(const std::string& name) : name_(name) {
+l3d_frame_writer::l3d_frame_writer(const std::string& name, l3d_alpha alpha)
+    : name_(name), alpha_(alpha) {
     if (name.empty())
         return;
     if (name == "-") {
+        if (alpha == l3d_alpha::transparency)
+            refuse(name, no_transparency);
         kind_ = kind::stream;
         return;
     }
-    check_ending(name);
+    check_ending(name, alpha);
     const std::size_t percent = name.find('%');
     kind_ = percent == std::string::npos ? kind::single : kind::numbered;
     if (kind_ == kind::numbered)
@@ -82,7 +90,7 @@ bool l3d_frame_writer::has_frame() const {
 
 void l3d_frame_writer::frame(const l3d_pixels& pixels) {
     if (kind_ == kind::numbered) {
-        l3d_write_image(numbered_name(), pixels);
+        l3d_write_image(numbered_name(), pixels, alpha_);
         ++next_number_;
     } else if (kind_ == kind::stream) {
         l3d_write_ppm(stdout, "standard output", pixels);
@@ -91,5 +99,5 @@ void l3d_frame_writer::frame(const l3d_pixels& pixels) {
 
 void l3d_frame_writer::finish(const l3d_pixels& pixels) {
     if (kind_ == kind::single)
-        l3d_write_image(name_, pixels);
+        l3d_write_image(name_, pixels, alpha_);
 }

@@ -4,6 +4,7 @@
 #define L3D_SYSTEM_FRAME_WRITER_H
 
 #include "base/public.h"
+#include "tool_2d/image_file.h"
 #include "tool_2d/pixels.h"
 
 #include <string>
@@ -17,7 +18,8 @@ class L3D_PUBLIC l3d_frame_writer {
 public:
     /// Errors:  l3d_error: usage for a name that is none of these, failure if its folder is not
     ///          there; nothing is opened yet.
-    explicit l3d_frame_writer(const std::string& name);
+    ///          Only .png goes with alpha.
+    explicit l3d_frame_writer(const std::string& name, l3d_alpha alpha = l3d_alpha::none);
 
     /// Takes a finished frame. Errors: l3d_error(failure) that names the file.
     void frame(const l3d_pixels& pixels);
@@ -41,6 +43,7 @@ private:
     void read_number_field(std::size_t percent);
 
     std::string name_;
+    l3d_alpha alpha_ = l3d_alpha::none;
     kind kind_ = kind::nothing;
     std::string before_, after_; ///< of the number in a numbered name
     std::size_t digits_ = 0;     ///< its least width

@@ -234,6 +234,29 @@ void l3d_options::add(const std::string& name, std::optional<l3d_vector<double, 
     });
 }
 
+void l3d_options::add(const std::string& name, std::optional<l3d_background>& value,
+                      const std::string& help) {
+    const auto read = [name, &value](const std::string& text) {
+        std::array<int, 3> levels{};
+        if (text == "gradient")
+            value = l3d_background::gradient();
+        else if (text == "none")
+            value = l3d_background::none();
+        else if (l3d_read_numbers(text, ',', levels) &&
+                 std::ranges::all_of(levels, [](int level) { return level >= 0 && level <= 255; }))
+            value = l3d_background::color(l3d_screen_info::ext_to_native(
+                static_cast<std::uint8_t>(levels[0]), static_cast<std::uint8_t>(levels[1]),
+                static_cast<std::uint8_t>(levels[2])));
+        else
+            refuse(name, text, "gradient, none or a colour R,G,B, each from 0 to 255");
+    };
+    const auto read_and_tell = [this, read, &value](const std::string& text) {
+        read(text);
+        common_.alpha = value->is_none() ? l3d_alpha::transparency : l3d_alpha::none;
+    };
+    add_text(parser_->app, name, help, "gradient|none|R,G,B", "", read_and_tell);
+}
+
 void l3d_options::add(const std::string& name, l3d_size& value, const std::string& help) {
     const std::string preset = std::to_string(value.width) + 'x' + std::to_string(value.height);
     const auto read = [name, &value](const std::string& text) {
@@ -244,6 +267,20 @@ void l3d_options::add(const std::string& name, l3d_size& value, const std::strin
         value = {sides[0], sides[1]};
     };
     add_text(parser_->app, name, help, "WxH", preset, read);
+}
+
+void l3d_options::add_each(const std::string& name, const std::string& help,
+                           const std::string& kind, const std::string& preset,
+                           std::function<void(const std::string&)> take) {
+    const auto read = [take = std::move(take)](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts)
+            take(text);
+    };
+    parser_->app.add_option_function<std::vector<std::string>>(name, read, help)
+        ->type_name(kind)
+        ->default_str(preset)
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void l3d_options::add_words(const std::string& name, const std::string& help,
@@ -298,7 +335,8 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
             (unknown.front().starts_with('-') ? "unknown option '" : "one argument too many: '") +
                 unknown.front() + "' (see --help)");
     refuse_one_file_for_two();
-    const l3d_frame_writer complains_now_rather_than_after_a_question(common_.output);
+    const l3d_frame_writer complains_now_rather_than_after_a_question(common_.output,
+                                                                      common_.alpha);
     if (common_.resume && !complains_now_rather_than_after_a_question.is_numbered())
         throw l3d_error(l3d_exit::usage,
                         "--resume: needs a numbered --output, as in frame%04d.png");
@@ -324,6 +362,7 @@ l3d_frame_settings l3d_options::frame_settings() const {
             .fps = common_.fps,
             .fixed_step = common_.frames > 0,
             .output = common_.output,
+            .alpha = common_.alpha,
             .program = command_};
 }
 

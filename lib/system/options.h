@@ -5,6 +5,7 @@
 
 #include "base/public.h"
 #include "geom/vector.h"
+#include "raster/background.h"
 #include "tool_2d/error.h"
 #include "tool_2d/pixels.h"
 #include "tool_2d/screen.h"
@@ -38,6 +39,7 @@ struct L3D_PUBLIC l3d_common_options {
     bool resume = false;         ///< leave out frames whose file is there
     std::optional<double> fps;   ///< frames per second, 0: no limit; nothing: not given
     std::uint64_t seed = 1;      ///< where random numbers start
+    l3d_alpha alpha = l3d_alpha::none; ///< whether files hold what is transparent
     std::string output; ///< file of the last picture, of every picture, or "-"; empty: none
 };
 
@@ -78,6 +80,15 @@ public:
 
     /// Three finite numbers X,Y,Z.
     void add(const std::string& name, l3d_vector<double, 3>& value, const std::string& help);
+    /// An option that may be given several times; `take` gets each text in its order, and what it
+    /// refuses it names in an l3d_error. Each time it is given replaces no other.
+    void add_each(const std::string& name, const std::string& help, const std::string& kind,
+                  const std::string& preset, std::function<void(const std::string&)> take);
+
+    /// "gradient", "none", or a colour R,G,B of whole numbers from 0 to 255. Nothing is given by
+    /// default: the help says what that means. With "none", files that are written have alpha.
+    void add(const std::string& name, std::optional<l3d_background>& value,
+             const std::string& help);
 
     /// The same where the default is found out later.
     void add(const std::string& name, std::optional<l3d_vector<double, 3>>& value,

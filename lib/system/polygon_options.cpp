@@ -24,6 +24,8 @@ l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_opt
     options.add("--rotate", rotation_,
                 "degrees that polygons are turned about x, then y, then z, round their middle");
     options.add("--to-origin", to_origin_, "move the mean of the polygons' vertices to the origin");
+    options.add("--crease-angle", crease_angle_,
+                "faces whose normals are more degrees apart meet in a crease", 0.0, 180.0);
     options.add("--facets", facets_, "patches as N by N quads, where polygons are drawn", 1,
                 l3d_most_facets);
 }
@@ -35,7 +37,7 @@ l3d_polygon_model l3d_polygon_options::model() const {
     const l3d_model_file file = l3d_load_model(l3d_data_file(name), name);
     for (const std::string& note : file.notes)
         std::cerr << note << '\n';
-    return l3d_polygon_model(l3d_mesh_of(file, name, facets_), to_origin_);
+    return l3d_polygon_model(l3d_mesh_of(file, name, facets_), to_origin_, crease_angle_);
 }
 
 l3d_polygon_settings l3d_polygon_options::settings() const {
@@ -56,6 +58,7 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
     settings.shade = shared.shade;
     settings.projection = parallel_ ? l3d_projection::parallel : l3d_projection::perspective;
     settings.light = shared.light;
+    settings.lighting = shared.lighting;
     if (!shared_.places_camera() && !shared_.places_light()) {
         // The teapot's, from where this model is looked at.
         settings.light =
@@ -64,6 +67,7 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
     settings.rotation = rotation_;
     settings.cull = !all_faces_;
     settings.antialias = shared.antialias;
+    settings.background = shared.background;
     settings.count_pixels = shared.count_pixels;
     settings.threads = shared.threads;
     return settings;

@@ -2,6 +2,7 @@
 // l3d_program: step 1, and the way out.
 #include "system/program.h"
 
+#include <string>
 #include <utility>
 
 l3d_program::l3d_program(std::string name, const std::string& purpose, l3d_size default_size)
@@ -21,7 +22,20 @@ std::unique_ptr<l3d_dispatcher> l3d_program::create_dispatcher() const {
     return factories_.create_dispatcher(options_.frame_settings());
 }
 
-l3d_canvas l3d_program::create_canvas() const {
-    return {factories_.create_screen(options_.screen_request()),
-            factories_.chosen().rasterizer_factory};
+l3d_canvas l3d_program::create_canvas(const std::string& shows) const {
+    l3d_screen_request request = options_.screen_request();
+    if (!shows.empty())
+        request.title = shows + " - " + request.title;
+    return {factories_.create_screen(request), factories_.chosen().rasterizer_factory};
+}
+
+void l3d_program::check_transparency(bool in_window) const {
+    const auto refuse = [](const std::string& why) {
+        throw l3d_error(l3d_exit::usage, "--background: none " + why);
+    };
+    if (in_window)
+        refuse("is for files, and a window was asked for; --backend memory --output FILE.png "
+               "writes one");
+    if (factories_.chosen().name == "mesa")
+        refuse("is not drawn by --backend mesa; --backend memory draws it");
 }

@@ -51,8 +51,16 @@ public:
     /// Errors:  as l3d_factory_manager::create_dispatcher. Expects: called by the steps.
     std::unique_ptr<l3d_dispatcher> create_dispatcher() const;
 
+    /// `shows` names what the window shows, in UTF-8, such as a model; its title begins with that.
     /// Errors:  as l3d_factory_manager::create_screen. Expects: called by the steps.
-    l3d_canvas create_canvas() const;
+    l3d_canvas create_canvas(const std::string& shows = {}) const;
+
+    /// Checks that pictures without background can be made: no window shows them, and GL draws
+    /// no smooth lines into them.
+    ///
+    /// Errors:  l3d_error(usage) that names the option and what is in its way.
+    /// Expects: called by the steps.
+    void check_transparency(bool in_window) const;
 
     /// Where random numbers start: --seed.
     std::uint64_t seed() const { return options_.common().seed; }

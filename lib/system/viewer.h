@@ -4,11 +4,13 @@
 #define L3D_SYSTEM_VIEWER_H
 
 #include "base/public.h"
+#include "pipeline/polygons/pipeline_polygons.h"
 #include "system/afd_options.h"
 #include "system/program.h"
 #include "system/report_writer.h"
 #include "system/screenshot.h"
 #include "raster/error_map.h"
+#include "raster/shapes/font.h"
 #include "tool_2d/image_file.h"
 
 #include <cstdio>
@@ -26,7 +28,8 @@
 template <class Pipeline> class L3D_PUBLIC l3d_viewer final : public Pipeline {
 public:
     /// `arguments` are those of the Pipeline's constructor.
-    /// Errors:  as l3d_report_writer, and as the Pipeline's constructor.
+    /// Errors:  as l3d_report_writer, and as the Pipeline's constructor; l3d_error(usage) for a
+    ///          picture without background that nothing can hold.
     template <class... Arguments>
     l3d_viewer(l3d_program& program, const l3d_afd_options& asked, Arguments&&... arguments)
         : Pipeline(std::forward<Arguments>(arguments)...), asked_(asked),
@@ -39,6 +42,7 @@ public:
         this->controls().set_turntable(asked.turntable(),
                                        1 / program.options().frame_settings().step());
         this->controls().set_screenshot(l3d_save_screenshot);
+        suit_onlooker(program);
         if (!asked.report().empty())
             reports_.emplace(asked.report());
     }
@@ -70,6 +74,26 @@ public:
     }
 
 private:
+    /// What a person who looks at a window likes better: a gradient, letters of this machine, and a
+    /// word about the help. Pictures that are counted are the same in windows and files.
+    void suit_onlooker(l3d_program& program) {
+        const l3d_frame_settings frames = program.options().frame_settings();
+        const bool in_window = this->screen().is_window();
+        if (this->settings().background.is_none())
+            program.check_transparency(in_window);
+        if (!in_window || frames.frames != 0)
+            return;
+        if (!asked_.background() && asked_.error_output().empty())
+            this->settings().background = l3d_background::gradient();
+        std::string why;
+        this->controls().set_font(l3d_font::of_system(why));
+        if (!why.empty())
+            std::cerr << program.options().command() << ": L3D_FONT: " << why << '\n';
+        constexpr double seconds = 5; // one line is read in two
+        if (frames.output.empty())
+            this->controls().show_hint(seconds);
+    }
+
     /// The name - is the standard output.
     static void write(const std::string& file, l3d_size size, std::span<const float> values) {
         if (file == "-")
@@ -79,8 +103,10 @@ private:
     }
 
     /// What the options did, and what undoes it.
-    std::string way_to_mend(const std::string& why) const {
-        if (why.ends_with("plane"))
+    std::string way_to_mend(const std::string& reason) const {
+        if (reason == l3d_turning_its_back)
+            return "give --all-faces, or press b in a window";
+        if (reason.ends_with("plane"))
             return "leave out --near and --far, or press f in a window";
         return asked_.places_camera() ? "leave out --eye and --target, or press f in a window"
                                       : "press f in a window";

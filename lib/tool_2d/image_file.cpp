@@ -33,6 +33,13 @@ void append_rgb(std::vector<std::uint8_t>& bytes, std::span<const std::uint32_t>
     }
 }
 
+void append_rgba(std::vector<std::uint8_t>& bytes, std::span<const std::uint32_t> words) {
+    for (const auto word : words) {
+        append_rgb(bytes, {&word, 1});
+        bytes.push_back(static_cast<std::uint8_t>(~word >> 24));
+    }
+}
+
 void write_bytes(std::FILE* file, const std::string& name, std::span<const std::uint8_t> bytes) {
     if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size())
         throw_write_error(name);
@@ -74,17 +81,21 @@ struct png_picture : png_image {
 
 } // namespace
 
-void l3d_write_png(const std::string& path, const l3d_pixels& pixels) {
+void l3d_write_png(const std::string& path, const l3d_pixels& pixels, l3d_alpha alpha) {
+    const bool with_alpha = alpha == l3d_alpha::transparency;
     std::vector<std::uint8_t> bytes;
-    bytes.reserve(rgb_bytes * static_cast<std::size_t>(pixels.width) *
+    bytes.reserve((rgb_bytes + (with_alpha ? 1 : 0)) * static_cast<std::size_t>(pixels.width) *
                   static_cast<std::size_t>(pixels.height));
     for (int y = 0; y < pixels.height; ++y)
-        append_rgb(bytes, pixels.row(y));
+        if (with_alpha)
+            append_rgba(bytes, pixels.row(y));
+        else
+            append_rgb(bytes, pixels.row(y));
 
     png_picture picture;
     picture.width = static_cast<png_uint_32>(pixels.width);
     picture.height = static_cast<png_uint_32>(pixels.height);
-    picture.format = PNG_FORMAT_RGB;
+    picture.format = with_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
     output_file file(path);
     errno = 0;
     if (png_image_write_to_stdio(&picture, file.get(), 0, bytes.data(), 0, nullptr) == 0) {
@@ -143,9 +154,11 @@ void l3d_write_pfm(std::FILE* file, const std::string& name, int width, int heig
         throw_write_error(name);
 }
 
-void l3d_write_image(const std::string& path, const l3d_pixels& pixels) {
+void l3d_write_image(const std::string& path, const l3d_pixels& pixels, l3d_alpha alpha) {
     if (ends_with(path, ".png"))
-        l3d_write_png(path, pixels);
+        l3d_write_png(path, pixels, alpha);
+    else if (alpha == l3d_alpha::transparency)
+        throw l3d_error(l3d_exit::usage, path + ": only a .png holds what is transparent");
     else if (ends_with(path, ".ppm"))
         l3d_write_ppm(path, pixels);
     else

@@ -15,9 +15,16 @@
 // nor a power failure costs the old picture or leaves half a new one. The same pixels give the same
 // bytes: no time and no program name is stored.
 
-/// Writes an 8-bit RGB PNG.
+/// What a word's highest byte says in a file.
+enum class L3D_PUBLIC l3d_alpha {
+    none,         ///< nothing: the file has red, green and blue
+    transparency, ///< how transparent a pixel is (l3d_pixels): the file has an alpha channel
+};
+
+/// Writes an 8-bit RGB or RGBA PNG. Alpha is the share of the pixel that is covered.
 /// Errors:  l3d_error(failure) that names the path and the system's or libpng's reason.
-L3D_PUBLIC void l3d_write_png(const std::string& path, const l3d_pixels& pixels);
+L3D_PUBLIC void l3d_write_png(const std::string& path, const l3d_pixels& pixels,
+                              l3d_alpha alpha = l3d_alpha::none);
 
 /// Writes a binary PPM (P6) into an open file, for streams; pictures may follow each other.
 /// Errors:  l3d_error(failure) that gives `name` and the system's reason.
@@ -39,8 +46,10 @@ L3D_PUBLIC void l3d_write_pfm(std::FILE* file, const std::string& name, int widt
                               std::span<const float> values);
 
 /// Writes PNG or PPM, by the end of the path: .png or .ppm, in either case.
-/// Errors:  l3d_error(usage) that names the path if it ends otherwise; else as l3d_write_png.
-L3D_PUBLIC void l3d_write_image(const std::string& path, const l3d_pixels& pixels);
+/// Errors:  l3d_error(usage) that names the path if it ends otherwise, or in .ppm although there is
+///          alpha; else as l3d_write_png.
+L3D_PUBLIC void l3d_write_image(const std::string& path, const l3d_pixels& pixels,
+                                l3d_alpha alpha = l3d_alpha::none);
 
 /// Reads any PNG as 8-bit RGB, rows without padding.
 /// Errors:  l3d_error(bad_input) that names the path and the reason.

@@ -26,13 +26,18 @@ inline constexpr int l3d_largest_side = 16384;
 ///
 /// Shape:   height rows of `stride` words, the first `width` of each the picture; row 0 on top.
 /// Units:   one word is 0x00RRGGBB in host byte order, whatever the display; screens convert
-///          when they show.
+///          when they show. The highest byte means nothing, but in a picture without background:
+///          there it is how transparent the pixel is, 0 for not at all. Red, green and blue are
+///          then those of what covers the rest, as in PNG files.
 /// Lives:   borrows; the screen or image that made it owns the words.
 struct L3D_PUBLIC l3d_pixels {
     std::uint32_t* words = nullptr; ///< the first word of the top row
     int width = 0;                  ///< number of columns
     int height = 0;                 ///< number of rows
     std::ptrdiff_t stride = 0;      ///< words from one row to the next
+
+    /// The word of an empty pixel in a picture without background.
+    static constexpr std::uint32_t transparent = 0xff000000;
 
     /// Width and height, in pixels.
     l3d_size size() const { return {width, height}; }

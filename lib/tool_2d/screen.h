@@ -46,6 +46,11 @@ public:
     /// Units:   pictures per second.
     double usual_fps() const { return do_usual_fps(); }
 
+    /// How much larger text has to be than on a display of 96 dots an inch. It is 1.5 where the
+    /// user has set 144 and a pixel of ours is one of the display's. People read it as easily
+    /// then. At least 1.
+    double text_scale() const { return do_text_scale(); }
+
     /// Covers the whole display, or no longer. A screen that is no window stays as it is.
     void set_fullscreen(bool on) { do_set_fullscreen(on); }
     /// Whether it covers the whole display now.
@@ -66,6 +71,7 @@ private:
     virtual bool do_is_busy() const { return false; }
     virtual bool do_is_window() const { return false; }
     virtual double do_usual_fps() const { return 60; }
+    virtual double do_text_scale() const { return 1; }
     virtual void do_set_fullscreen(bool) {}
     virtual bool do_is_fullscreen() const { return false; }
     virtual std::string do_describe() const = 0;

@@ -102,7 +102,7 @@ TEST(mtl_file, has_colors_and_highlights) {
     EXPECT_EQ(read_mtl("# by hand\nnewmtl shiny  red\nKa 0 0 0\nKd 1 .5 0\nKs 0.2\nNs 90.5\n"
                        "illum 2\nnewmtl matt\r\n\tKd 0.1 0.2 0.3\r\nKs 1 1 1\nillum 1\n"),
               (std::vector<l3d_named_material>{
-                  {"shiny red", {.color = 0xff8000, .highlight = 0x333333, .sharpness = 90.5F}},
+                  {"shiny red", {.color = 0xff8000, .highlight = 0x333333, .sharpness = 91}},
                   {"matt", {.color = 0x1a334d}}}));
     EXPECT_EQ(
         read_mtl("newmtl a\nNs 0\nnewmtl b\nNs 5000"),

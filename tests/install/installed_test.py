@@ -261,6 +261,11 @@ def runs_as_told(made):
     spin = read_png(made / "spin.png")
     grey = sum(color & 255 == color >> 16 and color != 0 for row in spin for color in row)
     expect(30000 < grey < 200000 and 0xFFE080 in spin[8], "a teapot of", grey, "pixels")
+    told = run("./probe", made).stdout
+    expect(re.search(r"^patch \d+\n", told) and re.search(r"^distance 0\.\d+, off by \S+ at most$", told, re.M), told)
+    probe = read_png(made / "probe.png")
+    filled = [x for row in probe for x in range(640) if row[x] != 0]
+    expect(0.8 < (max(filled) - min(filled) + 1) / 640 < 0.9, "a framed teapot")
     sail = read_png(made / "sail.png")
     expect(6000 < sum(color != 0 for row in sail for color in row) < 60000, "the sail")
     even = read_png(made / "even.png")

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -38,6 +39,9 @@ tally compare(std::uint64_t seed, int frames, int threads, bool antialias = fals
     studio s(seed);
     s.settings.threads = threads;
     s.settings.antialias = antialias;
+    constexpr std::array backgrounds{l3d_background(), l3d_background::gradient(),
+                                     l3d_background::none()};
+    s.settings.background = backgrounds[seed % backgrounds.size()];
     tester program(s.scene, s.camera, s.settings, std::make_shared<Factory>());
     tally result;
     program.draw_event();

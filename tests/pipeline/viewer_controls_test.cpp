@@ -17,7 +17,9 @@ namespace {
 /// A viewer of nothing, with a key of its own.
 class nothing_viewer : public l3d_pipeline {
 public:
-    l3d_screen_memory screen{{403, 311}};
+    explicit nothing_viewer(l3d_size size = {403, 311}) : screen(size) {}
+
+    l3d_screen_memory screen;
     l3d_camera camera;
     int own = 0, resets = 0;
     l3d_viewer_controls controls{
@@ -109,14 +111,47 @@ TEST(viewer_controls, show_status_help_and_a_message_until_the_next_key) {
     EXPECT_EQ(it.text_rows(), 0);
     it.controls.key('o');
     const int status = it.text_rows();
-    EXPECT_GT(status, 20);
+    EXPECT_GT(status, 20) << "two lines, and the panel around them";
     it.controls.key('?');
     const int help = it.text_rows();
-    EXPECT_GT(help, 5 * status) << "ten rows of ours and one of the viewer's";
+    EXPECT_GT(help, 4 * status) << "ten rows of ours and one of the viewer's";
     it.controls.key('p');
     EXPECT_GT(it.text_rows(), help);
     EXPECT_TRUE(it.controls.key('j')) << "the message goes";
     EXPECT_EQ(it.text_rows(), help);
+}
+
+TEST(viewer_controls, tell_of_the_help_for_some_seconds_or_until_a_key) {
+    nothing_viewer it;
+    it.controls.show_hint(1);
+    EXPECT_GT(it.text_rows(), 10);
+    EXPECT_FALSE(it.controls.update(0.6)) << "it is still shown";
+    EXPECT_TRUE(it.controls.shows_text());
+    EXPECT_TRUE(it.controls.update(0.6)) << "it has to go";
+    EXPECT_FALSE(it.controls.shows_text());
+    EXPECT_FALSE(it.controls.update(0.6));
+    it.controls.show_hint(1);
+    EXPECT_TRUE(it.controls.key('j'));
+    EXPECT_FALSE(it.controls.shows_text());
+    EXPECT_EQ(it.text_rows(), 0);
+}
+
+/// With letters made for finer displays, too: everything is inside, as margins show.
+TEST(viewer_controls, fit_into_every_window) {
+    for (const l3d_size size : {l3d_size{320, 240}, {403, 311}, {640, 480}, {240, 900}}) {
+        nothing_viewer it(size);
+        it.controls.key('h');
+        it.controls.key('o');
+        it.controls.key('p');
+        EXPECT_GT(it.text_rows(), 100);
+        for (int y = 0; y < size.height; ++y) {
+            const auto row = it.screen.pixels().row(y);
+            ASSERT_EQ(row.front() | row.back(), 0u) << size.width << ", row " << y;
+            if (y == 0 || y == size.height - 1) {
+                ASSERT_TRUE(std::ranges::all_of(row, [](std::uint32_t word) { return word == 0; }));
+            }
+        }
+    }
 }
 
 TEST(viewer_controls, save_the_screens_pixels) {

@@ -132,6 +132,28 @@ TEST_P(mesa_2d, PointsAndLinesAreTheSamePixels) {
     EXPECT_EQ(t.different(), 0) << "seed " << seed + 1;
 }
 
+TEST_P(mesa_2d, CoverageIsMixedToWithinALevel) {
+    twins t(context(), 61, 43);
+    std::mt19937 random(seed + 9);
+    std::uniform_int_distribution<int> near(-40, 90);
+    const std::array<l3d_point_2d, 4> all{{{-1, -1}, {70, -1}, {70, 50}, {-1, 50}}};
+    for (int n = 0; n < 300; ++n) {
+        const int width = near(random) + 41, height = near(random) + 41;
+        std::vector<std::uint8_t> values(static_cast<std::size_t>(width * height));
+        for (std::uint8_t& value : values)
+            value = static_cast<std::uint8_t>(random() % 2 == 0 ? 200 : random());
+        const l3d_coverage_2d shape{near(random), near(random),  width,
+                                    height,       values.data(), n % 2 == 0 ? 0 : width};
+        const auto color = static_cast<std::uint32_t>(random() & 0x00ffffff);
+        const auto ground = static_cast<std::uint32_t>(random() & 0x00ffffff);
+        t.draw([&](l3d_rasterizer_2d& r) {
+            r.draw_polygon_flatshaded(all, ground);
+            r.draw_coverage(shape, color);
+        });
+        ASSERT_LE(t.worst_channel(), 1) << "seed " << seed + 9 << ", shape " << n;
+    }
+}
+
 /// Corners around an ellipse, convex but for rounding; every third time on whole and half pixels.
 std::vector<l3d_point_2d> random_convex(std::mt19937& random, double reach) {
     const auto real = [&](double a, double b) {

@@ -194,6 +194,57 @@ TEST(Refine, AFoldHasItsExactShareOfEachPixel) {
     EXPECT_GT(between, 5000);
 }
 
+/// A tube round a line through the picture's middle, seen from its side. Both of its outlines are
+/// folds. Its levels are those of a light that comes from beside the eye.
+l3d_surface_part tube(double direction, double radius, double light) {
+    constexpr int columns = 51, rows = 12;
+    constexpr double half_turn = 3.14159265358979, length = 90, level = 229.5;
+    const double along_x = std::cos(direction), along_y = std::sin(direction);
+    l3d_micro_grid grid;
+    grid.resize(columns, rows + 1);
+    for (int row = 0; row <= rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            // Round by more than a half, so that the borders lie behind.
+            const double angle = 0.6 * half_turn * (2.0 * column / (columns - 1) - 1);
+            const double aside = radius * std::sin(angle), along = length * (row - rows / 2) / rows;
+            const auto place = [](double pixels) {
+                return static_cast<std::int32_t>(std::lround(256 * pixels));
+            };
+            surface_picture::set(grid, row, column,
+                                 {place(32 + along * along_x - aside * along_y),
+                                  place(24 + along * along_y + aside * along_x),
+                                  static_cast<float>(1 / (100 - radius * std::cos(angle))),
+                                  {static_cast<float>(level * std::cos(angle - light)), 0, 0}});
+        }
+    return part_of(grid);
+}
+
+/// The light of a tube changes by up to 40 levels from pixel to pixel beside its outlines.
+TEST(Refine, SteepLevelsBesideAFoldAreThoseOfTheSlowTwin) {
+    constexpr l3d_size size{64, 48};
+    surface_picture picture(size.width, size.height, 1);
+    double sum = 0, largest = 0;
+    int pixels = 0;
+    for (int n = 0; n < 24; ++n) {
+        const surface_parts scene{tube(0.1 + n * 0.26, 8 + n % 5 * 3, (n % 3 - 1) * 0.7)};
+        draw(picture, scene, antialiased(l3d_shade::levels));
+        slow_picture slow(scene, size, l3d_shade::levels);
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                const auto exact = slow.at(x, y);
+                if (exact.darkest > 0 || exact.brightest == 0)
+                    continue;
+                const double error = std::abs(int(picture.word(x, y) & 255) - exact.level);
+                ++pixels;
+                sum += error * error;
+                largest = std::max(largest, error);
+            }
+    }
+    EXPECT_GT(pixels, 3000);
+    EXPECT_LT(std::sqrt(sum / pixels), 1.5);
+    EXPECT_LT(largest, 16);
+}
+
 TEST(Refine, LevelsComeBackFromLight) {
     const l3d_detail::linear_light& tables = l3d_detail::linear_light_tables();
     for (std::uint32_t level = 0; level < 256; ++level)

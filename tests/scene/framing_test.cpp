@@ -214,8 +214,8 @@ TEST(framing, why_nothing_is_seen_is_told_in_words) {
     camera.near = 0.1;
     camera.far = 0.2;
     EXPECT_EQ(why(camera), "beyond the far plane");
-    for (const auto& by : {vector{40.0, 0.0, 0.0}, vector{-40.0, 0.0, 0.0}, vector{0.0, 40.0, 0.0},
-                           vector{0.0, -40.0, 0.0}})
+    for (const auto& by : {vector{15.0, 0.0, 0.0}, vector{-12.0, 0.0, 0.0}, vector{0.0, 8.0, 0.0},
+                           vector{0.0, -8.0, 0.0}})
         for (const bool parallel : {false, true}) {
             camera = usual;
             camera.move(by);

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <new>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
@@ -29,6 +30,7 @@ struct program {
         options.add("--net", net, "draw it");
         options.add("--eye", eye, "where from");
         options.add("--window", window, "its size");
+        options.add("--background", background, "what is behind");
         options.add_choice<fruit>("--fruit", kind, "which",
                                   {{"apple", fruit::apple}, {"quince", fruit::quince}});
     }
@@ -44,6 +46,7 @@ struct program {
     bool net = false;
     l3d_vector<double, 3> eye{1.5, -2.0, 7.0};
     l3d_size window{64, 48};
+    std::optional<l3d_background> background;
     fruit kind = fruit::quince;
     std::ostringstream out;
     l3d_options options{"tester", "Tests.", {640, 400}};
@@ -156,6 +159,21 @@ TEST(options, reads_a_programs_own) {
     EXPECT_EQ(tester.kind, fruit::apple);
 }
 
+TEST(options, a_background_is_a_word_or_a_colour) {
+    program tester;
+    EXPECT_TRUE(tester.parse({"--net"}));
+    EXPECT_FALSE(tester.background);
+    EXPECT_TRUE(tester.parse({"--background", "1,20,255"}));
+    EXPECT_EQ(tester.background, l3d_background::color(0x000114ff));
+    EXPECT_EQ(tester.options.frame_settings().alpha, l3d_alpha::none);
+    EXPECT_TRUE(tester.parse({"--background", "none", "--output", "a.png"}));
+    EXPECT_EQ(tester.background, l3d_background::none());
+    EXPECT_EQ(tester.options.frame_settings().alpha, l3d_alpha::transparency);
+    EXPECT_TRUE(tester.parse({"--background", "none", "--background", "gradient"}));
+    EXPECT_EQ(tester.background, l3d_background::gradient());
+    EXPECT_EQ(tester.options.frame_settings().alpha, l3d_alpha::none);
+}
+
 TEST(options, the_last_one_counts) {
     program tester;
     EXPECT_TRUE(tester.parse({"--size", "5x7", "--threads", "2", "--size", "9x11"}));
@@ -228,6 +246,12 @@ INSTANTIATE_TEST_SUITE_P(
         refusal{{"--eye", "1,2"}, "--eye", "'1,2'"},
         refusal{{"--eye", "1,2,3,4"}, "--eye", "'1,2,3,4'"},
         refusal{{"--eye", "1,nan,3"}, "--eye", "'1,nan,3'"},
+        refusal{{"--background", "1,2"}, "--background", "'1,2'"},
+        refusal{{"--background", "1,2,256"}, "--background", "'1,2,256'"},
+        refusal{{"--background", "1,-2,6"}, "--background", "'1,-2,6'"},
+        refusal{{"--background", "red"}, "--background", "'red'"},
+        refusal{{"--background", "none", "--output", "a.ppm"}, "--output", "'a.ppm'"},
+        refusal{{"--output", "-", "--background", "none"}, "--background none", "'-'"},
         refusal{{"--fruit", "pear"}, "--fruit", "'pear'"},
         refusal{{"--fruit", ""}, "--fruit", "''"}));
 

@@ -69,6 +69,32 @@ l3d_exit code_of(const auto& action, const std::string& part_of_text) {
     return l3d_exit::well;
 }
 
+/// The byte of a PNG that says which channels it has: 2 for colours, 6 for alpha, too.
+int channels_of(const std::string& path) {
+    constexpr std::size_t place = 25;
+    return contents(path).at(place);
+}
+
+TEST_F(image_file, alpha_is_written_on_request_and_nowhere_else) {
+    l3d_image image({2, 1}, 2);
+    image.pixels().row(0)[0] = 0x40c0d0e0;
+    image.pixels().row(0)[1] = l3d_pixels::transparent;
+    l3d_write_png(path("a.png"), image.pixels());
+    EXPECT_EQ(channels_of(path("a.png")), 2);
+    EXPECT_EQ(l3d_read_png(path("a.png")).pixels().row(0)[0], 0x00c0d0e0u);
+    l3d_write_image(path("b.PNG"), image.pixels(), l3d_alpha::transparency);
+    EXPECT_EQ(channels_of(path("b.PNG")), 6);
+    l3d_image on_black = l3d_read_png(path("b.PNG")); // by libpng, in linear light
+    EXPECT_EQ(on_black.pixels().row(0)[1], 0u);
+    EXPECT_LT(on_black.pixels().row(0)[0], 0x00c0d0e0u);
+    EXPECT_GT(on_black.pixels().row(0)[0], 0u);
+    const auto action = [&] {
+        l3d_write_image(path("c.ppm"), image.pixels(), l3d_alpha::transparency);
+    };
+    EXPECT_EQ(code_of(action, "c.ppm"), l3d_exit::usage);
+    EXPECT_EQ(files(), 2u);
+}
+
 TEST_F(image_file, png_round_trip) {
     auto image = random_image({37, 11});
     l3d_write_png(path("a.png"), image.pixels());

@@ -6,7 +6,9 @@
 #include "tool_2d/x11/x11_visual_p.h"
 #include "tool_2d/x11/x11_window_p.h"
 
+#include <algorithm>
 #include <array>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -51,6 +53,23 @@ TEST(x11_window, tells_which_program_it_is) {
     EXPECT_EQ(size.flags & (PSize | PMinSize), PSize | PMinSize);
     EXPECT_EQ(size.width, odd_size.width);
     EXPECT_EQ(size.height, odd_size.height);
+}
+
+TEST(x11_window, has_an_icon_that_desktops_show) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make<l3d_screen_factory_ximage>();
+    const onlooker other;
+    const std::string bytes = other.property("_NET_WM_ICON");
+    std::vector<long> items(bytes.size() / sizeof(long)); // the first of them
+    std::memcpy(items.data(), bytes.data(), bytes.size());
+    ASSERT_GT(items.size(), 1000u);
+    EXPECT_EQ(items[0], 48);
+    EXPECT_EQ(items[1], 48);
+    EXPECT_EQ(items[2], 0) << "the corner is transparent";
+    const auto opaque =
+        std::ranges::count_if(items, [](long item) { return (item >> 24 & 255) == 255; });
+    EXPECT_GT(opaque, 200);
 }
 
 TEST(x11_window, pixels_are_squares_of_the_displays) {
@@ -179,6 +198,18 @@ TEST(x11_scale, is_what_the_program_asks_for_first) {
         request.scale = scale;
         EXPECT_EQ(x11_scale(*connection, request), scale);
     }
+}
+
+/// By the display's dots an inch, as far as larger pixels do not make up for them.
+TEST(x11_scale, leaves_to_letters_what_pixels_do_not_make_up_for) {
+    const xvfb server("601x407x24");
+    L3D_REQUIRE_SERVER(server);
+    const onlooker other;
+    EXPECT_EQ(scale_with(other, "Xft.dpi: 192\n", 100), 2);
+    for (const auto& [scale, text] : {std::pair(0, 1.0), std::pair(1, 2.0), std::pair(3, 1.0)})
+        EXPECT_EQ(make_scaled(scale)->text_scale(), text) << scale;
+    EXPECT_EQ(scale_with(other, "Xft.dpi: 120\n", 100), 1);
+    EXPECT_EQ(make_scaled(0)->text_scale(), 1.25);
 }
 
 } // namespace

@@ -46,7 +46,7 @@ def window_of_8_bits(name):
     """What the window shows, in the colours that the display gives its pixels."""
     teapot = harness.Program("teapot_afd", (320, 200))
     with x_server("-screen", "0", "400x300x8", "-cc", str(CLASSES.index(name))) as server:
-        with Shown(teapot, server, "--backend", "ximage") as it:
+        with Shown(teapot, server, "--backend", "ximage", *harness.COUNTED) as it:
             _, _, _, map_of = it.eyes.visual(it.window)
             wanted = memory_picture(teapot)
             pixels = lambda: it.eyes.pixels(it.window, *teapot.size)

@@ -21,7 +21,7 @@ WAKING = {DRAWDOT: "j", TEAPOT: "space"}
 DEATHS = {DRAWDOT: range(3, 90, 10), TEAPOT: range(1, 300, 10)}  # the dot comes to the border
 PICTURES = ("PutImage", "MIT-SHM.PutImage")
 PUTS = {"ximage": 1, "xshm": 2}  # up to the first picture: that memory is shared takes one to prove
-STARTING = {"ximage": 30, "xshm": 40}  # and ten requests
+STARTING = {"ximage": 32, "xshm": 42}  # and ten requests
 COLOURED = ("--shade", "normals")
 LAST_OF_OPENING = "XKEYBOARD.0"  # the last request that XOpenDisplay makes
 GOODBYE = 5  # seconds to end in: one by the requirement, the rest for sanitizers and a busy machine
@@ -131,7 +131,7 @@ def pictures(traffic):
 
 def serves(server, display=None, backend="xshm", **how):
     """The teapot in the window is that of memory, and the program ends well."""
-    with Shown(TEAPOT, server, "--backend", backend, *COLOURED, display=display, **how) as it:
+    with Shown(TEAPOT, server, "--backend", backend, *harness.COUNTED, *COLOURED, display=display, **how) as it:
         wanted = harness.memory_picture(TEAPOT, *COLOURED)
         wait_for(lambda: it.picture() == wanted, "the picture that memory holds")
         it.press("q")
@@ -190,7 +190,7 @@ def serves_across_namespaces(backend):
 def goes_on_when_shared_memory_breaks(**faults):
     """No picture is lost: the last one is in the window."""
     with folder() as path, x_server() as server, Proxy(server.display, **faults) as proxy:
-        with Shown(TEAPOT, server, "--backend", "xshm", *COLOURED,
+        with Shown(TEAPOT, server, "--backend", "xshm", *harness.COUNTED, *COLOURED,
                    display=proxy.display, cwd=path) as it:
             for _ in range(12):
                 mark = proxy.mark()

@@ -32,6 +32,10 @@ class Program:
         return [os.path.join(BIN, self.name), "--size", size, *arguments]
 
 
+# Frames that are counted show what memory holds: no gradient, and no word about the help. These last
+# longer than anybody looks.
+COUNTED = ("--frames", "1000000")
+
 DRAWDOT = Program("drawdot", (53, 31))
 PROGRAMS = [
     program
@@ -89,7 +93,7 @@ def wait_for(question, what):
 
 def environment(display=None, **more):
     """The environment without what would steer the programs, but for what is named here."""
-    ours = ("DISPLAY", "L3D_BACKEND", "L3D_NO_SHM", "L3D_MESA")
+    ours = ("DISPLAY", "L3D_BACKEND", "L3D_FONT", "L3D_NO_SHM", "L3D_MESA")
     kept = {name: value for name, value in os.environ.items() if name not in ours}
     if display is not None:
         kept["DISPLAY"] = display
@@ -179,7 +183,7 @@ def xdotool(display, *arguments):
 def window_of(display, program):
     """The number of the program's window, once it is on the screen."""
     pattern = "^%s$" % program.name
-    search = ("search", "--onlyvisible", "--name", pattern)
+    search = ("search", "--onlyvisible", "--classname", pattern)
     return int(wait_for(lambda: xdotool(display, *search).split(), "the window")[0])
 
 

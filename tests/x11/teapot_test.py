@@ -9,7 +9,7 @@ import struct
 
 import harness
 from harness import Checks, Onlooker, Program, environment, expect, expect_equal, folder, run
-from harness import started, wait_for, window_of, x_server, xdotool
+from harness import memory_picture, started, wait_for, window_of, x_server, xdotool
 
 TEAPOT = Program("teapot_afd", (157, 119))
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
@@ -307,11 +307,24 @@ class Window:
         return self.picture()
 
 
+def greets_a_person():
+    """A gradient and a word about the help; a title that names the model. Counted frames have none."""
+    with contextlib.ExitStack() as stack:
+        path = stack.enter_context(folder())
+        it = Window(stack, path)
+        title = xdotool(it.display, "getwindowname", it.window).strip()
+        expect_equal(title, "Utah teapot - teapot_afd", "the title")
+        gradient = memory_picture(TEAPOT, "--background", "gradient")
+        expect(it.picture() != gradient, "no word about the help")
+        expect_equal(it.changes("j"), gradient, "the picture without it")
+        xdotool(it.display, "key", "q")
+
+
 def obeys_its_keys():
     with contextlib.ExitStack() as stack:
         path = stack.enter_context(folder())
         it = Window(stack, path)
-        first = it.picture()
+        first = it.changes("j")  # a key that nobody has takes away the word about the help
         for key in ("Left", "Right", "Up", "Down", "Prior", "Next", "plus", "minus"):
             it.changes(key)
         xdotool(it.display, "key", "Left", "r")
@@ -351,7 +364,8 @@ def main():
         modelview_reports_as_well, writes_distances, writes_the_map_of_errors,
         repeats_itself, explains_what_it_left_out, refuses_wrong_values,
         refuses_a_tolerance_that_nobody_keeps, keeps_all_frames,
-        shows_the_error_where_it_is_bounded, obeys_its_keys, obeys_the_mouse,
+        shows_the_error_where_it_is_bounded, greets_a_person, obeys_its_keys,
+        obeys_the_mouse,
     ):
         checks.run("teapot " + check.__name__, check)
     checks.finish()

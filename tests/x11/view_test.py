@@ -131,6 +131,17 @@ def says_why_a_picture_is_empty():
                 expect(said.startswith(wanted), said)
 
 
+def says_that_a_model_turns_its_back():
+    with folder() as path:
+        with open(os.path.join(path, "back.off"), "w", encoding="ascii") as file:
+            file.write("OFF\n3 1 0\n0 0 0\n0 1 0\n1 0 0\n3 0 1 2\n")
+        said = draw("modelview", (80, 60), "back.off", "--output", "o.png", cwd=path)
+        expect_equal(said, (0, b"", "modelview: the picture is empty, as the model is turning its back; "
+                            "give --all-faces, or press b in a window\n"))
+        said = draw("modelview", (80, 60), "back.off", "--all-faces", "--output", "o.png", cwd=path)
+        expect_equal(said, (0, b"", ""))
+
+
 def picks_from_the_command_line():
     with folder() as path:
         names = {
@@ -198,7 +209,8 @@ def obeys_every_key_of_the_view():
     for viewer in VIEWERS:
         with contextlib.ExitStack() as stack:
             it = Window(stack, viewer)
-            first = it.picture()
+            it.does("f", "key", "f")  # a key ends the line that names h
+            first = it.does("r", "key", "r")
             for key in ("f", "1", "ctrl+1", "3", "ctrl+3", "7", "ctrl+7", "9", "Left", "Prior"):
                 it.does(key, "key", key)
             xdotool(it.display, "key", "r")
@@ -262,7 +274,7 @@ def main():
     checks = Checks()
     for check in (
         frames_any_model, frames_the_teapot_where_it_was_cut, keeps_the_teapots_own_view,
-        says_why_a_picture_is_empty, picks_from_the_command_line, obeys_every_key_of_the_view,
+        says_why_a_picture_is_empty, says_that_a_model_turns_its_back, picks_from_the_command_line, obeys_every_key_of_the_view,
         obeys_every_gesture, keeps_the_model_in_a_window_of_another_size,
         says_in_the_window_that_it_is_empty,
     ):

@@ -29,7 +29,7 @@ def quantised(rows, depth, masks):
 def shows_exactly(backend, depth, display_of=None, **faults):
     with x_server("-screen", "0", "300x200x%d" % depth) as server:
         with Proxy(server.display, **faults) as proxy:
-            with Shown(TEAPOT, server, "--backend", backend, *COLOURED,
+            with Shown(TEAPOT, server, "--backend", backend, *harness.COUNTED, *COLOURED,
                        display=proxy.display if faults else None) as it:
                 found, _, masks, _ = it.eyes.visual(it.window)
                 expect_equal(found, depth)
@@ -65,7 +65,7 @@ def shows_closely(name):
     """Whatever the default is, for a visual with alpha is no better one."""
     number = str(CLASSES.index(name))
     with x_server("-screen", "0", "300x200x8", "-cc", number) as server:
-        with Shown(TEAPOT, server, "--backend", "ximage", *COLOURED) as it:
+        with Shown(TEAPOT, server, "--backend", "ximage", *harness.COUNTED, *COLOURED) as it:
             depth, kind, _, map_of = it.eyes.visual(it.window)
             expect_equal((depth, CLASSES[kind]), (8, name))
             wanted = memory_picture(TEAPOT, *COLOURED)

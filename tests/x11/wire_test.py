@@ -127,7 +127,8 @@ def weathers_a_storm_of_sizes(backend, count=300):
     """The picture has the last size, and memory did not grow with their number."""
     last = (233, 144)
     with x_server() as server, Proxy(server.display) as proxy:
-        with Shown(TEAPOT, server, "--backend", backend, display=proxy.display) as it:
+        with Shown(TEAPOT, server, "--backend", backend, *harness.COUNTED,
+                   display=proxy.display) as it:
             steps = []
             for i in range(count):
                 steps += ["windowsize", it.window, 60 + 7 * i % 301, 50 + 11 * i % 211]

@@ -4,7 +4,10 @@
 #define L3D_DICE_DOUBTS_DOUBT_BOUNDS_H
 
 #include "dice/doubts/doubt_piece.h"
+#include "dice/doubts/light_bounds.h"
 #include "geom/step_bound.h"
+#include "raster/background.h"
+#include "raster/srgb_light.h"
 #include "scene/dice_view.h"
 
 #include <array>
@@ -22,6 +25,16 @@ struct l3d_doubt_view {
     l3d_vector<double, 3> light{0.0, 0.0, 1.0}; ///< unit, in the world
     /// How far drawn things may be from the exact ones: in the picture, and along the normal.
     double bound_px = 0, depth_bound_px = 0;
+    l3d_background background{}; ///< any but none
+
+    /// The background's light in a row of pixels.
+    l3d_light_bounds background_light(int row) const {
+        const std::uint32_t word = background.word(row, view.size.height);
+        const std::array<double, 3> channels{l3d_light_of_level(word >> 16 & 255),
+                                             l3d_light_of_level(word >> 8 & 255),
+                                             l3d_light_of_level(word & 255)};
+        return {channels, channels};
+    }
 };
 
 /// A number that changes over a piece. It is between least and most, and also within `off` of a

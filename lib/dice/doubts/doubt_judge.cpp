@@ -243,7 +243,8 @@ void l3d_doubt_judge::mark_seen(std::vector<bool>& pieces) const {
 l3d_doubt_verdict l3d_doubt_judge::judge(const l3d_image_box& cell,
                                          std::span<const std::uint32_t> touching,
                                          std::span<const l3d_doubt_leaf> leaves,
-                                         const l3d_dice_view& view) {
+                                         const l3d_dice_view& view,
+                                         const l3d_light_bounds& background) {
     gather(cell, touching, leaves);
     connect();
     look_for(cell, view, 0);
@@ -267,16 +268,17 @@ l3d_doubt_verdict l3d_doubt_judge::judge(const l3d_image_box& cell,
         is_any = true;
     }
     if (is_certain)
-        return judge_alone(cell);
+        return judge_alone(cell, background);
     if (farthest == infinite)
-        light.include(l3d_light_bounds::none());
+        light.include(background);
     return {false, light, light.levels_apart()};
 }
 
 /// All pieces of the sheet, by the line of the best: how far they may be below and above it.
-l3d_doubt_verdict l3d_doubt_judge::judge_alone(const l3d_image_box& cell) const {
+l3d_doubt_verdict l3d_doubt_judge::judge_alone(const l3d_image_box& cell,
+                                               const l3d_light_bounds& background) const {
     if (only_ == nowhere)
-        return {true, l3d_light_bounds::none(), 0};
+        return {true, background, 0};
     const l3d_doubt_bounds* line = nullptr;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
         if (const l3d_doubt_bounds& b = pieces_[i]->bounds;

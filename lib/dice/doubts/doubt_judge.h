@@ -28,7 +28,8 @@ public:
     /// What the exact picture shows in a cell. Shape: indices into leaves, of all pieces that may
     /// reach into the cell.
     l3d_doubt_verdict judge(const l3d_image_box& cell, std::span<const std::uint32_t> touching,
-                            std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view);
+                            std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view,
+                            const l3d_light_bounds& background);
 
     /// Whether a cell, grown by the bound of places, shows a single surface, even if all is drawn
     /// nearer or farther by its bound. Shape: as judge.
@@ -37,7 +38,8 @@ public:
 
     /// What the exact picture shows in a part of the cell that was judged last. Expects: a single
     /// surface, or the background, was found to fill that.
-    l3d_doubt_verdict judge_alone(const l3d_image_box& part) const;
+    l3d_doubt_verdict judge_alone(const l3d_image_box& part,
+                                  const l3d_light_bounds& background) const;
 
     /// Sets what stands for the pieces that may be seen in the cell that was judged last. Of sheets
     /// that are wholly hidden there nothing needs to be known: what hides them is nearer, also in

@@ -197,8 +197,10 @@ void l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching
     }
     if (!c.of_light)
         return;
-    const l3d_doubt_verdict v =
-        is_alone ? judge_.judge_alone(box) : judge_.judge(box, touching, leaves_, view_->view);
+    const l3d_light_bounds background = view_->background_light(tile_.top + (c.row >> fineness_));
+    const l3d_doubt_verdict v = is_alone
+                                    ? judge_.judge_alone(box, background)
+                                    : judge_.judge(box, touching, leaves_, view_->view, background);
     c.light = l3d_light_bounds::none();
     c.light.add(v.light, part);
     c.unsure = v.is_certain ? 0 : part;

@@ -148,11 +148,26 @@ void l3d_frame_doubts::find_tile(const l3d_doubted_frame& frame, const l3d_pixel
     }
 }
 
+/// All of a level may be wrong.
+void l3d_frame_doubts::know_nothing(l3d_size size) {
+    map_.begin(size);
+    coverage_.begin(size);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            map_.set(x, y, 255);
+            coverage_.set(x, y, 1);
+        }
+    coverage_bound_ = color_bound_ = infinite;
+}
+
 void l3d_frame_doubts::find(const l3d_doubted_frame& frame, l3d_workers& workers) {
     view_.view = frame.view;
     view_.world_of_image = world_of_image(frame.to_image);
+    view_.background = frame.background;
     view_.light = frame.light * (1 / l3d_length(frame.light));
     const bool has_bounds = std::isfinite(frame.bound_px + frame.depth_bound_px);
+    if (!frame.has_levels)
+        return know_nothing(frame.view.size);
     is_searched_ = frame.bound_px + frame.depth_bound_px <= most_searched;
     view_.bound_px = is_searched_ ? frame.bound_px : infinite;
     view_.depth_bound_px = frame.depth_bound_px;

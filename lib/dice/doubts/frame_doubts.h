@@ -26,7 +26,9 @@ struct l3d_doubted_frame {
     l3d_vector<double, 3> light; ///< towards the light, in the world; any length
     /// Of places and of depth; infinite if there is none. Units: pixels.
     double bound_px, depth_bound_px;
-    l3d_pixels drawn; ///< greys in all three channels, or any colours
+    bool has_levels = true; ///< it shows Lambert's levels of one white light; else nothing is known
+    l3d_pixels drawn;       ///< greys in all three channels, or any colours
+    l3d_background background{}; ///< what is exactly seen behind all surfaces; not none
 };
 
 /// Bounds the exact picture from the exact patches, and compares what was drawn with it (NUMERICS,
@@ -63,6 +65,7 @@ private:
         double coverage = 0, color = 0;
     };
 
+    void know_nothing(l3d_size size);
     void place(const l3d_doubted_frame& frame);
     l3d_doubt_piece whole_of(const l3d_doubted_frame& frame, const placed& p) const;
     void find_tile(const l3d_doubted_frame& frame, const l3d_pixel_box& box, l3d_doubt_tile& tile,

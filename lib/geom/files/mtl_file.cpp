@@ -71,7 +71,8 @@ private:
         else if (word == "Ks")
             read_color(look.highlight);
         else if (word == "Ns" && number(value, "Ns"))
-            look.sharpness = static_cast<float>(std::clamp(value, 1.0, most_sharpness));
+            look.sharpness = static_cast<int>(
+                std::lround(std::clamp(value, 1.0, double{l3d_material::most_sharpness})));
         else if (word == "illum" && number(value, "illum"))
             has_highlights_ = value >= highlights_from;
     }
@@ -114,9 +115,6 @@ private:
         if (!materials_.empty() && !has_highlights_)
             materials_.back().look.highlight = 0;
     }
-
-    /// The format's own limit.
-    static constexpr double most_sharpness = 1000;
 
     text_cursor& text_;
     std::vector<l3d_named_material>& materials_;

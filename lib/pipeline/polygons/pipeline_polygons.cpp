@@ -88,16 +88,24 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
         report.polygons = {};
         report.time_ms.place = placing.milliseconds();
         const stopwatch drawing;
-        rasterizer_.clear_buffer();
-        l3d_detail::wire_drawer(rasterizer_, wire_color, settings_.antialias).draw(lines);
+        const bool is_none = settings_.background.is_none();
+        (is_none ? l3d_background() : settings_.background).fill(target);
+        l3d_detail::wire_drawer(rasterizer_, is_none ? l3d_detail::white : wire_color,
+                                settings_.antialias)
+            .draw(lines);
+        if (is_none) {
+            rasterizer_.finish();
+            l3d_detail::make_lines_transparent(target, wire_color);
+        }
         report.time_ms.raster = drawing.milliseconds();
         return;
     }
     assert(settings_.shade != l3d_shade::error);
     const bool is_solid = settings_.style == l3d_polygon_style::solid;
     const bool smooth = settings_.shade != l3d_shade::flat;
-    l3d_shading shading = view.shading(settings_.shade, settings_.light);
+    l3d_shading shading = view.shading(settings_.shade, settings_.light, settings_.lighting);
     shading.antialias = settings_.antialias && is_solid;
+    shading.background = settings_.background;
     frame_->make(model_, view,
                  {.cull = settings_.cull, .smooth = smooth, .squares = shading.antialias},
                  workers_);
@@ -175,14 +183,19 @@ void l3d_pipeline_polygons::update_event(double seconds) {
     stale_ |= controls_.update(seconds);
 }
 
+void l3d_pipeline_polygons::tell_empty() {
+    const std::string why = report_.polygons.drawn == 0 ? why_empty() : "";
+    controls_.set_empty(why, why == l3d_turning_its_back ? 'b' : 'f');
+}
+
 void l3d_pipeline_polygons::draw_overlay() {
     if (screen_->is_window())
-        controls_.set_empty(report_.polygons.drawn == 0 ? why_empty() : "");
+        tell_empty();
     if (!controls_.shows_text())
         return;
-    std::vector lines{formatted("%s  %lld of %lld polygons", name(),
+    std::vector lines{formatted("%lld of %lld polygons drawn by %s",
                                 static_cast<long long>(report_.polygons.drawn),
-                                static_cast<long long>(report_.triangles))};
+                                static_cast<long long>(report_.triangles), name())};
     if (report_.order.knots > 0)
         lines.push_back(formatted("%lld knots, %lld cuts",
                                   static_cast<long long>(report_.order.knots),

@@ -32,16 +32,22 @@ enum class L3D_PUBLIC l3d_polygon_style {
     hidden_lines, ///< the sides, without what faces hide
 };
 
+/// What l3d_pipeline_polygons::why_empty says if all faces were left out as they are seen from
+/// behind.
+inline constexpr const char* l3d_turning_its_back = "turning its back";
+
 /// How a model is to be drawn.
 struct L3D_PUBLIC l3d_polygon_settings {
     l3d_polygon_style style = l3d_polygon_style::solid;      ///< surfaces, or lines
     l3d_shade shade = l3d_shade::flat;                       ///< how surfaces get their greys
     l3d_projection projection = l3d_projection::perspective; ///< whether far things look smaller
     l3d_vector<double, 3> light = l3d_usual_light; ///< towards the light, world space, any length
+    l3d_lighting lighting{};                       ///< colours of lights, and further lights
     l3d_vector<double, 3> rotation{0.0, 0.0,
                                    0.0};  ///< degrees about x, y, z, round the box's middle
     std::optional<l3d_material> material; ///< of all faces, whatever the model says
     bool cull = true;                     ///< faces seen from behind are left out
+    l3d_background background{};          ///< what is seen where nothing is drawn
     bool antialias = false;    ///< edges are means over pixels, not stairs; lines are smooth
     bool count_pixels = false; ///< report how many are covered
     int threads = 1;           ///< constant from the first frame on
@@ -77,7 +83,8 @@ public:
     /// That camera, or the one given if it shows the model well: l3d_shows_well.
     l3d_camera framed_unless_well(const l3d_camera& usual) const;
 
-    /// Why the last picture shows nothing, as l3d_why_unseen tells it; "" if it may show something.
+    /// Why the last picture shows nothing, as l3d_why_unseen tells it, or l3d_turning_its_back; ""
+    /// if it may show something.
     std::string why_empty() const;
 
     /// What is seen at (x, y) of the picture: l3d_polygon_pick_at, with the camera and settings of
@@ -127,6 +134,7 @@ private:
 
     void draw_model(l3d_polygon_report& report);
     void draw_overlay();
+    void tell_empty();
     l3d_polygon_view view() const;
     l3d_camera framed(const l3d_camera& camera) const;
     l3d_viewed viewed();

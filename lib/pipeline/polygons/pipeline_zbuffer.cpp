@@ -41,8 +41,7 @@ void l3d_pipeline_zbuffer::draw_hidden_lines(const scene& what, l3d_polygon_repo
     const stopwatch filling;
     depth_.resize(what.target.size());
     fill(what, &depth_, report);
-    for (int y = 0; y < what.target.height; ++y)
-        std::ranges::fill(what.target.row(y), 0u);
+    what.shading.background.fill(what.target);
     what.frame.list(triangles_);
     l3d_draw_seen_sides(what.target, depth_, triangles_, wire_color);
     report.time_ms.raster = filling.milliseconds();

@@ -46,8 +46,8 @@ void l3d_pipeline_zsort::draw_solid(const scene& what, l3d_polygon_report& repor
 void l3d_pipeline_zsort::draw_hidden_lines(const scene& what, l3d_polygon_report& report) {
     make_order(what, report);
     const stopwatch painting;
-    stages_->painter.paint_lines(what.target, stages_->order.triangles(), stages_->order.pieces(),
-                                 stages_->order.cuts(), wire_color);
+    stages_->painter.paint_lines(what.target, what.shading.background, stages_->order.triangles(),
+                                 stages_->order.pieces(), stages_->order.cuts(), wire_color);
     report.surface = stages_->painter.counts();
     report.time_ms.raster = painting.milliseconds();
 }

@@ -124,7 +124,8 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
         begin = index > 0 ? in.ends[index - 1] : 0;
         end = in.ends[index];
     }
-    for (const l3d_model_triangle& triangle : all.subspan(begin, end - begin)) {
+    for (std::size_t t = begin; t < end; ++t) {
+        const l3d_model_triangle& triangle = all[t];
         const auto& face = in.model.face_normals()[triangle.face];
         const bool from_behind =
             !(in.view.faces_eye(l3d_converted<double>(face),
@@ -144,7 +145,7 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
                 continue;
             }
         }
-        set_normals(in, triangle, from_behind, whole, v);
+        set_normals(in, t, from_behind, whole, v);
         if (whole) {
             ++to.counts.drawn;
             add(in, triangle, v, to);
@@ -155,16 +156,17 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
     }
 }
 
-/// Those of the face or of the vertices (`placed` has them already if it could be drawn), turned
-/// round on the face's other side.
-void l3d_polygon_frame::set_normals(const frame_input& in, const l3d_model_triangle& triangle,
-                                    bool from_behind, bool placed,
-                                    std::array<l3d_micro_vertex, 3>& v) const {
+/// Those of the face or of its corners (`placed` has those of vertices already if it could be
+/// drawn), turned round on the face's other side.
+void l3d_polygon_frame::set_normals(const frame_input& in, std::size_t triangle, bool from_behind,
+                                    bool placed, std::array<l3d_micro_vertex, 3>& v) const {
+    const std::size_t face = in.model.triangles()[triangle].face;
+    const bool at_hand = placed && !in.model.has_creases();
     for (std::size_t k = 0; k < v.size(); ++k) {
         if (!in.how.smooth)
-            turn(in.view.placement(), in.model.face_normals()[triangle.face], v[k].normal);
-        else if (!placed)
-            turn(in.view.placement(), in.model.vertex_normals()[triangle.corners[k]], v[k].normal);
+            turn(in.view.placement(), in.model.face_normals()[face], v[k].normal);
+        else if (!at_hand)
+            turn(in.view.placement(), in.model.corner_normal(triangle, k), v[k].normal);
         if (from_behind)
             for (float& component : v[k].normal)
                 component = -component;

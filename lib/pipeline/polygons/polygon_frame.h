@@ -76,8 +76,8 @@ private:
 
     void place_vertices(const frame_input& in, std::size_t begin, std::size_t end);
     void place_chunk(const frame_input& in, std::size_t index);
-    void set_normals(const frame_input& in, const l3d_model_triangle& triangle, bool from_behind,
-                     bool placed, std::array<l3d_micro_vertex, 3>& v) const;
+    void set_normals(const frame_input& in, std::size_t triangle, bool from_behind, bool placed,
+                     std::array<l3d_micro_vertex, 3>& v) const;
     static void add(const frame_input& in, const l3d_model_triangle& triangle,
                     const std::array<l3d_micro_vertex, 3>& v, chunk& to);
     void add_clipped(const frame_input& in, const l3d_model_triangle& triangle,

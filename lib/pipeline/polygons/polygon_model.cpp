@@ -4,6 +4,7 @@
 
 #include "pipeline/polygons/flat_face_p.h"
 #include "scene/model_loader.h"
+#include "pipeline/polygons/crease_normals_p.h"
 #include "pipeline/polygons/patch_tessellation.h"
 
 #include <algorithm>
@@ -33,14 +34,15 @@ std::uint32_t sides_of(const l3d_detail::flat_face::triangle& corners, std::size
 
 } // namespace
 
-l3d_polygon_model::l3d_polygon_model(l3d_polygon_mesh mesh, bool to_origin)
-    : contents_(std::make_shared<const contents>(std::move(mesh), to_origin)) {}
+l3d_polygon_model::l3d_polygon_model(l3d_polygon_mesh mesh, bool to_origin, double crease_angle)
+    : contents_(std::make_shared<const contents>(std::move(mesh), to_origin, crease_angle)) {}
 
 l3d_polygon_model l3d_polygon_model::load(const std::string& file) {
     return l3d_polygon_model(l3d_mesh_of(l3d_load_model(file, file), file, l3d_usual_facets));
 }
 
-l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin) : mesh(std::move(of)) {
+l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin, double crease_angle)
+    : mesh(std::move(of)) {
     assert(mesh.is_valid());
     if (to_origin && !mesh.vertices.empty()) {
         vector sum{0.0, 0.0, 0.0};
@@ -61,13 +63,13 @@ l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin) : mes
     for (const vector& v : mesh.vertices)
         radius = std::max(radius, l3d_length(v - centre()));
     make_triangles();
-    make_normals();
+    make_normals(crease_angle);
     make_materials();
 }
 
 /// Faces that look alike share a material. If all are plain, there are none.
 void l3d_polygon_model::contents::make_materials() {
-    using key = std::tuple<std::uint32_t, std::uint32_t, float>;
+    using key = std::tuple<std::uint32_t, std::uint32_t, int>;
     std::map<key, std::uint32_t> places;
     materials.emplace_back();
     places[key(materials[0].color, materials[0].highlight, materials[0].sharpness)] = 0;
@@ -104,12 +106,14 @@ void l3d_polygon_model::contents::make_triangles() {
     }
 }
 
-void l3d_polygon_model::contents::make_normals() {
-    std::vector<vector> sums(mesh.vertices.size(), vector{0.0, 0.0, 0.0});
+void l3d_polygon_model::contents::make_normals(double crease_angle) {
+    std::vector<vector> areas, sums(mesh.vertices.size(), vector{0.0, 0.0, 0.0});
     face_normals.reserve(mesh.faces());
+    areas.reserve(mesh.faces());
     for (std::size_t f = 0; f < mesh.faces(); ++f) {
         const auto face = mesh.face(f);
         const vector area = l3d_detail::area_vector(mesh, face);
+        areas.push_back(area);
         face_normals.push_back(unit(area));
         for (const std::uint32_t corner : face)
             sums[corner] += area;
@@ -117,11 +121,25 @@ void l3d_polygon_model::contents::make_normals() {
     vertex_normals.reserve(sums.size());
     for (const vector& v : mesh.vertex_normals.empty() ? sums : mesh.vertex_normals)
         vertex_normals.push_back(unit(v));
+    if (!mesh.vertex_normals.empty())
+        return;
+    const l3d_detail::crease_normals creases(mesh, areas, face_normals, vertex_normals,
+                                             crease_angle);
+    if (creases.empty())
+        return;
+    crease_normals.assign(creases.normals().begin(), creases.normals().end());
+    crease_corners.reserve(triangles.size());
+    for (const l3d_model_triangle& t : triangles)
+        crease_corners.push_back({creases.at(t.corners[0], t.face),
+                                  creases.at(t.corners[1], t.face),
+                                  creases.at(t.corners[2], t.face)});
 }
 
 std::size_t l3d_polygon_model::bytes() const {
     return mesh().bytes() + triangles().size() * sizeof(l3d_model_triangle) +
            materials().size() * sizeof(l3d_material) +
            contents_->materials_of_faces.size() * sizeof(std::uint32_t) +
-           (face_normals().size() + vertex_normals().size()) * sizeof(direction);
+           contents_->crease_corners.size() * sizeof(contents_->crease_corners[0]) +
+           (face_normals().size() + vertex_normals().size() + contents_->crease_normals.size()) *
+               sizeof(direction);
 }

@@ -22,6 +22,10 @@ struct L3D_PUBLIC l3d_model_triangle {
     std::uint32_t sides = 0;
 };
 
+/// Faces whose normals differ by more have a crease where they meet. Of 12 and more sides, a prism
+/// that stands for a round body is smooth. Units: degrees.
+inline constexpr double l3d_usual_crease_angle = 30;
+
 /// A polygon mesh ready to be drawn: faces as triangles, normals of faces and vertices, its box.
 ///
 /// Faces of more than three corners are cut into triangles by clipping ears, in the plane they are
@@ -46,9 +50,13 @@ public:
     l3d_polygon_model& operator=(const l3d_polygon_model&) = default;
     ~l3d_polygon_model() = default;
 
-    /// With `to_origin`, all is moved so that the mean of the vertices is the origin.
-    /// Expects: mesh.is_valid(); coordinates of magnitude at most 1e12.
-    explicit l3d_polygon_model(l3d_polygon_mesh mesh, bool to_origin = false);
+    /// With `to_origin`, all is moved so that the mean of the vertices is the origin. Faces whose
+    /// normals are at most the crease angle apart look smooth where they meet, unless the mesh has
+    /// normals: then these count.
+    /// Units:   degrees.
+    /// Expects: mesh.is_valid(); coordinates of magnitude at most 1e12; an angle of 0 to 180.
+    explicit l3d_polygon_model(l3d_polygon_mesh mesh, bool to_origin = false,
+                               double crease_angle = l3d_usual_crease_angle);
 
     /// The polygons of a file in any format of l3d_read_model, and its patches as l3d_usual_facets
     /// by l3d_usual_facets quads each. Its notes are left out.
@@ -65,8 +73,21 @@ public:
     std::span<const direction> face_normals() const { return contents_->face_normals; }
 
     /// The mesh's own if it has any, else the mean of the faces around, weighted by area. Unit
-    /// vectors; zero where no face is.
+    /// vectors; zero where no face is. At creases, corner_normal has others.
     std::span<const direction> vertex_normals() const { return contents_->vertex_normals; }
+
+    /// The normal that a triangle is lit with at a corner: its vertex's, or another one where the
+    /// vertex is on a crease. Expects: triangle < triangles().size(), corner < 3.
+    const direction& corner_normal(std::size_t triangle, std::size_t corner) const {
+        const std::uint32_t of = contents_->crease_corners.empty()
+                                     ? no_crease
+                                     : contents_->crease_corners[triangle][corner];
+        return of == no_crease ? vertex_normals()[triangles()[triangle].corners[corner]]
+                               : contents_->crease_normals[of];
+    }
+
+    /// Whether a vertex has more than one normal somewhere.
+    bool has_creases() const { return !contents_->crease_corners.empty(); }
 
     /// What faces are made of (l3d_polygon_mesh::look_of), each once; none if all are plain.
     std::span<const l3d_material> materials() const { return contents_->materials; }
@@ -90,17 +111,22 @@ public:
     std::size_t bytes() const;
 
 private:
+    static constexpr std::uint32_t no_crease = ~std::uint32_t{0};
+
     struct contents {
-        contents(l3d_polygon_mesh of, bool to_origin);
+        contents(l3d_polygon_mesh of, bool to_origin, double crease_angle);
 
         vector centre() const { return (least + most) * 0.5; }
         void make_triangles();
-        void make_normals();
+        void make_normals(double crease_angle);
         void make_materials();
 
         l3d_polygon_mesh mesh;
         std::vector<l3d_model_triangle> triangles;
         std::vector<direction> face_normals, vertex_normals;
+        std::vector<direction> crease_normals;
+        /// Of each triangle's corners, the place in these, or no_crease. Empty if there are none.
+        std::vector<std::array<std::uint32_t, 3>> crease_corners;
         std::vector<l3d_material> materials;
         std::vector<std::uint32_t> materials_of_faces; ///< places in these
         vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};

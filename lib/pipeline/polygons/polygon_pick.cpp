@@ -158,5 +158,5 @@ std::string l3d_polygon_pick::text() const {
 
 std::string l3d_polygon_pick::line() const {
     return "face " + std::to_string(face) +
-           line_of("  at %.6g, %.6g, %.6g +- %.1g", point[0], point[1], point[2], point_error);
+           line_of(" at %.4g, %.4g, %.4g +- %.1g", point[0], point[1], point[2], point_error);
 }

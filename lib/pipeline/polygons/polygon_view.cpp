@@ -48,8 +48,15 @@ l3d_polygon_view::l3d_polygon_view(const l3d_camera& camera, l3d_size size,
     forward_ = turned_back(placement, camera.axes().forward);
 }
 
-l3d_shading l3d_polygon_view::shading(l3d_shade mode, const vector& light) const {
-    l3d_shading result = l3d_camera_shading(camera_, size_, mode, light);
+l3d_shading l3d_polygon_view::shading(l3d_shade mode, const vector& light,
+                                      const l3d_lighting& lighting) const {
+    l3d_shading result = l3d_camera_shading(camera_, size_, mode, light, lighting);
     result.ray = result.ray_right = result.ray_down = {0, 0, 0};
+    if (is_parallel()) {
+        const vector forward = camera_.axes().forward;
+        for (std::size_t i = 0; i < 3; ++i)
+            result.look[i] = static_cast<float>(forward[static_cast<int>(i)]);
+        result.look_right = result.look_down = {0, 0, 0};
+    }
     return result;
 }

@@ -56,7 +56,8 @@ public:
     /// is turned round. The plane of a face says which of its sides is seen. The smooth normals of
     /// a face at an outline point away from the eye in some of its pixels, and are right as they
     /// are.
-    l3d_shading shading(l3d_shade mode, const vector& light) const;
+    l3d_shading shading(l3d_shade mode, const vector& light,
+                        const l3d_lighting& lighting = {}) const;
 
 private:
     l3d_camera camera_;

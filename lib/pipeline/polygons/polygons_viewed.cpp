@@ -56,9 +56,13 @@ std::string l3d_pipeline_polygons::why_empty() const {
     const l3d_polygon_view now = view();
     std::string why =
         l3d_why_unseen(camera_, now.size(), reach_of(model_, now.placement()), now.is_parallel());
-    if (!why.empty() || report_.polygons.drawn > 0)
+    const l3d_polygon_counts& polygons = report_.polygons;
+    const bool left_all_out =
+        polygons.drawn == 0 && // lines are not counted
+        polygons.back + polygons.offscreen + polygons.subpixel >= report_.triangles;
+    if (!why.empty() || !left_all_out)
         return why;
-    return report_.polygons.back > 0 ? "turning its back" : "not where a pixel shows it";
+    return polygons.back == report_.triangles ? l3d_turning_its_back : "not where a pixel shows it";
 }
 
 std::optional<l3d_polygon_pick> l3d_pipeline_polygons::pick(double x, double y) const {

@@ -22,7 +22,8 @@ struct fragment_polygon {
     float inv_w[4];
     float light[3][4]; ///< the corners' three numbers of l3d_micro_vertex::normal
     std::int32_t corners;
-    std::uint32_t color;     ///< of its material; in mode `error`, the part's own
+    /// Of its material, or in mode `error` the part's own; of what is lit, the material's place.
+    std::uint32_t color;
     float farthest, nearest; ///< of the corners' inv_w
 
     std::int64_t area2() const; ///< twice its area, positive if its corners turn to the right
@@ -41,8 +42,12 @@ public:
     void begin(const pixel_bits& bits, const drawn_depth& depth, std::int32_t width,
                std::int32_t top, std::int32_t bottom);
 
-    /// The colours of the frame's materials, if it has any. Lives: until the next call.
-    void use_colors(std::span<const std::uint32_t> colors) { colors_ = colors; }
+    /// The colours of the frame's materials, if it has any and they are levels'; whether it is lit.
+    /// Lives: until the next call.
+    void use_colors(std::span<const std::uint32_t> colors, bool is_lit) {
+        colors_ = colors;
+        is_lit_ = is_lit;
+    }
 
     /// Adds those of an item's quads and triangles that reach a marked pixel and are no farther
     /// than all that was drawn there and around. Folded quads come in pieces; `levels`: those of
@@ -81,12 +86,13 @@ private:
     void add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t color,
                     const l3d_pixel_box& box);
     std::uint32_t color_of(const l3d_surface_part& part, std::uint32_t material) const {
-        return colors_.empty() ? part.error_color : colors_[material];
+        return is_lit_ ? material : colors_.empty() ? part.error_color : colors_[material];
     }
     l3d_pixel_box reached(std::span<const l3d_micro_vertex> corners) const;
     std::size_t index_of(std::int32_t x, std::int32_t y) const;
 
     std::span<const std::uint32_t> colors_;
+    bool is_lit_ = false;
     const pixel_bits* bits_ = nullptr;
     l3d_pixel_box band_;
     std::vector<pixel> pixels_;

@@ -18,8 +18,8 @@ namespace l3d_detail {
 struct contour_edge {
     scan_point from, to; ///< units: 1/256 pixel
     float nearest = 0;   ///< of both vertices' inv_w
-    float level = 0;     ///< mean of both vertices' levels less their signs, in mode l3d_shade::levels
-    bool fold = false;   ///< the surface on its right folds over here; it does not just end
+    float level = 0; ///< mean of both vertices' levels less their signs, in mode l3d_shade::levels
+    bool fold = false; ///< the surface on its right folds over here; it does not just end
 };
 
 /// Finds the edges between a polygon that turns to the right and one that does not. A folded quad

@@ -2,6 +2,7 @@
 // contour_mixer: which neighbour shows the other side, and what the two make together.
 #include "raster/refine/contour_mixer_p.h"
 
+#include "raster/background.h"
 #include "raster/refine/find_jumps_p.h"
 
 #include <algorithm>
@@ -16,36 +17,39 @@ int channel(std::uint32_t word, int shift) {
     return static_cast<int>(word >> shift & 255);
 }
 
-constexpr int channels_end = 24;
+/// How transparent a pixel is counts as a channel where pixels are compared.
+constexpr int channels_end = 32;
 
 /// How far neighbours' levels go on as they change, and how far two on the other side of a contour
 /// may be apart, being a diagonal's ends.
 constexpr int steady = jump_levels, like = jump_levels;
 
 /// Levels of the mixed pixel that a parabola may be wrong by, as a fourth level tells.
-constexpr float most_doubt = 3;
+constexpr float most_doubt = 0.75f;
+
+/// What the area beside a straight contour may differ by from the share.
+constexpr float straight = 1.0f / 16;
 
 /// A pixel whose centre is nearer to a contour than this may show a sliver of the other side.
 constexpr float least_way = 0.1f;
 
-/// Means over the part of a pixel on one side of a straight contour: of the way to the contour along
-/// an axis, of its root and of its square.
+/// Means over the part of a pixel on one side of a straight contour: of the way to the contour
+/// along an axis, of its root and of its square. And that part's area.
 struct share_means {
-    float root = 0, way = 0, square = 0;
+    float root = 0, way = 0, square = 0, area = 0;
 
     /// The way to the centre, negative on the other side; its change from one end of the pixel to
     /// the other.
     share_means(float to_centre, float slope) {
         // Two places that give the mean of a cubic.
         constexpr float place = 0.28867513f;
-        float area = 0;
         for (const float aside : {-place, place}) {
             const float far = std::max(to_centre + 0.5f + aside * slope, 0.0f);
             const float near = std::max(to_centre - 0.5f + aside * slope, 0.0f);
-            area += far - near;
-            root += 2.0f / 3 * (far * std::sqrt(far) - near * std::sqrt(near));
-            way += 0.5f * (far * far - near * near);
-            square += 1.0f / 3 * (far * far * far - near * near * near);
+            area += 0.5f * (far - near);
+            root += 1.0f / 3 * (far * std::sqrt(far) - near * std::sqrt(near));
+            way += 0.25f * (far * far - near * near);
+            square += 1.0f / 6 * (far * far * far - near * near * near);
         }
         if (area > 0) {
             root /= area;
@@ -54,6 +58,11 @@ struct share_means {
         }
     }
 };
+
+/// Whether a surface's word has a single level. A transparent word has none.
+bool is_grey(std::uint32_t word) {
+    return word == (word & 255) * 0x010101;
+}
 
 bool within(int levels, std::uint32_t a, std::uint32_t b) {
     for (int shift = 0; shift < channels_end; shift += 8)
@@ -126,21 +135,26 @@ bool contour_mixer::find_steady(std::int32_t x, std::int32_t y, step away, float
 /// of the other side, so the level at the contour takes the place of the pixel that is mixed.
 bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_own, bool is_right,
                                float share, side& found) const {
-    if (!has_levels_ || pixel.crossings != 2 || (away.x != 0 && away.y != 0))
+    // What is seen behind a contour would have to be carried on from too far.
+    if (!has_levels_ || pixel.crossings != 2 || (away.x != 0 && away.y != 0) ||
+        !(is_own || (is_right && pixel.folds)))
         return false;
     const auto across =
         static_cast<float>(std::abs(pixel.along_x * away.y - pixel.along_y * away.x));
-    const auto along = static_cast<float>(std::abs(pixel.along_x * away.x + pixel.along_y * away.y));
+    const auto along =
+        static_cast<float>(std::abs(pixel.along_x * away.x + pixel.along_y * away.y));
     if (!(across > 0))
         return false;
     // Ways along `away` from the contour: to the centre, and its change across the pixel.
     const float to_centre =
         (is_own ? 1.0f : -1.0f) * std::abs(static_cast<float>(pixel.to_centre)) / across;
     const share_means means(to_centre, along / across);
-    // Levels at the contour are those of its right side.
+    if (std::abs(means.area - share) > straight)
+        return false; // it turns round a corner
+    const bool folds = is_right && pixel.folds;
     std::int32_t x = pixel.x, y = pixel.y;
     float way = to_centre;
-    if (!is_own || (is_right && to_centre < least_way)) {
+    if (!is_own || (folds && to_centre < least_way)) {
         if (is_own && !goes_on(x, y, away))
             return false;
         x += away.x;
@@ -149,12 +163,15 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
     }
     std::array<float, 4> places{}, levels{};
     std::size_t count = 0;
-    if (is_right)
-        ++count;
+    if (folds)
+        ++count; // the level at the contour
     const std::uint32_t first = word_at(x, y);
     for (std::int32_t px = x, py = y; count < places.size(); px += away.x, py += away.y, way += 1) {
+        const std::uint32_t word = word_at(px, py);
+        if (!is_grey_ && !is_grey(word))
+            return false;
         places[count] = way;
-        levels[count++] = static_cast<float>(channel(word_at(px, py), 0));
+        levels[count++] = static_cast<float>(channel(word, 0));
         if (count < places.size() && !goes_on(px, py, away))
             return false;
     }
@@ -162,26 +179,28 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
     const float rise = std::abs(levels[3] - levels[2]) + std::abs(levels[2] - levels[1]);
     for (const step s : {aside, -aside})
         if (inside(x + s.x, y + s.y) && !divided(x, y, s) &&
-            std::abs(channel(word_at(x + s.x, y + s.y), 0) - channel(first, 0)) > like + static_cast<int>(rise))
+            std::abs(channel(word_at(x + s.x, y + s.y), 0) - channel(first, 0)) >
+                like + static_cast<int>(rise))
             return false;
-    const bool folds = is_right && pixel.folds;
     if (folds)
         for (float& place : places)
             place = std::sqrt(place);
-    if (is_right) {
+    if (folds) {
         // The level at the contour is that of the side that is seen, or of the other one, which is
         // as far below 0 as this is above.
         constexpr float ambient = 25.5f, darkest = 26;
         if (std::min({levels[1], levels[2], levels[3]}) <= darkest)
             return false; // where light begins, there is a corner in the curve
-        const float guess = levels[1] - places[1] * (levels[2] - levels[1]) / (places[2] - places[1]);
+        const float guess =
+            levels[1] - places[1] * (levels[2] - levels[1]) / (places[2] - places[1]);
         levels[0] = ambient + (guess > ambient + 0.5f * pixel.level() ? pixel.level() : 0.0f);
     }
     const float mean = folds ? means.root : means.way, squares = folds ? means.way : means.square;
     const auto slope = [&](float l1, float l0, std::size_t i, std::size_t k) {
         return (l1 - l0) / (places[i] - places[k]);
     };
-    const float rise01 = slope(levels[1], levels[0], 1, 0), rise12 = slope(levels[2], levels[1], 2, 1),
+    const float rise01 = slope(levels[1], levels[0], 1, 0),
+                rise12 = slope(levels[2], levels[1], 2, 1),
                 rise23 = slope(levels[3], levels[2], 3, 2);
     const float bend02 = slope(rise12, rise01, 2, 0), bend13 = slope(rise23, rise12, 3, 1);
     const float twist = slope(bend13, bend02, 3, 0);
@@ -191,31 +210,31 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
     return std::abs(second * (mean - places[2]) * twist) * share < most_doubt;
 }
 
-/// The way to the pixel on the other side.
-bool contour_mixer::find_way(const contour_pixel& pixel, step& to) const {
-    if (pixel.crossings == 2) {
-        if (std::abs(pixel.along_x) > std::abs(pixel.along_y))
-            to = {0, pixel.along_x > 0 ? 1 : -1};
-        else
-            to = {pixel.along_y > 0 ? -1 : 1, 0};
-        if (pixel.centre() == 1)
-            to = -to;
-        if (inside(pixel.x + to.x, pixel.y + to.y) && divided(pixel.x, pixel.y, to))
-            return true;
-    }
-    return find_other(pixel, to);
+/// The way across a contour at which a surface folds over, to the side where this is seen.
+bool contour_mixer::find_fold(const contour_pixel& pixel, step& to) const {
+    if (pixel.crossings != 2 || !pixel.folds || pixel.centre() != 0)
+        return false;
+    if (std::abs(pixel.along_x) > std::abs(pixel.along_y))
+        to = {0, pixel.along_x > 0 ? 1 : -1};
+    else
+        to = {pixel.along_y > 0 ? -1 : 1, 0};
+    return inside(pixel.x + to.x, pixel.y + to.y) && divided(pixel.x, pixel.y, to);
 }
 
 bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     const std::int32_t x = pixel.x, y = pixel.y;
     step to{};
     const std::int32_t centre = pixel.centre();
-    if ((centre != 0 && centre != 1) || !find_way(pixel, to))
+    if (centre != 0 && centre != 1)
+        return false;
+    // Beside a fold, neighbours of the same surface may be unlike.
+    const bool is_plain = find_other(pixel, to);
+    if (!is_plain && !find_fold(pixel, to))
         return false;
     const float right = static_cast<float>(pixel.share()) / contour_pixel::whole;
     const float own = centre == 1 ? right : 1 - right, rest = 1 - own;
     const std::uint32_t here = word_at(x, y), there = word_at(x + to.x, y + to.y);
-    if (here == there) {
+    if (is_plain && here == there) {
         word = here;
         return true;
     }
@@ -226,9 +245,19 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     if (!find_steady(x, y, -to, 0.5f * rest, of_own) &&
         !find_steep(pixel, -to, true, centre == 1, own, of_own))
         return false;
-    if (!find_steady(x + to.x, y + to.y, to, -0.5f * (1 + rest), of_rest) &&
+    if (!(is_plain && find_steady(x + to.x, y + to.y, to, -0.5f * (1 + rest), of_rest)) &&
         !find_steep(pixel, to, false, centre == 0, rest, of_rest))
         return false;
+    if (here == l3d_pixels::transparent || there == l3d_pixels::transparent) {
+        const bool is_there = here == l3d_pixels::transparent;
+        const side& seen = is_there ? of_rest : of_own;
+        const auto level = [&](int shift) {
+            return tables_.level(tables_.light_at_level(seen.level(shift)));
+        };
+        word =
+            l3d_transparency_of(is_there ? own : rest) | level(16) << 16 | level(8) << 8 | level(0);
+        return true;
+    }
     const auto mixed = [&](int shift) {
         return tables_.level(own * tables_.light_at_level(of_own.level(shift)) +
                              rest * tables_.light_at_level(of_rest.level(shift)));

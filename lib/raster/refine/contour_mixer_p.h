@@ -61,15 +61,15 @@ private:
     bool find_other(const contour_pixel& pixel, step& to) const;
     bool is_odd(std::int32_t x, std::int32_t y) const;
     bool goes_on(std::int32_t x, std::int32_t y, step to) const;
-    bool find_way(const contour_pixel& pixel, step& to) const;
+    bool find_fold(const contour_pixel& pixel, step& to) const;
     bool find_steady(std::int32_t x, std::int32_t y, step away, float way, side& found) const;
-    bool find_steep(const contour_pixel& pixel, step away, bool is_own, bool is_right,
-                    float share, side& found) const;
+    bool find_steep(const contour_pixel& pixel, step away, bool is_own, bool is_right, float share,
+                    side& found) const;
 
     const l3d_pixels& picture_;
     l3d_pixel_box window_;
     const contour_cuts& cuts_;
-    bool is_grey_; ///< the channels of all pixels are equal
+    bool is_grey_;    ///< the channels of all pixels are equal
     bool has_levels_; ///< contours have levels, too
     const linear_light& tables_;
 };

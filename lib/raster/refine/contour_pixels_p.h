@@ -52,8 +52,8 @@ struct contour_pixel {
     /// all of them together divide the square into two, what is on the right and what is not.
     bool takes_turns;
 
-    /// The way along the contours in the pixel, and the sums of its pieces' cross products with ways
-    /// from them to the centre, positive if that is on the right. Units: 1 / whole.
+    /// The way along the contours in the pixel, and the sums of its pieces' cross products with
+    /// ways from them to the centre, positive if that is on the right. Units: 1 / whole.
     std::int32_t along_x, along_y, to_centre;
 
     /// The sums of the pieces' lengths, and of these times contour_edge::level.

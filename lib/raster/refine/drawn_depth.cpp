@@ -11,44 +11,46 @@ namespace {
 /// A pixel and those around it, so far as they are in the window.
 struct neighbourhood {
     std::int32_t left, top, right, bottom; ///< ends included
-    bool one_tile;
 
     neighbourhood(std::int32_t x, std::int32_t y, const l3d_pixel_box& window)
         : left(std::max(x - 1, window.left)), top(std::max(y - 1, window.top)),
-          right(std::min(x + 1, window.right - 1)), bottom(std::min(y + 1, window.bottom - 1)),
-          one_tile(left / depth_tile::width == right / depth_tile::width &&
-                   top / depth_tile::height == bottom / depth_tile::height) {}
+          right(std::min(x + 1, window.right - 1)), bottom(std::min(y + 1, window.bottom - 1)) {}
+
+    /// Whether something may be in each of their tiles, of which there are four at most.
+    bool drawn(const coarse_depth& coarse) const {
+        const bool wide = left / depth_tile::width != right / depth_tile::width;
+        const bool high = top / depth_tile::height != bottom / depth_tile::height;
+        return coarse.drawn_at(left, top) && (!wide || coarse.drawn_at(right, top)) &&
+               (!high ||
+                (coarse.drawn_at(left, bottom) && (!wide || coarse.drawn_at(right, bottom))));
+    }
 };
 
 } // namespace
 
-float drawn_depth::at(std::int32_t x, std::int32_t y) const {
-    return coarse_->drawn_at(x, y) ? first_[y * pitch_ + x] : 0.0f;
-}
-
 float drawn_depth::farthest(std::int32_t x, std::int32_t y) const {
     const neighbourhood near(x, y, window_);
-    if (near.one_tile && !coarse_->drawn_at(x, y))
+    if (!near.drawn(*coarse_))
         return 0;
-    float result = at(x, y);
-    for (std::int32_t row = near.top; row <= near.bottom; ++row)
+    const float* row = first_ + near.top * pitch_;
+    float result = row[near.left];
+    for (std::int32_t i = near.top; i <= near.bottom; ++i, row += pitch_)
         for (std::int32_t column = near.left; column <= near.right; ++column)
-            result =
-                std::min(result, near.one_tile ? first_[row * pitch_ + column] : at(column, row));
+            result = std::min(result, row[column]);
     return result;
 }
 
 bool drawn_depth::hides(std::int32_t x, std::int32_t y, float inv_w, std::int32_t to_x,
                         std::int32_t to_y) const {
     const neighbourhood near(x, y, window_);
-    if (near.one_tile && !coarse_->drawn_at(x, y))
+    if (!near.drawn(*coarse_) ||
+        inv_w > first_[std::clamp(y + to_y, near.top, near.bottom) * pitch_ +
+                       std::clamp(x + to_x, near.left, near.right)])
         return false;
-    if (inv_w > at(std::clamp(x + to_x, near.left, near.right),
-                   std::clamp(y + to_y, near.top, near.bottom)))
-        return false;
-    for (std::int32_t row = near.top; row <= near.bottom; ++row)
+    const float* row = first_ + near.top * pitch_;
+    for (std::int32_t i = near.top; i <= near.bottom; ++i, row += pitch_)
         for (std::int32_t column = near.left; column <= near.right; ++column)
-            if (inv_w > (near.one_tile ? first_[row * pitch_ + column] : at(column, row)))
+            if (inv_w > row[column])
                 return false;
     return true;
 }

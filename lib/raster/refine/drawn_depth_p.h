@@ -28,8 +28,6 @@ public:
                std::int32_t to_y) const;
 
 private:
-    float at(std::int32_t x, std::int32_t y) const;
-
     const float* first_ = nullptr;
     std::ptrdiff_t pitch_ = 0;
     l3d_pixel_box window_;

@@ -4,6 +4,7 @@
 #define L3D_RASTER_REFINE_FRAGMENT_LIGHT_P_H
 
 #include "raster/refine/band_fragments_p.h"
+#include "raster/background.h"
 #include "raster/refine/coverage_p.h"
 #include "raster/refine/linear_light_p.h"
 #include "raster/surfaces/shader_choice_p.h"
@@ -30,6 +31,20 @@ struct light_sum {
         for (const float channel : of)
             result = result << 8 | tables.level(channel);
         return result;
+    }
+
+    /// The word of a pixel of which a share shows nothing but what is behind all surfaces.
+    std::uint32_t word_before(std::uint32_t behind, float share, const linear_light& tables) const {
+        light_sum whole;
+        if (behind != l3d_pixels::transparent) {
+            whole = *this;
+            whole.add(of_word(behind, tables), share);
+            return whole.word(tables);
+        }
+        if (!(share < 1))
+            return behind;
+        whole.add(*this, 1 / (1 - share));
+        return whole.word(tables) | l3d_transparency_of(share);
     }
 
     /// The light of a level above the ambient one, in a material's colour.
@@ -90,6 +105,8 @@ light_sum light_at(Shader& shader, const fragment_polygon& polygon, bool has_col
         const auto corners = static_cast<std::size_t>(polygon.corners);
         const std::array all{polygon.corner(0), polygon.corner(1), polygon.corner(2),
                              polygon.corner(3)};
+        if constexpr (has_materials<Shader>)
+            shader.use_material(polygon.color);
         shader.begin_polygon(std::span(all).first(corners));
         constexpr std::size_t count = Shader::components;
         std::array<float, count> values{};

@@ -216,8 +216,10 @@ private:
         const float_vec u = within(hn::Add(half, hn::Sub(s, t)));
         const float_vec v = within(hn::Add(half, hn::Add(s, t)));
         const float_vec u1 = hn::Sub(one, u), v1 = hn::Sub(one, v);
-        const float_vec low = hn::Add(hn::Mul(u1, load(numbers_.level[0])), hn::Mul(u, load(numbers_.level[1])));
-        const float_vec high = hn::Add(hn::Mul(u1, load(numbers_.level[3])), hn::Mul(u, load(numbers_.level[2])));
+        const float_vec low =
+            hn::Add(hn::Mul(u1, load(numbers_.level[0])), hn::Mul(u, load(numbers_.level[1])));
+        const float_vec high =
+            hn::Add(hn::Mul(u1, load(numbers_.level[3])), hn::Mul(u, load(numbers_.level[2])));
         const float_vec of_u =
             hn::Mul(hn::Mul(four, hn::Mul(u, u1)), hn::Add(hn::Mul(v1, ab), hn::Mul(v, dc)));
         const float_vec of_v =
@@ -235,8 +237,9 @@ private:
         const float_vec bends =
             hn::Add(hn::Mul(hn::Mul(a, b), ab),
                     hn::Add(hn::Mul(hn::Mul(a, c), ac), hn::Mul(hn::Mul(b, c), bc)));
-        return hn::Add(hn::Add(hn::Mul(a, load(numbers_.level[0])), hn::Mul(b, load(numbers_.level[1]))),
-                       hn::Add(hn::Mul(c, load(numbers_.level[2])), hn::Mul(set(4), bends)));
+        return hn::Add(
+            hn::Add(hn::Mul(a, load(numbers_.level[0])), hn::Mul(b, load(numbers_.level[1]))),
+            hn::Add(hn::Mul(c, load(numbers_.level[2])), hn::Mul(set(4), bends)));
     }
 
     const pair_numbers& numbers_;
@@ -269,7 +272,8 @@ std::uint64_t samples_above(float at, float of_x, float of_y) {
             const auto along = hn::Mul(hn::Iota(d, static_cast<float>(column)), hn::Set(d, step_x));
             const auto value = hn::Add(hn::Set(d, row_value), along);
             hn::StoreMaskBits(d, hn::Gt(value, hn::Zero(d)), bytes);
-            result |= std::uint64_t{bytes[0]} << (static_cast<std::size_t>(row * mask_side) + column);
+            result |= std::uint64_t{bytes[0]}
+                      << (static_cast<std::size_t>(row * mask_side) + column);
         }
     return result;
 }

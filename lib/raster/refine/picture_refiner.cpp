@@ -25,8 +25,10 @@ bool is_hidden(const drawn_frame& frame, const band_item& item) {
 }
 
 bool is_grey(const drawn_frame& frame) {
-    return frame.colors.empty() && frame.shading.mode != l3d_shade::normals &&
-           frame.shading.mode != l3d_shade::error;
+    const l3d_background& background = frame.shading.background;
+    return frame.colors.empty() && !frame.shading.is_lit(frame.materials) &&
+           frame.shading.mode != l3d_shade::normals && frame.shading.mode != l3d_shade::error &&
+           background.is_grey() && !background.is_none();
 }
 
 } // namespace
@@ -150,12 +152,13 @@ void picture_refiner::mark_others(const drawn_frame& frame, const l3d_pixel_box&
 
 void picture_refiner::resolve(const drawn_frame& frame, int band, worker_space& space) {
     const l3d_pixel_box box = box_of_band(frame, band);
+    const l3d_size size = frame.target.size();
     const drawn_depth depth(frame.depth.data(), frame.depth.pitch(), frame.window, frame.coarse);
-    space.fragments.begin(others_, depth, frame.target.width, box.top, box.bottom);
+    space.fragments.begin(others_, depth, size.width, box.top, box.bottom);
     if (space.fragments.pixels().empty())
         return;
     const bool levels = frame.shading.mode == l3d_shade::levels;
-    space.fragments.use_colors(frame.colors);
+    space.fragments.use_colors(frame.colors, frame.shading.is_lit(frame.materials));
     for (const std::uint32_t index : frame.list.items(band)) {
         const band_item& item = frame.list.item(index);
         if (!is_hidden(frame, item))
@@ -163,7 +166,8 @@ void picture_refiner::resolve(const drawn_frame& frame, int band, worker_space& 
     }
     space.fragments.sort();
     auto& refined = each_band_[static_cast<std::size_t>(band)].refined;
-    space.mixer.draw(space.fragments, frame.shading, !frame.colors.empty());
+    space.mixer.draw(space.fragments, frame.shading, frame.materials, !frame.colors.empty(),
+                     size.height);
     const auto pixels = space.fragments.pixels();
     for (std::size_t i = 0; i < pixels.size(); ++i)
         refined.push_back({pixels[i].x, pixels[i].y, space.mixer.words()[i]});

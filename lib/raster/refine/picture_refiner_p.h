@@ -25,7 +25,8 @@ struct drawn_frame {
     const l3d_pixels& target;
     l3d_depth_buffer& depth; ///< of the whole picture
     const l3d_shading& shading;
-    std::span<const std::uint32_t> colors; ///< of the materials; empty if all is grey
+    std::span<const l3d_material> materials;
+    std::span<const std::uint32_t> colors; ///< of the materials, if they are those of levels
     const band_list& list;
     const coarse_depth& coarse;
     l3d_pixel_box window; ///< what is drawn of the target

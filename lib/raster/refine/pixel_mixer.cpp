@@ -46,13 +46,21 @@ std::uint64_t sample_at(float x, float y) {
 
 } // namespace
 
-void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading, bool has_color) {
+void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading,
+                       std::span<const l3d_material> materials, bool has_color, int height) {
     has_color_ = has_color;
     measure_pairs(band, measures_);
-    with_shader(shading, 0, [&](auto shader) { draw_by(shader, band); });
+    with_shader(shading, materials, 0,
+                [&](auto shader) { draw_by(shader, band, shading.background, height); });
 }
 
-template <class Shader> void pixel_mixer::draw_by(Shader shader, const band_fragments& band) {
+pixel_mixer::ground pixel_mixer::ground_of(std::uint32_t word) {
+    return {word, light_sum::of_word(word, linear_light_tables())};
+}
+
+template <class Shader>
+void pixel_mixer::draw_by(Shader shader, const band_fragments& band,
+                          const l3d_background& background, int height) {
     const linear_light& tables = linear_light_tables();
     const auto pixels = band.pixels();
     words_.clear();
@@ -60,15 +68,16 @@ template <class Shader> void pixel_mixer::draw_by(Shader shader, const band_frag
         const scan_point corner{pixels[i].x * l3d_subpixel_one, pixels[i].y * l3d_subpixel_one};
         collect(band, i);
         hide();
-        light_sum light;
-        if (!mix(shader, band, corner, band.closed(i), light)) {
+        const ground behind = ground_of(background.word(pixels[i].y, height));
+        mixture sum;
+        if (!mix(shader, band, corner, band.closed(i), behind, sum)) {
             ++sampled_;
             sampler_.begin(corner);
             for (const fragment& f : fragments_)
                 sampler_.add(band.polygons()[f.polygon]);
-            light = sampler_.light(shader, has_color_, band.closed(i));
+            sum.light = sampler_.light(shader, has_color_, band.closed(i), sum.empty);
         }
-        words_.push_back(light.word(tables));
+        words_.push_back(sum.light.word_before(behind.word, sum.empty, tables));
     }
 }
 
@@ -82,8 +91,8 @@ void pixel_mixer::collect(const band_fragments& band, std::size_t pixel) {
             continue;
         const std::uint32_t name = band.pairs()[pair].polygon;
         const fragment_polygon& polygon = band.polygons()[name];
-        fragments_.push_back(
-            {static_cast<std::uint32_t>(pair), name, area, mask, mask, polygon.farthest, polygon.nearest, polygon.area2() > 0});
+        fragments_.push_back({static_cast<std::uint32_t>(pair), name, area, mask, mask,
+                              polygon.farthest, polygon.nearest, polygon.area2() > 0});
     }
 }
 
@@ -148,7 +157,7 @@ light_sum pixel_mixer::light_of(Shader& shader, const band_fragments& band, cons
 /// False if the areas do not tell enough.
 template <class Shader>
 bool pixel_mixer::mix(Shader& shader, const band_fragments& band, scan_point corner, bool closed,
-                      light_sum& light) {
+                      const ground& behind, mixture& sum) {
     std::uint64_t seen = 0;
     std::array<float, 2> of_slivers{};
     float known = 0;
@@ -160,32 +169,33 @@ bool pixel_mixer::mix(Shader& shader, const band_fragments& band, scan_point cor
         if (is_sliver)
             of_slivers[f.clockwise ? 1 : 0] += f.area;
         known += f.area;
-        light.add(light_of(shader, band, f, corner), f.area);
+        sum.light.add(light_of(shader, band, f, corner), f.area);
     }
     // Slivers of both turns may lie before each other.
     if (of_slivers[0] > 0 && of_slivers[1] > 0 && of_slivers[0] + of_slivers[1] > harmless_area)
         return false;
-    return add_rest(shader, band, corner, closed, known, seen, light);
+    return add_rest(shader, band, corner, closed, known, seen, behind, sum);
 }
 
 /// Adds what shares the area that is not known: polygons that are hidden in part, and the empty
 /// background.
 template <class Shader>
 bool pixel_mixer::add_rest(Shader& shader, const band_fragments& band, scan_point corner,
-                           bool closed, float known, std::uint64_t seen, light_sum& light) {
+                           bool closed, float known, std::uint64_t seen, const ground& behind,
+                           mixture& sum) {
     const float rest = 1 - known;
     const int empty = closed ? 0 : bits_in(~seen);
-    light_sum sum;
+    light_sum in_part;
     light_range range;
     int samples = empty;
     if (empty > 0)
-        range.add({});
+        range.add(behind.light);
     for (const fragment& f : fragments_) {
         if (f.seen == 0 || f.seen == f.mask)
             continue;
         const light_sum here = light_of(shader, band, f, corner);
         const int count = bits_in(f.seen);
-        sum.add(here, static_cast<float>(count));
+        in_part.add(here, static_cast<float>(count));
         samples += count;
         range.add(here);
     }
@@ -193,14 +203,18 @@ bool pixel_mixer::add_rest(Shader& shader, const band_fragments& band, scan_poin
         if (std::abs(rest) > harmless_area / 4 && !(closed && known > 0.5f && rest > 0))
             return false;
         light_sum whole;
-        whole.add(light, 1 / known);
-        light = whole;
+        whole.add(sum.light, 1 / known);
+        sum.light = whole;
         return true;
     }
-    if (range.contrast() > harmless_contrast)
+    const bool is_mixed = samples > empty && empty > 0;
+    if (range.contrast() > harmless_contrast || (is_mixed && behind.is_none()))
         return false;
-    if (rest > 0)
-        light.add(sum, rest / static_cast<float>(samples));
+    if (rest > 0) {
+        const float share = rest / static_cast<float>(samples);
+        sum.light.add(in_part, share);
+        sum.empty = share * static_cast<float>(empty);
+    }
     return rest > -harmless_area / 4;
 }
 

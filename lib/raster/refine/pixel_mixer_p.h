@@ -25,9 +25,10 @@ namespace l3d_detail {
 /// Lives: of one worker, kept for its memory.
 class pixel_mixer {
 public:
-    /// Makes the words of the band's marked pixels; its polygons have the colours of materials if
-    /// `has_color`. Expects: its pairs are sorted.
-    void draw(const band_fragments& band, const l3d_shading& shading, bool has_color);
+    /// Makes the words of the band's marked pixels, in a picture of that height; its polygons have
+    /// the colours of materials if `has_color`. Expects: its pairs are sorted.
+    void draw(const band_fragments& band, const l3d_shading& shading,
+              std::span<const l3d_material> materials, bool has_color, int height);
 
     /// One for each of the band's pixels, in their order.
     std::span<const std::uint32_t> words() const { return words_; }
@@ -45,17 +46,32 @@ private:
         bool clockwise;
     };
 
-    template <class Shader> void draw_by(Shader shader, const band_fragments& band);
+    /// What is behind all surfaces of a pixel.
+    struct ground {
+        std::uint32_t word;
+        light_sum light; ///< black if there is nothing
+        bool is_none() const { return word == l3d_pixels::transparent; }
+    };
+    /// What the areas in a pixel sum up to.
+    struct mixture {
+        light_sum light;
+        float empty = 0; ///< the share of the ground, whose light is not in the sum
+    };
+
+    template <class Shader>
+    void draw_by(Shader shader, const band_fragments& band, const l3d_background& background,
+                 int height);
     void collect(const band_fragments& band, std::size_t pixel);
     void hide();
     std::uint64_t nearer_samples(const fragment& one, const fragment& other) const;
     bool is_hidden(const fragment& sliver) const;
     template <class Shader>
     bool mix(Shader& shader, const band_fragments& band, scan_point corner, bool closed,
-             light_sum& light);
+             const ground& behind, mixture& sum);
     template <class Shader>
     bool add_rest(Shader& shader, const band_fragments& band, scan_point corner, bool closed,
-                  float known, std::uint64_t seen, light_sum& light);
+                  float known, std::uint64_t seen, const ground& behind, mixture& sum);
+    static ground ground_of(std::uint32_t word);
     template <class Shader>
     light_sum light_of(Shader& shader, const band_fragments& band, const fragment& of,
                        scan_point corner) const;

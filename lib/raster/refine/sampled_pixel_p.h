@@ -29,8 +29,9 @@ public:
     void add(const fragment_polygon& polygon);
 
     /// `has_color`: polygons have the colours of materials. `closed`: samples that no polygon
-    /// covers show what the others do.
-    template <class Shader> light_sum light(Shader& shader, bool has_color, bool closed);
+    /// covers show what the others do. Of others, `empty` gets the share.
+    template <class Shader>
+    light_sum light(Shader& shader, bool has_color, bool closed, float& empty);
 
 private:
     struct fragment {
@@ -45,7 +46,7 @@ private:
 };
 
 template <class Shader>
-light_sum sampled_pixel::light(Shader& shader, bool has_color, bool closed) {
+light_sum sampled_pixel::light(Shader& shader, bool has_color, bool closed, float& empty) {
     hide();
     light_sum sum;
     float covered = 0;
@@ -60,7 +61,8 @@ light_sum sampled_pixel::light(Shader& shader, bool has_color, bool closed) {
                          corner_.y + half_each * m.y),
                 share);
     }
-    if (!closed || covered <= 0)
+    empty = closed && covered > 0 ? 0.0f : 1 - covered;
+    if (empty > 0 || covered <= 0)
         return sum;
     light_sum all;
     all.add(sum, 1 / covered);

@@ -4,6 +4,7 @@
 
 #include "raster/shapes/attribute_plane_p.h"
 #include "raster/shapes/piece_pixels_p.h"
+#include "raster/surfaces/lit_shader_p.h"
 #include "raster/surfaces/surface_shader_p.h"
 
 #include <algorithm>
@@ -25,6 +26,19 @@ struct own_color_shader {
     void begin_polygon(std::span<const l3d_micro_vertex>) {}
     void corner(const l3d_micro_vertex&, float*) const {}
     std::uint32_t word(const float*) const { return color; }
+};
+
+/// The background, where it is seen through the faces that hide lines.
+struct ground_shader {
+    static constexpr std::size_t components = 0;
+    l3d_background background;
+    int height;
+    std::uint32_t of_row = 0;
+
+    void begin_polygon(std::span<const l3d_micro_vertex>) {}
+    void begin_row(std::int32_t row) { of_row = background.word(row, height); }
+    void corner(const l3d_micro_vertex&, float*) const {}
+    std::uint32_t word(const float*) const { return of_row; }
 };
 
 /// Everything a triangle is painted by.
@@ -53,6 +67,8 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
         plane.emplace(points, values, area2);
     };
     const auto paint_row = [&](std::int32_t row, std::int32_t start, columns span) {
+        if constexpr (requires { shader.begin_row(row); })
+            shader.begin_row(row);
         const typename planes::numbers step = plane->per_column();
         const typename planes::numbers value = plane->at(start, row);
         std::uint32_t* const words = to.target.row(row).data();
@@ -75,9 +91,8 @@ struct l3d_painter::work_space {
     painting to;
     std::span<const l3d_material> materials;
 
-    void begin(l3d_pixels target) {
-        for (int y = 0; y < target.height; ++y)
-            std::ranges::fill(target.row(y), 0u);
+    void begin(l3d_pixels target, const l3d_background& background) {
+        background.fill(target);
         to.target = target;
         to.scan.set_rows({0, target.height});
         to.written = 0;
@@ -91,9 +106,36 @@ struct l3d_painter::work_space {
             place_cuts(piece, triangles, cuts, to.cuts);
             if constexpr (std::is_same_v<Shader, own_color_shader>)
                 shader.color = triangles[piece.triangle].color;
-            if (!materials.empty())
+            if constexpr (std::is_same_v<Shader, lit_shader>)
+                shader.use_material(triangles[piece.triangle].material);
+            else if (!materials.empty())
                 to.color = materials[triangles[piece.triangle].material].color;
             paint_triangle(to, shader, triangles[piece.triangle].v);
+        }
+    }
+
+    void paint_by_mode(const l3d_shading& shading, std::span<const l3d_painter_triangle> triangles,
+                       std::span<const l3d_painter_piece> pieces,
+                       std::span<const l3d_painter_cut> cuts) {
+        switch (shading.mode) {
+        case l3d_shade::lambert:
+            paint(lambert_shader(shading), triangles, pieces, cuts);
+            break;
+        case l3d_shade::gouraud:
+            paint(gouraud_shader(shading), triangles, pieces, cuts);
+            break;
+        case l3d_shade::flat:
+            paint(flat_shader(shading), triangles, pieces, cuts);
+            break;
+        case l3d_shade::normals:
+            paint(normals_shader(shading), triangles, pieces, cuts);
+            break;
+        case l3d_shade::error:
+            paint(own_color_shader(), triangles, pieces, cuts);
+            break;
+        case l3d_shade::levels:
+            assert(false); // only diced surfaces have levels
+            break;
         }
     }
 
@@ -112,43 +154,28 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
                         std::span<const l3d_painter_triangle> triangles,
                         std::span<const l3d_painter_piece> pieces,
                         std::span<const l3d_painter_cut> cuts) {
-    work_->begin(target);
+    work_->begin(target, shading.background);
     const bool is_light = shading.mode != l3d_shade::normals && shading.mode != l3d_shade::error;
     work_->materials = is_light ? materials : std::span<const l3d_material>();
-    switch (shading.mode) {
-    case l3d_shade::lambert:
-        work_->paint(lambert_shader(shading), triangles, pieces, cuts);
-        break;
-    case l3d_shade::gouraud:
-        work_->paint(gouraud_shader(shading), triangles, pieces, cuts);
-        break;
-    case l3d_shade::flat:
-        work_->paint(flat_shader(shading), triangles, pieces, cuts);
-        break;
-    case l3d_shade::normals:
-        work_->paint(normals_shader(shading), triangles, pieces, cuts);
-        break;
-    case l3d_shade::error:
-        work_->paint(own_color_shader(), triangles, pieces, cuts);
-        break;
-    case l3d_shade::levels:
-        assert(false); // only diced surfaces have levels
-        break;
-    }
+    if (shading.is_lit(materials))
+        work_->paint(lit_shader(shading, materials), triangles, pieces, cuts);
+    else
+        work_->paint_by_mode(shading, triangles, pieces, cuts);
     counts_ = {};
     counts_.quads = static_cast<std::int64_t>(pieces.size());
     counts_.samples = counts_.written = work_->to.written;
     counts_.covered = l3d_surface_counts::none_counted;
 }
 
-void l3d_painter::paint_lines(l3d_pixels target, std::span<const l3d_painter_triangle> triangles,
+void l3d_painter::paint_lines(l3d_pixels target, const l3d_background& background,
+                              std::span<const l3d_painter_triangle> triangles,
                               std::span<const l3d_painter_piece> pieces,
                               std::span<const l3d_painter_cut> cuts, std::uint32_t line_color) {
-    work_->begin(target);
-    own_color_shader black;
+    work_->begin(target, background);
+    ground_shader ground{background, target.height};
     for (const l3d_painter_piece& piece : pieces) {
         place_cuts(piece, triangles, cuts, work_->to.cuts);
-        paint_triangle(work_->to, black, triangles[piece.triangle].v);
+        paint_triangle(work_->to, ground, triangles[piece.triangle].v);
         work_->draw_sides(triangles[piece.triangle], line_color);
     }
     counts_ = {};

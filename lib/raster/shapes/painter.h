@@ -59,8 +59,9 @@ public:
                std::span<const l3d_painter_piece> pieces, std::span<const l3d_painter_cut> cuts);
 
     /// Clears the picture and draws the visible sides of the pieces as lines. Each piece is painted
-    /// in black, the ground's colour, before its own sides.
-    void paint_lines(l3d_pixels target, std::span<const l3d_painter_triangle> triangles,
+    /// in the background's colours before its own sides.
+    void paint_lines(l3d_pixels target, const l3d_background& background,
+                     std::span<const l3d_painter_triangle> triangles,
                      std::span<const l3d_painter_piece> pieces,
                      std::span<const l3d_painter_cut> cuts, std::uint32_t line_color);
 

@@ -4,6 +4,7 @@
 
 #include "raster/shapes/line_steps_p.h"
 #include "raster/shapes/smooth_line_p.h"
+#include "raster/shapes/visit_coverage_p.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -204,6 +205,23 @@ void l3d_rasterizer_2d_mesa_imp::do_draw_outlines(std::span<const l3d_outline_2d
     set_blending(blending::off);
     for (const pixel_span& span : winding_.convert(outlines, inside, target_.size()))
         add_rectangle(span.first, span.row, span.last, span.row + 1, color);
+}
+
+/// One rectangle for each run of pixels that are covered alike.
+void l3d_rasterizer_2d_mesa_imp::do_draw_coverage(const l3d_coverage_2d& shape,
+                                                  std::uint32_t color) {
+    if (!fits_)
+        return cpu_.draw_coverage(shape, color);
+    set_blending(blending::by_coverage);
+    visit_coverage(shape, target_.size(), [&](int x, int y, std::span<const std::uint8_t> values) {
+        for (std::size_t i = 0, end = 0; i < values.size(); i = end) {
+            while (end < values.size() && values[end] == values[i])
+                ++end;
+            if (values[i] > 0)
+                add_rectangle(x + static_cast<int>(i), y, x + static_cast<int>(end), y + 1,
+                              (color & 0x00ffffff) | std::uint32_t{values[i]} << 24);
+        }
+    });
 }
 
 void l3d_rasterizer_2d_mesa_imp::add_rectangle(int left, int top, int right, int bottom,

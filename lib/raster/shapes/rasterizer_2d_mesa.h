@@ -14,11 +14,11 @@
 /// All becomes triangles on the lattice of 1/256 pixel, which GL fills by the same rule. Points,
 /// the straight runs of a line and the spans of outlines are drawn as rectangles. GL's own lines
 /// leave open which of two equally near pixels is lit, and its polygons must be convex. The words
-/// are the same, too; only where GL computes colours, in Gouraud-shaded polygons and smooth lines,
-/// may red, green and blue differ by 1. The CPU draws what GL cannot draw exactly. This includes
-/// polygons that reach further than 8191 pixels from the middle of the picture, and pictures larger
-/// than GL's largest.
-/// Cost:    drawing gathers; the picture goes to GL with the first batch after finish, set_target
+/// are the same, too; only where GL computes colours, in Gouraud-shaded polygons, smooth lines and
+/// coverage, may red, green and blue differ by 1. The CPU draws what GL cannot draw exactly. This
+/// includes polygons that reach further than 8191 pixels from the middle of the picture, and
+/// pictures larger than GL's largest. Cost:    drawing gathers; the picture goes to GL with the
+/// first batch after finish, set_target
 ///          or a change of hands, and comes back in finish.
 class l3d_rasterizer_2d_mesa_imp final : public l3d_rasterizer_2d_imp {
 public:
@@ -37,6 +37,7 @@ private:
     void do_draw_polygon_gouraudshaded(std::span<const l3d_colored_point_2d> corners) override;
     void do_draw_outlines(std::span<const l3d_outline_2d> outlines, l3d_winding inside,
                           std::uint32_t color) override;
+    void do_draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color) override;
 
     struct vertex {
         float x, y;

@@ -4,6 +4,7 @@
 
 #include "raster/shapes/line_steps_p.h"
 #include "raster/shapes/smooth_line_p.h"
+#include "raster/shapes/visit_coverage_p.h"
 #include "raster/shapes/span_kernels_p.h"
 
 #include <algorithm>
@@ -46,6 +47,23 @@ std::uint32_t blended(std::uint32_t word, std::uint32_t color, int coverage) {
         const int to = static_cast<int>(color >> shift & 255);
         const int sum = from * (255 - coverage) + to * coverage;
         result |= static_cast<std::uint32_t>((sum + 127) / 255) << shift;
+    }
+    return result;
+}
+
+/// The same of a word that may be transparent: both colours count by what they cover.
+std::uint32_t blended_over_gap(std::uint32_t word, std::uint32_t color, int coverage) {
+    if (word >> 24 == 0)
+        return blended(word, color, coverage);
+    const int of_color = 255 * coverage;
+    const int of_word = (255 - coverage) * (255 - static_cast<int>(word >> 24));
+    const int sum = of_color + of_word; // not 0, as something is covered
+    std::uint32_t result = static_cast<std::uint32_t>(255 - (sum + 127) / 255) << 24;
+    for (const int shift : {0, 8, 16}) {
+        const int from = static_cast<int>(word >> shift & 255);
+        const int to = static_cast<int>(color >> shift & 255);
+        result |= static_cast<std::uint32_t>((from * of_word + to * of_color + sum / 2) / sum)
+                  << shift;
     }
     return result;
 }
@@ -137,4 +155,15 @@ void l3d_rasterizer_2d_sw_imp::do_draw_polygon_gouraudshaded(
 void l3d_rasterizer_2d_sw_imp::do_draw_outlines(std::span<const l3d_outline_2d> outlines,
                                                 l3d_winding inside, std::uint32_t color) {
     fill_spans(target_, winding_.convert(outlines, inside, target_.size()), color);
+}
+
+void l3d_rasterizer_2d_sw_imp::do_draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color) {
+    visit_coverage(shape, target_.size(), [&](int x, int y, std::span<const std::uint8_t> values) {
+        std::uint32_t* word = target_.row(y).data() + x;
+        for (const std::uint8_t coverage : values) {
+            if (coverage > 0)
+                *word = blended_over_gap(*word, color, coverage);
+            ++word;
+        }
+    });
 }

@@ -28,6 +28,7 @@ private:
     void do_draw_polygon_gouraudshaded(std::span<const l3d_colored_point_2d> corners) override;
     void do_draw_outlines(std::span<const l3d_outline_2d> outlines, l3d_winding inside,
                           std::uint32_t color) override;
+    void do_draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color) override;
 
     void draw_line(const l3d_line_2d& line, std::uint32_t color);
     template <class Point> void fill_convex(std::span<const Point> corners, std::uint32_t color);

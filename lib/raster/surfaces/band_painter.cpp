@@ -16,7 +16,7 @@ void band_painter::reserve_as(const band_painter& other) {
 void band_painter::draw(const band_frame& frame, const fill_band& band, const band_list& list,
                         std::span<const std::uint32_t> items, coarse_depth& coarse) {
     const l3d_pixel_box here{0, band.top, band.width, band.bottom};
-    scalar_.begin(band, frame.shading, frame.words);
+    scalar_.begin(band, frame.shading, frame.materials, frame.words);
     for (const std::uint32_t index : items) {
         const band_item& item = list.item(index);
         const l3d_pixel_box box = item.box.intersected(here);

@@ -19,6 +19,7 @@ struct band_frame {
     bool by_lanes = false;         ///< mode and width are such that the fill kernel can serve
     bool leaves_out_hidden = true; ///< what is behind the coarse depth is not looked at
     fill_words words{};
+    std::span<const l3d_material> materials{};
 };
 
 /// A worker's own work space, and what it has counted.

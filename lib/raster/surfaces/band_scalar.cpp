@@ -41,7 +41,8 @@ void fill_triangle(surface_fill<Shader>& fill, const l3d_micro_triangles& triang
 } // namespace
 
 void band_scalar::begin(const fill_band& band, const l3d_shading& shading,
-                        const fill_words& words) {
+                        std::span<const l3d_material> materials, const fill_words& words) {
+    materials_ = materials;
     target_.band = band;
     target_.coding = words;
     target_.scan.set_rows({band.top, band.bottom});
@@ -51,13 +52,14 @@ void band_scalar::begin(const fill_band& band, const l3d_shading& shading,
 
 /// Calls draw with a filler for the frame's shader.
 template <class Draw> void band_scalar::with_filler(std::uint32_t error_color, const Draw& draw) {
-    with_shader(*shading_, error_color,
+    with_shader(*shading_, materials_, error_color,
                 [&](const auto& shader) { draw(surface_fill(target_, shader)); });
 }
 
 void band_scalar::fill(const l3d_surface_part& part, const grid_cells& cells) {
     target_.material = target_.coding.of_material(part.material);
     with_filler(part.error_color, [&](auto fill) {
+        fill.use_material(part.material);
         for (int row = cells.row_begin; row < cells.row_end; ++row)
             for (int column = cells.column_begin; column < cells.column_end; ++column)
                 fill_cell(fill, target_.band, part.grid, part.grid.index(row, column));
@@ -68,6 +70,7 @@ void band_scalar::fill(const l3d_surface_part& part, std::size_t first, std::siz
     with_filler(part.error_color, [&](auto fill) {
         for (std::size_t i = first; i < last; ++i) {
             target_.material = target_.coding.of_material(part.material_of(i));
+            fill.use_material(part.material_of(i));
             fill_triangle(fill, part.triangles, i);
         }
     });

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace l3d_detail {
 
@@ -16,7 +17,7 @@ namespace l3d_detail {
 ///
 /// A quad's attribute plane goes through its two diagonals' differences and the mean of its
 /// corners, so no diagonal shows. Quads far from a parallelogram are filled as two triangles.
-/// Lives: borrows band and shading.
+/// Lives: borrows band, shading and materials.
 /// Cost:  allocates only when a band is higher than any before.
 class band_scalar {
 public:
@@ -24,7 +25,8 @@ public:
     void reserve(int rows) { target_.scan.set_rows({0, rows}); }
 
     /// From now on it draws here and counts from 0.
-    void begin(const fill_band& band, const l3d_shading& shading, const fill_words& words);
+    void begin(const fill_band& band, const l3d_shading& shading,
+               std::span<const l3d_material> materials, const fill_words& words);
 
     void fill(const l3d_surface_part& part, const grid_cells& cells);
 
@@ -41,6 +43,7 @@ private:
 
     surface_target target_;
     const l3d_shading* shading_ = nullptr;
+    std::span<const l3d_material> materials_;
 };
 
 } // namespace l3d_detail

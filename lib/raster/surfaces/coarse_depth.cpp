@@ -128,10 +128,13 @@ void visit_runs(const tile_table& table, const fill_band& band, bool drawn, cons
         });
 }
 
-void clear_words(const tile_table& table, const fill_band& band) {
+void clear_words(const tile_table& table, const fill_band& band, const l3d_background& background,
+                 std::int32_t height) {
     visit_runs(table, band, true, [&](const tile_pixels& p) {
+        const auto top = band.top + static_cast<std::int32_t>(p.words_at / band.word_pitch);
         for (std::int32_t y = 0; y < p.height; ++y)
-            std::fill_n(band.words + p.words_at + y * band.word_pitch, p.width, 0u);
+            std::fill_n(band.words + p.words_at + y * band.word_pitch, p.width,
+                        background.word(top + y, height));
     });
 }
 
@@ -244,8 +247,9 @@ void coarse_depth::resize(l3d_size size) {
     }
 }
 
-void coarse_depth::clear_words(const fill_band& band) const {
-    L3D_SIMD_CALL(clear_words)(table_, band);
+void coarse_depth::clear_words(const fill_band& band, const l3d_background& background,
+                               std::int32_t height) const {
+    L3D_SIMD_CALL(clear_words)(table_, band, background, height);
 }
 
 void coarse_depth::forget(std::int32_t top, std::int32_t bottom) {

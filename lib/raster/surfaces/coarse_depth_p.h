@@ -38,8 +38,9 @@ class coarse_depth {
 public:
     void resize(l3d_size size);
 
-    /// Sets the words of tiles that something was drawn to, to 0.
-    void clear_words(const fill_band& band) const;
+    /// Makes the words of tiles that something was drawn to show the background.
+    void clear_words(const fill_band& band, const l3d_background& background,
+                     std::int32_t height) const;
 
     /// Nothing is in rows [top, bottom), whatever their depths say.
     void forget(std::int32_t top, std::int32_t bottom);

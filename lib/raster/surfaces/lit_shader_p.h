@@ -52,13 +52,11 @@ public:
         const float x = static_cast<float>(vertex.x) / l3d_subpixel_one;
         const float y = static_cast<float>(vertex.y) / l3d_subpixel_one;
         for (std::size_t i = 0; i < 3; ++i)
-            out[4 + i] =
-                shading_.look[i] + x * shading_.look_right[i] + y * shading_.look_down[i];
+            out[4 + i] = shading_.look[i] + x * shading_.look_right[i] + y * shading_.look_down[i];
     }
 
     std::uint32_t word(const float* at) const {
-        const float length =
-            std::sqrt(safe_square(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]));
+        const float length = std::sqrt(safe_square(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]));
         const float side = (at[3] > 0 ? -1.0F : 1.0F) / length;
         const vector3 normal{side * at[0], side * at[1], side * at[2]};
         const vector3 to_eye = unit({-at[4], -at[5], -at[6]});
@@ -87,6 +85,15 @@ private:
         return {v[0] / length, v[1] / length, v[2] / length};
     }
 
+    /// By squares, so that no library's approximation decides a bit.
+    static float whole_power(float base, int exponent) {
+        float result = 1;
+        for (; exponent > 0; exponent >>= 1, base *= base)
+            if (exponent & 1)
+                result *= base;
+        return result;
+    }
+
     void add_light(const l3d_far_light& light, const vector3& normal, const vector3& to_eye,
                    l3d_light_color& scattered, l3d_light_color& mirrored) const {
         const float lit = dot(light.direction, normal.data());
@@ -95,7 +102,8 @@ private:
         const vector3 half = unit({light.direction[0] + to_eye[0], light.direction[1] + to_eye[1],
                                    light.direction[2] + to_eye[2]});
         const float facing = std::max(dot(half, normal.data()), 0.0F);
-        const float peak = material_.highlight == 0 ? 0.0F : std::pow(facing, material_.sharpness);
+        const float peak =
+            material_.highlight == 0 ? 0.0F : whole_power(facing, material_.sharpness);
         for (std::size_t i = 0; i < scattered.size(); ++i) {
             scattered[i] += 0.9F * lit * light.color[i];
             mirrored[i] += peak * light.color[i];

@@ -4,6 +4,7 @@
 #define L3D_RASTER_SURFACES_SHADER_CHOICE_P_H
 
 #include "raster/surfaces/levels_shader_p.h"
+#include "raster/surfaces/lit_shader_p.h"
 #include "raster/surfaces/surface_shader_p.h"
 
 namespace l3d_detail {
@@ -14,9 +15,18 @@ concept has_bends = requires(Shader shader, const quad_corners& v) {
     shader.begin_quad(v);
 };
 
+/// Whether a shader wants to know what its polygons are made of.
+template <class Shader>
+concept has_materials = requires(Shader shader) {
+    shader.use_material(0U);
+};
+
 /// Calls action with the frame's shader: one switch per batch, none per pixel.
 template <class Action>
-void with_shader(const l3d_shading& shading, std::uint32_t error_color, const Action& action) {
+void with_shader(const l3d_shading& shading, std::span<const l3d_material> materials,
+                 std::uint32_t error_color, const Action& action) {
+    if (shading.is_lit(materials))
+        return action(lit_shader(shading, materials));
     switch (shading.mode) {
     case l3d_shade::lambert:
         return action(lambert_shader(shading));

@@ -23,6 +23,12 @@ template <class Shader> class surface_fill {
 public:
     surface_fill(surface_target& target, const Shader& shader) : target_(target), shader_(shader) {}
 
+    /// What polygons are made of from now on, for shaders that want to know.
+    void use_material(std::uint32_t index) {
+        if constexpr (has_materials<Shader>)
+            shader_.use_material(index);
+    }
+
     void quad(const quad_corners& v) {
         const quad_turns turns(v);
         if (turns.level())

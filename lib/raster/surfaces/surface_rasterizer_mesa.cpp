@@ -108,9 +108,10 @@ void l3d_surface_rasterizer_mesa::do_begin(l3d_pixels target, l3d_depth_buffer* 
         gl.Uniform2f(gl_target_.uniform("middle"), static_cast<float>(gl_target_.middle_x()),
                      static_cast<float>(gl_target_.middle_y()));
     }
-    if (!depth && (counts_pixels() || !fits_))
+    by_cpu_ = !fits_ || shading.is_lit(materials());
+    if (!depth && (counts_pixels() || by_cpu_))
         own_depth_.resize(target.size());
-    if (!fits_) {
+    if (by_cpu_) {
         cpu_.count_pixels(counts_pixels());
         cpu_.use_materials(materials());
         return cpu_.begin(target, depth_, shading);
@@ -123,7 +124,7 @@ void l3d_surface_rasterizer_mesa::do_begin(l3d_pixels target, l3d_depth_buffer* 
 }
 
 void l3d_surface_rasterizer_mesa::do_draw(std::span<const l3d_surface_part* const> parts) {
-    if (!fits_)
+    if (by_cpu_)
         return cpu_.draw(parts);
     for (const l3d_surface_part* part : parts)
         add_part(*part);
@@ -190,9 +191,7 @@ void l3d_surface_rasterizer_mesa::add(std::span<const l3d_micro_vertex> convex) 
 void l3d_surface_rasterizer_mesa::flush() {
     const mesa_gl& gl = gl_target_.gl();
     if (!cleared_) {
-        gl.ClearColor(0, 0, 0, 0);
-        gl.ClearDepth(0);
-        gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        gl_target_.clear(shading_.background);
         cleared_ = true;
     }
     if (batch_.empty())
@@ -230,15 +229,15 @@ std::int64_t l3d_surface_rasterizer_mesa::draw() {
 }
 
 void l3d_surface_rasterizer_mesa::do_finish() {
-    if (!fits_)
+    if (by_cpu_)
         return cpu_.finish();
     flush();
-    gl_target_.download(target_);
+    gl_target_.download(target_, shading_.background);
     if (depth_ != &own_depth_ || counts_pixels())
         gl_target_.download(*depth_);
     counts_.covered = counts_pixels() ? l3d_covered(*depth_) : l3d_surface_counts::none_counted;
 }
 
 const l3d_surface_counts& l3d_surface_rasterizer_mesa::do_counts() const {
-    return fits_ ? counts_ : cpu_.counts();
+    return by_cpu_ ? cpu_.counts() : counts_;
 }

@@ -16,7 +16,8 @@
 /// A convex quad is drawn as two triangles. Inside one that is no parallelogram, depth and shade
 /// differ a little from the plane that the CPU lays through it. The outline does not differ.
 /// Positions are exact within 8192 pixels of the middle of the picture; what reaches further is
-/// clipped there, rounded. A picture larger than GL's largest is left to the CPU.
+/// clipped there, rounded. A picture larger than GL's largest is left to the CPU, and so is what
+/// has several lights or highlights.
 /// Units:   as l3d_surface_rasterizer_scalar, and inv_w from 2^-94 to 2^32.
 /// Cost:    drawing gathers; every batch is drawn twice if pixels are counted, once only for its
 ///          samples.
@@ -56,6 +57,7 @@ private:
     std::vector<vertex> batch_;
     l3d_size held_size_;
     bool fits_ = false;    ///< GL can hold the picture
+    bool by_cpu_ = false;  ///< this frame is: it does not fit, or has several lights or highlights
     bool cleared_ = false; ///< GL's picture is that of this frame
     unsigned query_ = 0;
     l3d_surface_rasterizer_scalar cpu_;

@@ -15,17 +15,16 @@ void l3d_surface_rasterizer_scalar::do_begin(l3d_pixels target, l3d_depth_buffer
         depth->resize(target.size());
     }
     depth->clear();
-    for (int y = 0; y < target.height; ++y)
-        std::ranges::fill(target.row(y), 0u);
+    shading.background.fill(target);
     shading_ = shading;
     drawn_ = target;
-    materials_.begin(materials());
+    materials_.begin(shading.is_lit(materials()) ? std::span<const l3d_material>() : materials());
     part_ = {};
     depth_ = depth;
     counts_ = {};
     filler_.begin({target.words, target.stride, depth->data(), depth->pitch(), target.width, 0,
                    target.height},
-                  shading_, fill_words{materials_.wanted()});
+                  shading_, materials(), fill_words{materials_.wanted()});
 }
 
 void l3d_surface_rasterizer_scalar::do_begin_part(l3d_pixels target, l3d_depth_buffer* depth,

@@ -67,7 +67,8 @@ void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer* de
                                          const l3d_shading& shading, bool untouched) {
     assert(!depth || target.size() == depth->size());
     untouched_ = untouched && finished_ && target.words == target_.words &&
-                 target.size() == target_.size() && target.stride == target_.stride;
+                 target.size() == target_.size() && target.stride == target_.stride &&
+                 shading.background == work_->frame.shading.background;
     target_ = target;
     window_ = l3d_whole(target.size());
     part_ = {};
@@ -105,9 +106,11 @@ void l3d_surface_rasterizer_sw::start(l3d_depth_buffer* depth, const l3d_shading
     drawn_ = false;
     counts_ = {};
     work_->parts.clear();
-    work_->materials.begin(materials());
-    work_->frame = {shading, fill_shades(shading.mode) && target_.width >= fill_least_width,
-                    settings_.leave_out_hidden, fill_words{work_->materials.wanted()}};
+    const bool is_lit = shading.is_lit(materials());
+    work_->materials.begin(is_lit ? std::span<const l3d_material>() : materials());
+    work_->frame = {shading,
+                    !is_lit && fill_shades(shading.mode) && target_.width >= fill_least_width,
+                    settings_.leave_out_hidden, fill_words{work_->materials.wanted()}, materials()};
     work_->coarse.resize(target_.size());
     const int bands = (size.height + rows_ - 1) / rows_;
     work_->covered.assign(static_cast<std::size_t>(bands), 0);
@@ -198,11 +201,10 @@ void l3d_surface_rasterizer_sw::color_bands() {
 }
 
 void l3d_surface_rasterizer_sw::clear_words(const fill_band& band) {
+    const l3d_background& background = work_->frame.shading.background;
     if (untouched_)
-        return work_->coarse.clear_words(band);
-    const std::int32_t width = window_.right - window_.left;
-    for (int row = band.top; row < band.bottom; ++row)
-        std::fill_n(target_.row(row).data() + window_.left, width, 0u);
+        return work_->coarse.clear_words(band, background, target_.height);
+    background.fill(target_, {window_.left, band.top, window_.right, band.bottom});
 }
 
 bool l3d_surface_rasterizer_sw::do_hidden(const l3d_subpixel_box& box, float nearest_inv_w) const {
@@ -235,6 +237,7 @@ void l3d_surface_rasterizer_sw::refine() {
     counts_.refined = work_->refiner.refine({.target = target_,
                                              .depth = *depth_,
                                              .shading = work_->frame.shading,
+                                             .materials = work_->frame.materials,
                                              .colors = work_->materials.colors(),
                                              .list = list,
                                              .coarse = work_->coarse,

@@ -56,6 +56,7 @@ private:
     bool do_is_busy() const override { return !due_.empty(); }
     bool do_is_window() const override { return true; }
     double do_usual_fps() const override;
+    double do_text_scale() const override { return window_->text_scale(); }
     void do_set_fullscreen(bool on) override { fullscreen_.set(on); }
     bool do_is_fullscreen() const override { return fullscreen_.is_on(); }
     std::string do_describe() const override;

@@ -44,11 +44,13 @@ int x11_scale(const x11_connection& connection, const l3d_screen_request& reques
         return request.scale;
     const int fits = largest_x11_side / std::max(request.size.width, request.size.height);
     const int largest = std::clamp(fits, 1, l3d_largest_scale);
+    return static_cast<int>(std::lround(std::min<double>(x11_fineness(connection), largest)));
+}
+
+double x11_fineness(const x11_connection& connection) {
     const double wanted = resource_dpi(connection.display()) / usual_dpi;
     // Also for a resource that is no number.
-    if (!(wanted > 1))
-        return 1;
-    return static_cast<int>(std::lround(std::min<double>(wanted, largest)));
+    return wanted > 1 ? std::min<double>(wanted, l3d_largest_scale) : 1;
 }
 
 } // namespace l3d_detail

@@ -17,6 +17,10 @@ inline constexpr int largest_x11_side = 32767;
 /// Source:  GLFW takes Xft.dpi in units of 96, like the toolkits that the user's settings are for.
 int x11_scale(const x11_connection& connection, const l3d_screen_request& request);
 
+/// The display's dots an inch as the user has set them, in units of 96; at least 1, and no more
+/// than l3d_largest_scale. Cost: as x11_scale.
+double x11_fineness(const x11_connection& connection);
+
 } // namespace l3d_detail
 
 #endif

@@ -2,6 +2,7 @@
 // x11_window: attributes and properties.
 #include "tool_2d/x11/x11_window_p.h"
 
+#include "tool_2d/x11/x11_icon_p.h"
 #include "tool_2d/x11/x11_scale_p.h"
 
 #include <algorithm>
@@ -19,11 +20,11 @@ namespace {
 
 x11_atoms intern_atoms(Display* display) {
     constexpr std::array names{"WM_PROTOCOLS", "WM_DELETE_WINDOW", "_NET_WM_PING", "_NET_WM_PID",
-                               "_NET_WM_NAME", "UTF8_STRING",      "_L3D_PUT_DONE"};
+                               "_NET_WM_NAME", "UTF8_STRING",      "_NET_WM_ICON", "_L3D_PUT_DONE"};
     std::array<Atom, names.size()> atoms{};
     XInternAtoms(display, const_cast<char**>(names.data()), static_cast<int>(names.size()), False,
                  atoms.data());
-    return {atoms[0], atoms[1], atoms[2], atoms[3], atoms[4], atoms[5], atoms[6]};
+    return {atoms[0], atoms[1], atoms[2], atoms[3], atoms[4], atoms[5], atoms[6], atoms[7]};
 }
 
 constexpr long events_always = KeyPressMask | KeyReleaseMask | ButtonPressMask | ButtonReleaseMask |
@@ -59,6 +60,7 @@ std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> con
     const x11_error_trap trap(window->connection());
     window->create(native);
     window->set_names(request);
+    window->set_icon();
     window->set_hints(native);
     window->set_protocols();
     window->managed_ = has_x11_manager(window->connection());
@@ -76,7 +78,8 @@ std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> con
 x11_window::x11_window(std::unique_ptr<x11_connection> connection,
                        std::unique_ptr<x11_colormap> colormap, const x11_visual& visual, int scale)
     : connection_(std::move(connection)), colormap_(std::move(colormap)), visual_(visual),
-      atoms_(intern_atoms(display())), scale_(scale) {
+      atoms_(intern_atoms(display())), scale_(scale),
+      text_scale_(std::max(1.0, x11_fineness(*connection_) / scale)) {
     // Without this a held key looks like one that is pressed again and again.
     XkbSetDetectableAutoRepeat(display(), True, nullptr);
 }
@@ -135,6 +138,12 @@ void x11_window::set_names(const l3d_screen_request& request) {
                  std::string_view(machine.data()).size());
     const long process = getpid();
     set_property(atoms_.net_wm_pid, XA_CARDINAL, 32, &process, 1);
+}
+
+/// Width, height, and alpha, red, green and blue of each pixel: longs, whatever their size.
+void x11_window::set_icon() const {
+    const auto words = x11_icon();
+    set_property(atoms_.net_wm_icon, XA_CARDINAL, 32, words.data(), words.size());
 }
 
 void x11_window::set_hints(l3d_size native) {

@@ -21,6 +21,7 @@ struct x11_atoms {
     Atom net_wm_pid = 0;
     Atom net_wm_name = 0;
     Atom utf8_string = 0;
+    Atom net_wm_icon = 0;
     Atom l3d_put_done = 0; ///< ours: see x11_image::put
 };
 
@@ -50,6 +51,9 @@ public:
     /// Side of the square of the display's pixels that shows one of ours.
     int scale() const { return scale_; }
 
+    /// See l3d_screen::text_scale.
+    double text_scale() const { return text_scale_; }
+
     /// A length or place of the display's in our pixels; of a size the last pixel may be cut.
     int ours(int native) const { return (native < 0 ? native - scale_ + 1 : native) / scale_; }
     l3d_size ours(l3d_size native) const {
@@ -78,6 +82,7 @@ private:
     void create(l3d_size native);
     void set_title(std::string title);
     void set_names(const l3d_screen_request& request);
+    void set_icon() const;
     void set_hints(l3d_size native);
     void set_protocols();
 
@@ -86,6 +91,7 @@ private:
     x11_visual visual_;
     x11_atoms atoms_;
     int scale_;
+    double text_scale_;
     bool managed_ = false;
     Window window_ = 0;
     GC graphics_ = nullptr;

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// crease_normals: the normals of corners where faces meet at an edge that is to be seen.
+#ifndef L3D_PIPELINE_POLYGONS_CREASE_NORMALS_P_H
+#define L3D_PIPELINE_POLYGONS_CREASE_NORMALS_P_H
+
+#include "geom/polygon_mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Normals of corners that differ from those of their vertices.
+///
+/// Two faces that share an edge are smooth there if their normals are at most the crease angle
+/// apart. Around a vertex, faces that hang together by smooth edges share a normal, the mean of
+/// theirs weighted by area. A vertex all of whose faces are smooth keeps one normal for all.
+/// Cost:    k log k for a vertex of k faces.
+class crease_normals {
+public:
+    using vector = l3d_polygon_mesh::vector;
+    using direction = l3d_vector<float, 3>;
+
+    /// `areas` are the faces' normals times their areas; `of_faces` and `of_vertices` unit vectors.
+    /// Units:   degrees, 0 to 180.
+    /// Expects: all outlive this; a valid mesh.
+    crease_normals(const l3d_polygon_mesh& mesh, std::span<const vector> areas,
+                   std::span<const direction> of_faces, std::span<const direction> of_vertices,
+                   double crease_angle);
+
+    /// Whether no corner has a normal of its own.
+    bool empty() const { return normals_.empty(); }
+
+    /// The normals of corners, unit vectors.
+    std::span<const direction> normals() const { return normals_; }
+
+    /// The place in normals() of the normal of a face's corner at a vertex, or `none` if it has the
+    /// vertex's own.
+    std::uint32_t at(std::uint32_t vertex, std::uint32_t face) const;
+
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+private:
+    /// A face that has a corner at a vertex, and the vertices before and after it there.
+    struct corner {
+        std::uint32_t face, before, after;
+    };
+    /// Where a vertex's face has its normal.
+    struct place {
+        std::uint32_t vertex, face, normal;
+        friend auto operator<=>(const place&, const place&) = default;
+    };
+
+    bool is_smooth(std::uint32_t face, std::uint32_t other) const;
+    void divide(std::uint32_t vertex, std::span<const corner> around);
+
+    std::span<const vector> areas_;
+    std::span<const direction> of_faces_;
+    float least_cosine_, least_of_mean_;
+    std::vector<direction> normals_;
+    std::vector<place> places_; ///< in order
+
+    struct end {
+        std::uint32_t vertex, corner;
+        friend auto operator<=>(const end&, const end&) = default;
+    };
+    /// Of the corners around a vertex; kept for their memory.
+    std::vector<end> ends_;
+    std::vector<std::uint32_t> groups_; ///< another one that hangs together with it
+    std::vector<vector> sums_;
+    std::vector<std::uint32_t> numbers_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// l3d_background: what a picture shows where no surface is.
+#ifndef L3D_RASTER_BACKGROUND_H
+#define L3D_RASTER_BACKGROUND_H
+
+#include "base/public.h"
+#include "tool_2d/pixels.h"
+
+#include <algorithm>
+#include <cstdint>
+
+/// The highest byte of a pixel word of which such a share is empty. Expects: from 0 to 1.
+inline std::uint32_t l3d_transparency_of(float share) {
+    return static_cast<std::uint32_t>(255 * share + 0.5f) << 24;
+}
+
+/// The ground of a picture: one colour, two that pass into each other from top to bottom, or none.
+/// At first it is black.
+///
+/// Each row has one colour, so a part of a picture is the same however it is drawn.
+struct L3D_PUBLIC l3d_background {
+    std::uint32_t top = 0;    ///< the pixel word of the first row
+    std::uint32_t bottom = 0; ///< the pixel word of the last row
+
+    /// One colour. Units: 0x00RRGGBB.
+    static constexpr l3d_background color(std::uint32_t word) { return {word, word}; }
+
+    /// Quiet and bluish, darker above. Grey surfaces stand out by their hue, also in the shade.
+    static constexpr l3d_background gradient() { return {0x00333b46, 0x00707a86}; }
+
+    /// Nothing: pixel words there are l3d_pixels::transparent, and a PNG gets an alpha channel.
+    static constexpr l3d_background none() { return color(l3d_pixels::transparent); }
+
+    /// Whether nothing is behind the surfaces.
+    constexpr bool is_none() const { return top == l3d_pixels::transparent; }
+
+    /// Whether red, green and blue are equal in each row.
+    constexpr bool is_grey() const { return is_grey(top) && is_grey(bottom); }
+
+    /// The word of a row. Channels are linear from the first to the last row, rounded to the
+    /// nearest. Expects: 0 <= row < height.
+    constexpr std::uint32_t word(int row, int height) const {
+        if (top == bottom)
+            return top;
+        const std::int64_t last = height > 1 ? height - 1 : 1;
+        std::uint32_t result = 0;
+        for (int shift = 0; shift < 32; shift += 8) {
+            const std::int64_t from = top >> shift & 255, to = bottom >> shift & 255;
+            const std::int64_t sum = from * (last - row) + to * row;
+            result |= static_cast<std::uint32_t>((2 * sum + last) / (2 * last)) << shift;
+        }
+        return result;
+    }
+
+    /// Makes a box of a picture empty. Expects: the box lies in the picture.
+    void fill(const l3d_pixels& picture, const l3d_pixel_box& box) const {
+        for (int row = box.top; row < box.bottom; ++row)
+            std::ranges::fill(l3d_row(picture, row, box), word(row, picture.height));
+    }
+    /// Makes a picture empty.
+    void fill(const l3d_pixels& picture) const { fill(picture, l3d_whole(picture.size())); }
+
+    friend bool operator==(const l3d_background&, const l3d_background&) = default;
+
+private:
+    static constexpr bool is_grey(std::uint32_t word) {
+        return (word >> 16 & 255) == (word & 255) && (word >> 8 & 255) == (word & 255);
+    }
+};
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// l3d_font: a face of letters, and text drawn with it.
+#ifndef L3D_RASTER_SHAPES_FONT_H
+#define L3D_RASTER_SHAPES_FONT_H
+
+#include "base/public.h"
+#include "raster/rasterizer_2d.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// Draws text in UTF-8 with smooth letters of a font file, in any size.
+///
+/// A font without a file is the built-in face of l3d_draw_text: printable ASCII in whole multiples
+/// of 5 x 7 pixels, the same bits on every machine.
+///
+/// Units:   sizes are the height of the face's em square in pixels; a capital is some 0.7 of it.
+/// Expects: sizes of at least 1. Copies share what they have drawn, so all of them belong to one
+///          thread.
+/// Cost:    a letter is made once for each size. Then it is one l3d_coverage_2d.
+class L3D_PUBLIC l3d_font {
+public:
+    /// The built-in face.
+    l3d_font();
+
+    /// Reads a file that FreeType knows, such as TrueType or OpenType.
+    /// Errors:  nothing, and the reason in `why`, which names the file.
+    static std::optional<l3d_font> load(const std::string& file, std::string& why);
+
+    /// The face that this machine has for people. The environment's L3D_FONT names a file, or is
+    /// "built-in". Without it, the first one found in the usual places of DejaVu, Noto, Liberation
+    /// and FreeFont is taken, else the built-in one. A file that cannot be read gives the built-in
+    /// one, and the reason in `why`.
+    static l3d_font of_system(std::string& why);
+
+    /// The file, or "built-in".
+    const std::string& name() const { return name_; }
+
+    /// The distance from one line of text to the next. Units: pixels.
+    int line(int size) const;
+
+    /// The width of a line of text, up to where a next letter would begin. Units: pixels.
+    int width(std::string_view text, int size) const;
+
+    /// Draws one line of text. (x, y) is the top left corner of its line, which is line(size) high.
+    /// Bytes that are no UTF-8 are drawn as the sign for what is unknown, a box.
+    void draw(l3d_rasterizer_2d& rasterizer, int x, int y, std::string_view text,
+              std::uint32_t color, int size) const;
+
+private:
+    class face;
+    class built_in_face;
+    class file_face;
+
+    l3d_font(std::shared_ptr<face> of, std::string name);
+
+    std::shared_ptr<face> face_;
+    std::string name_;
+};
+
+#endif

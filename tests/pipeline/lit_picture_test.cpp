@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Whole frames with several lights and highlights, by every pipeline, and what is said of them.
+#include "still_studio.h"
+
+#include "geom/polygon_shapes.h"
+#include "pipeline/polygons/pipeline_zbuffer.h"
+#include "pipeline/polygons/pipeline_zsort.h"
+#include "raster/error_map.h"
+#include "raster/rasterizer_factory_mesa.h"
+#include "tool_2d/error.h"
+#include "tool_2d/screen_memory.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace {
+
+using namespace still_tests;
+
+constexpr l3d_material shining{.color = 0x803020, .highlight = 0xffffff, .sharpness = 40};
+
+l3d_lighting two_lights() {
+    l3d_lighting lighting;
+    lighting.add(-1, 0.3, 0.2, {0, 0, 0.8F});
+    return lighting;
+}
+
+l3d_camera before_the_teapot() {
+    l3d_camera camera;
+    camera.eye = {3.2, 3.6, 7.4};
+    camera.target = {0.2, 1.3, 0.0};
+    return camera;
+}
+
+std::uint32_t channel(std::uint32_t word, int shift) {
+    return word >> shift & 255;
+}
+
+TEST(lit_picture, shows_highlights_and_the_second_light) {
+    l3d_patch_scene scene(teapot_model());
+    l3d_afd_settings settings;
+    tester plain(scene, before_the_teapot(), settings);
+    plain.draw_event();
+    scene.paint(0, shining);
+    tester with_highlights(scene, before_the_teapot(), settings);
+    with_highlights.draw_event();
+    settings.lighting = two_lights();
+    tester with_both(scene, before_the_teapot(), settings);
+    with_both.draw_event();
+    const auto grey = plain.words(), highlights = with_highlights.words(), both = with_both.words();
+    int bright = 0, blue = 0, darker = 0;
+    for (std::size_t i = 0; i < grey.size(); ++i) {
+        const auto scattered =
+            static_cast<int>(l3d_product_of_colors(shining.color, grey[i]) >> 8 & 255);
+        const auto seen = static_cast<int>(channel(highlights[i], 8));
+        darker += seen < scattered - 3;
+        bright += seen > scattered + 100;
+        blue += channel(both[i], 0) > channel(highlights[i], 0) + 10;
+    }
+    EXPECT_LT(darker, 60); // at outlines, which side is seen is chance
+    EXPECT_GT(bright, 20);
+    EXPECT_LT(bright, 2000);
+    EXPECT_GT(blue, 500);
+}
+
+TEST(lit_picture, promises_places_and_depth_but_no_shades) {
+    l3d_patch_scene scene(teapot_model());
+    l3d_afd_settings settings;
+    settings.error_map = true;
+    tester plain(scene, before_the_teapot(), settings);
+    plain.draw_event();
+    EXPECT_TRUE(std::isfinite(plain.report().dice.shade_bound));
+    scene.paint(0, shining);
+    tester lit(scene, before_the_teapot(), settings);
+    lit.draw_event();
+    EXPECT_LE(lit.report().dice.bound_px, settings.tolerance);
+    EXPECT_TRUE(std::isfinite(lit.report().dice.depth_bound_px));
+    EXPECT_FALSE(std::isfinite(lit.report().dice.shade_bound));
+    EXPECT_FALSE(std::isfinite(lit.report().color_bound));
+    ASSERT_NE(lit.error_map(), nullptr);
+    EXPECT_EQ(lit.error_map()->at(100, 70), 255);
+}
+
+TEST(lit_picture, that_changes_is_the_same_bits_as_drawn_whole) {
+    for (const bool antialias : {false, true})
+        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+            studio s(seed);
+            s.settings.antialias = antialias;
+            s.settings.threads = 2;
+            s.settings.lighting = two_lights();
+            s.models[1] = s.models[1].painted(shining);
+            tester program(s.scene, s.camera, s.settings);
+            program.draw_event();
+            for (int frame = 0; frame < 4; ++frame) {
+                s.move(program);
+                program.draw_event();
+                tester fresh(program.scene(), s.camera, s.settings);
+                fresh.draw_event();
+                ASSERT_EQ(program.words(), fresh.words()) << "seed " << seed << ", frame " << frame;
+            }
+        }
+}
+
+template <class Pipeline, class... More>
+std::vector<std::uint32_t> polygons(const l3d_polygon_settings& settings, const More&... more) {
+    l3d_camera camera;
+    camera.eye = {3.1, 2.3, 4.2};
+    Pipeline pipeline(l3d_memory_canvas({203, 151}), l3d_polygon_model(l3d_sphere_mesh(24, 12)),
+                      camera, settings, more...);
+    pipeline.draw_event();
+    return words_of(pipeline.screen().pixels());
+}
+
+TEST(lit_picture, of_polygons_is_the_same_by_every_pipeline) {
+    for (const l3d_projection projection : {l3d_projection::perspective, l3d_projection::parallel})
+        for (const l3d_shade shade : {l3d_shade::flat, l3d_shade::lambert}) {
+            l3d_polygon_settings settings;
+            settings.shade = shade;
+            settings.projection = projection;
+            settings.material = shining;
+            settings.lighting = two_lights();
+            const auto by_depth =
+                polygons<l3d_pipeline_zbuffer>(settings, l3d_rasterizer_factory_sw());
+            EXPECT_EQ(polygons<l3d_pipeline_zsort>(settings), by_depth) << int(shade);
+            EXPECT_GT(std::ranges::count_if(by_depth, [](auto w) { return channel(w, 8) > 180; }),
+                      5);
+            try {
+                EXPECT_EQ(polygons<l3d_pipeline_zbuffer>(settings, l3d_rasterizer_factory_mesa()),
+                          by_depth);
+            } catch (const l3d_error&) { // no GL here
+            }
+        }
+}
+
+} // namespace

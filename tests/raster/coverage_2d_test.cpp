@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// draw_coverage: each pixel by the rule, clipped, opaque and transparent; and outputs without it.
+#include "raster/canvas_2d.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace {
+
+/// The rule, in real numbers: colours count by what they cover.
+std::uint32_t mixed(std::uint32_t word, std::uint32_t color, int coverage) {
+    const double of_color = coverage / 255.0;
+    const double of_word = (1 - of_color) * (255 - (word >> 24)) / 255.0;
+    const double sum = of_color + of_word;
+    if (sum == 0)
+        return word;
+    auto result = static_cast<std::uint32_t>(std::lround(255 * (1 - sum))) << 24;
+    for (const int shift : {0, 8, 16}) {
+        const double mean =
+            (of_color * (color >> shift & 255) + of_word * (word >> shift & 255)) / sum;
+        result |= static_cast<std::uint32_t>(std::lround(mean)) << shift;
+    }
+    return result;
+}
+
+int apart(std::uint32_t a, std::uint32_t b) {
+    int most = 0;
+    for (const int shift : {0, 8, 16, 24})
+        most = std::max(most, std::abs(static_cast<int>(a >> shift & 255) -
+                                       static_cast<int>(b >> shift & 255)));
+    return most;
+}
+
+TEST(coverage_2d, is_mixed_by_the_rule_wherever_the_shape_lies) {
+    constexpr int width = 23, height = 17;
+    constexpr int most = std::numeric_limits<int>::max();
+    std::mt19937 random(7);
+    for (int n = 0; n < 3000; ++n) {
+        canvas it(width, height), before(width, height);
+        const bool has_gaps = n % 2 == 1;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const auto word = static_cast<std::uint32_t>(random());
+                const std::uint32_t gap = random() % 3 == 0 ? 0xff000000u : word & 0xff000000u;
+                it.at(x, y) = before.at(x, y) = (word & 0x00ffffff) | (has_gaps ? gap : 0);
+            }
+        l3d_coverage_2d shape{static_cast<int>(random() % 60) - 30,
+                              static_cast<int>(random() % 50) - 25, static_cast<int>(random() % 40),
+                              static_cast<int>(random() % 30)};
+        if (n % 50 == 0)
+            shape.left = most - 3;
+        if (n % 50 == 1)
+            shape.top = -most;
+        const bool repeats = random() % 4 == 0;
+        shape.pitch = repeats ? 0 : shape.width + static_cast<int>(random() % 3);
+        std::vector<std::uint8_t> values(
+            static_cast<std::size_t>(40 + shape.height * (shape.width + 3)));
+        for (std::uint8_t& value : values)
+            value = static_cast<std::uint8_t>(random() % 3 == 0 ? 255 * (random() % 2) : random());
+        shape.values = values.data();
+        const auto color = static_cast<std::uint32_t>(random() & 0x00ffffff);
+        it.draw.draw_coverage(shape, color);
+        ASSERT_TRUE(it.guards_intact());
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const std::int64_t column = std::int64_t{x} - shape.left;
+                const std::int64_t row = std::int64_t{y} - shape.top;
+                const bool inside =
+                    column >= 0 && column < shape.width && row >= 0 && row < shape.height;
+                const std::uint32_t old = before.at(x, y);
+                const int coverage =
+                    inside ? shape.row(static_cast<int>(row))[static_cast<std::size_t>(column)] : 0;
+                const std::uint32_t expected = coverage > 0 ? mixed(old, color, coverage) : old;
+                ASSERT_LE(apart(it.at(x, y), expected), 1) << n << ": " << x << ", " << y;
+            }
+    }
+}
+
+/// A kind of output that can draw lines, and no more.
+class lines_only final : public l3d_rasterizer_2d_imp {
+public:
+    explicit lines_only(l3d_rasterizer_2d& to) : to_(to) {}
+
+private:
+    void do_set_target(l3d_pixels) override {}
+    void do_clear_buffer() override {}
+    void do_draw_point(int, int, std::uint32_t) override {}
+    void do_draw_lines(std::span<const l3d_line_2d> lines, std::uint32_t color) override {
+        to_.draw_lines(lines, color);
+    }
+    void do_draw_line_antialiased(l3d_point_2d, l3d_point_2d, std::uint32_t) override {}
+    void do_draw_polygon_flatshaded(l3d_outline_2d, std::uint32_t) override {}
+    void do_draw_polygon_gouraudshaded(std::span<const l3d_colored_point_2d>) override {}
+    void do_draw_outlines(std::span<const l3d_outline_2d>, l3d_winding, std::uint32_t) override {}
+
+    l3d_rasterizer_2d& to_;
+};
+
+TEST(coverage_2d, of_outputs_that_cannot_mix_is_what_is_covered_by_half) {
+    canvas it(9, 5);
+    lines_only imp(it.draw);
+    const std::vector<std::uint8_t> values{0, 127, 128, 255, 0, 200, 130, 1, 0, 129};
+    l3d_rasterizer_2d(imp).draw_coverage({2, 1, 5, 2, values.data(), 5}, canvas::color);
+    EXPECT_EQ(it.lit(), (pixel_set{{4, 1}, {5, 1}, {2, 2}, {3, 2}, {6, 2}}));
+}
+
+} // namespace

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// Several lights and highlights: Blinn's rule evaluated in doubles, and the twins against each
+// other.
+#include "raster/parallel/simd_target.h"
+#include "raster/surfaces/lit_shader_p.h"
+#include "surface_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace {
+
+using namespace l3d_detail;
+using place = std::array<double, 3>;
+
+double dot_of(const place& a, const place& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+place unit_of(const place& v) {
+    const double length = std::sqrt(dot_of(v, v));
+    return {v[0] / length, v[1] / length, v[2] / length};
+}
+
+place wide(const std::array<float, 3>& v) {
+    return {double{v[0]}, double{v[1]}, double{v[2]}};
+}
+
+/// A channel by the rule that l3d_lighting states. Expects: a unit normal, turned to the eye.
+double channel(const l3d_shading& shading, const l3d_material& material, const place& normal,
+               const place& to_eye, std::size_t i) {
+    const int shift = 16 - 8 * static_cast<int>(i);
+    double scattered = double{shading.lighting.ambient[i]}, mirrored = 0;
+    const auto add = [&](const place& to_light, double brightness) {
+        const double lit = dot_of(normal, to_light);
+        if (lit <= 0)
+            return;
+        const place half =
+            unit_of({to_light[0] + to_eye[0], to_light[1] + to_eye[1], to_light[2] + to_eye[2]});
+        scattered += 0.9 * brightness * lit;
+        mirrored += brightness * std::pow(std::max(0.0, dot_of(normal, half)), material.sharpness);
+    };
+    add(wide(shading.light), double{shading.lighting.color[i]});
+    for (std::size_t k = 0; k < shading.lighting.count; ++k)
+        add(wide(shading.lighting.lights[k].direction),
+            double{shading.lighting.lights[k].color[i]});
+    return std::clamp((material.color >> shift & 255) * scattered +
+                          (material.highlight >> shift & 255) * mirrored,
+                      0.0, 255.0);
+}
+
+l3d_shading with_lights(l3d_shade mode = l3d_shade::lambert) {
+    l3d_shading shading = scene_shading(mode);
+    shading.look = {-0.3F, 0.2F, -1};
+    shading.look_right = {0.003F, 0, 0};
+    shading.look_down = {0, -0.002F, 0.001F};
+    shading.lighting.color = {1, 0.8F, 0.5F};
+    shading.lighting.ambient = {0.05F, 0.1F, 0.2F};
+    shading.lighting.add(-3, 1, 2, {0.2F, 0.3F, 1});
+    shading.lighting.add(0.1, -1, 0.5, {0.6F, 0, 0});
+    return shading;
+}
+
+const std::vector<l3d_material> shining{
+    {.color = 0xc04020, .highlight = 0xffffff, .sharpness = 20},
+    {.color = 0x2060c0, .highlight = 0x806020, .sharpness = 300},
+    {.color = 0x808080}};
+
+surface_parts painted_scene(unsigned seed, int sheets) {
+    surface_parts parts = random_scene(seed, scene_size, sheets);
+    std::uint32_t next = 0;
+    for (l3d_surface_part& part : parts)
+        part.material = next++ % 3;
+    return parts;
+}
+
+void draw_in(surface_picture& picture, const surface_parts& scene, const l3d_shading& shading,
+             bool with_depth = true) {
+    picture.rasterizer.use_materials(shining);
+    picture.rasterizer.begin(picture.pixels(), with_depth ? &picture.depth : nullptr, shading);
+    picture.rasterizer.draw(pointers(scene));
+    picture.rasterizer.finish();
+}
+
+TEST(surface_lights, are_as_blinns_rule_says) {
+    const l3d_shading shading = with_lights();
+    random_polygons random(scene_seed, scene_size);
+    int bright = 0;
+    for (int n = 0; n < 20'000; ++n) {
+        const std::uint32_t material = static_cast<std::uint32_t>(n % 3);
+        lit_shader shader(shading, shining);
+        shader.use_material(material);
+        const place raw{random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
+        const place away{random.real(-1, 1), random.real(-1, 1), random.real(-1, -0.1F)};
+        const float at[7] = {
+            float(raw[0]),  float(raw[1]),  float(raw[2]), float(dot_of(raw, away)),
+            float(away[0]), float(away[1]), float(away[2])};
+        place normal = unit_of(raw);
+        if (at[3] > 0)
+            normal = {-normal[0], -normal[1], -normal[2]};
+        const place to_eye = unit_of({-away[0], -away[1], -away[2]});
+        const std::uint32_t word = shader.word(at);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double exact = channel(shading, shining[material], normal, to_eye, i);
+            ASSERT_NEAR(word >> (16 - 8 * static_cast<int>(i)) & 255, exact, 0.51) << n;
+            bright += exact > 200;
+        }
+    }
+    EXPECT_GT(bright, 100);
+}
+
+TEST(surface_lights, of_one_white_light_and_no_highlights_are_the_greys_of_before) {
+    l3d_shading usual = scene_shading(l3d_shade::lambert), same = usual;
+    same.lighting.add(0, 0, 1, {0, 0, 0});
+    EXPECT_FALSE(usual.is_lit({}));
+    EXPECT_TRUE(usual.is_lit(shining));
+    EXPECT_TRUE(same.is_lit({}));
+    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::flat}) {
+        usual.mode = same.mode = mode;
+        surface_picture one(scene_size.width, scene_size.height),
+            other(scene_size.width, scene_size.height);
+        const surface_parts scene = random_scene(scene_seed, scene_size, 30);
+        one.begin(usual);
+        draw_part(one.rasterizer, scene[0]);
+        one.rasterizer.finish();
+        other.begin(same);
+        draw_part(other.rasterizer, scene[0]);
+        other.rasterizer.finish();
+        for (int y = 0; y < scene_size.height; ++y)
+            for (int x = 0; x < scene_size.width; ++x)
+                ASSERT_NEAR(one.word(x, y) & 255, other.word(x, y) & 255, 1);
+    }
+}
+
+TEST(surface_lights, have_the_same_bits_for_all_threads_bands_and_instructions) {
+    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::flat})
+        for (const bool antialias : {false, true}) {
+            l3d_shading shading = with_lights(mode);
+            shading.antialias = antialias;
+            const surface_parts scene = painted_scene(scene_seed + 9, 30);
+            surface_picture one(scene_size.width, scene_size.height, 1);
+            draw_in(one, scene, shading);
+            for (const std::string& name : l3d_simd_targets()) {
+                ASSERT_TRUE(l3d_set_simd_target(name));
+                surface_picture other(scene_size.width, scene_size.height, 2, {24});
+                draw_in(other, scene, shading, antialias);
+                EXPECT_EQ(other.words, one.words) << name << int(mode) << antialias;
+            }
+            l3d_set_simd_target("");
+        }
+}
+
+TEST(surface_lights, are_the_slow_twins) {
+    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::flat}) {
+        const surface_parts scene = painted_scene(scene_seed + 2, 30);
+        surface_picture fast(scene_size.width, scene_size.height, 2),
+            slow(scene_size.width, scene_size.height);
+        draw_in(fast, scene, with_lights(mode));
+        draw_in(slow, scene, with_lights(mode));
+        int other = 0;
+        for (int y = 0; y < scene_size.height; ++y)
+            for (int x = 0; x < scene_size.width; ++x)
+                other += fast.word(x, y) != slow.word(x, y);
+        // Where two sheets meet, a difference in the last bits decides which is seen.
+        EXPECT_LE(other, scene_size.width * scene_size.height / 1000);
+    }
+}
+
+} // namespace
