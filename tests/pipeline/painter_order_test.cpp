@@ -207,7 +207,7 @@ TEST(painter_order, a_piece_is_hidden_if_its_area_and_its_sides_are_covered) {
             const auto covered = on.picture();
             painter.paint(on.pixels(), own_colors, {}, triangles, piece, cuts);
             const auto area = on.picture();
-            painter.paint_lines(on.pixels(), triangles, piece, cuts, 0xffffff);
+            painter.paint_lines(on.pixels(), {}, triangles, piece, cuts, 0xffffff);
             const auto lines = on.picture();
             const auto hides = [&](const std::vector<std::uint32_t>& picture) {
                 for (std::size_t p = 0; p < picture.size(); ++p)
