@@ -177,7 +177,7 @@ TEST(painter_order, what_a_knot_leaves_out_would_not_show) {
             knot.untie(window, order.triangles(), all_of(order.triangles()), pieces[i], cuts);
             canvas on;
             l3d_painter painter;
-            painter.paint(on.pixels(), own_colors, order.triangles(), pieces[i], cuts);
+            painter.paint(on.pixels(), own_colors, {}, order.triangles(), pieces[i], cuts);
             pictures[i] = on.picture();
         }
         ASSERT_EQ(differences(pictures[0], pictures[1], exact), 0);
@@ -203,11 +203,11 @@ TEST(painter_order, a_piece_is_hidden_if_its_area_and_its_sides_are_covered) {
         canvas on;
         for (std::size_t i = pieces.size(); i > 0; --i) {
             const auto piece = pieces.subspan(i - 1, 1), in_front = pieces.subspan(i);
-            painter.paint(on.pixels(), own_colors, triangles, in_front, cuts);
+            painter.paint(on.pixels(), own_colors, {}, triangles, in_front, cuts);
             const auto covered = on.picture();
-            painter.paint(on.pixels(), own_colors, triangles, piece, cuts);
+            painter.paint(on.pixels(), own_colors, {}, triangles, piece, cuts);
             const auto area = on.picture();
-            painter.paint_lines(on.pixels(), triangles, piece, cuts, 0xffffff);
+            painter.paint_lines(on.pixels(), {}, triangles, piece, cuts, 0xffffff);
             const auto lines = on.picture();
             const auto hides = [&](const std::vector<std::uint32_t>& picture) {
                 for (std::size_t p = 0; p < picture.size(); ++p)
