@@ -77,7 +77,11 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
             std::array<float, count> here;
             for (std::size_t i = 1; i < count; ++i)
                 here[i] = value[i] + step[i] * k;
-            words[x] = l3d_product_of_colors(to.color, shader.word(here.data() + 1));
+            const std::uint32_t word = shader.word(here.data() + 1);
+            if constexpr (std::is_same_v<Shader, ground_shader>)
+                words[x] = word; // no material changes it
+            else
+                words[x] = l3d_product_of_colors(to.color, word);
         }
         to.written += span.end - span.begin;
         return true;
