@@ -126,9 +126,18 @@ TEST(method_tessellation, makes_its_polygons_again_when_the_scene_changes) {
         const l3d_dice_view view = to_image.view(0.25);
         l3d_depth_buffer depth;
         l3d_stage_times times;
-        method.draw({what, s.camera, to_image.matrix(), view,
+        method.draw({what,
+                     {},
+                     s.camera,
+                     to_image.matrix(),
+                     view,
                      l3d_camera_shading(s.camera, size, l3d_shade::lambert, {0.3, 0.8, 0.5}),
-                     target, depth, false, false, false, l3d_whole(size)},
+                     target,
+                     depth,
+                     false,
+                     false,
+                     false,
+                     l3d_whole(size)},
                     times);
         return words;
     };
