@@ -218,6 +218,8 @@ TEST(background, is_behind_lines_too) {
             // Of one colour, whatever it covers.
             if (on_black[i] != 0) {
                 ASSERT_EQ(on_none[i] & 0x00ffffff, 0x0080d0ffu) << i;
+                // On black, the blue of 255 is what is covered.
+                ASSERT_NEAR(255 - (on_none[i] >> 24), on_black[i] & 255, 3) << i;
             }
             lit += on_black[i] != 0;
         }
@@ -225,8 +227,8 @@ TEST(background, is_behind_lines_too) {
     }
 }
 
-/// Two pictures, each within its bounds of the exact one, are within both of each other. So bounds
-/// that took the background for another one would be found out at outlines.
+/// A picture without anti-aliasing is within its bounds of a fine one, which is nearly exact.
+/// Bounds that took the background for another one would be found out where centres miss it.
 TEST(background, is_known_to_the_map_of_errors) {
     constexpr l3d_size small{64, 48};
     constexpr l3d_background colors{0x00301030, 0x0010f0f0};
@@ -249,14 +251,16 @@ TEST(background, is_known_to_the_map_of_errors) {
         pipeline.draw_event();
         EXPECT_EQ(pipeline.error_map(), nullptr) << "there is no exact picture";
     }
-    int certain = 0, unsure = 0;
+    constexpr float nearly = 20; // levels of the fine picture, at edges where colours are far apart
+    int certain = 0, unsure = 0, off = 0;
     for (std::size_t i = 0; i < pictures[0].size(); ++i) {
-        ASSERT_LE(apart(pictures[0][i], pictures[1][i]), bounds[0][i] + bounds[1][i]) << i;
+        off += static_cast<float>(apart(pictures[0][i], pictures[1][i])) > bounds[1][i] + nearly;
         const int row = static_cast<int>(i / small.width);
         if (pictures[0][i] == colors.word(row, small.height) && bounds[0][i] < 0.01F)
             ++certain;
         unsure += bounds[1][i] > 20;
     }
+    EXPECT_LE(off, 2);
     EXPECT_GT(certain, 1000) << "the background in the corners";
     EXPECT_GT(unsure, 50) << "outlines without anti-aliasing";
 }
