@@ -130,8 +130,7 @@ constexpr l3d_size small{sanitized ? 48 : 80, sanitized ? 36 : 60};
 
 TEST(error_map, holds_for_the_teapot_in_every_view) {
     for (const reference::view& view : reference::project_views())
-        compare("teapot, " + std::string(view.name), dice_tests::teapot(view, small),
-                {0.25, 0.02});
+        compare("teapot, " + std::string(view.name), dice_tests::teapot(view, small), {0.25, 0.02});
 }
 
 TEST(error_map, holds_for_bumps_and_domes) {
