@@ -50,6 +50,14 @@ l3d_light_color color_of(const char* option, const l3d_camera::vector& color) {
     return result;
 }
 
+/// The same distance, from some 25 degrees above and beside, where three sides of a box are seen.
+/// The teapot's own view is lower.
+l3d_camera seen_from_above(l3d_camera camera) {
+    const l3d_camera::vector direction = l3d_upright(camera.up).at(0.5, 0.5, 1);
+    camera.eye = camera.target + l3d_normalized(direction) * l3d_length(camera.eye - camera.target);
+    return camera;
+}
+
 } // namespace
 
 l3d_afd_options::l3d_afd_options(l3d_options& options) {
@@ -175,6 +183,8 @@ l3d_afd_options::camera(const std::function<l3d_camera(const l3d_camera&)>& fram
     if (places_camera())
         return asked;
     l3d_camera result = framed(asked);
+    if (!model_file_.empty() && !(result == asked))
+        result = framed(seen_from_above(asked));
     result.near = near_.value_or(result.near);
     return result;
 }

@@ -29,7 +29,8 @@ public:
     l3d_camera camera() const;
 
     /// The same if --eye or --target was given, else what `framed` makes of it, with the planes
-    /// that --near and --far ask for.
+    /// that --near and --far ask for. If `framed` does not leave it alone, the model of a file is
+    /// seen from higher up than the teapot.
     /// Errors: as the other.
     l3d_camera camera(const std::function<l3d_camera(const l3d_camera&)>& framed) const;
 

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The gallery's models, each made of a few numbers.
+#ifndef L3D_APPS_GALLERY_SHAPES_H
+#define L3D_APPS_GALLERY_SHAPES_H
+
+#include <l3d/patch_model.h>
+
+/// A ball on the ground, of radius 1.
+l3d_patch_model ball();
+
+/// A ring that lies on the ground, as wide as the ball.
+l3d_patch_model ring();
+
+/// A vase with a narrow neck.
+l3d_patch_model vase();
+
+/// A sheet with waves, four by four patches that pass into each other smoothly.
+l3d_patch_model waves();
+
+/// The Utah teapot, with a lid, a handle and a spout of other colours than its body.
+l3d_patch_model colored_teapot();
+
+#endif
