@@ -67,7 +67,8 @@ public:
                 write(file, this->error_map()->size(), this->error_map()->levels());
         if (asked_.explain())
             std::cerr << this->report().explanation();
-        if (const std::string why = this->why_empty(); !why.empty())
+        // A window said so itself.
+        if (const std::string why = this->why_empty(); !why.empty() && !in_window_)
             std::cerr << command_ << ": the picture is empty, as the model is " << why << "; "
                       << way_to_mend(why) << '\n';
         tell_pick();
@@ -78,10 +79,10 @@ private:
     /// word about the help. Pictures that are counted are the same in windows and files.
     void suit_onlooker(l3d_program& program) {
         const l3d_frame_settings frames = program.options().frame_settings();
-        const bool in_window = this->screen().is_window();
+        in_window_ = this->screen().is_window();
         if (this->settings().background.is_none())
-            program.check_transparency(in_window);
-        if (!in_window || frames.frames != 0)
+            program.check_transparency(in_window_);
+        if (!in_window_ || frames.frames != 0)
             return;
         if (!asked_.background() && asked_.error_output().empty())
             this->settings().background = l3d_background::gradient();
@@ -122,6 +123,7 @@ private:
     }
 
     const l3d_afd_options& asked_;
+    bool in_window_ = false;
     std::string command_;
     std::optional<l3d_report_writer> reports_;
 };
