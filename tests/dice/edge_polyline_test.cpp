@@ -238,7 +238,7 @@ TEST(edge_polyline, parts_are_edges_of_their_own) {
         EXPECT_EQ(from, last);
         EXPECT_EQ(line.chord_error(), chord_error);
     }
-    for (const std::size_t parts : {1, 2, 4, 8})
+    for (const std::size_t parts : {1U, 2U, 4U, 8U})
         EXPECT_GT(seen[parts], 10) << parts << " parts";
 }
 

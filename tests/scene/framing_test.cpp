@@ -104,7 +104,7 @@ TEST(framing, is_of_the_surface_and_not_of_its_control_points) {
     l3d_patch_model::patch hill;
     for (std::size_t i = 0; i < 16; ++i)
         hill.points[i] = {static_cast<double>(i % 4), static_cast<double>(i / 4), 0.0};
-    for (const std::size_t i : {5, 6, 9, 10})
+    for (const std::size_t i : {5U, 6U, 9U, 10U})
         hill.points[i][2] = 100; // the surface rises to 100 x (3/4)^2
     const l3d_patch_scene scene{l3d_patch_model(std::vector{hill})};
     const l3d_reach reach = l3d_reach_of(scene);

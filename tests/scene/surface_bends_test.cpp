@@ -208,7 +208,7 @@ TEST(surface_bends, are_infinite_in_a_corner_without_a_normal_and_only_there) {
     EXPECT_EQ(bends.of_blocks().uu[0], INFINITY);
     EXPECT_EQ(bends.of_whole().uu, INFINITY);
     EXPECT_TRUE(std::isfinite(bends.of_whole().uuvv));
-    for (const std::size_t far : {3, 7, 11, 12, 13, 14, 15})
+    for (const std::size_t far : {3U, 7U, 11U, 12U, 13U, 14U, 15U})
         EXPECT_TRUE(std::isfinite(bends.of_blocks().n_uuu[far])) << far;
     EXPECT_EQ(measured({singular}, points).violations, 0);
 }

@@ -30,15 +30,15 @@ struct l3d_interval {
         return outwards(a.low - b.high, a.high - b.low);
     }
     friend l3d_interval operator*(const l3d_interval& a, const l3d_interval& b) {
-        const auto [low, high] =
+        const auto [least, most] =
             std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
-        return outwards(low, high);
+        return outwards(least, most);
     }
     /// Expects: the divisor does not hold zero.
     friend l3d_interval operator/(const l3d_interval& a, const l3d_interval& b) {
-        const auto [low, high] =
+        const auto [least, most] =
             std::minmax({a.low / b.low, a.low / b.high, a.high / b.low, a.high / b.high});
-        return outwards(low, high);
+        return outwards(least, most);
     }
 
     /// Tighter than the product with itself.
