@@ -196,7 +196,7 @@ test: packages-test $(if $(filter install,$(WITH)),packages-install) ## build an
 	@$(call build,-k $(SLOW_FIRST) $(MADE_FIRST)) || true
 	@$(call judge,$(TEST_LOGS))
 
-stress: packages-test ## what takes minutes: servers that die at every request, a million shapes, hundreds of pictures; make test WITH=stress adds all to a test, WITH=servers the servers
+stress: packages-test ## what takes minutes: servers dying at every request, a million shapes (make test WITH=stress adds all)
 	@$(call judge,$(STRESS_LOGS))
 
 test-%: packages-test ## the tests of one layer: make test-geom

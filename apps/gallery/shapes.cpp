@@ -50,6 +50,15 @@ l3d_patch_model revolved(std::span<const place> profile) {
     return l3d_patch_model(std::move(patches));
 }
 
+/// The material of each patch.
+std::vector<l3d_material> materials_of(const l3d_patch_model& model) {
+    std::vector<l3d_material> materials(model.patches().size());
+    if (!model.materials().empty())
+        for (std::size_t i = 0; i < materials.size(); ++i)
+            materials[i] = model.materials()[model.material_of(i)];
+    return materials;
+}
+
 } // namespace
 
 l3d_patch_model ball() {
@@ -137,4 +146,25 @@ l3d_patch_model colored_teapot() {
         materials.push_back(is_lid ? lid : is_beside ? handle : body);
     }
     return teapot.painted(materials);
+}
+
+l3d_patch_model in_teapots_place(const l3d_patch_model& model) {
+    constexpr double width = 6.5; // of the teapot, from the handle to the spout
+    const vector extent = model.most() - model.least();
+    const double widest = std::max({extent[0], extent[1], extent[2]});
+    const double scale = widest > 0 ? width / widest : 1;
+    vector foot = (model.least() + model.most()) * 0.5;
+    foot[1] = model.least()[1];
+    std::vector<patch> patches(model.patches().begin(), model.patches().end());
+    for (patch& p : patches)
+        for (vector& point : p.points)
+            point = (point - foot) * scale;
+    return l3d_patch_model(std::move(patches)).painted(materials_of(model));
+}
+
+l3d_patch_model matt(const l3d_patch_model& model) {
+    std::vector<l3d_material> materials = materials_of(model);
+    for (l3d_material& material : materials)
+        material = {.color = material.color};
+    return model.painted(materials);
 }

@@ -5,7 +5,9 @@
 
 #include <l3d/patch_model.h>
 
-/// A ball on the ground, of radius 1.
+// Every model stands on the ground, y = 0, about the upright axis.
+
+/// A ball of radius 1.
 l3d_patch_model ball();
 
 /// A ring that lies on the ground, as wide as the ball.
@@ -19,5 +21,11 @@ l3d_patch_model waves();
 
 /// The Utah teapot, with a lid, a handle and a spout of other colours than its body.
 l3d_patch_model colored_teapot();
+
+/// A model of any size in the teapot's place: on the ground, and as wide or as high as it.
+l3d_patch_model in_teapots_place(const l3d_patch_model& model);
+
+/// The model without highlights, which no certificate of shades covers.
+l3d_patch_model matt(const l3d_patch_model& model);
 
 #endif

@@ -36,30 +36,66 @@ struct L3D_PUBLIC l3d_kept_work : l3d_kept_patches {
 
 /// How a scene is to be drawn.
 struct L3D_PUBLIC l3d_afd_settings {
-    double tolerance = 0.25;    ///< largest error of places and of depth allowed, in pixels
-    double shade_tolerance = 2; ///< largest error of shades allowed, in levels of 255
-    bool lateral_only = false;  ///< the tolerance holds for places in the picture only
-    l3d_shade shade = l3d_shade::lambert;          ///< of the filled surface
-    l3d_vector<double, 3> light = l3d_usual_light; ///< towards the light, world space, any length
-    l3d_lighting lighting{};     ///< colours of lights, and further lights; for it and for
-                                 ///< highlights nothing is certified of shades
-    bool antialias = false;      ///< edges are means over pixels, not stairs; see l3d_shading
-    l3d_background background{}; ///< what is seen where nothing is drawn
-    bool wireframe = false;      ///< the lines of the adaptive grid instead of the filled surface
-    bool net = false;            ///< the control nets on top
-    l3d_kept_work keep{};        ///< work to do although it could be left out
-    bool one_sided = false;      ///< leave out what turns its back, dS/du x dS/dv away from the eye
-                                 ///< before it is placed: a mirrored model shows the same side
-    bool depth = false;          ///< keep the distance of each pixel, for depth()
-    bool count_pixels = false;   ///< report how many are covered
-    /// The budget of a frame for patches that have to be cut or clipped, see l3d_dice_budget; 0:
-    /// l3d_usual_samples. If it does not suffice, the rest is drawn coarsely, and the bound says
-    /// so.
+    /// The largest error of places and of depth that is allowed. Units: pixels.
+    double tolerance = 0.25;
+
+    /// The largest error of shades that is allowed. Units: levels of 255.
+    double shade_tolerance = 2;
+
+    /// The tolerance holds for places in the picture only.
+    bool lateral_only = false;
+
+    /// How the filled surface gets its colours.
+    l3d_shade shade = l3d_shade::lambert;
+
+    /// The direction towards the light. Units: world space, any length.
+    l3d_vector<double, 3> light = l3d_usual_light;
+
+    /// The colours of lights, and further lights. No shade is certified if it is not the usual
+    /// one, or if a material has highlights.
+    l3d_lighting lighting{};
+
+    /// Edges are means over pixels, not stairs; see l3d_shading.
+    bool antialias = false;
+
+    /// What is seen where nothing is drawn.
+    l3d_background background{};
+
+    /// The lines of the adaptive grid are drawn instead of the filled surface.
+    bool wireframe = false;
+
+    /// The control nets are drawn on top.
+    bool net = false;
+
+    /// Work that is done although it could be left out.
+    l3d_kept_work keep{};
+
+    /// Whatever turns its back is left out: dS/du x dS/dv points away from the eye. That is decided
+    /// before it is placed, so a mirrored model shows the same side.
+    bool one_sided = false;
+
+    /// The distance of each pixel is kept, for depth().
+    bool depth = false;
+
+    /// The number of covered pixels is reported.
+    bool count_pixels = false;
+
+    /// The budget of a frame for patches that have to be cut or clipped (l3d_dice_budget).
+    /// 0 stands for l3d_usual_samples. If it does not suffice, the rest is drawn coarsely, and the
+    /// bound says so.
     std::int64_t most_samples = 0;
-    bool outlines = false;       ///< report how many pixels outlines reach, and keep them
-    bool error_map = false;      ///< bound the error of each pixel, for error_map()
-    int threads = 1;             ///< number of drawing threads; constant from the first frame on
-    l3d_method_factory method{}; ///< fills surfaces; constant from the first frame on
+
+    /// The pixels that outlines reach are kept, and their number is reported.
+    bool outlines = false;
+
+    /// The error of each pixel is bounded, for error_map().
+    bool error_map = false;
+
+    /// The number of drawing threads. It is constant from the first frame on.
+    int threads = 1;
+
+    /// What fills surfaces. It is constant from the first frame on.
+    l3d_method_factory method{};
 };
 
 /// Why nothing can be drawn like this, naming the value at fault; "" if it can.

@@ -2,7 +2,7 @@
 // l3d_pipeline_afd_viewer: the keys for patches, and their lines of the status.
 #include "pipeline/pipeline_afd_viewer.h"
 
-#include "pipeline/formatted_p.h"
+#include "base/formatted_p.h"
 #include "dice/error_color.h"
 #include "scene/framing.h"
 

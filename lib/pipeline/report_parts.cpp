@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Parts of reports: JSON, words, hash.
-#include "pipeline/formatted_p.h"
+#include "base/formatted_p.h"
 #include "pipeline/report_json_p.h"
 
 namespace l3d_detail {

@@ -2,7 +2,7 @@
 // l3d_viewer_controls: the table, and what it is made for.
 #include "pipeline/viewer_controls.h"
 
-#include "pipeline/formatted_p.h"
+#include "base/formatted_p.h"
 
 #include <algorithm>
 #include <cassert>

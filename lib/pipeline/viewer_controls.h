@@ -73,6 +73,8 @@ public:
     bool pointer(const l3d_event& event);
     /// Lets time pass: the turntable turns. Units: seconds.
     bool update(double seconds);
+    /// Whether the user wants things to stand still, as after the key p.
+    bool is_paused() const { return paused_; }
 
     /// The letters of all panels; at first the built-in ones.
     void set_font(l3d_font font) { font_ = std::move(font); }

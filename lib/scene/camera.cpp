@@ -2,11 +2,11 @@
 // l3d_camera: axes, image matrix and orbiting.
 #include "scene/camera.h"
 
+#include "base/formatted_p.h"
 #include "geom/files/patch_file.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <utility>
 
@@ -28,9 +28,7 @@ vector unit_of_any_length(const vector& v) {
 }
 
 std::string text_of(double value) {
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%g", value);
-    return digits;
+    return l3d_detail::formatted("%g", value);
 }
 
 std::string text_of(const vector& v) {

@@ -2,8 +2,8 @@
 // l3d_patch_model: bounds and normal nets, once per model.
 #include "scene/patch_model.h"
 
+#include "base/formatted_p.h"
 #include "geom/files/model_file.h"
-#include "scene/model_loader.h"
 #include "geom/files/patch_file.h"
 #include "geom/normal_net.h"
 #include "geom/teapot.h"
@@ -11,13 +11,13 @@
 #include "scene/box_lanes.h"
 #include "scene/closed_body.h"
 #include "scene/facing_cones.h"
+#include "scene/model_loader.h"
 #include "tool_2d/error.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -207,11 +207,10 @@ std::optional<l3d_patch_model> l3d_patch_model::checked(std::vector<patch> patch
                 const double value = patches[p].points[i][k];
                 if (std::abs(value) <= l3d_bpt_largest_coordinate)
                     continue;
-                char text[96];
-                std::snprintf(text, sizeof text, "row %zu, column %zu: %c is %g, ", i / 4 + 1,
-                              i % 4 + 1, "xyz"[k], value);
-                why = std::string(name) + ": patch " + std::to_string(p + 1) + ", " + text +
-                      (std::isfinite(value) ? "beyond 1e12" : "not finite");
+                why = std::string(name) +
+                      l3d_detail::formatted(": patch %zu, row %zu, column %zu: %c is %g, %s", p + 1,
+                                            i / 4 + 1, i % 4 + 1, "xyz"[k], value,
+                                            std::isfinite(value) ? "beyond 1e12" : "not finite");
                 return std::nullopt;
             }
     return l3d_patch_model(std::move(patches));

@@ -2,13 +2,13 @@
 // l3d_pick_at: patches as the ray sees them, and what is told of the place where it meets them.
 #include "scene/pick.h"
 
+#include "base/formatted_p.h"
 #include "geom/transform.h"
 #include "scene/picks/ray_search.h"
 #include "scene/picks/surface_jet.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string_view>
 #include <vector>
@@ -17,6 +17,7 @@ namespace {
 
 using vector = l3d_camera::vector;
 using patch_3 = l3d_patch_model::patch;
+using l3d_detail::formatted;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -108,14 +109,10 @@ void describe_surface(l3d_pick& pick, const l3d_surface_jet& jet, const vector& 
 
 void add_line(std::string& text, const char* name, std::initializer_list<double> values,
               double error) {
-    char digits[40];
     text += name;
-    for (const double value : values) {
-        std::snprintf(digits, sizeof digits, " %.15g", value);
-        text += digits;
-    }
-    std::snprintf(digits, sizeof digits, " +- %.2g\n", error);
-    text += digits;
+    for (const double value : values)
+        text += formatted(" %.15g", value);
+    text += formatted(" +- %.2g\n", error);
 }
 
 } // namespace
@@ -191,8 +188,6 @@ std::string l3d_pick::text() const {
 }
 
 std::string l3d_pick::line() const {
-    char words[160];
-    std::snprintf(words, sizeof words, "patch %zu (%.4f, %.4f) at %.4g, %.4g, %.4g +- %.1g", patch,
-                  u, v, point[0], point[1], point[2], point_error);
-    return words;
+    return formatted("patch %zu (%.4f, %.4f) at %.4g, %.4g, %.4g +- %.1g", patch, u, v, point[0],
+                     point[1], point[2], point_error);
 }

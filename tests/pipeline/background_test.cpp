@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Backgrounds: what empty pixels show, what edges mix with, and what transparency means.
 #include "../dice/scene.h"
+#include "level_difference.h"
 #include "scene/teapot_studio.h"
 #include "words_of.h"
 
@@ -69,15 +70,6 @@ std::uint32_t word_at(const l3d_background& background, std::size_t pixel) {
 
 double light(std::uint32_t word, int shift) {
     return l3d_light_of_level(word >> shift & 255);
-}
-
-/// The most that a channel differs by.
-int apart(std::uint32_t a, std::uint32_t b) {
-    int most = 0;
-    for (const int shift : {0, 8, 16, 24})
-        most = std::max(most, std::abs(static_cast<int>(a >> shift & 255) -
-                                       static_cast<int>(b >> shift & 255)));
-    return most;
 }
 
 TEST(background, goes_linearly_from_the_first_row_to_the_last) {
@@ -254,7 +246,7 @@ TEST(background, is_known_to_the_map_of_errors) {
     constexpr float nearly = 20; // levels of the fine picture, at edges where colours are far apart
     int certain = 0, unsure = 0, off = 0;
     for (std::size_t i = 0; i < pictures[0].size(); ++i) {
-        off += static_cast<float>(apart(pictures[0][i], pictures[1][i])) > bounds[1][i] + nearly;
+        off += static_cast<float>(level_difference(pictures[0][i], pictures[1][i])) > bounds[1][i] + nearly;
         const int row = static_cast<int>(i / small.width);
         if (pictures[0][i] == colors.word(row, small.height) && bounds[0][i] < 0.01F)
             ++certain;
@@ -280,7 +272,7 @@ void expect_behind(l3d_polygon_settings settings, const More&... more) {
     long empty = 0;
     for (std::size_t i = 0; i < on_black.size(); ++i) {
         if (on_black[i] == 0) {
-            ASSERT_LE(apart(on_odd[i], word_at(odd, i)), settings.antialias ? 4 : 0) << i;
+            ASSERT_LE(level_difference(on_odd[i], word_at(odd, i)), settings.antialias ? 4 : 0) << i;
             ASSERT_GE(on_none[i] >> 24, settings.antialias ? 250u : 255u) << i;
             ++empty;
         } else if (!settings.antialias) {

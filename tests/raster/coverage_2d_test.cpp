@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // draw_coverage: each pixel by the rule, clipped, opaque and transparent; and outputs without it.
 #include "raster/canvas_2d.h"
+#include "level_difference.h"
 
 #include <gtest/gtest.h>
 
@@ -28,14 +29,6 @@ std::uint32_t mixed(std::uint32_t word, std::uint32_t color, int coverage) {
         result |= static_cast<std::uint32_t>(std::lround(mean)) << shift;
     }
     return result;
-}
-
-int apart(std::uint32_t a, std::uint32_t b) {
-    int most = 0;
-    for (const int shift : {0, 8, 16, 24})
-        most = std::max(most, std::abs(static_cast<int>(a >> shift & 255) -
-                                       static_cast<int>(b >> shift & 255)));
-    return most;
 }
 
 TEST(coverage_2d, is_mixed_by_the_rule_wherever_the_shape_lies) {
@@ -78,7 +71,7 @@ TEST(coverage_2d, is_mixed_by_the_rule_wherever_the_shape_lies) {
                 const int coverage =
                     inside ? shape.row(static_cast<int>(row))[static_cast<std::size_t>(column)] : 0;
                 const std::uint32_t expected = coverage > 0 ? mixed(old, color, coverage) : old;
-                ASSERT_LE(apart(it.at(x, y), expected), 1) << n << ": " << x << ", " << y;
+                ASSERT_LE(level_difference(it.at(x, y), expected), 1) << n << ": " << x << ", " << y;
             }
     }
 }

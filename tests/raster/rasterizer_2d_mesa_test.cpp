@@ -2,6 +2,7 @@
 // GL draws the same points, lines and polygons as the CPU, word for word, by every way to GL.
 #include "raster/shapes/rasterizer_2d_mesa.h"
 
+#include "level_difference.h"
 #include "mesa_ways.h"
 
 #include <gtest/gtest.h>
@@ -84,9 +85,7 @@ struct twins {
         for (std::size_t i = 0; i < by_cpu.words().size(); ++i) {
             const std::uint32_t a = by_cpu.words()[i], b = by_gl.words()[i];
             EXPECT_EQ(a >> 24, b >> 24);
-            for (const int shift : {0, 8, 16})
-                worst = std::max(worst, std::abs(static_cast<int>(a >> shift & 255) -
-                                                 static_cast<int>(b >> shift & 255)));
+            worst = std::max(worst, level_difference(a, b));
         }
         return worst;
     }

@@ -2,6 +2,7 @@
 // GL fills surfaces as the CPU does: the same pixels, nearly the same depth and shade.
 #include "raster/surfaces/surface_rasterizer_mesa.h"
 
+#include "level_difference.h"
 #include "mesa_ways.h"
 #include "raster/shapes/rasterizer_2d_mesa.h"
 #include "surface_fixture.h"
@@ -38,14 +39,6 @@ struct picture {
     std::vector<std::uint32_t> words;
     l3d_depth_buffer depth;
 };
-
-int level_difference(std::uint32_t a, std::uint32_t b) {
-    int most = 0;
-    for (int shift = 0; shift < 32; shift += 8)
-        most = std::max(most, std::abs(static_cast<int>(a >> shift & 255) -
-                                       static_cast<int>(b >> shift & 255)));
-    return most;
-}
 
 /// How two pictures of one size differ.
 struct difference {

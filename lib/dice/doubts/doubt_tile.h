@@ -14,10 +14,17 @@
 
 /// What is certain of a pixel of the exact picture. Units: parts of the square.
 struct l3d_doubt_pixel {
+    /// Its light, where that is certain.
     l3d_light_bounds light;
-    double unsure = 0;       ///< the part that may show another surface in the exact picture
-    double unsure_drawn = 0; ///< the part that may show another surface when it is drawn
-    bool is_open = true;     ///< its light is worth being known better
+
+    /// The part that may show another surface in the exact picture.
+    double unsure = 0;
+
+    /// The part that may show another surface when it is drawn.
+    double unsure_drawn = 0;
+
+    /// Its light is worth being known better.
+    bool is_open = true;
 };
 
 /// Cuts patches into pieces as small as pixels and judges each pixel. What is not certain is cut

@@ -5,7 +5,7 @@
 #include "pipeline/polygons/polygon_frame.h"
 #include "pipeline/polygons/polygon_wires.h"
 #include "geom/real.h"
-#include "pipeline/formatted_p.h"
+#include "base/formatted_p.h"
 #include "pipeline/stopwatch_p.h"
 #include "raster/parallel/simd_target.h"
 

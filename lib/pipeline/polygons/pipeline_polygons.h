@@ -38,19 +38,41 @@ inline constexpr const char* l3d_turning_its_back = "turning its back";
 
 /// How a model is to be drawn.
 struct L3D_PUBLIC l3d_polygon_settings {
-    l3d_polygon_style style = l3d_polygon_style::solid;      ///< surfaces, or lines
-    l3d_shade shade = l3d_shade::flat;                       ///< how surfaces get their greys
-    l3d_projection projection = l3d_projection::perspective; ///< whether far things look smaller
-    l3d_vector<double, 3> light = l3d_usual_light; ///< towards the light, world space, any length
-    l3d_lighting lighting{};                       ///< colours of lights, and further lights
-    l3d_vector<double, 3> rotation{0.0, 0.0,
-                                   0.0};  ///< degrees about x, y, z, round the box's middle
-    std::optional<l3d_material> material; ///< of all faces, whatever the model says
-    bool cull = true;                     ///< faces seen from behind are left out
-    l3d_background background{};          ///< what is seen where nothing is drawn
-    bool antialias = false;    ///< edges are means over pixels, not stairs; lines are smooth
-    bool count_pixels = false; ///< report how many are covered
-    int threads = 1;           ///< constant from the first frame on
+    /// Surfaces, or lines.
+    l3d_polygon_style style = l3d_polygon_style::solid;
+
+    /// How surfaces get their colours.
+    l3d_shade shade = l3d_shade::flat;
+
+    /// Whether far things look smaller.
+    l3d_projection projection = l3d_projection::perspective;
+
+    /// The direction towards the light. Units: world space, any length.
+    l3d_vector<double, 3> light = l3d_usual_light;
+
+    /// The colours of lights, and further lights.
+    l3d_lighting lighting{};
+
+    /// The turn about x, y and z, round the middle of the box. Units: degrees.
+    l3d_vector<double, 3> rotation{0.0, 0.0, 0.0};
+
+    /// The material of all faces, whatever the model says.
+    std::optional<l3d_material> material;
+
+    /// Faces that are seen from behind are left out.
+    bool cull = true;
+
+    /// What is seen where nothing is drawn.
+    l3d_background background{};
+
+    /// Edges are means over pixels, not stairs, and lines are smooth.
+    bool antialias = false;
+
+    /// The number of covered pixels is reported.
+    bool count_pixels = false;
+
+    /// The number of drawing threads. It is constant from the first frame on.
+    int threads = 1;
 };
 
 /// Draws a model of polygons; a subclass finds which polygon is in front.

@@ -2,9 +2,10 @@
 // l3d_polygon_pick_at: triangles in homogeneous coordinates that vanish along the ray.
 #include "pipeline/polygons/polygon_pick.h"
 
+#include "base/formatted_p.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace {
 
@@ -109,12 +110,6 @@ void describe(l3d_polygon_pick& pick, const l3d_polygon_model& model, const l3d_
     pick.normal_error = 4 * sides * (rounding + epsilon * sides) / l3d_length(area) + 4 * epsilon;
 }
 
-std::string line_of(const char* format, double a, double b, double c, double error) {
-    char words[160];
-    std::snprintf(words, sizeof words, format, a, b, c, error);
-    return words;
-}
-
 } // namespace
 
 std::optional<l3d_polygon_pick> l3d_polygon_pick_at(const l3d_polygon_model& model,
@@ -147,16 +142,22 @@ std::optional<l3d_polygon_pick> l3d_polygon_pick_at(const l3d_polygon_model& mod
 }
 
 std::string l3d_polygon_pick::text() const {
-    return "face " + std::to_string(face) + "\nvertices " + std::to_string(corners[0]) + ' ' +
-           std::to_string(corners[1]) + ' ' + std::to_string(corners[2]) + '\n' +
-           line_of("weights %.15g %.15g %.15g +- %.2g\n", weights[0], weights[1], weights[2],
-                   weights_error) +
-           line_of("point %.15g %.15g %.15g +- %.2g\n", point[0], point[1], point[2], point_error) +
-           line_of("normal %.15g %.15g %.15g +- %.2g\n", normal[0], normal[1], normal[2],
-                   normal_error);
+    std::string text = "face " + std::to_string(face) + "\nvertices";
+    for (const std::uint32_t corner : corners)
+        text += ' ' + std::to_string(corner);
+    const auto add = [&text](const char* name, const auto& numbers, double error) {
+        text += name + l3d_detail::formatted(" %.15g %.15g %.15g +- %.2g\n", numbers[0], numbers[1],
+                                             numbers[2], error);
+    };
+    text += '\n';
+    add("weights", weights, weights_error);
+    add("point", point, point_error);
+    add("normal", normal, normal_error);
+    return text;
 }
 
 std::string l3d_polygon_pick::line() const {
     return "face " + std::to_string(face) +
-           line_of(" at %.4g, %.4g, %.4g +- %.1g", point[0], point[1], point[2], point_error);
+           l3d_detail::formatted(" at %.4g, %.4g, %.4g +- %.1g", point[0], point[1], point[2],
+                                 point_error);
 }

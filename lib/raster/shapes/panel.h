@@ -14,12 +14,23 @@
 
 /// The looks of panels. Units: colours are pixel words.
 struct L3D_PUBLIC l3d_panel_style {
-    l3d_font font{};                 ///< of all text
-    int size = 14;                   ///< of letters; smaller ones are taken where these do not fit
-    std::uint32_t text = 0x00f2f2f2; ///< of lines
-    std::uint32_t key = 0x00ffd873;  ///< of what stands before a line, such as a key's name
-    std::uint32_t ground = 0x0012161b; ///< behind the text
-    int ground_coverage = 200;         ///< how much the ground hides, from 0 to 255
+    /// The letters of all text.
+    l3d_font font{};
+
+    /// The height of letters in pixels. Smaller ones are taken where these do not fit.
+    int size = 14;
+
+    /// The colour of lines.
+    std::uint32_t text = 0x00f2f2f2;
+
+    /// The colour of what stands before a line, such as a key's name.
+    std::uint32_t key = 0x00ffd873;
+
+    /// The colour behind the text.
+    std::uint32_t ground = 0x0012161b;
+
+    /// How much the ground hides, from 0 to 255.
+    int ground_coverage = 200;
 
     /// A fiftieth of a picture's height, but from 12 to 16 pixels, times l3d_screen::text_scale.
     static int size_for(l3d_size picture, double text_scale = 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // formatted: a short line of text with numbers in it.
-#ifndef L3D_PIPELINE_FORMATTED_P_H
-#define L3D_PIPELINE_FORMATTED_P_H
+#ifndef L3D_BASE_FORMATTED_P_H
+#define L3D_BASE_FORMATTED_P_H
 
 #include <array>
 #include <cstdio>
