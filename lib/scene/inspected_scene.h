@@ -29,7 +29,8 @@ private:
     l3d_inspected_patches patches_;
 };
 
-/// The number at the end of a curvature's scale that suits a scene: nine of ten places have less.
+/// The number at the end of a curvature's scale that suits a scene: nine tenths of
+/// the area have less.
 /// It is 1, 2 or 5 times a power of ten; 1 if nothing bends.
 ///
 /// Expects: `gaussian` or `mean`.
