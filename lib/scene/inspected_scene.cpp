@@ -77,9 +77,9 @@ void l3d_inspected_scene::add(const l3d_patch_scene& scene,
 }
 
 double l3d_usual_curvature(const l3d_patch_scene& scene, l3d_shade shade) {
-    // Nine places in each of so many patches.
-    constexpr std::int64_t most_patches = 4096;
-    constexpr std::array<double, 3> places{1.0 / 6, 0.5, 5.0 / 6};
+    // 25 places in each of so many patches.
+    constexpr std::int64_t most_patches = 2048;
+    constexpr std::array<double, 5> places{0.1, 0.3, 0.5, 0.7, 0.9};
     const std::int64_t step = std::max<std::int64_t>(1, scene.patch_count() / most_patches);
     const l3d_matrix<double> axes = to_axes(
         {vector{1.0, 0.0, 0.0}, vector{0.0, 1.0, 0.0}, vector{0.0, 0.0, 1.0}}, {0.0, 0.0, 0.0});

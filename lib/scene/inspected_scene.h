@@ -34,7 +34,7 @@ private:
 /// It is 1, 2 or 5 times a power of ten; 1 if nothing bends.
 ///
 /// Expects: `gaussian` or `mean`.
-/// Cost:    some 2 us a patch, but at most 10 ms.
+/// Cost:    some 7 us a patch, but at most 30 ms.
 double l3d_usual_curvature(const l3d_patch_scene& scene, l3d_shade shade);
 
 #endif

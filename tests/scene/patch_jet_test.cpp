@@ -66,7 +66,8 @@ TEST(patch_jet, tells_how_the_normal_turns) {
     EXPECT_LT(l3d_length(dv - bend.normal_v), 1e-8);
 }
 
-/// Arcs of 90 degrees by cubics are off by 2.7e-4 of the radius, and their curvature by 1.2 %.
+/// Arcs of 90 degrees by cubics are off by 2.7e-4 of the radius, and their curvature by up
+/// to 2.1 %, at their ends. Gaussian curvature is a product of two.
 TEST(patch_jet, is_that_of_a_torus_as_far_as_arcs_are_circles) {
     constexpr double radius = 2, thickness = 0.7;
     double worst = 0;
@@ -88,7 +89,7 @@ TEST(patch_jet, is_that_of_a_torus_as_far_as_arcs_are_circles) {
             }
     }
     const double largest = 1 / (thickness * (radius - thickness));
-    EXPECT_LT(worst, 0.03 * largest);
+    EXPECT_LT(worst, 0.043 * largest);
 }
 
 TEST(patch_jet, has_no_bend_where_a_side_is_a_point) {
