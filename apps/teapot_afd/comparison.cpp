@@ -85,7 +85,8 @@ comparison::comparison(std::shared_ptr<l3d_screen> whole,
                               settings),
       whole_(std::move(whole)), other_(half_of(whole_, rasterizers, half_screen::side::right),
                                        model, camera, with_method(settings, other)),
-      other_method_(other), other_tolerance_(settings.tolerance), live_(model) {
+      other_method_(other), other_tolerance_(settings.tolerance),
+      live_(model, screen().is_window()) {
     controls().add({"m", "another method on the right", {{'m', [this] { take_next_method(); }}}});
     controls().add({"b", "the same time, or the same error", {{'b', [this] { switch_budget(); }}}});
 }
