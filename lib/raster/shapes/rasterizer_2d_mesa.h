@@ -38,6 +38,7 @@ private:
     void do_draw_outlines(std::span<const l3d_outline_2d> outlines, l3d_winding inside,
                           std::uint32_t color) override;
     void do_draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color) override;
+    void do_draw_path(const l3d_path& path, const l3d_fill& fill) override;
 
     struct vertex {
         float x, y;

@@ -2,6 +2,7 @@
 // l3d_rasterizer_2d_sw_imp: from steps and spans to words.
 #include "raster/shapes/rasterizer_2d_sw.h"
 
+#include "raster/shapes/blend_p.h"
 #include "raster/shapes/line_steps_p.h"
 #include "raster/shapes/smooth_line_p.h"
 #include "raster/shapes/visit_coverage_p.h"
@@ -30,42 +31,12 @@ void light(const line_steps& line, Minors minors, const l3d_pixels& target, std:
     }
 }
 
-/// How far ahead pixels are prefetched. How far ahead pixels are prefetched. How far ahead pixels
-/// are prefetched. Each pixel of a steep line is in a row, and so in a cache line, of its own. In a
-/// picture that the cache does not hold, prefetching makes such lines a third faster. Short lines
-/// end too soon.
+/// How far ahead pixels are prefetched. Each pixel of a steep line is in a row, and so in a cache
+/// line, of its own. In a picture that the cache does not hold, prefetching makes such lines a
+/// third faster. Short lines end too soon.
 constexpr int pixels_ahead = 4;
 bool gains_ahead(const line_steps& line) {
     return !line.x_major && line.last - line.first > 8 * pixels_ahead;
-}
-
-/// A word whose three lower bytes are moved towards the colour's by coverage / 255, to nearest.
-std::uint32_t blended(std::uint32_t word, std::uint32_t color, int coverage) {
-    std::uint32_t result = word & 0xff000000;
-    for (const int shift : {0, 8, 16}) {
-        const int from = static_cast<int>(word >> shift & 255);
-        const int to = static_cast<int>(color >> shift & 255);
-        const int sum = from * (255 - coverage) + to * coverage;
-        result |= static_cast<std::uint32_t>((sum + 127) / 255) << shift;
-    }
-    return result;
-}
-
-/// The same of a word that may be transparent: both colours count by what they cover.
-std::uint32_t blended_over_gap(std::uint32_t word, std::uint32_t color, int coverage) {
-    if (word >> 24 == 0)
-        return blended(word, color, coverage);
-    const int of_color = 255 * coverage;
-    const int of_word = (255 - coverage) * (255 - static_cast<int>(word >> 24));
-    const int sum = of_color + of_word; // not 0, as something is covered
-    std::uint32_t result = static_cast<std::uint32_t>(255 - (sum + 127) / 255) << 24;
-    for (const int shift : {0, 8, 16}) {
-        const int from = static_cast<int>(word >> shift & 255);
-        const int to = static_cast<int>(color >> shift & 255);
-        result |= static_cast<std::uint32_t>((from * of_word + to * of_color + sum / 2) / sum)
-                  << shift;
-    }
-    return result;
 }
 
 shaded_corner corner_of(const l3d_colored_point_2d& p) {
@@ -166,4 +137,9 @@ void l3d_rasterizer_2d_sw_imp::do_draw_coverage(const l3d_coverage_2d& shape, st
             ++word;
         }
     });
+}
+
+void l3d_rasterizer_2d_sw_imp::do_draw_path(const l3d_path& path, const l3d_fill& fill) {
+    const auto spans = paths_.convert(order_of(path, fill, l3d_whole(target_.size())));
+    cover_spans(target_, spans, paths_, fill.color & 0x00ffffff);
 }
