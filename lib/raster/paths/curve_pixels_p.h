@@ -14,8 +14,8 @@
 
 namespace l3d_detail {
 
-/// A thin run of pixels, eight-connected. Where it would turn by way of a corner, the corner is left
-/// out.
+/// A thin run of pixels, eight-connected. Where it would turn by way of a corner, the corner is
+/// left out.
 template <class Light> class thin_run {
 public:
     explicit thin_run(const Light& light) : light_(light) {}
@@ -77,7 +77,8 @@ public:
             std::array<double, 4> b;
             for (std::size_t i = 0; i < 4; ++i) {
                 const auto& p = curve.points[i];
-                b[i] = k == 2 ? p[2] : p[static_cast<int>(k)] - (k == 0 ? origin_.x : origin_.y) * p[2];
+                b[i] = k == 2 ? p[2]
+                              : p[static_cast<int>(k)] - (k == 0 ? origin_.x : origin_.y) * p[2];
             }
             d_[k] = l3d_forward_difference<double, 3>::build(b, 1);
         }
@@ -92,6 +93,9 @@ public:
         const double w = plain_ ? 1 : d_[2].value();
         return {origin_.x + d_[0].value() / w, origin_.y + d_[1].value() / w};
     }
+
+    /// The parameter there, exactly.
+    double parameter() const { return 1 - static_cast<double>(left_) / whole; }
 
     bool done() const { return left_ == 0; }
 
@@ -167,7 +171,7 @@ template <class Run> void walk_curve(const l3d_curve_2d& curve, const seen_box& 
                 static_cast<std::int64_t>(std::floor(p.y + 0.5)));
     };
     adaptive_walk walk(curve);
-    add(walk.at());
+    add(projected(curve.points[0]));
     while (!walk.done()) {
         walk.step();
         add(walk.done() ? projected(curve.points[3]) : walk.at());

@@ -3,6 +3,7 @@
 #include "raster/paths/pen_outline_p.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>

@@ -55,8 +55,8 @@ private:
         while (whole - done > left_ && dashes_ < most_dashes) {
             done += left_;
             const double t = done / whole;
-            const pen_point cut{{std::lerp(from.at.x, to.at.x, t), std::lerp(from.at.y, to.at.y, t)},
-                                false};
+            const pen_point cut{
+                {std::lerp(from.at.x, to.at.x, t), std::lerp(from.at.y, to.at.y, t)}, false};
             if (drawing()) {
                 dash_.push_back(cut);
                 end_dash();
@@ -113,8 +113,9 @@ template <class Outline> struct chord_visitor {
     void curve(const l3d_curve_2d& c) {
         continue_outline();
         constexpr double far = std::numeric_limits<double>::max();
-        flatten(c, l3d_flat_enough, {-far, -far, far, far},
-                [this](l3d_point_2d p) { points.push_back({p, true}); });
+        flatten(c, l3d_flat_enough, {-far, -far, far, far}, [this](l3d_point_2d p) {
+            points.push_back({p, true});
+        });
         points.back().smooth = false;
     }
     void close() {

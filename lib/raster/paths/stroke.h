@@ -31,14 +31,14 @@ struct L3D_PUBLIC l3d_stroke {
     double miter_limit = 4;
     /// Lengths of a dash, of a gap, of a dash and so on, again and again; empty: no gaps. With an
     /// odd number of lengths, dashes and gaps change places each time. In pixels along the path.
-    std::vector<double> dashes;
+    std::vector<double> dashes{};
     double dash_begin = 0; ///< how far into the dashes an outline begins, in pixels
 };
 
 /// The path that a pen covers, to be filled with l3d_winding::nonzero.
 ///
-/// Curves become chords within l3d_flat_enough; round joins and caps are within it, too. Inside of a
-/// curve the chords meet in round joins, so all that is covered is within twice that distance. An
+/// Curves become chords within l3d_flat_enough; round joins and caps are within it, too. Inside of
+/// a curve the chords meet in round joins, so all that is covered is within twice that distance. An
 /// outline of a single point shows a round or a square cap. Where the lines of a very short outline
 /// turn by half a turn, nothing is missing.
 /// Expects: numbers; width at least 0; lengths of dashes at least 0, not all 0, and sum over 1e-3.

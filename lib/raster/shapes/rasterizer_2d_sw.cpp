@@ -2,6 +2,9 @@
 // l3d_rasterizer_2d_sw_imp: from steps and spans to words.
 #include "raster/shapes/rasterizer_2d_sw.h"
 
+#include "raster/paths/curve_pixels_p.h"
+#include "raster/paths/gradient.h"
+#include "raster/paths/mesh_dicer_p.h"
 #include "raster/shapes/blend_p.h"
 #include "raster/shapes/line_steps_p.h"
 #include "raster/shapes/smooth_line_p.h"
@@ -141,5 +144,36 @@ void l3d_rasterizer_2d_sw_imp::do_draw_coverage(const l3d_coverage_2d& shape, st
 
 void l3d_rasterizer_2d_sw_imp::do_draw_path(const l3d_path& path, const l3d_fill& fill) {
     const auto spans = paths_.convert(order_of(path, fill, l3d_whole(target_.size())));
-    cover_spans(target_, spans, paths_, fill.color & 0x00ffffff);
+    if (fill.gradient == nullptr)
+        return cover_spans(target_, spans, paths_, fill.color & 0x00ffffff);
+    for (const covered_span& s : spans) {
+        colors_.resize(static_cast<std::size_t>(s.last - s.first));
+        fill.gradient->colors(s.first, s.row, colors_);
+        std::uint32_t* word = target_.row(s.row).data() + s.first;
+        for (std::size_t i = 0; i < colors_.size(); ++i, ++word) {
+            const int share = s.value >= 0 ? s.value : paths_.values_of(s)[i];
+            if (share > 0)
+                *word = blended_over_gap(*word, colors_[i], share);
+        }
+    }
+}
+
+void l3d_rasterizer_2d_sw_imp::do_draw_curves(const l3d_path& path, std::uint32_t color) {
+    visit_curve_pixels(path, target_.size(),
+                       [&](int x, int y) { target_.words[y * target_.stride + x] = color; });
+}
+
+void l3d_rasterizer_2d_sw_imp::do_draw_mesh(std::span<const l3d_mesh_patch> patches) {
+    mesh_dicer dicer(patches);
+    const auto corner = [](const mesh_corner& c) {
+        return shaded_corner{lattice_point(c.at), c.color};
+    };
+    for (const l3d_mesh_patch& patch : patches) {
+        if (!is_finite(patch))
+            continue;
+        dicer.visit(patch, [&](const std::array<mesh_corner, 3>& t) {
+            shade_spans(target_, triangle_.convert({corner(t[0]), corner(t[1]), corner(t[2])},
+                                                   target_.size()));
+        });
+    }
 }

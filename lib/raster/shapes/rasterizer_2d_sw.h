@@ -11,6 +11,7 @@
 #include "raster/shapes/winding_scan_p.h"
 
 #include <array>
+#include <vector>
 
 /// Writes pixel words into memory, whichever screen they belong to.
 ///
@@ -31,6 +32,8 @@ private:
                           std::uint32_t color) override;
     void do_draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color) override;
     void do_draw_path(const l3d_path& path, const l3d_fill& fill) override;
+    void do_draw_curves(const l3d_path& path, std::uint32_t color) override;
+    void do_draw_mesh(std::span<const l3d_mesh_patch> patches) override;
 
     void draw_line(const l3d_line_2d& line, std::uint32_t color);
     template <class Point> void fill_convex(std::span<const Point> corners, std::uint32_t color);
@@ -42,6 +45,7 @@ private:
     l3d_detail::shaded_triangle triangle_;
     l3d_detail::winding_scan winding_;
     l3d_detail::path_scan paths_;
+    std::vector<std::uint32_t> colors_;
 };
 
 #endif
