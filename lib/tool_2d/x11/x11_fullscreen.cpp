@@ -144,7 +144,8 @@ void x11_fullscreen::show_pointer() {
 }
 
 void x11_fullscreen::rest(clock::time_point now) {
-    if (!on_ || pointer_hidden_ || window_.connection().lost() || now - pointer_moved_ < longest_rest)
+    if (!on_ || pointer_hidden_ || window_.connection().lost() ||
+        now - pointer_moved_ < longest_rest)
         return;
     pointer_hidden_ = true;
     define_empty_cursor(window_.display(), window_.id());
