@@ -19,6 +19,7 @@ WERROR       ?=#  -Werror makes warnings errors, as .ci/run, make matrix and the
 CLANG_FORMAT ?= clang-format
 CLANG_TIDY   ?= clang-tidy
 TEST_TIMEOUT ?= 900#  seconds a test program may take, sanitizers on a slow machine included
+STRESS_TIMEOUT ?= 7200#  seconds the slow tests of one layer may take together
 
 FUZZ_CXX     ?= clang++#  the compiler that has libFuzzer
 FUZZ_SECONDS ?= 60#  for each reader; a crash, 10 seconds for one text or this much memory ends it:
@@ -26,7 +27,8 @@ FUZZ_LIMITS  ?= -timeout=10 -rss_limit_mb=1024 -malloc_limit_mb=64 -max_len=4096
 
 # Debian packages, each with its proof: a header, a library or a program that must be there.
 PACKAGES_build  := $(if $(findstring clang,$(CXX)),clang:clang++,g++:$(CXX)) libpng-dev:png.h libx11-dev:X11/Xlib.h \
-    libxext-dev:X11/extensions/XShm.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
+    libxext-dev:X11/extensions/XShm.h libx11-xcb-dev:X11/Xlib-xcb.h \
+    libxcb-randr0-dev:xcb/randr.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
     nlohmann-json3-dev:nlohmann/json.hpp libtbb-dev:oneapi/tbb/parallel_for.h \
     libhwy-dev:hwy/highway.h libfreetype-dev:freetype2/ft2build.h
 PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool \

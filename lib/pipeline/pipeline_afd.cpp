@@ -73,10 +73,10 @@ struct l3d_pipeline_afd::stages {
 
 l3d_pipeline_afd::l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene,
                                    const l3d_camera& camera, const l3d_afd_settings& settings)
-    : screen_(std::move(canvas.screen)),
-      imp_(create_2d(*canvas.rasterizers, *screen_, camera, settings)), rasterizer_(*imp_),
+    : screen_(std::move(canvas.screen)), rasterizers_(std::move(canvas.rasterizers)),
+      imp_(create_2d(*rasterizers_, *screen_, camera, settings)), rasterizer_(*imp_),
       scene_(std::move(scene)), camera_(camera), settings_(settings),
-      stages_(std::make_unique<stages>(settings_, *canvas.rasterizers)) {
+      stages_(std::make_unique<stages>(settings_, *rasterizers_)) {
     report_.frame = -1;
     report_.method = settings.method.name();
     report_.real = l3d_real_name();
@@ -84,6 +84,15 @@ l3d_pipeline_afd::l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene,
 }
 
 l3d_pipeline_afd::~l3d_pipeline_afd() = default;
+
+void l3d_pipeline_afd::take_method(const l3d_method_factory& method) {
+    stages_->method = method.create(*rasterizers_, stages_->workers);
+    settings_.method = method;
+    report_.method = method.name();
+    report_.outline_pixels = l3d_surface_counts::none_counted;
+    touch();
+    redraw();
+}
 
 const l3d_outline_mask* l3d_pipeline_afd::outlines() const {
     return report_.outline_pixels == l3d_surface_counts::none_counted ? nullptr

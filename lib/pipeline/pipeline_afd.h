@@ -101,7 +101,7 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// The number of drawing threads. It is constant from the first frame on.
     int threads = 1;
 
-    /// What fills surfaces. It is constant from the first frame on.
+    /// What fills surfaces. From the first frame on only l3d_pipeline_afd::take_method changes it.
     l3d_method_factory method{};
 };
 
@@ -160,6 +160,11 @@ public:
 
     /// What is seen at (x, y) of the picture: l3d_pick_at, with the camera and settings of now.
     std::optional<l3d_pick> pick(double x, double y) const;
+
+    /// Fills surfaces with another method from the next frame on.
+    /// Expects: no frame is being drawn.
+    /// Errors:  what the factory throws; the method of before stays.
+    void take_method(const l3d_method_factory& method);
 
     /// Asks for the next frame to be drawn: camera, settings or what is drawn on top may differ.
     void redraw() { stale_ = true; }
@@ -236,6 +241,7 @@ private:
     void draw_nets();
 
     std::unique_ptr<l3d_screen> screen_;
+    std::shared_ptr<const l3d_rasterizer_factory> rasterizers_;
     std::unique_ptr<l3d_rasterizer_2d_imp> imp_;
     l3d_rasterizer_2d rasterizer_;
     l3d_depth_buffer depth_;

@@ -11,6 +11,7 @@
 #include "raster/shapes/panel.h"
 #include "tool_2d/screen.h"
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
@@ -60,6 +61,10 @@ public:
     /// Shows everything along the line of sight, as the key f does.
     void frame_all() { steering_.frame_all(); }
 
+    /// Adds a program's own key below the viewer's, above those of the program's window.
+    /// Expects: its keys are in no other row.
+    void add(l3d_viewer_row row);
+
     /// The picture has another size.
     void resized() { steering_.resized(); }
 
@@ -73,6 +78,8 @@ public:
     bool pointer(const l3d_event& event);
     /// Lets time pass: the turntable turns. Units: seconds.
     bool update(double seconds);
+    /// Whether time alone changes no picture: nothing turns, and no hint is about to end.
+    bool is_at_rest() const { return (turntable_degrees_ == 0 || paused_) && !(hint_seconds_ > 0); }
     /// Whether the user wants things to stand still, as after the key p.
     bool is_paused() const { return paused_; }
 
@@ -124,6 +131,7 @@ private:
     l3d_viewed viewed_;
     l3d_view_steering steering_;
     std::vector<l3d_viewer_row> rows_;
+    std::ptrdiff_t own_end_ = 0;                ///< of the viewer's own rows
     std::optional<l3d_pointed_place> measured_; ///< the first end of a distance
     bool control_ = false;
     double turntable_degrees_ = 0; ///< per second
