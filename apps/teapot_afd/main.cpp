@@ -4,6 +4,7 @@
 #include <l3d/pipeline_afd_viewer.h>
 #include <l3d/afd_options.h>
 #include <l3d/framing.h>
+#include <l3d/part_options.h>
 #include <l3d/program.h>
 #include <l3d/viewer.h>
 
@@ -26,6 +27,7 @@ int main(int argc, char** argv) {
                         {1024, 768});
     const l3d_afd_options afd(program.options());
     const l3d_method_option method(program.options());
+    const l3d_part_options parts(program.options());
     std::string folder;
     bool quick = false;
     program.options().add("--error-report", folder,
@@ -39,9 +41,13 @@ int main(int argc, char** argv) {
     program.after_command_line([&] {
         camera = afd.camera();
         settings = method.settings(afd);
+        if (parts.lists()) {
+            l3d_part_options::list(afd.model().parts(), "patches");
+            return false;
+        }
         if (folder.empty())
             return true;
-        const l3d_patch_scene scene(afd.model());
+        const l3d_patch_scene scene(parts.applied(afd.model()));
         const l3d_size size = program.options().common().size;
         camera = afd.camera([&](const l3d_camera& usual) {
             return l3d_framed_unless_well(usual, size, l3d_reach_of(scene));
@@ -51,7 +57,7 @@ int main(int argc, char** argv) {
         return false;
     });
     return program.run(argc, argv, [&] { // step 1: choose factories
-        const l3d_patch_model model = afd.model();
+        const l3d_patch_model model = parts.applied(afd.model());
         const auto dispatcher = program.create_dispatcher(); // step 3
         teapot_pipeline pipeline(program, afd, program.create_canvas(afd.model_title()), model,
                                  camera, settings);
