@@ -42,15 +42,14 @@ bool is_empty(const l3d_polygon_model& model) {
 l3d_part_options::l3d_part_options(l3d_options& options) {
     options.add("--list-parts", lists_, "draw nothing; list the named parts of the model");
     options.add_each("--hide", "leave out a part of the model; may be given for several", "PART",
-                     "none", [this](const std::string& name) { hidden_.push_back(name); });
+                     "", [this](const std::string& name) { hidden_.push_back(name); });
     options.add_each("--show-only",
                      "leave out all but this part of the model; may be given for several", "PART",
-                     "all", [this](const std::string& name) { shown_.push_back(name); });
+                     "", [this](const std::string& name) { shown_.push_back(name); });
     options.add_each("--color",
-                     "colour of a part of the model, red, green and blue from 0 to 255; may be "
-                     "given for several",
-                     "PART=R,G,B", "the file's",
-                     [this](const std::string& text) { add_color(text); });
+                     "part of the model and its colour, as lid=200,60,40: red, green and blue "
+                     "from 0 to 255; may be given for several",
+                     "PART_COLOR", "", [this](const std::string& text) { add_color(text); });
     options.has_result("--list-parts");
 }
 
