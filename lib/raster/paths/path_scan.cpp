@@ -28,9 +28,13 @@ std::span<const covered_span> path_scan::convert(const order& wanted) {
     add_path(wanted.path, 0);
     if (wanted.clip != nullptr)
         add_path(*wanted.clip, 1);
+    if (edges_.empty())
+        return {};
     areas_.set_width(width_);
-    sort_edges();
-    for (std::int32_t row = 0; row < height_; ++row) {
+    const std::int32_t bottom = std::ranges::max_element(edges_, {}, &edge::bottom)->bottom;
+    top_ = std::ranges::min_element(edges_, {}, &edge::top)->top;
+    sort_edges(bottom - top_);
+    for (std::int32_t row = top_; row < bottom; ++row) {
         begin_row(row);
         if (!pieces_.empty())
             add_row(row);
@@ -119,22 +123,24 @@ row_piece path_scan::edge::piece_in(std::int32_t row, std::size_t index) const {
 }
 
 /// Counts the edges of each row, then puts them where their row begins.
-void path_scan::sort_edges() {
-    begins_.assign(static_cast<std::size_t>(height_) + 2, 0);
+void path_scan::sort_edges(std::int32_t rows) {
+    begins_.assign(static_cast<std::size_t>(rows) + 2, 0);
     for (const edge& e : edges_)
-        ++begins_[static_cast<std::size_t>(e.top) + 2];
+        ++begins_[static_cast<std::size_t>(e.top - top_) + 2];
     for (std::size_t row = 2; row < begins_.size(); ++row)
         begins_[row] += begins_[row - 1];
     order_.resize(edges_.size());
     for (std::size_t i = 0; i < edges_.size(); ++i)
-        order_[begins_[static_cast<std::size_t>(edges_[i].top) + 1]++] = i;
+        order_[begins_[static_cast<std::size_t>(edges_[i].top - top_) + 1]++] = i;
 }
 
 void path_scan::begin_row(std::int32_t row) {
-    std::erase_if(pieces_, [&](const row_piece& p) { return edges_[p.edge].bottom <= row; });
-    for (row_piece& p : pieces_)
-        p = edges_[p.edge].piece_in(row, p.edge);
-    const auto place = static_cast<std::size_t>(row);
+    std::size_t kept = 0;
+    for (const row_piece& p : pieces_)
+        if (const edge& e = edges_[p.edge]; e.bottom > row)
+            pieces_[kept++] = e.piece_in(row, p.edge);
+    pieces_.resize(kept);
+    const auto place = static_cast<std::size_t>(row - top_);
     const std::size_t begin = begins_[place], end = begins_[place + 1];
     for (std::size_t i = begin; i < end; ++i)
         pieces_.push_back(edges_[order_[i]].piece_in(row, order_[i]));
@@ -215,10 +221,11 @@ void path_scan::add_values(std::int32_t row, std::int32_t first, std::int32_t la
     double covered = was_inside ? 1 : 0;
     if (first < end) {
         spans_.push_back({row + box_.top, first + box_.left, end + box_.left, -1, values_.size()});
+        values_.resize(values_.size() + static_cast<std::size_t>(end - first));
+        std::uint8_t* value = &values_[spans_.back().values];
         for (std::int32_t column = first; column < end; ++column) {
             covered += sums[column];
-            values_.push_back(
-                static_cast<std::uint8_t>(std::clamp(covered, 0.0, 1.0) * full_ + 0.5));
+            *value++ = static_cast<std::uint8_t>(std::clamp(covered, 0.0, 1.0) * full_ + 0.5);
         }
     }
     std::fill(sums + first, sums + last + 2, 0.0);
