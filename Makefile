@@ -232,6 +232,7 @@ pictures: packages-report packages-bench $(APPS) $(PLUGINS) $(DATA) $(OUT)/tests
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/contact_sheet.py docs/pictures
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --output docs/pictures/teapot.png
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --wireframe --net --output docs/pictures/steps.png
+	$(OUT)/bin/teapot_afd --no-input --backend memory --size 1000x420 --compare tessellation:6 --output docs/pictures/comparison.png
 	$(OUT)/bin/gallery --no-input --backend memory --size 1024x560 --glossy --output docs/pictures/gallery.png
 	$(OUT)/tests/bench/fixed_failure_bench docs/pictures/fixed_16_16.png
 	gnuplot docs/report/peers.gp
@@ -371,7 +372,7 @@ $(OUT)/log/stability.log: $(STABILITY) FORCE
 # What takes minutes is disabled in its test program.
 $(OUT)/log/%-stress.log: $(OUT)/tests/%_tests FORCE
 	$(call say,TEST,$* stress)
-	$(call logged,timeout --foreground $(TEST_TIMEOUT) $< --gtest_color=no \
+	$(call logged,timeout --foreground $(STRESS_TIMEOUT) $< --gtest_color=no \
 	    --gtest_also_run_disabled_tests --gtest_filter='*DISABLED_*')
 
 $(OUT)/log/system.log: $(PLUGINS) $(DATA)

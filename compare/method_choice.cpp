@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
@@ -138,6 +139,12 @@ std::optional<l3d_method_choice> l3d_method_choice::from_name(std::string_view n
         return refuse("needs a number from " + std::to_string(found->least) + " to " +
                       std::to_string(found->most));
     return result;
+}
+
+l3d_method_choice l3d_method_choice::next() const {
+    const auto place = static_cast<std::size_t>(&row_of(method) - rows.data());
+    const method_row& following = rows[(place + 1) % rows.size()];
+    return {following.method, following.usual};
 }
 
 std::string l3d_method_choice::all_names() {

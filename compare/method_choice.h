@@ -37,6 +37,9 @@ struct l3d_method_choice {
     /// Errors: nothing, with the reason in `why`: unknown name, number missing sense or range.
     static std::optional<l3d_method_choice> from_name(std::string_view name, std::string& why);
 
+    /// The method after this one in the table, at its usual resolution; afd after the last.
+    l3d_method_choice next() const;
+
     /// All names, with ":N" where a number may follow, separated by ", ".
     static std::string all_names();
 

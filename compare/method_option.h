@@ -3,28 +3,37 @@
 #ifndef L3D_COMPARE_METHOD_OPTION_H
 #define L3D_COMPARE_METHOD_OPTION_H
 
+#include "compare/method_choice.h"
 #include "pipeline/pipeline_afd.h"
 #include "system/afd_options.h"
 #include "system/options.h"
 
+#include <optional>
 #include <string>
 
-/// Option --method, added to a program's own.
+/// An option that names a method, added to a program's own.
 ///
 /// Lives:   borrowed by the l3d_options until parse() is done.
 class l3d_method_option {
 public:
-    explicit l3d_method_option(l3d_options& options);
+    /// The option's name, the method that it stands for if it is not given ("" for none), and what
+    /// the help says before the methods' names.
+    l3d_method_option(l3d_options& options, std::string option, std::string usual,
+                      const std::string& help);
     l3d_method_option(const l3d_method_option&) = delete;
     l3d_method_option& operator=(const l3d_method_option&) = delete;
 
-    /// The settings asked for, with the method.
+    /// The settings asked for, with the method. Expects: a usual method.
     /// Errors: as l3d_afd_options::settings; l3d_error(usage) for an unknown method, or one that
     ///         has not what is to be shown.
     l3d_afd_settings settings(const l3d_afd_options& afd) const;
 
+    /// The method asked for, or the usual one, if there is any.
+    /// Errors: l3d_error(usage) for an unknown one.
+    std::optional<l3d_method_choice> choice() const;
+
 private:
-    std::string name_ = "afd";
+    std::string option_, name_;
 };
 
 #endif

@@ -1,20 +1,33 @@
 // SPDX-License-Identifier: MIT
 // teapot_afd: the Utah teapot (or any bicubic patches) by adaptive forward differencing.
 #include "compare/method_option.h"
-#include <l3d/pipeline_afd_viewer.h>
 #include <l3d/afd_options.h>
 #include <l3d/framing.h>
 #include <l3d/program.h>
 #include <l3d/viewer.h>
 
+#include "comparison.h"
 #include "error_report.h"
+#include "method_viewer.h"
 
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace {
 
 // Step 2 of 5: the application is a pipeline. The viewer of patches draws and has the keys.
-using teapot_pipeline = l3d_viewer<l3d_pipeline_afd_viewer>;
+using teapot_pipeline = l3d_viewer<method_viewer>;
+using comparing_pipeline = l3d_viewer<comparison>;
+
+// Steps 4 and 5.
+template <class Pipeline>
+l3d_exit show(l3d_dispatcher& dispatcher, Pipeline& pipeline, l3d_screen& screen) {
+    dispatcher.plug(pipeline, screen);
+    const l3d_exit result = dispatcher.start();
+    pipeline.finish();
+    return result;
+}
 
 } // namespace
 
@@ -25,7 +38,10 @@ int main(int argc, char** argv) {
                         "In the window, h lists the keys.",
                         {1024, 768});
     const l3d_afd_options afd(program.options());
-    const l3d_method_option method(program.options());
+    const l3d_method_option method(program.options(), "--method", "afd",
+                                   "how surfaces are drawn: ");
+    const l3d_method_option compared(program.options(), "--compare", "",
+                                     "draw the right half by this method, the left as without: ");
     std::string folder;
     bool quick = false;
     program.options().add("--error-report", folder,
@@ -36,9 +52,11 @@ int main(int argc, char** argv) {
     program.options().add("--quick", quick, "a small --error-report, in half a minute or so");
     l3d_camera camera;
     l3d_afd_settings settings;
+    std::optional<l3d_method_choice> other;
     program.after_command_line([&] {
         camera = afd.camera();
         settings = method.settings(afd);
+        other = compared.choice();
         if (folder.empty())
             return true;
         const l3d_patch_scene scene(afd.model());
@@ -53,11 +71,17 @@ int main(int argc, char** argv) {
     return program.run(argc, argv, [&] { // step 1: choose factories
         const l3d_patch_model model = afd.model();
         const auto dispatcher = program.create_dispatcher(); // step 3
-        teapot_pipeline pipeline(program, afd, program.create_canvas(afd.model_title()), model,
-                                 camera, settings);
-        dispatcher->plug(pipeline, pipeline.screen()); // step 4
-        const l3d_exit result = dispatcher->start();   // step 5
-        pipeline.finish();
-        return result;
+        l3d_canvas canvas = program.create_canvas(afd.model_title());
+        if (other) {
+            comparing_pipeline pipeline(program, afd, std::move(canvas), model, camera, settings,
+                                        *other);
+            pipeline.controls().set_screenshot([&pipeline](const l3d_pixels&) {
+                return l3d_save_screenshot(pipeline.whole().pixels());
+            });
+            return show(*dispatcher, pipeline, pipeline.whole());
+        }
+        teapot_pipeline pipeline(program, afd, std::move(canvas), model, camera, settings,
+                                 *method.choice());
+        return show(*dispatcher, pipeline, pipeline.screen());
     });
 }

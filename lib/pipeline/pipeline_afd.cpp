@@ -73,10 +73,10 @@ struct l3d_pipeline_afd::stages {
 
 l3d_pipeline_afd::l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene,
                                    const l3d_camera& camera, const l3d_afd_settings& settings)
-    : screen_(std::move(canvas.screen)),
-      imp_(create_2d(*canvas.rasterizers, *screen_, camera, settings)), rasterizer_(*imp_),
+    : screen_(std::move(canvas.screen)), rasterizers_(std::move(canvas.rasterizers)),
+      imp_(create_2d(*rasterizers_, *screen_, camera, settings)), rasterizer_(*imp_),
       scene_(std::move(scene)), camera_(camera), settings_(settings),
-      stages_(std::make_unique<stages>(settings_, *canvas.rasterizers)) {
+      stages_(std::make_unique<stages>(settings_, *rasterizers_)) {
     report_.frame = -1;
     report_.method = settings.method.name();
     report_.real = l3d_real_name();
@@ -84,6 +84,15 @@ l3d_pipeline_afd::l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene,
 }
 
 l3d_pipeline_afd::~l3d_pipeline_afd() = default;
+
+void l3d_pipeline_afd::take_method(const l3d_method_factory& method) {
+    stages_->method = method.create(*rasterizers_, stages_->workers);
+    settings_.method = method;
+    report_.method = method.name();
+    report_.outline_pixels = l3d_surface_counts::none_counted;
+    touch();
+    redraw();
+}
 
 const l3d_outline_mask* l3d_pipeline_afd::outlines() const {
     return report_.outline_pixels == l3d_surface_counts::none_counted ? nullptr
@@ -164,6 +173,8 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     shading.keep_unit_normals = settings_.keep.unit_normals;
     shading.antialias = settings_.antialias;
     shading.background = settings_.background;
+    if (l3d_is_inspection(settings_.shade))
+        shading.inspection = inspection();
     return {.target = target,
             .to_image = stages_->transform.matrix(),
             .view = stages_->view,
@@ -301,10 +312,8 @@ void l3d_pipeline_afd::find_doubts(bool is_lit, l3d_stage_times& times) {
     const stopwatch finding;
     constexpr double unknown = std::numeric_limits<double>::infinity();
     report_.coverage_bound = report_.color_bound = unknown;
-    const bool is_light = settings_.shade == l3d_shade::lambert ||
-                          settings_.shade == l3d_shade::gouraud ||
-                          settings_.shade == l3d_shade::flat;
-    const bool has_exact = is_light && !settings_.wireframe && !settings_.background.is_none();
+    const bool has_exact =
+        l3d_is_light(settings_.shade) && !settings_.wireframe && !settings_.background.is_none();
     if (!settings_.error_map || !has_exact) {
         stages_->doubts.reset();
         return;

@@ -38,7 +38,13 @@ l3d_viewer_controls::l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& scree
       rows_(first_rows()) {
     std::ranges::move(side_rows(), std::back_inserter(rows_));
     std::ranges::move(rows, std::back_inserter(rows_));
+    own_end_ = std::ssize(rows_);
     std::ranges::move(last_rows(viewer, screen, std::move(reset)), std::back_inserter(rows_));
+    assert(each_key_is_in_one_row(rows_));
+}
+
+void l3d_viewer_controls::add(l3d_viewer_row row) {
+    rows_.insert(rows_.begin() + own_end_++, std::move(row));
     assert(each_key_is_in_one_row(rows_));
 }
 

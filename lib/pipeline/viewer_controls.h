@@ -11,6 +11,7 @@
 #include "raster/shapes/panel.h"
 #include "tool_2d/screen.h"
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
@@ -59,6 +60,10 @@ public:
 
     /// Shows everything along the line of sight, as the key f does.
     void frame_all() { steering_.frame_all(); }
+
+    /// Adds a program's own key below the viewer's, above those of the program's window.
+    /// Expects: its keys are in no other row.
+    void add(l3d_viewer_row row);
 
     /// The picture has another size.
     void resized() { steering_.resized(); }
@@ -124,6 +129,7 @@ private:
     l3d_viewed viewed_;
     l3d_view_steering steering_;
     std::vector<l3d_viewer_row> rows_;
+    std::ptrdiff_t own_end_ = 0;                ///< of the viewer's own rows
     std::optional<l3d_pointed_place> measured_; ///< the first end of a distance
     bool control_ = false;
     double turntable_degrees_ = 0; ///< per second

@@ -236,6 +236,26 @@ TEST(pipeline_afd, draws_with_the_method_of_its_settings) {
               "shade: error shows a bound of the error, and one color has none");
 }
 
+TEST(pipeline_afd, takes_another_method_between_frames) {
+    const scene s = teapot(reference::project_view("full"), picture_size);
+    tester program(s, settings_of(0.5, 2));
+    const std::vector<std::uint32_t> first = program.draw();
+    const l3d_method_factory usual = program.settings().method;
+    program.take_method(l3d_method_factory(
+        "one color", [](const auto&, auto&) { return std::make_unique<one_color_method>(); }));
+    EXPECT_EQ(program.draw(), std::vector(first.size(), one_color_method::color));
+    EXPECT_EQ(program.report().method, "one color");
+    const l3d_method_factory refuses("none",
+                                     [](const auto&, auto&) -> std::unique_ptr<l3d_surface_method> {
+                                         throw l3d_error(l3d_exit::no_backend, "not here");
+                                     });
+    EXPECT_THROW(program.take_method(refuses), l3d_error);
+    EXPECT_EQ(program.settings().method.name(), "one color") << "what was refused changes nothing";
+    EXPECT_EQ(program.draw(), std::vector(first.size(), one_color_method::color));
+    program.take_method(usual);
+    EXPECT_EQ(program.draw(), first);
+}
+
 /// Frames follow each other as in a program: the eye goes round, things come and go.
 void change(tester& program, int frame) {
     program.camera().orbit(frame % 5 == 4 ? 1.5 : 0.1, frame % 7 == 6 ? 0.3 : 0);

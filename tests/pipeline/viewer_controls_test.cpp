@@ -73,6 +73,17 @@ TEST(viewer_controls, have_the_viewers_own_keys_and_the_end) {
     }
 }
 
+TEST(viewer_controls, take_further_keys_and_list_them) {
+    nothing_viewer it;
+    it.controls.key('h');
+    const int rows_before = it.text_rows();
+    int further = 0;
+    it.controls.add({"x", "further", {{'x', [&] { ++further; }}}});
+    EXPECT_TRUE(it.controls.key('x'));
+    EXPECT_EQ(further, 1);
+    EXPECT_GT(it.text_rows(), rows_before);
+}
+
 TEST(viewer_controls, drag_and_wheel) {
     nothing_viewer it;
     const l3d_camera first = it.camera;

@@ -288,16 +288,17 @@ def shows_the_error_where_it_is_bounded():
 class Window:
     """The program in a window, and what is in it."""
 
-    def __init__(self, stack, path):
+    def __init__(self, stack, path, *arguments, program=TEAPOT):
+        self.size = program.size
         self.display = stack.enter_context(x_server()).display
         self.eyes = stack.enter_context(Onlooker(self.display))
-        command = TEAPOT.command("--backend", "ximage")
+        command = program.command("--backend", "ximage", *arguments)
         self.process = stack.enter_context(started(command, environment(self.display), cwd=path))
-        self.window = window_of(self.display, TEAPOT)
+        self.window = window_of(self.display, program)
         wait_for(lambda: harness.has_picture(self.picture()), "the first picture")
 
     def picture(self):
-        return self.eyes.picture(self.window, *TEAPOT.size)
+        return self.eyes.picture(self.window, *self.size)
 
     def changes(self, *keys):
         """Presses keys and returns the picture that follows, a different one."""

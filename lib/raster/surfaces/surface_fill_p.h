@@ -84,6 +84,8 @@ private:
         const numbers step = plane.per_column();
         for (std::int32_t row = rows.top; row < rows.bottom; ++row)
             fill_row(row, plane, step, farthest, nearest);
+        if constexpr (counts_unsolved<Shader>)
+            target_.counts.unsolved += shader_.take_unsolved();
     }
 
     /// Values are counted from the span's own start, clipped or not, so that a pixel's colour does

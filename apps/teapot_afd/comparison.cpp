@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// comparison: two pipelines, one camera, and what is told of both.
+#include "comparison.h"
+
+#include "half_screen.h"
+#include "method_viewer.h"
+#include "base/formatted_p.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace {
+
+using l3d_detail::formatted;
+
+constexpr std::uint32_t line_color = 0x00ffd873;
+/// As the viewer's keys + and - have it.
+constexpr double least_tolerance = 1.0 / 64, largest_tolerance = 64;
+
+l3d_canvas half_of(const std::shared_ptr<l3d_screen>& whole,
+                   const std::shared_ptr<const l3d_rasterizer_factory>& rasterizers,
+                   half_screen::side side) {
+    return {std::make_unique<half_screen>(whole, side), rasterizers};
+}
+
+/// Errors are measured by depths. Only AFD has smooth edges, and times are told of equal work.
+l3d_afd_settings comparable(l3d_afd_settings settings) {
+    settings.depth = true;
+    settings.antialias = false;
+    return settings;
+}
+
+l3d_afd_settings with_method(l3d_afd_settings settings, const l3d_method_choice& method) {
+    settings.method = method.factory();
+    return as_method_can(settings);
+}
+
+} // namespace
+
+/// Of about ten frames.
+void caption::add_time(double frame_milliseconds) {
+    constexpr double memory = 0.9;
+    milliseconds = milliseconds == 0 ? frame_milliseconds
+                                     : memory * milliseconds + (1 - memory) * frame_milliseconds;
+}
+
+void caption::draw(l3d_rasterizer_2d& rasterizer, l3d_size size,
+                   const l3d_panel_style& style) const {
+    l3d_panel panel;
+    panel.add("method", method);
+    if (shows_time && milliseconds > 0)
+        panel.add("time", formatted("%.2f ms", milliseconds));
+    if (!std::isfinite(bound_px))
+        panel.add("bound", "none");
+    else if (tolerance_px)
+        panel.add("bound", formatted("%.3f px, of %.3g", bound_px, *tolerance_px));
+    else
+        panel.add("bound", formatted("%.3f px", bound_px));
+    if (measured) {
+        panel.add("outlines", formatted("%.3f px off", measured->outline_px));
+        panel.add("depth", formatted("%.3f px off (%.0f %% of pixels judged)", measured->depth_px,
+                                     std::floor(100 * measured->judged)));
+    }
+    l3d_pixel_box free = l3d_whole(size);
+    panel.draw(rasterizer, free, l3d_corner::top_right, style);
+}
+
+void other_half::draw_overlay() {
+    text.bound_px = bound();
+    text.draw(rasterizer(), screen().pixels().size(), style);
+}
+
+comparison::comparison(l3d_canvas canvas, const l3d_patch_model& model, const l3d_camera& camera,
+                       const l3d_afd_settings& settings, const l3d_method_choice& other)
+    : comparison(std::shared_ptr<l3d_screen>(std::move(canvas.screen)),
+                 std::move(canvas.rasterizers), model, camera, comparable(settings), other) {}
+
+comparison::comparison(std::shared_ptr<l3d_screen> whole,
+                       std::shared_ptr<const l3d_rasterizer_factory> rasterizers,
+                       const l3d_patch_model& model, const l3d_camera& camera,
+                       const l3d_afd_settings& settings, const l3d_method_choice& other)
+    : l3d_pipeline_afd_viewer(half_of(whole, rasterizers, half_screen::side::left), model, camera,
+                              settings),
+      whole_(std::move(whole)), other_(half_of(whole_, rasterizers, half_screen::side::right),
+                                       model, camera, with_method(settings, other)),
+      other_method_(other), other_tolerance_(settings.tolerance),
+      live_(model, screen().is_window()) {
+    controls().add({"m", "another method on the right", {{'m', [this] { take_next_method(); }}}});
+    controls().add({"b", "the same time, or the same error", {{'b', [this] { switch_budget(); }}}});
+}
+
+void comparison::take_next_method() {
+    controls().say(show_next_method(other_, other_method_));
+    other_.text.measured.reset();
+    other_.text.milliseconds = 0;
+}
+
+void comparison::switch_budget() {
+    equal_time_ = !equal_time_;
+    frames_to_settle_ = 60; // a second
+    other_tolerance_ = settings().tolerance;
+    controls().say(!equal_time_ ? "both keep the same error"
+                   : other_method_.keeps_tolerance()
+                       ? "the right one takes the time of the left one"
+                       : other_method_.name() + " has steps of its own");
+}
+
+void comparison::pointer_event(const l3d_event& event) {
+    const halves parts(whole_->pixels().width);
+    l3d_event moved = event;
+    if (event.x >= parts.right_start)
+        moved.x -= parts.right_start;
+    l3d_pipeline_afd_viewer::pointer_event(moved);
+}
+
+void comparison::resize_event(l3d_size size) {
+    l3d_pipeline_afd_viewer::resize_event(size);
+    other_.resize_event(size);
+}
+
+bool comparison::needs_redraw() const {
+    return l3d_pipeline_afd_viewer::needs_redraw() || other_.needs_redraw() || live_.has_results();
+}
+
+l3d_pixel_box comparison::changed() const {
+    if (l3d_pipeline_afd_viewer::changed().empty() && other_.changed().empty())
+        return {};
+    return l3d_whole(whole_->pixels().size());
+}
+
+/// Nobody waits for a window's errors: they are shown when they are known. Pictures in files have
+/// them at once.
+void comparison::draw_event() {
+    draw_both();
+    measure();
+    if (!screen().is_window()) {
+        live_.wait();
+        draw_both();
+    } else if (!changed().empty()) {
+        text_.add_time(report().time_ms.total);
+        other_.text.add_time(other_.report().time_ms.total);
+        seek_equal_time();
+    }
+}
+
+void comparison::draw_both() {
+    take_results();
+    follow_left();
+    l3d_pipeline_afd_viewer::draw_event();
+    other_.draw_event();
+    draw_line();
+}
+
+/// The right half shows what the left one does, as far as its method can.
+void comparison::follow_left() {
+    if (l3d_pipeline_afd_viewer::needs_redraw())
+        other_.redraw();
+    const l3d_method_factory method = other_.settings().method;
+    l3d_afd_settings now = settings();
+    now.method = method;
+    if (equal_time_ && other_method_.keeps_tolerance())
+        now.tolerance = other_tolerance_;
+    other_.settings() = as_method_can(now);
+    other_.camera() = camera();
+    other_.style = controls().panel_style();
+    other_.text.method = method.name();
+    other_.text.tolerance_px =
+        other_method_.keeps_tolerance() ? std::optional(now.tolerance) : std::nullopt;
+    text_.method = settings().method.name();
+    text_.tolerance_px = settings().tolerance;
+    text_.shows_time = other_.text.shows_time = screen().is_window();
+}
+
+void comparison::draw_overlay() {
+    text_.bound_px = bound();
+    text_.draw(rasterizer(), screen().pixels().size(), controls().panel_style());
+    l3d_pipeline_afd_viewer::draw_overlay();
+}
+
+void comparison::draw_line() {
+    const l3d_pixels pixels = whole_->pixels();
+    const halves parts(pixels.width);
+    for (int y = 0; y < pixels.height; ++y)
+        std::ranges::fill(pixels.row(y).subspan(static_cast<std::size_t>(parts.width),
+                                                static_cast<std::size_t>(parts.line_width())),
+                          line_color);
+}
+
+/// Time is about proportional to 1 / tolerance. A root keeps what trembles from being followed.
+void comparison::seek_equal_time() {
+    if (!equal_time_ || !other_method_.keeps_tolerance())
+        return;
+    constexpr double near_enough = 1.1;
+    const double ratio = other_.report().time_ms.total / std::max(report().time_ms.total, 1e-3);
+    if (ratio < near_enough && ratio > 1 / near_enough)
+        return;
+    other_tolerance_ = std::clamp(other_tolerance_ * std::sqrt(std::sqrt(ratio)), least_tolerance,
+                                  largest_tolerance);
+    if (frames_to_settle_-- > 0)
+        redraw();
+}
+
+/// Begins to, unless an older picture is still being measured or this one was.
+void comparison::measure() {
+    const subject now{camera(), screen().pixels().size(), settings().tolerance,
+                      other_.settings().tolerance, other_method_.name()};
+    if (settings().wireframe || now == measured_ || !live_.is_idle())
+        return;
+    measured_ = now;
+    live_.begin({now.camera, now.size, {l3d_distances(depth()), l3d_distances(other_.depth())}});
+}
+
+void comparison::take_results() {
+    const auto results = live_.take_results();
+    if (results.empty())
+        return;
+    const bool is_of_other = measured_.method == other_method_.name();
+    text_.measured = results[0];
+    other_.text.measured = is_of_other ? std::optional(results[1]) : std::nullopt;
+    redraw();
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// comparison: the same view by two methods, side by side.
+#ifndef L3D_APPS_TEAPOT_AFD_COMPARISON_H
+#define L3D_APPS_TEAPOT_AFD_COMPARISON_H
+
+#include "compare/method_choice.h"
+#include "live_error.h"
+#include <l3d/pipeline_afd_viewer.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+/// What is written on a half of the window. Units: milliseconds, pixels.
+struct caption {
+    std::string method;
+    double milliseconds = 0; ///< a running mean
+    bool shows_time = false; ///< pictures in files are the same each time
+    double bound_px = 0;
+    std::optional<double> tolerance_px; ///< none if the method keeps none
+    std::optional<live_result> measured;
+
+    /// Takes a frame's time into the mean.
+    void add_time(double frame_milliseconds);
+
+    /// In the half's upper right corner.
+    void draw(l3d_rasterizer_2d& rasterizer, l3d_size size, const l3d_panel_style& style) const;
+};
+
+/// The right half: the other method's pictures, and a caption.
+class other_half final : public l3d_pipeline_afd {
+public:
+    using l3d_pipeline_afd::l3d_pipeline_afd;
+
+    caption text;
+    l3d_panel_style style;
+
+private:
+    void draw_overlay() override;
+};
+
+/// A viewer that has the left half of the window for its own pictures. The right half shows another
+/// method, from the same place with the same settings. Under each name stand its time, its bound
+/// and its error, which is measured in the background.
+///
+/// Edges are stairs at first, as only AFD has others. The key m takes the next method on the right.
+/// The key b gives it the time of the left one instead of its tolerance: it then draws as exactly
+/// as it can in that time.
+///
+/// Lives: owns the screen, of which each half is a screen to the pipelines.
+class comparison : public l3d_pipeline_afd_viewer {
+public:
+    /// Errors: as l3d_pipeline_afd, and l3d_error if the other method cannot be created here.
+    comparison(l3d_canvas canvas, const l3d_patch_model& model, const l3d_camera& camera,
+               const l3d_afd_settings& settings, const l3d_method_choice& other);
+
+    /// Both halves: what a dispatcher shows.
+    l3d_screen& whole() { return *whole_; }
+
+    void pointer_event(const l3d_event& event) override;
+    void resize_event(l3d_size size) override;
+    void draw_event() override;
+    l3d_pixel_box changed() const override;
+    bool needs_redraw() const override;
+
+private:
+    /// What errors are those of.
+    struct subject {
+        l3d_camera camera;
+        l3d_size size;
+        double tolerance = 0, other_tolerance = 0;
+        std::string method;
+
+        friend bool operator==(const subject&, const subject&) = default;
+    };
+
+    comparison(std::shared_ptr<l3d_screen> whole,
+               std::shared_ptr<const l3d_rasterizer_factory> rasterizers,
+               const l3d_patch_model& model, const l3d_camera& camera,
+               const l3d_afd_settings& settings, const l3d_method_choice& other);
+    void draw_overlay() override;
+    void take_next_method();
+    void switch_budget();
+    void draw_both();
+    void follow_left();
+    void draw_line();
+    void seek_equal_time();
+    void measure();
+    void take_results();
+
+    std::shared_ptr<l3d_screen> whole_;
+    other_half other_;
+    l3d_method_choice other_method_;
+    bool equal_time_ = false;
+    double other_tolerance_;   ///< at equal time
+    int frames_to_settle_ = 0; ///< that are drawn although nothing moves
+    caption text_;
+    live_error live_;
+    subject measured_; ///< begun last
+};
+
+#endif

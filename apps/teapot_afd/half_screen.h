@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// half_screen: the left or the right half of a screen, for a pipeline that thinks it is a whole.
+#ifndef L3D_APPS_TEAPOT_AFD_HALF_SCREEN_H
+#define L3D_APPS_TEAPOT_AFD_HALF_SCREEN_H
+
+#include <l3d/screen.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+
+/// Where the halves of a picture lie. Both are equally wide. Units: pixels.
+struct halves {
+    int width;       ///< of each
+    int right_start; ///< the right one's first column
+
+    /// Leaves two or three columns between them, if there are more than three.
+    /// Expects: at least one column. Of a single one, both halves are that column.
+    explicit halves(int whole) : width(std::max(1, (whole - 2) / 2)), right_start(whole - width) {}
+
+    int line_width() const { return std::max(0, right_start - width); }
+};
+
+/// Events come to the whole screen, and whoever has it shows the picture.
+///
+/// Lives: shares the screen.
+class half_screen final : public l3d_screen {
+public:
+    enum class side { left, right };
+
+    half_screen(std::shared_ptr<l3d_screen> whole, side half)
+        : whole_(std::move(whole)), half_(half) {}
+
+private:
+    l3d_pixels do_pixels() override {
+        l3d_pixels pixels = whole_->pixels();
+        const halves parts(pixels.width);
+        if (half_ == side::right)
+            pixels.words += parts.right_start;
+        pixels.width = parts.width;
+        return pixels;
+    }
+    const l3d_screen_info& do_info() const override { return whole_->info(); }
+    void do_show(const l3d_pixel_box&) override {}
+    bool do_is_window() const override { return whole_->is_window(); }
+    double do_usual_fps() const override { return whole_->usual_fps(); }
+    double do_text_scale() const override { return whole_->text_scale(); }
+    std::string do_describe() const override { return whole_->describe(); }
+    bool do_next_event(l3d_event&) override { return false; }
+    void do_wait(std::chrono::nanoseconds) override {}
+
+    std::shared_ptr<l3d_screen> whole_;
+    side half_;
+};
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// live_error: a thread that lets others go first.
+#include "live_error.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace {
+
+/// Enough to find an error as large as the largest, few enough for several results a second.
+constexpr int most_distances = 500;
+
+double largest_of(const std::vector<float>& values) {
+    double largest = 0;
+    for (const float value : values)
+        if (std::isfinite(value))
+            largest = std::max(largest, static_cast<double>(value));
+    return largest;
+}
+
+} // namespace
+
+live_error::live_error(const l3d_patch_model& model, bool is_modest)
+    : model_(model), thread_([this, is_modest] { run(is_modest); }) {}
+
+live_error::~live_error() {
+    {
+        const std::lock_guard lock(mutex_);
+        ends_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+bool live_error::is_idle() const {
+    const std::lock_guard lock(mutex_);
+    return !task_;
+}
+
+void live_error::begin(live_task task) {
+    {
+        const std::lock_guard lock(mutex_);
+        task_ = std::move(task);
+    }
+    changed_.notify_all();
+}
+
+bool live_error::has_results() const {
+    const std::lock_guard lock(mutex_);
+    return !results_.empty();
+}
+
+std::vector<live_result> live_error::take_results() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(results_, {});
+}
+
+void live_error::wait() const {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return !task_; });
+}
+
+void live_error::run(bool is_modest) {
+    // A tenth of what a frame's thread has where both want the same processor. Linux keeps such a
+    // value for each thread; where that fails, frames are slower.
+    constexpr int modest_nice = 10;
+    if (is_modest)
+        ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), modest_nice);
+    for (std::unique_lock lock(mutex_);;) {
+        changed_.wait(lock, [this] { return ends_ || task_; });
+        if (ends_)
+            return;
+        const live_task task = *task_;
+        lock.unlock();
+        if (!view_ || view_->camera() != task.camera || view_->size() != task.size)
+            view_.emplace("", model_, task.camera, task.size);
+        std::vector<live_result> results;
+        for (const auto& distances : task.distances) {
+            const auto errors = view_->errors(distances, most_distances);
+            results.push_back(
+                {largest_of(errors.outline), largest_of(errors.depth), errors.depth_share()});
+        }
+        lock.lock();
+        results_ = std::move(results);
+        task_.reset();
+        changed_.notify_all();
+    }
+}

@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""teapot_afd --compare, which shows two methods side by side, and the key m, which changes one."""
+
+import contextlib
+import os
+
+import harness
+from harness import Checks, Program, environment, expect, expect_equal, folder, run
+from harness import wait_for, xdotool
+from teapot_test import Window
+
+HALF = Program("teapot_afd", (320, 260))
+BOTH = Program("teapot_afd", (642, 260))
+LOWER = slice(140, 220)  # rows below the captions and above messages
+
+
+def compares_two_methods():
+    """Each half is that method's picture below the captions; times are no part of files."""
+    with folder() as path:
+        def rows_of(program, *arguments):
+            command = program.command("--backend", "memory", *arguments, "--output", "o.png")
+            expect_equal(run(command, environment(), cwd=path), (0, b"", ""), arguments)
+            return harness.read_png(os.path.join(path, "o.png"))
+
+        both = rows_of(BOTH, "--compare", "fd:3")
+        again = rows_of(BOTH, "--compare", "fd:3")
+        left = rows_of(HALF, "--antialias", "off")
+        right = rows_of(HALF, "--antialias", "off", "--method", "fd:3")
+        expect(left[LOWER] != right[LOWER], "the methods draw alike")
+        expect([row[:320] for row in both[LOWER]] == left[LOWER], "the left half")
+        expect([row[322:] for row in both[LOWER]] == right[LOWER], "the right half")
+        expect(both[0][:320] == left[0] and both[12][:320] != left[12], "no caption on the left")
+        expect(both[12][322:] != right[12], "no caption on the right")
+        expect_equal(len({row[320] for row in both} | {row[321] for row in both}), 1, "the line")
+        expect(again == both, "two runs differ")
+        status, out, said = run(HALF.command("--backend", "memory", "--compare", "magic"), environment(), cwd=path)
+        expect_equal((status, out), (2, b""))
+        expect(said.startswith("teapot_afd: --compare: 'magic' is unknown"), said)
+
+
+def steps_through_the_methods():
+    """m: to the next that can be created, until AFD comes again."""
+    with contextlib.ExitStack() as stack:
+        it = Window(stack, stack.enter_context(folder()), "--background", "0,0,0")
+        first = it.changes("j")
+        seen = [it.changes("m") for _ in range(3)]
+        expect(all(picture != first for picture in seen), "another method says so")
+        for _ in range(8):
+            xdotool(it.display, "key", "m")
+            if it.changes("j") == first:
+                break
+        else:
+            raise AssertionError("AFD does not come again")
+        xdotool(it.display, "key", "q")
+        expect_equal(harness.ended(it.process), (0, b"", ""))
+
+
+def shows_both_in_a_window():
+    """The right half changes with m, both turn when one is dragged, and s saves both."""
+    with contextlib.ExitStack() as stack:
+        path = stack.enter_context(folder())
+        it = Window(stack, path, "--compare", "tessellation:2", "--background", "0,0,0",
+                    program=BOTH)
+
+        def lower(right):
+            return [row[322:] if right else row[:320] for row in it.picture()[LOWER]]
+
+        it.changes("j")
+        left, right = lower(False), lower(True)
+        it.changes("m")
+        wait_for(lambda: lower(True) != right, "another method on the right")
+        expect(lower(False) == left, "the left half changes")
+        xdotool(it.display, "mousemove", "--window", it.window, 480, 130, "mousedown", "1",
+                "mousemove", "--window", it.window, 500, 140, "mouseup", "1")
+        wait_for(lambda: lower(False) != left, "a turn of the left half")
+        it.changes("b")
+        xdotool(it.display, "key", "s")
+        saved = os.path.join(path, "l3d-0001.png")
+        wait_for(lambda: os.path.exists(saved), "the saved picture")
+        wait_for(lambda: harness.read_png(saved) and len(harness.read_png(saved)[0]) == 642, "both halves")
+        xdotool(it.display, "key", "q")
+        expect_equal(harness.ended(it.process), (0, b"", ""))
+
+
+def main():
+    checks = Checks()
+    for check in (compares_two_methods, steps_through_the_methods, shows_both_in_a_window):
+        checks.run("compare " + check.__name__, check)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
