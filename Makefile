@@ -372,7 +372,7 @@ $(OUT)/log/stability.log: $(STABILITY) FORCE
 # What takes minutes is disabled in its test program.
 $(OUT)/log/%-stress.log: $(OUT)/tests/%_tests FORCE
 	$(call say,TEST,$* stress)
-	$(call logged,timeout --foreground $(TEST_TIMEOUT) $< --gtest_color=no \
+	$(call logged,timeout --foreground $(STRESS_TIMEOUT) $< --gtest_color=no \
 	    --gtest_also_run_disabled_tests --gtest_filter='*DISABLED_*')
 
 $(OUT)/log/system.log: $(PLUGINS) $(DATA)

@@ -19,6 +19,7 @@ WERROR       ?=#  -Werror makes warnings errors, as .ci/run, make matrix and the
 CLANG_FORMAT ?= clang-format
 CLANG_TIDY   ?= clang-tidy
 TEST_TIMEOUT ?= 900#  seconds a test program may take, sanitizers on a slow machine included
+STRESS_TIMEOUT ?= 7200#  seconds the slow tests of one layer may take together
 
 FUZZ_CXX     ?= clang++#  the compiler that has libFuzzer
 FUZZ_SECONDS ?= 60#  for each reader; a crash, 10 seconds for one text or this much memory ends it:

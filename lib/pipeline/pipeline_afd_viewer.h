@@ -35,6 +35,8 @@ private:
     l3d_viewed viewed();
     void scale_tolerance(double factor);
     void take_next_shade();
+    void take_next_inspection();
+    void add_inspection(l3d_panel& panel);
     void switch_wireframe();
     void switch_antialias();
     l3d_panel legend();
