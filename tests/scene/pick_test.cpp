@@ -172,6 +172,23 @@ TEST(pick, of_random_patches_of_every_kind_keep_their_errors) {
     }
 }
 
+TEST(pick, names_the_part_of_what_is_shown) {
+    const l3d_patch_model teapot = l3d_patch_model::teapot();
+    const l3d_camera camera{.eye = {0.3, 9.0, 0.2}, .target = {3.0, 2.3, 0.0}};
+    const l3d_size picture{64, 48};
+    const auto spout = l3d_pick_at(teapot, {camera, picture}, 32, 24);
+    ASSERT_TRUE(spout);
+    EXPECT_EQ(spout->part, "spout");
+    EXPECT_NE(spout->text().find("\npart spout\n"), std::string::npos) << spout->text();
+    EXPECT_TRUE(spout->line().starts_with("spout, patch ")) << spout->line();
+    const std::array<std::size_t, 1> hidden{*teapot.parts().find("spout")};
+    const auto other = l3d_pick_at(teapot.without(hidden), {camera, picture}, 32, 24);
+    EXPECT_FALSE(other && other->part == "spout");
+    const auto nameless = l3d_pick_at(teapot.with_parts({}), {camera, picture}, 32, 24);
+    ASSERT_TRUE(nameless);
+    EXPECT_EQ(nameless->text().find("part"), std::string::npos);
+}
+
 TEST(pick, of_placed_models_tells_the_instance) {
     const auto placement = l3d_translation<double>(0.5, -1, 1) * l3d_rotation_z<double>(31) *
                            l3d_scaling<double>(-0.4, 0.5, 0.6);
@@ -338,10 +355,11 @@ TEST(pick, text_names_every_value_with_its_error) {
     const auto pick = l3d_pick_at(teapot_model(), {oblique_camera(), size}, 78, 59);
     ASSERT_TRUE(pick);
     const std::string text = pick->text();
-    for (const char* const name : {"patch ", "\nu ", "\nv ", "\npoint ", "\ndepth ", "\nnormal ",
-                                   "\ngaussian-curvature ", "\nmean-curvature ", "\nproven yes\n"})
+    for (const char* const name :
+         {"patch ", "\npart ", "\nu ", "\nv ", "\npoint ", "\ndepth ", "\nnormal ",
+          "\ngaussian-curvature ", "\nmean-curvature ", "\nproven yes\n"})
         EXPECT_NE(text.find(name), std::string::npos) << name << " in\n" << text;
-    EXPECT_EQ(std::ranges::count(text, '\n'), 9);
+    EXPECT_EQ(std::ranges::count(text, '\n'), 10);
 }
 
 } // namespace
