@@ -33,6 +33,11 @@ l3d_afd_settings l3d_method_option::settings(const l3d_afd_options& afd) const {
         throw l3d_error(l3d_exit::usage,
                         "--shade: error shows a bound of the error, and --method " + method.name() +
                             " has none; " + l3d_method_choice::names_with_bound() + " have one");
+    if (l3d_is_inspection(result.shade) && method.method != l3d_method::afd)
+        throw l3d_error(l3d_exit::usage,
+                        "--shade: zebra, isophotes, gaussian, mean and draft look at exact "
+                        "patches, and --method " +
+                            method.name() + " does not; afd does");
     if (afd.gives_tolerance() && !method.keeps_tolerance() && result.shade != l3d_shade::error)
         throw l3d_error(l3d_exit::usage, "--tolerance: --method " + method.name() +
                                              " has steps of its own and keeps none; " +

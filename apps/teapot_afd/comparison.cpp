@@ -34,7 +34,7 @@ l3d_afd_settings comparable(l3d_afd_settings settings) {
 
 l3d_afd_settings with_method(l3d_afd_settings settings, const l3d_method_choice& method) {
     settings.method = method.factory();
-    return settings;
+    return as_method_can(settings);
 }
 
 } // namespace
@@ -85,7 +85,8 @@ comparison::comparison(std::shared_ptr<l3d_screen> whole,
                               settings),
       whole_(std::move(whole)), other_(half_of(whole_, rasterizers, half_screen::side::right),
                                        model, camera, with_method(settings, other)),
-      other_method_(other), other_tolerance_(settings.tolerance), live_(model) {
+      other_method_(other), other_tolerance_(settings.tolerance),
+      live_(model, screen().is_window()) {
     controls().add({"m", "another method on the right", {{'m', [this] { take_next_method(); }}}});
     controls().add({"b", "the same time, or the same error", {{'b', [this] { switch_budget(); }}}});
 }
@@ -121,6 +122,11 @@ void comparison::resize_event(l3d_size size) {
 
 bool comparison::needs_redraw() const {
     return l3d_pipeline_afd_viewer::needs_redraw() || other_.needs_redraw() || live_.has_results();
+}
+
+/// What is being measured wants to be shown when it is known.
+bool comparison::is_at_rest() const {
+    return l3d_pipeline_afd_viewer::is_at_rest() && live_.is_idle();
 }
 
 l3d_pixel_box comparison::changed() const {
@@ -159,12 +165,9 @@ void comparison::follow_left() {
     const l3d_method_factory method = other_.settings().method;
     l3d_afd_settings now = settings();
     now.method = method;
-    now.wireframe = now.wireframe && method.is_default();
-    if (now.shade == l3d_shade::error && !method.has_bound())
-        now.shade = l3d_shade::lambert;
     if (equal_time_ && other_method_.keeps_tolerance())
         now.tolerance = other_tolerance_;
-    other_.settings() = now;
+    other_.settings() = as_method_can(now);
     other_.camera() = camera();
     other_.style = controls().panel_style();
     other_.text.method = method.name();

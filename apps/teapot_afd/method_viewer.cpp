@@ -17,12 +17,18 @@ void method_viewer::take_next_method() {
     controls().say(show_next_method(*this, method_));
 }
 
+l3d_afd_settings as_method_can(l3d_afd_settings settings) {
+    const bool is_afd = settings.method.is_default();
+    settings.wireframe = settings.wireframe && is_afd;
+    if ((settings.shade == l3d_shade::error && !settings.method.has_bound()) ||
+        (l3d_is_inspection(settings.shade) && !is_afd))
+        settings.shade = l3d_shade::lambert;
+    return settings;
+}
+
 void show_method(l3d_pipeline_afd& pipeline, const l3d_method_choice& method) {
     pipeline.take_method(method.factory());
-    l3d_afd_settings& settings = pipeline.settings();
-    settings.wireframe = settings.wireframe && settings.method.is_default();
-    if (settings.shade == l3d_shade::error && !method.has_bound())
-        settings.shade = l3d_shade::lambert;
+    pipeline.settings() = as_method_can(pipeline.settings());
 }
 
 /// AFD can be created everywhere, so the search ends.

@@ -19,6 +19,10 @@ private:
     l3d_method_choice method_;
 };
 
+/// The same settings without what their method cannot show: the wireframe, and shades that need its
+/// bound or exact patches.
+l3d_afd_settings as_method_can(l3d_afd_settings settings);
+
 /// Lets a pipeline draw with another method, without what that method cannot show.
 /// Errors: l3d_error if it cannot be created here; then nothing changes.
 void show_method(l3d_pipeline_afd& pipeline, const l3d_method_choice& method);

@@ -25,6 +25,15 @@ public:
         return result;
     }
 
+    /// Whether pieces from now on keep the parameters of their triangles.
+    void keep_parameters(bool keep) {
+        if (keep_parameters_ == keep)
+            return;
+        keep_parameters_ = keep;
+        for (l3d_diced_piece& piece : pieces_)
+            piece.keep_parameters = keep;
+    }
+
     /// An empty piece. Lives: until the next one is asked for.
     l3d_diced_piece& next() {
         if (used_ == pieces_.size())

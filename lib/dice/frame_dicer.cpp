@@ -60,6 +60,27 @@ unsigned counted_backs(const l3d_diced_piece& piece, unsigned backs, l3d_dice_co
     return result;
 }
 
+/// Vertices get their parameters in place of normals.
+void put_parameters(l3d_diced_piece& piece) {
+    l3d_micro_grid& grid = piece.part.grid;
+    for (int row = 0; row < grid.rows; ++row)
+        for (int column = 0; column < grid.columns; ++column) {
+            const std::size_t at = grid.index(row, column);
+            grid.normal[0][at] = static_cast<float>(piece.u[static_cast<std::size_t>(column)]);
+            grid.normal[1][at] = static_cast<float>(piece.v[static_cast<std::size_t>(row)]);
+            grid.normal[2][at] = 0;
+        }
+    l3d_micro_triangles& triangles = piece.part.triangles;
+    for (std::size_t k = 0; k < triangles.corners.size(); ++k) {
+        auto& normal = triangles.corners[k].normal;
+        for (std::size_t i = 0; i < triangles.count; ++i) {
+            normal[0][i] = static_cast<float>(piece.triangle_uv[k][i].u);
+            normal[1][i] = static_cast<float>(piece.triangle_uv[k][i].v);
+            normal[2][i] = 0;
+        }
+    }
+}
+
 } // namespace
 
 template <class T> void l3d_frame_dicer<T>::begin(const l3d_dice_view& view) {
@@ -67,7 +88,7 @@ template <class T> void l3d_frame_dicer<T>::begin(const l3d_dice_view& view) {
     for (worker_space& space : each_worker_)
         space.view = view_;
     counts_ = {};
-    next_slot_ = 0;
+    next_slot_ = patches_before_ = 0;
     counts_.near = view_.near;
     budget_left_ = view_.budget();
 }
@@ -101,6 +122,7 @@ l3d_frame_dicer<T>::dice(const l3d_patch_scene& scene, const l3d_scene_culling& 
     }
     budget_left_ = std::max<std::int64_t>(0, budget_left_);
     share_memory_sizes();
+    patches_before_ += batch.size();
     return parts_;
 }
 
@@ -141,11 +163,18 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t s
     outcome& result = outcomes_[i];
     l3d_dice_budget budget{share, false};
     slot(i).clear();
+    const bool inspects = l3d_is_inspection(view_.shading.mode);
+    slot(i).keep_parameters(keep_parameters_ || inspects);
     space.counts = {};
     dice_placed(i, of, budget, space);
-    const std::uint32_t material = of.scene.material_of(of.batch[i].instance, of.batch[i].patch);
-    for (l3d_diced_piece& piece : slot(i).used())
+    const std::uint32_t material =
+        inspects ? static_cast<std::uint32_t>(patches_before_ + i)
+                 : of.scene.material_of(of.batch[i].instance, of.batch[i].patch);
+    for (l3d_diced_piece& piece : slot(i).used()) {
         piece.part.material = material;
+        if (inspects)
+            put_parameters(piece);
+    }
     result.counts = space.counts;
     result.cost = share - budget.left;
     const double bound = space.counts.bound_px;

@@ -36,6 +36,8 @@ enum class l3d_dice_way {
 /// equal shares. Those that kept the tolerance with less leave the rest to the others. The others
 /// are diced again as long as that at least doubles their shares. So no frame costs twice its
 /// budget.
+/// For a shade that inspects surfaces, vertices have their parameters in place of normals, and a
+/// part's material is the index of its patch in all batches of the frame.
 /// Lives: borrows the workers. Parts live until the next batch, or as long as keep_batches says.
 /// Cost:  no allocation in a frame of patches and batches that was drawn before. Else, a worker
 ///        allocates for a patch that is larger than any that the frame's other workers had. A slot
@@ -119,6 +121,7 @@ private:
 
     std::vector<l3d_diced_pieces> slots_; ///< one for each patch of a batch, or of all batches
     std::size_t first_slot_ = 0, next_slot_ = 0; ///< of the last batch; behind it
+    std::size_t patches_before_ = 0;             ///< of the frame's batches before the last one
     bool keeps_batches_ = false;
     std::vector<outcome> outcomes_;   ///< likewise
     std::vector<std::size_t> wanted_; ///< the slots that are to be diced

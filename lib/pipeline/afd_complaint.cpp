@@ -29,5 +29,20 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
     if (settings.shade == l3d_shade::error && !settings.method.has_bound())
         return "shade: error shows a bound of the error, and " + settings.method.name() +
                " has none";
+    if (!l3d_is_inspection(settings.shade))
+        return camera.complaint();
+    if (!settings.method.is_default())
+        return "shade: " + settings.method.name() + " has no exact derivatives to inspect";
+    const auto& direction = settings.inspection.direction;
+    const double reach =
+        l3d_length(l3d_vector<double, 3>{direction[0], direction[1], direction[2]});
+    if (!(reach > 0 && reach <= largest))
+        return "inspection: no direction";
+    if (!(settings.inspection.scale >= 0 && settings.inspection.scale <= largest))
+        return "inspection: the scale " + std::to_string(settings.inspection.scale) +
+               " is not within 0 and all numbers";
+    if (!(settings.inspection.stripe > 0 && settings.inspection.stripe <= 180))
+        return "inspection: stripes of " + std::to_string(settings.inspection.stripe) +
+               " degrees are not within 0 and 180";
     return camera.complaint();
 }

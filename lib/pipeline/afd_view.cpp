@@ -2,6 +2,7 @@
 // l3d_pipeline_afd: what its camera shows, and where.
 #include "pipeline/pipeline_afd.h"
 #include "scene/framing.h"
+#include "scene/inspected_scene.h"
 
 void l3d_pipeline_afd::frame_all() {
     camera_ = l3d_framed(camera_, screen_->pixels().size(), l3d_reach_of(scene_));
@@ -24,4 +25,19 @@ std::string l3d_pipeline_afd::why_empty() const {
                                                          dice.beyond + dice.backfacing >=
                                                      scene_.patch_count();
     return why.empty() && left_all_out ? "not where a pixel shows it" : why;
+}
+
+l3d_inspection l3d_pipeline_afd::inspection() {
+    l3d_inspection result = settings_.inspection;
+    if (result.scale > 0)
+        return result;
+    const l3d_shade shade = settings_.shade;
+    if (shade == l3d_shade::draft)
+        result.scale = l3d_inspection::usual_draft;
+    if (shade != l3d_shade::gaussian && shade != l3d_shade::mean)
+        return result;
+    if (!usual_curvature_ || usual_curvature_->first != shade || scene_.is_changed())
+        usual_curvature_.emplace(shade, l3d_usual_curvature(scene_, shade));
+    result.scale = usual_curvature_->second;
+    return result;
 }

@@ -75,6 +75,7 @@ std::string l3d_frame_report::json() const {
                  {"quads", surface.quads},
                  {"shaded_by_plane", surface.by_plane},
                  {"pixels_refined", surface.refined},
+                 {"pixels_unsolved", surface.unsolved},
                  {"shade_error_bound", number_or_null(dice.shade_bound)},
                  {"shade_unproven_quads", dice.unshaded_quads},
                  {"pixels_kept", pixels_kept},
@@ -131,6 +132,9 @@ std::string l3d_frame_report::explanation() const {
             "refined " + std::to_string(surface.refined) + " of " +
             std::to_string(l3d_whole(size).area()) +
             " pixels, whose level is far from a neighbour's: they show means over their squares\n";
+    if (surface.unsolved > 0)
+        text += "found no exact place on the patch for " + std::to_string(surface.unsolved) +
+                " pixels, as beside outlines: they show what is between the drawn vertices\n";
     if (outline_pixels != l3d_surface_counts::none_counted)
         text += "the bound of an outline reaches " + std::to_string(outline_pixels) + " of " +
                 std::to_string(l3d_whole(size).area()) +

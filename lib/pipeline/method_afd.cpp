@@ -2,6 +2,7 @@
 // l3d_method_afd: the stages of a frame.
 #include "pipeline/method_afd.h"
 
+#include "raster/rasterizer_factory_sw.h"
 #include "scene/camera_shading.h"
 #include "pipeline/stopwatch_p.h"
 
@@ -13,11 +14,24 @@ using l3d_detail::stopwatch;
 
 template <class T>
 l3d_method_afd<T>::l3d_method_afd(const l3d_rasterizer_factory& rasterizers, l3d_workers& workers)
-    : surface_(rasterizers.create_surface(workers)), dicer_(workers) {}
+    : workers_(workers), surface_(rasterizers.create_surface(workers)), used_(surface_.get()),
+      dicer_(workers) {}
 
-template <class T> std::span<const l3d_placed_patch> l3d_method_afd<T>::next_batch() {
-    return culling_.next(
-        [this](const l3d_subpixel_box& box, float inv_w) { return surface_->hidden(box, inv_w); });
+/// Processors inspect in any case: where GL does not, its frames are drawn without it.
+template <class T> l3d_surface_rasterizer& l3d_method_afd<T>::surface_for(l3d_shade shade) {
+    if (!l3d_is_inspection(shade) || surface_->inspects())
+        return *surface_;
+    if (!inspector_)
+        inspector_ = l3d_rasterizer_factory_sw().create_surface(workers_);
+    return *inspector_;
+}
+
+template <class T>
+std::span<const l3d_placed_patch>
+l3d_method_afd<T>::next_batch(const l3d_surface_rasterizer& surface) {
+    return culling_.next([&surface](const l3d_subpixel_box& box, float inv_w) {
+        return surface.hidden(box, inv_w);
+    });
 }
 
 /// Batch after batch, so that what the nearer ones hide need not be diced. Most scenes are one
@@ -25,25 +39,32 @@ template <class T> std::span<const l3d_placed_patch> l3d_method_afd<T>::next_bat
 template <class T>
 void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& times) {
     l3d_dice_view view = frame.view;
-    const bool with_levels = surface_->takes_levels() && !frame.shading.is_lit(frame.materials);
-    const l3d_shading shading = l3d_lit_while_diced(view, frame.shading, with_levels);
+    l3d_surface_rasterizer& surface = surface_for(frame.shading.mode);
+    used_ = &surface;
+    const bool with_levels = surface.takes_levels() && !frame.shading.is_lit(frame.materials);
+    l3d_shading shading = l3d_lit_while_diced(view, frame.shading, with_levels);
+    const bool inspects = l3d_is_inspection(shading.mode);
+    if (inspects) {
+        inspected_.begin(frame.camera, view.size, shading);
+        shading.inspected = &inspected_.patches();
+    }
     begin_outlines(frame, view, times);
     const stopwatch placing;
     culling_.begin(frame.scene, frame.to_image, view,
                    frame.part.grown(shading.reach()).intersected(l3d_whole(view.size)));
     dicer_.keep_batches(shading.antialias);
     dicer_.begin(view);
-    std::span<const l3d_placed_patch> batch = next_batch();
+    std::span<const l3d_placed_patch> batch = next_batch(surface);
     const bool keep_depth = frame.wants_depth || !culling_.is_done();
     if (keep_depth)
         frame.depth.resize(view.size);
     l3d_depth_buffer* const depth = keep_depth ? &frame.depth : nullptr;
-    surface_->count_pixels(frame.counts_pixels);
-    surface_->use_materials(frame.materials);
+    surface.count_pixels(frame.counts_pixels);
+    surface.use_materials(frame.materials);
     if (frame.is_part())
-        surface_->begin_part(frame.target, depth, shading, frame.part);
+        surface.begin_part(frame.target, depth, shading, frame.part);
     else
-        surface_->begin(frame.target, depth, shading, frame.untouched);
+        surface.begin(frame.target, depth, shading, frame.untouched);
     times.transform += placing.milliseconds();
     while (!batch.empty()) {
         const stopwatch dicing;
@@ -52,15 +73,17 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
         add_outlines(batch, times);
 
         const stopwatch filling;
-        surface_->draw(parts);
+        if (inspects)
+            inspected_.add(frame.scene, batch);
+        surface.draw(parts);
         times.raster += filling.milliseconds();
 
         const stopwatch going_on;
-        batch = next_batch();
+        batch = next_batch(surface);
         times.transform += going_on.milliseconds();
     }
     const stopwatch finishing;
-    surface_->finish();
+    surface.finish();
     times.raster += finishing.milliseconds();
     counts_ = dicer_.counts();
     counts_.add(culling_.counts());

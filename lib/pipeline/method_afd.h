@@ -5,6 +5,7 @@
 
 #include "dice/frame_dicer.h"
 #include "dice/outlines/frame_outlines.h"
+#include "scene/inspected_scene.h"
 #include "scene/scene_culling.h"
 #include "pipeline/surface_method.h"
 #include "raster/rasterizer_factory.h"
@@ -28,17 +29,22 @@ private:
     bool do_draws_parts() const override { return surface_->draws_parts(); }
     void do_draw(const l3d_method_frame& frame, l3d_stage_times& times) override;
     const l3d_dice_counts& do_counts() const override { return counts_; }
-    const l3d_surface_counts& do_surface_counts() const override { return surface_->counts(); }
+    const l3d_surface_counts& do_surface_counts() const override { return used_->counts(); }
     const l3d_outline_mask* do_outlines() const override {
         return outlines_ ? &outlines_->mask() : nullptr;
     }
 
-    std::span<const l3d_placed_patch> next_batch();
+    l3d_surface_rasterizer& surface_for(l3d_shade shade);
+    std::span<const l3d_placed_patch> next_batch(const l3d_surface_rasterizer& surface);
     void begin_outlines(const l3d_method_frame& frame, const l3d_dice_view& view,
                         l3d_stage_times& times);
     void add_outlines(std::span<const l3d_placed_patch> batch, l3d_stage_times& times);
 
+    l3d_workers& workers_;
     std::unique_ptr<l3d_surface_rasterizer> surface_;
+    std::unique_ptr<l3d_surface_rasterizer> inspector_; ///< what inspects, if that one does not
+    const l3d_surface_rasterizer* used_;                ///< in the last frame
+    l3d_inspected_scene inspected_;
     l3d_scene_culling culling_;
     l3d_frame_dicer<T> dicer_;
     l3d_dice_counts counts_;

@@ -173,6 +173,8 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     shading.keep_unit_normals = settings_.keep.unit_normals;
     shading.antialias = settings_.antialias;
     shading.background = settings_.background;
+    if (l3d_is_inspection(settings_.shade))
+        shading.inspection = inspection();
     return {.target = target,
             .to_image = stages_->transform.matrix(),
             .view = stages_->view,
@@ -310,10 +312,8 @@ void l3d_pipeline_afd::find_doubts(bool is_lit, l3d_stage_times& times) {
     const stopwatch finding;
     constexpr double unknown = std::numeric_limits<double>::infinity();
     report_.coverage_bound = report_.color_bound = unknown;
-    const bool is_light = settings_.shade == l3d_shade::lambert ||
-                          settings_.shade == l3d_shade::gouraud ||
-                          settings_.shade == l3d_shade::flat;
-    const bool has_exact = is_light && !settings_.wireframe && !settings_.background.is_none();
+    const bool has_exact =
+        l3d_is_light(settings_.shade) && !settings_.wireframe && !settings_.background.is_none();
     if (!settings_.error_map || !has_exact) {
         stages_->doubts.reset();
         return;

@@ -19,6 +19,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 class l3d_error_map;
 class l3d_outline_mask;
@@ -47,6 +48,12 @@ struct L3D_PUBLIC l3d_afd_settings {
 
     /// How the filled surface gets its colours.
     l3d_shade shade = l3d_shade::lambert;
+
+    /// What the shades that inspect a surface show. Only the library's own method draws them.
+    l3d_inspection inspection{};
+
+    /// Viewers draw the scale of such a shade into the picture.
+    bool legend = true;
 
     /// The direction towards the light. Units: world space, any length.
     l3d_vector<double, 3> light = l3d_usual_light;
@@ -146,6 +153,11 @@ public:
     /// Why the last picture shows nothing, as l3d_why_unseen tells it; "" if it may show something.
     std::string why_empty() const;
 
+    /// What a shade that inspects the surface shows in the next frame: the settings', with a scale
+    /// that suits the scene if they leave that open. Its colours are l3d_inspection_colors.
+    /// Cost: if the scene changed, that of looking at nine places of each patch.
+    l3d_inspection inspection();
+
     /// What is seen at (x, y) of the picture: l3d_pick_at, with the camera and settings of now.
     std::optional<l3d_pick> pick(double x, double y) const;
 
@@ -243,6 +255,8 @@ private:
     bool is_drawing_ = false;
     l3d_pixel_box changed_;
     l3d_frame_report report_;
+    /// The end of the curvature's scale, and the shade that it is of; none until it is asked for.
+    std::optional<std::pair<l3d_shade, double>> usual_curvature_;
     std::unique_ptr<stages> stages_;
 };
 

@@ -26,6 +26,7 @@ std::vector<l3d_viewer_row> l3d_pipeline_afd_viewer::own_rows() {
              "finer, coarser",
              {{'+', finer}, {'=', finer}, {'-', [this] { scale_tolerance(2); }}}},
             {"c", "shading", {{'c', [this] { take_next_shade(); }}}},
+            {"i", "inspect curvature, stripes", {{'i', [this] { take_next_inspection(); }}}},
             {"w", "wireframe", {{'w', [this] { switch_wireframe(); }}}},
             {"a", "smooth edges", {{'a', [this] { switch_antialias(); }}}},
             {"n", "control nets", {{'n', [this] { settings().net = !settings().net; }}}}};
@@ -50,16 +51,30 @@ void l3d_pipeline_afd_viewer::scale_tolerance(double factor) {
     controls_.say(formatted("error at most %.3g pixels", settings().tolerance));
 }
 
-/// Without `error`, the last one, where there is no bound to be shown.
+/// Without `error` where there is no bound to be shown, and without those of the other key.
 void l3d_pipeline_afd_viewer::take_next_shade() {
-    static_assert(l3d_shade_names.back().second == l3d_shade::error);
-    const std::size_t count = l3d_shade_names.size() - !settings().method.has_bound();
-    const auto& next = l3d_shade_names[(static_cast<std::size_t>(settings().shade) + 1) % count];
+    const std::size_t count = l3d_shades_of_normals + settings().method.has_bound();
+    const std::size_t after = static_cast<std::size_t>(settings().shade) + 1;
+    const auto& next = l3d_shade_names[after < count ? after : 0];
     settings().shade = next.second;
     controls_.say(std::string("shading: ") + next.first +
                   (next.second == l3d_shade::error
                        ? formatted(", green 0 to red %.3g px", settings().tolerance)
                        : ""));
+}
+
+/// After the last one, light again.
+void l3d_pipeline_afd_viewer::take_next_inspection() {
+    if (!settings().method.is_default())
+        return controls_.say("no exact derivatives of " + settings().method.name());
+    constexpr auto first = static_cast<std::size_t>(l3d_shade::zebra);
+    const std::size_t after = static_cast<std::size_t>(settings().shade) + 1;
+    const bool goes_on = l3d_is_inspection(settings().shade);
+    const auto& next = l3d_shade_names[!goes_on                         ? first
+                                       : after < l3d_shade_names.size() ? after
+                                                                        : 0];
+    settings().shade = next.second;
+    controls_.say(std::string("shading: ") + next.first);
 }
 
 /// The lines are the steps of one method, and no picture of what another one does.
@@ -109,7 +124,8 @@ void l3d_pipeline_afd_viewer::draw_overlay() {
     controls_.draw(rasterizer(), last_report().time_ms.total, lines, key);
 }
 
-/// What colours mean, for people: pictures in files have what was asked for, and nothing else.
+/// What colours mean, for people: pictures in files have what was asked for, and nothing else. A
+/// shade that shows numbers is asked for with its scale.
 l3d_panel l3d_pipeline_afd_viewer::legend() {
     l3d_panel result;
     const bool is_filled = !settings().wireframe;
@@ -118,5 +134,36 @@ l3d_panel l3d_pipeline_afd_viewer::legend() {
         result.add_scale({l3d_error_color(0, 1), l3d_error_color(0.5, 1), l3d_error_color(1, 1)},
                          "0", formatted("%.3g", settings().tolerance));
     }
+    if (l3d_is_inspection(settings().shade) && is_filled && settings().legend)
+        add_inspection(result);
     return result;
+}
+
+void l3d_pipeline_afd_viewer::add_inspection(l3d_panel& panel) {
+    const l3d_inspection shown = inspection();
+    const auto number = [](double of) { return formatted("%.3g", of); };
+    std::string first = number(-shown.scale), last = number(shown.scale);
+    switch (settings().shade) {
+    case l3d_shade::gaussian:
+        panel.add("Gaussian curvature per square unit, 0 is white");
+        break;
+    case l3d_shade::mean:
+        panel.add("mean curvature per unit, 0 is white");
+        break;
+    case l3d_shade::draft:
+        panel.add("draft angle in degrees, 0 is yellow");
+        break;
+    case l3d_shade::zebra:
+        panel.add("zebra: angle of the reflected ray, stripes of " + number(shown.stripe) +
+                  " degrees");
+        break;
+    default:
+        panel.add("isophotes: angle to the light, stripes of " + number(shown.stripe) + " degrees");
+        break;
+    }
+    if (settings().shade == l3d_shade::zebra || settings().shade == l3d_shade::isophotes) {
+        first = "0";
+        last = "180";
+    }
+    panel.add_scale(l3d_inspection_colors(settings().shade, shown), first, last);
 }

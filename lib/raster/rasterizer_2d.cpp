@@ -1,9 +1,23 @@
 // SPDX-License-Identifier: MIT
-// l3d_rasterizer_2d_imp: coverage for outputs that cannot mix colours.
+// l3d_rasterizer_2d_imp: coverage for outputs that cannot mix colours, paths for all.
 #include "raster/rasterizer_2d.h"
 
+#include "raster/paths/curve_pixels_p.h"
+#include "raster/paths/gradient.h"
+#include "raster/paths/mesh_dicer_p.h"
+#include "raster/paths/path_scan_p.h"
+
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <vector>
+
+namespace {
+
+/// What a kind of output that tells no size may show.
+constexpr l3d_size largest{l3d_largest_side, l3d_largest_side};
+
+} // namespace
 
 void l3d_rasterizer_2d_imp::do_draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color) {
     constexpr int half = 128;
@@ -18,5 +32,50 @@ void l3d_rasterizer_2d_imp::do_draw_coverage(const l3d_coverage_2d& shape, std::
             do_draw_lines({&run, 1}, color);
             at = std::find_if(end, row.end(), covers);
         }
+    }
+}
+
+void l3d_rasterizer_2d_imp::do_draw_path(const l3d_path& path, const l3d_fill& fill) {
+    l3d_detail::path_scan scan;
+    const auto spans = scan.convert(l3d_detail::order_of(path, fill, l3d_whole(largest)));
+    std::vector<std::uint8_t> run;
+    std::vector<std::uint32_t> colors;
+    for (const l3d_detail::covered_span& s : spans) {
+        const int count = s.last - s.first;
+        if (s.value >= 0)
+            run.assign(static_cast<std::size_t>(count), static_cast<std::uint8_t>(s.value));
+        const std::uint8_t* values = s.value >= 0 ? run.data() : scan.values_of(s);
+        if (fill.gradient == nullptr) {
+            do_draw_coverage({s.first, s.row, count, 1, values, 0}, fill.color);
+            continue;
+        }
+        colors.resize(static_cast<std::size_t>(count));
+        fill.gradient->colors(s.first, s.row, colors);
+        for (int i = 0; i < count; ++i)
+            do_draw_coverage({s.first + i, s.row, 1, 1, values + i, 0},
+                             colors[static_cast<std::size_t>(i)]);
+    }
+}
+
+void l3d_rasterizer_2d_imp::do_draw_curves(const l3d_path& path, std::uint32_t color) {
+    l3d_detail::visit_curve_pixels(path, largest,
+                                   [&](int x, int y) { do_draw_point(x, y, color); });
+}
+
+void l3d_rasterizer_2d_imp::do_draw_mesh(std::span<const l3d_mesh_patch> patches) {
+    const auto rounded = [](const l3d_detail::mesh_corner& c) {
+        const auto level = [&c](std::size_t k) {
+            return static_cast<std::uint32_t>(c.color[k] + 0.5);
+        };
+        return l3d_colored_point_2d{c.at.x, c.at.y, level(0) << 16 | level(1) << 8 | level(2)};
+    };
+    l3d_detail::mesh_dicer dicer(patches);
+    for (const l3d_mesh_patch& patch : patches) {
+        if (!l3d_detail::is_finite(patch))
+            continue;
+        dicer.visit(patch, [&](const std::array<l3d_detail::mesh_corner, 3>& corners) {
+            do_draw_polygon_gouraudshaded(
+                std::array{rounded(corners[0]), rounded(corners[1]), rounded(corners[2])});
+        });
     }
 }

@@ -10,6 +10,10 @@
 #include <cstdint>
 #include <span>
 
+class l3d_gradient;
+class l3d_path;
+struct l3d_mesh_patch;
+
 /// A corner of a polygon. Units: pixels; pixel (x, y) is sampled at the position (x, y).
 struct L3D_PUBLIC l3d_point_2d {
     /// From the left and from the top of the picture.
@@ -56,6 +60,22 @@ enum class L3D_PUBLIC l3d_winding {
     even_odd ///< an odd number of times
 };
 
+/// How the area inside of a path is filled.
+struct L3D_PUBLIC l3d_fill {
+    std::uint32_t color = 0x00ffffff; ///< 0x00RRGGBB
+    /// Instead of the colour, colours that change from place to place. Null: the colour.
+    /// Lives: borrowed while drawing.
+    const l3d_gradient* gradient = nullptr;
+    double alpha = 1;                          ///< from 0, nothing, to 1, opaque
+    l3d_winding inside = l3d_winding::nonzero; ///< which of its points are inside
+    /// Only what is inside of this path, too, is filled. Null: everything.
+    /// Lives: borrowed while drawing.
+    const l3d_path* clip = nullptr;
+    l3d_winding clip_inside = l3d_winding::nonzero; ///< which points are inside of the clip path
+    /// Only pixels in this box are drawn; by default, all of them.
+    l3d_pixel_box box{0, 0, l3d_largest_side, l3d_largest_side};
+};
+
 /// The drawing operations that each kind of output implements. Programs hold the l3d_rasterizer_2d
 /// in front of it.
 class L3D_PUBLIC l3d_rasterizer_2d_imp {
@@ -87,6 +107,14 @@ private:
 
     /// Unless a kind of output can mix colours, what is covered by half or more gets the colour.
     virtual void do_draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color);
+
+    /// Unless a kind of output has a way of its own, a path is drawn as coverage, run by run.
+    virtual void do_draw_path(const l3d_path& path, const l3d_fill& fill);
+
+    /// Unless a kind of output has a way of its own, curves are points, and meshes are
+    /// Gouraud-shaded triangles.
+    virtual void do_draw_curves(const l3d_path& path, std::uint32_t color);
+    virtual void do_draw_mesh(std::span<const l3d_mesh_patch> patches);
 };
 
 /// Draws points, lines and polygons; says nothing about where the pixels are.
@@ -174,6 +202,42 @@ public:
     void draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color) {
         imp_.do_draw_coverage(shape, color);
     }
+
+    /// Fills the area inside of a path with smooth edges. Each pixel moves towards the colour by
+    /// the share of its square that is covered, times alpha.
+    ///
+    /// Pixel (x, y) is the square from (x - 1/2, y - 1/2) to (x + 1/2, y + 1/2). Its share is exact
+    /// where outlines cross or lie upon each other, too. Two things alone change it: curves are
+    /// drawn within l3d_flat_enough, and the product is rounded to a multiple of 1/255. A path of
+    /// lines is thus within 1/510, up to the rounding of doubles. Positions are not rounded to a
+    /// lattice. Nothing is drawn if a coordinate is not a number, and beyond +-2^30 it is moved to
+    /// that. In a picture without background, colours count by what they cover.
+    /// Expects: alpha in [0, 1].
+    /// Cost:    linear in the rows that edges reach and the pixels that are covered. Where n edges
+    ///          share pixels and cross each other m times, n log n (n + m).
+    void draw_path(const l3d_path& path, const l3d_fill& fill) { imp_.do_draw_path(path, fill); }
+
+    /// Draws the lines and curves of a path one pixel wide, with hard edges.
+    ///
+    /// The pixels form runs that are eight-connected as far as they are in the picture. No sample
+    /// of a pixel is farther from the curve than 1/2 + 2^-20 along either axis. No point of the
+    /// curve is farther from such a sample than 3/2 along both. Pixels are drawn in the order of
+    /// the curve, and those at the corner of a right angle are left out. The same pixels however
+    /// much is outside. Cost:    some additions for each pixel, found by adaptive forward
+    /// differences.
+    void draw_curves(const l3d_path& path, std::uint32_t color) {
+        imp_.do_draw_curves(path, color);
+    }
+
+    /// Fills patches with colours between those of their corners, one after another.
+    ///
+    /// Where a patch lies upon itself, the PDF standard tells what is seen: the larger v, with one
+    /// v the larger u. A pixel gets a colour that the patch has at most 1/16 pixel from its sample,
+    /// within 1/2 + 1/16 levels, and corners are rounded to 1/256 pixel. Patches of one call that
+    /// share a border leave no crack and no double hit there. Patches with coordinates that are not
+    /// finite are left out.
+    /// Cost:    all patches are diced as finely as the one that needs most; into 512 x 512 at most.
+    void draw_mesh(std::span<const l3d_mesh_patch> patches) { imp_.do_draw_mesh(patches); }
 
     /// Afterwards, everything drawn so far is in the target's pixels. Call it before anybody else
     /// reads or writes them; what others wrote is drawn upon by what is drawn next.

@@ -7,7 +7,9 @@
 #include "geom/material.h"
 #include "raster/background.h"
 #include "raster/depth_buffer.h"
+#include "raster/inspection.h"
 #include "raster/lighting.h"
+#include "raster/shade.h"
 #include "raster/surface_part.h"
 #include "tool_2d/pixels.h"
 
@@ -16,27 +18,6 @@
 #include <cstdint>
 #include <span>
 #include <utility>
-
-/// How a surface's pixels get their colour.
-enum class L3D_PUBLIC l3d_shade {
-    lambert, ///< per-pixel unit normal; grey level round(255 (0.1 + 0.9 max(0, n.l)))
-    gouraud, ///< the same grey level per vertex, interpolated
-    flat,    ///< one grey level per quad, from the mean of its normals
-    normals, ///< red, green, blue = round(255 (n + 1) / 2)
-    error,   ///< one colour per part, its `error_color`: what is known of its error
-
-    /// Lambert's grey from levels that were made with the surface: vertices have their level and
-    /// what their sides bend by (l3d_micro_vertex) in place of normals. Not for users to choose.
-    levels,
-};
-
-/// How users call those that they can choose, in the order of their values.
-inline constexpr std::array<std::pair<const char*, l3d_shade>, 5> l3d_shade_names{
-    {{"lambert", l3d_shade::lambert},
-     {"gouraud", l3d_shade::gouraud},
-     {"flat", l3d_shade::flat},
-     {"normals", l3d_shade::normals},
-     {"error", l3d_shade::error}}};
 
 /// The data that stay the same for a frame.
 struct L3D_PUBLIC l3d_shading {
@@ -63,11 +44,17 @@ struct L3D_PUBLIC l3d_shading {
     /// From the eye to a place, as `ray` has it, whether or not normals are turned to the eye.
     std::array<float, 3> look{0, 0, -1}, look_right{}, look_down{};
 
+    /// What the shades that inspect a surface show, and what they need of it. Such shades expect
+    /// patches, vertices with their parameters u and v in place of the first two numbers of
+    /// normals, and parts whose material is the index of their patch.
+    l3d_inspection inspection{};
+    const l3d_inspected_patches* inspected = nullptr; ///< borrowed until the frame's finish
+
     /// Whether surfaces of these materials take more than one level in each pixel: unless the
     /// lights are the usual ones and nothing has highlights. Modes that are not light never do.
     /// Gouraud and levels then are as lambert.
     bool is_lit(std::span<const l3d_material> materials) const {
-        return mode != l3d_shade::normals && mode != l3d_shade::error &&
+        return l3d_is_light(mode) &&
                !(lighting.is_usual() && std::ranges::all_of(materials, [](const l3d_material& m) {
                      return m.highlight == 0;
                  }));
@@ -112,11 +99,15 @@ struct L3D_PUBLIC l3d_surface_counts {
         refined += other.refined;
         level_error = std::max(level_error, other.level_error);
         loose_levels += other.loose_levels;
+        unsolved += other.unsolved;
     }
 
     /// Mode `levels`: how far a level may be from the one that the corners' levels and bends give
     /// for the same parameters. Units: levels; at most l3d_most_level_error.
     double level_error = 0;
+    /// Shades that inspect a surface: tested pixels whose exact place on their patch was not found.
+    /// They show what is at the place between the drawn vertices.
+    std::int64_t unsolved = 0;
     std::int64_t loose_levels = 0; ///< polygons where it may be more, as often as they are set up
 };
 
@@ -145,6 +136,9 @@ public:
 
     /// Whether it obeys l3d_shading::antialias.
     bool antialiases() const { return do_antialiases(); }
+
+    /// Whether it draws the shades that inspect a surface.
+    bool inspects() const { return do_inspects(); }
 
     /// Starts a frame: from now on, the picture shows the background, and depth is 0. Each
     /// rasterizer decides when it sets their memory, at finish at the latest.
@@ -224,9 +218,8 @@ protected:
 private:
     void begin_frame(const l3d_shading& shading) {
         counts_pixels_ = counting_wanted_;
-        const bool is_light =
-            shading.mode != l3d_shade::normals && shading.mode != l3d_shade::error;
-        materials_of_frame_ = is_light ? materials_ : std::span<const l3d_material>();
+        materials_of_frame_ =
+            l3d_is_light(shading.mode) ? materials_ : std::span<const l3d_material>();
         materials_ = {};
     }
 
@@ -234,6 +227,7 @@ private:
     virtual bool do_takes_levels() const { return false; }
     virtual bool do_draws_parts() const { return false; }
     virtual bool do_antialiases() const { return false; }
+    virtual bool do_inspects() const { return false; }
     virtual void do_begin_part(l3d_pixels, l3d_depth_buffer*, const l3d_shading&,
                                const l3d_pixel_box&) {}
     virtual void do_draw(std::span<const l3d_surface_part* const>) = 0;

@@ -97,8 +97,20 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add_choice<l3d_shade>(
         "--shade", settings_.shade,
         "how the surface is coloured; error: by the bound of each piece's error, from green, "
-        "none, to red, the tolerance or more",
+        "none, to red, the tolerance or more; zebra: by stripes of reflected rays; isophotes: of "
+        "equal light; gaussian, mean: by curvature; draft: by the angle to --shade-direction",
         {l3d_shade_names.begin(), l3d_shade_names.end()});
+    options.add("--shade-direction", shade_direction_,
+                "what --shade zebra and draft tell angles from");
+    options.add("--shade-scale", settings_.inspection.scale,
+                "the number at the end of the scale of --shade gaussian, mean and draft; 0 takes "
+                "one that suits the model, and 15 degrees",
+                0, largest);
+    options.add("--stripes", settings_.inspection.stripe,
+                "how wide stripes of --shade zebra and isophotes are, in degrees", 0.1, 180.0);
+    options.add_choice<bool>("--legend", settings_.legend,
+                             "whether the picture has the scale of such a shade",
+                             {{"on", true}, {"off", false}});
     options.add_each("--light",
                      "direction towards a light and, if it is not white, its colour: X,Y,Z or "
                      "X,Y,Z,R,G,B, colours from 0 to 255; each further --light adds one",
@@ -229,11 +241,15 @@ l3d_afd_settings l3d_afd_options::settings() const {
     result.threads = threads_.value_or(std::clamp(processors, 1, most_threads_unasked));
     result.depth = !depth_output_.empty();
     result.error_map = !error_output_.empty();
-    const bool is_light = result.shade != l3d_shade::normals && result.shade != l3d_shade::error;
-    if (result.error_map && (result.wireframe || !is_light))
+    for (std::size_t i = 0; i < result.inspection.direction.size(); ++i)
+        result.inspection.direction[i] = shade_direction_[static_cast<int>(i)];
+    if (shade_direction_ == l3d_camera::vector{0.0, 0.0, 0.0})
+        throw l3d_error(l3d_exit::usage, "--shade-direction: '0,0,0' has no direction");
+    check_place("--shade-direction", shade_direction_);
+    if (result.error_map && (result.wireframe || !l3d_is_light(result.shade)))
         throw l3d_error(l3d_exit::usage, "--error-output: only surfaces that show light have an "
                                          "exact picture, and neither --wireframe nor --shade "
-                                         "normals or error does");
+                                         "normals, error or an inspection does");
     result.background = background_.value_or(l3d_background());
     if (result.error_map && result.background.is_none())
         throw l3d_error(l3d_exit::usage, "--error-output: pixels have bounds on a background, and "

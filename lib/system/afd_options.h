@@ -89,6 +89,7 @@ private:
 
     std::string model_file_;
     l3d_vector<double, 3> ambient_ = usual_ambient();
+    l3d_vector<double, 3> shade_direction_{0.0, 1.0, 0.0};
     bool gives_light_ = false;
     l3d_camera camera_ = teapot_view();
     std::optional<l3d_camera::vector> eye_, target_;

@@ -51,6 +51,10 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
     if (shared.shade == l3d_shade::error)
         throw l3d_error(l3d_exit::usage,
                         "--shade: only --pipeline afd has the bound that error shows");
+    if (l3d_is_inspection(shared.shade))
+        throw l3d_error(l3d_exit::usage,
+                        "--shade: only --pipeline afd has the exact patches that zebra, isophotes, "
+                        "gaussian, mean and draft look at");
     l3d_polygon_settings settings;
     settings.style = hidden_lines_      ? l3d_polygon_style::hidden_lines
                      : shared.wireframe ? l3d_polygon_style::wireframe

@@ -28,9 +28,6 @@ constexpr std::array<std::pair<l3d_polygon_style, const char*>, 3> styles{
      {l3d_polygon_style::wireframe, "wireframe"},
      {l3d_polygon_style::hidden_lines, "hidden lines removed"}}};
 
-/// Those of l3d_shade_names before `error`: polygons have no bounds.
-constexpr std::size_t shade_count = l3d_shade_names.size() - 1;
-
 template <class Enum> constexpr std::size_t after(Enum value, std::size_t count) {
     return (static_cast<std::size_t>(value) + 1) % count;
 }
@@ -100,7 +97,7 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
         report.time_ms.raster = drawing.milliseconds();
         return;
     }
-    assert(settings_.shade != l3d_shade::error);
+    assert(static_cast<std::size_t>(settings_.shade) < l3d_shades_of_normals);
     const bool is_solid = settings_.style == l3d_polygon_style::solid;
     const bool smooth = settings_.shade != l3d_shade::flat;
     l3d_shading shading = view.shading(settings_.shade, settings_.light, settings_.lighting);
@@ -134,7 +131,7 @@ std::vector<l3d_viewer_row> l3d_pipeline_polygons::own_rows() {
                 angle = std::remainder(angle + by, 360.0);
             });
     const auto shade = [this] {
-        const auto& next = l3d_shade_names[after(settings_.shade, shade_count)];
+        const auto& next = l3d_shade_names[after(settings_.shade, l3d_shades_of_normals)];
         settings_.shade = next.second;
         controls_.say(std::string("shading: ") + next.first);
     };

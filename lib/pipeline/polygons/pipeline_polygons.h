@@ -78,7 +78,9 @@ struct L3D_PUBLIC l3d_polygon_settings {
 /// Draws a model of polygons; a subclass finds which polygon is in front.
 ///
 /// Has the controls that its help overlay lists.
-/// Expects: a valid camera; light not zero; threads >= 1; no shade `error`, as there are no bounds.
+/// Expects: a valid camera; light not zero; threads >= 1; a shade of normals
+/// (l3d_shades_of_normals), as
+///          polygons have neither bounds nor exact derivatives.
 /// Lives:   owns screen, rasterizers and workers; shares the model.
 class L3D_PUBLIC l3d_pipeline_polygons : public l3d_pipeline {
 public:
@@ -121,6 +123,9 @@ public:
     void pointer_event(const l3d_event& event) override;
     void resize_event(l3d_size size) override;
     void update_event(double seconds) override;
+    /// Without an own update_event time changes nothing but what controls() do. A subclass that has
+    /// one overrides this, too.
+    bool is_at_rest() const override { return controls_.is_at_rest(); }
     void draw_event() override;
     void frame_event(const l3d_frame_times& times) override;
     bool skip_event() override {

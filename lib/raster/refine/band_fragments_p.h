@@ -22,7 +22,8 @@ struct fragment_polygon {
     float inv_w[4];
     float light[3][4]; ///< the corners' three numbers of l3d_micro_vertex::normal
     std::int32_t corners;
-    /// Of its material, or in mode `error` the part's own; of what is lit, the material's place.
+    /// Of its material, or in mode `error` the part's own; of what is lit or inspected, the
+    /// material's place.
     std::uint32_t color;
     float farthest, nearest; ///< of the corners' inv_w
 
@@ -42,11 +43,12 @@ public:
     void begin(const pixel_bits& bits, const drawn_depth& depth, std::int32_t width,
                std::int32_t top, std::int32_t bottom);
 
-    /// The colours of the frame's materials, if it has any and they are levels'; whether it is lit.
+    /// The colours of the frame's materials, if it has any and they are levels'; whether shaders
+    /// want to know the place of the material itself.
     /// Lives: until the next call.
-    void use_colors(std::span<const std::uint32_t> colors, bool is_lit) {
+    void use_colors(std::span<const std::uint32_t> colors, bool by_material) {
         colors_ = colors;
-        is_lit_ = is_lit;
+        by_material_ = by_material;
     }
 
     /// Adds those of an item's quads and triangles that reach a marked pixel and are no farther
@@ -86,13 +88,13 @@ private:
     void add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t color,
                     const l3d_pixel_box& box);
     std::uint32_t color_of(const l3d_surface_part& part, std::uint32_t material) const {
-        return is_lit_ ? material : colors_.empty() ? part.error_color : colors_[material];
+        return by_material_ ? material : colors_.empty() ? part.error_color : colors_[material];
     }
     l3d_pixel_box reached(std::span<const l3d_micro_vertex> corners) const;
     std::size_t index_of(std::int32_t x, std::int32_t y) const;
 
     std::span<const std::uint32_t> colors_;
-    bool is_lit_ = false;
+    bool by_material_ = false;
     const pixel_bits* bits_ = nullptr;
     l3d_pixel_box band_;
     std::vector<pixel> pixels_;

@@ -27,8 +27,7 @@ bool is_hidden(const drawn_frame& frame, const band_item& item) {
 bool is_grey(const drawn_frame& frame) {
     const l3d_background& background = frame.shading.background;
     return frame.colors.empty() && !frame.shading.is_lit(frame.materials) &&
-           frame.shading.mode != l3d_shade::normals && frame.shading.mode != l3d_shade::error &&
-           background.is_grey() && !background.is_none();
+           l3d_is_light(frame.shading.mode) && background.is_grey() && !background.is_none();
 }
 
 } // namespace
@@ -158,7 +157,9 @@ void picture_refiner::resolve(const drawn_frame& frame, int band, worker_space& 
     if (space.fragments.pixels().empty())
         return;
     const bool levels = frame.shading.mode == l3d_shade::levels;
-    space.fragments.use_colors(frame.colors, frame.shading.is_lit(frame.materials));
+    const bool by_material =
+        l3d_is_inspection(frame.shading.mode) || frame.shading.is_lit(frame.materials);
+    space.fragments.use_colors(frame.colors, by_material);
     for (const std::uint32_t index : frame.list.items(band)) {
         const band_item& item = frame.list.item(index);
         if (!is_hidden(frame, item))

@@ -137,8 +137,8 @@ struct l3d_painter::work_space {
         case l3d_shade::error:
             paint(own_color_shader(), triangles, pieces, cuts);
             break;
-        case l3d_shade::levels:
-            assert(false); // only diced surfaces have levels
+        default:
+            assert(false); // only diced surfaces have levels or parameters
             break;
         }
     }
@@ -159,7 +159,7 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
                         std::span<const l3d_painter_piece> pieces,
                         std::span<const l3d_painter_cut> cuts) {
     work_->begin(target, shading.background);
-    const bool is_light = shading.mode != l3d_shade::normals && shading.mode != l3d_shade::error;
+    const bool is_light = l3d_is_light(shading.mode);
     work_->materials = is_light ? materials : std::span<const l3d_material>();
     if (shading.is_lit(materials))
         work_->paint(lit_shader(shading, materials), triangles, pieces, cuts);

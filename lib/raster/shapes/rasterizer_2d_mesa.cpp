@@ -224,6 +224,22 @@ void l3d_rasterizer_2d_mesa_imp::do_draw_coverage(const l3d_coverage_2d& shape,
     });
 }
 
+void l3d_rasterizer_2d_mesa_imp::do_draw_curves(const l3d_path& path, std::uint32_t color) {
+    do_finish();
+    cpu_.draw_curves(path, color);
+}
+
+void l3d_rasterizer_2d_mesa_imp::do_draw_mesh(std::span<const l3d_mesh_patch> patches) {
+    do_finish();
+    cpu_.draw_mesh(patches);
+}
+
+/// GL has no exact areas.
+void l3d_rasterizer_2d_mesa_imp::do_draw_path(const l3d_path& path, const l3d_fill& fill) {
+    do_finish();
+    cpu_.draw_path(path, fill);
+}
+
 void l3d_rasterizer_2d_mesa_imp::add_rectangle(int left, int top, int right, int bottom,
                                                std::uint32_t color) {
     const auto x0 = static_cast<float>(left), x1 = static_cast<float>(right);

@@ -38,6 +38,9 @@ private:
     void do_draw_outlines(std::span<const l3d_outline_2d> outlines, l3d_winding inside,
                           std::uint32_t color) override;
     void do_draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color) override;
+    void do_draw_path(const l3d_path& path, const l3d_fill& fill) override;
+    void do_draw_curves(const l3d_path& path, std::uint32_t color) override;
+    void do_draw_mesh(std::span<const l3d_mesh_patch> patches) override;
 
     struct vertex {
         float x, y;

@@ -2,6 +2,10 @@
 // l3d_rasterizer_2d_sw_imp: from steps and spans to words.
 #include "raster/shapes/rasterizer_2d_sw.h"
 
+#include "raster/paths/curve_pixels_p.h"
+#include "raster/paths/gradient.h"
+#include "raster/paths/mesh_dicer_p.h"
+#include "raster/shapes/blend_p.h"
 #include "raster/shapes/line_steps_p.h"
 #include "raster/shapes/smooth_line_p.h"
 #include "raster/shapes/visit_coverage_p.h"
@@ -30,42 +34,12 @@ void light(const line_steps& line, Minors minors, const l3d_pixels& target, std:
     }
 }
 
-/// How far ahead pixels are prefetched. How far ahead pixels are prefetched. How far ahead pixels
-/// are prefetched. Each pixel of a steep line is in a row, and so in a cache line, of its own. In a
-/// picture that the cache does not hold, prefetching makes such lines a third faster. Short lines
-/// end too soon.
+/// How far ahead pixels are prefetched. Each pixel of a steep line is in a row, and so in a cache
+/// line, of its own. In a picture that the cache does not hold, prefetching makes such lines a
+/// third faster. Short lines end too soon.
 constexpr int pixels_ahead = 4;
 bool gains_ahead(const line_steps& line) {
     return !line.x_major && line.last - line.first > 8 * pixels_ahead;
-}
-
-/// A word whose three lower bytes are moved towards the colour's by coverage / 255, to nearest.
-std::uint32_t blended(std::uint32_t word, std::uint32_t color, int coverage) {
-    std::uint32_t result = word & 0xff000000;
-    for (const int shift : {0, 8, 16}) {
-        const int from = static_cast<int>(word >> shift & 255);
-        const int to = static_cast<int>(color >> shift & 255);
-        const int sum = from * (255 - coverage) + to * coverage;
-        result |= static_cast<std::uint32_t>((sum + 127) / 255) << shift;
-    }
-    return result;
-}
-
-/// The same of a word that may be transparent: both colours count by what they cover.
-std::uint32_t blended_over_gap(std::uint32_t word, std::uint32_t color, int coverage) {
-    if (word >> 24 == 0)
-        return blended(word, color, coverage);
-    const int of_color = 255 * coverage;
-    const int of_word = (255 - coverage) * (255 - static_cast<int>(word >> 24));
-    const int sum = of_color + of_word; // not 0, as something is covered
-    std::uint32_t result = static_cast<std::uint32_t>(255 - (sum + 127) / 255) << 24;
-    for (const int shift : {0, 8, 16}) {
-        const int from = static_cast<int>(word >> shift & 255);
-        const int to = static_cast<int>(color >> shift & 255);
-        result |= static_cast<std::uint32_t>((from * of_word + to * of_color + sum / 2) / sum)
-                  << shift;
-    }
-    return result;
 }
 
 shaded_corner corner_of(const l3d_colored_point_2d& p) {
@@ -166,4 +140,40 @@ void l3d_rasterizer_2d_sw_imp::do_draw_coverage(const l3d_coverage_2d& shape, st
             ++word;
         }
     });
+}
+
+void l3d_rasterizer_2d_sw_imp::do_draw_path(const l3d_path& path, const l3d_fill& fill) {
+    const auto spans = paths_.convert(order_of(path, fill, l3d_whole(target_.size())));
+    if (fill.gradient == nullptr)
+        return cover_spans(target_, spans, paths_, fill.color & 0x00ffffff);
+    for (const covered_span& s : spans) {
+        colors_.resize(static_cast<std::size_t>(s.last - s.first));
+        fill.gradient->colors(s.first, s.row, colors_);
+        std::uint32_t* word = target_.row(s.row).data() + s.first;
+        for (std::size_t i = 0; i < colors_.size(); ++i, ++word) {
+            const int share = s.value >= 0 ? s.value : paths_.values_of(s)[i];
+            if (share > 0)
+                *word = blended_over_gap(*word, colors_[i], share);
+        }
+    }
+}
+
+void l3d_rasterizer_2d_sw_imp::do_draw_curves(const l3d_path& path, std::uint32_t color) {
+    visit_curve_pixels(path, target_.size(),
+                       [&](int x, int y) { target_.words[y * target_.stride + x] = color; });
+}
+
+void l3d_rasterizer_2d_sw_imp::do_draw_mesh(std::span<const l3d_mesh_patch> patches) {
+    mesh_dicer dicer(patches);
+    const auto corner = [](const mesh_corner& c) {
+        return shaded_corner{lattice_point(c.at), c.color};
+    };
+    for (const l3d_mesh_patch& patch : patches) {
+        if (!is_finite(patch))
+            continue;
+        dicer.visit(patch, [&](const std::array<mesh_corner, 3>& t) {
+            shade_spans(target_, triangle_.convert({corner(t[0]), corner(t[1]), corner(t[2])},
+                                                   target_.size()));
+        });
+    }
 }

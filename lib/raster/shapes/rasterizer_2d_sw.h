@@ -4,12 +4,14 @@
 #define L3D_RASTER_SHAPES_RASTERIZER_2D_SW_H
 
 #include "raster/shapes/polygon_corners_p.h"
+#include "raster/paths/path_scan_p.h"
 #include "raster/rasterizer_2d.h"
 #include "raster/shapes/scan_polygon_p.h"
 #include "raster/shapes/shaded_triangle_p.h"
 #include "raster/shapes/winding_scan_p.h"
 
 #include <array>
+#include <vector>
 
 /// Writes pixel words into memory, whichever screen they belong to.
 ///
@@ -29,6 +31,9 @@ private:
     void do_draw_outlines(std::span<const l3d_outline_2d> outlines, l3d_winding inside,
                           std::uint32_t color) override;
     void do_draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color) override;
+    void do_draw_path(const l3d_path& path, const l3d_fill& fill) override;
+    void do_draw_curves(const l3d_path& path, std::uint32_t color) override;
+    void do_draw_mesh(std::span<const l3d_mesh_patch> patches) override;
 
     void draw_line(const l3d_line_2d& line, std::uint32_t color);
     template <class Point> void fill_convex(std::span<const Point> corners, std::uint32_t color);
@@ -39,6 +44,8 @@ private:
     l3d_detail::scan_polygon scan_;
     l3d_detail::shaded_triangle triangle_;
     l3d_detail::winding_scan winding_;
+    l3d_detail::path_scan paths_;
+    std::vector<std::uint32_t> colors_;
 };
 
 #endif

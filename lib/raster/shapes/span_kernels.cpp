@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "raster/parallel/simd_dispatch_p.h"
+#include "raster/shapes/blend_p.h"
 #include "raster/shapes/span_kernels_p.h"
 #include "raster/parallel/store_where-inl.h"
 
@@ -72,6 +73,68 @@ void fill_spans_in_lanes(const l3d_pixels& target, std::span<const pixel_span> s
     for (const pixel_span& s : spans)
         fill_span(target.words + s.row * target.stride + s.first,
                   static_cast<std::size_t>(s.last - s.first), color);
+}
+
+/// Words towards a colour by shares of 255, each channel to nearest. Two channels share a lane, 16
+/// bits each: sums stay below 2^16. Then t / 255 = (t + 1 + t / 256) / 256, rounded down each time.
+HWY_INLINE word_lanes blended_lanes(word_lanes word, word_lanes color, word_lanes share) {
+    const word_lanes low = hn::Set(words, 0x00ff00ff), rest = hn::Sub(hn::Set(words, 255), share);
+    const auto mix = [&](word_lanes from, word_lanes to) {
+        const word_lanes sum =
+            hn::Add(hn::Add(hn::Mul(from, rest), hn::Mul(to, share)), hn::Set(words, 0x007f007f));
+        const word_lanes more =
+            hn::Add(hn::And(hn::ShiftRight<8>(sum), low), hn::Set(words, 0x00010001));
+        return hn::Add(sum, more);
+    };
+    const word_lanes even = mix(hn::And(word, low), hn::And(color, low));
+    const word_lanes odd = mix(hn::And(hn::ShiftRight<8>(word), hn::Set(words, 255)),
+                               hn::And(hn::ShiftRight<8>(color), hn::Set(words, 255)));
+    return hn::Or(hn::And(hn::ShiftRight<8>(even), low), hn::And(odd, hn::Set(words, 0x0000ff00)));
+}
+
+/// The same of neighbours. Words that may be transparent are done one by one.
+template <class Shares>
+void cover_run(std::uint32_t* at, std::size_t count, std::uint32_t color, const Shares& shares) {
+    const std::size_t lanes = hn::Lanes(words);
+    std::size_t i = 0;
+    for (; i + lanes <= count; i += lanes) {
+        const word_lanes word = hn::LoadU(words, at + i);
+        if (!hn::AllTrue(words, hn::Lt(word, hn::Set(words, 0x01000000))))
+            break;
+        hn::StoreU(blended_lanes(word, hn::Set(words, color), shares.lanes(i)), words, at + i);
+    }
+    for (; i < count; ++i)
+        if (shares.one(i) > 0)
+            at[i] = blended_over_gap(at[i], color, shares.one(i));
+}
+
+struct equal_shares {
+    std::uint8_t value;
+    HWY_INLINE word_lanes lanes(std::size_t) const { return hn::Set(words, value); }
+    int one(std::size_t) const { return value; }
+};
+
+struct listed_shares {
+    const std::uint8_t* values;
+    HWY_INLINE word_lanes lanes(std::size_t i) const {
+        return hn::PromoteTo(words,
+                             hn::LoadU(hn::Rebind<std::uint8_t, decltype(words)>(), values + i));
+    }
+    int one(std::size_t i) const { return values[i]; }
+};
+
+void cover_spans_in_lanes(const l3d_pixels& target, std::span<const covered_span> spans,
+                          const path_scan& scan, std::uint32_t color) {
+    for (const covered_span& s : spans) {
+        std::uint32_t* at = target.words + s.row * target.stride + s.first;
+        const auto count = static_cast<std::size_t>(s.last - s.first);
+        if (s.value == 255)
+            fill_span(at, count, color);
+        else if (s.value >= 0)
+            cover_run(at, count, color, equal_shares{static_cast<std::uint8_t>(s.value)});
+        else
+            cover_run(at, count, color, listed_shares{scan.values_of(s)});
+    }
 }
 
 /// A channel of neighbouring columns; no bound is needed, for the numbers leave [0, 255] by less
@@ -217,6 +280,7 @@ namespace l3d_detail {
 
 L3D_SIMD_TABLE(fill_rows_in_lanes);
 L3D_SIMD_TABLE(fill_spans_in_lanes);
+L3D_SIMD_TABLE(cover_spans_in_lanes);
 L3D_SIMD_TABLE(shade_spans_in_lanes);
 L3D_SIMD_TABLE(fill_small_triangle_in_lanes);
 
@@ -227,6 +291,11 @@ void fill_rows(const l3d_pixels& target, std::int32_t top, std::span<const scan_
 
 void fill_spans(const l3d_pixels& target, std::span<const pixel_span> spans, std::uint32_t color) {
     L3D_SIMD_CALL(fill_spans_in_lanes)(target, spans, color);
+}
+
+void cover_spans(const l3d_pixels& target, std::span<const covered_span> spans,
+                 const path_scan& scan, std::uint32_t color) {
+    L3D_SIMD_CALL(cover_spans_in_lanes)(target, spans, scan, color);
 }
 
 void shade_spans(const l3d_pixels& target, std::span<const shaded_span> spans) {

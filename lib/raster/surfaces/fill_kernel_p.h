@@ -51,6 +51,8 @@ struct fill_counts {
     float level_error = 0;
     std::int64_t loose_levels = 0;
 
+    std::int64_t unsolved = 0; ///< as l3d_surface_counts has it
+
     void note_level_error(float error) {
         if (error <= static_cast<float>(l3d_most_level_error))
             level_error = std::max(level_error, error);
@@ -64,6 +66,7 @@ struct fill_counts {
         by_plane += other.by_plane;
         level_error = std::max(level_error, other.level_error);
         loose_levels += other.loose_levels;
+        unsolved += other.unsolved;
     }
 };
 

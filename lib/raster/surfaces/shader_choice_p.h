@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_SURFACES_SHADER_CHOICE_P_H
 #define L3D_RASTER_SURFACES_SHADER_CHOICE_P_H
 
+#include "raster/surfaces/inspection_shader_p.h"
 #include "raster/surfaces/levels_shader_p.h"
 #include "raster/surfaces/lit_shader_p.h"
 #include "raster/surfaces/surface_shader_p.h"
@@ -21,12 +22,26 @@ concept has_materials = requires(Shader shader) {
     shader.use_material(0U);
 };
 
+/// Whether a shader wants to know the place in the picture.
+template <class Shader>
+concept has_places = requires(Shader shader, const float* values) {
+    shader.word_at(values, 0.0, 0.0);
+};
+
+/// Whether a shader counts the pixels that it finds no exact place for.
+template <class Shader>
+concept counts_unsolved = requires(Shader shader) {
+    shader.take_unsolved();
+};
+
 /// Calls action with the frame's shader: one switch per batch, none per pixel.
 template <class Action>
 void with_shader(const l3d_shading& shading, std::span<const l3d_material> materials,
                  std::uint32_t error_color, const Action& action) {
     if (shading.is_lit(materials))
         return action(lit_shader(shading, materials));
+    if (l3d_is_inspection(shading.mode))
+        return action(inspection_shader(shading));
     switch (shading.mode) {
     case l3d_shade::lambert:
         return action(lambert_shader(shading));
@@ -40,6 +55,8 @@ void with_shader(const l3d_shading& shading, std::span<const l3d_material> mater
         return action(constant_shader(error_color));
     case l3d_shade::levels:
         return action(levels_shader());
+    default:
+        return;
     }
 }
 

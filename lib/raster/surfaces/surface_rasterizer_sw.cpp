@@ -148,6 +148,7 @@ void l3d_surface_rasterizer_sw::do_draw(std::span<const l3d_surface_part* const>
         counts_.by_plane += counts.by_plane;
         counts_.level_error = std::max(counts_.level_error, double{counts.level_error});
         counts_.loose_levels += counts.loose_levels;
+        counts_.unsolved += counts.unsolved;
     }
 }
 

@@ -37,6 +37,7 @@ private:
                   bool untouched) override;
     bool do_takes_levels() const override { return true; }
     bool do_draws_parts() const override { return true; }
+    bool do_inspects() const override { return true; }
     bool do_antialiases() const override { return true; }
     void do_begin_part(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
                        const l3d_pixel_box& part) override;

@@ -85,7 +85,10 @@ x11_window::x11_window(std::unique_ptr<x11_connection> connection,
 }
 
 x11_window::~x11_window() {
-    // Xlib's own record of the context is freed even if the server is gone.
+    if (connection_->lost()) {
+        XFree(graphics_); // Xlib's own record of it: there is no server to tell.
+        return;
+    }
     XFreeGC(display(), graphics_);
     XDestroyWindow(display(), window_);
 }
@@ -170,9 +173,7 @@ void x11_window::watch_pointer(bool always) const {
     XSelectInput(display(), window_, always ? events_always | PointerMotionMask : events_always);
 }
 
-void x11_window::focus_if_unmanaged() {
-    if (managed_)
-        return;
+void x11_window::take_focus() {
     XSetInputFocus(display(), window_, RevertToParent, CurrentTime);
     colormap_->install();
 }

@@ -60,17 +60,17 @@ public:
         return {ours(native.width + scale_ - 1), ours(native.height + scale_ - 1)};
     }
 
-    /// Whether a window manager looks after this display's windows, as of when this one was made.
-    bool is_managed() const { return managed_; }
+    /// Whether a window manager looked after this display's windows when this one was made.
+    bool was_managed() const { return managed_; }
 
     void map() { XMapWindow(display(), window_); }
 
     /// Hears of the pointer at all times, or only while a button is held.
     void watch_pointer(bool always) const;
 
-    /// Takes the keyboard and shows our colours if there is no window manager to do that for us.
+    /// Takes the keyboard and shows our colours, as a window manager would do it for us.
     /// Expects: the window is on the screen.
-    void focus_if_unmanaged();
+    void take_focus();
 
     /// Sets one of the window's properties, an array of bytes or of longs, whatever X calls it.
     void set_property(Atom name, Atom type, int format, const void* data, std::size_t count) const;

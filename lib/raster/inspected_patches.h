@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// l3d_inspected_patches: the exact patches of a frame, as the eye sees them.
+#ifndef L3D_RASTER_INSPECTED_PATCHES_H
+#define L3D_RASTER_INSPECTED_PATCHES_H
+
+#include "geom/bezier_patch.h"
+
+#include <array>
+#include <vector>
+
+/// The exact patches of a frame, and the directions that they are inspected by.
+///
+/// Units: world units, along the axes to the right, down and forward, from the eye. These are as
+///        long in the world, so that curvatures are those there.
+struct l3d_inspected_patches {
+    using vector = l3d_vector<double, 3>;
+
+    double focal = 1;                                      ///< pixels per unit at distance 1
+    double centre_x = 0, centre_y = 0;                     ///< the picture's middle, in pixels
+    vector light{0.0, 0.0, 1.0}, direction{0.0, 1.0, 0.0}; ///< unit vectors
+    std::vector<l3d_bezier_patch<double, 3>> nets;         ///< by the material of their parts
+
+    /// What the eye sees at a place of the picture lies along this, 1 deep. Units: pixels.
+    vector ray(double x, double y) const {
+        return {(x - centre_x) / focal, (y - centre_y) / focal, 1.0};
+    }
+};
+
+#endif

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// visit_curve_pixels: curves one pixel wide, by adaptive forward differences.
+#ifndef L3D_RASTER_PATHS_CURVE_PIXELS_P_H
+#define L3D_RASTER_PATHS_CURVE_PIXELS_P_H
+
+#include "geom/forward_difference.h"
+#include "raster/paths/flat_curve_p.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+namespace l3d_detail {
+
+/// A thin run of pixels, eight-connected. Where it would turn by way of a corner, the corner is
+/// left out.
+template <class Light> class thin_run {
+public:
+    explicit thin_run(const Light& light) : light_(light) {}
+    ~thin_run() { end(); }
+    thin_run(const thin_run&) = delete;
+    thin_run& operator=(const thin_run&) = delete;
+
+    /// Expects: in each coordinate at most 1 from the last pixel, or the first of a run.
+    void add(std::int64_t x, std::int64_t y) {
+        if (count_ > 0 && x == last_.x && y == last_.y)
+            return;
+        if (count_ > 1) {
+            const bool corner = std::abs(x - before_.x) == 1 && std::abs(y - before_.y) == 1 &&
+                                (last_.x == before_.x || last_.y == before_.y) &&
+                                (last_.x == x || last_.y == y);
+            if (!corner) {
+                light_(before_.x, before_.y);
+                before_ = last_;
+            }
+        } else if (count_ == 1) {
+            before_ = last_;
+        }
+        count_ = std::min(count_ + 1, 2);
+        last_ = {x, y};
+    }
+
+    void end() {
+        if (count_ > 1)
+            light_(before_.x, before_.y);
+        if (count_ > 0)
+            light_(last_.x, last_.y);
+        count_ = 0;
+    }
+
+private:
+    struct place {
+        std::int64_t x = 0, y = 0;
+    };
+    const Light& light_;
+    place before_, last_;
+    int count_ = 0;
+};
+
+/// A curve as forward differences that halve and double their step.
+///
+/// Over a step with differences d1, d2, d3 a coordinate changes at most by |d1| + |d2| / 2 + |d3| /
+/// 3: so large is the derivative there. The step is halved until that is at most one pixel, and
+/// doubled as soon as it may be.
+/// Units:   pixels, from `origin`, which keeps numbers small and so rounding.
+/// Expects: 512 steps or fewer would do, so that no more than 1024 are made. Then rounding is below
+///          2^-20 pixel; NUMERICS.md, section 20.
+class adaptive_walk {
+public:
+    explicit adaptive_walk(const l3d_curve_2d& curve)
+        : origin_{std::round(projected(curve.points[0]).x),
+                  std::round(projected(curve.points[0]).y)},
+          plain_(is_plain(curve)) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            std::array<double, 4> b;
+            for (std::size_t i = 0; i < 4; ++i) {
+                const auto& p = curve.points[i];
+                b[i] = k == 2 ? p[2]
+                              : p[static_cast<int>(k)] - (k == 0 ? origin_.x : origin_.y) * p[2];
+            }
+            d_[k] = l3d_forward_difference<double, 3>::build(b, 1);
+        }
+        for (const auto& p : curve.points) {
+            const l3d_point_2d at = projected(p);
+            reach_ = std::max({reach_, std::abs(at.x - origin_.x), std::abs(at.y - origin_.y)});
+        }
+    }
+
+    /// Where it is now.
+    l3d_point_2d at() const {
+        const double w = plain_ ? 1 : d_[2].value();
+        return {origin_.x + d_[0].value() / w, origin_.y + d_[1].value() / w};
+    }
+
+    /// The parameter there, exactly.
+    double parameter() const { return 1 - static_cast<double>(left_) / whole; }
+
+    bool done() const { return left_ == 0; }
+
+    /// Goes on by less than a pixel in each coordinate.
+    void step() {
+        while (change() > 1 && step_ > 1) {
+            for (auto& d : d_)
+                d.halve();
+            step_ /= 2;
+        }
+        for (auto& d : d_)
+            d.step();
+        left_ -= step_;
+        // With less than half of a pixel a step, one of twice the length may do.
+        if (left_ % (2 * step_) == 0 && left_ > 0 && change() < 0.5) {
+            for (auto& d : d_)
+                d.double_step();
+            step_ *= 2;
+        }
+    }
+
+private:
+    static constexpr std::int64_t whole = 1 << 20; ///< steps that can be counted
+
+    double change() const {
+        const auto most = [](const l3d_forward_difference<double, 3>& d) {
+            return std::abs(d.d[1]) + std::abs(d.d[2]) / 2 + std::abs(d.d[3]) / 3;
+        };
+        const double place = std::max(most(d_[0]), most(d_[1]));
+        if (plain_)
+            return place;
+        // The change of a quotient: that of both, seen from a place at most `reach` away.
+        const double weight = most(d_[2]), least = d_[2].value() - weight;
+        return least > 0 ? (place + reach_ * weight) / least : 2;
+    }
+
+    l3d_point_2d origin_;
+    bool plain_;
+    double reach_ = 0;
+    std::array<l3d_forward_difference<double, 3>, 3> d_;
+    std::int64_t step_ = whole, left_ = whole;
+};
+
+/// How many equal steps of the parameter move by at most a pixel each.
+inline double pixel_steps(const l3d_curve_2d& curve) {
+    const auto& p = curve.points;
+    const l3d_point_2d origin = projected(p[0]);
+    double place = 0, weight = 0, reach = 0, least = p[0][2];
+    for (std::size_t i = 1; i < 4; ++i) {
+        const double w = p[i][2] - p[i - 1][2];
+        place = std::max({place, std::abs(p[i][0] - p[i - 1][0] - origin.x * w),
+                          std::abs(p[i][1] - p[i - 1][1] - origin.y * w)});
+        weight = std::max(weight, std::abs(w));
+        const l3d_point_2d at = projected(p[i]);
+        reach = std::max({reach, std::abs(at.x - origin.x), std::abs(at.y - origin.y)});
+        least = std::min(least, p[i][2]);
+    }
+    return 3 * (place + reach * weight) / least;
+}
+
+/// Adds the pixels nearest to the points of a curve. What is not seen ends the run.
+template <class Run> void walk_curve(const l3d_curve_2d& curve, const seen_box& seen, Run& run) {
+    if (seen.misses(curve))
+        return run.end();
+    constexpr double most_steps = 512;
+    if (pixel_steps(curve) > most_steps) {
+        const auto [first, second] = curve.split();
+        walk_curve(first, seen, run);
+        return walk_curve(second, seen, run);
+    }
+    const auto add = [&run](l3d_point_2d p) {
+        run.add(static_cast<std::int64_t>(std::floor(p.x + 0.5)),
+                static_cast<std::int64_t>(std::floor(p.y + 0.5)));
+    };
+    adaptive_walk walk(curve);
+    add(projected(curve.points[0]));
+    while (!walk.done()) {
+        walk.step();
+        add(walk.done() ? projected(curve.points[3]) : walk.at());
+    }
+}
+
+/// Calls light(x, y) for the pixels of all lines and curves of a path that are in a picture.
+template <class Light>
+void visit_curve_pixels(const l3d_path& path, l3d_size size, const Light& light) {
+    const auto in_picture = [&](std::int64_t x, std::int64_t y) {
+        if (x >= 0 && x < size.width && y >= 0 && y < size.height)
+            light(static_cast<int>(x), static_cast<int>(y));
+    };
+    // Whether a pixel is a corner, its neighbours tell.
+    constexpr double beside = 2;
+    struct {
+        seen_box seen;
+        thin_run<decltype(in_picture)> run;
+        l3d_point_2d begin{}, last{};
+
+        void move(l3d_point_2d to) {
+            run.end();
+            begin = last = to;
+        }
+        void line(l3d_point_2d to) {
+            const auto at = [&](double t) {
+                return l3d_curve_2d::point(std::lerp(last.x, to.x, t), std::lerp(last.y, to.y, t),
+                                           1.0);
+            };
+            walk_curve(l3d_curve_2d{{at(0), at(1.0 / 3), at(2.0 / 3), at(1)}}, seen, run);
+            last = to;
+        }
+        void curve(const l3d_curve_2d& c) {
+            walk_curve(c, seen, run);
+            last = projected(c.points[3]);
+        }
+        void close() {
+            line(begin);
+            run.end();
+        }
+    } visitor{{-beside, -beside, size.width + beside, size.height + beside},
+              thin_run<decltype(in_picture)>(in_picture)};
+    if (path.is_number())
+        path.visit(visitor);
+}
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// l3d_path: every curve becomes a rational cubic.
+#include "raster/paths/path.h"
+
+#include <algorithm>
+#include <cmath>
+
+l3d_point_2d l3d_path::within_reach(l3d_point_2d p) {
+    constexpr double most = 1 << 30;
+    return {std::clamp(p.x, -most, most), std::clamp(p.y, -most, most)};
+}
+
+void l3d_path::move_to(l3d_point_2d to) {
+    kinds_.push_back(kind::move);
+    points_.push_back(to);
+    first_ = last_ = to;
+    open_ = true;
+}
+
+/// After close, an outline goes on from where the last one began.
+void l3d_path::begin_if_needed() {
+    if (!open_)
+        move_to(first_);
+}
+
+void l3d_path::line_to(l3d_point_2d to) {
+    begin_if_needed();
+    kinds_.push_back(kind::line);
+    points_.push_back(to);
+    last_ = to;
+}
+
+void l3d_path::quadratic_to(l3d_point_2d control, l3d_point_2d to) {
+    begin_if_needed();
+    const auto third = [&control](l3d_point_2d end) {
+        return l3d_point_2d{end.x / 3 + control.x * 2 / 3, end.y / 3 + control.y * 2 / 3};
+    };
+    cubic_to(third(last_), third(to), to);
+}
+
+void l3d_path::cubic_to(l3d_point_2d first, l3d_point_2d second, l3d_point_2d to) {
+    rational_to({first, second, to}, {1, 1, 1});
+}
+
+void l3d_path::rational_to(const std::array<l3d_point_2d, 3>& points,
+                           const std::array<double, 3>& weights) {
+    begin_if_needed();
+    kinds_.push_back(kind::curve);
+    points_.insert(points_.end(), points.begin(), points.end());
+    // a curve that begins with the weight 1 has to end with its own
+    weights_.insert(weights_.end(), weights.begin(), weights.end());
+    last_ = points[2];
+}
+
+/// A quarter or less is the rational quadratic with control points a, b, c and weights 1, w, 1.
+/// Here b is where the tangents meet, and w the cosine of half the angle. As a cubic it has the
+/// inner points (a + 2 w b) / (1 + 2 w) and (2 w b + c) / (1 + 2 w), each with weight (1 + 2 w)
+/// / 3.
+void l3d_path::arc_to(l3d_point_2d center, l3d_point_2d radii, double turn, double begin,
+                      double sweep) {
+    const double cosine = std::cos(turn), sine = std::sin(turn);
+    const auto at = [&](double angle, double farther) {
+        const double x = radii.x * std::cos(angle) * farther;
+        const double y = radii.y * std::sin(angle) * farther;
+        return l3d_point_2d{center.x + cosine * x - sine * y, center.y + sine * x + cosine * y};
+    };
+    const l3d_point_2d start = at(begin, 1);
+    if (!open_)
+        move_to(start);
+    else if (start.x != last_.x || start.y != last_.y)
+        line_to(start);
+    const int pieces =
+        std::max(1, static_cast<int>(std::ceil(
+                        std::min(std::abs(sweep), 1000.0) / (std::numbers::pi / 2) - 1e-9)));
+    const double half = sweep / pieces / 2, weight = std::cos(half);
+    const auto inner = [weight](l3d_point_2d end, l3d_point_2d middle) {
+        const double sum = 1 + 2 * weight;
+        return l3d_point_2d{(end.x + 2 * weight * middle.x) / sum,
+                            (end.y + 2 * weight * middle.y) / sum};
+    };
+    for (int i = 0; i < pieces; ++i) {
+        const double middle_angle = begin + (2 * i + 1) * half;
+        const l3d_point_2d middle = at(middle_angle, 1 / weight);
+        const l3d_point_2d end = at(middle_angle + half, 1);
+        const double inner_weight = (1 + 2 * weight) / 3;
+        rational_to({inner(last_, middle), inner(end, middle), end},
+                    {inner_weight, inner_weight, 1});
+    }
+}
+
+void l3d_path::close() {
+    if (!open_)
+        return;
+    kinds_.push_back(kind::close);
+    last_ = first_;
+    open_ = false;
+}
+
+void l3d_path::add_polygon(l3d_outline_2d corners) {
+    if (corners.empty())
+        return;
+    move_to(corners[0]);
+    for (const l3d_point_2d& corner : corners.subspan(1))
+        line_to(corner);
+    close();
+}
+
+void l3d_path::clear() {
+    kinds_.clear();
+    points_.clear();
+    weights_.clear();
+    first_ = last_ = {};
+    open_ = false;
+}
+
+bool l3d_path::is_number() const {
+    const auto is_point = [](l3d_point_2d p) { return !std::isnan(p.x) && !std::isnan(p.y); };
+    return std::ranges::all_of(points_, is_point) &&
+           std::ranges::all_of(weights_, [](double w) { return w > 0 && std::isfinite(w); });
+}

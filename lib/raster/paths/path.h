@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// l3d_path: outlines of lines and curves, to be filled or stroked.
+#ifndef L3D_RASTER_PATHS_PATH_H
+#define L3D_RASTER_PATHS_PATH_H
+
+#include "base/public.h"
+#include "geom/bezier_curve.h"
+#include "raster/rasterizer_2d.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <span>
+#include <vector>
+
+/// A plane curve as a cubic in homogeneous coordinates: a point is (x / w, y / w).
+///
+/// Lines, quadratics, cubics, rational curves and arcs of ellipses are all exactly of this form.
+/// Units:   x / w and y / w in pixels.
+/// Expects: weights above 0.
+using l3d_curve_2d = l3d_bezier_curve<double, 3>;
+
+/// How far a drawn curve may be from the exact one, in pixels. NUMERICS.md, section 20: together
+/// with rounding to 8 bits, two pixels' length of curves in a pixel change its coverage by less
+/// than 1 / 255.
+inline constexpr double l3d_flat_enough = 1.0 / 1024;
+
+/// Outlines that begin with move_to, and go on with lines and curves.
+///
+/// For filling, every outline counts as closed. A piece without an outline to go on with begins one
+/// at (0, 0).
+/// Units:   pixels, as in l3d_rasterizer_2d: pixel (x, y) is sampled at (x, y), y down.
+/// Lives:   owns its points.
+/// Cost:    the memory of its points; adding allocates when there are more than ever before.
+class L3D_PUBLIC l3d_path {
+public:
+    /// What a piece is, and how many points of its own it has.
+    enum class kind : std::uint8_t {
+        move,  ///< 1 point: an outline begins
+        line,  ///< 1 point
+        curve, ///< 3 points, with weights
+        close  ///< 0 points: back to where the outline began
+    };
+
+    /// Begins another outline.
+    void move_to(l3d_point_2d to);
+    /// Goes on straight.
+    void line_to(l3d_point_2d to);
+    /// Goes on by a quadratic Bezier curve.
+    void quadratic_to(l3d_point_2d control, l3d_point_2d to);
+    /// Goes on by a cubic Bezier curve.
+    void cubic_to(l3d_point_2d first, l3d_point_2d second, l3d_point_2d to);
+    /// Goes on by a rational cubic. The point that it begins at weighs 1.
+    /// Expects: weights between 1e-6 and 1e6.
+    void rational_to(const std::array<l3d_point_2d, 3>& points,
+                     const std::array<double, 3>& weights);
+    /// Goes on by an arc of an ellipse, straight to its beginning first; there an outline begins if
+    /// there is none.
+    ///
+    /// The arc has the points center + R(turn) (radii.x cos a, radii.y sin a), for a from begin to
+    /// begin + sweep. It is exact: a rational curve for each quarter or less.
+    /// Units:   radians, clockwise as y points down.
+    /// Expects: |sweep| at most 1000.
+    void arc_to(l3d_point_2d center, l3d_point_2d radii, double turn, double begin, double sweep);
+    /// Goes straight back to where the outline began, and joins its ends.
+    void close();
+
+    /// A full circle, an outline of its own.
+    void add_circle(l3d_point_2d center, double radius) {
+        move_to({center.x + radius, center.y});
+        arc_to(center, {radius, radius}, 0, 0, 2 * std::numbers::pi);
+        close();
+    }
+    /// A polygon, an outline of its own. Nothing if it has no corner.
+    void add_polygon(l3d_outline_2d corners);
+
+    /// No outline is left; the memory stays.
+    void clear();
+    /// Whether nothing was added.
+    bool empty() const { return kinds_.empty(); }
+    /// Whether all coordinates are numbers.
+    bool is_number() const;
+
+    /// Calls visit.move(point), visit.line(point), visit.curve(l3d_curve_2d) and visit.close() for
+    /// each piece in order. Coordinates beyond +-2^30 are moved to that.
+    template <class Visitor> void visit(Visitor& visitor) const;
+
+private:
+    static l3d_point_2d within_reach(l3d_point_2d p);
+    static l3d_curve_2d::point weighted(l3d_point_2d p, double weight) {
+        return {p.x * weight, p.y * weight, weight};
+    }
+    void begin_if_needed();
+
+    std::vector<kind> kinds_;
+    std::vector<l3d_point_2d> points_;
+    std::vector<double> weights_; ///< three for each curve
+    l3d_point_2d first_{}, last_{};
+    bool open_ = false; ///< there is an outline to go on with
+};
+
+template <class Visitor> void l3d_path::visit(Visitor& visitor) const {
+    const l3d_point_2d* point = points_.data();
+    const double* weight = weights_.data();
+    l3d_point_2d last{};
+    for (const kind k : kinds_) {
+        if (k == kind::close) {
+            visitor.close();
+        } else if (k == kind::curve) {
+            visitor.curve(
+                l3d_curve_2d{{weighted(last, 1), weighted(within_reach(point[0]), weight[0]),
+                              weighted(within_reach(point[1]), weight[1]),
+                              weighted(within_reach(point[2]), weight[2])}});
+            weight += 3;
+            last = within_reach(point[2]);
+            point += 3;
+        } else {
+            last = within_reach(*point++);
+            if (k == kind::move)
+                visitor.move(last);
+            else
+                visitor.line(last);
+        }
+    }
+}
+
+#endif

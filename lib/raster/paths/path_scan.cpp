@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// path_scan: edges come and go with the rows; clusters of their pieces become spans.
+#include "raster/paths/path_scan_p.h"
+
+#include "raster/paths/flat_curve_p.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace l3d_detail {
+
+std::span<const covered_span> path_scan::convert(const order& wanted) {
+    edges_.clear();
+    spans_.clear();
+    values_.clear();
+    pieces_.clear();
+    box_ = wanted.box;
+    width_ = box_.right - box_.left;
+    height_ = box_.bottom - box_.top;
+    full_ = wanted.full;
+    full_value_ = static_cast<int>(full_ + 0.5);
+    rules_ = {{wanted.inside, wanted.clip_inside}, wanted.clip != nullptr};
+    if (box_.empty() || full_value_ == 0 || !wanted.path.is_number() ||
+        (wanted.clip != nullptr && !wanted.clip->is_number()))
+        return {};
+    add_path(wanted.path, 0);
+    if (wanted.clip != nullptr)
+        add_path(*wanted.clip, 1);
+    areas_.set_width(width_);
+    sort_edges();
+    for (std::int32_t row = 0; row < height_; ++row) {
+        begin_row(row);
+        if (!pieces_.empty())
+            add_row(row);
+    }
+    return spans_;
+}
+
+void path_scan::add_path(const l3d_path& path, std::uint8_t layer) {
+    // Lattice: here pixel 0 is [0, 1), and its sample is its middle.
+    const double dx = 0.5 - box_.left, dy = 0.5 - box_.top;
+    const seen_box seen{-dx, -dy, width_ - dx, height_ - dy};
+    l3d_point_2d start{}, last{};
+    const auto go = [&](l3d_point_2d to) {
+        const l3d_point_2d moved{to.x + dx, to.y + dy};
+        add_edge(last, moved, layer);
+        last = moved;
+    };
+    visit_flat(
+        path, l3d_flat_enough, seen,
+        [&](l3d_point_2d from) {
+            start = last = {from.x + dx, from.y + dy};
+        },
+        go,
+        [&](bool) {
+            add_edge(last, start, layer);
+            last = start;
+        });
+}
+
+/// Cuts an edge at the sides of the box. What is outside moves to the side: so the windings inside
+/// stay as they are, and outlines closed.
+void path_scan::add_edge(l3d_point_2d from, l3d_point_2d to, std::uint8_t layer) {
+    const bool down = from.y < to.y;
+    const l3d_point_2d a = down ? from : to, b = down ? to : from;
+    if (b.y < 0 || a.y > height_)
+        return;
+    const int direction = down ? -1 : 1;
+    const double left = std::min(a.x, b.x), right = std::max(a.x, b.x), width = width_;
+    if (left >= 0 && right <= width)
+        return add_within(a.x, a.y, b.x, b.y, direction, layer);
+    const auto y_at = [&](double x) {
+        return std::clamp(a.y + (x - a.x) * ((b.y - a.y) / (b.x - a.x)), a.y, b.y);
+    };
+    l3d_point_2d before = a;
+    const auto go = [&](l3d_point_2d next) {
+        add_within(std::clamp(before.x, 0.0, width), before.y, std::clamp(next.x, 0.0, width),
+                   next.y, direction, layer);
+        before = next;
+    };
+    const std::array<double, 2> sides =
+        a.x < b.x ? std::array<double, 2>{0, width} : std::array<double, 2>{width, 0};
+    for (const double side : sides)
+        if (left < side && side < right)
+            go({side, y_at(side)});
+    go(b);
+}
+
+void path_scan::add_within(double x0, double y0, double x1, double y1, int direction,
+                           std::uint8_t layer) {
+    const double floor = std::floor(y0);
+    if (y0 == y1 && floor == y0)
+        return; // between two rows it ties nothing together
+    const auto top = static_cast<std::int32_t>(std::max(floor, 0.0));
+    const double end = y0 == y1 ? floor + 1 : std::ceil(y1);
+    const auto bottom = static_cast<std::int32_t>(std::min<double>(end, height_));
+    if (top < bottom)
+        edges_.push_back({x0, y0, x1, y1, y0 == y1 ? 0 : (x1 - x0) / (y1 - y0), top, bottom,
+                          static_cast<std::int8_t>(direction), layer});
+}
+
+row_piece path_scan::edge::piece_in(std::int32_t row, std::size_t index) const {
+    const double left = std::min(x0, x1), right = std::max(x0, x1);
+    const auto x_at = [&](double y) { return std::clamp(x0 + (y - y0) * slope, left, right); };
+    row_piece p{x0, 0, x1, 1, 0, 0, direction, layer, index};
+    if (y0 >= row)
+        p.y0 = y0 - row;
+    else
+        p.x0 = x_at(row);
+    if (y1 <= row + 1)
+        p.y1 = y1 - row;
+    else
+        p.x1 = x_at(row + 1);
+    p.first = static_cast<std::int32_t>(std::min(p.x0, p.x1));
+    p.last = static_cast<std::int32_t>(std::max(p.x0, p.x1));
+    return p;
+}
+
+/// Counts the edges of each row, then puts them where their row begins.
+void path_scan::sort_edges() {
+    begins_.assign(static_cast<std::size_t>(height_) + 2, 0);
+    for (const edge& e : edges_)
+        ++begins_[static_cast<std::size_t>(e.top) + 2];
+    for (std::size_t row = 2; row < begins_.size(); ++row)
+        begins_[row] += begins_[row - 1];
+    order_.resize(edges_.size());
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+        order_[begins_[static_cast<std::size_t>(edges_[i].top) + 1]++] = i;
+}
+
+void path_scan::begin_row(std::int32_t row) {
+    std::erase_if(pieces_, [&](const row_piece& p) { return edges_[p.edge].bottom <= row; });
+    for (row_piece& p : pieces_)
+        p = edges_[p.edge].piece_in(row, p.edge);
+    const auto place = static_cast<std::size_t>(row);
+    const std::size_t begin = begins_[place], end = begins_[place + 1];
+    for (std::size_t i = begin; i < end; ++i)
+        pieces_.push_back(edges_[order_[i]].piece_in(row, order_[i]));
+    constexpr std::size_t many = 8;
+    if (end - begin > many) {
+        std::ranges::sort(pieces_, {}, &row_piece::first);
+        return;
+    }
+    // From one row to the next few pieces change places.
+    for (std::size_t i = 1; i < pieces_.size(); ++i) {
+        if (pieces_[i - 1].first <= pieces_[i].first)
+            continue;
+        const row_piece moving = pieces_[i];
+        std::size_t hole = i;
+        for (; hole > 0 && pieces_[hole - 1].first > moving.first; --hole)
+            pieces_[hole] = pieces_[hole - 1];
+        pieces_[hole] = moving;
+    }
+}
+
+void path_scan::add_row(std::int32_t row) {
+    windings w;
+    std::int32_t done = 0; // columns before it have their spans
+    for (std::size_t i = 0; i < pieces_.size();) {
+        const std::size_t begin = i;
+        const std::int32_t first = pieces_[i].first;
+        std::int32_t last = pieces_[i].last;
+        for (++i; i < pieces_.size() && pieces_[i].first <= last; ++i)
+            last = std::max(last, pieces_[i].last);
+        if (rules_.inside(w))
+            add_solid(row, done, first);
+        w = add_cluster(row, std::span(pieces_).subspan(begin, i - begin), last, w);
+        done = last + 1;
+    }
+    if (rules_.inside(w))
+        add_solid(row, done, width_);
+}
+
+/// Gives the windings right of it.
+windings path_scan::add_cluster(std::int32_t row, std::span<const row_piece> pieces,
+                                std::int32_t last, const windings& left) {
+    std::array<double, 2> risen{};
+    double height = 0;
+    for (const row_piece& p : pieces) {
+        const double h = p.y1 - p.y0;
+        height += h;
+        risen[p.layer] += p.direction * h;
+    }
+    windings right = left;
+    for (std::size_t layer = 0; layer < 2; ++layer)
+        right.turns[layer] += static_cast<int>(std::lround(risen[layer]));
+    const bool was_inside = rules_.inside(left), is_inside = rules_.inside(right);
+    const std::int32_t first = pieces[0].first, end = std::min(last + 1, width_);
+    // All lead one way, and are a row high in sum, whole numbers apart from rounding: one chain.
+    const bool one_chain = height < 1.5 && std::abs(risen[0]) + std::abs(risen[1]) > 0.5 &&
+                           std::ranges::all_of(pieces, [&](const row_piece& p) {
+                               return p.y0 == p.y1 || (p.layer == pieces[0].layer &&
+                                                       p.direction == pieces[0].direction);
+                           });
+    if (one_chain && was_inside == is_inside) {
+        if (is_inside)
+            add_solid(row, first, end);
+        return right;
+    }
+    if (one_chain)
+        for (const row_piece& p : pieces)
+            areas_.add_border(p.x0, p.y0, p.x1, p.y1, is_inside ? 1 : -1);
+    else
+        areas_.add_cluster(pieces, left, rules_);
+    add_values(row, first, last, was_inside);
+    return right;
+}
+
+void path_scan::add_values(std::int32_t row, std::int32_t first, std::int32_t last,
+                           bool was_inside) {
+    const std::int32_t end = std::min(last + 1, width_);
+    double* sums = areas_.sums();
+    double covered = was_inside ? 1 : 0;
+    if (first < end) {
+        spans_.push_back({row + box_.top, first + box_.left, end + box_.left, -1, values_.size()});
+        for (std::int32_t column = first; column < end; ++column) {
+            covered += sums[column];
+            values_.push_back(
+                static_cast<std::uint8_t>(std::clamp(covered, 0.0, 1.0) * full_ + 0.5));
+        }
+    }
+    std::fill(sums + first, sums + last + 2, 0.0);
+}
+
+void path_scan::add_solid(std::int32_t row, std::int32_t first, std::int32_t end) {
+    if (first >= end)
+        return;
+    const std::int32_t y = row + box_.top, left = first + box_.left, right = end + box_.left;
+    if (!spans_.empty() && spans_.back().value >= 0 && spans_.back().row == y &&
+        spans_.back().last == left)
+        spans_.back().last = right;
+    else
+        spans_.push_back({y, left, right, full_value_, 0});
+}
+
+} // namespace l3d_detail

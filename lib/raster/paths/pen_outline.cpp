@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// pen_outline: sides, joints and caps.
+#include "raster/paths/pen_outline_p.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace l3d_detail {
+
+/// An arc of angle a is r (1 - cos(a / 2)) away from its chord, at most r a^2 / 8.
+pen_outline::pen_outline(const l3d_stroke& pen, l3d_path& result)
+    : pen_(pen), result_(result), radius_(pen.width / 2),
+      most_angle_(std::min(std::sqrt(8 * l3d_flat_enough / radius_), std::numbers::pi / 4)) {}
+
+void pen_outline::add(const std::vector<pen_point>& points, bool closed) {
+    find_chords(points, closed);
+    if (chords_.empty())
+        return add_dot(points[0].at);
+    for (int side = 0; side < 2; ++side) {
+        if (side == 0 || closed)
+            begun_ = false;
+        add_side(closed);
+        if (closed)
+            result_.close();
+        else
+            add_cap(chords_.back());
+        reverse();
+    }
+    if (!closed)
+        result_.close();
+}
+
+void pen_outline::find_chords(const std::vector<pen_point>& points, bool closed) {
+    chords_.clear();
+    const auto go = [this](const pen_point& from, l3d_point_2d to) {
+        const double dx = to.x - from.at.x, dy = to.y - from.at.y, length = std::hypot(dx, dy);
+        if (!(length > 0))
+            return false;
+        chords_.push_back({from.at, to, dx / length, dy / length, length, from.smooth});
+        return true;
+    };
+    pen_point last = points[0];
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (go(last, points[i].at))
+            last = points[i];
+    if (closed)
+        go(last, points[0].at);
+}
+
+void pen_outline::add_dot(l3d_point_2d at) {
+    if (pen_.cap == l3d_cap::round) {
+        result_.add_circle(at, radius_);
+    } else if (pen_.cap == l3d_cap::square) {
+        const double r = radius_;
+        const std::array<l3d_point_2d, 4> corners{{{at.x - r, at.y - r},
+                                                   {at.x + r, at.y - r},
+                                                   {at.x + r, at.y + r},
+                                                   {at.x - r, at.y + r}}};
+        result_.add_polygon(corners);
+    }
+}
+
+void pen_outline::add_side(bool closed) {
+    if (closed)
+        add_joint(chords_.back(), chords_.front());
+    else
+        add_point(beside(chords_.front().from, chords_.front()));
+    for (std::size_t i = 1; i < chords_.size(); ++i)
+        add_joint(chords_[i - 1], chords_[i]);
+    if (!closed)
+        add_point(beside(chords_.back().to, chords_.back()));
+}
+
+void pen_outline::add_joint(const chord& before, const chord& after) {
+    const double sine = before.x * after.y - before.y * after.x;
+    const double cosine = before.x * after.x + before.y * after.y;
+    add_point(beside(after.from, before));
+    if (sine > 0 || (sine == 0 && cosine < 0)) { // a turn to the right, y down: left is outside
+        add_outer_joint(before, after, sine, cosine);
+    } else if (sine < 0) {
+        // The shorter way leaves out a triangle that both rectangles cover.
+        const double aside = radius_ * -sine;
+        if (cosine <= 0 || aside > std::min(before.length, after.length))
+            add_point(after.from);
+    }
+    add_point(beside(after.from, after));
+}
+
+void pen_outline::add_outer_joint(const chord& before, const chord& after, double sine,
+                                  double cosine) {
+    const l3d_join join = after.smooth ? l3d_join::round : pen_.join;
+    if (join == l3d_join::round)
+        return add_arc(after.from, before.y, -before.x, std::atan2(sine, cosine));
+    // From corner to corner a miter is 1 / sin(half the angle between the chords) widths long. The
+    // sine is the cosine of half the turn.
+    const double half_cosine = std::sqrt(std::max((1 + cosine) / 2, 0.0));
+    if (join == l3d_join::miter && half_cosine * pen_.miter_limit >= 1) {
+        const double scale = radius_ / (1 + cosine);
+        add_point({after.from.x + scale * (before.y + after.y),
+                   after.from.y - scale * (before.x + after.x)});
+    }
+}
+
+void pen_outline::add_cap(const chord& last) {
+    if (pen_.cap == l3d_cap::round) {
+        add_arc(last.to, last.y, -last.x, std::numbers::pi);
+    } else if (pen_.cap == l3d_cap::square) {
+        const double x = radius_ * last.x, y = radius_ * last.y;
+        add_point({last.to.x + x + y, last.to.y + y - x});
+        add_point({last.to.x + x - y, last.to.y + y + x});
+    }
+}
+
+void pen_outline::add_arc(l3d_point_2d center, double x, double y, double angle) {
+    const int pieces = static_cast<int>(std::ceil(angle / most_angle_));
+    for (int i = 1; i < pieces; ++i) {
+        const double cosine = std::cos(angle * i / pieces), sine = std::sin(angle * i / pieces);
+        add_point({center.x + radius_ * (x * cosine - y * sine),
+                   center.y + radius_ * (y * cosine + x * sine)});
+    }
+}
+
+void pen_outline::add_point(l3d_point_2d p) {
+    if (begun_)
+        result_.line_to(p);
+    else
+        result_.move_to(p);
+    begun_ = true;
+}
+
+/// The other side is the left one on the way back.
+void pen_outline::reverse() {
+    std::ranges::reverse(chords_);
+    for (std::size_t i = 0; i < chords_.size(); ++i) {
+        chord& c = chords_[i];
+        std::swap(c.from, c.to);
+        c.x = -c.x;
+        c.y = -c.y;
+    }
+    // A joint's mark goes to the chord that begins there now.
+    if (!chords_.empty()) {
+        std::vector<bool> marks;
+        for (const chord& c : chords_)
+            marks.push_back(c.smooth);
+        for (std::size_t i = 0; i < chords_.size(); ++i)
+            chords_[i].smooth = marks[(i + chords_.size() - 1) % chords_.size()];
+    }
+}
+
+} // namespace l3d_detail

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// pen_outline: what a pen covers along a chain of chords, as outlines wound clockwise.
+#ifndef L3D_RASTER_PATHS_PEN_OUTLINE_P_H
+#define L3D_RASTER_PATHS_PEN_OUTLINE_P_H
+
+#include "raster/paths/stroke.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace l3d_detail {
+
+/// An end of a chord.
+struct pen_point {
+    l3d_point_2d at;
+    bool smooth; ///< two chords of one curve meet here
+};
+
+/// Adds to a path, for each chain of chords, one outline, or two if the chain is closed.
+///
+/// Such an outline is the sum of a rectangle for each chord and a wedge for each joint, all wound
+/// the same way: on the inner side of a joint it goes by way of the joint itself. So each place
+/// that is covered is wound about once or more, never back to 0.
+class pen_outline {
+public:
+    pen_outline(const l3d_stroke& pen, l3d_path& result);
+
+    void add(const std::vector<pen_point>& points, bool closed);
+
+private:
+    /// From a point to the next one that is elsewhere.
+    struct chord {
+        l3d_point_2d from, to;
+        double x, y, length; ///< its direction
+        bool smooth;         ///< where it begins
+    };
+
+    void find_chords(const std::vector<pen_point>& points, bool closed);
+    void add_dot(l3d_point_2d at);
+    /// The side left of the direction of travel, from the first chord's beginning to the last one's
+    /// end.
+    void add_side(bool closed);
+    void add_joint(const chord& before, const chord& after);
+    void add_outer_joint(const chord& before, const chord& after, double sine, double cosine);
+    void add_cap(const chord& last);
+    /// Points on the circle about a place, from the angle of a direction on.
+    void add_arc(l3d_point_2d center, double x, double y, double angle);
+    void add_point(l3d_point_2d p);
+    void reverse();
+
+    l3d_point_2d beside(l3d_point_2d p, const chord& c) const {
+        return {p.x + radius_ * c.y, p.y - radius_ * c.x};
+    }
+
+    const l3d_stroke& pen_;
+    l3d_path& result_;
+    double radius_, most_angle_;
+    std::vector<chord> chords_;
+    bool begun_ = false;
+};
+
+} // namespace l3d_detail
+
+#endif

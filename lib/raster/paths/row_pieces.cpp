@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// row_areas: slabs between ends and crossings, and the area right of a straight border.
+#include "raster/paths/row_pieces_p.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace l3d_detail {
+
+namespace {
+
+/// Where a piece is at a height within it. Its ends are met exactly, and it never leaves them.
+double x_at(const row_piece& p, double y) {
+    if (y <= p.y0)
+        return p.x0;
+    if (y >= p.y1)
+        return p.x1;
+    const double x = p.x0 + (p.x1 - p.x0) * ((y - p.y0) / (p.y1 - p.y0));
+    return std::clamp(x, std::min(p.x0, p.x1), std::max(p.x0, p.x1));
+}
+
+} // namespace
+
+void row_areas::set_width(std::int32_t width) {
+    sums_.assign(static_cast<std::size_t>(width) + 2, 0.0);
+}
+
+void row_areas::add_border(double x0, double y0, double x1, double y1, double sign) {
+    const double height = sign * (y1 - y0);
+    const double left = std::min(x0, x1), right = std::max(x0, x1);
+    const auto first = static_cast<std::int32_t>(left);
+    const auto last = static_cast<std::int32_t>(right);
+    double* sum = sums_.data() + first;
+    if (first == last) {
+        const double beyond = height * ((x0 + x1) / 2 - first);
+        sum[0] += height - beyond;
+        sum[1] += beyond;
+        return;
+    }
+    // From left to right: `passed` is how much of the height lies left of a column's right side.
+    const double per_column = height / (right - left);
+    double from = left, before = 0;
+    for (std::int32_t column = first; column <= last; ++column, ++sum) {
+        const double to = std::min<double>(column + 1, right);
+        const double passed = column == last ? height : (to - left) * per_column;
+        const double here = passed - before;
+        const double beyond = here * ((from + to) / 2 - column);
+        sum[0] += here - beyond;
+        sum[1] += beyond;
+        before = passed;
+        from = to;
+    }
+}
+
+void row_areas::add_cluster(std::span<const row_piece> pieces, const windings& left,
+                            const fill_rules& rules) {
+    ends_.clear();
+    sorted_.clear();
+    for (const row_piece& p : pieces) {
+        if (p.y0 >= p.y1)
+            continue; // level: it bounds no area, and only ties others together
+        ends_.push_back(p.y0);
+        ends_.push_back(p.y1);
+        sorted_.push_back(&p);
+    }
+    std::ranges::sort(ends_);
+    ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
+    std::ranges::sort(sorted_, {}, &row_piece::y0);
+    chords_.clear();
+    std::size_t next = 0;
+    for (std::size_t i = 1; i < ends_.size(); ++i) {
+        const double top = ends_[i - 1], bottom = ends_[i];
+        std::erase_if(chords_, [top](const chord& c) { return c.piece->y1 <= top; });
+        for (; next < sorted_.size() && sorted_[next]->y0 <= top; ++next)
+            chords_.push_back({0, 0, sorted_[next]});
+        for (chord& c : chords_) {
+            c.x0 = x_at(*c.piece, top);
+            c.x1 = x_at(*c.piece, bottom);
+        }
+        add_slab(top, bottom, left, rules);
+    }
+}
+
+void row_areas::add_slab(double top, double bottom, const windings& left, const fill_rules& rules) {
+    // Where several begin at one place, their lower ends tell the order.
+    std::ranges::sort(chords_, [](const chord& a, const chord& b) {
+        return a.x0 != b.x0 ? a.x0 < b.x0 : a.x1 < b.x1;
+    });
+    cut_chords_ = chords_;
+    if (std::ranges::is_sorted(chords_, {}, &chord::x1))
+        return add_ordered(top, bottom, left, rules);
+    find_crossings(top, bottom);
+    for (std::size_t i = 1; i < cuts_.size(); ++i) {
+        const double y0 = cuts_[i - 1], y1 = cuts_[i];
+        const auto at = [&](const chord& c, double y) {
+            return std::lerp(c.x0, c.x1, (y - top) / (bottom - top));
+        };
+        cut_chords_.clear();
+        for (const chord& c : chords_)
+            cut_chords_.push_back({at(c, y0), at(c, y1), c.piece});
+        std::ranges::sort(cut_chords_, {}, [](const chord& c) { return c.x0 + c.x1; });
+        add_ordered(y0, y1, left, rules);
+    }
+}
+
+/// Sorts a copy by the lower ends, by insertion: two that change places cross.
+void row_areas::find_crossings(double top, double bottom) {
+    cuts_ = {top, bottom};
+    for (std::size_t i = 1; i < cut_chords_.size(); ++i) {
+        const chord moving = cut_chords_[i];
+        std::size_t hole = i;
+        for (; hole > 0 && cut_chords_[hole - 1].x1 > moving.x1; --hole) {
+            const chord& other = cut_chords_[hole - 1];
+            const double above = moving.x0 - other.x0, below = other.x1 - moving.x1;
+            cuts_.push_back(std::lerp(top, bottom, above / (above + below)));
+            cut_chords_[hole] = other;
+        }
+        cut_chords_[hole] = moving;
+    }
+    std::ranges::sort(cuts_);
+    cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
+}
+
+void row_areas::add_ordered(double top, double bottom, const windings& left,
+                            const fill_rules& rules) {
+    windings w = left;
+    bool was_inside = rules.inside(w);
+    for (const chord& c : cut_chords_) {
+        w.cross(*c.piece);
+        const bool is_inside = rules.inside(w);
+        if (is_inside != was_inside)
+            add_border(c.x0, top, c.x1, bottom, is_inside ? 1 : -1);
+        was_inside = is_inside;
+    }
+}
+
+} // namespace l3d_detail

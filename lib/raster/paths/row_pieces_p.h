@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// row_areas: how much of each pixel of a row lies inside of edges that cross each other.
+#ifndef L3D_RASTER_PATHS_ROW_PIECES_P_H
+#define L3D_RASTER_PATHS_ROW_PIECES_P_H
+
+#include "raster/rasterizer_2d.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// The part of an edge in one row of pixels.
+/// Units:   x in pixels from the picture's left, y from 0 to 1 down the row; y0 <= y1.
+struct row_piece {
+    double x0, y0, x1, y1;
+    std::int32_t first, last; ///< the columns that it reaches
+    std::int8_t direction;    ///< 1 if it leads upwards, and adds 1 to the winding right of it
+    std::uint8_t layer;       ///< 0: of what is filled; 1: of what clips it
+    std::size_t edge;         ///< whose part it is
+};
+
+/// How often outlines wind around a place: those of what is filled, and those that clip it.
+struct windings {
+    std::array<int, 2> turns{};
+
+    void cross(const row_piece& piece) { turns[piece.layer] += piece.direction; }
+};
+
+/// What is inside, for both layers.
+struct fill_rules {
+    std::array<l3d_winding, 2> rule{};
+    bool clips = false; ///< there is a second layer
+
+    bool inside(const windings& w) const {
+        return layer_inside(w, 0) && (!clips || layer_inside(w, 1));
+    }
+
+private:
+    bool layer_inside(const windings& w, std::size_t layer) const {
+        const int turns = w.turns[layer];
+        return rule[layer] == l3d_winding::even_odd ? (turns & 1) != 0 : turns != 0;
+    }
+};
+
+/// Exact areas of the pixels of one row, summed up from the borders of what is inside.
+///
+/// A border piece adds the area right of it in its own columns. So the running sum over columns is
+/// the area of each pixel, also behind the last column that a piece reaches.
+/// Cost:    add: linear in the columns that are reached. add_cluster: n log n for n pieces, times
+///          the number of their ends and crossings.
+class row_areas {
+public:
+    /// Columns from 0 to width - 1.
+    void set_width(std::int32_t width);
+
+    /// Adds the pieces that belong together, all of which lie right of `left`'s windings.
+    ///
+    /// Pieces may cross and lie upon each other. The row is cut at their ends and crossings.
+    /// Between two cuts they have an order, and only those count behind which inside and outside
+    /// change.
+    void add_cluster(std::span<const row_piece> pieces, const windings& left,
+                     const fill_rules& rules);
+
+    /// Adds a single border, whatever is between it and others. Sign 1: what is right of it is
+    /// inside.
+    void add_border(double x0, double y0, double x1, double y1, double sign);
+
+    /// The sums of columns, to be run up. Beyond the last column there are two more.
+    double* sums() { return sums_.data(); }
+
+private:
+    struct chord {
+        double x0, x1; ///< at the top and at the bottom of the slab
+        const row_piece* piece;
+    };
+
+    void add_slab(double top, double bottom, const windings& left, const fill_rules& rules);
+    void find_crossings(double top, double bottom);
+    void add_ordered(double top, double bottom, const windings& left, const fill_rules& rules);
+
+    std::vector<double> sums_;
+    std::vector<double> ends_, cuts_;
+    std::vector<chord> chords_, cut_chords_;
+    std::vector<const row_piece*> sorted_;
+};
+
+} // namespace l3d_detail
+
+#endif

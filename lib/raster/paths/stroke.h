@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// l3d_stroke: a pen along a path; what it covers is a path again.
+#ifndef L3D_RASTER_PATHS_STROKE_H
+#define L3D_RASTER_PATHS_STROKE_H
+
+#include "base/public.h"
+#include "raster/paths/path.h"
+
+#include <vector>
+
+/// How the ends of an open outline, and those of dashes, look.
+enum class L3D_PUBLIC l3d_cap {
+    butt,  ///< cut off where the outline ends
+    round, ///< half a disc
+    square ///< half a square
+};
+
+/// How two pieces of an outline meet.
+enum class L3D_PUBLIC l3d_join {
+    miter, ///< their sides go on until they meet; beyond the limit, bevel
+    round, ///< a disc
+    bevel  ///< cut off from corner to corner
+};
+
+/// A pen.
+struct L3D_PUBLIC l3d_stroke {
+    double width = 1; ///< in pixels
+    l3d_cap cap = l3d_cap::butt;
+    l3d_join join = l3d_join::miter;
+    /// The longest miter, from the inner corner to the outer one, in widths of the pen.
+    double miter_limit = 4;
+    /// Lengths of a dash, of a gap, of a dash and so on, again and again; empty: no gaps. With an
+    /// odd number of lengths, dashes and gaps change places each time. In pixels along the path.
+    std::vector<double> dashes{};
+    double dash_begin = 0; ///< how far into the dashes an outline begins, in pixels
+};
+
+/// The path that a pen covers, to be filled with l3d_winding::nonzero.
+///
+/// Curves become chords within l3d_flat_enough; round joins and caps are within it, too. Inside of
+/// a curve the chords meet in round joins, so all that is covered is within twice that distance. An
+/// outline of a single point shows a round or a square cap. Where the lines of a very short outline
+/// turn by half a turn, nothing is missing.
+/// Expects: numbers; width at least 0; lengths of dashes at least 0, not all 0, and sum over 1e-3.
+///          Otherwise the result is empty.
+/// Cost:    linear in chords and dashes; at most 10^6 dashes, the rest is left out.
+L3D_PUBLIC l3d_path l3d_stroked(const l3d_path& path, const l3d_stroke& pen);
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// l3d_shade: the ways to colour a surface, and their names.
+#ifndef L3D_RASTER_SHADE_H
+#define L3D_RASTER_SHADE_H
+
+#include "base/public.h"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+/// How a surface's pixels get their colour.
+enum class L3D_PUBLIC l3d_shade {
+    lambert, ///< per-pixel unit normal; grey level round(255 (0.1 + 0.9 max(0, n.l)))
+    gouraud, ///< the same grey level per vertex, interpolated
+    flat,    ///< one grey level per quad, from the mean of its normals
+    normals, ///< red, green, blue = round(255 (n + 1) / 2)
+    error,   ///< one colour per part, its `error_color`: what is known of its error
+
+    // From the exact derivatives of the patch at each pixel; l3d_inspection says what they show.
+    zebra,     ///< stripes of reflected rays
+    isophotes, ///< stripes of equal light
+    gaussian,  ///< Gaussian curvature
+    mean,      ///< mean curvature
+    draft,     ///< the angle between the surface and a direction
+
+    /// Lambert's grey from levels that were made with the surface: vertices have their level and
+    /// what their sides bend by (l3d_micro_vertex) in place of normals. Not for users to choose.
+    levels,
+};
+
+/// How users call those that they can choose, in the order of their values.
+inline constexpr std::array<std::pair<const char*, l3d_shade>, 10> l3d_shade_names{
+    {{"lambert", l3d_shade::lambert},
+     {"gouraud", l3d_shade::gouraud},
+     {"flat", l3d_shade::flat},
+     {"normals", l3d_shade::normals},
+     {"error", l3d_shade::error},
+     {"zebra", l3d_shade::zebra},
+     {"isophotes", l3d_shade::isophotes},
+     {"gaussian", l3d_shade::gaussian},
+     {"mean", l3d_shade::mean},
+     {"draft", l3d_shade::draft}}};
+
+/// How many of them, from the first on, need normals and nothing else.
+inline constexpr std::size_t l3d_shades_of_normals = 4;
+
+/// Whether it inspects a surface by the exact derivatives of patches.
+constexpr bool l3d_is_inspection(l3d_shade shade) {
+    return shade >= l3d_shade::zebra && shade <= l3d_shade::draft;
+}
+
+/// Whether it shows the light of lamps.
+constexpr bool l3d_is_light(l3d_shade shade) {
+    return shade != l3d_shade::normals && shade != l3d_shade::error && !l3d_is_inspection(shade);
+}
+
+#endif

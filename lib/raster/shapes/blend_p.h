@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// blended: a word moved towards a colour.
+#ifndef L3D_RASTER_SHAPES_BLEND_P_H
+#define L3D_RASTER_SHAPES_BLEND_P_H
+
+#include <cstdint>
+
+namespace l3d_detail {
+
+/// A word whose three lower bytes are moved towards the colour's by coverage / 255, to nearest.
+inline std::uint32_t blended(std::uint32_t word, std::uint32_t color, int coverage) {
+    std::uint32_t result = word & 0xff000000;
+    for (const int shift : {0, 8, 16}) {
+        const int from = static_cast<int>(word >> shift & 255);
+        const int to = static_cast<int>(color >> shift & 255);
+        const int sum = from * (255 - coverage) + to * coverage;
+        result |= static_cast<std::uint32_t>((sum + 127) / 255) << shift;
+    }
+    return result;
+}
+
+/// The same of a word that may be transparent: both colours count by what they cover.
+inline std::uint32_t blended_over_gap(std::uint32_t word, std::uint32_t color, int coverage) {
+    if (word >> 24 == 0)
+        return blended(word, color, coverage);
+    const int of_color = 255 * coverage;
+    const int of_word = (255 - coverage) * (255 - static_cast<int>(word >> 24));
+    const int sum = of_color + of_word; // not 0, as something is covered
+    std::uint32_t result = static_cast<std::uint32_t>(255 - (sum + 127) / 255) << 24;
+    for (const int shift : {0, 8, 16}) {
+        const int from = static_cast<int>(word >> shift & 255);
+        const int to = static_cast<int>(color >> shift & 255);
+        result |= static_cast<std::uint32_t>((from * of_word + to * of_color + sum / 2) / sum)
+                  << shift;
+    }
+    return result;
+}
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// inspection_shader: what a patch exactly is at a pixel, in colours.
+#ifndef L3D_RASTER_SURFACES_INSPECTION_SHADER_P_H
+#define L3D_RASTER_SURFACES_INSPECTION_SHADER_P_H
+
+#include "geom/patch_jet.h"
+#include "raster/inspected_patches.h"
+#include "raster/surface_rasterizer.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace l3d_detail {
+
+/// Parameters of a patch, and whether the patch is seen there.
+struct patch_parameters {
+    double u = 0, v = 0;
+    bool is_solved = false;
+};
+
+/// Where the eye sees a patch at a place of the picture, by Newton's method from a guess; the
+/// guess itself if that leads nowhere. Units: pixels.
+patch_parameters seen_parameters(const l3d_inspected_patches& frame,
+                                 const l3d_bezier_patch<double, 3>& net, double x, double y,
+                                 double u, double v);
+
+/// Shows a number, or stripes, of the exact patch in each pixel: only the pixel's place and a
+/// guess of its parameters come from the vertices.
+class inspection_shader {
+public:
+    /// The parameters u and v.
+    static constexpr std::size_t components = 2;
+
+    /// Lives: borrows the shading and what it has of patches.
+    explicit inspection_shader(const l3d_shading& shading)
+        : shading_(shading), patches_(*shading.inspected) {}
+
+    /// The patch that polygons are parts of from now on.
+    void use_material(std::uint32_t index) { net_ = &patches_.nets[index]; }
+
+    void begin_polygon(std::span<const l3d_micro_vertex> corners) {
+        for (std::size_t i = 0; i < components; ++i) {
+            least_[i] = most_[i] = corners[0].normal[i];
+            for (const l3d_micro_vertex& vertex : corners) {
+                least_[i] = std::min(least_[i], vertex.normal[i]);
+                most_[i] = std::max(most_[i], vertex.normal[i]);
+            }
+        }
+    }
+    void corner(const l3d_micro_vertex& vertex, float* out) const {
+        std::copy_n(vertex.normal, components, out);
+    }
+
+    /// Parameters from a plane through a polygon's corners are only a guess, above all in slivers.
+    /// Units: pixels from the picture's top left corner.
+    std::uint32_t word_at(const float* guess, double x, double y);
+
+    /// The same for a part of a pixel, the place being in it: stripes are means over whole pixels
+    /// already, so that all parts of a patch in one pixel should show the same. Beside outlines the
+    /// eye misses the patch at the pixel's middle.
+    std::uint32_t word_around(const float* guess, double x, double y);
+
+    /// The pixels since the last call for which no exact place was found.
+    std::int64_t take_unsolved() { return std::exchange(unsolved_, 0); }
+
+private:
+    struct sight;
+    patch_parameters solved(const float* guess, double x, double y) const;
+    std::uint32_t word_of(patch_parameters place, double x, double y);
+    std::optional<sight> look_at(patch_parameters at, double x, double y) const;
+    std::uint32_t stripe(const sight& of) const;
+
+    const l3d_shading& shading_;
+    const l3d_inspected_patches& patches_;
+    const l3d_bezier_patch<double, 3>* net_ = nullptr;
+    std::array<float, components> least_{}, most_{}; ///< of the polygon's corners
+    std::int64_t unsolved_ = 0;
+};
+
+} // namespace l3d_detail
+
+#endif

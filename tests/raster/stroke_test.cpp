@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// l3d_stroked: what a pen covers, against the distance of each place from the path.
+#include "raster/canvas_2d.h"
+#include "raster/paths/flat_curve_p.h"
+#include "raster/paths/stroke.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <utility>
+
+namespace {
+
+constexpr int width = 40, height = 30;
+
+double uniform(std::mt19937& random, double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+struct chord {
+    l3d_point_2d a, b;
+
+    double distance(l3d_point_2d p) const {
+        const double dx = b.x - a.x, dy = b.y - a.y, length = dx * dx + dy * dy;
+        const double along = (p.x - a.x) * dx + (p.y - a.y) * dy;
+        const double t = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
+        return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
+    }
+};
+
+std::vector<chord> chords_of(const l3d_path& path) {
+    std::vector<chord> result;
+    l3d_point_2d begin{}, last{};
+    const auto go = [&](l3d_point_2d to) { result.push_back({std::exchange(last, to), to}); };
+    l3d_detail::visit_flat(
+        path, l3d_flat_enough, {-1e9, -1e9, 1e9, 1e9}, [&](l3d_point_2d p) { begin = last = p; },
+        go,
+        [&](bool closed) {
+            if (closed)
+                go(begin);
+        });
+    return result;
+}
+
+l3d_path random_path(std::mt19937& random) {
+    const auto place = [&] {
+        return l3d_point_2d{uniform(random, 2, width - 2), uniform(random, 2, height - 2)};
+    };
+    l3d_path path;
+    path.move_to(place());
+    for (int i = 1 + static_cast<int>(random() % 4); i > 0; --i) {
+        if (random() % 2 == 0)
+            path.cubic_to(place(), place(), place());
+        else
+            path.line_to(place());
+    }
+    if (random() % 2 == 0)
+        path.close();
+    return path;
+}
+
+/// Around a pixel's sample nothing changes within 3/4 pixel unless the rim of the pen is so near.
+TEST(stroke, with_round_joins_covers_what_is_within_half_its_width_of_the_path) {
+    std::mt19937 random(1);
+    std::size_t inside = 0, outside = 0;
+    for (int n = 0; n < 120; ++n) {
+        const l3d_path path = random_path(random);
+        const double pen_width = std::pow(2, uniform(random, -2, 5));
+        const l3d_path stroked =
+            l3d_stroked(path, {.width = pen_width, .cap = l3d_cap::round, .join = l3d_join::round});
+        const std::vector<chord> chords = chords_of(path);
+        canvas c(width, height);
+        c.draw.draw_path(stroked, {.color = 0x00ffffff});
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                double nearest = 1e9;
+                for (const chord& e : chords)
+                    nearest = std::min(nearest, e.distance({double(x), double(y)}));
+                const double beyond = nearest - pen_width / 2;
+                constexpr double half_diagonal = std::numbers::sqrt2 / 2 + 0.003;
+                if (beyond > half_diagonal) {
+                    ASSERT_EQ(c.at(x, y) & 255, 0u) << n << ": " << x << ' ' << y;
+                    ++outside;
+                } else if (beyond < -half_diagonal) {
+                    ASSERT_EQ(c.at(x, y) & 255, 255u) << n << ": " << x << ' ' << y;
+                    ++inside;
+                }
+            }
+    }
+    EXPECT_GT(inside, 20000u);
+    EXPECT_GT(outside, 20000u);
+}
+
+/// The area that is covered, from coverage.
+double area(const l3d_path& path, const l3d_stroke& pen) {
+    canvas c(width, height);
+    c.draw.draw_path(l3d_stroked(path, pen), {.color = 0x00ffffff});
+    double sum = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            sum += (c.at(x, y) & 255) / 255.0;
+    return sum;
+}
+
+TEST(stroke, has_the_areas_of_its_caps_and_joins) {
+    l3d_path line;
+    line.move_to({10.5, 10.5});
+    line.line_to({30.5, 10.5});
+    const double pi = std::numbers::pi;
+    EXPECT_NEAR(area(line, {.width = 6}), 120, 0.05);
+    EXPECT_NEAR(area(line, {.width = 6, .cap = l3d_cap::square}), 156, 0.05);
+    EXPECT_NEAR(area(line, {.width = 6, .cap = l3d_cap::round}), 120 + 9 * pi, 0.1);
+    l3d_path corner = line;
+    corner.line_to({30.5, 25.5});
+    const double legs = 6 * 20 + 6 * 15 - 9; // they share a square of 3 x 3
+    EXPECT_NEAR(area(corner, {.width = 6, .join = l3d_join::miter}), legs + 9, 0.05);
+    EXPECT_NEAR(area(corner, {.width = 6, .join = l3d_join::bevel}), legs + 4.5, 0.05);
+    EXPECT_NEAR(area(corner, {.width = 6, .join = l3d_join::round}), legs + 9 * pi / 4, 0.1);
+    // a right angle's miter is sqrt(2) widths long
+    EXPECT_NEAR(area(corner, {.width = 6, .miter_limit = 1.42}), legs + 9, 0.05);
+    EXPECT_NEAR(area(corner, {.width = 6, .miter_limit = 1.41}), legs + 4.5, 0.05);
+    l3d_path square = corner;
+    square.line_to({10.5, 25.5});
+    square.close();
+    EXPECT_NEAR(area(square, {.width = 4}), 24 * 19 - 16 * 11, 0.1);
+    EXPECT_NEAR(area(square, {.width = 4, .join = l3d_join::bevel}), 24 * 19 - 16 * 11 - 4 * 2,
+                0.1);
+    l3d_path dot;
+    dot.move_to({20.5, 15.5});
+    dot.close();
+    EXPECT_EQ(area(dot, {.width = 6}), 0);
+    EXPECT_NEAR(area(dot, {.width = 6, .cap = l3d_cap::square}), 36, 0.01);
+    EXPECT_NEAR(area(dot, {.width = 6, .cap = l3d_cap::round}), 9 * pi, 0.1);
+}
+
+TEST(stroke, cuts_dashes_by_length_along_lines_and_curves) {
+    l3d_path line;
+    line.move_to({2.5, 10.5});
+    line.line_to({12.5, 10.5});
+    line.line_to({38.5, 10.5});
+    const double dash = area(line, {.width = 2, .dashes = {3, 2}});
+    EXPECT_NEAR(dash, 2 * (7 * 3 + 1), 0.05); // 36 = 7 (3 + 2) + 1
+    EXPECT_NEAR(area(line, {.width = 2, .dashes = {3, 2}, .dash_begin = 4}), 2 * (7 * 3), 0.05);
+    EXPECT_NEAR(area(line, {.width = 2, .dashes = {3, 2}, .dash_begin = -1}), 2 * (7 * 3), 0.05);
+    EXPECT_NEAR(area(line, {.width = 2, .dashes = {4}}), 2 * (4 * 4 + 4), 0.05);
+    l3d_path circle;
+    circle.add_circle({20.5, 15.5}, 10);
+    const double half = area(circle, {.width = 2, .dashes = {std::numbers::pi}});
+    EXPECT_NEAR(half, 20 * std::numbers::pi, 0.1);
+    EXPECT_TRUE(l3d_stroked(line, {.dashes = {0, 0}}).empty());
+    EXPECT_TRUE(l3d_stroked(line, {.dashes = {2, -1}}).empty());
+    EXPECT_TRUE(l3d_stroked(line, {.width = 0}).empty());
+}
+
+} // namespace
