@@ -33,7 +33,7 @@ enum class L3D_PUBLIC l3d_event_type {
     button_release, ///< a button of the mouse came up
     pointer_motion, ///< the pointer has moved
     wheel,          ///< the wheel turned by one notch
-    resize,         ///< the picture has another size now
+    resize,         ///< the picture, or l3d_screen::text_scale, has another size now
     expose,       ///< part of the window can be seen and lost its picture: it has to be shown again
     hide,         ///< nothing of the window can be seen until the next expose or reveal
     reveal,       ///< part of the window can be seen again; if it lost its picture, expose follows

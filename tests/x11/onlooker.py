@@ -112,6 +112,7 @@ class Onlooker:
     """An X client that looks at windows and does to them what a window manager does."""
 
     seen = b""
+    settings = 0
     CLIENT_MESSAGE, Z_PIXMAP, ALL_PLANES = 33, 2, ctypes.c_ulong(-1).value
 
     def __init__(self, display):
@@ -204,6 +205,14 @@ class Onlooker:
     def root(self):
         return self.x.XDefaultRootWindow(self.display)
 
+    def has_manager(self):
+        """Whether somebody redirects the requests of windows."""
+        found = WindowAttributes()
+        root = ctypes.c_ulong(self.root())
+        self.x.XGetWindowAttributes(self.display, root, ctypes.byref(found))
+        # Of the rest: whether it is installed, its state, and all masks of events.
+        return bool(found.rest[1] & (1 << 20))
+
     def set_numbers(self, window, name, kind, values):
         """A property that is a list of 32-bit numbers, as a window manager would set it."""
         data = (ctypes.c_long * max(1, len(values)))(*values)
@@ -251,6 +260,25 @@ class Onlooker:
             )
             self.pressed = time.monotonic()
             self.x.XFlush(self.display)
+
+    def serve_settings(self, dpi):
+        """What a desktop's manager of settings does: owns the selection, and writes Xft/DPI."""
+        if not self.settings:
+            self.settings = self.x.XCreateSimpleWindow(
+                self.display, ctypes.c_ulong(self.root()), -9, -9, 1, 1, 0, ctypes.c_ulong(0),
+                ctypes.c_ulong(0),
+            )
+        text = struct.pack("<B3xIIBxH7sxII", 0, 1, 1, 0, 7, b"Xft/DPI", 1, dpi * 1024)
+        name = ctypes.c_ulong(self.atom("_XSETTINGS_SETTINGS"))
+        window, selection = ctypes.c_ulong(self.settings), self.atom("_XSETTINGS_S0")
+        self.x.XChangeProperty(self.display, window, name, name, 8, 0, text, len(text))
+        self.x.XSetSelectionOwner(self.display, ctypes.c_ulong(selection), window, ctypes.c_ulong(0))
+        event = ClientMessage(type=self.CLIENT_MESSAGE, window=self.root(), format=32)
+        event.message_type = self.atom("MANAGER")
+        event.data[1], event.data[2] = selection, self.settings
+        root = ctypes.c_ulong(self.root())
+        self.x.XSendEvent(self.display, root, False, ctypes.c_long(1 << 17), ctypes.byref(event))
+        self.x.XSync(self.display, False)
 
     def send_size(self, window, width, height):
         """Tells the window, as a window manager might, that it has a size."""

@@ -7,6 +7,8 @@
 #include "tool_2d/x11/x11_events_p.h"
 #include "tool_2d/x11/x11_fullscreen_p.h"
 #include "tool_2d/x11/x11_image_p.h"
+#include "tool_2d/x11/x11_resolution_p.h"
+#include "tool_2d/x11/x11_scale_p.h"
 #include "tool_2d/x11/x11_shm_segment_p.h"
 #include "tool_2d/x11/x11_state_p.h"
 #include "tool_2d/x11/x11_sync_p.h"
@@ -44,7 +46,8 @@ public:
     /// Shape:   `no_shm` is why memory shall not be shared; empty: it shall.
     /// Errors:  std::bad_alloc.
     l3d_screen_x11(std::unique_ptr<x11_window> window, l3d_size size, std::string no_shm)
-        : window_(std::move(window)), events_(*window_, size), state_(*window_), sync_(*window_),
+        : window_(std::move(window)), events_(*window_, size), state_(*window_),
+          resolution_(*window_), sync_(*window_),
           fullscreen_(*window_, state_,
                       {size.width * window_->scale(), size.height * window_->scale()}),
           no_shm_(std::move(no_shm)), image_(make_image(size)), picture_(make_picture(size)) {}
@@ -72,6 +75,7 @@ private:
     void take(XEvent& event);
     void put_if_due(steady_clock::time_point deadline);
     void tell_shown();
+    void look_around();
     bool sleep(steady_clock::time_point deadline, int waker = -1) const;
     bool resized_to(l3d_size size);
     std::unique_ptr<x11_image> make_image(l3d_size size);
@@ -82,6 +86,7 @@ private:
     std::unique_ptr<x11_window> window_;
     x11_events events_;
     x11_state state_;
+    x11_resolution resolution_;
     x11_sync sync_;
     x11_fullscreen fullscreen_;
     std::string no_shm_; ///< why memory is not shared; empty: it is
@@ -93,6 +98,7 @@ private:
     bool sync_is_due_ = false;    ///< a picture was put, and perhaps waits to be sent
     bool window_is_gone_ = false; ///< another program destroyed it
     bool lost_is_told_ = false;
+    bool letters_changed_ = false; ///< the program shall draw them anew
 };
 
 void l3d_screen_x11::open() {
@@ -163,7 +169,6 @@ void l3d_screen_x11::put_if_due(steady_clock::time_point deadline) {
     image_->put(picture, std::exchange(is_forgotten_, false) ? l3d_whole(picture.size()) : part,
                 deadline);
     sync_is_due_ = true;
-    state_.watch(); // after the first picture, which so comes sooner
 }
 
 /// Reads all that the server sent so far. Nothing follows the last XPending: writing may read
@@ -174,10 +179,19 @@ void l3d_screen_x11::read_events(steady_clock::time_point put_deadline) {
         fullscreen_.rest(steady_clock::now());
         put_if_due(put_deadline);
         tell_shown();
+        look_around();
         take_events(put_deadline);
     } while (replaced_failed_image());
     if (window_->connection().lost() && !std::exchange(lost_is_told_, true))
         events_.take_display_lost();
+}
+
+/// After the first picture, which so comes sooner.
+void l3d_screen_x11::look_around() {
+    if (is_forgotten_ || image_->is_sending())
+        return;
+    state_.look_after();
+    resolution_.look_after();
 }
 
 void l3d_screen_x11::tell_shown() {
@@ -203,7 +217,11 @@ void l3d_screen_x11::take(XEvent& event) {
         events_.set_away(state_.facts().away);
         fullscreen_.follow();
     }
-    if (state_.is_foreign(event) || window_->connection().lost())
+    if (const auto fineness = resolution_.take(event))
+        letters_changed_ = window_->set_fineness(*fineness) || letters_changed_;
+    if (letters_changed_)
+        events_.tell_size();
+    if (state_.is_foreign(event) || resolution_.is_foreign(event) || window_->connection().lost())
         return;
     if (event.type == Expose) {
         image_->forget_shown();
@@ -231,7 +249,8 @@ bool l3d_screen_x11::sleep(steady_clock::time_point deadline, int waker) const {
 bool l3d_screen_x11::do_next_event(l3d_event& event) {
     read_events();
     while (events_.next(event)) {
-        if (event.type != l3d_event_type::resize || resized_to(event.size))
+        if (event.type != l3d_event_type::resize || resized_to(event.size) ||
+            std::exchange(letters_changed_, false))
             return true;
     }
     return false;
@@ -303,8 +322,8 @@ std::unique_ptr<l3d_screen> open_screen(std::unique_ptr<x11_connection> connecti
     if (!window)
         return nullptr;
     try {
-        auto screen =
-            std::make_unique<l3d_screen_x11>(std::move(window), request.size, std::move(no_shm));
+        const l3d_size size = x11_picture_size(window->connection(), request);
+        auto screen = std::make_unique<l3d_screen_x11>(std::move(window), size, std::move(no_shm));
         screen->open();
         return screen;
     } catch (const std::bad_alloc&) {

@@ -216,7 +216,7 @@ void x11_events::look() {
 void x11_events::take_size(const XConfigureEvent& event) {
     if (event.send_event == 0)
         size_ = window_.ours({event.width, event.height});
-    push_instead_of({l3d_event_type::resize}, {.type = l3d_event_type::resize, .size = size_});
+    tell_size();
 }
 
 void x11_events::take_press(XKeyEvent& event) {

@@ -35,6 +35,11 @@ public:
         look();
     }
 
+    /// Tells the size again, although it is the same.
+    void tell_size() {
+        push_instead_of({l3d_event_type::resize}, {.type = l3d_event_type::resize, .size = size_});
+    }
+
     bool empty() const { return queue_.empty(); }
 
     /// Takes the oldest; false if there is none.

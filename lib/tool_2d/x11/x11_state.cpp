@@ -46,9 +46,14 @@ x11_state::x11_state(const x11_window& window)
 void x11_state::ask() {
     if (window_.connection().lost())
         return;
-    if (is_asking()) {
+    if (echo_.is_awaited()) {
         again_ = true;
-    } else if (stage_ == stage::unwatched) {
+        return;
+    }
+    is_due_ = !window_.connection().wait_writable({});
+    if (is_due_)
+        return;
+    if (stage_ == stage::unwatched) {
         // Before the first question: whatever changes after it is told.
         XSelectInput(window_.display(), window_.connection().root(),
                      PropertyChangeMask | StructureNotifyMask);
@@ -179,13 +184,13 @@ bool x11_state::take(const XEvent& event) {
     }
     if (stage_ == stage::naming) {
         hear_names();
-        ask_facts();
+        ask();
         return false;
     }
     const bool is_stale = std::exchange(again_, false);
     hear_facts();
     if (is_stale || std::exchange(again_, false))
-        ask_facts();
+        ask();
     return true;
 }
 

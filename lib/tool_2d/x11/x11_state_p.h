@@ -55,14 +55,15 @@ public:
     /// Asks for everything, and from then on hears of changes by itself.
     void ask();
 
-    /// Asks if that was never done.
-    void watch() {
-        if (stage_ == stage::unwatched)
+    /// Asks if that was never done, or if the connection had no room: a server that is slow, or
+    /// stopped, does not take the program with it. To be called now and then.
+    void look_after() {
+        if (stage_ == stage::unwatched || is_due_)
             ask();
     }
 
-    /// Whether an answer is due that was asked for after the last call of ask().
-    bool is_asking() const { return echo_.is_awaited(); }
+    /// Whether an answer is due that was asked for by the last call of ask().
+    bool is_asking() const { return is_due_ || echo_.is_awaited(); }
 
     /// Looks at an event. True if it brought new facts.
     bool take(const XEvent& event);
@@ -96,7 +97,8 @@ private:
     x11_echo echo_;
     x11_facts facts_;
     stage stage_ = stage::unwatched;
-    bool again_ = false; ///< something changed while a question was under way
+    bool is_due_ = false; ///< is asked as soon as the connection has room
+    bool again_ = false;  ///< something changed while a question was under way
     std::array<xcb_intern_atom_cookie_t, name_count> names_{};
     std::array<xcb_atom_t, name_count> atoms_{};
     question question_{};

@@ -51,6 +51,9 @@ public:
     /// Side of the square of the display's pixels that shows one of ours.
     int scale() const { return scale_; }
 
+    /// How fine the display is now, as x11_fineness has it. True if letters change by that.
+    bool set_fineness(double fineness);
+
     /// See l3d_screen::text_scale.
     double text_scale() const { return text_scale_; }
 
@@ -91,7 +94,7 @@ private:
     x11_visual visual_;
     x11_atoms atoms_;
     int scale_;
-    double text_scale_;
+    double text_scale_ = 1;
     bool managed_ = false;
     Window window_ = 0;
     GC graphics_ = nullptr;
