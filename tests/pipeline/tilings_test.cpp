@@ -29,9 +29,9 @@ using vector = l3d_vector<double, 3>;
 
 constexpr l3d_size size{40, 32};
 
-/// Control points that are off their places by less than 1/4 of a cell, here and there by 1/2 out
-/// of the window, make no tiling fold: (1 - 2/4) (1 - 2/4) is the least product of steps along the
-/// sides, and (2/4) (2/4) the largest of those across. A tilted plane needs some of that.
+/// Control points are off their places by so many cells; those of the border lie up to 1/2 farther
+/// out. Below 1/4 no tiling folds: steps along a side are at least 1 - 2/4, and those across it at
+/// most 2/4. A tilted plane needs some of that.
 constexpr double unfolded = 0.2;
 
 /// A plane in front of a camera: 1 / w is linear in the picture.

@@ -39,26 +39,26 @@ pixel_plane depth_of(const fragment_polygon& polygon, scan_point pixel) {
 } // namespace
 
 void sampled_pixel::add(const fragment_polygon& polygon) {
-    const coverage covered = coverage_of(polygon, corner_);
-    if (covered.empty())
-        return;
-    fragments_.push_back({&polygon, covered});
+    fragments_.push_back({&polygon, {}});
     for (std::size_t at = fragments_.size() - 1;
          at > 0 && polygon.nearest > fragments_[at - 1].polygon->nearest; --at)
         std::swap(fragments_[at], fragments_[at - 1]);
 }
 
-/// Takes from each fragment the samples where another one is nearer.
+/// Takes from each fragment the samples where another one is nearer. Samples of fragments behind a
+/// pixel that is full are never looked for.
 void sampled_pixel::hide() {
     coverage any;
     float farthest = 0;
+    std::size_t kept = 0;
     for (std::size_t i = 0; i < fragments_.size(); ++i) {
-        fragment& next = fragments_[i];
-        if (any.full() && farthest >= next.polygon->nearest) {
-            fragments_.resize(i);
-            return;
-        }
-        for (std::size_t k = 0; k < i && !next.seen.empty(); ++k) {
+        fragment next = fragments_[i];
+        if (any.full() && farthest >= next.polygon->nearest)
+            break;
+        next.seen = coverage_of(*next.polygon, corner_);
+        if (next.seen.empty())
+            continue;
+        for (std::size_t k = 0; k < kept && !next.seen.empty(); ++k) {
             fragment& before = fragments_[k];
             const coverage both = next.seen & before.seen;
             if (both.empty())
@@ -73,8 +73,10 @@ void sampled_pixel::hide() {
             next.seen = next.seen.without(both.without(nearer));
         }
         any = any | next.seen;
-        farthest = i == 0 ? next.polygon->farthest : std::min(farthest, next.polygon->farthest);
+        farthest = kept == 0 ? next.polygon->farthest : std::min(farthest, next.polygon->farthest);
+        fragments_[kept++] = next;
     }
+    fragments_.resize(kept);
 }
 
 } // namespace l3d_detail

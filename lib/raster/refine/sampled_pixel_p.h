@@ -35,8 +35,8 @@ public:
 
 private:
     struct fragment {
-        const fragment_polygon* polygon;
-        coverage seen;
+        const fragment_polygon* polygon = nullptr;
+        coverage seen; ///< once what is in front is known
     };
 
     void hide();
