@@ -26,9 +26,9 @@ apps_with_reference  := teapot_afd
 uses_stability       := base geom tool_2d raster scene dice pipeline
 
 # What a layer links from outside, and what pkg-config calls it.
-links_tool_2d := -lpng -lXext -lX11
+links_tool_2d := -lpng -lXext -lX11-xcb -lX11 -lxcb-randr -lxcb
 links_raster  := -ltbb -lhwy -lfreetype
-needs_tool_2d := libpng xext x11
+needs_tool_2d := libpng xext x11-xcb x11 xcb-randr xcb
 needs_raster  := tbb libhwy freetype2
 
 include config.mk
@@ -350,7 +350,7 @@ $(STABILITY): $(objects_stability) $(call archives,reference $(uses_stability)) 
 $(BENCHES): %: %.o $(objects_bench) $(call archives,reference compare $(LAYERS))
 	$(call say,LINK,$@)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) \
-	    -lembree3 -lbenchmark -o $@
+	    -lembree3 -lbenchmark -lcairo -lagg -o $@
 
 $(OUT)/fuzz/%: tests/fuzz/model_fuzz.cpp $(wildcard tests/fuzz/*.h) $(OUT)/libl3d_geom.a
 	$(call say,LINK,$@)
