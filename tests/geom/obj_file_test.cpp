@@ -67,6 +67,13 @@ TEST(obj_file, has_parts_of_faces_and_of_surfaces) {
     ASSERT_TRUE(again) << why;
     EXPECT_EQ(again->mesh.parts, file.mesh.parts);
     EXPECT_EQ(again->patch_parts, file.patch_parts);
+
+    // The writer has patches before faces, and the names of those must not become names of these.
+    const l3d_model_file nameless = read_after("cstype bezier\ndeg 1 1\nf 1 2 3\ng a\n" + surface);
+    const auto kept = l3d_read_obj(l3d_write_obj(nameless), "again", why);
+    ASSERT_TRUE(kept) << why;
+    EXPECT_TRUE(kept->mesh.parts.empty());
+    EXPECT_EQ(kept->patch_parts, (std::vector<l3d_part_run>{{"a", 0}}));
 }
 
 TEST(obj_file, has_normals_if_every_vertex_has_just_one) {

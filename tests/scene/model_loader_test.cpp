@@ -54,7 +54,7 @@ TEST(model_loader, notes_a_file_of_materials_that_is_not_there) {
 TEST(model_loader, names_materials_that_no_file_describes) {
     const temporary_folder folder;
     const std::string model = folder.file("a.obj");
-    write(model, triangle);
+    write(model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl red\nf 1 2 3\n"); // one has none
     const l3d_model_file file = l3d_load_model(model, "a.obj");
     ASSERT_EQ(file.notes.size(), 1u);
     EXPECT_EQ(file.notes[0], "a.obj: no .mtl file describes 'red'; such materials are white");

@@ -67,6 +67,7 @@ TEST(patch_model, shows_hides_and_paints_the_parts_of_the_teapot) {
     const l3d_patch_model alone = painted.only(chosen), rest = painted.without(chosen);
     ASSERT_EQ(alone.patches().size(), 8u);
     ASSERT_EQ(rest.patches().size(), 20u);
+    ASSERT_EQ(alone.materials().size(), 1u);
     for (std::size_t i = 0; i < 8; ++i) {
         EXPECT_EQ(alone.patches()[i].points, teapot.patches()[20 + i].points);
         EXPECT_EQ(alone.materials()[alone.material_of(i)].color, 0xff0000u);

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// l3d_part_options: models of parts as the command line asks for them, and what it is refused.
+#include "system/part_options.h"
+
+#include "pipeline/polygons/patch_tessellation.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+/// A program with these options, and what it makes of the teapot.
+struct program {
+    explicit program(std::vector<const char*> arguments) {
+        arguments.insert(arguments.begin(), "tester");
+        options.parse(static_cast<int>(arguments.size()), arguments.data(), out);
+    }
+
+    l3d_patch_model patches() const { return parts.applied(l3d_patch_model::teapot()); }
+    l3d_polygon_model polygons() const {
+        return parts.applied(l3d_polygon_model(l3d_tessellated(l3d_patch_model::teapot(), 2).mesh));
+    }
+
+    std::ostringstream out;
+    l3d_options options{"tester", "Tests.", {64, 48}};
+    l3d_part_options parts{options};
+};
+
+std::string refusal_of(const std::vector<const char*>& arguments) {
+    try {
+        program(arguments).patches();
+    } catch (const l3d_error& error) {
+        EXPECT_EQ(error.code(), l3d_exit::usage);
+        return error.what();
+    }
+    return "";
+}
+
+TEST(part_options, leave_a_model_alone_unless_they_are_given) {
+    const program plain({});
+    EXPECT_EQ(plain.patches().patches().size(), 28u);
+    EXPECT_TRUE(plain.patches().materials().empty());
+    EXPECT_FALSE(plain.parts.lists());
+    EXPECT_TRUE(program({"--list-parts"}).parts.lists());
+}
+
+TEST(part_options, hide_show_and_colour_parts_of_both_kinds_of_models) {
+    const program some({"--show-only", "lid", "--show-only", "spout", "--hide", "spout", "--color",
+                        "lid=255,128,0", "--color", "body=1,2,3"});
+    const l3d_patch_model lid = some.patches();
+    ASSERT_EQ(lid.patches().size(), 8u);
+    ASSERT_EQ(lid.materials().size(), 1u);
+    EXPECT_EQ(lid.materials()[0].color, 0xff8000u);
+    const l3d_polygon_model polygons = some.polygons();
+    ASSERT_FALSE(polygons.triangles().empty());
+    for (const l3d_model_triangle& t : polygons.triangles()) {
+        EXPECT_EQ(polygons.parts().name_of(t.face), "lid");
+        EXPECT_EQ(polygons.materials()[polygons.material_of(t.face)].color, 0xff8000u);
+    }
+    EXPECT_EQ(program({"--hide", "body"}).patches().patches().size(), 16u);
+}
+
+TEST(part_options, name_the_option_and_the_known_parts_in_an_error) {
+    EXPECT_EQ(refusal_of({"--hide", "nose"}),
+              "--hide: 'nose' names no part; there are body, handle, spout, lid");
+    EXPECT_EQ(refusal_of({"--show-only", "Lid"}),
+              "--show-only: 'Lid' names no part; there are body, handle, spout, lid");
+    EXPECT_EQ(refusal_of({"--color", "nose=1,2,3"}),
+              "--color: 'nose' names no part; there are body, handle, spout, lid");
+    for (const char* const color : {"lid", "lid=", "lid=1,2", "lid=1,2,256", "lid=1,2,x", "=1,2,3",
+                                    "lid=1,2,3,4", "lid=-1,2,3"})
+        EXPECT_EQ(refusal_of({"--color", color}),
+                  "--color: '" + std::string(color) +
+                      "' is not PART=R,G,B with whole numbers from 0 to 255");
+    EXPECT_EQ(refusal_of({"--show-only", "lid", "--hide", "lid"}),
+              "--hide: nothing of the model is left");
+    const program hides({"--hide", "lid"});
+    try {
+        hides.parts.applied(l3d_patch_model());
+        FAIL();
+    } catch (const l3d_error& error) {
+        EXPECT_STREQ(error.what(), "--hide: 'lid' names no part; the model has none");
+    }
+}
+
+} // namespace
