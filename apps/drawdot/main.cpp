@@ -34,6 +34,7 @@ public:
     }
 
     bool needs_redraw() const override { return moved_; }
+    bool is_at_rest() const override { return right_ == 0 && down_ == 0; }
 
 private:
     void draw(l3d_rasterizer_2d& rasterizer) override {

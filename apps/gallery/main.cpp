@@ -53,6 +53,8 @@ class gallery_pipeline : public l3d_pipeline_afd_viewer {
 public:
     using l3d_pipeline_afd_viewer::l3d_pipeline_afd_viewer;
 
+    bool is_at_rest() const override { return controls().is_paused(); }
+
     void update_event(double seconds) override {
         l3d_pipeline_afd_viewer::update_event(seconds);
         if (controls().is_paused())

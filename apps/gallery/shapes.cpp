@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -134,16 +135,10 @@ l3d_patch_model colored_teapot() {
         handle{0x2f6f8f, 0x505050, 60};
     const l3d_patch_model teapot = l3d_patch_model::teapot();
     std::vector<l3d_material> materials;
-    for (const patch& p : teapot.patches()) {
-        // The body ends at height 2.25, where lid and rim begin; the rim is wider than the lid.
-        const auto height = [](const vector& q) { return q[1]; };
-        const auto out = [](const vector& q) { return std::abs(q[0]); };
-        const double lowest = height(*std::ranges::min_element(p.points, {}, height));
-        const double nearest = out(*std::ranges::min_element(p.points, {}, out));
-        const double widest = out(*std::ranges::max_element(p.points, {}, out));
-        const bool is_lid = lowest >= 2.25 && widest < 1.4;
-        const bool is_beside = nearest > 1.3;
-        materials.push_back(is_lid ? lid : is_beside ? handle : body);
+    for (std::size_t i = 0; i < teapot.patches().size(); ++i) {
+        const std::string_view part = teapot.parts().name_of(i);
+        const bool is_beside = part == "handle" || part == "spout";
+        materials.push_back(part == "lid" ? lid : is_beside ? handle : body);
     }
     return teapot.painted(materials);
 }

@@ -5,6 +5,7 @@
 #include <l3d/pipeline_zsort.h>
 #include <l3d/rasterizer_factory_mesa.h>
 #include <l3d/rasterizer_factory_sw.h>
+#include <l3d/part_options.h>
 #include <l3d/polygon_options.h>
 #include <l3d/program.h>
 #include <l3d/viewer.h>
@@ -14,18 +15,30 @@ namespace {
 // Step 2 of 5: the application is a pipeline, here one of three viewers.
 class modelview {
 public:
-    modelview() : afd_(program_.options()), polygons_(program_.options(), afd_) {}
+    modelview()
+        : afd_(program_.options()), polygons_(program_.options(), afd_),
+          parts_(program_.options()) {}
 
     int run(int argc, char** argv) {
+        program_.after_command_line([this] {
+            if (!parts_.lists())
+                return true;
+            if (polygons_.pipeline() == l3d_pipeline_kind::afd)
+                l3d_part_options::list(afd_.model().parts(), "patches");
+            else
+                l3d_part_options::list(polygons_.model().parts(), "faces");
+            return false;
+        });
         return program_.run(argc, argv, [this] { // step 1: choose factories
             if (polygons_.pipeline() == l3d_pipeline_kind::afd) {
                 const l3d_afd_settings settings = afd_.settings();
                 const l3d_camera camera = afd_.camera();
-                return show<l3d_pipeline_afd_viewer>(afd_.model(), camera, settings);
+                return show<l3d_pipeline_afd_viewer>(parts_.applied(afd_.model()), camera,
+                                                     settings);
             }
             const l3d_polygon_settings settings = polygons_.settings();
             const l3d_camera camera = afd_.camera();
-            const l3d_polygon_model model = polygons_.model();
+            const l3d_polygon_model model = parts_.applied(polygons_.model());
             switch (polygons_.pipeline()) {
             case l3d_pipeline_kind::zsort:
                 return show<l3d_pipeline_zsort>(model, camera, settings);
@@ -57,6 +70,7 @@ private:
                          {1024, 768}};
     l3d_afd_options afd_;
     l3d_polygon_options polygons_;
+    l3d_part_options parts_;
 };
 
 } // namespace

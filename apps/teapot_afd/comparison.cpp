@@ -124,6 +124,11 @@ bool comparison::needs_redraw() const {
     return l3d_pipeline_afd_viewer::needs_redraw() || other_.needs_redraw() || live_.has_results();
 }
 
+/// What is being measured wants to be shown when it is known.
+bool comparison::is_at_rest() const {
+    return l3d_pipeline_afd_viewer::is_at_rest() && live_.is_idle();
+}
+
 l3d_pixel_box comparison::changed() const {
     if (l3d_pipeline_afd_viewer::changed().empty() && other_.changed().empty())
         return {};

@@ -62,6 +62,7 @@ public:
     void draw_event() override;
     l3d_pixel_box changed() const override;
     bool needs_redraw() const override;
+    bool is_at_rest() const override;
 
 private:
     /// What errors are those of.

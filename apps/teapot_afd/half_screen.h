@@ -49,7 +49,7 @@ private:
     double do_text_scale() const override { return whole_->text_scale(); }
     std::string do_describe() const override { return whole_->describe(); }
     bool do_next_event(l3d_event&) override { return false; }
-    void do_wait(std::chrono::nanoseconds) override {}
+    void do_wait(std::chrono::nanoseconds, int) override {}
 
     std::shared_ptr<l3d_screen> whole_;
     side half_;

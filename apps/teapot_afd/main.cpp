@@ -3,6 +3,7 @@
 #include "compare/method_option.h"
 #include <l3d/afd_options.h>
 #include <l3d/framing.h>
+#include <l3d/part_options.h>
 #include <l3d/program.h>
 #include <l3d/viewer.h>
 
@@ -42,6 +43,7 @@ int main(int argc, char** argv) {
                                    "how surfaces are drawn: ");
     const l3d_method_option compared(program.options(), "--compare", "",
                                      "draw the right half by this method, the left as without: ");
+    const l3d_part_options parts(program.options());
     std::string folder;
     bool quick = false;
     program.options().add("--error-report", folder,
@@ -56,10 +58,14 @@ int main(int argc, char** argv) {
     program.after_command_line([&] {
         camera = afd.camera();
         settings = method.settings(afd);
+        if (parts.lists()) {
+            l3d_part_options::list(afd.model().parts(), "patches");
+            return false;
+        }
         other = compared.choice();
         if (folder.empty())
             return true;
-        const l3d_patch_scene scene(afd.model());
+        const l3d_patch_scene scene(parts.applied(afd.model()));
         const l3d_size size = program.options().common().size;
         camera = afd.camera([&](const l3d_camera& usual) {
             return l3d_framed_unless_well(usual, size, l3d_reach_of(scene));
@@ -69,7 +75,7 @@ int main(int argc, char** argv) {
         return false;
     });
     return program.run(argc, argv, [&] { // step 1: choose factories
-        const l3d_patch_model model = afd.model();
+        const l3d_patch_model model = parts.applied(afd.model());
         const auto dispatcher = program.create_dispatcher(); // step 3
         l3d_canvas canvas = program.create_canvas(afd.model_title());
         if (other) {

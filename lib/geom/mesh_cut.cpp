@@ -32,7 +32,7 @@ public:
     l3d_polygon_mesh run(l3d_cut_end end) {
         std::size_t part = 0;
         for (std::size_t i = 0; i < mesh_.faces(); ++i) {
-            for (; part < mesh_.parts.size() && mesh_.parts[part].first_face == i; ++part)
+            for (; part < mesh_.parts.size() && mesh_.parts[part].first == i; ++part)
                 kept_.parts.push_back({mesh_.parts[part].name, static_cast<index>(kept_.faces())});
             cut_face(i);
         }

@@ -9,52 +9,51 @@
 namespace {
 
 using vector = l3d_patch_place::vector;
-using weights = std::array<double, 4>;
+using four = std::array<vector, 4>;
 
-/// The cubic Bernstein polynomials and their derivatives.
-struct bernstein {
-    explicit bernstein(double t) {
-        const double s = 1 - t;
-        value = {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
-        first = {-3 * s * s, 3 * s * (s - 2 * t), 3 * t * (2 * s - t), 3 * t * t};
-        second = {6 * s, 6 * (t - 2 * s), 6 * (s - 2 * t), 6 * t};
-    }
-    weights value, first, second;
-};
+// Derivatives go by differences of control points: where these are one point, they are zero.
 
-using rows = std::array<vector, 4>;
-
-/// Each row of the net, weighed along u.
-rows weigh_rows(const l3d_bezier_patch<double, 3>& patch, const weights& of) {
-    rows result;
-    for (int r = 0; r < 4; ++r)
-        result[static_cast<std::size_t>(r)] = patch.at(r, 0) * of[0] + patch.at(r, 1) * of[1] +
-                                              patch.at(r, 2) * of[2] + patch.at(r, 3) * of[3];
-    return result;
+vector value_of(const four& p, double t) {
+    const double s = 1 - t;
+    return p[0] * (s * s * s) + p[1] * (3 * s * s * t) + p[2] * (3 * s * t * t) +
+           p[3] * (t * t * t);
 }
 
-vector weigh(const rows& of, const weights& by) {
-    return of[0] * by[0] + of[1] * by[1] + of[2] * by[2] + of[3] * by[3];
+vector first_of(const four& p, double t) {
+    const double s = 1 - t;
+    return (p[1] - p[0]) * (3 * s * s) + (p[2] - p[1]) * (6 * s * t) + (p[3] - p[2]) * (3 * t * t);
+}
+
+vector second_of(const four& p, double t) {
+    return ((p[2] - p[1]) - (p[1] - p[0])) * (6 * (1 - t)) +
+           ((p[3] - p[2]) - (p[2] - p[1])) * (6 * t);
+}
+
+/// What is made of each row of the net, along u.
+template <class Of> four of_rows(const l3d_bezier_patch<double, 3>& patch, double u, const Of& of) {
+    four result;
+    for (int r = 0; r < 4; ++r)
+        result[static_cast<std::size_t>(r)] =
+            of({patch.at(r, 0), patch.at(r, 1), patch.at(r, 2), patch.at(r, 3)}, u);
+    return result;
 }
 
 } // namespace
 
 l3d_patch_place l3d_place_of(const l3d_bezier_patch<double, 3>& patch, double u, double v) {
-    const bernstein in_u(u), in_v(v);
-    const rows values = weigh_rows(patch, in_u.value), slopes = weigh_rows(patch, in_u.first);
-    return {weigh(values, in_v.value), weigh(slopes, in_v.value), weigh(values, in_v.first)};
+    const four values = of_rows(patch, u, value_of), slopes = of_rows(patch, u, first_of);
+    return {value_of(values, v), value_of(slopes, v), first_of(values, v)};
 }
 
 l3d_patch_jet l3d_jet_of(const l3d_bezier_patch<double, 3>& patch, double u, double v) {
-    const bernstein in_u(u), in_v(v);
-    const rows values = weigh_rows(patch, in_u.value), slopes = weigh_rows(patch, in_u.first);
+    const four values = of_rows(patch, u, value_of), slopes = of_rows(patch, u, first_of);
     l3d_patch_jet jet;
-    jet.point = weigh(values, in_v.value);
-    jet.along_u = weigh(slopes, in_v.value);
-    jet.along_v = weigh(values, in_v.first);
-    jet.along_uu = weigh(weigh_rows(patch, in_u.second), in_v.value);
-    jet.along_uv = weigh(slopes, in_v.first);
-    jet.along_vv = weigh(values, in_v.second);
+    jet.point = value_of(values, v);
+    jet.along_u = value_of(slopes, v);
+    jet.along_v = first_of(values, v);
+    jet.along_uu = value_of(of_rows(patch, u, second_of), v);
+    jet.along_uv = first_of(slopes, v);
+    jet.along_vv = second_of(values, v);
     return jet;
 }
 

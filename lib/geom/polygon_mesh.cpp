@@ -46,9 +46,19 @@ void l3d_polygon_mesh::append(const l3d_polygon_mesh& more) {
         vertex_normals.clear();
     append_colors(more);
     append_materials(more);
+    append_parts(more);
     for (const std::uint32_t end : more.face_ends)
         face_ends.push_back(end + corner_offset);
-    parts.clear();
+}
+
+/// Expects: the other mesh's faces are not added yet.
+void l3d_polygon_mesh::append_parts(const l3d_polygon_mesh& more) {
+    const auto first = index_of(faces());
+    // What has no name shall not become part of the last one here.
+    if (!parts.empty() && (more.parts.empty() || more.parts.front().first > 0))
+        parts.push_back({"", first});
+    for (const l3d_part_run& part : more.parts)
+        parts.push_back({part.name, part.first + first});
 }
 
 /// Expects: the other mesh's faces are not added yet.
@@ -101,10 +111,10 @@ bool l3d_polygon_mesh::is_valid() const {
         begin = end;
     }
     std::uint32_t first = 0;
-    for (const part& p : parts) {
-        if (p.first_face < first || p.first_face > faces())
+    for (const l3d_part_run& p : parts) {
+        if (p.first < first || p.first > faces())
             return false;
-        first = p.first_face;
+        first = p.first;
     }
     return begin == corners.size() &&
            std::ranges::all_of(corners, [&](std::uint32_t i) { return i < vertices.size(); }) &&

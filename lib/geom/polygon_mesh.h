@@ -5,6 +5,7 @@
 
 #include "base/public.h"
 #include "geom/material.h"
+#include "geom/parts.h"
 #include "geom/vector.h"
 
 #include <cassert>
@@ -27,13 +28,6 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     /// A place, or the direction of a normal.
     using vector = l3d_vector<double, 3>;
 
-    /// A run of faces with a name: from first_face to the next part's.
-    struct part {
-        std::string name;             ///< as the file has it
-        std::uint32_t first_face = 0; ///< index of the first one that belongs to it
-        friend bool operator==(const part&, const part&) = default;
-    };
-
     std::vector<vector> vertices;         ///< places in the model's own coordinates
     std::vector<std::uint32_t> corners;   ///< vertex indices, face after face
     std::vector<std::uint32_t> face_ends; ///< per face, where its corners end in `corners`
@@ -43,7 +37,7 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     std::vector<std::uint32_t> face_materials; ///< optional, one per face, index into `materials`
     std::vector<std::string> materials;        ///< names
     std::vector<l3d_material> looks; ///< optional, one per name: what the material looks like
-    std::vector<part> parts;         ///< optional, in the order of their first faces
+    std::vector<l3d_part_run> parts; ///< optional, in the order of their first faces
 
     /// The number of faces.
     std::size_t faces() const { return face_ends.size(); }
@@ -72,7 +66,7 @@ struct L3D_PUBLIC l3d_polygon_mesh {
 
     /// Adds the vertices and faces of another mesh, and vertices' normals if both have them. Faces
     /// keep their colours and materials; those that had none, where others have, get white and a
-    /// material without a name. Parts are forgotten.
+    /// material without a name. Parts keep their faces.
     /// Errors: as index_of, and nothing is changed.
     void append(const l3d_polygon_mesh& more);
 
@@ -91,6 +85,7 @@ struct L3D_PUBLIC l3d_polygon_mesh {
 
 private:
     void append_colors(const l3d_polygon_mesh& more);
+    void append_parts(const l3d_polygon_mesh& more);
     void append_materials(const l3d_polygon_mesh& more);
 };
 

@@ -33,7 +33,8 @@ public:
     /// Anything happened; comes before the call below that it leads to, if there is one.
     virtual void any_event(const l3d_event& event) { static_cast<void>(event); }
 
-    /// A key was pressed: ASCII code or l3d_key.
+    /// A key was pressed: ASCII code or l3d_key. With Alt or Super held, or a character with Ctrl,
+    /// only any_event tells of it.
     virtual void key_event(int key) { static_cast<void>(key); }
 
     /// A button, the pointer or the wheel moved.
@@ -61,6 +62,10 @@ public:
     /// Nobody wants the picture of this frame, which update_event was called for. True if it need
     /// not be drawn, since later pictures do not depend on it; else it is drawn all the same.
     virtual bool skip_event() { return false; }
+
+    /// Whether nothing changes until the next event, however much time goes by. In a window the
+    /// dispatcher then sleeps: no update_event comes, and the time that it slept does not count.
+    virtual bool is_at_rest() const { return false; }
 
     /// Whether anything would look different if draw_event were called now. The dispatcher
     /// neither draws nor shows while this is false and no event came.

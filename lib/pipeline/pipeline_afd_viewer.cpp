@@ -145,10 +145,10 @@ void l3d_pipeline_afd_viewer::add_inspection(l3d_panel& panel) {
     std::string first = number(-shown.scale), last = number(shown.scale);
     switch (settings().shade) {
     case l3d_shade::gaussian:
-        panel.add("Gaussian curvature, 1 / unit\u00b2, 0 is white");
+        panel.add("Gaussian curvature per square unit, 0 is white");
         break;
     case l3d_shade::mean:
-        panel.add("mean curvature, 1 / unit, 0 is white");
+        panel.add("mean curvature per unit, 0 is white");
         break;
     case l3d_shade::draft:
         panel.add("draft angle in degrees, 0 is yellow");

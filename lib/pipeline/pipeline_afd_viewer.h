@@ -16,12 +16,16 @@ public:
 
     /// The viewer's keys, mouse and lines of text.
     l3d_viewer_controls& controls() { return controls_; }
+    const l3d_viewer_controls& controls() const { return controls_; }
 
     void any_event(const l3d_event& event) override { controls_.note(event); }
     void key_event(int key) override;
     void pointer_event(const l3d_event& event) override;
     void resize_event(l3d_size size) override;
     void update_event(double seconds) override;
+    /// Without an own update_event time changes nothing but what controls() do. A subclass that has
+    /// one overrides this, too.
+    bool is_at_rest() const override { return controls_.is_at_rest(); }
 
 protected:
     void draw_overlay() override;

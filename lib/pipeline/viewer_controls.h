@@ -78,6 +78,8 @@ public:
     bool pointer(const l3d_event& event);
     /// Lets time pass: the turntable turns. Units: seconds.
     bool update(double seconds);
+    /// Whether time alone changes no picture: nothing turns, and no hint is about to end.
+    bool is_at_rest() const { return (turntable_degrees_ == 0 || paused_) && !(hint_seconds_ > 0); }
     /// Whether the user wants things to stand still, as after the key p.
     bool is_paused() const { return paused_; }
 

@@ -55,10 +55,13 @@ std::uint32_t l3d_inspection_color(l3d_shade shade, double number, double scale)
 std::uint32_t l3d_stripe_color(double angle, double width, double stripe) {
     if (std::isnan(angle) || std::isnan(width))
         return no_number;
-    // Wider parts are as good as the mean of all, and narrower ones as a point.
-    constexpr double least = 1e-6, most = 1e6;
-    const double part = std::clamp(width / stripe, least, most), middle = angle / stripe;
-    const double share = (bright_until(middle + part / 2) - bright_until(middle - part / 2)) / part;
+    // No angle is below 0 or above 180 degrees. A narrower part is as good as a point.
+    constexpr double least = 1e-6, most_angle = 180;
+    const double part = std::max(width, least * stripe);
+    const double begin = std::max(angle - part / 2, 0.0) / stripe;
+    const double end = std::min(angle + part / 2, most_angle) / stripe;
+    const double share =
+        end > begin ? (bright_until(end) - bright_until(begin)) / (end - begin) : 0;
     const linear_light& tables = linear_light_tables();
     const float light = tables.light(dark) + static_cast<float>(std::clamp(share, 0.0, 1.0)) *
                                                  (tables.light(bright) - tables.light(dark));

@@ -42,7 +42,8 @@ struct L3D_PUBLIC l3d_inspection {
 L3D_PUBLIC std::uint32_t l3d_inspection_color(l3d_shade shade, double number, double scale);
 
 /// The pixel word of stripes, in the mean over a part of them.
-/// Units: all in degrees: the middle of the part, its width, the width of a stripe.
+/// Units: all in degrees, which end at 0 and 180: the middle of the part, its width, the width of a
+///        stripe.
 /// Expects: a positive stripe; a width of at least 0.
 L3D_PUBLIC std::uint32_t l3d_stripe_color(double angle, double width, double stripe);
 

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -76,13 +77,13 @@ void l3d_inspected_scene::add(const l3d_patch_scene& scene,
 }
 
 double l3d_usual_curvature(const l3d_patch_scene& scene, l3d_shade shade) {
-    // Nine places in each of so many patches.
-    constexpr std::int64_t most_patches = 4096;
-    constexpr std::array<double, 3> places{1.0 / 6, 0.5, 5.0 / 6};
+    // 25 places in each of so many patches.
+    constexpr std::int64_t most_patches = 2048;
+    constexpr std::array<double, 5> places{0.1, 0.3, 0.5, 0.7, 0.9};
     const std::int64_t step = std::max<std::int64_t>(1, scene.patch_count() / most_patches);
     const l3d_matrix<double> axes = to_axes(
         {vector{1.0, 0.0, 0.0}, vector{0.0, 1.0, 0.0}, vector{0.0, 0.0, 1.0}}, {0.0, 0.0, 0.0});
-    std::vector<double> numbers;
+    std::vector<std::pair<double, double>> found; // curvature, and the area that has it
     std::int64_t index = 0;
     for (const l3d_patch_instance& instance : scene.instances()) {
         const l3d_matrix<double> placed = axes * instance.placement();
@@ -91,19 +92,32 @@ double l3d_usual_curvature(const l3d_patch_scene& scene, l3d_shade shade) {
                 continue;
             const l3d_image_patch net = l3d_placed_net(placed, patch);
             for (const double u : places)
-                for (const double v : places)
-                    if (const auto bend = l3d_bend_of(l3d_jet_of(net, u, v)))
-                        numbers.push_back(
-                            std::abs(shade == l3d_shade::gaussian ? bend->gaussian : bend->mean));
+                for (const double v : places) {
+                    const l3d_patch_jet jet = l3d_jet_of(net, u, v);
+                    const auto bend = l3d_bend_of(jet);
+                    if (!bend)
+                        continue;
+                    const double bent =
+                        std::abs(shade == l3d_shade::gaussian ? bend->gaussian : bend->mean);
+                    const double area = l3d_length(l3d_cross(jet.along_u, jet.along_v));
+                    if (std::isfinite(bent) && std::isfinite(area))
+                        found.emplace_back(bent, area);
+                }
         }
     }
-    std::erase_if(numbers, [](double number) { return !std::isfinite(number); });
-    if (numbers.empty())
-        return 1;
-    const auto place = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() * 9 / 10);
-    std::nth_element(numbers.begin(), place, numbers.end());
+    std::sort(found.begin(), found.end());
+    double left = 0;
+    for (const auto& [bent, area] : found)
+        left += 0.9 * area;
+    double most = 0;
+    for (const auto& [bent, area] : found) {
+        most = bent;
+        left -= area;
+        if (left < 0)
+            break;
+    }
     // What rounding makes of a plane is no curvature.
     const double size = std::max(scene.reach(), std::numeric_limits<double>::min());
     const double least = 1e-9 / (shade == l3d_shade::gaussian ? size * size : size);
-    return *place > least && std::isfinite(rounded_up(*place)) ? rounded_up(*place) : 1;
+    return most > least && std::isfinite(rounded_up(most)) ? rounded_up(most) : 1;
 }

@@ -29,11 +29,12 @@ private:
     l3d_inspected_patches patches_;
 };
 
-/// The number at the end of a curvature's scale that suits a scene: nine of ten places have less.
+/// The number at the end of a curvature's scale that suits a scene: nine tenths of
+/// the area have less.
 /// It is 1, 2 or 5 times a power of ten; 1 if nothing bends.
 ///
 /// Expects: `gaussian` or `mean`.
-/// Cost:    some 2 us a patch, but at most 10 ms.
+/// Cost:    some 7 us a patch, but at most 30 ms.
 double l3d_usual_curvature(const l3d_patch_scene& scene, l3d_shade shade);
 
 #endif

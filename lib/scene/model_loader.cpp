@@ -2,10 +2,14 @@
 // l3d_load_model: looks for materials where the model is.
 #include "scene/model_loader.h"
 
+#include "base/printable_p.h"
 #include "tool_2d/error.h"
 #include "tool_2d/text_file.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -28,12 +32,32 @@ std::string text_of(const std::string& path, std::string& why) {
     }
 }
 
+/// Says which materials no file describes, but not one for each of thousands.
+void note_unknown(std::span<const l3d_named_material> known, const std::string& name,
+                  l3d_model_file& model) {
+    constexpr std::size_t most = 5;
+    std::string unknown;
+    std::size_t count = 0;
+    for (const std::string& material : model.mesh.materials)
+        if (!material.empty() &&
+            std::ranges::find(known, material, &l3d_named_material::name) == known.end() &&
+            ++count <= most)
+            unknown += (count > 1 ? ", '" : "'") + l3d_detail::printable(material) + '\'';
+    if (count > most)
+        unknown += " and " + std::to_string(count - most) + " more";
+    if (count > 0)
+        model.notes.push_back(l3d_detail::printable(name) + ": no .mtl file describes " + unknown +
+                              "; such materials are white");
+}
+
 void read_materials(const std::string& path, const std::string& name, l3d_model_file& model) {
     std::vector<l3d_named_material> materials;
+    bool is_complete = true;
     for (const l3d_material_file& file : model.material_files) {
         const std::string place = beside(path, file.name);
         std::string why;
         const std::string text = text_of(place, why);
+        is_complete = is_complete && why.empty();
         if (!why.empty())
             model.notes.push_back(name + ':' + std::to_string(file.line) + ": " + why +
                                   "; its materials are white");
@@ -42,15 +66,25 @@ void read_materials(const std::string& path, const std::string& name, l3d_model_
     }
     if (!materials.empty())
         l3d_give_looks(model.mesh, materials);
+    if (is_complete)
+        note_unknown(materials, name, model);
 }
 
 } // namespace
 
 l3d_model_file l3d_load_model(const std::string& path, const std::string& name) {
     std::string why;
-    auto model = l3d_read_model(l3d_read_text_file(path), name, why);
+    const std::string text = l3d_read_text_file(path);
+    const auto read_beside = [&](const std::string& named,
+                                 std::string& reason) -> std::optional<std::string> {
+        reason.clear();
+        std::string other = text_of(beside(path, named), reason);
+        return reason.empty() ? std::optional(std::move(other)) : std::nullopt;
+    };
+    auto model = l3d_read_model_with(read_beside, text, name, why);
     if (!model)
         throw l3d_error(l3d_exit::bad_input, why);
-    read_materials(path, name, *model);
+    if (l3d_model_format_of(text) == l3d_model_format::obj)
+        read_materials(path, name, *model);
     return *std::move(model);
 }

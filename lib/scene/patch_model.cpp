@@ -169,12 +169,66 @@ l3d_patch_model l3d_patch_model::painted(std::span<const l3d_material> materials
     return result;
 }
 
+std::vector<l3d_material> l3d_patch_model::patch_materials() const {
+    std::vector<l3d_material> result(patches().size());
+    if (paint_)
+        for (std::size_t i = 0; i < result.size(); ++i)
+            result[i] = paint_->materials[material_of(i)];
+    return result;
+}
+
+l3d_patch_model l3d_patch_model::with_parts(std::span<const l3d_part_run> runs) const {
+    l3d_patch_model result = *this;
+    result.parts_ = std::make_shared<const l3d_parts>(runs, patches().size());
+    return result;
+}
+
+const l3d_parts& l3d_patch_model::parts() const {
+    static const l3d_parts no_parts;
+    return parts_ ? *parts_ : no_parts;
+}
+
+l3d_patch_model l3d_patch_model::part_painted(std::size_t part,
+                                              const l3d_material& material) const {
+    std::vector<l3d_material> materials = patch_materials();
+    for (std::size_t i = 0; i < materials.size(); ++i)
+        if (parts().of(i) == part)
+            materials[i] = material;
+    return painted(materials);
+}
+
+l3d_patch_model l3d_patch_model::only(std::span<const std::size_t> parts) const {
+    return chosen(this->parts().things_of(parts, patches().size()));
+}
+
+l3d_patch_model l3d_patch_model::without(std::span<const std::size_t> parts) const {
+    std::vector<bool> patches = this->parts().things_of(parts, this->patches().size());
+    patches.flip();
+    return chosen(patches);
+}
+
+l3d_patch_model l3d_patch_model::chosen(const std::vector<bool>& is_chosen) const {
+    const std::vector<l3d_material> all = patch_materials();
+    std::vector<patch> kept;
+    std::vector<l3d_material> materials;
+    std::vector<l3d_part_run> runs;
+    for (std::size_t i = 0; i < is_chosen.size(); ++i) {
+        if (!is_chosen[i])
+            continue;
+        runs.push_back({std::string(parts().name_of(i)), static_cast<std::uint32_t>(kept.size())});
+        kept.push_back(patches()[i]);
+        materials.push_back(all[i]);
+    }
+    const l3d_patch_model result = l3d_patch_model(std::move(kept)).with_parts(runs);
+    return materials.empty() ? result : result.painted(materials);
+}
+
 l3d_patch_model l3d_patch_model::teapot() {
     std::string why;
     const auto model = from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);
     if (!model)
         throw l3d_error(l3d_exit::bad_input, why);
-    return *model;
+    return model->with_parts(l3d_teapot_parts());
 }
 
 l3d_patch_model l3d_patch_model::load(const std::string& file) {
@@ -190,6 +244,8 @@ l3d_patch_model l3d_patch_model::load(const std::string& file) {
 std::optional<l3d_patch_model> l3d_patch_model::from_file(const l3d_model_file& file,
                                                           std::string_view name, std::string& why) {
     auto model = from_patches(file.patches, name, why);
+    if (model && !file.patch_parts.empty())
+        model = model->with_parts(file.patch_parts);
     if (!model || file.patch_materials.empty() || file.mesh.looks.empty())
         return model;
     std::vector<l3d_material> materials;

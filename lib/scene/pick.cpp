@@ -3,6 +3,7 @@
 #include "scene/pick.h"
 
 #include "base/formatted_p.h"
+#include "base/printable_p.h"
 #include "geom/transform.h"
 #include "scene/picks/ray_search.h"
 #include "scene/picks/surface_jet.h"
@@ -154,16 +155,18 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
     const double rounding = world_rounding * scene.instances()[where.instance].reach();
     const l3d_surface_jet jet(world_patch(hit->patch), hit->u, hit->v, hit->u_error, hit->v_error,
                               rounding);
-    l3d_pick pick{.instance = where.instance,
-                  .patch = where.patch,
-                  .u = hit->u,
-                  .v = hit->v,
-                  .u_error = hit->u_error,
-                  .v_error = hit->v_error,
-                  .point = middle(jet.point),
-                  .point_error = length_of_radii(jet.point),
-                  .depth = hit->depth,
-                  .is_proven = hit->is_proven};
+    l3d_pick pick{
+        .instance = where.instance,
+        .patch = where.patch,
+        .part = std::string(scene.instances()[where.instance].model().parts().name_of(where.patch)),
+        .u = hit->u,
+        .v = hit->v,
+        .u_error = hit->u_error,
+        .v_error = hit->v_error,
+        .point = middle(jet.point),
+        .point_error = length_of_radii(jet.point),
+        .depth = hit->depth,
+        .is_proven = hit->is_proven};
     if (!hit->is_proven) {
         pick.point = view.camera.eye + ray.direction() * hit->depth;
         pick.point_error = ray.length(hit->width, hit->depth_width) + rounding;
@@ -174,6 +177,8 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
 
 std::string l3d_pick::text() const {
     std::string result = "patch " + std::to_string(patch) + "\n";
+    if (!part.empty())
+        result += "part " + l3d_detail::printable(part) + "\n";
     if (instance > 0)
         result = "instance " + std::to_string(instance) + "\n" + result;
     add_line(result, "u", {u}, u_error);
@@ -188,6 +193,7 @@ std::string l3d_pick::text() const {
 }
 
 std::string l3d_pick::line() const {
-    return formatted("patch %zu (%.4f, %.4f) at %.4g, %.4g, %.4g +- %.1g", patch, u, v, point[0],
-                     point[1], point[2], point_error);
+    const std::string name = part.empty() ? "" : l3d_detail::printable(part) + ", ";
+    return name + formatted("patch %zu (%.4f, %.4f) at %.4g, %.4g, %.4g +- %.1g", patch, u, v,
+                            point[0], point[1], point[2], point_error);
 }

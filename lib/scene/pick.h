@@ -19,6 +19,7 @@
 struct L3D_PUBLIC l3d_pick {
     std::size_t instance = 0;        ///< index in the scene
     std::size_t patch = 0;           ///< index in the instance's model
+    std::string part{};              ///< its name; empty if the patch belongs to none
     double u = 0, v = 0;             ///< the parameters, from 0 to 1
     double u_error = 0, v_error = 0; ///< of the parameters
 

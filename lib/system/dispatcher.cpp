@@ -14,11 +14,22 @@ l3d_exit l3d_dispatcher::start() {
     return do_start(*pipeline_, *screen_);
 }
 
+namespace {
+
+/// A letter with Ctrl, Alt or Super held is another key than the letter, and none of ours.
+bool is_plain(const l3d_event& press) {
+    const bool is_character = press.key >= ' ' && press.key <= '~';
+    return !press.alt && !press.logo && !(press.control && is_character);
+}
+
+} // namespace
+
 void l3d_dispatcher::deliver(const l3d_event& event, l3d_pipeline& pipeline) {
     pipeline.any_event(event);
     switch (event.type) {
     case l3d_event_type::key_press:
-        pipeline.key_event(event.key);
+        if (is_plain(event))
+            pipeline.key_event(event.key);
         break;
     case l3d_event_type::button_press:
     case l3d_event_type::button_release:

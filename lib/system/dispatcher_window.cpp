@@ -13,9 +13,8 @@ namespace {
 
 using std::chrono::steady_clock;
 
-/// The longest sleep: half of the 0.2 s within which a signal ends the loop. A signal that arrives
-/// just before a sleep does not end it.
-constexpr std::chrono::milliseconds longest_sleep{100};
+/// The longest sleep while nothing moves: a signal and every event end it.
+constexpr std::chrono::hours longest_rest{24};
 
 double seconds_between(steady_clock::time_point from, steady_clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
@@ -42,6 +41,8 @@ private:
         return (hidden_ || screen_.is_busy()) && settings_.frames == 0 && settings_.output.empty();
     }
 
+    bool rests() const;
+    void sleep(steady_clock::time_point now);
     void handle_events();
     void handle(const l3d_event& event);
     void show_again();
@@ -100,6 +101,22 @@ void l3d_dispatcher_window::loop::handle_events() {
     }
 }
 
+/// Whether no picture is to be made until the next event. Each turn counts as a frame for who
+/// counts or writes them.
+bool l3d_dispatcher_window::loop::rests() const {
+    if (settings_.frames != 0 || !settings_.output.empty() || settings_.fixed_step)
+        return false;
+    return hidden_ || (!stale_ && !exposed_ && pipeline_.is_at_rest() && !pipeline_.needs_redraw());
+}
+
+/// Time that nobody sees, or that changes nothing, does not count.
+void l3d_dispatcher_window::loop::sleep(steady_clock::time_point now) {
+    if (!rests())
+        return screen_.wait(pacer_.due() - now, signals_.waker());
+    screen_.wait(longest_rest, signals_.waker());
+    last_update_ = steady_clock::now();
+}
+
 void l3d_dispatcher_window::loop::show_again() {
     if (!exposed_ || hidden_ || stale_)
         return;
@@ -131,8 +148,8 @@ l3d_exit l3d_dispatcher_window::loop::run() {
             break;
         show_again();
         const auto now = steady_clock::now();
-        if (now < pacer_.due())
-            screen_.wait(std::min<std::chrono::nanoseconds>(pacer_.due() - now, longest_sleep));
+        if (now < pacer_.due() || rests())
+            sleep(now);
         else
             make_frame(now);
     }

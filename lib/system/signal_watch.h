@@ -23,7 +23,12 @@ public:
     /// Whether one of the signals came.
     bool caught() const;
 
+    /// A file that can be read once one of the signals came, to sleep until then; -1 if the system
+    /// has no more files. Lives: as long as the watch.
+    int waker() const { return waker_; }
+
 private:
+    int waker_ = -1;
     std::array<struct sigaction, 2> before_{};
 };
 

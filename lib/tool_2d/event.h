@@ -33,7 +33,7 @@ enum class L3D_PUBLIC l3d_event_type {
     button_release, ///< a button of the mouse came up
     pointer_motion, ///< the pointer has moved
     wheel,          ///< the wheel turned by one notch
-    resize,         ///< the picture has another size now
+    resize,         ///< the picture, or l3d_screen::text_scale, has another size now
     expose,       ///< part of the window can be seen and lost its picture: it has to be shown again
     hide,         ///< nothing of the window can be seen until the next expose or reveal
     reveal,       ///< part of the window can be seen again; if it lost its picture, expose follows
@@ -53,6 +53,8 @@ struct L3D_PUBLIC l3d_event {
     int clicks = 0; ///< button_press: 2 if it followed another one soon at the same place, else 1
     bool shift = false;   ///< key_press, button_*, pointer_motion, wheel: the key Shift was held
     bool control = false; ///< the same for the key Ctrl
+    bool alt = false;     ///< the same for the key Alt
+    bool logo = false;    ///< the same for the key with the sign of a system or a maker
 };
 
 /// A thing a dispatcher can pull events from (the book's marker class, given its two calls).
@@ -66,12 +68,13 @@ public:
     /// Takes the next pending event without waiting; false if there is none.
     bool next_event(l3d_event& event) { return do_next_event(event); }
 
-    /// Sleeps until an event is pending or the time is over, whichever is first.
-    void wait(std::chrono::nanoseconds longest) { do_wait(longest); }
+    /// Sleeps until an event is pending or the time is over, whichever is first. It may wake up
+    /// earlier. Something to read in the file `waker` wakes it, too, unless that is -1.
+    void wait(std::chrono::nanoseconds longest, int waker = -1) { do_wait(longest, waker); }
 
 private:
     virtual bool do_next_event(l3d_event& event) = 0;
-    virtual void do_wait(std::chrono::nanoseconds longest) = 0;
+    virtual void do_wait(std::chrono::nanoseconds longest, int waker) = 0;
 };
 
 #endif

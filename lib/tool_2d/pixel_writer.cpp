@@ -94,6 +94,25 @@ struct pixel_writer::by_shifts {
     }
 };
 
+/// Masks of at most eight bits, some of fewer.
+struct pixel_writer::by_few_bits {
+    const pixel_writer& writer;
+    int red, green, blue;
+    std::uint32_t opaque_bits;
+    std::array<std::uint32_t, dither_side> thresholds;
+
+    by_few_bits(const pixel_writer& from, int y)
+        : writer(from), red(from.info_.red().shift), green(from.info_.green().shift),
+          blue(from.info_.blue().shift), opaque_bits(from.info_.opaque_bits()),
+          thresholds(thresholds_of_row(y)) {}
+    std::uint32_t operator()(std::uint32_t word, std::size_t x) const {
+        const auto threshold = thresholds[x % dither_side];
+        return (writer.red_[word >> 16 & 255] + threshold) / dither_pixels << red |
+               (writer.green_[word >> 8 & 255] + threshold) / dither_pixels << green |
+               (writer.blue_[word & 255] + threshold) / dither_pixels << blue | opaque_bits;
+    }
+};
+
 /// A cube of colours.
 struct pixel_writer::by_cube {
     const pixel_writer& writer;
@@ -140,6 +159,10 @@ pixel_writer::pixel_writer(const l3d_screen_info& info, int scale)
         red_ = dither_table_of(info.palette().red);
         green_ = dither_table_of(info.palette().green);
         blue_ = dither_table_of(info.palette().blue);
+    } else if (has_few_bits()) {
+        red_ = dither_table_of(1 << info.red().width);
+        green_ = dither_table_of(1 << info.green().width);
+        blue_ = dither_table_of(1 << info.blue().width);
     }
 }
 
@@ -159,6 +182,13 @@ pixel_writer::dither_table pixel_writer::dither_table_of(int levels) {
     return table;
 }
 
+/// A display with more bits in one channel and fewer in another is not worth tables of its own.
+bool pixel_writer::has_few_bits() const {
+    const auto [least, most] =
+        std::minmax({info_.red().width, info_.green().width, info_.blue().width});
+    return least < 8 && most <= 8;
+}
+
 pixel_writer::row_function pixel_writer::choose_kind() const {
     if (info_.native_is_word())
         return &pixel_writer::copy_words;
@@ -166,7 +196,9 @@ pixel_writer::row_function pixel_writer::choose_kind() const {
         return info_.palette().is_ramp() ? choose_order<by_ramp>() : choose_order<by_cube>();
     const bool bytes =
         info_.red().width == 8 && info_.green().width == 8 && info_.blue().width == 8;
-    return bytes ? choose_order<by_shifts>() : choose_order<by_tables>();
+    if (bytes)
+        return choose_order<by_shifts>();
+    return has_few_bits() ? choose_order<by_few_bits>() : choose_order<by_tables>();
 }
 
 template <class Kind> pixel_writer::row_function pixel_writer::choose_order() const {

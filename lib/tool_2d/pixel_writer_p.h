@@ -19,8 +19,8 @@ namespace l3d_detail {
 /// Each word is shown as a square of scale x scale native pixels. The native picture may end
 /// within a square: ceil(native / scale) words make it.
 ///
-/// With a palette, colours between its levels are mixed from both by an ordered dither, which
-/// stays where it is while the picture moves:
+/// With a palette, and with masks of fewer than eight bits, colours between the levels are mixed from
+/// both by an ordered dither, which stays where it is while the picture moves:
 /// - a channel shows one of the two levels around its value, so it is off by less than a step;
 /// - a value that is a level is shown as that level in every pixel;
 /// - over 8 x 8 words of one colour, whole blocks of the picture or not, the mean of what a channel
@@ -67,6 +67,7 @@ private:
     // The kinds of pixels: each knows one row, and gives the pixel of a word in it.
     struct by_tables;
     struct by_shifts;
+    struct by_few_bits;
     struct by_cube;
     struct by_ramp;
 
@@ -76,6 +77,7 @@ private:
                                         std::ptrdiff_t scale);
 
     static dither_table dither_table_of(int levels);
+    bool has_few_bits() const;
     row_function choose_kind() const;
     template <class Kind> row_function choose_order() const;
     template <class Kind, std::endian Order> row_function choose_size() const;
@@ -87,7 +89,7 @@ private:
     int scale_;
     row_function write_row_;
     replicate_function replicate_;
-    dither_table red_{}, green_{}, blue_{}; ///< of the palette, if there is one
+    dither_table red_{}, green_{}, blue_{}; ///< of the palette, or of masks of at most eight bits
 };
 
 } // namespace l3d_detail

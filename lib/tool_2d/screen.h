@@ -83,11 +83,12 @@ inline constexpr int l3d_largest_scale = 8;
 
 /// The properties that a program wants of its screen.
 struct L3D_PUBLIC l3d_screen_request {
-    l3d_size size{1024, 768};  ///< of the picture, in pixels of the program
+    l3d_size size{1024, 768};  ///< of the picture, in pixels of the program; see scale
     std::string title = "l3d"; ///< UTF-8, for people
     std::string name = "l3d";  ///< of the program, for window managers and their rules
-    /// Side of the square of the display's pixels that shows one of ours; 0: as the display's
-    /// resolution asks for.
+    /// Side of the square of the display's pixels that shows one of ours. 0: one of the display's,
+    /// and the picture is larger than `size` by as much as the display is finer than 96 dots an
+    /// inch.
     int scale = 0;
 };
 

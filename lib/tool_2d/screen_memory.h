@@ -22,7 +22,7 @@ private:
     void do_show(const l3d_pixel_box&) override {}
     std::string do_describe() const override;
     bool do_next_event(l3d_event&) override { return false; }
-    void do_wait(std::chrono::nanoseconds) override {}
+    void do_wait(std::chrono::nanoseconds, int) override {}
 
     l3d_image image_;
     l3d_screen_info info_;

@@ -22,17 +22,26 @@ inline std::optional<l3d_model_file> read_bpt_model(std::string_view text, std::
     return patches ? std::optional(l3d_model_file{{}, *std::move(patches), {}}) : std::nullopt;
 }
 
+/// l3d_read_gltf without other files.
+inline std::optional<l3d_model_file> read_gltf_model(std::string_view text, std::string_view name,
+                                                     std::string& why) {
+    return l3d_read_gltf(text, name, why);
+}
+
 struct named_model_reader {
     const char* name; ///< of the folder of its corpus, too
     l3d_model_reader* read;
+    bool has_plain_names = true; ///< names have nothing that an .obj file could not hold
 };
-inline constexpr std::array<named_model_reader, 7> model_readers{
-    {{"asc", l3d_read_asc},
+inline constexpr std::array<named_model_reader, 9> model_readers{
+    {{"asc", l3d_read_asc, false},
      {"bez", l3d_read_bez},
      {"bpt", read_bpt_model},
+     {"gltf", read_gltf_model, false},
      {"obj", l3d_read_obj},
      {"off", l3d_read_off},
      {"ply", l3d_read_ply},
+     {"stl", l3d_read_stl, false},
      {"videoscape", l3d_read_videoscape}}};
 
 /// Printable ASCII of bounded length that begins with the file's name.
@@ -72,8 +81,21 @@ inline bool survives_off(const l3d_polygon_mesh& mesh) {
     return again && again->mesh == kept;
 }
 
+/// A part without a face has no place in an .obj file; nor has the name of what has none.
+inline void forget_empty(std::vector<l3d_part_run>& parts, std::size_t count) {
+    std::vector<l3d_part_run> kept;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::size_t end = i + 1 < parts.size() ? parts[i + 1].first : count;
+        if (parts[i].first < end && !(parts[i].first == 0 && parts[i].name.empty()))
+            kept.push_back(parts[i]);
+    }
+    parts = kept;
+}
+
 inline bool survives_obj(const l3d_model_file& model) {
     l3d_model_file kept = model;
+    forget_empty(kept.mesh.parts, kept.mesh.faces());
+    forget_empty(kept.patch_parts, kept.patches.size());
     kept.mesh.face_colors.clear();
     kept.mesh.looks.clear();
     kept.notes.clear();

@@ -60,8 +60,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     check_memory(text);
-    const bool has_plain_names = fuzzed.name != std::string_view("asc");
-    const std::string wrong = wrong_with(*fuzzed.read, text, has_plain_names);
+    const std::string wrong = wrong_with(*fuzzed.read, text, fuzzed.has_plain_names);
     if (!wrong.empty())
         fail(wrong);
     return 0;

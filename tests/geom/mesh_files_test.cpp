@@ -69,7 +69,7 @@ TEST(asc_file, has_vertices_triangles_and_materials_of_named_objects) {
     EXPECT_EQ(mesh.vertices[7], vector(10, 11, 12));
     EXPECT_EQ(mesh.corners, (numbers{0, 1, 2, 3, 2, 1, 4, 5, 6, 7, 6, 5}));
     EXPECT_EQ(mesh.face_ends, (numbers{3, 6, 9, 12}));
-    EXPECT_EQ(mesh.parts, (std::vector<l3d_polygon_mesh::part>{{"The box", 0}, {"The box", 2}}));
+    EXPECT_EQ(mesh.parts, (std::vector<l3d_part_run>{{"The box", 0}, {"The box", 2}}));
     EXPECT_EQ(mesh.materials, (std::vector<std::string>{"Gold", ""}));
     EXPECT_EQ(mesh.face_materials, (numbers{1, 0, 1, 0}));
 }

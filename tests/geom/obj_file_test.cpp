@@ -44,9 +44,29 @@ TEST(obj_file, has_parts_and_materials) {
         read_after("o A  body\nf 1 2 3\nusemtl red\ng\tside \nf 2 3 4\nusemtl blue\nf 1 3 4\n"
                    "usemtl red\nf 1 2 4\n")
             .mesh;
-    EXPECT_EQ(mesh.parts, (std::vector<l3d_polygon_mesh::part>{{"A body", 0}, {"side", 1}}));
+    EXPECT_EQ(mesh.parts, (std::vector<l3d_part_run>{{"A body", 0}, {"side", 1}}));
     EXPECT_EQ(mesh.materials, (std::vector<std::string>{"red", "blue", ""}));
     EXPECT_EQ(mesh.face_materials, (numbers{2, 0, 1, 0}));
+}
+
+TEST(obj_file, has_parts_of_faces_and_of_surfaces) {
+    const std::string surface = "surf 0 1 0 1 1 2 3 4\nparm u 0 1\nparm v 0 1\nend\n";
+    const l3d_model_file file =
+        read_after("cstype bezier\ndeg 1 1\n" + surface + "g a\nf 1 2 3\n" + surface + surface +
+                   "g nothing\ng b\n" + surface + "g a\n" + surface + "f 1 2 4\n");
+    EXPECT_EQ(file.mesh.parts, (std::vector<l3d_part_run>{{"a", 0}, {"a", 1}}));
+    EXPECT_EQ(file.patch_parts, (std::vector<l3d_part_run>{{"a", 1}, {"b", 3}, {"a", 4}}));
+    const l3d_parts parts(file.patch_parts, file.patches.size());
+    EXPECT_EQ(parts.of(0), l3d_parts::none);
+    EXPECT_EQ(parts.of(1), parts.of(4));
+    EXPECT_EQ(parts.size_of(0), 3u);
+    EXPECT_EQ(parts.complaint("b"), "");
+    EXPECT_EQ(parts.complaint("nothing"), "'nothing' names no part; there are a, b");
+    std::string why;
+    const auto again = l3d_read_obj(l3d_write_obj(file), "again", why);
+    ASSERT_TRUE(again) << why;
+    EXPECT_EQ(again->mesh.parts, file.mesh.parts);
+    EXPECT_EQ(again->patch_parts, file.patch_parts);
 }
 
 TEST(obj_file, has_normals_if_every_vertex_has_just_one) {

@@ -101,11 +101,8 @@ scene random_scene(random_numbers& random, scene_kind kind) {
             eye, size};
 }
 
-/// Scene number n of a kind: the same on every machine, and by itself.
-certified_sum judged(int n) {
-    const std::size_t kind = static_cast<std::size_t>(n) % names.size();
-    random_numbers random(static_cast<std::uint64_t>(n));
-    const scene s = random_scene(random, static_cast<scene_kind>(kind));
+/// A scene with a light, a background and a tolerance at random.
+certified_sum judged(random_numbers& random, const scene& s) {
     const reference::vec3 light{random.between(-1, 1), random.between(-1, 1),
                                 random.between(0.1, 1)};
     const int ground = static_cast<int>(random.below(4)) * 85;
@@ -118,6 +115,15 @@ certified_sum judged(int n) {
                                      {.background = static_cast<double>(ground)});
     certified_sum result;
     result.add(certified(s, settings), exact);
+    return result;
+}
+
+/// Scene number n of a kind: the same on every machine, and by itself.
+certified_sum judged(int n) {
+    const std::size_t kind = static_cast<std::size_t>(n) % names.size();
+    random_numbers random(static_cast<std::uint64_t>(n));
+    const scene s = random_scene(random, static_cast<scene_kind>(kind));
+    certified_sum result = judged(random, s);
     if (result.exceptions > 0)
         result.where = "scene " + std::to_string(n) + ", " + names[kind] + ' ' + result.where;
     return result;
@@ -145,6 +151,21 @@ void expect_within_bounds(int first, int scenes) {
 
 TEST(certified_scenes, random_ones_are_within_their_bounds) {
     expect_within_bounds(0, sanitized ? 18 : 108);
+}
+
+/// Normals vanish along such folds, and whatever is drawn there, the map must doubt it.
+TEST(certified_scenes, that_fold_in_their_own_plane_are_within_their_bounds) {
+    certified_sum all;
+    for (std::uint64_t seed = 0; seed < (sanitized ? 2 : 10); ++seed) {
+        random_numbers random(seed);
+        const reference::camera eye = any_camera(random, 6);
+        const double fold = random.between(0.4, 1.5);
+        all.add(
+            judged(random, {reference::random_tiling(random.next(), 3, fold, 0, eye, picture_size),
+                            eye, size}));
+    }
+    all.print("folds in a plane");
+    EXPECT_EQ(all.exceptions, 0) << all.where;
 }
 
 /// An hour on one core.

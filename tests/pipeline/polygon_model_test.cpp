@@ -122,7 +122,7 @@ TEST(polygon_model, of_a_file_is_that_of_its_polygons_and_patches) {
     };
     std::ofstream(path) << l3d_teapot_bpt();
     EXPECT_EQ(l3d_polygon_model::load(path).mesh(),
-              l3d_tessellated(l3d_patch_model::teapot(), l3d_usual_facets).mesh);
+              l3d_tessellated(l3d_patch_model::teapot().with_parts({}), l3d_usual_facets).mesh);
     const l3d_polygon_mesh sphere = l3d_sphere_mesh(9, 5, 2);
     std::ofstream(path) << l3d_write_off(sphere);
     EXPECT_EQ(l3d_polygon_model::load(path).mesh().vertices, sphere.vertices);
@@ -130,6 +130,47 @@ TEST(polygon_model, of_a_file_is_that_of_its_polygons_and_patches) {
     EXPECT_EQ(refusal_of("OFF\n1 0 0\n0 0\n").find(path + ':'), 0u);
     std::filesystem::remove(path);
     EXPECT_THROW(l3d_polygon_model::load(path), l3d_error);
+}
+
+TEST(polygon_model, shows_hides_and_paints_named_parts) {
+    const l3d_polygon_model all(l3d_tessellated(l3d_patch_model::teapot(), 4).mesh);
+    ASSERT_EQ(all.parts().names().size(), 4u);
+    const std::array<std::size_t, 2> chosen{*all.parts().find("lid"), *all.parts().find("spout")};
+    const l3d_polygon_model painted =
+        all.part_painted(*all.parts().find("lid"), {.color = 0xff0000});
+    const l3d_polygon_model some = painted.only(chosen), others = painted.without(chosen);
+    EXPECT_EQ(some.triangles().size() + others.triangles().size(), all.triangles().size());
+    EXPECT_EQ(some.mesh(), all.mesh());
+    std::size_t red = 0;
+    for (const l3d_model_triangle& t : some.triangles()) {
+        const std::string_view part = some.parts().name_of(t.face);
+        EXPECT_TRUE(part == "lid" || part == "spout") << part;
+        const l3d_material look = some.materials()[some.material_of(t.face)];
+        EXPECT_EQ(look.color, part == "lid" ? 0xff0000u : 0xffffffu);
+        red += part == "lid";
+    }
+    EXPECT_EQ(red, all.parts().size_of(chosen[0]));
+    for (const l3d_model_triangle& t : others.triangles())
+        EXPECT_TRUE(others.parts().name_of(t.face) == "body" ||
+                    others.parts().name_of(t.face) == "handle");
+}
+
+TEST(polygon_model, with_creases_keeps_those_of_the_parts_that_are_shown) {
+    l3d_polygon_mesh mesh = l3d_sphere_mesh(8, 3, 1);
+    mesh.parts = {{"north", 0}, {"south", static_cast<std::uint32_t>(mesh.faces() / 2)}};
+    const l3d_polygon_model all(mesh);
+    ASSERT_TRUE(all.has_creases());
+    const std::array<std::size_t, 1> south{1};
+    const l3d_polygon_model half = all.only(south);
+    std::size_t i = 0;
+    for (std::size_t t = 0; t < all.triangles().size(); ++t) {
+        if (all.parts().of(all.triangles()[t].face) != 1)
+            continue;
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            EXPECT_EQ(half.corner_normal(i, corner), all.corner_normal(t, corner));
+        ++i;
+    }
+    EXPECT_EQ(i, half.triangles().size());
 }
 
 TEST(polygon_model, tessellated_patches_share_their_boundaries) {

@@ -102,6 +102,22 @@ double distance(const vector& a, const wide& b) {
     return static_cast<double>(std::sqrt(dot(d, d)));
 }
 
+TEST(polygon_pick, names_the_part_and_passes_by_what_is_hidden) {
+    const l3d_polygon_model all(l3d_tessellated(l3d_patch_model::teapot(), 7).mesh);
+    const l3d_camera camera{
+        .eye = {0.3, 9.0, 0.2}, .target = {0.3, 0.0, 0.2}, .up = {0.0, 0.0, 1.0}};
+    const l3d_polygon_view view(camera, size, l3d_projection::perspective, l3d_identity<double>());
+    const double x = size.width / 2.0, y = size.height / 2.0;
+    const auto lid = l3d_polygon_pick_at(all, view, false, x, y);
+    ASSERT_TRUE(lid);
+    EXPECT_EQ(lid->part, "lid");
+    EXPECT_NE(lid->text().find("\npart lid\n"), std::string::npos) << lid->text();
+    EXPECT_TRUE(lid->line().starts_with("lid, face ")) << lid->line();
+    const std::array<std::size_t, 1> hidden{*all.parts().find("lid")};
+    const auto none = l3d_polygon_pick_at(all.without(hidden), view, false, x, y);
+    EXPECT_FALSE(none && none->part == "lid"); // the teapot has no bottom
+}
+
 TEST(polygon_pick, finds_face_and_weights_within_its_errors) {
     const l3d_polygon_model model(l3d_tessellated(l3d_patch_model::teapot(), 7).mesh);
     const l3d_camera camera = dice_tests::oblique_camera();

@@ -121,9 +121,10 @@ TEST(Refine, DrawsWhatTheSlowTwinDraws) {
             SCOPED_TRACE(testing::Message() << "mode " << int(mode) << ", seed " << n);
             ASSERT_GT(errors.outlines, 100);
             // Here and there shading jumps from facet to facet by less than what counts as an edge,
-            // and no centre sees what is thinner than a pixel.
-            EXPECT_LT(errors.rms(), 0.15);
-            EXPECT_LT(errors.rms(), 0.5 * of_stairs.rms());
+            // and no centre sees what is thinner than a pixel. Limits are 1.2 times what was
+            // measured: 0.071, and 0.27 of the stairs' error.
+            EXPECT_LT(errors.rms(), 0.085);
+            EXPECT_LT(errors.rms(), 0.32 * of_stairs.rms());
         }
 }
 

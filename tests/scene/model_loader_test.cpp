@@ -51,6 +51,28 @@ TEST(model_loader, notes_a_file_of_materials_that_is_not_there) {
     EXPECT_THROW(l3d_load_model(folder.file("b.obj"), "b.obj"), l3d_error);
 }
 
+TEST(model_loader, names_materials_that_no_file_describes) {
+    const temporary_folder folder;
+    const std::string model = folder.file("a.obj");
+    write(model, triangle);
+    const l3d_model_file file = l3d_load_model(model, "a.obj");
+    ASSERT_EQ(file.notes.size(), 1u);
+    EXPECT_EQ(file.notes[0], "a.obj: no .mtl file describes 'red'; such materials are white");
+    write(folder.file("a.mtl"), "newmtl 1\nKd 1 0 0\n");
+    std::string many = "mtllib a.mtl\n" + std::string(triangle);
+    for (const char* const name : {"1", "2", "3", "4", "5", "6", "7"})
+        many += "usemtl " + std::string(name) + "\nf 1 2 3\n";
+    write(model, many);
+    ASSERT_EQ(l3d_load_model(model, "a.obj").notes.size(), 1u);
+    EXPECT_EQ(l3d_load_model(model, "a.obj").notes[0],
+              "a.obj: no .mtl file describes 'red', '2', '3', '4', '5' and 2 more; such materials "
+              "are white");
+    write(model, "Named object: \"a\"\nTri-mesh, Vertices: 3 Faces: 1\nVertex list:\n"
+                 "Vertex 0: X:0 Y:0 Z:0\nVertex 1: X:1 Y:0 Z:0\nVertex 2: X:0 Y:1 Z:0\n"
+                 "Face list:\nFace 0: A:0 B:1 C:2 AB:1 BC:1 CA:1\nMaterial:\"r1g2b3a0\"\n");
+    EXPECT_TRUE(l3d_load_model(model, "a.asc").notes.empty());
+}
+
 TEST(model_loader, gives_patches_their_materials) {
     const temporary_folder folder;
     const std::string model = folder.file("a.obj");

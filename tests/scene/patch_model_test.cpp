@@ -7,10 +7,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace {
 
@@ -43,6 +46,37 @@ TEST(patch_model, of_a_file_is_that_of_its_text) {
     ASSERT_EQ(model.patches().size(), 28u);
     for (std::size_t i = 0; i < 28; ++i)
         EXPECT_EQ(model.patches()[i].points, teapot.patches()[i].points);
+}
+
+TEST(patch_model, shows_hides_and_paints_the_parts_of_the_teapot) {
+    const l3d_patch_model teapot = l3d_patch_model::teapot();
+    const l3d_parts& parts = teapot.parts();
+    ASSERT_EQ(std::vector(parts.names().begin(), parts.names().end()),
+              (std::vector<std::string>{"body", "handle", "spout", "lid"}));
+    const std::size_t lid = *parts.find("lid");
+    // The lid is all that is above the rim's lower edge and nearer to the axis than the rim.
+    for (std::size_t i = 0; i < teapot.patches().size(); ++i) {
+        const auto [least, most] = teapot.patches()[i].bounds();
+        const bool is_lid = least[1] >= 2.25 && std::max(most[0], -least[0]) <= 1.3;
+        EXPECT_EQ(parts.of(i) == lid, is_lid) << i;
+        EXPECT_EQ(parts.name_of(i) == "handle", most[0] < -1) << i;
+        EXPECT_EQ(parts.name_of(i) == "spout", least[0] > 1) << i;
+    }
+    const l3d_patch_model painted = teapot.part_painted(lid, {.color = 0xff0000});
+    const std::array<std::size_t, 1> chosen{lid};
+    const l3d_patch_model alone = painted.only(chosen), rest = painted.without(chosen);
+    ASSERT_EQ(alone.patches().size(), 8u);
+    ASSERT_EQ(rest.patches().size(), 20u);
+    for (std::size_t i = 0; i < 8; ++i) {
+        EXPECT_EQ(alone.patches()[i].points, teapot.patches()[20 + i].points);
+        EXPECT_EQ(alone.materials()[alone.material_of(i)].color, 0xff0000u);
+        EXPECT_EQ(alone.parts().name_of(i), "lid");
+    }
+    for (std::size_t i = 0; i < 20; ++i)
+        EXPECT_EQ(rest.patches()[i].points, teapot.patches()[i].points);
+    EXPECT_TRUE(rest.materials().empty());
+    EXPECT_EQ(rest.parts().names().size(), 3u);
+    EXPECT_EQ(painted.identity(), teapot.identity());
 }
 
 TEST(patch_model, says_why_a_file_has_none) {

@@ -3,6 +3,7 @@
 #include "scene/pick.h"
 
 #include "bodies.h"
+#include "quadric.h"
 #include "teapot_studio.h"
 
 #include "geom/transform.h"
@@ -171,6 +172,23 @@ TEST(pick, of_random_patches_of_every_kind_keep_their_errors) {
     }
 }
 
+TEST(pick, names_the_part_of_what_is_shown) {
+    const l3d_patch_model teapot = l3d_patch_model::teapot();
+    const l3d_camera camera{.eye = {0.3, 9.0, 0.2}, .target = {3.0, 2.3, 0.0}};
+    const l3d_size picture{64, 48};
+    const auto spout = l3d_pick_at(teapot, {camera, picture}, 32, 24);
+    ASSERT_TRUE(spout);
+    EXPECT_EQ(spout->part, "spout");
+    EXPECT_NE(spout->text().find("\npart spout\n"), std::string::npos) << spout->text();
+    EXPECT_TRUE(spout->line().starts_with("spout, patch ")) << spout->line();
+    const std::array<std::size_t, 1> hidden{*teapot.parts().find("spout")};
+    const auto other = l3d_pick_at(teapot.without(hidden), {camera, picture}, 32, 24);
+    EXPECT_FALSE(other && other->part == "spout");
+    const auto nameless = l3d_pick_at(teapot.with_parts({}), {camera, picture}, 32, 24);
+    ASSERT_TRUE(nameless);
+    EXPECT_EQ(nameless->text().find("part"), std::string::npos);
+}
+
 TEST(pick, of_placed_models_tells_the_instance) {
     const auto placement = l3d_translation<double>(0.5, -1, 1) * l3d_rotation_z<double>(31) *
                            l3d_scaling<double>(-0.4, 0.5, 0.6);
@@ -211,21 +229,6 @@ TEST(pick, beyond_a_clipping_plane_is_what_lies_behind) {
     EXPECT_GT(counts.picks, 50);
 }
 
-/// z = f(x, y) over [-1, 1]^2 for f = a x^2 + b x y + c y^2, as a patch.
-l3d_patch_model quadric(double a, double b, double c) {
-    // The blossom of x^2 at t1, t2 in {-1, -1/3, ...}: control values of -1..1 are -1, -1/3,
-    // 1/3, 1.
-    constexpr std::array<double, 4> linear{-1, -1.0 / 3, 1.0 / 3, 1},
-        square{1, -1.0 / 3, -1.0 / 3, 1};
-    l3d_patch_model::patch patch;
-    for (std::size_t i = 0; i < 16; ++i) {
-        const std::size_t u = i % 4, v = i / 4;
-        patch.points[i] = {linear[u], linear[v],
-                           a * square[u] + b * linear[u] * linear[v] + c * square[v]};
-    }
-    return l3d_patch_model(std::vector{patch});
-}
-
 TEST(pick, curvatures_are_those_of_closed_forms) {
     const l3d_camera camera{.eye = {0.3, -0.4, 9.0}, .target = {0.1, 0.0, 0.0}};
     random_numbers random(3);
@@ -233,22 +236,17 @@ TEST(pick, curvatures_are_those_of_closed_forms) {
     for (int i = 0; i < 300; ++i) {
         const double a = random.between(-2, 2), b = random.between(-2, 2),
                      c = random.between(-2, 2);
-        const auto pick = l3d_pick_at(quadric(a, b, c), {camera, size}, random.between(50, 100),
+        const quadric exact{a, b, c};
+        const auto pick = l3d_pick_at(exact.model(), {camera, size}, random.between(50, 100),
                                       random.between(30, 90));
         if (!pick || !pick->is_proven)
             continue;
         ++picks;
         const double x = pick->point[0], y = pick->point[1];
         EXPECT_NEAR(pick->point[2], a * x * x + b * x * y + c * y * y, 1e-13);
-        const double fx = 2 * a * x + b * y, fy = b * x + 2 * c * y;
-        const double square = 1 + fx * fx + fy * fy;
-        const double gaussian = (4 * a * c - b * b) / (square * square);
-        double mean = ((1 + fx * fx) * 2 * c - 2 * fx * fy * b + (1 + fy * fy) * 2 * a) /
-                      (2 * square * std::sqrt(square));
-        if (pick->normal[2] < 0)
-            mean = -mean;
+        const double mean = exact.mean(x, y) * (pick->normal[2] < 0 ? -1 : 1);
         // Of the closed forms themselves, since x and y are off by the pick's error.
-        EXPECT_NEAR(pick->gaussian, gaussian, pick->gaussian_error + 1e-13);
+        EXPECT_NEAR(pick->gaussian, exact.gaussian(x, y), pick->gaussian_error + 1e-13);
         EXPECT_NEAR(pick->mean, mean, pick->mean_error + 1e-13);
         EXPECT_LT(pick->gaussian_error, 1e-10);
         EXPECT_LT(pick->mean_error, 1e-10);
@@ -292,7 +290,7 @@ TEST(pick, at_a_pole_where_an_edge_is_a_point_has_no_normal_and_says_so) {
 TEST(pick, at_a_silhouette_tells_how_blurred_it_is) {
     const l3d_camera camera{
         .eye = {0.0, -30.0, 0.0}, .target = {0.0, 0.0, 0.0}, .up = {0.0, 0.0, 1.0}};
-    const l3d_patch_model hill = quadric(-1, 0, -1);
+    const l3d_patch_model hill = quadric{-1, 0, -1}.model();
     const auto touching = l3d_pick_at(hill, {camera, {64, 48}}, 32, 24);
     ASSERT_TRUE(touching);
     EXPECT_FALSE(touching->is_proven);
@@ -307,7 +305,7 @@ TEST(pick, at_a_silhouette_tells_how_blurred_it_is) {
 TEST(pick, of_a_plane_seen_edge_on_ends) {
     const l3d_camera camera{
         .eye = {0.2, -30.0, 0.0}, .target = {0.2, 0.0, 0.0}, .up = {0.0, 0.0, 1.0}};
-    const auto edge = l3d_pick_at(quadric(0, 0, 0), {camera, {64, 48}}, 32, 24);
+    const auto edge = l3d_pick_at(quadric{0, 0, 0}.model(), {camera, {64, 48}}, 32, 24);
     ASSERT_TRUE(edge);
     EXPECT_FALSE(edge->is_proven);
     EXPECT_LE(std::abs(edge->depth - 29), edge->point_error);
@@ -357,10 +355,11 @@ TEST(pick, text_names_every_value_with_its_error) {
     const auto pick = l3d_pick_at(teapot_model(), {oblique_camera(), size}, 78, 59);
     ASSERT_TRUE(pick);
     const std::string text = pick->text();
-    for (const char* const name : {"patch ", "\nu ", "\nv ", "\npoint ", "\ndepth ", "\nnormal ",
-                                   "\ngaussian-curvature ", "\nmean-curvature ", "\nproven yes\n"})
+    for (const char* const name :
+         {"patch ", "\npart ", "\nu ", "\nv ", "\npoint ", "\ndepth ", "\nnormal ",
+          "\ngaussian-curvature ", "\nmean-curvature ", "\nproven yes\n"})
         EXPECT_NE(text.find(name), std::string::npos) << name << " in\n" << text;
-    EXPECT_EQ(std::ranges::count(text, '\n'), 9);
+    EXPECT_EQ(std::ranges::count(text, '\n'), 10);
 }
 
 } // namespace

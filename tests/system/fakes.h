@@ -48,7 +48,9 @@ public:
     bool window = true;
     bool busy = false;
     double fps = 60;
-    std::string remark; ///< told once
+    std::string remark;              ///< told once
+    bool naps_until_arrival = false; ///< long waits end at once as long as something is to arrive
+    std::function<void()> on_wait = [] {};
 
 private:
     l3d_pixels do_pixels() override { return image_.pixels(); }
@@ -75,10 +77,11 @@ private:
         return true;
     }
 
-    void do_wait(std::chrono::nanoseconds longest) override {
+    void do_wait(std::chrono::nanoseconds longest, int) override {
         ++waits;
         longest_wait = std::max(longest_wait, longest);
-        if (arrivals.empty()) {
+        on_wait();
+        if (arrivals.empty() || (naps_until_arrival && longest < std::chrono::seconds(1))) {
             std::this_thread::sleep_for(longest);
             return;
         }
@@ -99,6 +102,7 @@ public:
     fake_pipeline(call_log& log, l3d_screen& screen) : log_(log), screen_(screen) {}
 
     bool lazy = false;                    ///< never needs to be redrawn
+    bool rests = false;                   ///< time changes nothing
     bool skips = false;                   ///< its pictures do not depend on each other
     std::optional<l3d_pixel_box> changes; ///< in every frame; else all
     std::vector<double> steps;
@@ -130,6 +134,7 @@ public:
         return skips;
     }
     bool needs_redraw() const override { return !lazy; }
+    bool is_at_rest() const override { return rests; }
     void frame_event(const l3d_frame_times& frame) override {
         log_.push_back("frame");
         times.push_back(frame);

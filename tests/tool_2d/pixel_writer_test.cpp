@@ -33,17 +33,18 @@ bytes converted(l3d_pixel_layout layout, std::endian order) {
 
 TEST(pixel_writer, bits_8) {
     const l3d_pixel_layout layout{8, 8, 0xE0, 0x1C, 0x03, std::endian::little, 32};
-    // (0, 255, 128) -> 0, 7, 1; (18, 52, 86) -> 0, 1, 1; (254, 220, 186) -> 6, 6, 2.
-    const bytes expected{0x1D, 0x05, 0xDA};
+    // Row 5 of the square begins 51, 19, 59. At 19, half a gap above level 0 goes up to 1.
+    // (0, 255, 128) -> 0, 7, 1; (18, 52, 86) -> 1, 2, 1; (254, 220, 186) -> 7, 6, 2.
+    const bytes expected{0x1D, 0x29, 0xFA};
     EXPECT_EQ(converted(layout, std::endian::little), expected);
     EXPECT_EQ(converted(layout, std::endian::big), expected);
 }
 
 TEST(pixel_writer, bits_16) {
     const l3d_pixel_layout layout{16, 16, 0xF800, 0x07E0, 0x001F, std::endian::little, 32};
-    // (0, 63, 15), (2, 12, 10), (30, 54, 22).
-    EXPECT_EQ(converted(layout, std::endian::little), (bytes{0xEF, 0x07, 0x8A, 0x11, 0xD6, 0xF6}));
-    EXPECT_EQ(converted(layout, std::endian::big), (bytes{0x07, 0xEF, 0x11, 0x8A, 0xF6, 0xD6}));
+    // (0, 63, 15), (2, 13, 11), (30, 54, 22).
+    EXPECT_EQ(converted(layout, std::endian::little), (bytes{0xEF, 0x07, 0xAB, 0x11, 0xD6, 0xF6}));
+    EXPECT_EQ(converted(layout, std::endian::big), (bytes{0x07, 0xEF, 0x11, 0xAB, 0xF6, 0xD6}));
 }
 
 TEST(pixel_writer, bits_24_packed) {
@@ -255,6 +256,13 @@ public:
     block(int red, int green, int blue)
         : red_(red), green_(green), blue_(blue), info_(layout(), numbered()) {}
 
+    /// Masks, from the highest bit on and without gaps: pixels tell their levels, too.
+    explicit block(const l3d_pixel_layout& masks) : red_(0), green_(0), blue_(0), info_(masks) {
+        red_ = 1 << info_.red().width;
+        green_ = 1 << info_.green().width;
+        blue_ = 1 << info_.blue().width;
+    }
+
     /// Channels of the 64 pixels, 0..255; those of a ramp are all alike.
     std::array<std::array<int, 3>, 64> show(std::uint32_t word, int first_y) const {
         std::array<std::array<int, 3>, 64> seen{};
@@ -349,6 +357,19 @@ TEST(dither, keeps_its_promises) {
                 std::max(worst, check_promises(shown, word, static_cast<int>(i % 11), green == 1));
         }
         EXPECT_LE(worst, 1 / 128.0 + 1e-12) << red << "x" << green << "x" << blue;
+    }
+}
+
+TEST(dither, keeps_its_promises_on_15_and_16_bits) {
+    for (const auto& layout :
+         {l3d_pixel_layout{15, 16, 0x7C00, 0x03E0, 0x001F, std::endian::native, 32},
+          l3d_pixel_layout{16, 16, 0xF800, 0x07E0, 0x001F, std::endian::native, 32}}) {
+        const block shown(layout);
+        double worst = 0;
+        for (std::uint32_t i = 0; i < 256; ++i)
+            worst = std::max(worst, check_promises(shown, i << 16 | (i * 77 & 255) << 8 | (255 - i),
+                                                   static_cast<int>(i % 11), false));
+        EXPECT_LE(worst, 1 / 128.0 + 1e-12) << layout.describe();
     }
 }
 

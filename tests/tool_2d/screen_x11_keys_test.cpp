@@ -37,7 +37,7 @@ TEST(screen_x11_keys, keys) {
     };
     EXPECT_EQ(pressed(XK_q, 0), 'q');
     EXPECT_EQ(pressed(XK_q, ShiftMask), 'Q');
-    EXPECT_EQ(pressed(XK_q, LockMask), 'Q');
+    EXPECT_EQ(pressed(XK_q, LockMask), 'q');
     EXPECT_EQ(pressed(XK_q, ControlMask), 'q');
     EXPECT_EQ(pressed(XK_1, ShiftMask), '!');
     EXPECT_EQ(pressed(XK_space, 0), ' ');

@@ -35,10 +35,20 @@ inline int shown_level(int value, int levels, int x, int y) {
 }
 
 inline std::uint32_t shown_pixel(const l3d_screen_info& info, std::uint32_t word, int x, int y) {
-    if (!info.has_palette())
-        return info.to_display(word);
-    const auto& palette = info.palette();
     const auto channel = [&](int shift) { return static_cast<int>(word >> shift & 255); };
+    if (!info.has_palette()) {
+        std::uint32_t pixel = info.opaque_bits();
+        int shift = 16;
+        for (const l3d_channel place : {info.red(), info.green(), info.blue()}) {
+            if (place.width > 8)
+                return info.to_display(word);
+            const int level = shown_level(channel(shift), 1 << place.width, x, y);
+            pixel |= static_cast<std::uint32_t>(level) << place.shift;
+            shift -= 8;
+        }
+        return pixel;
+    }
+    const auto& palette = info.palette();
     const int gray = static_cast<int>(
         std::floor((299 * channel(16) + 587 * channel(8) + 114 * channel(0)) / 1000.0 + 0.5));
     const int red = shown_level(palette.is_ramp() ? gray : channel(16), palette.red, x, y);

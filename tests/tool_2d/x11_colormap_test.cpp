@@ -361,7 +361,7 @@ TEST(x11_colormap, is_installed_if_nobody_else_does) {
     ASSERT_NE(window, nullptr) << refusal.why;
     EXPECT_FALSE(window->colormap().is_shared());
     window->map();
-    window->focus_if_unmanaged();
+    window->take_focus();
     XSync(window->display(), False);
     EXPECT_EQ(installed_maps(looker), std::vector{window->colormap().id()});
 }

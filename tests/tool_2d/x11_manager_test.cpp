@@ -30,10 +30,12 @@ public:
           // A window may be gone by the time its wish is granted.
           handler_(XSetErrorHandler([](Display*, XErrorEvent*) { return 0; })) {
         XSelectInput(display(), eyes_.root(), SubstructureRedirectMask);
-        if (knows_fullscreen)
+        if (knows_fullscreen) {
             XChangeProperty(display(), eyes_.root(), atom("_NET_SUPPORTED"), XA_ATOM, 32,
                             PropModeReplace, reinterpret_cast<const unsigned char*>(&fullscreen_),
                             1);
+            show_that_it_lives();
+        }
         XSync(display(), False);
         thread_ = std::thread([this] { run(); });
     }
@@ -50,6 +52,13 @@ public:
 private:
     Display* display() const { return eyes_.display(); }
     Atom atom(const char* name) const { return eyes_.atom(name); }
+
+    void show_that_it_lives() {
+        const Window check = XCreateSimpleWindow(display(), eyes_.root(), -9, -9, 1, 1, 0, 0, 0);
+        for (const Window window : {eyes_.root(), check})
+            XChangeProperty(display(), window, atom("_NET_SUPPORTING_WM_CHECK"), XA_WINDOW, 32,
+                            PropModeReplace, reinterpret_cast<const unsigned char*>(&check), 1);
+    }
 
     void run() {
         while (!over_) {
@@ -107,6 +116,17 @@ std::array<int, 4> place_of(const onlooker& other) {
     return {window.x, window.y, window.width, window.height};
 }
 
+/// Whether the screen comes to believe this; it asks, and the answer takes its time.
+bool comes_to_be(l3d_screen& screen, bool fullscreen) {
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    screen.show(); // it asks for the first time after the first picture
+    while (screen.is_fullscreen() != fullscreen && std::chrono::steady_clock::now() < deadline) {
+        screen.wait(1ms);
+        drop_events(screen);
+    }
+    return screen.is_fullscreen() == fullscreen;
+}
+
 TEST(x11_fullscreen, covers_the_screen_and_goes_back) {
     const xvfb server("301x207x24");
     L3D_REQUIRE_SERVER(server);
@@ -139,10 +159,10 @@ TEST(x11_fullscreen, is_asked_of_the_window_manager) {
     drop_events(*screen);
     screen->set_fullscreen(true);
     EXPECT_EQ(next(*screen, l3d_event_type::resize)->size, whole);
-    EXPECT_TRUE(screen->is_fullscreen());
+    EXPECT_TRUE(comes_to_be(*screen, true));
     screen->set_fullscreen(false);
     EXPECT_EQ(next(*screen, l3d_event_type::resize)->size, odd_size);
-    EXPECT_FALSE(screen->is_fullscreen());
+    EXPECT_TRUE(comes_to_be(*screen, false));
     EXPECT_EQ(theirs.asked(), 2);
 }
 
@@ -165,12 +185,13 @@ TEST(x11_fullscreen, the_window_manager_may_change_its_mind) {
     const auto screen = make();
     screen->set_fullscreen(true);
     next(*screen, l3d_event_type::resize);
+    EXPECT_TRUE(comes_to_be(*screen, true));
     const onlooker other;
     XDeleteProperty(other.display(), other.window(), other.atom("_NET_WM_STATE"));
     XResizeWindow(other.display(), other.window(), 77, 55);
     XSync(other.display(), False);
     next(*screen, l3d_event_type::resize);
-    EXPECT_FALSE(screen->is_fullscreen());
+    EXPECT_TRUE(comes_to_be(*screen, false));
 }
 
 TEST(x11_fullscreen, hides_a_pointer_that_rests) {
@@ -183,11 +204,21 @@ TEST(x11_fullscreen, hides_a_pointer_that_rests) {
     const auto window =
         x11_window::open(std::move(connection), *visual, {odd_size, "pointer"}, refusal);
     ASSERT_NE(window, nullptr) << refusal.why;
-    x11_fullscreen fullscreen(*window);
+    x11_state state(*window);
+    x11_fullscreen fullscreen(*window, state, odd_size);
+    const auto set = [&](bool on) {
+        fullscreen.set(on);
+        while (state.is_asking()) {
+            XEvent event;
+            XNextEvent(window->display(), &event);
+            if (state.take(event))
+                fullscreen.follow();
+        }
+    };
     const auto requests = [&](const std::function<void()>& action) {
-        const auto before = NextRequest(window->display());
+        const auto before = XNextRequest(window->display());
         action();
-        return NextRequest(window->display()) - before;
+        return XNextRequest(window->display()) - before;
     };
     const auto rest = [&](auto time) {
         return requests([&] { fullscreen.rest(x11_fullscreen::clock::now() + time); });
@@ -195,14 +226,14 @@ TEST(x11_fullscreen, hides_a_pointer_that_rests) {
     XEvent motion{};
     motion.type = MotionNotify;
     EXPECT_EQ(rest(1h), 0U) << "it is the desktop's";
-    fullscreen.set(true);
+    set(true);
     EXPECT_EQ(rest(1500ms), 0U);
     EXPECT_GT(rest(2s), 0U);
     EXPECT_EQ(rest(3s), 0U) << "hidden already";
     EXPECT_EQ(requests([&] { fullscreen.take(motion); }), 1U) << "shown again";
     EXPECT_EQ(requests([&] { fullscreen.take(motion); }), 0U);
     EXPECT_GT(rest(2s), 0U);
-    EXPECT_GT(requests([&] { fullscreen.set(false); }), 1U) << "moved, and shown again";
+    EXPECT_GT(requests([&] { set(false); }), 1U) << "moved, and shown again";
     EXPECT_EQ(rest(1h), 0U);
     XSync(window->display(), False);
     EXPECT_FALSE(window->connection().lost());

@@ -2,6 +2,7 @@
 // X11 windows: names, scale, and what several of a display's pixels for one of ours change.
 #include "onlooker_x11.h"
 
+#include "tool_2d/x11/x11_resolution_p.h"
 #include "tool_2d/x11/x11_scale_p.h"
 #include "tool_2d/x11/x11_visual_p.h"
 #include "tool_2d/x11/x11_window_p.h"
@@ -148,55 +149,56 @@ TEST(x11_window, an_error_of_the_server_is_a_refusal) {
     EXPECT_EQ(refusal.why, "the X server does not make a window of 141x83");
 }
 
-/// The scale on a display with these resources; for the width that a picture shall have.
-int scale_with(const onlooker& other, const std::string& resources, int width) {
+/// The width of a picture that shall have this one, on a display with these resources.
+int width_with(const onlooker& other, const std::string& resources, int width) {
     XChangeProperty(other.display(), other.root(), XA_RESOURCE_MANAGER, XA_STRING, 8,
                     PropModeReplace, reinterpret_cast<const unsigned char*>(resources.data()),
                     static_cast<int>(resources.size()));
     XSync(other.display(), False);
     std::string why;
     const auto connection = x11_connection::open(why);
-    return connection ? x11_scale(*connection, {{width, 11}, "asked"}) : -1;
+    return connection ? x11_picture_size(*connection, {{width, 11}, "asked"}).width : -1;
 }
 
-TEST(x11_scale, is_what_the_displays_resources_ask_for) {
+TEST(x11_scale, pictures_are_as_much_larger_as_the_display_is_finer) {
     const xvfb server("301x207x24");
     L3D_REQUIRE_SERVER(server);
     const onlooker other;
     struct expectation {
         const char* resources;
-        int width, scale;
+        int width, larger;
     };
-    for (const auto& [resources, width, scale] :
-         std::vector<expectation>{{"", 100, 1},
-                                  {"Xft.dpi:\t96\n", 100, 1},
-                                  {"Xft.dpi:\t143\n", 100, 1},
-                                  {"Xft.dpi:\t144\n", 100, 2},
-                                  {"Xcursor.size: 24\nXft.dpi: 192\nXft.hinting: 1\n", 100, 2},
-                                  {"*dpi: 288.5\n", 100, 3},
-                                  {"Xft.dpi: 100000\n", 100, 8},
-                                  {"Xft.dpi: 48\n", 100, 1},
-                                  {"Xft.dpi: -192\n", 100, 1},
-                                  {"Xft.dpi: nan\n", 100, 1},
-                                  {"Xft.dpi: inf\n", 100, 8},
-                                  {"Xft.dpi: large\n", 100, 1},
-                                  {"Xft.dpi:\n", 100, 1},
-                                  {"Xft.dpi: 384\n", 10000, 3}, // 4 * 10000 is more than X counts
-                                  {"Xft.dpi: 384\n", 40000, 1}})
-        EXPECT_EQ(scale_with(other, resources, width), scale) << resources;
+    for (const auto& [resources, width, larger] :
+         std::vector<expectation>{{"", 100, 100},
+                                  {"Xft.dpi:\t96\n", 100, 100},
+                                  {"Xft.dpi:\t120\n", 100, 125},
+                                  {"Xft.dpi:\t144\n", 100, 150},
+                                  {"Xcursor.size: 24\nXft.dpi: 192\nXft.hinting: 1\n", 100, 200},
+                                  {"*dpi: 288.5\n", 100, 301},
+                                  {"Xft.dpi: 100000\n", 100, 800},
+                                  {"Xft.dpi: 48\n", 100, 100},
+                                  {"Xft.dpi: -192\n", 100, 100},
+                                  {"Xft.dpi: nan\n", 100, 100},
+                                  {"Xft.dpi: inf\n", 100, 800},
+                                  {"Xft.dpi: large\n", 100, 100},
+                                  {"Xft.dpi:\n", 100, 100},
+                                  {"Xft.dpi: 384\n", 10000, 32767}, // X counts no further
+                                  {"Xft.dpi: 384\n", 40000, 40000}})
+        EXPECT_EQ(width_with(other, resources, width), larger) << resources;
 }
 
-TEST(x11_scale, is_what_the_program_asks_for_first) {
+TEST(x11_scale, a_program_that_asks_for_a_scale_gets_its_size) {
     const xvfb server("301x207x24");
     L3D_REQUIRE_SERVER(server);
     const onlooker other;
-    EXPECT_EQ(scale_with(other, "Xft.dpi: 192\n", 100), 2);
+    EXPECT_EQ(width_with(other, "Xft.dpi: 192\n", 100), 200);
     std::string why;
     const auto connection = x11_connection::open(why);
     l3d_screen_request request{odd_size, "asked"};
     for (const int scale : {1, 5, l3d_largest_scale}) {
         request.scale = scale;
-        EXPECT_EQ(x11_scale(*connection, request), scale);
+        EXPECT_EQ(x11_scale(request), scale);
+        EXPECT_EQ(x11_picture_size(*connection, request), odd_size);
     }
 }
 
@@ -205,11 +207,63 @@ TEST(x11_scale, leaves_to_letters_what_pixels_do_not_make_up_for) {
     const xvfb server("601x407x24");
     L3D_REQUIRE_SERVER(server);
     const onlooker other;
-    EXPECT_EQ(scale_with(other, "Xft.dpi: 192\n", 100), 2);
-    for (const auto& [scale, text] : {std::pair(0, 1.0), std::pair(1, 2.0), std::pair(3, 1.0)})
+    EXPECT_EQ(width_with(other, "Xft.dpi: 192\n", 100), 200);
+    for (const auto& [scale, text] : {std::pair(0, 2.0), std::pair(1, 2.0), std::pair(3, 1.0)})
         EXPECT_EQ(make_scaled(scale)->text_scale(), text) << scale;
-    EXPECT_EQ(scale_with(other, "Xft.dpi: 120\n", 100), 1);
+    EXPECT_EQ(width_with(other, "Xft.dpi: 120\n", 100), 125);
     EXPECT_EQ(make_scaled(0)->text_scale(), 1.25);
+}
+
+/// A text of settings: Net/Name is words, Xft/Color a colour, and then the dots an inch.
+std::string settings_text(bool is_low_first, std::int32_t dots) {
+    std::string text;
+    const auto number = [&](std::uint32_t value, int bytes) {
+        for (int i = 0; i < bytes; ++i)
+            text += static_cast<char>(value >> 8 * (is_low_first ? i : bytes - 1 - i) & 255);
+    };
+    const auto name = [&](int type, const std::string& called) {
+        number(static_cast<std::uint32_t>(type), 1);
+        number(0, 1);
+        number(static_cast<std::uint32_t>(called.size()), 2);
+        text += called + std::string((4 - called.size() % 4) % 4, '\0');
+        number(7, 4); // its serial
+    };
+    number(is_low_first ? 0 : 1, 1);
+    number(0, 3);
+    number(12, 4);
+    number(3, 4);
+    name(1, "Net/Name");
+    number(5, 4);
+    text += std::string("Words\0\0\0", 8);
+    name(2, "Xft/Color");
+    number(1, 4);
+    number(2, 4);
+    name(0, "Xft/DPI");
+    number(static_cast<std::uint32_t>(dots), 4);
+    return text;
+}
+
+std::optional<double> dpi_of(const std::string& text) {
+    return xsettings_dpi({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+TEST(x11_resolution, reads_settings_in_either_order_of_bytes) {
+    for (const bool is_low_first : {true, false}) {
+        EXPECT_EQ(dpi_of(settings_text(is_low_first, 144 * 1024)), 144);
+        EXPECT_EQ(dpi_of(settings_text(is_low_first, 98304 + 512)), 96.5);
+        EXPECT_EQ(dpi_of(settings_text(is_low_first, -1)), std::nullopt);
+    }
+}
+
+TEST(x11_resolution, settings_that_are_cut_off_say_nothing) {
+    const std::string whole = settings_text(true, 144 * 1024);
+    for (std::size_t size = 0; size < whole.size(); ++size)
+        EXPECT_EQ(dpi_of(whole.substr(0, size)), std::nullopt) << size;
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+        std::string broken = whole;
+        broken[at] = static_cast<char>(0xFF);
+        dpi_of(broken); // says whatever it says, and reads nothing beyond the end
+    }
 }
 
 } // namespace

@@ -23,6 +23,7 @@ PICTURES = ("PutImage", "MIT-SHM.PutImage")
 PUTS = {"ximage": 1, "xshm": 2}  # up to the first picture: that memory is shared takes one to prove
 STARTING = {"ximage": 32, "xshm": 42}  # and ten requests
 COLOURED = ("--shade", "normals")
+LAST_OF_QUESTION = "RANDR.42"
 LAST_OF_OPENING = "XKEYBOARD.0"  # the last request that XOpenDisplay makes
 GOODBYE = 5  # seconds to end in: one by the requirement, the rest for sanitizers and a busy machine
 SEED = random.randrange(1 << 32)
@@ -103,10 +104,14 @@ def cpu_seconds(process):
 
 
 def waits_for_no_answer(program, backend):
-    """In steady state no frame has a round trip."""
+    """In steady state no frame has a round trip. The question about the window's state, once after
+    the first picture, has replies that nobody waits for."""
     with x_server() as server, Proxy(server.display) as proxy:
         with Shown(program, server, "--backend", backend, *MOVING[program],
                    display=proxy.display):
+            asked = wait_for(lambda: LAST_OF_QUESTION in proxy.mark().requests and proxy.mark(),
+                             "the question")
+            wait_for(lambda: pictures(proxy.mark() - asked) >= 3, "pictures after it")
             mark = proxy.mark()
             wait_for(lambda: pictures(proxy.mark() - mark) >= 20, "twenty pictures")
             expect_equal((proxy.mark() - mark).replied, [])
@@ -192,6 +197,7 @@ def goes_on_when_shared_memory_breaks(**faults):
     with folder() as path, x_server() as server, Proxy(server.display, **faults) as proxy:
         with Shown(TEAPOT, server, "--backend", "xshm", *harness.COUNTED, *COLOURED,
                    display=proxy.display, cwd=path) as it:
+            wait_for(lambda: pictures(proxy.mark()) >= PUTS["xshm"], "the first picture")
             for _ in range(12):
                 mark = proxy.mark()
                 it.press("Left")

@@ -10,14 +10,20 @@ from window_test import Session
 
 TEAPOT = next((program for program in harness.PROGRAMS if program.name == "teapot_afd"), None)
 
-# The Russian layout has no Latin letters: there a letter is the key at its place on a PC keyboard,
-# by number.
+# Some layouts have no Latin letters: there a letter is the key at its place on a PC keyboard, by
+# number. The Greek, the Bulgarian and the Hebrew one have signs of ASCII in the place of q.
+PLACES = dict(h=43, j=44, k=45, l=46, p=33, q=24, w=25, n=57, o=32, c=54)
 LAYOUTS = {
     "us": {},
     "de": {},
     "fr": {},
-    "ru": dict(h=43, j=44, k=45, l=46, p=33, q=24, w=25, n=57, o=32, c=54),
+    "ru": PLACES,
+    "gr": PLACES,
+    "bg": PLACES,
+    "il": PLACES,
 }
+# Two groups of a layout of which the second, a French one, has Latin letters in other places.
+FRENCH_PLACES = {**PLACES, "q": 38, "w": 52}
 
 
 def set_layout(display, layout):
@@ -72,6 +78,40 @@ def obeys_with_locks_on():
         it.expect_end(0)
 
 
+def obeys_letters_with_locks_on():
+    """Caps Lock and Num Lock make no other keys."""
+    for lock in ("Caps_Lock", "Num_Lock"):
+        with Session(DRAWDOT) as it:
+            xdotool(it.display, "key", lock)
+            xdotool(it.display, "key", "q")
+            it.expect_end(0)
+
+
+def leaves_keys_with_modifiers_alone():
+    """Those are for others: Ctrl+Q is not the letter."""
+    width, height = DRAWDOT.size
+    with Session(DRAWDOT) as it:
+        for modifier in ("ctrl", "alt", "super"):
+            xdotool(it.display, "key", modifier + "+q")
+        xdotool(it.display, "key", "alt+Escape", "j")
+        wanted = lambda rows: harness.GREEN in rows[height - 1]
+        it.await_picture(wanted, what="the border after j")
+        xdotool(it.display, "key", "q")
+        it.expect_end(0)
+
+
+def takes_the_layouts_own_latin_group():
+    """With a Greek group first and a French one, letters are where the French one has them."""
+    with Session(DRAWDOT) as it:
+        set_layout(it.display, "gr,fr")
+        xdotool(it.display, "key", "24")  # a in the French group: nothing
+        xdotool(it.display, "key", str(FRENCH_PLACES["j"]))
+        wanted = lambda rows: harness.GREEN in rows[DRAWDOT.size[1] - 1]
+        it.await_picture(wanted, what="the border after j")
+        xdotool(it.display, "key", str(FRENCH_PLACES["q"]))
+        it.expect_end(0)
+
+
 def needs_no_input_method():
     for more in (
         {"XMODIFIERS": "@im=ibus", "GTK_IM_MODULE": "ibus"},
@@ -92,5 +132,11 @@ if __name__ == "__main__":
             checks.run("keys.obeys_signs." + layout, obeys_signs, layout)
     if TEAPOT:
         checks.run("keys.obeys_with_locks_on", obeys_with_locks_on)
+    for check in (
+        obeys_letters_with_locks_on,
+        leaves_keys_with_modifiers_alone,
+        takes_the_layouts_own_latin_group,
+    ):
+        checks.run("keys." + check.__name__, check)
     checks.run("keys.needs_no_input_method", needs_no_input_method)
     checks.finish()

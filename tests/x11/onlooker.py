@@ -4,6 +4,7 @@
 import contextlib
 import ctypes
 import struct
+import time
 
 
 class ClientMessage(ctypes.Structure):
@@ -18,6 +19,39 @@ class ClientMessage(ctypes.Structure):
         ("message_type", ctypes.c_ulong),
         ("format", ctypes.c_int),
         ("data", ctypes.c_long * 5),
+        ("padding", ctypes.c_long * 12),
+    ]
+
+
+class Configured(ctypes.Structure):
+    """XConfigureEvent, padded to the size of an XEvent."""
+
+    _fields_ = [
+        ("type", ctypes.c_int),
+        ("serial", ctypes.c_ulong),
+        ("send_event", ctypes.c_int),
+        ("display", ctypes.c_void_p),
+        ("event", ctypes.c_ulong),
+        ("window", ctypes.c_ulong),
+        *((name, ctypes.c_int) for name in "x y width height border".split()),
+        ("above", ctypes.c_ulong),
+        ("override_redirect", ctypes.c_int),
+        ("padding", ctypes.c_long * 12),
+    ]
+
+
+class KeyEvent(ctypes.Structure):
+    """XKeyEvent, padded to the size of an XEvent."""
+
+    _fields_ = [
+        ("type", ctypes.c_int),
+        ("serial", ctypes.c_ulong),
+        ("send_event", ctypes.c_int),
+        ("display", ctypes.c_void_p),
+        *((name, ctypes.c_ulong) for name in "window root subwindow time".split()),
+        *((name, ctypes.c_int) for name in "x y x_root y_root".split()),
+        *((name, ctypes.c_uint) for name in "state code".split()),
+        ("same_screen", ctypes.c_int),
         ("padding", ctypes.c_long * 12),
     ]
 
@@ -77,11 +111,13 @@ class Color(ctypes.Structure):
 class Onlooker:
     """An X client that looks at windows and does to them what a window manager does."""
 
+    seen = b""
+    settings = 0
     CLIENT_MESSAGE, Z_PIXMAP, ALL_PLANES = 33, 2, ctypes.c_ulong(-1).value
 
     def __init__(self, display):
         x = self.x = ctypes.CDLL("libX11.so.6")
-        for name in ("XOpenDisplay", "XGetImage"):
+        for name in ("XOpenDisplay", "XGetImage", "XGetAtomName"):
             getattr(x, name).restype = ctypes.c_void_p
         for name in ("XInternAtom", "XDefaultRootWindow", "XCreateSimpleWindow"):
             getattr(x, name).restype = ctypes.c_ulong
@@ -128,6 +164,17 @@ class Onlooker:
         self.x.XDestroyImage(ctypes.c_void_p(at))
         return rows
 
+    def has_changed(self, window, width, height):
+        """Whether the window's pixels are others than at the last call."""
+        at = self.x.XGetImage(
+            self.display, ctypes.c_ulong(window), 0, 0, width, height,
+            ctypes.c_ulong(self.ALL_PLANES), self.Z_PIXMAP,
+        )
+        head = ImageHead.from_address(at)
+        before, self.seen = self.seen, ctypes.string_at(head.data, height * head.bytes_per_line)
+        self.x.XDestroyImage(ctypes.c_void_p(at))
+        return self.seen != before
+
     def visual(self, window):
         """Of a window: depth, class, masks; and the colours 0xRRGGBB of its map, if few."""
         found = WindowAttributes()
@@ -149,6 +196,93 @@ class Onlooker:
         event = ClientMessage(type=self.CLIENT_MESSAGE, window=window, format=32)
         event.message_type = atom(b"WM_PROTOCOLS")
         event.data[0] = atom(b"WM_DELETE_WINDOW")
+        self.x.XSendEvent(self.display, ctypes.c_ulong(window), False, 0, ctypes.byref(event))
+        self.x.XSync(self.display, False)
+
+    def atom(self, name):
+        return self.x.XInternAtom(self.display, name.encode(), False)
+
+    def root(self):
+        return self.x.XDefaultRootWindow(self.display)
+
+    def has_manager(self):
+        """Whether somebody redirects the requests of windows."""
+        found = WindowAttributes()
+        root = ctypes.c_ulong(self.root())
+        self.x.XGetWindowAttributes(self.display, root, ctypes.byref(found))
+        # Of the rest: whether it is installed, its state, and all masks of events.
+        return bool(found.rest[1] & (1 << 20))
+
+    def set_numbers(self, window, name, kind, values):
+        """A property that is a list of 32-bit numbers, as a window manager would set it."""
+        data = (ctypes.c_long * max(1, len(values)))(*values)
+        name, kind = ctypes.c_ulong(self.atom(name)), ctypes.c_ulong(self.atom(kind))
+        self.x.XChangeProperty(
+            self.display, ctypes.c_ulong(window), name, kind, 32, 0, data, len(values)
+        )
+        self.x.XSync(self.display, False)
+
+    def set_atoms(self, window, name, texts):
+        self.set_numbers(window, name, "ATOM", [self.atom(text) for text in texts])
+
+    def atoms(self, window, name):
+        """The names in a property that lists them."""
+        kind, size = ctypes.c_ulong(), ctypes.c_int()
+        count, after, data = ctypes.c_ulong(), ctypes.c_ulong(), ctypes.POINTER(ctypes.c_ulong)()
+        self.x.XGetWindowProperty(
+            self.display, ctypes.c_ulong(window), ctypes.c_ulong(self.atom(name)), ctypes.c_long(0),
+            ctypes.c_long(99), False, ctypes.c_ulong(0), ctypes.byref(kind), ctypes.byref(size),
+            ctypes.byref(count), ctypes.byref(after), ctypes.byref(data),
+        )
+        names = []
+        for i in range(count.value):
+            at = self.x.XGetAtomName(self.display, ctypes.c_ulong(data[i]))
+            names.append(ctypes.string_at(at).decode() if at else "")
+        return names
+
+    def ask_manager(self, window, state, action):
+        """Asks the window manager to take a state away (0) or to add it (1), as a pager does."""
+        event = ClientMessage(type=self.CLIENT_MESSAGE, window=window, format=32)
+        event.message_type = self.atom("_NET_WM_STATE")
+        event.data[0], event.data[1], event.data[3] = action, self.atom(state), 2
+        to_managers = ctypes.c_long(1 << 20 | 1 << 19)
+        root = ctypes.c_ulong(self.root())
+        self.x.XSendEvent(self.display, root, False, to_managers, ctypes.byref(event))
+        self.x.XSync(self.display, False)
+
+    def press_key(self, window, name):
+        """Sends the window the two events of a key, and notes when."""
+        code = self.x.XKeysymToKeycode(self.display, ctypes.c_ulong(self.x.XStringToKeysym(name.encode())))
+        for kind in (2, 3):
+            event = KeyEvent(type=kind, window=window, root=self.root(), code=code, same_screen=1)
+            self.x.XSendEvent(
+                self.display, ctypes.c_ulong(window), False, ctypes.c_long(kind - 1), ctypes.byref(event)
+            )
+            self.pressed = time.monotonic()
+            self.x.XFlush(self.display)
+
+    def serve_settings(self, dpi):
+        """What a desktop's manager of settings does: owns the selection, and writes Xft/DPI."""
+        if not self.settings:
+            self.settings = self.x.XCreateSimpleWindow(
+                self.display, ctypes.c_ulong(self.root()), -9, -9, 1, 1, 0, ctypes.c_ulong(0),
+                ctypes.c_ulong(0),
+            )
+        text = struct.pack("<B3xIIBxH7sxII", 0, 1, 1, 0, 7, b"Xft/DPI", 1, dpi * 1024)
+        name = ctypes.c_ulong(self.atom("_XSETTINGS_SETTINGS"))
+        window, selection = ctypes.c_ulong(self.settings), self.atom("_XSETTINGS_S0")
+        self.x.XChangeProperty(self.display, window, name, name, 8, 0, text, len(text))
+        self.x.XSetSelectionOwner(self.display, ctypes.c_ulong(selection), window, ctypes.c_ulong(0))
+        event = ClientMessage(type=self.CLIENT_MESSAGE, window=self.root(), format=32)
+        event.message_type = self.atom("MANAGER")
+        event.data[1], event.data[2] = selection, self.settings
+        root = ctypes.c_ulong(self.root())
+        self.x.XSendEvent(self.display, root, False, ctypes.c_long(1 << 17), ctypes.byref(event))
+        self.x.XSync(self.display, False)
+
+    def send_size(self, window, width, height):
+        """Tells the window, as a window manager might, that it has a size."""
+        event = Configured(type=22, event=window, window=window, width=width, height=height)
         self.x.XSendEvent(self.display, ctypes.c_ulong(window), False, 0, ctypes.byref(event))
         self.x.XSync(self.display, False)
 

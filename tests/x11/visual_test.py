@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 """The same picture on every kind of display, as its pixels allow."""
 
+import functools
+
 import harness
 from harness import Checks, Shown, expect_equal, memory_picture, wait_for, x_server
 from x_proxy import Proxy
@@ -11,18 +13,40 @@ TEAPOT = harness.PROGRAMS[-1]
 COLOURED = ("--shade", "normals")  # tells red from blue
 
 
+def threshold(x, y):
+    """Which of 64 pixels of a square goes up to the next level first: Bayer's order."""
+    rank = 0
+    for bit in range(3):
+        low = y >> bit & 1
+        rank = rank << 2 | (x >> bit & 1 ^ low) << 1 | low
+    return rank
+
+
+def level_of(value, largest, x, y):
+    """Below 8 bits the ordered dither of pixel_writer_p.h, else v * max / 255 to nearest."""
+    if largest >= 255:
+        return (value * largest + 127) // 255
+    value_of = lambda level: (2 * 255 * level + largest) // (2 * largest)
+    below = max(level for level in range(largest) if value_of(level) <= value)
+    gap = value_of(below + 1) - value_of(below)
+    raised = (2 * 64 * (value - value_of(below)) + gap) // (2 * gap)
+    return below + (threshold(x % 8, y % 8) < raised)
+
+
 def quantised(rows, depth, masks):
-    """The rule of screen_info.h: v * max / 255, rounded down below 8 bits, else to nearest."""
-    tables = []
-    for mask, at in zip(masks, (16, 8, 0)):
-        shift = (mask & -mask).bit_length() - 1
-        largest = mask >> shift
-        rounding = 127 if largest > 255 else 0
-        tables.append((at, [(v * largest + rounding) // 255 << shift for v in range(256)]))
+    """What a display with these masks shows."""
+    shifts = [(mask & -mask).bit_length() - 1 for mask in masks]
+    levels = functools.cache(lambda value, largest, x, y: level_of(value, largest, x, y))
     opaque = 0xFFFFFFFF & ~sum(masks) if depth == 32 else 0
     return [
-        [opaque | sum(table[word >> at & 255] for at, table in tables) for word in row]
-        for row in rows
+        [
+            opaque | sum(
+                levels(word >> at & 255, mask >> shift, x % 8, y % 8) << shift
+                for mask, shift, at in zip(masks, shifts, (16, 8, 0))
+            )
+            for x, word in enumerate(row)
+        ]
+        for y, row in enumerate(rows)
     ]
 
 

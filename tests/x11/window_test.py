@@ -211,13 +211,49 @@ def window_size(it):
 
 
 def shows_large_pixels(program):
-    """Asked to by an option or by the display's resources."""
+    """Asked to by an option, whatever the display's resources."""
     with Session(program, "--scale", "3") as it:
         expect_large_pixels(it, 3)
-    fine = lambda display: set_resolution(display, 192)
-    with Session(program, prepare=fine) as it:
-        expect_large_pixels(it, 2)
-    with Session(program, "--scale", "1", prepare=fine) as it:
+    with Session(program, "--scale", "1", prepare=fine(192)) as it:
+        expect_equal(window_size(it), program.size)
+
+
+def draws_at_the_displays_resolution():
+    """A fine display has a larger picture, no larger pixels; files are as large as asked for."""
+    program = harness.PROGRAMS[-1]
+    width, height = program.size
+    for dpi in (144, 192):
+        size = (round(width * dpi / 96 + 0.01), round(height * dpi / 96 + 0.01))
+        with Session(program, prepare=fine(dpi)) as it:
+            wait_for(lambda: window_size(it) == size, "the size %dx%d" % size)
+            it.await_picture(lambda rows: has_thin_things(rows), size, "pixels of its own size")
+        with Session(program, "--frames", "1000000", prepare=fine(dpi)) as it:
+            expect_equal(window_size(it), program.size)
+
+
+def has_thin_things(rows):
+    """Whether some pixel differs from both neighbours in its row: no doubled pixel does so."""
+    return rows and any(
+        row[x - 1] != row[x] != row[x + 1] for row in rows for x in range(1, len(row) - 1)
+    )
+
+
+def fine(dpi):
+    return lambda display: set_resolution(display, dpi)
+
+
+def teapot_follows_the_resolution():
+    """Letters grow while the program runs, by the display's resources and by XSETTINGS."""
+    program = harness.Program("teapot_afd", (640, 400))
+    with Session(program) as it:
+        bare = it.picture()
+        xdotool(it.display, "key", "h")
+        small = it.await_picture(lambda rows: rows != bare and rows, what="the help")
+        set_resolution(it.display, 192)
+        large = it.await_picture(lambda rows: rows != small and rows, what="larger letters")
+        for dpi, wanted in ((96, small), (192, large)):
+            it.eyes.serve_settings(dpi)
+            it.await_picture(lambda rows: rows == wanted, what="letters for %d" % dpi)
         expect_equal(window_size(it), program.size)
 
 
@@ -384,6 +420,8 @@ if __name__ == "__main__":
         drawdot_obeys_its_keys,
         drawdot_keeps_its_trail_in_a_smaller_window,
         teapot_draws_nothing_that_nobody_sees,
+        draws_at_the_displays_resolution,
+        teapot_follows_the_resolution,
     ):
         checks.run("window." + check.__name__, check)
     checks.finish()

@@ -3,6 +3,7 @@
 #include "geom/files/model_file.h"
 
 #include "geom/files/model_reader_p.h"
+#include "geom/files/stl_file_p.h"
 
 #include <algorithm>
 
@@ -31,6 +32,8 @@ std::optional<l3d_model_file> read_bpt(std::string_view text, std::string_view n
 } // namespace
 
 std::optional<l3d_model_format> l3d_model_format_of(std::string_view text) {
+    if (l3d_detail::is_binary_stl(text))
+        return l3d_model_format::stl;
     text_cursor cursor(text, "", '#');
     if (!cursor.next())
         return std::nullopt;
@@ -40,6 +43,10 @@ std::optional<l3d_model_format> l3d_model_format_of(std::string_view text) {
                                               "s", "mg", "mtllib", "usemtl", "cstype", "deg"};
     if (word == "ply")
         return l3d_model_format::ply;
+    if (word == "solid" || word == "SOLID")
+        return l3d_model_format::stl;
+    if (word.starts_with('{') || word.starts_with("glTF"))
+        return l3d_model_format::gltf;
     if (word == "3DG1")
         return l3d_model_format::videoscape;
     if (word.ends_with("OFF"))
@@ -57,11 +64,18 @@ std::optional<l3d_model_format> l3d_model_format_of(std::string_view text) {
 
 std::optional<l3d_model_file> l3d_read_model(std::string_view text, std::string_view name,
                                              std::string& why) {
+    return l3d_read_model_with({}, text, name, why);
+}
+
+std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_files& files,
+                                                  std::string_view text, std::string_view name,
+                                                  std::string& why) {
     const auto format = l3d_model_format_of(text);
     if (!format) {
         text_cursor cursor(text, name, '#');
         cursor.fail(cursor.next() ? l3d_detail::quoted(cursor.token()) +
-                                        " begins none of asc, obj, off, ply, 3DG1, bpt, BBP and BEZ"
+                                        " begins none of asc, obj, off, ply, 3DG1, bpt, BBP, BEZ, "
+                                        "stl and glTF"
                                   : "the text is empty");
         why = cursor.why();
         return std::nullopt;
@@ -81,6 +95,10 @@ std::optional<l3d_model_file> l3d_read_model(std::string_view text, std::string_
         return read_bpt(text, name, why);
     case l3d_model_format::bez:
         return l3d_read_bez(text, name, why);
+    case l3d_model_format::stl:
+        return l3d_read_stl(text, name, why);
+    case l3d_model_format::gltf:
+        return l3d_read_gltf(text, name, why, files);
     }
     return std::nullopt;
 }

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,6 +25,8 @@ enum class L3D_PUBLIC l3d_model_format {
     videoscape, ///< 3DG1
     bpt,        ///< patches with a header of degrees
     bez,        ///< geomview's patches, BEZ and BBP, text or binary
+    stl,        ///< triangles, text or binary
+    gltf,       ///< glTF 2.0: JSON or its container, .glb
 };
 
 /// A file of materials that a model file names.
@@ -44,15 +47,22 @@ struct L3D_PUBLIC l3d_model_file {
     std::vector<std::string> notes;        ///< "name:line: what was skipped"; some 20 at the most
     std::vector<std::uint32_t> patch_materials{};    ///< optional, one per patch, as a face has it
     std::vector<l3d_material_file> material_files{}; ///< what the mesh's materials look like
+    std::vector<l3d_part_run> patch_parts{};         ///< optional, runs of patches with names
 
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;
 };
 
-/// Which format a text has, by its first word; nothing if it is none that is read here.
+/// Reads another file that a model names, from the model's own folder: its bytes, or nothing and
+/// the reason.
+using l3d_other_files =
+    std::function<std::optional<std::string>(const std::string& name, std::string& why)>;
+
+/// Which format a text has, by its first word, or by its size; nothing if it is none that is read
+/// here.
 L3D_PUBLIC std::optional<l3d_model_format> l3d_model_format_of(std::string_view text);
 
 /// Reads a model of any of the formats. docs/FORMATS.md says what of each is read, skipped with a
-/// note, and refused.
+/// note, and refused. A format whose numbers are in files of their own needs the other function.
 ///
 /// Coordinates are finite and at most l3d_bpt_largest_coordinate in magnitude; the mesh is valid.
 /// Errors:  nothing, and `why` = "name:line: what is wrong". In the binary part of a file, the line
@@ -61,6 +71,12 @@ L3D_PUBLIC std::optional<l3d_model_format> l3d_model_format_of(std::string_view 
 ///          before memory is taken for what they promise.
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model(std::string_view text,
                                                         std::string_view name, std::string& why);
+
+/// The same with the files that the model names: the buffers of glTF.
+L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_files& files,
+                                                             std::string_view text,
+                                                             std::string_view name,
+                                                             std::string& why);
 
 /// A reader of one format.
 /// Errors: as those of l3d_read_model, whose cost it has, too.
@@ -71,7 +87,14 @@ l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
     l3d_read_off,              ///< geomview's polygons
     l3d_read_ply,              ///< Stanford's polygons
     l3d_read_videoscape,       ///< 3DG1
-    l3d_read_bez;              ///< geomview's patches
+    l3d_read_bez,              ///< geomview's patches
+    l3d_read_stl;              ///< triangles
+
+/// The reader of glTF 2.0. Errors, Cost: as those of l3d_read_model; the place is one in the
+/// document, such as "accessors[3].count", or line and column where that is no JSON. The memory is
+/// counted for each byte of this text and of the other files.
+std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, std::string_view name,
+                                            std::string& why, const l3d_other_files& files = {});
 
 /// A material by its name.
 struct L3D_PUBLIC l3d_named_material {

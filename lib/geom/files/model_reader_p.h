@@ -70,10 +70,15 @@ private:
 /// Colours of vertices, which become those of faces: the means of their corners.
 class vertex_colors {
 public:
-    /// Gives the last vertex a colour; those without one are white. Units: components from 0 to 1,
-    /// held there; NaN is 1. Expects: there is a vertex.
+    /// Gives the last vertex a colour. Expects: there is a vertex.
     void give(const l3d_polygon_mesh& mesh, const double* color) {
-        colors_.resize(mesh.vertices.size() - 1, {1, 1, 1});
+        give(mesh.vertices.size() - 1, color);
+    }
+
+    /// Gives a vertex a colour; those without one are white. Units: components from 0 to 1, held
+    /// there; NaN is 1. Expects: vertices come in their order.
+    void give(std::size_t vertex, const double* color) {
+        colors_.resize(vertex, {1, 1, 1});
         auto& given = colors_.emplace_back();
         for (std::size_t i = 0; i < given.size(); ++i)
             given[i] =

@@ -50,7 +50,8 @@ private:
         if (word == "f" || word == "fo")
             return read_face();
         if (word == "g" || word == "o") {
-            mesh().parts.push_back({rest_of_line(), static_cast<std::uint32_t>(mesh().faces())});
+            part_ = rest_of_line();
+            is_new_to_faces_ = is_new_to_patches_ = true;
             return true;
         }
         if (word == "usemtl") {
@@ -63,7 +64,10 @@ private:
             return true;
         }
         if (l3d_detail::obj_surfaces::knows(word)) {
+            const std::size_t before = model_.patches.size();
             const bool is_read = surfaces_.read_statement(word, mesh().vertices, weights_);
+            if (model_.patches.size() > before)
+                begin_part(model_.patch_parts, is_new_to_patches_, before);
             model_.patch_materials.resize(model_.patches.size(),
                                           material_.value_or(l3d_detail::face_materials::nothing));
             return is_read && line_ends();
@@ -72,6 +76,13 @@ private:
             return text_.fail(quoted(word) + " begins no statement of an .obj file");
         skip(word);
         return true;
+    }
+
+    /// A part begins with the first thing that belongs to it. Those without any are forgotten.
+    void begin_part(std::vector<l3d_part_run>& parts, bool& is_new, std::size_t first) const {
+        if (is_new && !(part_.empty() && first == 0))
+            parts.push_back({part_, static_cast<std::uint32_t>(first)});
+        is_new = false;
     }
 
     void skip(std::string_view word) {
@@ -159,6 +170,7 @@ private:
             mesh().corners.resize(begin);
             return true;
         }
+        begin_part(mesh().parts, is_new_to_faces_, mesh().faces());
         mesh().end_face();
         if (material_)
             materials_.give_to_last_face(*material_);
@@ -231,6 +243,8 @@ private:
     l3d_detail::obj_surfaces surfaces_;
     l3d_detail::vertex_colors vertex_colors_;
     std::optional<std::uint32_t> material_;
+    std::string part_; ///< the name that faces and surfaces belong to
+    bool is_new_to_faces_ = false, is_new_to_patches_ = false;
     std::vector<std::string_view> noted_; ///< statements that a note has been made of
     std::vector<double> weights_;         ///< per vertex; those left out at the end are 1
     std::vector<l3d_polygon_mesh::vector> normals_;

@@ -25,14 +25,20 @@ void append_vertices(std::string& text, const l3d_polygon_mesh& mesh) {
         append_vector(text, "vn ", n[0], n[1], n[2]);
 }
 
+/// Begins the parts whose first face or patch is the one that comes now.
+void append_parts(std::string& text, const std::vector<l3d_part_run>& parts,
+                  std::vector<l3d_part_run>::const_iterator& next, std::size_t thing) {
+    if (thing == 0 && (next == parts.end() || next->first > 0) && text.find("\ng ") != text.npos)
+        text += "g\n"; // the name of the last patch or face goes on until the next one
+    for (; next != parts.end() && next->first <= thing; ++next)
+        text += "g " + next->name + '\n';
+}
+
 void append_faces(std::string& text, const l3d_polygon_mesh& mesh) {
     append_uses(text, mesh);
     auto part = mesh.parts.begin();
-    for (std::size_t i = 0; i <= mesh.faces(); ++i) {
-        for (; part != mesh.parts.end() && part->first_face <= i; ++part)
-            text += "g " + part->name + '\n';
-        if (i == mesh.faces())
-            break;
+    for (std::size_t i = 0; i < mesh.faces(); ++i) {
+        append_parts(text, mesh.parts, part, i);
         if (!mesh.face_materials.empty() &&
             (i == 0 || mesh.face_materials[i] != mesh.face_materials[i - 1]))
             text += "usemtl " + mesh.materials[mesh.face_materials[i]] + '\n';
@@ -59,11 +65,13 @@ void append_patch(std::string& text, const l3d_patch_points& patch) {
 
 void append_patches(std::string& text, const l3d_model_file& model) {
     const std::vector<std::uint32_t>& materials = model.patch_materials;
+    auto part = model.patch_parts.begin();
     if (!model.patches.empty())
         text += "cstype bezier\n";
     for (std::size_t i = 0; i < model.patches.size(); ++i) {
         if (!materials.empty() && (i == 0 || materials[i] != materials[i - 1]))
             text += "usemtl " + model.mesh.materials[materials[i]] + '\n';
+        append_parts(text, model.patch_parts, part, i);
         append_patch(text, model.patches[i]);
     }
 }

@@ -113,6 +113,8 @@ l3d_patch_mesh l3d_tessellated(const l3d_patch_model& model, int n) {
     vertex_store vertices(mesh);
     const auto side = static_cast<std::size_t>(n) + 1;
     std::vector<std::uint32_t> grid(side * side);
+    const std::vector<l3d_part_run> runs = model.parts().runs();
+    auto run = runs.begin();
     const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         const auto at = [&](std::uint32_t i) -> const point& { return mesh.vertices[i]; };
         if (at(a) != at(b) && at(b) != at(c) && at(c) != at(a))
@@ -120,6 +122,8 @@ l3d_patch_mesh l3d_tessellated(const l3d_patch_model& model, int n) {
     };
     for (std::size_t i = 0; i < model.patches().size(); ++i) {
         const patch& p = model.patches()[i];
+        if (run != runs.end() && run->first == i)
+            mesh.parts.push_back({run++->name, static_cast<std::uint32_t>(mesh.faces())});
         for (int row = 0; row <= n; ++row)
             for (int column = 0; column <= n; ++column) {
                 const bool inside = row > 0 && row < n && column > 0 && column < n;

@@ -26,7 +26,7 @@ struct L3D_PUBLIC l3d_patch_mesh {
 };
 
 /// Each patch as n by n quads of two triangles, counterclockwise where dS/du x dS/dv points to,
-/// with the patch's normals at the vertices, and of its material.
+/// with the patch's normals at the vertices, of its material and in its part.
 ///
 /// Patches with a common boundary have the same points on it: these are a function of the
 /// boundary's control points, whichever way it runs. They are one vertex, unless the normals of the

@@ -123,6 +123,9 @@ public:
     void pointer_event(const l3d_event& event) override;
     void resize_event(l3d_size size) override;
     void update_event(double seconds) override;
+    /// Without an own update_event time changes nothing but what controls() do. A subclass that has
+    /// one overrides this, too.
+    bool is_at_rest() const override { return controls_.is_at_rest(); }
     void draw_event() override;
     void frame_event(const l3d_frame_times& times) override;
     bool skip_event() override {

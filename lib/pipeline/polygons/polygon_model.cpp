@@ -42,7 +42,7 @@ l3d_polygon_model l3d_polygon_model::load(const std::string& file) {
 }
 
 l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin, double crease_angle)
-    : mesh(std::move(of)) {
+    : mesh(std::move(of)), parts(mesh.parts, mesh.faces()) {
     assert(mesh.is_valid());
     if (to_origin && !mesh.vertices.empty()) {
         vector sum{0.0, 0.0, 0.0};
@@ -64,17 +64,23 @@ l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin, doubl
         radius = std::max(radius, l3d_length(v - centre()));
     make_triangles();
     make_normals(crease_angle);
-    make_materials();
+    std::vector<l3d_material> looks;
+    if (!mesh.face_colors.empty() || (!mesh.face_materials.empty() && !mesh.looks.empty()))
+        for (std::size_t f = 0; f < mesh.faces(); ++f)
+            looks.push_back(mesh.look_of(f));
+    make_materials(looks);
 }
 
 /// Faces that look alike share a material. If all are plain, there are none.
-void l3d_polygon_model::contents::make_materials() {
+void l3d_polygon_model::contents::make_materials(std::span<const l3d_material> looks) {
+    materials.clear();
+    materials_of_faces.clear();
     using key = std::tuple<std::uint32_t, std::uint32_t, int>;
     std::map<key, std::uint32_t> places;
     materials.emplace_back();
     places[key(materials[0].color, materials[0].highlight, materials[0].sharpness)] = 0;
-    for (std::size_t f = 0; f < mesh.faces(); ++f) {
-        const l3d_material look = mesh.look_of(f);
+    for (std::size_t f = 0; f < looks.size(); ++f) {
+        const l3d_material& look = looks[f];
         const auto next = static_cast<std::uint32_t>(materials.size());
         const auto [place, is_new] =
             places.try_emplace({look.color, look.highlight, look.sharpness}, next);
@@ -88,6 +94,19 @@ void l3d_polygon_model::contents::make_materials() {
     materials_of_faces.resize(materials_of_faces.empty() ? 0 : mesh.faces());
     if (materials_of_faces.empty())
         materials.clear();
+}
+
+void l3d_polygon_model::contents::keep_triangles(const std::vector<bool>& of_faces) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (!of_faces[triangles[i].face])
+            continue;
+        if (!crease_corners.empty())
+            crease_corners[kept] = crease_corners[i];
+        triangles[kept++] = triangles[i];
+    }
+    triangles.resize(kept);
+    crease_corners.resize(crease_corners.empty() ? 0 : kept);
 }
 
 void l3d_polygon_model::contents::make_triangles() {
@@ -133,6 +152,39 @@ void l3d_polygon_model::contents::make_normals(double crease_angle) {
         crease_corners.push_back({creases.at(t.corners[0], t.face),
                                   creases.at(t.corners[1], t.face),
                                   creases.at(t.corners[2], t.face)});
+}
+
+l3d_polygon_model l3d_polygon_model::part_painted(std::size_t part,
+                                                  const l3d_material& material) const {
+    std::vector<l3d_material> looks(mesh().faces());
+    for (std::size_t f = 0; f < looks.size(); ++f)
+        if (parts().of(f) == part)
+            looks[f] = material;
+        else if (!materials().empty())
+            looks[f] = materials()[material_of(f)];
+    l3d_polygon_model result = *this;
+    const auto made = std::make_shared<contents>(*contents_);
+    made->make_materials(looks);
+    result.contents_ = made;
+    return result;
+}
+
+l3d_polygon_model l3d_polygon_model::shown(const std::vector<bool>& faces) const {
+    l3d_polygon_model result = *this;
+    const auto made = std::make_shared<contents>(*contents_);
+    made->keep_triangles(faces);
+    result.contents_ = made;
+    return result;
+}
+
+l3d_polygon_model l3d_polygon_model::only(std::span<const std::size_t> parts) const {
+    return shown(this->parts().things_of(parts, mesh().faces()));
+}
+
+l3d_polygon_model l3d_polygon_model::without(std::span<const std::size_t> parts) const {
+    std::vector<bool> faces = this->parts().things_of(parts, mesh().faces());
+    faces.flip();
+    return shown(faces);
 }
 
 std::size_t l3d_polygon_model::bytes() const {

@@ -66,7 +66,7 @@ public:
 
     /// The polygons as they were given, or moved to the origin.
     const l3d_polygon_mesh& mesh() const { return contents_->mesh; }
-    /// The triangles of all faces, face after face.
+    /// The triangles of all faces that are shown, face after face.
     std::span<const l3d_model_triangle> triangles() const { return contents_->triangles; }
 
     /// Unit vectors, counterclockwise corners seen from their tips; zero for a face of no area.
@@ -88,6 +88,21 @@ public:
 
     /// Whether a vertex has more than one normal somewhere.
     bool has_creases() const { return !contents_->crease_corners.empty(); }
+
+    /// The named parts of the faces.
+    const l3d_parts& parts() const { return contents_->parts; }
+
+    /// The same faces, those of one part of another material. Expects: an index of
+    /// parts().names().
+    l3d_polygon_model part_painted(std::size_t part, const l3d_material& material) const;
+
+    /// A model that shows some parts alone; what belongs to no part is left out. It keeps its mesh,
+    /// and turns about the same centre: triangles() has those that are shown.
+    /// Expects: indices of parts().names().
+    l3d_polygon_model only(std::span<const std::size_t> parts) const;
+
+    /// A model that shows all but some parts. Expects: as only().
+    l3d_polygon_model without(std::span<const std::size_t> parts) const;
 
     /// What faces are made of (l3d_polygon_mesh::look_of), each once; none if all are plain.
     std::span<const l3d_material> materials() const { return contents_->materials; }
@@ -119,9 +134,11 @@ private:
         vector centre() const { return (least + most) * 0.5; }
         void make_triangles();
         void make_normals(double crease_angle);
-        void make_materials();
+        void make_materials(std::span<const l3d_material> looks);
+        void keep_triangles(const std::vector<bool>& of_faces);
 
         l3d_polygon_mesh mesh;
+        l3d_parts parts;
         std::vector<l3d_model_triangle> triangles;
         std::vector<direction> face_normals, vertex_normals;
         std::vector<direction> crease_normals;
@@ -132,6 +149,8 @@ private:
         vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
         double radius = 0;
     };
+
+    l3d_polygon_model shown(const std::vector<bool>& faces) const;
 
     std::shared_ptr<const contents> contents_;
 };

@@ -3,6 +3,7 @@
 #include "pipeline/polygons/polygon_pick.h"
 
 #include "base/formatted_p.h"
+#include "base/printable_p.h"
 
 #include <algorithm>
 #include <cmath>
@@ -136,13 +137,18 @@ std::optional<l3d_polygon_pick> l3d_polygon_pick_at(const l3d_polygon_model& mod
                                    .weights_error = at.error,
                                    .depth = at.depth};
     }
-    if (nearest)
-        describe(*nearest, model, view, world_rounding * ray.reach());
+    if (!nearest)
+        return nearest;
+    nearest->part = model.parts().name_of(nearest->face);
+    describe(*nearest, model, view, world_rounding * ray.reach());
     return nearest;
 }
 
 std::string l3d_polygon_pick::text() const {
-    std::string text = "face " + std::to_string(face) + "\nvertices";
+    std::string text = "face " + std::to_string(face);
+    if (!part.empty())
+        text += "\npart " + l3d_detail::printable(part);
+    text += "\nvertices";
     for (const std::uint32_t corner : corners)
         text += ' ' + std::to_string(corner);
     const auto add = [&text](const char* name, const auto& numbers, double error) {
@@ -157,7 +163,8 @@ std::string l3d_polygon_pick::text() const {
 }
 
 std::string l3d_polygon_pick::line() const {
-    return "face " + std::to_string(face) +
+    return (part.empty() ? "" : l3d_detail::printable(part) + ", ") + "face " +
+           std::to_string(face) +
            l3d_detail::formatted(" at %.4g, %.4g, %.4g +- %.1g", point[0], point[1], point[2],
                                  point_error);
 }

@@ -18,6 +18,7 @@
 /// Each error is the largest distance from the exact value, rounding included.
 struct L3D_PUBLIC l3d_polygon_pick {
     std::size_t face = 0;                   ///< index in the mesh
+    std::string part{};                     ///< its name; empty if the face belongs to none
     std::array<std::uint32_t, 3> corners{}; ///< vertices of the triangle of the face that is met
     std::array<double, 3> weights{};        ///< of these corners: the point is their mean
     double weights_error = 0;               ///< of each weight

@@ -10,7 +10,7 @@ namespace {
 
 using vector = l3d_camera::vector;
 
-/// Of the faces' corners; other vertices are not drawn.
+/// Of the triangles' corners; other vertices are not drawn.
 l3d_reach reach_of(const l3d_polygon_model& model, const l3d_matrix<double>& placement) {
     return [&model, placement](const vector& direction) {
         double moved = 0, most = -std::numeric_limits<double>::infinity();
@@ -20,8 +20,9 @@ l3d_reach reach_of(const l3d_polygon_model& model, const l3d_matrix<double>& pla
             for (int k = 0; k < 3; ++k)
                 in_model[k] += direction[i] * placement(i, k);
         }
-        for (const std::uint32_t corner : model.mesh().corners)
-            most = std::max(most, l3d_dot(in_model, model.mesh().vertices[corner]));
+        for (const l3d_model_triangle& triangle : model.triangles())
+            for (const std::uint32_t corner : triangle.corners)
+                most = std::max(most, l3d_dot(in_model, model.mesh().vertices[corner]));
         return most + moved;
     };
 }

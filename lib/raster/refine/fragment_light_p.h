@@ -120,7 +120,11 @@ light_sum light_at(Shader& shader, const fragment_polygon& polygon, bool has_col
             };
             values = planes_of<count>(polygon, numbers).at_place(x, y);
         }
-        const std::uint32_t word = shader.word(values.data());
+        std::uint32_t word = 0;
+        if constexpr (has_places<Shader>)
+            word = shader.word_around(values.data(), x / l3d_subpixel_one, y / l3d_subpixel_one);
+        else
+            word = shader.word(values.data());
         return light_sum::of_word(has_color ? l3d_product_of_colors(polygon.color, word) : word,
                                   tables);
     }

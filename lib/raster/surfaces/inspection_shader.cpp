@@ -150,9 +150,24 @@ std::uint32_t inspection_shader::stripe(const sight& of) const {
                             shading_.inspection.stripe);
 }
 
-std::uint32_t inspection_shader::word(const float* at) {
-    const double x = double{at[2]}, y = double{at[3]};
-    patch_parameters place = seen_parameters(patches_, *net_, x, y, double{at[0]}, double{at[1]});
+patch_parameters inspection_shader::solved(const float* guess, double x, double y) const {
+    const auto held = [&](std::size_t i) {
+        return double{std::clamp(guess[i], least_[i], most_[i])};
+    };
+    return seen_parameters(patches_, *net_, x, y, held(0), held(1));
+}
+
+std::uint32_t inspection_shader::word_at(const float* guess, double x, double y) {
+    return word_of(solved(guess, x, y), x, y);
+}
+
+std::uint32_t inspection_shader::word_around(const float* guess, double x, double y) {
+    const double middle_x = std::floor(x) + 0.5, middle_y = std::floor(y) + 0.5;
+    const patch_parameters at = solved(guess, middle_x, middle_y);
+    return at.is_solved ? word_of(at, middle_x, middle_y) : word_at(guess, x, y);
+}
+
+std::uint32_t inspection_shader::word_of(patch_parameters place, double x, double y) {
     auto seen = look_at(place, x, y);
     if (!seen) {
         // At a pole, where a side is a point, the nearest normals are a little inside.

@@ -7,6 +7,8 @@
 #include "raster/inspected_patches.h"
 #include "raster/surface_rasterizer.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -31,8 +33,8 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
 /// guess of its parameters come from the vertices.
 class inspection_shader {
 public:
-    /// The parameters u and v, and the place in the picture, in pixels.
-    static constexpr std::size_t components = 4;
+    /// The parameters u and v.
+    static constexpr std::size_t components = 2;
 
     /// Lives: borrows the shading and what it has of patches.
     explicit inspection_shader(const l3d_shading& shading)
@@ -41,26 +43,42 @@ public:
     /// The patch that polygons are parts of from now on.
     void use_material(std::uint32_t index) { net_ = &patches_.nets[index]; }
 
-    void begin_polygon(std::span<const l3d_micro_vertex>) {}
-    void corner(const l3d_micro_vertex& vertex, float* out) const {
-        out[0] = vertex.normal[0];
-        out[1] = vertex.normal[1];
-        out[2] = static_cast<float>(vertex.x) / l3d_subpixel_one;
-        out[3] = static_cast<float>(vertex.y) / l3d_subpixel_one;
+    void begin_polygon(std::span<const l3d_micro_vertex> corners) {
+        for (std::size_t i = 0; i < components; ++i) {
+            least_[i] = most_[i] = corners[0].normal[i];
+            for (const l3d_micro_vertex& vertex : corners) {
+                least_[i] = std::min(least_[i], vertex.normal[i]);
+                most_[i] = std::max(most_[i], vertex.normal[i]);
+            }
+        }
     }
-    std::uint32_t word(const float* at);
+    void corner(const l3d_micro_vertex& vertex, float* out) const {
+        std::copy_n(vertex.normal, components, out);
+    }
+
+    /// Parameters from a plane through a polygon's corners are only a guess, above all in slivers.
+    /// Units: pixels from the picture's top left corner.
+    std::uint32_t word_at(const float* guess, double x, double y);
+
+    /// The same for a part of a pixel, the place being in it: stripes are means over whole pixels
+    /// already, so that all parts of a patch in one pixel should show the same. Beside outlines the
+    /// eye misses the patch at the pixel's middle.
+    std::uint32_t word_around(const float* guess, double x, double y);
 
     /// The pixels since the last call for which no exact place was found.
     std::int64_t take_unsolved() { return std::exchange(unsolved_, 0); }
 
 private:
     struct sight;
+    patch_parameters solved(const float* guess, double x, double y) const;
+    std::uint32_t word_of(patch_parameters place, double x, double y);
     std::optional<sight> look_at(patch_parameters at, double x, double y) const;
     std::uint32_t stripe(const sight& of) const;
 
     const l3d_shading& shading_;
     const l3d_inspected_patches& patches_;
     const l3d_bezier_patch<double, 3>* net_ = nullptr;
+    std::array<float, components> least_{}, most_{}; ///< of the polygon's corners
     std::int64_t unsolved_ = 0;
 };
 

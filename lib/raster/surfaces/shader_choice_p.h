@@ -22,6 +22,12 @@ concept has_materials = requires(Shader shader) {
     shader.use_material(0U);
 };
 
+/// Whether a shader wants to know the place in the picture.
+template <class Shader>
+concept has_places = requires(Shader shader, const float* values) {
+    shader.word_at(values, 0.0, 0.0);
+};
+
 /// Whether a shader counts the pixels that it finds no exact place for.
 template <class Shader>
 concept counts_unsolved = requires(Shader shader) {

@@ -110,11 +110,19 @@ private:
             std::array<float, count> here;
             for (std::size_t i = 1; i < count; ++i)
                 here[i] = value[i] + step[i] * k;
-            words[x] = target_.word_of(shader_.word(here.data() + 1));
+            words[x] = target_.word_of(word_at(here.data() + 1, x, row));
             ++written;
         }
         target_.counts.samples += end - begin;
         target_.counts.written += written;
+    }
+
+    std::uint32_t word_at(const float* values, std::int32_t x, std::int32_t row) {
+        constexpr double half = 0.5;
+        if constexpr (has_places<Shader>)
+            return shader_.word_at(values, x + half, row + half);
+        else
+            return shader_.word(values);
     }
 
     surface_target& target_;

@@ -7,7 +7,10 @@
 #include "tool_2d/x11/x11_events_p.h"
 #include "tool_2d/x11/x11_fullscreen_p.h"
 #include "tool_2d/x11/x11_image_p.h"
+#include "tool_2d/x11/x11_resolution_p.h"
+#include "tool_2d/x11/x11_scale_p.h"
 #include "tool_2d/x11/x11_shm_segment_p.h"
+#include "tool_2d/x11/x11_state_p.h"
 #include "tool_2d/x11/x11_sync_p.h"
 #include "tool_2d/x11/x11_window_p.h"
 
@@ -43,7 +46,10 @@ public:
     /// Shape:   `no_shm` is why memory shall not be shared; empty: it shall.
     /// Errors:  std::bad_alloc.
     l3d_screen_x11(std::unique_ptr<x11_window> window, l3d_size size, std::string no_shm)
-        : window_(std::move(window)), events_(*window_), sync_(*window_), fullscreen_(*window_),
+        : window_(std::move(window)), events_(*window_, size), state_(*window_),
+          resolution_(*window_), sync_(*window_),
+          fullscreen_(*window_, state_,
+                      {size.width * window_->scale(), size.height * window_->scale()}),
           no_shm_(std::move(no_shm)), image_(make_image(size)), picture_(make_picture(size)) {}
 
     /// Puts the window on the screen and waits until the server wants it drawn.
@@ -62,14 +68,15 @@ private:
     std::string do_describe() const override;
     std::string do_take_remark() override { return std::exchange(remark_, {}); }
     bool do_next_event(l3d_event& event) override;
-    void do_wait(std::chrono::nanoseconds longest) override;
+    void do_wait(std::chrono::nanoseconds longest, int waker) override;
 
     void read_events(steady_clock::time_point put_deadline = {});
     void take_events(steady_clock::time_point put_deadline);
     void take(XEvent& event);
     void put_if_due(steady_clock::time_point deadline);
     void tell_shown();
-    bool sleep(steady_clock::time_point deadline) const;
+    void look_around();
+    bool sleep(steady_clock::time_point deadline, int waker = -1) const;
     bool resized_to(l3d_size size);
     std::unique_ptr<x11_image> make_image(l3d_size size);
     l3d_image make_picture(l3d_size size) const;
@@ -78,6 +85,8 @@ private:
 
     std::unique_ptr<x11_window> window_;
     x11_events events_;
+    x11_state state_;
+    x11_resolution resolution_;
     x11_sync sync_;
     x11_fullscreen fullscreen_;
     std::string no_shm_; ///< why memory is not shared; empty: it is
@@ -89,6 +98,7 @@ private:
     bool sync_is_due_ = false;    ///< a picture was put, and perhaps waits to be sent
     bool window_is_gone_ = false; ///< another program destroyed it
     bool lost_is_told_ = false;
+    bool letters_changed_ = false; ///< the program shall draw them anew
 };
 
 void l3d_screen_x11::open() {
@@ -97,8 +107,8 @@ void l3d_screen_x11::open() {
     do {
         read_events();
     } while (!events_.was_exposed() && window_->connection().wait_readable(deadline));
-    if (events_.is_mapped())
-        window_->focus_if_unmanaged();
+    if (events_.is_mapped() && !window_->was_managed())
+        window_->take_focus();
 }
 
 /// Shared memory as long as that works, the wire from then on.
@@ -169,14 +179,23 @@ void l3d_screen_x11::read_events(steady_clock::time_point put_deadline) {
         fullscreen_.rest(steady_clock::now());
         put_if_due(put_deadline);
         tell_shown();
+        look_around();
         take_events(put_deadline);
     } while (replaced_failed_image());
     if (window_->connection().lost() && !std::exchange(lost_is_told_, true))
         events_.take_display_lost();
 }
 
+/// After the first picture, which so comes sooner.
+void l3d_screen_x11::look_around() {
+    if (is_forgotten_ || image_->is_sending())
+        return;
+    state_.look_after();
+    resolution_.look_after();
+}
+
 void l3d_screen_x11::tell_shown() {
-    if (!sync_is_due_ || image_->is_sending())
+    if (!sync_is_due_ || image_->is_sending() || window_->connection().lost())
         return;
     sync_is_due_ = false;
     sync_.shown(picture_.pixels().size());
@@ -194,6 +213,16 @@ void l3d_screen_x11::take_events(steady_clock::time_point put_deadline) {
 }
 
 void l3d_screen_x11::take(XEvent& event) {
+    if (state_.take(event)) {
+        events_.set_away(state_.facts().away);
+        fullscreen_.follow();
+    }
+    if (const auto fineness = resolution_.take(event))
+        letters_changed_ = window_->set_fineness(*fineness) || letters_changed_;
+    if (letters_changed_)
+        events_.tell_size();
+    if (state_.is_foreign(event) || resolution_.is_foreign(event) || window_->connection().lost())
+        return;
     if (event.type == Expose) {
         image_->forget_shown();
         is_forgotten_ = true;
@@ -205,22 +234,23 @@ void l3d_screen_x11::take(XEvent& event) {
     events_.take(event);
 }
 
-/// Sleeps until there is something to do, at the latest at the deadline. False at the deadline or
-/// at a signal.
-bool l3d_screen_x11::sleep(steady_clock::time_point deadline) const {
+/// Sleeps until there is something to do, at the latest at the deadline. False at the deadline, at
+/// a signal, or if the waker can be read.
+bool l3d_screen_x11::sleep(steady_clock::time_point deadline, int waker) const {
     const auto& connection = window_->connection();
     if (image_->is_sending())
-        return connection.wait_ready(deadline);
+        return connection.wait_ready(deadline, waker);
     const auto look = steady_clock::now() + longest_without_look;
     if (image_->is_idle() || deadline <= look)
-        return connection.wait_readable(deadline);
-    return connection.wait_readable(look) || steady_clock::now() >= look;
+        return connection.wait_readable(deadline, waker);
+    return connection.wait_readable(look, waker) || steady_clock::now() >= look;
 }
 
 bool l3d_screen_x11::do_next_event(l3d_event& event) {
     read_events();
     while (events_.next(event)) {
-        if (event.type != l3d_event_type::resize || resized_to(event.size))
+        if (event.type != l3d_event_type::resize || resized_to(event.size) ||
+            std::exchange(letters_changed_, false))
             return true;
     }
     return false;
@@ -245,11 +275,13 @@ bool l3d_screen_x11::resized_to(l3d_size size) {
     return true;
 }
 
-void l3d_screen_x11::do_wait(std::chrono::nanoseconds longest) {
+void l3d_screen_x11::do_wait(std::chrono::nanoseconds longest, int waker) {
     const auto deadline = steady_clock::now() + std::min(longest, longest_wait);
-    do {
-        read_events();
-    } while (events_.empty() && sleep(deadline));
+    bool has_slept_well = true;
+    while (read_events(), events_.empty() && has_slept_well) {
+        const auto next = std::min(deadline, fullscreen_.next_rest());
+        has_slept_well = sleep(next, waker) || (next < deadline && steady_clock::now() >= next);
+    }
 }
 
 double l3d_screen_x11::do_usual_fps() const {
@@ -290,8 +322,8 @@ std::unique_ptr<l3d_screen> open_screen(std::unique_ptr<x11_connection> connecti
     if (!window)
         return nullptr;
     try {
-        auto screen =
-            std::make_unique<l3d_screen_x11>(std::move(window), request.size, std::move(no_shm));
+        const l3d_size size = x11_picture_size(window->connection(), request);
+        auto screen = std::make_unique<l3d_screen_x11>(std::move(window), size, std::move(no_shm));
         screen->open();
         return screen;
     } catch (const std::bad_alloc&) {

@@ -255,32 +255,35 @@ std::string x11_error_text(const x11_connection& connection, int code) {
     return text.data();
 }
 
-bool x11_connection::wait_readable(std::chrono::steady_clock::time_point deadline) const {
-    return wait(POLLIN, deadline);
+bool x11_connection::wait_readable(std::chrono::steady_clock::time_point deadline,
+                                   int waker) const {
+    return wait(POLLIN, deadline, waker);
 }
 
 bool x11_connection::wait_writable(std::chrono::steady_clock::time_point deadline) const {
     return wait(POLLOUT, deadline);
 }
 
-bool x11_connection::wait_ready(std::chrono::steady_clock::time_point deadline) const {
-    return wait(POLLIN | POLLOUT, deadline);
+bool x11_connection::wait_ready(std::chrono::steady_clock::time_point deadline, int waker) const {
+    return wait(POLLIN | POLLOUT, deadline, waker);
 }
 
-bool x11_connection::wait(short events, std::chrono::steady_clock::time_point deadline) const {
+bool x11_connection::wait(short events, std::chrono::steady_clock::time_point deadline,
+                          int waker) const {
     using namespace std::chrono;
     const auto left = std::max(deadline - steady_clock::now(), steady_clock::duration::zero());
     if (lost_)
         return false;
     const auto whole = duration_cast<seconds>(left);
     const timespec timeout{whole.count(), duration_cast<nanoseconds>(left - whole).count()};
-    pollfd server{ConnectionNumber(display_), events, 0};
-    return ppoll(&server, 1, &timeout, nullptr) > 0;
+    // A file with the number -1 is none to poll.
+    std::array files{pollfd{ConnectionNumber(display_), events, 0}, pollfd{waker, POLLIN, 0}};
+    return ppoll(files.data(), files.size(), &timeout, nullptr) > 0 && files[0].revents != 0;
 }
 
 x11_error_trap::x11_error_trap(x11_connection& connection) : connection_(connection) {
     assert(connection.trap_serial_ == 0);
-    connection.trap_serial_ = NextRequest(connection.display_);
+    connection.trap_serial_ = XNextRequest(connection.display_);
     connection.trapped_error_ = 0;
 }
 

@@ -53,8 +53,9 @@ public:
 
     /// Sleeps until the server sent something.
     /// Expects: nothing was read since XPending last said 0; else there may be nothing to wait for.
-    /// Errors:  false when the time is over or a signal came.
-    bool wait_readable(std::chrono::steady_clock::time_point deadline) const;
+    /// Errors:  false when the time is over, a signal came, or the file `waker` can be read; -1 is
+    ///          no file.
+    bool wait_readable(std::chrono::steady_clock::time_point deadline, int waker = -1) const;
 
     /// Sleeps until so much can be sent at once that a request with writable_size() bytes of data
     /// does not block.
@@ -62,7 +63,7 @@ public:
     bool wait_writable(std::chrono::steady_clock::time_point deadline) const;
 
     /// Sleeps until either is the case. Expects, Errors: likewise.
-    bool wait_ready(std::chrono::steady_clock::time_point deadline) const;
+    bool wait_ready(std::chrono::steady_clock::time_point deadline, int waker = -1) const;
 
     std::size_t writable_size() const { return writable_size_; }
 
@@ -83,7 +84,7 @@ private:
     explicit x11_connection(const char* name);
     void widen();
     void keep(const failure& error);
-    bool wait(short events, std::chrono::steady_clock::time_point deadline) const;
+    bool wait(short events, std::chrono::steady_clock::time_point deadline, int waker = -1) const;
     void leave();
 
     Display* display_ = nullptr;

@@ -18,7 +18,12 @@ public:
 
     /// Asks, and forgets an earlier question. Nothing is sent before Xlib next flushes.
     void ask() {
-        serial_ = NextRequest(window_.display());
+        if (window_.connection().lost())
+            return;
+        // Where others have sent requests beside Xlib, it finds out here that the server is gone.
+        serial_ = XNextRequest(window_.display());
+        if (window_.connection().lost())
+            return;
         XEvent event{};
         event.xclient.type = ClientMessage;
         event.xclient.window = window_.id();

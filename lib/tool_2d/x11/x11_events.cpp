@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include <X11/XKBlib.h>
 #include <X11/Xutil.h>
 #include <X11/keysym.h>
 
@@ -50,8 +51,8 @@ int key_of_keysym(KeySym keysym) {
     return keysym >= ' ' && keysym <= '~' ? static_cast<int>(keysym) : 0;
 }
 
-/// The first three rows of letters and the signs right of them on an American keyboard, by key
-/// code. PCs number their keys alike under every layout.
+/// The rows of letters and the signs right of them on an American keyboard, by key code. PCs number
+/// their keys alike under every layout.
 int key_in_place(unsigned code) {
     struct row {
         unsigned first_code;
@@ -61,13 +62,49 @@ int key_in_place(unsigned code) {
         {{24, "qwertyuiop[]"}, {38, "asdfghjkl;'`"}, {52, "zxcvbnm,./"}}};
     for (const auto& [first_code, keys] : rows)
         if (code >= first_code && code - first_code < keys.size())
-            return keys[code - first_code];
+            return static_cast<unsigned char>(keys[code - first_code]);
     return 0;
 }
 
-/// The key of an event, by its own group and level. If that gives no ASCII character, as on a
-/// Cyrillic layout, it goes by the first group that does, or by the key's place.
-int key_of(XKeyEvent& event) {
+constexpr bool is_letter(int key) {
+    return key >= 'a' && key <= 'z';
+}
+
+KeySym symbol_of(Display* display, unsigned code, unsigned group, int level) {
+    return XkbKeycodeToKeysym(display, static_cast<KeyCode>(code), static_cast<int>(group), level);
+}
+
+/// Whether a group of the layout has Latin letters: half of the alphabet are enough. Layouts of
+/// other scripts have none, although some have signs of ASCII in their places.
+bool is_latin(Display* display, unsigned group) {
+    constexpr int half_of_alphabet = 13;
+    int letters = 0;
+    for (unsigned code = 8; code < 256; ++code) // as X numbers keys
+        letters += is_letter(static_cast<int>(symbol_of(display, code, group, 0))) ? 1 : 0;
+    return letters >= half_of_alphabet;
+}
+
+/// The Latin letter, or its sign, of a key whose own group has another script: that of the first
+/// group with Latin letters, or else of the key's place.
+int latin_key(const XKeyEvent& event, unsigned own_group) {
+    const int level = (event.state & ShiftMask) != 0 ? 1 : 0;
+    for (unsigned group = 0; group < XkbNumKbdGroups; ++group) {
+        if (group != own_group && is_latin(event.display, group))
+            return key_of_keysym(symbol_of(event.display, event.keycode, group, level));
+    }
+    return key_in_place(event.keycode);
+}
+
+/// The key of an event, by its own group and level. Caps Lock makes no other keys. On a Greek or
+/// Cyrillic layout the keys that type letters are Latin letters, even where they type a sign.
+int key_of(XKeyEvent event) {
+    event.state &= ~static_cast<unsigned>(LockMask);
+    const unsigned group = XkbGroupForCoreState(event.state);
+    if (!is_latin(event.display, group)) {
+        const int key = latin_key(event, group);
+        if (is_letter(key | ('a' ^ 'A')))
+            return key;
+    }
     std::array<char, 8> text{};
     KeySym keysym = NoSymbol;
     const int length = XLookupString(&event, text.data(), text.size(), &keysym, nullptr);
@@ -76,13 +113,7 @@ int key_of(XKeyEvent& event) {
     // The digits and signs of the number pad have keysyms of their own, but plain text.
     if (length == 1 && text[0] >= ' ' && text[0] <= '~')
         return text[0];
-    // Xlib numbers symbols by group and level: 0 and 1 are the plain and shifted first group.
-    const int shifted = (event.state & ShiftMask) != 0 ? 1 : 0;
-    for (const int index : {shifted, 2 + shifted}) {
-        if (const int key = key_of_keysym(XLookupKeysym(&event, index)); key != 0)
-            return key;
-    }
-    return key_in_place(event.keycode);
+    return latin_key(event, group);
 }
 
 /// The value in held_ for a key that is not told to the program.
@@ -95,6 +126,8 @@ bool is_fullscreen_key(const XKeyEvent& event, KeySym keysym, int key) {
 void take_modifiers(unsigned state, l3d_event& event) {
     event.shift = (state & ShiftMask) != 0;
     event.control = (state & ControlMask) != 0;
+    event.alt = (state & Mod1Mask) != 0;
+    event.logo = (state & Mod4Mask) != 0;
 }
 
 int held_button(unsigned state) {
@@ -124,27 +157,23 @@ void x11_events::take(XEvent& event) {
     case ClientMessage:
         return take_message(event.xclient);
     case ConfigureNotify:
-        return push_instead_of(
-            {l3d_event_type::resize},
-            {.type = l3d_event_type::resize,
-             .size = window_.ours({event.xconfigure.width, event.xconfigure.height})});
+        return take_size(event.xconfigure);
     case Expose:
-        if (event.xexpose.count == 0) {
-            exposed_ = true;
-            expose();
-        }
-        return;
+        if (event.xexpose.count != 0)
+            return;
+        exposed_ = exposure_is_due_ = true;
+        covered_ = false;
+        return look();
     case VisibilityNotify:
-        if (event.xvisibility.state == VisibilityFullyObscured)
-            hide();
-        else if (hidden_)
-            reveal();
-        return;
+        covered_ = event.xvisibility.state == VisibilityFullyObscured;
+        return look();
     case MapNotify:
         mapped_ = true;
-        return;
+        unmapped_ = false;
+        return look();
     case UnmapNotify:
-        return hide();
+        unmapped_ = true;
+        return look();
     case DestroyNotify:
         return push({.type = l3d_event_type::close});
     case MappingNotify:
@@ -172,22 +201,22 @@ void x11_events::push_instead_of(std::initializer_list<l3d_event_type> types,
     push(event);
 }
 
-void x11_events::hide() {
-    hidden_ = true;
-    push_instead_of({l3d_event_type::hide, l3d_event_type::reveal}, {.type = l3d_event_type::hide});
+/// Tells of a change of what can be seen. A server that keeps what is covered does not ask for it.
+void x11_events::look() {
+    const bool hidden = covered_ || unmapped_ || away_;
+    constexpr auto hide = l3d_event_type::hide, reveal = l3d_event_type::reveal;
+    if (std::exchange(hidden_, hidden) != hidden)
+        push_instead_of({hide, reveal}, {.type = hidden ? hide : reveal});
+    if (!hidden && std::exchange(exposure_is_due_, false))
+        push_instead_of({l3d_event_type::expose, hide, reveal}, {.type = l3d_event_type::expose});
 }
 
-/// A server that keeps what is covered does not ask for it.
-void x11_events::reveal() {
-    hidden_ = false;
-    push_instead_of({l3d_event_type::hide, l3d_event_type::reveal},
-                    {.type = l3d_event_type::reveal});
-}
-
-void x11_events::expose() {
-    hidden_ = false;
-    push_instead_of({l3d_event_type::expose, l3d_event_type::hide, l3d_event_type::reveal},
-                    {.type = l3d_event_type::expose});
+/// The server itself tells of each new size. What others send tells of places; its size may be
+/// anything.
+void x11_events::take_size(const XConfigureEvent& event) {
+    if (event.send_event == 0)
+        size_ = window_.ours({event.width, event.height});
+    tell_size();
 }
 
 void x11_events::take_press(XKeyEvent& event) {

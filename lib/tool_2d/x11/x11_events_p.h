@@ -20,13 +20,25 @@ namespace l3d_detail {
 /// keyboard at the latest.
 class x11_events {
 public:
-    explicit x11_events(const x11_window& window) : window_(window) {}
+    /// `size` is that which the window was made with.
+    x11_events(const x11_window& window, l3d_size size) : window_(window), size_(size) {}
 
     /// Translates one event. A ping of the window manager is answered here.
     void take(XEvent& event);
 
     /// The server is gone: the last event of all.
     void take_display_lost() { push({.type = l3d_event_type::display_lost}); }
+
+    /// Whether the window is out of sight for a reason that no event of its own tells.
+    void set_away(bool away) {
+        away_ = away;
+        look();
+    }
+
+    /// Tells the size again, although it is the same.
+    void tell_size() {
+        push_instead_of({l3d_event_type::resize}, {.type = l3d_event_type::resize, .size = size_});
+    }
 
     bool empty() const { return queue_.empty(); }
 
@@ -39,9 +51,8 @@ public:
 private:
     void push(const l3d_event& event) { queue_.push_back(event); }
     void push_instead_of(std::initializer_list<l3d_event_type> types, const l3d_event& event);
-    void hide();
-    void reveal();
-    void expose();
+    void look();
+    void take_size(const XConfigureEvent& event);
     void take_press(XKeyEvent& event);
     void take_release(const XKeyEvent& event);
     void release_all();
@@ -52,10 +63,14 @@ private:
     bool is_autorepeat(const XKeyEvent& release) const;
 
     const x11_window& window_;
+    l3d_size size_; ///< as the server told it
     std::deque<l3d_event> queue_;
-    bool mapped_ = false, exposed_ = false, hidden_ = false;
-    std::array<int, 256> held_{}; ///< by key code: the key told pressed; 0: it is up
-    XButtonEvent last_press_{};   ///< that a next one may make a double click with; button 0: none
+    bool mapped_ = false, exposed_ = false;
+    bool covered_ = false, unmapped_ = false, away_ = false;
+    bool hidden_ = false;          ///< for one of these reasons
+    bool exposure_is_due_ = false; ///< is told as soon as the window can be seen
+    std::array<int, 256> held_{};  ///< by key code: the key told pressed; 0: it is up
+    XButtonEvent last_press_{};    ///< that a next one may make a double click with; button 0: none
 };
 
 } // namespace l3d_detail

@@ -3,21 +3,12 @@
 #include "tool_2d/x11/x11_fullscreen_p.h"
 
 #include <algorithm>
-#include <array>
-#include <memory>
-#include <span>
 #include <utility>
-
-#include <X11/Xatom.h>
 
 namespace l3d_detail {
 namespace {
 
 constexpr std::chrono::seconds longest_rest{2};
-
-struct x11_freer {
-    void operator()(unsigned char* memory) const { XFree(memory); }
-};
 
 /// A cursor without any pixel. The server keeps it while a window uses it.
 void define_empty_cursor(Display* display, Window window) {
@@ -32,86 +23,118 @@ void define_empty_cursor(Display* display, Window window) {
 
 } // namespace
 
-void x11_fullscreen::intern_names() {
-    if (names_.state != 0)
-        return;
-    constexpr std::array texts{"_NET_WM_STATE", "_NET_WM_STATE_FULLSCREEN", "_NET_SUPPORTED"};
-    std::array<Atom, texts.size()> atoms{};
-    XInternAtoms(window_.display(), const_cast<char**>(texts.data()),
-                 static_cast<int>(texts.size()), False, atoms.data());
-    names_ = {atoms[0], atoms[1], atoms[2]};
-}
-
-/// Whether a property that is a list of atoms holds this one.
-bool x11_fullscreen::has(Window window, Atom list, Atom wanted) const {
-    constexpr long longest = 1024; // The standard has about a hundred names.
-    Atom type = 0;
-    int format = 0;
-    unsigned long count = 0, after = 0;
-    unsigned char* data = nullptr;
-    if (XGetWindowProperty(window_.display(), window, list, 0, longest, False, XA_ATOM, &type,
-                           &format, &count, &after, &data) != Success)
-        return false;
-    const std::unique_ptr<unsigned char, x11_freer> owner(data);
-    if (format != 32)
-        return false;
-    const std::span atoms(reinterpret_cast<const Atom*>(data), count);
-    return std::ranges::find(atoms, wanted) != atoms.end();
-}
-
 void x11_fullscreen::set(bool on) {
-    if (on == on_ || window_.connection().lost())
+    if (on == is_on() || window_.connection().lost())
         return;
-    intern_names();
-    const bool by_manager = window_.is_managed() &&
-                            has(window_.connection().root(), names_.supported, names_.fullscreen);
-    if (by_manager)
-        ask_manager(on);
-    else if (on)
-        cover();
-    else
-        XMoveResizeWindow(window_.display(), window_.id(), before_.x, before_.y,
-                          static_cast<unsigned>(before_.width),
-                          static_cast<unsigned>(before_.height));
-    set_on(on);
+    wanted_ = on;
+    state_.ask();
 }
 
-void x11_fullscreen::ask_manager(bool on) const {
-    XEvent event{};
-    event.xclient.type = ClientMessage;
-    event.xclient.window = window_.id();
-    event.xclient.message_type = names_.state;
-    event.xclient.format = 32;
-    event.xclient.data.l[0] = on ? 1 : 0; // add, remove
-    event.xclient.data.l[1] = static_cast<long>(names_.fullscreen);
-    event.xclient.data.l[3] = 1; // from an application
-    XSendEvent(window_.display(), window_.connection().root(), False,
-               SubstructureRedirectMask | SubstructureNotifyMask, &event);
-}
-
-void x11_fullscreen::cover() {
-    Display* display = window_.display();
-    XWindowAttributes root{};
-    if (XGetWindowAttributes(display, window_.id(), &before_) == 0 ||
-        XGetWindowAttributes(display, window_.connection().root(), &root) == 0)
+void x11_fullscreen::follow() {
+    if (window_.connection().lost())
         return;
-    XMoveResizeWindow(display, window_.id(), 0, 0, static_cast<unsigned>(root.width),
-                      static_cast<unsigned>(root.height));
-    XRaiseWindow(display, window_.id());
-}
-
-void x11_fullscreen::set_on(bool on) {
+    const x11_facts& facts = state_.facts();
+    const bool is_granted = facts.grants_fullscreen;
+    if (is_granted && covers_) {
+        // Its memory of the window shall be that of the usual place.
+        uncover();
+        wanted_ = wanted_.value_or(true);
+    } else if (granted_ && !is_granted) {
+        covers_ = on_;
+    }
+    granted_ = is_granted;
+    if (wanted_ && !state_.is_asking())
+        act(*std::exchange(wanted_, std::nullopt));
+    const bool on = is_granted ? facts.fullscreen : covers_;
     if (std::exchange(on_, on) == on)
         return;
     window_.watch_pointer(on);
     show_pointer();
 }
 
+void x11_fullscreen::act(bool on) {
+    if (granted_)
+        ask_manager(on);
+    else if (on && !covers_)
+        cover();
+    else if (!on && covers_)
+        uncover();
+}
+
+void x11_fullscreen::ask_manager(bool on) {
+    XEvent event{};
+    event.xclient.type = ClientMessage;
+    event.xclient.window = window_.id();
+    event.xclient.message_type = state_.atom(x11_state::net_wm_state);
+    event.xclient.format = 32;
+    event.xclient.data.l[0] = on ? 1 : 0; // add, remove
+    event.xclient.data.l[1] = static_cast<long>(state_.atom(x11_state::net_wm_state_fullscreen));
+    event.xclient.data.l[3] = 1; // from an application
+    XSendEvent(window_.display(), window_.connection().root(), False,
+               SubstructureRedirectMask | SubstructureNotifyMask, &event);
+}
+
+/// The monitor that the window's middle is on; else the first.
+l3d_pixel_box x11_fullscreen::monitor() const {
+    const auto& monitors = state_.facts().monitors;
+    if (monitors.empty())
+        return {0, 0, DisplayWidth(window_.display(), window_.connection().screen()),
+                DisplayHeight(window_.display(), window_.connection().screen())};
+    const int x = place_.left + (place_.right - place_.left) / 2;
+    const int y = place_.top + (place_.bottom - place_.top) / 2;
+    const auto found = std::ranges::find_if(monitors, [x, y](const l3d_pixel_box& box) {
+        return x >= box.left && x < box.right && y >= box.top && y < box.bottom;
+    });
+    return found == monitors.end() ? monitors.front() : *found;
+}
+
+void x11_fullscreen::move(const l3d_pixel_box& place) const {
+    XMoveResizeWindow(window_.display(), window_.id(), place.left, place.top,
+                      static_cast<unsigned>(place.right - place.left),
+                      static_cast<unsigned>(place.bottom - place.top));
+}
+
+void x11_fullscreen::cover() {
+    asked_ = monitor();
+    covers_ = true;
+    is_corrected_ = false;
+    move(asked_);
+    XRaiseWindow(window_.display(), window_.id());
+}
+
+void x11_fullscreen::uncover() {
+    covers_ = false;
+    move(place_);
+}
+
+/// The server tells places in the parent, which may be a frame; managers tell those on the screen.
+void x11_fullscreen::take_place(const XConfigureEvent& event) {
+    const bool is_on_screen = event.send_event != 0 || !state_.facts().managed;
+    if (covers_) {
+        // A manager's frame moves the window by what it adds at its left and above it.
+        const int right = event.x - asked_.left, down = event.y - asked_.top;
+        if (event.send_event == 0 || (right == 0 && down == 0) ||
+            std::exchange(is_corrected_, true))
+            return;
+        move({asked_.left - right, asked_.top - down, asked_.right - right, asked_.bottom - down});
+        return;
+    }
+    // On its way to cover the screen, it has the new size before anybody says so.
+    const l3d_pixel_box whole = monitor();
+    if (on_ || !is_on_screen ||
+        (event.width == whole.right - whole.left && event.height == whole.bottom - whole.top))
+        return;
+    const bool is_real = event.send_event == 0;
+    const int width = is_real ? event.width : place_.right - place_.left;
+    const int height = is_real ? event.height : place_.bottom - place_.top;
+    place_ = {event.x, event.y, event.x + width, event.y + height};
+}
+
 void x11_fullscreen::take(const XEvent& event) {
     if (event.type == MotionNotify || event.type == ButtonPress)
         show_pointer();
-    if (event.type == PropertyNotify && names_.state != 0 && event.xproperty.atom == names_.state)
-        set_on(has(window_.id(), names_.state, names_.fullscreen));
+    if (event.type == ConfigureNotify)
+        take_place(event.xconfigure);
 }
 
 void x11_fullscreen::show_pointer() {
@@ -121,10 +144,15 @@ void x11_fullscreen::show_pointer() {
 }
 
 void x11_fullscreen::rest(clock::time_point now) {
-    if (!on_ || pointer_hidden_ || now - pointer_moved_ < longest_rest)
+    if (!on_ || pointer_hidden_ || window_.connection().lost() ||
+        now - pointer_moved_ < longest_rest)
         return;
     pointer_hidden_ = true;
     define_empty_cursor(window_.display(), window_.id());
+}
+
+x11_fullscreen::clock::time_point x11_fullscreen::next_rest() const {
+    return on_ && !pointer_hidden_ ? pointer_moved_ + longest_rest : clock::time_point::max();
 }
 
 } // namespace l3d_detail

@@ -3,53 +3,65 @@
 #ifndef L3D_TOOL_2D_X11_X11_FULLSCREEN_P_H
 #define L3D_TOOL_2D_X11_X11_FULLSCREEN_P_H
 
+#include "tool_2d/x11/x11_state_p.h"
 #include "tool_2d/x11/x11_window_p.h"
 
 #include <chrono>
+#include <optional>
 
 namespace l3d_detail {
 
 /// Covers the screen with a window, and gives it back its old place.
 ///
-/// A window manager that knows how is asked to; otherwise the window is moved and resized. While
-/// it covers the screen, a pointer that rests is hidden.
-/// Lives:   borrows the window.
+/// A window manager that knows how is asked to. Otherwise the window covers the monitor that it is
+/// on. What counts is what the manager says, whoever asked it. A manager that comes takes over,
+/// and one that goes leaves the window as it is. While it covers the screen, a pointer that rests
+/// is hidden.
+/// Lives:   borrows window and state.
 class x11_fullscreen {
 public:
     using clock = std::chrono::steady_clock;
 
-    explicit x11_fullscreen(x11_window& window) : window_(window) {}
+    /// `native` is the size that the window was made with.
+    x11_fullscreen(x11_window& window, x11_state& state, l3d_size native)
+        : window_(window), state_(state), place_{0, 0, native.width, native.height} {}
 
-    bool is_on() const { return on_; }
+    bool is_on() const { return wanted_.value_or(on_); }
 
-    /// Cost:    a round trip or three.
+    /// Happens as soon as the state of the window is known.
     void set(bool on);
 
-    /// Looks at an event: did the pointer move, or the manager change its mind?
+    /// Looks at an event about our window: did the pointer move, or the window?
     void take(const XEvent& event);
+
+    /// The state of the window may be another.
+    void follow();
 
     /// Hides the pointer if it has not moved for two seconds. To be called now and then.
     void rest(clock::time_point now);
 
-private:
-    /// The atoms, which few windows ever need.
-    struct names {
-        Atom state = 0;
-        Atom fullscreen = 0;
-        Atom supported = 0;
-    };
+    /// When rest() has something to do; never, if the pointer need not be hidden.
+    clock::time_point next_rest() const;
 
-    void intern_names();
-    bool has(Window window, Atom list, Atom wanted) const;
-    void ask_manager(bool on) const;
+private:
+    void act(bool on);
+    void ask_manager(bool on);
     void cover();
-    void set_on(bool on);
+    void uncover();
+    void move(const l3d_pixel_box& place) const;
+    l3d_pixel_box monitor() const;
+    void take_place(const XConfigureEvent& event);
     void show_pointer();
 
     x11_window& window_;
-    names names_;
+    x11_state& state_;
+    std::optional<bool> wanted_; ///< and not done yet
     bool on_ = false;
-    XWindowAttributes before_{}; ///< where the window was
+    bool granted_ = false;      ///< a manager did, or would do it, when we last looked
+    bool covers_ = false;       ///< by ourselves
+    l3d_pixel_box place_;       ///< where the window is when it does not cover the screen
+    l3d_pixel_box asked_{};     ///< where it shall be to cover the screen
+    bool is_corrected_ = false; ///< by what a manager's frame had moved it
     bool pointer_hidden_ = false;
     clock::time_point pointer_moved_;
 };

@@ -61,7 +61,7 @@ private:
         writer_.write(picture, pixel_writer::writable_part(part, picture.size()), native, bytes,
                       ximage_->bytes_per_line);
         ximage_->data = reinterpret_cast<char*>(bytes);
-        buffer.put = NextRequest(window_.display());
+        buffer.put = XNextRequest(window_.display());
         buffer.put_time = steady_clock::now();
         const l3d_pixel_box box = writer_.native_part(part, native);
         XShmPutImage(window_.display(), window_.id(), window_.graphics(), ximage_.get(), box.left,

@@ -21,9 +21,8 @@ using unique_database = std::unique_ptr<std::remove_pointer_t<XrmDatabase>, data
 
 constexpr double usual_dpi = 96;
 
-/// Dots an inch, as the user has set them.
-double resource_dpi(Display* display) {
-    const char* resources = XResourceManagerString(display);
+/// Dots an inch, as the user has set them; null is no text.
+double resource_dpi(const char* resources) {
     if (resources == nullptr)
         return usual_dpi;
     XrmInitialize();
@@ -39,18 +38,28 @@ double resource_dpi(Display* display) {
 
 } // namespace
 
-int x11_scale(const x11_connection& connection, const l3d_screen_request& request) {
-    if (request.scale != 0)
-        return request.scale;
-    const int fits = largest_x11_side / std::max(request.size.width, request.size.height);
-    const int largest = std::clamp(fits, 1, l3d_largest_scale);
-    return static_cast<int>(std::lround(std::min<double>(x11_fineness(connection), largest)));
+double x11_fineness_of_dpi(double dpi) {
+    const double wanted = dpi / usual_dpi;
+    // Also for a resource that is no number.
+    return wanted > 1 ? std::min<double>(wanted, l3d_largest_scale) : 1;
+}
+
+double x11_fineness_of(const char* resources) {
+    return x11_fineness_of_dpi(resource_dpi(resources));
 }
 
 double x11_fineness(const x11_connection& connection) {
-    const double wanted = resource_dpi(connection.display()) / usual_dpi;
-    // Also for a resource that is no number.
-    return wanted > 1 ? std::min<double>(wanted, l3d_largest_scale) : 1;
+    return x11_fineness_of(XResourceManagerString(connection.display()));
+}
+
+l3d_size x11_picture_size(const x11_connection& connection, const l3d_screen_request& request) {
+    if (request.scale != 0)
+        return request.size;
+    const double fits =
+        static_cast<double>(largest_x11_side) / std::max(request.size.width, request.size.height);
+    const double factor = std::clamp(fits, 1.0, x11_fineness(connection));
+    return {static_cast<int>(std::lround(request.size.width * factor)),
+            static_cast<int>(std::lround(request.size.height * factor))};
 }
 
 } // namespace l3d_detail

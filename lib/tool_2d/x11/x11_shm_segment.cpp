@@ -111,7 +111,7 @@ std::unique_ptr<x11_shm_segment> x11_shm_segment::make(x11_connection& connectio
     if (is_hopeless(connection, why))
         return nullptr;
     const auto row = make_ximage(connection.display(), visual, layout, {proof_width, 1});
-    std::unique_ptr<x11_shm_segment> segment(new x11_shm_segment(connection.display()));
+    std::unique_ptr<x11_shm_segment> segment(new x11_shm_segment(connection));
     if (attaches_nameless && connection.shares_memory())
         return segment->attach(size, why) ? std::move(segment) : nullptr;
     x11_error_trap trap(connection);
@@ -141,7 +141,7 @@ bool x11_shm_segment::attach(std::size_t size, std::string& why) {
         forget_name();
     info_.shmaddr = static_cast<char*>(address);
     info_.readOnly = True;
-    XShmAttach(display_, &info_);
+    XShmAttach(connection_.display(), &info_);
     return true;
 }
 
@@ -154,7 +154,8 @@ void x11_shm_segment::forget_name() {
 x11_shm_segment::~x11_shm_segment() {
     if (info_.shmaddr == nullptr)
         return;
-    XShmDetach(display_, &info_);
+    if (!connection_.lost())
+        XShmDetach(connection_.display(), &info_);
     forget_name();
     shmdt(info_.shmaddr);
 }

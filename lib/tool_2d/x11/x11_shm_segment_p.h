@@ -43,13 +43,13 @@ public:
     XShmSegmentInfo& info() { return info_; }
 
 private:
-    explicit x11_shm_segment(Display* display) : display_(display) {}
+    explicit x11_shm_segment(const x11_connection& connection) : connection_(connection) {}
 
     /// Errors:  false, with one line in `why`.
     bool attach(std::size_t size, std::string& why);
     void forget_name();
 
-    Display* display_;
+    const x11_connection& connection_;
     XShmSegmentInfo info_{};
     bool is_named_ = false;
 };

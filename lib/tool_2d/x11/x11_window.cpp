@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <utility>
 
 #include <unistd.h>
 
@@ -46,8 +47,9 @@ std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> con
                                              const l3d_screen_request& request,
                                              l3d_service& refusal) {
     assert(request.size.width >= 1 && request.size.height >= 1);
-    const int scale = x11_scale(*connection, request);
-    if (std::max(request.size.width, request.size.height) > largest_x11_side / scale) {
+    const int scale = x11_scale(request);
+    const l3d_size size = x11_picture_size(*connection, request);
+    if (std::max(size.width, size.height) > largest_x11_side / scale) {
         refusal = too_large(request.size, scale);
         return nullptr;
     }
@@ -56,7 +58,7 @@ std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> con
         return nullptr;
     std::unique_ptr<x11_window> window(
         new x11_window(std::move(connection), std::move(colormap), visual, scale));
-    const l3d_size native{request.size.width * scale, request.size.height * scale};
+    const l3d_size native{size.width * scale, size.height * scale};
     const x11_error_trap trap(window->connection());
     window->create(native);
     window->set_names(request);
@@ -78,14 +80,17 @@ std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> con
 x11_window::x11_window(std::unique_ptr<x11_connection> connection,
                        std::unique_ptr<x11_colormap> colormap, const x11_visual& visual, int scale)
     : connection_(std::move(connection)), colormap_(std::move(colormap)), visual_(visual),
-      atoms_(intern_atoms(display())), scale_(scale),
-      text_scale_(std::max(1.0, x11_fineness(*connection_) / scale)) {
+      atoms_(intern_atoms(display())), scale_(scale) {
+    set_fineness(x11_fineness(*connection_));
     // Without this a held key looks like one that is pressed again and again.
     XkbSetDetectableAutoRepeat(display(), True, nullptr);
 }
 
 x11_window::~x11_window() {
-    // Xlib's own record of the context is freed even if the server is gone.
+    if (connection_->lost()) {
+        XFree(graphics_); // Xlib's own record of it: there is no server to tell.
+        return;
+    }
     XFreeGC(display(), graphics_);
     XDestroyWindow(display(), window_);
 }
@@ -166,13 +171,16 @@ void x11_window::set_protocols() {
     set_property(atoms_.wm_protocols, XA_ATOM, 32, protocols.data(), protocols.size());
 }
 
+bool x11_window::set_fineness(double fineness) {
+    const double text_scale = std::max(1.0, fineness / scale_);
+    return std::exchange(text_scale_, text_scale) != text_scale;
+}
+
 void x11_window::watch_pointer(bool always) const {
     XSelectInput(display(), window_, always ? events_always | PointerMotionMask : events_always);
 }
 
-void x11_window::focus_if_unmanaged() {
-    if (managed_)
-        return;
+void x11_window::take_focus() {
     XSetInputFocus(display(), window_, RevertToParent, CurrentTime);
     colormap_->install();
 }

@@ -51,6 +51,9 @@ public:
     /// Side of the square of the display's pixels that shows one of ours.
     int scale() const { return scale_; }
 
+    /// How fine the display is now, as x11_fineness has it. True if letters change by that.
+    bool set_fineness(double fineness);
+
     /// See l3d_screen::text_scale.
     double text_scale() const { return text_scale_; }
 
@@ -60,17 +63,17 @@ public:
         return {ours(native.width + scale_ - 1), ours(native.height + scale_ - 1)};
     }
 
-    /// Whether a window manager looks after this display's windows, as of when this one was made.
-    bool is_managed() const { return managed_; }
+    /// Whether a window manager looked after this display's windows when this one was made.
+    bool was_managed() const { return managed_; }
 
     void map() { XMapWindow(display(), window_); }
 
     /// Hears of the pointer at all times, or only while a button is held.
     void watch_pointer(bool always) const;
 
-    /// Takes the keyboard and shows our colours if there is no window manager to do that for us.
+    /// Takes the keyboard and shows our colours, as a window manager would do it for us.
     /// Expects: the window is on the screen.
-    void focus_if_unmanaged();
+    void take_focus();
 
     /// Sets one of the window's properties, an array of bytes or of longs, whatever X calls it.
     void set_property(Atom name, Atom type, int format, const void* data, std::size_t count) const;
@@ -91,7 +94,7 @@ private:
     x11_visual visual_;
     x11_atoms atoms_;
     int scale_;
-    double text_scale_;
+    double text_scale_ = 1;
     bool managed_ = false;
     Window window_ = 0;
     GC graphics_ = nullptr;

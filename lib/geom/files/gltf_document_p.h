@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// gltf_document: the JSON of a glTF file, its buffers, and the numbers in them.
+#ifndef L3D_GEOM_FILES_GLTF_DOCUMENT_P_H
+#define L3D_GEOM_FILES_GLTF_DOCUMENT_P_H
+
+#include "geom/files/model_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace l3d_detail {
+
+/// What is wrong with a file, and where: "accessors[3].count is ...", or in which line.
+class gltf_error : public std::runtime_error {
+public:
+    /// Where the text is JSON, its places tell more than lines, of which it may have just one.
+    explicit gltf_error(const std::string& what, std::size_t line = 0)
+        : std::runtime_error((line > 0 ? std::to_string(line) + ": " : " ") + what) {}
+};
+
+/// A value of the document that knows its place in it.
+///
+/// Every function throws a gltf_error that begins with the place.
+/// Lives: borrows the document.
+class gltf_value {
+public:
+    using json = nlohmann::json;
+
+    gltf_value(const json& value, std::string place) : value_(&value), place_(std::move(place)) {}
+
+    bool has(const char* name) const { return value_->is_object() && value_->contains(name); }
+    /// A member. Errors: if there is none, or this is no object.
+    gltf_value at(const char* name) const;
+    /// An element of an array member. Errors: if there is no such element.
+    gltf_value element(const char* name, std::size_t index) const;
+    /// The number of elements of an array member; 0 if it is left out.
+    std::size_t count(const char* name) const;
+    gltf_value operator[](std::size_t index) const;
+    std::size_t size() const;
+
+    /// A whole number from 0 to 2^53, which JSON numbers hold.
+    std::uint64_t whole() const;
+    /// The same of a member; `missing` if it is left out.
+    std::uint64_t whole_or(const char* name, std::uint64_t missing) const;
+    double number() const;
+    bool flag_or(const char* name, bool missing) const;
+    const std::string& text() const;
+    std::string text_or(const char* name, const std::string& missing) const;
+
+    [[noreturn]] void fail(const std::string& what) const;
+    const std::string& place() const { return place_; }
+    const json& raw() const { return *value_; }
+
+private:
+    const json* value_;
+    std::string place_;
+};
+
+/// Numbers of an accessor, as they count: normalized ones are from -1 or 0 to 1.
+struct gltf_numbers {
+    std::size_t count = 0;      ///< of elements
+    std::size_t components = 1; ///< of an element
+    std::vector<double> values; ///< element after element
+
+    const double* at(std::size_t element) const { return &values[element * components]; }
+};
+
+/// A file that has been parsed, with its buffers. Errors: gltf_error.
+class gltf_document {
+public:
+    using json = nlohmann::json;
+
+    /// `name` is what messages call the file. Lives: borrows the text and `files`.
+    gltf_document(std::string_view text, const l3d_other_files& files);
+
+    gltf_value root() const { return {json_, ""}; }
+
+    /// The numbers of an accessor. Its type is one of `types`, "VEC3 VEC4" say. `at` is the place
+    /// that names it. `is_index` asks for whole numbers that are not negative.
+    gltf_numbers numbers(const gltf_value& at, std::string_view types, bool is_index) const;
+
+    /// Counts what is made of the file: it may name the same numbers again and again.
+    void take_memory(std::size_t bytes) const;
+
+private:
+    struct element_shape;
+
+    void read_container(std::string_view text);
+    void read_buffers(const l3d_other_files& files);
+    std::string_view view_of(const gltf_value& index, std::size_t& stride) const;
+    element_shape shape_of(const gltf_value& accessor, const gltf_value& type) const;
+    void fill(const gltf_value& accessor, const gltf_value& view, const element_shape& shape,
+              std::size_t count, gltf_numbers& out) const;
+    void fill_sparse(const gltf_value& accessor, const element_shape& shape,
+                     gltf_numbers& out) const;
+
+    json json_;
+    std::string_view chunk_; ///< the binary part of a .glb file
+    bool has_chunk_ = false;
+    std::vector<std::string> owned_; ///< buffers that are not in the file as they are
+    std::vector<std::string_view> buffers_;
+    std::size_t bytes_ = 0; ///< of the file and the files that it names
+    mutable std::size_t taken_ = 0;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: MIT
+// Reader of glTF 2.0: the scene's nodes become one mesh, in the scene's coordinates.
+#include "geom/files/gltf_document_p.h"
+#include "base/printable_p.h"
+#include "geom/files/model_reader_p.h"
+#include "geom/transform.h"
+
+#include <set>
+
+namespace {
+
+using l3d_detail::gltf_document;
+using l3d_detail::gltf_error;
+using l3d_detail::gltf_numbers;
+using l3d_detail::gltf_value;
+using matrix = l3d_matrix<double>;
+using vector = l3d_polygon_mesh::vector;
+
+/// A level of linear light as pictures encode it. Units: both from 0 to 1.
+/// Source: IEC 61966-2-1, sRGB.
+double encoded(double light) {
+    const double held = std::clamp(light, 0.0, 1.0);
+    return held <= 0.0031308 ? 12.92 * held : 1.055 * std::pow(held, 1 / 2.4) - 0.055;
+}
+
+std::uint32_t word_of(const std::array<double, 3>& light) {
+    std::uint32_t word = 0;
+    for (const double component : light)
+        word = word << 8 | static_cast<std::uint32_t>(std::lround(255 * encoded(component)));
+    return word;
+}
+
+matrix rotation_of(const std::array<double, 4>& q) {
+    const auto [x, y, z, w] = q;
+    matrix m = l3d_identity<double>();
+    const double rows[3][3] = {{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
+                               {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
+                               {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}};
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            m(row, column) = rows[row][column];
+    return m;
+}
+
+/// The ways in which indices make triangles, by glTF's numbers.
+enum : std::uint64_t { triangles = 4, strip = 5, fan = 6 };
+
+class gltf_reader {
+public:
+    gltf_reader(const gltf_document& document, l3d_model_file& model, std::string name)
+        : root_(document.root()), document_(document), model_(model), name_(std::move(name)) {}
+
+    void read() {
+        check_version();
+        note_what_is_skipped();
+        read_materials();
+        read_scene();
+        finish();
+    }
+
+private:
+    l3d_polygon_mesh& mesh() { return model_.mesh; }
+    void note(const std::string& what) { model_.notes.push_back(name_ + ": " + what); }
+
+    void check_version() {
+        const std::string version = root_.at("asset").at("version").text();
+        if (!version.starts_with("2."))
+            root_.at("asset").at("version").fail(l3d_detail::quoted(version) + "; 2.0 can be read");
+        // Those that change what the numbers here mean.
+        for (std::size_t i = 0; i < root_.count("extensionsRequired"); ++i) {
+            const gltf_value extension = root_.element("extensionsRequired", i);
+            const std::string_view of = extension.text();
+            if (of != "KHR_mesh_quantization" && !of.starts_with("KHR_materials_") &&
+                of.find("_texture_") == of.npos)
+                extension.fail("asks for " + l3d_detail::quoted(of) + ", which is not read here");
+        }
+    }
+
+    void note_what_is_skipped() {
+        constexpr std::pair<const char*, const char*> skipped[] = {
+            {"textures", "textures are skipped: surfaces have the colours of their materials"},
+            {"animations", "animations are skipped: nodes stay where they are"},
+            {"skins", "skins are skipped: meshes have the shape they are stored in"},
+            {"cameras", "cameras are skipped"}};
+        for (const auto& [member, words] : skipped)
+            if (root_.count(member) > 0)
+                note(words);
+    }
+
+    void read_materials() {
+        for (std::size_t i = 0; i < root_.count("materials"); ++i) {
+            const gltf_value material = root_.element("materials", i);
+            std::array<double, 4> color{1, 1, 1, 1};
+            if (material.has("pbrMetallicRoughness"))
+                read_array(material.at("pbrMetallicRoughness"), "baseColorFactor", color);
+            is_transparent_ = is_transparent_ || material.text_or("alphaMode", "") == "BLEND";
+            mesh().materials.push_back(material.text_or("name", "material " + std::to_string(i)));
+            mesh().looks.push_back({.color = word_of({color[0], color[1], color[2]})});
+        }
+    }
+
+    template <std::size_t N>
+    static bool read_array(const gltf_value& of, const char* name, std::array<double, N>& out) {
+        if (!of.has(name))
+            return false;
+        const gltf_value array = of.at(name);
+        if (array.size() != N)
+            array.fail("has " + std::to_string(array.size()) + " numbers, not " +
+                       std::to_string(N));
+        for (std::size_t i = 0; i < N; ++i)
+            out[i] = array[i].number();
+        return true;
+    }
+
+    static matrix transform_of(const gltf_value& node) {
+        std::array<double, 16> columns{};
+        if (read_array(node, "matrix", columns)) {
+            matrix m = l3d_identity<double>();
+            for (int row = 0; row < 3; ++row)
+                for (int column = 0; column < 4; ++column)
+                    m(row, column) = columns[static_cast<std::size_t>(4 * column + row)];
+            return m;
+        }
+        std::array<double, 3> move{0, 0, 0}, scale{1, 1, 1};
+        std::array<double, 4> turn{0, 0, 0, 1};
+        read_array(node, "translation", move);
+        read_array(node, "rotation", turn);
+        read_array(node, "scale", scale);
+        return l3d_translation<double>(move[0], move[1], move[2]) * rotation_of(turn) *
+               l3d_scaling<double>(scale[0], scale[1], scale[2]);
+    }
+
+    /// The nodes of the scene; without a scene, all that are nobody's children.
+    void read_scene() {
+        struct pending {
+            std::size_t node;
+            matrix to_scene;
+        };
+        std::vector<pending> stack;
+        const std::size_t nodes = root_.count("nodes");
+        if (root_.count("scenes") > 0) {
+            const gltf_value scene = root_.element("scenes", root_.whole_or("scene", 0));
+            for (std::size_t i = scene.count("nodes"); i-- > 0;)
+                stack.push_back({scene.element("nodes", i).whole(), l3d_identity<double>()});
+        } else {
+            std::set<std::uint64_t> children;
+            for (std::size_t n = 0; n < nodes; ++n)
+                for (std::size_t i = 0; i < root_.element("nodes", n).count("children"); ++i)
+                    children.insert(root_.element("nodes", n).element("children", i).whole());
+            for (std::size_t n = nodes; n-- > 0;)
+                if (!children.contains(n))
+                    stack.push_back({n, l3d_identity<double>()});
+        }
+        std::vector<bool> is_seen(nodes);
+        while (!stack.empty()) {
+            const pending next = stack.back();
+            stack.pop_back();
+            const gltf_value node = root_.element("nodes", next.node);
+            if (is_seen[next.node])
+                node.fail("is in the scene twice");
+            is_seen[next.node] = true;
+            const matrix to_scene = next.to_scene * transform_of(node);
+            if (node.has("mesh"))
+                read_mesh(node, to_scene);
+            for (std::size_t i = node.count("children"); i-- > 0;)
+                stack.push_back({node.element("children", i).whole(), to_scene});
+        }
+    }
+
+    void read_mesh(const gltf_value& node, const matrix& to_scene) {
+        const gltf_value of = root_.element("meshes", node.at("mesh").whole());
+        const std::string name = node.text_or("name", of.text_or("name", ""));
+        mesh().parts.push_back({name, static_cast<std::uint32_t>(mesh().faces())});
+        has_morphs_ = has_morphs_ || of.count("weights") > 0;
+        for (std::size_t i = 0; i < of.count("primitives"); ++i)
+            read_primitive(of.element("primitives", i), to_scene);
+    }
+
+    void read_primitive(const gltf_value& primitive, const matrix& to_scene) {
+        const std::uint64_t mode = primitive.whole_or("mode", triangles);
+        if (mode > fan)
+            primitive.fail("has mode " + std::to_string(mode) + " of 0 to 6");
+        has_morphs_ = has_morphs_ || primitive.count("targets") > 0;
+        const gltf_value attributes = primitive.at("attributes");
+        if (mode < triangles || !attributes.has("POSITION")) {
+            has_lines_ = true;
+            return;
+        }
+        const std::uint32_t first = l3d_polygon_mesh::index_of(mesh().vertices.size());
+        const std::size_t count = read_vertices(attributes, to_scene);
+        const bool mirrors = l3d_determinant(to_scene) < 0;
+        std::vector<std::uint32_t> indices = indices_of(primitive, count);
+        const std::size_t faces = mesh().faces();
+        const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+            if (mirrors)
+                std::swap(b, c);
+            mesh().add_face({{first + indices[a], first + indices[b], first + indices[c]}});
+        };
+        if (mode == triangles && indices.size() % 3 != 0)
+            primitive.fail("has " + std::to_string(indices.size()) +
+                           " corners, which is no number of triangles");
+        document_.take_memory(indices.size() * (mode == triangles ? 1 : 3) * sizeof(std::uint32_t));
+        for (std::size_t i = 0; i + 2 < indices.size(); i += mode == triangles ? 3 : 1)
+            if (mode == fan)
+                add(0, i + 1, i + 2);
+            else if (mode == strip && i % 2 == 1)
+                add(i + 1, i, i + 2);
+            else
+                add(i, i + 1, i + 2);
+        if (primitive.has("material")) {
+            const std::uint64_t material = primitive.at("material").whole();
+            if (material >= root_.count("materials"))
+                primitive.at("material")
+                    .fail("names material " + std::to_string(material) + " of " +
+                          std::to_string(root_.count("materials")));
+            mesh().face_materials.resize(faces, l3d_detail::face_materials::nothing);
+            mesh().face_materials.resize(mesh().faces(), static_cast<std::uint32_t>(material));
+        }
+    }
+
+    /// Places, normals and colours of a primitive's vertices.
+    std::size_t read_vertices(const gltf_value& attributes, const matrix& to_scene) {
+        const gltf_value at = attributes.at("POSITION");
+        const gltf_numbers places = document_.numbers(at, "VEC3", false);
+        document_.take_memory(places.count * 2 * sizeof(vector));
+        for (std::size_t i = 0; i < places.count; ++i) {
+            const double* const p = places.at(i);
+            const auto moved = to_scene * l3d_vector<double, 4>(p[0], p[1], p[2], 1.0);
+            for (int k = 0; k < 3; ++k)
+                if (!(std::abs(moved[k]) <= l3d_bpt_largest_coordinate))
+                    at.fail("has a coordinate that is not finite or beyond 1e12, in vertex " +
+                            std::to_string(i));
+            mesh().vertices.emplace_back(moved[0], moved[1], moved[2]);
+        }
+        if (attributes.has("NORMAL"))
+            read_normals(attributes.at("NORMAL"), to_scene, places.count);
+        if (attributes.has("COLOR_0"))
+            read_colors(attributes.at("COLOR_0"), places.count);
+        return places.count;
+    }
+
+    static void check_count(const gltf_value& at, std::size_t count, std::size_t vertices) {
+        if (count != vertices)
+            at.fail("has " + std::to_string(count) + " elements for " + std::to_string(vertices) +
+                    " vertices");
+    }
+
+    /// By the cofactors of the placement, which keep normals normal.
+    void read_normals(const gltf_value& at, const matrix& to_scene, std::size_t vertices) {
+        const gltf_numbers normals = document_.numbers(at, "VEC3", false);
+        check_count(at, normals.count, vertices);
+        const auto m = [&](int row, int column) { return to_scene(row % 3, column % 3); };
+        const double side = l3d_determinant(to_scene) < 0 ? -1 : 1;
+        for (std::size_t i = 0; i < normals.count; ++i) {
+            vector turned(0);
+            for (int row = 0; row < 3; ++row)
+                for (int column = 0; column < 3; ++column)
+                    turned[row] += side * normals.at(i)[column] *
+                                   (m(row + 1, column + 1) * m(row + 2, column + 2) -
+                                    m(row + 1, column + 2) * m(row + 2, column + 1));
+            const double length = l3d_length(turned);
+            mesh().vertex_normals.push_back(length > 0 && std::isfinite(length) ? turned / length
+                                                                                : vector(0));
+        }
+    }
+
+    void read_colors(const gltf_value& at, std::size_t vertices) {
+        const gltf_numbers colors = document_.numbers(at, "VEC3 VEC4", false);
+        check_count(at, colors.count, vertices);
+        document_.take_memory(mesh().vertices.size() * 3 * sizeof(float) - color_bytes_);
+        color_bytes_ = mesh().vertices.size() * 3 * sizeof(float);
+        for (std::size_t i = 0; i < vertices; ++i) {
+            std::array<double, 3> light{};
+            for (std::size_t k = 0; k < light.size(); ++k)
+                light[k] = encoded(colors.at(i)[k]);
+            colors_.give(mesh().vertices.size() - vertices + i, light.data());
+        }
+    }
+
+    std::vector<std::uint32_t> indices_of(const gltf_value& primitive, std::size_t vertices) {
+        std::vector<std::uint32_t> result;
+        if (!primitive.has("indices")) {
+            for (std::size_t i = 0; i < vertices; ++i)
+                result.push_back(static_cast<std::uint32_t>(i));
+            return result;
+        }
+        const gltf_value at = primitive.at("indices");
+        const gltf_numbers numbers = document_.numbers(at, "SCALAR", true);
+        result.reserve(numbers.count);
+        for (const double index : numbers.values) {
+            if (!(index < static_cast<double>(vertices)))
+                at.fail("names vertex " + std::to_string(static_cast<std::uint64_t>(index)) +
+                        " of " + std::to_string(vertices));
+            result.push_back(static_cast<std::uint32_t>(index));
+        }
+        return result;
+    }
+
+    void finish() {
+        if (has_morphs_)
+            note("morph targets are skipped: meshes have the shape they are stored in");
+        if (is_transparent_)
+            note("transparency is skipped: materials are opaque");
+        if (has_lines_)
+            note("points, lines and what has no places are skipped");
+        if (!mesh().vertex_normals.empty() &&
+            mesh().vertex_normals.size() != mesh().vertices.size()) {
+            mesh().vertex_normals.clear();
+            note("normals are skipped: not every vertex has one");
+        }
+        if (!mesh().face_materials.empty()) {
+            mesh().face_materials.resize(mesh().faces(), l3d_detail::face_materials::nothing);
+            const auto without = static_cast<std::uint32_t>(mesh().materials.size());
+            bool is_needed = false;
+            for (std::uint32_t& material : mesh().face_materials)
+                if (material == l3d_detail::face_materials::nothing) {
+                    material = without;
+                    is_needed = true;
+                }
+            if (is_needed) {
+                mesh().materials.emplace_back();
+                mesh().looks.emplace_back();
+            }
+        } else {
+            mesh().materials.clear();
+            mesh().looks.clear();
+        }
+        colors_.finish(mesh());
+        if (!mesh().face_colors.empty())
+            note(l3d_detail::vertex_colors_note);
+    }
+
+    gltf_value root_;
+    const gltf_document& document_;
+    l3d_model_file& model_;
+    std::string name_;
+    l3d_detail::vertex_colors colors_;
+    std::size_t color_bytes_ = 0;
+    bool has_morphs_ = false, has_lines_ = false, is_transparent_ = false;
+};
+
+} // namespace
+
+std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, std::string_view name,
+                                            std::string& why, const l3d_other_files& files) {
+    const std::string called = l3d_detail::printable(name);
+    try {
+        const gltf_document document(text, files);
+        l3d_model_file model;
+        gltf_reader(document, model, called).read();
+        return model;
+    } catch (const gltf_error& error) {
+        why = called + ':' + error.what();
+    } catch (const std::length_error& error) {
+        why = called + ": " + error.what();
+    }
+    return std::nullopt;
+}

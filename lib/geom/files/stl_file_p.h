@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// What tells a binary .stl file, which has no word of its own, from all other models.
+#ifndef L3D_GEOM_FILES_STL_FILE_P_H
+#define L3D_GEOM_FILES_STL_FILE_P_H
+
+#include <string_view>
+
+namespace l3d_detail {
+
+/// Whether a file has the size that its number of triangles asks for. A text would have to be
+/// longer than 6 GB: the bytes of its number are blanks and more, so it is at least 0x09090909.
+bool is_binary_stl(std::string_view text);
+
+} // namespace l3d_detail
+
+#endif

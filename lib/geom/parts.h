@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// l3d_parts: the named parts of a model, such as the lid of a teapot.
+#ifndef L3D_GEOM_PARTS_H
+#define L3D_GEOM_PARTS_H
+
+#include "base/public.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// A run of faces or patches with a name: from the first one to the next run's.
+struct L3D_PUBLIC l3d_part_run {
+    std::string name;        ///< as the file has it; empty: these belong to no part
+    std::uint32_t first = 0; ///< index of the first one that belongs to it
+    /// Whether names and first indices are the same.
+    friend bool operator==(const l3d_part_run&, const l3d_part_run&) = default;
+};
+
+/// The parts of a model: names, and the things (faces or patches) that belong to each.
+///
+/// Runs of one name are one part. A part has at least one thing, and a thing belongs to one part at
+/// most.
+/// Cost: four bytes for each thing, if there is a part.
+class L3D_PUBLIC l3d_parts {
+public:
+    /// No parts.
+    l3d_parts() = default;
+
+    /// The parts of `count` things. Expects: runs in the order of their first things, none beyond
+    /// `count`.
+    l3d_parts(std::span<const l3d_part_run> runs, std::size_t count);
+
+    /// The name of each part, each once, in the order of their first things.
+    std::span<const std::string> names() const { return names_; }
+
+    /// The index of a part in names(); nothing if there is none of this name.
+    std::optional<std::size_t> find(std::string_view name) const;
+
+    /// The index of a thing's part in names(), or `none`. Expects: thing < count.
+    std::size_t of(std::size_t thing) const { return of_.empty() ? none : of_[thing]; }
+
+    /// The name of a thing's part; empty if it belongs to none. Expects: as of().
+    std::string_view name_of(std::size_t thing) const;
+
+    /// The number of things of a part. Expects: an index of names().
+    std::size_t size_of(std::size_t part) const;
+
+    /// Whether each of `count` things belongs to one of these parts. Expects: indices of names(),
+    /// the count of the constructor.
+    std::vector<bool> things_of(std::span<const std::size_t> parts, std::size_t count) const;
+
+    /// The same parts as runs over the things.
+    std::vector<l3d_part_run> runs() const;
+
+    /// Why a name is none of these, with those that are, in the words of a message; "" if it is
+    /// one.
+    std::string complaint(std::string_view name) const;
+
+    /// Stands for no part.
+    static constexpr std::size_t none = ~std::uint32_t{0};
+
+private:
+    std::vector<std::string> names_;
+    std::vector<std::uint32_t> of_; ///< of each thing; empty if there are no names
+};
+
+#endif

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// l3d_part_options: declarations, and models made of parts.
+#include "system/part_options.h"
+
+#include "base/printable_p.h"
+#include "system/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& why) {
+    throw l3d_error(l3d_exit::usage, why);
+}
+
+std::size_t found(const l3d_parts& parts, const char* option, const std::string& name) {
+    if (const std::string why = parts.complaint(name); !why.empty())
+        refuse(std::string(option) + ": " + why);
+    return *parts.find(name);
+}
+
+std::vector<std::size_t> all_found(const l3d_parts& parts, const char* option,
+                                   const std::vector<std::string>& names) {
+    std::vector<std::size_t> result;
+    for (const std::string& name : names)
+        result.push_back(found(parts, option, name));
+    return result;
+}
+
+bool is_empty(const l3d_patch_model& model) {
+    return model.patches().empty();
+}
+
+bool is_empty(const l3d_polygon_model& model) {
+    return model.triangles().empty();
+}
+
+} // namespace
+
+l3d_part_options::l3d_part_options(l3d_options& options) {
+    options.add("--list-parts", lists_, "draw nothing; list the named parts of the model");
+    options.add_each("--hide", "leave out a part of the model; may be given for several", "PART",
+                     "", [this](const std::string& name) { hidden_.push_back(name); });
+    options.add_each("--show-only",
+                     "leave out all but this part of the model; may be given for several", "PART",
+                     "", [this](const std::string& name) { shown_.push_back(name); });
+    options.add_each("--color",
+                     "part of the model and its colour, as lid=200,60,40: red, green and blue "
+                     "from 0 to 255; may be given for several",
+                     "PART_COLOR", "", [this](const std::string& text) { add_color(text); });
+    options.has_result("--list-parts");
+}
+
+/// A name may have an equals sign in it; a colour has none.
+void l3d_part_options::add_color(const std::string& text) {
+    const std::size_t at = text.rfind('=');
+    std::array<int, 3> levels{};
+    const bool is_color = at != text.npos && at > 0 &&
+                          l3d_read_numbers(std::string_view(text).substr(at + 1), ',', levels) &&
+                          std::ranges::all_of(levels, [](int l) { return l >= 0 && l <= 255; });
+    if (!is_color)
+        refuse("--color: '" + l3d_detail::printable(text) +
+               "' is not PART=R,G,B with whole numbers from 0 to 255");
+    std::uint32_t color = 0;
+    for (const int level : levels)
+        color = color << 8 | static_cast<std::uint32_t>(level);
+    colors_.push_back({text.substr(0, at), color});
+}
+
+void l3d_part_options::list(const l3d_parts& parts, std::string_view things) {
+    if (parts.names().empty())
+        std::cout << "no parts\n";
+    for (std::size_t i = 0; i < parts.names().size(); ++i)
+        std::cout << l3d_detail::printable(parts.names()[i]) << ": " << parts.size_of(i) << ' '
+                  << things << '\n';
+    if (!std::cout.flush())
+        throw l3d_error(l3d_exit::failure, "cannot write to the standard output");
+}
+
+template <class Model> Model l3d_part_options::applied_to(const Model& model) const {
+    Model result = model;
+    for (const colored& color : colors_)
+        result = result.part_painted(found(model.parts(), "--color", color.part),
+                                     {.color = color.color});
+    const auto shown = all_found(model.parts(), "--show-only", shown_);
+    std::vector<std::size_t> hidden = all_found(model.parts(), "--hide", hidden_);
+    if (shown.empty() && hidden.empty())
+        return result;
+    std::vector<std::size_t> kept;
+    for (const std::size_t part : shown)
+        if (std::ranges::find(hidden, part) == hidden.end())
+            kept.push_back(part);
+    result = shown.empty() ? result.without(hidden) : result.only(kept);
+    if (is_empty(result))
+        refuse("--hide: nothing of the model is left");
+    return result;
+}
+
+l3d_patch_model l3d_part_options::applied(const l3d_patch_model& model) const {
+    return applied_to(model);
+}
+
+l3d_polygon_model l3d_part_options::applied(const l3d_polygon_model& model) const {
+    return applied_to(model);
+}

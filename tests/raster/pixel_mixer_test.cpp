@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// pixel_mixer against its slow twin: every pixel of random scenes by areas, and by 256 samples.
+#include "raster/refine/pixel_mixer_p.h"
+#include "raster/refine/sampled_pixel_p.h"
+#include "raster/srgb_light.h"
+#include "raster/surfaces/shader_choice_p.h"
+#include "surface_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace {
+
+using namespace l3d_detail;
+
+constexpr l3d_size size{101, 67};
+
+/// All polygons of a scene, in all pixels whose squares they reach.
+struct all_fragments {
+    l3d_workers workers{1};
+    band_list list;
+    coarse_depth coarse;
+    pixel_bits bits;
+    band_fragments fragments;
+
+    all_fragments(const surface_parts& scene, const l3d_shading& shading) {
+        const l3d_pixel_box window = l3d_whole(size);
+        list.make(pointers(scene), {.window = window, .rows = size.height, .squares = true},
+                  nullptr, workers);
+        coarse.resize(size);
+        coarse.forget(0, size.height); // so that nothing counts as hidden
+        bits.resize(size);
+        bits.clear(0, size.height);
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                bits.set(x, y);
+        fragments.begin(bits, drawn_depth(nullptr, 0, window, coarse), size.width, 0, size.height);
+        fragments.use_colors({}, false);
+        for (const std::uint32_t index : list.items(0))
+            fragments.add(list, list.item(index), shading.mode == l3d_shade::levels);
+        fragments.sort();
+    }
+};
+
+/// The words that the slow twin makes of all pixels.
+std::vector<std::uint32_t> sampled(const all_fragments& of, const l3d_shading& shading) {
+    std::vector<std::uint32_t> result;
+    const band_fragments& band = of.fragments;
+    const linear_light& tables = linear_light_tables();
+    sampled_pixel sampler;
+    with_shader(shading, {}, 0, [&](auto shader) {
+        for (std::size_t i = 0; i < band.pixels().size(); ++i) {
+            const band_fragments::pixel at = band.pixels()[i];
+            sampler.begin({at.x * l3d_subpixel_one, at.y * l3d_subpixel_one});
+            for (std::size_t pair = band.begin_of(i); pair < band.begin_of(i + 1); ++pair)
+                sampler.add(band.polygons()[band.pairs()[pair].polygon]);
+            float empty = 0;
+            const light_sum light = sampler.light(shader, false, band.closed(i), empty);
+            result.push_back(
+                light.word_before(shading.background.word(at.y, size.height), empty, tables));
+        }
+    });
+    return result;
+}
+
+/// Where pixel_mixer samples, both are the same bits. Elsewhere samples are off by up to 1.18 of 64
+/// at each edge. One pixel of several edges was found to be off by 3.7 of 64; the root mean square
+/// over a picture was 0.0028 of white at most. Limits are 1.2 times that.
+TEST(PixelMixer, MixesWhatItsSlowTwinSamples) {
+    for (const l3d_shade mode : {l3d_shade::gouraud, l3d_shade::flat, l3d_shade::levels})
+        for (unsigned n = 0; n < 8; ++n) {
+            l3d_shading shading = scene_shading(mode);
+            shading.antialias = true;
+            shading.background = l3d_background::color(n % 2 == 0 ? 0 : 0xffffff);
+            const all_fragments all(random_scene(scene_seed + n, size, 6), shading);
+            const auto slow = sampled(all, shading);
+            pixel_mixer mixer;
+            mixer.draw(all.fragments, shading, {}, false, size.height);
+            const auto fast = mixer.words();
+            ASSERT_EQ(fast.size(), slow.size());
+            double largest = 0, squares = 0;
+            for (std::size_t i = 0; i < fast.size(); ++i) {
+                const double off =
+                    std::abs(l3d_light_of_level(fast[i] & 255) - l3d_light_of_level(slow[i] & 255));
+                largest = std::max(largest, off);
+                squares += off * off;
+            }
+            const double rms = std::sqrt(squares / static_cast<double>(fast.size()));
+            const auto by_samples = mixer.take_sampled();
+            EXPECT_GT(by_samples, 40);
+            EXPECT_LT(by_samples, static_cast<std::int64_t>(fast.size()) / 2);
+            EXPECT_LT(largest, 0.07);
+            EXPECT_LT(rms, 0.0034);
+        }
+}
+
+} // namespace

@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""A program that has nothing to do sleeps, and a key wakes it at once."""
+
+import os
+import statistics
+import time
+
+import harness
+from harness import Checks, wait_for, xdotool
+from manager_test import HIDDEN, Managed
+from window_test import Session, await_rest, settle
+
+TEAPOT = harness.PROGRAMS[-1]
+SECONDS = 3
+
+
+def wake_ups(process):
+    """How often threads of a process went to sleep so far: each of them woke up before."""
+    count = 0
+    for thread in os.listdir("/proc/%d/task" % process.pid):
+        with open("/proc/%d/task/%s/status" % (process.pid, thread)) as file:
+            line = next(line for line in file if line.startswith("voluntary_ctxt"))
+        count += int(line.split()[1])
+    return count
+
+
+def expect_sleep(it):
+    """Not one thread wakes up. What came before may still be under way for a moment."""
+    seen = []
+
+    def sleeps():
+        before = wake_ups(it.process)
+        time.sleep(SECONDS)
+        seen.append(wake_ups(it.process) - before)
+        return seen[-1] == 0
+
+    wait_for(sleeps, "sleep; wake-ups in %d s each: %r" % (SECONDS, seen))
+
+
+def sleeps_when_nothing_moves(program, backend):
+    with Session(program, "--backend", backend) as it:
+        settle(it)
+        if program is TEAPOT:
+            time.sleep(5)  # the word about the help is shown so long
+        expect_sleep(it)
+        xdotool(it.display, "key", "q")
+        it.expect_end(0)
+
+
+def sleeps_when_nobody_sees_it(hide, show):
+    with Managed("--turntable", "2", counted=True) as it:
+        hide(it)
+        await_rest(it)
+        expect_sleep(it)
+        mark = it.proxy.mark()
+        show(it)
+        wait_for(lambda: (it.proxy.mark() - mark).requests.count("PutImage") > 2, "life again")
+
+
+def wakes_up_for_signals():
+    for number in (2, 15):
+        with Session(harness.DRAWDOT) as it:
+            settle(it)
+            expect_sleep(it)
+            it.process.send_signal(number)
+            it.expect_end(-number)
+
+
+def draws_a_picture_for_each_key(backend, count=40):
+    """Each key after a rest leads to another picture. How soon is told, not judged."""
+    taken = []
+    with Session(TEAPOT, "--backend", backend) as it:
+        settle(it)
+        it.eyes.has_changed(it.window, *TEAPOT.size)
+        for _ in range(count):
+            time.sleep(0.03)
+            it.eyes.has_changed(it.window, *TEAPOT.size)
+            it.eyes.press_key(it.window, "Left")
+            wait_for_change(it)
+            taken.append(time.monotonic() - it.eyes.pressed)
+    median = 1e3 * statistics.median(taken)
+    print("# %s: key to picture, median of %d: %.2f ms" % (backend, count, median))
+
+
+def wait_for_change(it):
+    """Without a pause between looks, unlike wait_for: time is measured."""
+    end = time.monotonic() + harness.PATIENCE
+    while not it.eyes.has_changed(it.window, *TEAPOT.size):
+        harness.expect(time.monotonic() < end, "no picture after a key")
+
+
+if __name__ == "__main__":
+    checks = Checks()
+    for backend in ("ximage", "xshm"):
+        for program in harness.PROGRAMS:
+            name = "rest.%s.%s.sleeps_when_nothing_moves" % (program.name, backend)
+            checks.run(name, sleeps_when_nothing_moves, program, backend)
+    for name, acts in HIDDEN.items():
+        checks.run("rest.sleeps_when_nobody_sees_it." + name, sleeps_when_nobody_sees_it, *acts)
+    checks.run("rest.wakes_up_for_signals", wakes_up_for_signals)
+    for backend in ("ximage", "xshm"):
+        name = "rest.%s.draws_a_picture_for_each_key" % backend
+        checks.run(name, draws_a_picture_for_each_key, backend)
+    checks.finish()
