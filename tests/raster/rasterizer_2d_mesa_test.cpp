@@ -162,10 +162,20 @@ TEST_P(mesa_2d, PathsCurvesAndMeshesAreTheSamePixels) {
     path.add_circle({30, 20}, 17);
     path.move_to({3, 3});
     path.cubic_to({80, 10}, {-30, 30}, {60, 37});
-    const l3d_mesh_patch patch = l3d_mesh_patch::coons(
-        {{{2, 3}, {9, 9}, {12, 1}, {20, 2}, {18, 8}, {22, 12}, {21, 20}, {15, 22}, {9, 17}, {3, 19},
-          {0, 12}, {5, 8}}},
-        {0x00ff1020, 0x0010ff30, 0x002030ff, 0x00f0f010});
+    const l3d_mesh_patch patch =
+        l3d_mesh_patch::coons({{{2, 3},
+                                {9, 9},
+                                {12, 1},
+                                {20, 2},
+                                {18, 8},
+                                {22, 12},
+                                {21, 20},
+                                {15, 22},
+                                {9, 17},
+                                {3, 19},
+                                {0, 12},
+                                {5, 8}}},
+                              {0x00ff1020, 0x0010ff30, 0x002030ff, 0x00f0f010});
     t.draw([&](l3d_rasterizer_2d& r) {
         r.draw_polygon_flatshaded(all, 0x00304050);
         r.draw_path(path, {.color = 0x00ffd080, .alpha = 0.7});
