@@ -271,6 +271,8 @@ def runs_as_told(made):
     even = read_png(made / "even.png")
     grey = sum(color & 255 == color >> 16 and color != 0 for row in even for color in row)
     expect(8000 < grey < 50000, "a teapot of", grey, "pixels")
+    leaf = read_png(made / "leaf.png")
+    expect(16000 < sum(color != 0 for row in leaf for color in row) < 19000, "a leaf on its ground")
     drawing_is_the_picture(made)
 
 

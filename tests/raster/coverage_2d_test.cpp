@@ -2,6 +2,7 @@
 // draw_coverage: each pixel by the rule, clipped, opaque and transparent; and outputs without it.
 #include "raster/canvas_2d.h"
 #include "level_difference.h"
+#include "raster/paths/path.h"
 
 #include <gtest/gtest.h>
 
@@ -84,7 +85,7 @@ public:
 private:
     void do_set_target(l3d_pixels) override {}
     void do_clear_buffer() override {}
-    void do_draw_point(int, int, std::uint32_t) override {}
+    void do_draw_point(int x, int y, std::uint32_t color) override { to_.draw_point(x, y, color); }
     void do_draw_lines(std::span<const l3d_line_2d> lines, std::uint32_t color) override {
         to_.draw_lines(lines, color);
     }
@@ -102,6 +103,25 @@ TEST(coverage_2d, of_outputs_that_cannot_mix_is_what_is_covered_by_half) {
     const std::vector<std::uint8_t> values{0, 127, 128, 255, 0, 200, 130, 1, 0, 129};
     l3d_rasterizer_2d(imp).draw_coverage({2, 1, 5, 2, values.data(), 5}, canvas::color);
     EXPECT_EQ(it.lit(), (pixel_set{{4, 1}, {5, 1}, {2, 2}, {3, 2}, {6, 2}}));
+}
+
+TEST(coverage_2d, of_paths_is_drawn_by_outputs_that_cannot_mix_and_curves_are_points) {
+    canvas it(60, 40), curves(60, 40), smooth(60, 40), thin(60, 40);
+    l3d_path path;
+    path.add_circle({30.3, 20.1}, 15.4);
+    lines_only imp(it.draw), imp_of_curves(curves.draw);
+    l3d_rasterizer_2d(imp).draw_path(path, {.color = canvas::color});
+    l3d_rasterizer_2d(imp_of_curves).draw_curves(path, canvas::color);
+    smooth.draw.draw_path(path, {.color = 0x00ffffff});
+    thin.draw.draw_curves(path, canvas::color);
+    pixel_set half;
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 60; ++x)
+            if ((smooth.at(x, y) & 255) >= 128)
+                half.insert({x, y});
+    EXPECT_EQ(it.lit(), half);
+    EXPECT_GT(half.size(), 700u);
+    EXPECT_EQ(curves.lit(), thin.lit());
 }
 
 } // namespace

@@ -3,11 +3,13 @@
 #include "raster/canvas_2d.h"
 #include "raster/paths/gradient.h"
 #include "raster/paths/path.h"
+#include "raster/parallel/simd_target.h"
 
 #include <array>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace {
@@ -215,6 +217,35 @@ TEST(mesh, shows_the_larger_parameter_where_it_folds) {
             EXPECT_NEAR(level(along_v ? c.at(15, i) : c.at(i, 15), 16), red, 1.2) << i;
         }
     }
+}
+
+TEST(mesh, is_the_same_bits_with_all_vector_instructions) {
+    const l3d_mesh_patch patch =
+        l3d_mesh_patch::coons({{{2, 3},
+                                {20, 12},
+                                {40, -8},
+                                {61, 5},
+                                {50, 20},
+                                {70, 30},
+                                {58, 42},
+                                {40, 30},
+                                {20, 60},
+                                {3, 41},
+                                {9, 30},
+                                {-4, 20}}},
+                              {0x00ff1020, 0x0010ff30, 0x002030ff, 0x00f0f010});
+    std::vector<std::uint32_t> first;
+    for (const std::string& target : l3d_simd_targets()) {
+        l3d_set_simd_target(target);
+        std::vector<std::uint32_t> words(64 * 48);
+        l3d_rasterizer_2d_sw_imp imp({words.data(), 64, 48, 64});
+        l3d_rasterizer_2d(imp).draw_mesh({&patch, 1});
+        if (first.empty())
+            first = words;
+        EXPECT_EQ(words, first) << target;
+    }
+    l3d_set_simd_target("");
+    EXPECT_GT(std::ranges::count_if(first, [](std::uint32_t w) { return w != 0; }), 1500);
 }
 
 TEST(mesh, of_coons_is_straight_between_straight_borders) {

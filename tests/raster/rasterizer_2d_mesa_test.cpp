@@ -3,6 +3,8 @@
 #include "raster/shapes/rasterizer_2d_mesa.h"
 
 #include "level_difference.h"
+#include "raster/paths/gradient.h"
+#include "raster/paths/path.h"
 #include "mesa_ways.h"
 
 #include <gtest/gtest.h>
@@ -151,6 +153,38 @@ TEST_P(mesa_2d, CoverageIsMixedToWithinALevel) {
         });
         ASSERT_LE(t.worst_channel(), 1) << "seed " << seed + 9 << ", shape " << n;
     }
+}
+
+TEST_P(mesa_2d, PathsCurvesAndMeshesAreTheSamePixels) {
+    twins t(context(), 61, 43);
+    const std::array<l3d_point_2d, 4> all{{{-1, -1}, {70, -1}, {70, 50}, {-1, 50}}};
+    l3d_path path;
+    path.add_circle({30, 20}, 17);
+    path.move_to({3, 3});
+    path.cubic_to({80, 10}, {-30, 30}, {60, 37});
+    const l3d_mesh_patch patch =
+        l3d_mesh_patch::coons({{{2, 3},
+                                {9, 9},
+                                {12, 1},
+                                {20, 2},
+                                {18, 8},
+                                {22, 12},
+                                {21, 20},
+                                {15, 22},
+                                {9, 17},
+                                {3, 19},
+                                {0, 12},
+                                {5, 8}}},
+                              {0x00ff1020, 0x0010ff30, 0x002030ff, 0x00f0f010});
+    t.draw([&](l3d_rasterizer_2d& r) {
+        r.draw_polygon_flatshaded(all, 0x00304050);
+        r.draw_path(path, {.color = 0x00ffd080, .alpha = 0.7});
+        r.draw_point(30, 20, 0x00ffffff);
+        r.draw_mesh({&patch, 1});
+        r.draw_curves(path, 0x0000ff00);
+        r.draw_line(0, 39, 50, 0, 0x00ff00ff);
+    });
+    EXPECT_EQ(t.different(), 0);
 }
 
 /// Corners around an ellipse, convex but for rounding; every third time on whole and half pixels.

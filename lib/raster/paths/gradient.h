@@ -38,6 +38,7 @@ public:
     void colors(int x, int y, std::span<std::uint32_t> result) const;
 
 private:
+    l3d_gradient() = default;
     std::uint32_t color_at(double place) const;
 
     bool radial_ = false;

@@ -75,13 +75,15 @@ mesh_dicer::mesh_dicer(std::span<const l3d_mesh_patch> patches) {
         if (is_finite(patch))
             needed = std::max(needed, steps_for(patch));
     steps_ = static_cast<int>(std::ceil(std::min<double>(needed, most_steps)));
-    above_.resize(static_cast<std::size_t>(steps_) + 1);
+    for (int i = 0; i <= steps_; ++i)
+        weights_.push_back(weights(i, steps_));
+    above_.resize(weights_.size());
     below_.resize(above_.size());
 }
 
 void mesh_dicer::set_row(const l3d_mesh_patch& patch, int row) {
     const double v = static_cast<double>(row) / steps_;
-    const std::array<double, 4> down = weights(row, steps_);
+    const std::array<double, 4>& down = weights_[static_cast<std::size_t>(row)];
     std::array<l3d_point_2d, 4> curve;
     for (std::size_t c = 0; c < 4; ++c)
         curve[c] = mixed(
@@ -96,7 +98,7 @@ void mesh_dicer::set_row(const l3d_mesh_patch& patch, int row) {
         }
     for (std::size_t i = 0; i < below_.size(); ++i) {
         const double u = static_cast<double>(i) / steps_;
-        below_[i].at = mixed(curve, weights(static_cast<int>(i), steps_));
+        below_[i].at = mixed(curve, weights_[i]);
         for (std::size_t k = 0; k < 3; ++k)
             below_[i].color[k] = ends[0][k] * (1 - u) + ends[1][k] * u;
     }

@@ -50,6 +50,7 @@ private:
     void set_row(const l3d_mesh_patch& patch, int v);
 
     int steps_ = 1;
+    std::vector<std::array<double, 4>> weights_; ///< of control points, at each step
     std::vector<mesh_corner> above_, below_;
 };
 

@@ -172,8 +172,11 @@ void l3d_rasterizer_2d_sw_imp::do_draw_mesh(std::span<const l3d_mesh_patch> patc
         if (!is_finite(patch))
             continue;
         dicer.visit(patch, [&](const std::array<mesh_corner, 3>& t) {
-            shade_spans(target_, triangle_.convert({corner(t[0]), corner(t[1]), corner(t[2])},
-                                                   target_.size()));
+            const std::array corners{t[0].at, t[1].at, t[2].at};
+            const std::array colors{t[0].color, t[1].color, t[2].color};
+            if (!shade_small_triangle(target_, corners, ends_, colors))
+                shade_spans(target_, triangle_.convert({corner(t[0]), corner(t[1]), corner(t[2])},
+                                                       target_.size()));
         });
     }
 }

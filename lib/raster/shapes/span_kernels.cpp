@@ -219,9 +219,69 @@ struct edge_lanes {
     }
 };
 
-bool fill_small_triangle_in_lanes(const l3d_pixels& target,
-                                  std::span<const l3d_point_2d, 3> corners,
-                                  const std::array<double, 2>& ends, std::uint32_t color) {
+/// The words of a triangle of one colour.
+struct one_color {
+    std::uint32_t color;
+
+    HWY_INLINE bool begin(std::array<scan_point, 3>, std::int32_t) { return true; }
+    HWY_INLINE void begin_block(std::int32_t) {}
+    HWY_INLINE word_lanes next_row() { return hn::Set(words, color); }
+};
+
+/// The words of a triangle whose colours are linear. Each stays between the corners'.
+struct linear_colors {
+    const std::array<std::array<double, 3>, 3>& colors;
+    std::array<float, 3> start{}, across{}, down{}, low{}, high{};
+    hn::Vec<decltype(floats)> red{}, green{}, blue{};
+
+    /// False if a channel changes by more than 2^12 over small_side: float would not do. So sums
+    /// are below 2^13, and a few roundings of theirs below 2^-9.
+    HWY_INLINE bool begin(std::array<scan_point, 3> p, std::int32_t area) {
+        const double qx = p[1].x - p[0].x, qy = p[1].y - p[0].y;
+        const double rx = p[2].x - p[0].x, ry = p[2].y - p[0].y;
+        const double scale = 1.0 / area;
+        constexpr double most = 4096.0 / (small_side * l3d_subpixel_one);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double a = colors[0][k], b = colors[1][k], c = colors[2][k];
+            const double dx = ((b - a) * ry - (c - a) * qy) * scale;
+            const double dy = ((c - a) * qx - (b - a) * rx) * scale;
+            if (!(std::abs(dx) < most && std::abs(dy) < most))
+                return false;
+            start[k] = static_cast<float>(a - dx * p[0].x - dy * p[0].y);
+            across[k] = static_cast<float>(dx * l3d_subpixel_one);
+            down[k] = static_cast<float>(dy * l3d_subpixel_one);
+            low[k] = static_cast<float>(std::min({a, b, c}));
+            high[k] = static_cast<float>(std::max({a, b, c}));
+        }
+        return true;
+    }
+
+    HWY_INLINE void begin_block(std::int32_t column) {
+        const auto i = hn::ConvertTo(floats, hn::Iota(integers, column));
+        const auto value = [&](std::size_t k) {
+            return hn::Add(hn::Set(floats, start[k]), hn::Mul(hn::Set(floats, across[k]), i));
+        };
+        red = value(0);
+        green = value(1);
+        blue = value(2);
+    }
+
+    HWY_INLINE word_lanes next_row() {
+        const auto level = [&](hn::Vec<decltype(floats)>& value, std::size_t k) {
+            const auto within =
+                hn::Min(hn::Max(value, hn::Set(floats, low[k])), hn::Set(floats, high[k]));
+            value = hn::Add(value, hn::Set(floats, down[k]));
+            return hn::BitCast(words,
+                               hn::ConvertTo(integers, hn::Add(within, hn::Set(floats, 0.5f))));
+        };
+        return hn::Or(hn::Or(hn::ShiftLeft<16>(level(red, 0)), hn::ShiftLeft<8>(level(green, 1))),
+                      level(blue, 2));
+    }
+};
+
+template <class Colors>
+bool fill_small(const l3d_pixels& target, std::span<const l3d_point_2d, 3> corners,
+                const std::array<double, 2>& ends, Colors colors) {
     const l3d_point_2d &a = corners[0], &b = corners[1], &c = corners[2];
     if (std::isnan(a.x + b.x + c.x + a.y + b.y + c.y))
         return false; // comparisons may lose a NaN, a sum does not
@@ -236,13 +296,13 @@ bool fill_small_triangle_in_lanes(const l3d_pixels& target,
     const scan_point p = seen(a);
     scan_point q = seen(b), r = seen(c);
     const std::int32_t area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-    if (area <= 0) {
-        if (area == 0)
-            return true;
+    if (area == 0)
+        return true;
+    if (!colors.begin({p, q, r}, area))
+        return false;
+    if (area < 0)
         std::swap(q, r);
-    }
     edge_lanes pq(p, q), qr(q, r), rp(r, p);
-    const word_lanes colors = hn::Set(words, color);
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(words));
     const std::ptrdiff_t stride = target.stride;
     std::uint32_t* block = target.words + top * stride + left;
@@ -250,12 +310,14 @@ bool fill_small_triangle_in_lanes(const l3d_pixels& target,
     for (std::int32_t columns = right - left; columns > 0; columns -= lanes, block += lanes) {
         integer_lanes u = pq.value, v = qr.value, w = rp.value;
         std::uint32_t* at = block;
+        colors.begin_block(right - left - columns);
         for (std::int32_t rows = bottom - top; rows > 0; --rows, at += stride) {
+            const word_lanes word = colors.next_row();
             const auto inside = hn::Gt(hn::Or(hn::Or(u, v), w), hn::Set(integers, -1));
             if (HWY_LIKELY(room >= lanes))
-                store_where(hn::RebindMask(floats, inside), colors, words, at);
+                store_where(hn::RebindMask(floats, inside), word, words, at);
             else
-                hn::BlendedStore(colors, hn::RebindMask(words, inside), words, at);
+                hn::BlendedStore(word, hn::RebindMask(words, inside), words, at);
             u = hn::Add(u, pq.per_row);
             v = hn::Add(v, qr.per_row);
             w = hn::Add(w, rp.per_row);
@@ -268,6 +330,19 @@ bool fill_small_triangle_in_lanes(const l3d_pixels& target,
         }
     }
     return true;
+}
+
+bool fill_small_triangle_in_lanes(const l3d_pixels& target,
+                                  std::span<const l3d_point_2d, 3> corners,
+                                  const std::array<double, 2>& ends, std::uint32_t color) {
+    return fill_small(target, corners, ends, one_color{color});
+}
+
+bool shade_small_triangle_in_lanes(const l3d_pixels& target,
+                                   std::span<const l3d_point_2d, 3> corners,
+                                   const std::array<double, 2>& ends,
+                                   const std::array<std::array<double, 3>, 3>& colors) {
+    return fill_small(target, corners, ends, linear_colors{colors});
 }
 
 } // namespace
@@ -283,6 +358,7 @@ L3D_SIMD_TABLE(fill_spans_in_lanes);
 L3D_SIMD_TABLE(cover_spans_in_lanes);
 L3D_SIMD_TABLE(shade_spans_in_lanes);
 L3D_SIMD_TABLE(fill_small_triangle_in_lanes);
+L3D_SIMD_TABLE(shade_small_triangle_in_lanes);
 
 void fill_rows(const l3d_pixels& target, std::int32_t top, std::span<const scan_ends> rows,
                std::uint32_t color) {
@@ -305,6 +381,12 @@ void shade_spans(const l3d_pixels& target, std::span<const shaded_span> spans) {
 bool fill_small_triangle(const l3d_pixels& target, std::span<const l3d_point_2d, 3> corners,
                          const std::array<double, 2>& ends, std::uint32_t color) {
     return L3D_SIMD_CALL(fill_small_triangle_in_lanes)(target, corners, ends, color);
+}
+
+bool shade_small_triangle(const l3d_pixels& target, std::span<const l3d_point_2d, 3> corners,
+                          const std::array<double, 2>& ends,
+                          const std::array<std::array<double, 3>, 3>& colors) {
+    return L3D_SIMD_CALL(shade_small_triangle_in_lanes)(target, corners, ends, colors);
 }
 
 } // namespace l3d_detail
