@@ -353,7 +353,7 @@ $(STABILITY): $(objects_stability) $(call archives,reference $(uses_stability)) 
 $(BENCHES): %: %.o $(objects_bench) $(call archives,reference compare $(LAYERS))
 	$(call say,LINK,$@)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) \
-	    -lembree3 -lbenchmark -o $@
+	    -lembree3 -lbenchmark -lcairo -lagg -o $@
 
 $(OUT)/fuzz/%: tests/fuzz/model_fuzz.cpp $(wildcard tests/fuzz/*.h) $(OUT)/libl3d_geom.a
 	$(call say,LINK,$@)

@@ -49,6 +49,7 @@ PACKAGES_displays := xvfb:Xvfb xdotool:xdotool wmctrl:wmctrl xserver-xephyr:Xeph
     matchbox-window-manager:matchbox-window-manager
 PACKAGES_fuzz   := $(PACKAGES_matrix)
 PACKAGES_bench  := libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so \
-    libembree-dev:embree3/rtcore.h xvfb:Xvfb libbenchmark-dev:benchmark/benchmark.h
+    libembree-dev:embree3/rtcore.h xvfb:Xvfb libbenchmark-dev:benchmark/benchmark.h \
+    libcairo2-dev:cairo/cairo.h libagg-dev:agg2/agg_basics.h
 PACKAGES_report := gnuplot-nox:gnuplot graphviz:dot
 PACKAGES_docs   := doxygen:doxygen

@@ -97,9 +97,9 @@ void test_curves(int count, unsigned seed, double most) {
         };
         std::size_t at = 0;
         for (const wide_point& q : p) {
-            while (off(run[at], q) > 1.5L + 0x1p-20L && at + 1 < run.size())
+            while (off(run[at], q) > 2 + 0x1p-20L && at + 1 < run.size())
                 ++at;
-            ASSERT_LE(off(run[at], q), 1.5L + 0x1p-20L) << "seed " << seed << ", curve " << n;
+            ASSERT_LE(off(run[at], q), 2 + 0x1p-20L) << "seed " << seed << ", curve " << n;
         }
         std::size_t near = 0;
         for (const pixel& lit : run) {

@@ -5,7 +5,8 @@
 double l3d_detail::flat_steps(const l3d_curve_2d& curve, double distance) {
     const auto& p = curve.points;
     const bool plain = is_plain(curve);
-    const l3d_point_2d origin = projected(p[0]);
+    const l3d_point_2d from = projected(p[0]), to = projected(p[3]);
+    const l3d_point_2d origin{(from.x + to.x) / 2, (from.y + to.y) / 2};
     double bend = 0, weight_bend = 0, reach = 0, least_weight = p[3][2];
     for (std::size_t i = 0; i < 2; ++i) {
         const auto second = [&](int k) { return p[i][k] - 2 * p[i + 1][k] + p[i + 2][k]; };
@@ -17,7 +18,8 @@ double l3d_detail::flat_steps(const l3d_curve_2d& curve, double distance) {
     if (!plain)
         for (const auto& control : p) {
             const l3d_point_2d at = projected(control);
-            reach = std::max(reach, std::hypot(at.x - origin.x, at.y - origin.y));
+            const double x = at.x - origin.x, y = at.y - origin.y;
+            reach = std::max(reach, std::sqrt(x * x + y * y));
             least_weight = std::min(least_weight, control[2]);
         }
     const double second_derivative = 6 * (std::sqrt(bend) + reach * weight_bend);

@@ -45,7 +45,7 @@ inline bool is_plain(const l3d_curve_2d& curve) {
 ///
 /// A homogeneous chord over a step h errs by at most h^2 / 8 times the second derivative, which is
 /// at most 6 times the largest second difference. The place on the chord then errs by at most (dx +
-/// r dw) / w: seen from the curve's first point, no place is farther away than r.
+/// r dw) / w: seen from the middle of the curve's ends, no place is farther away than r.
 double flat_steps(const l3d_curve_2d& curve, double distance);
 
 /// The steps that are walked by forward differences before a curve is begun exactly again. So few

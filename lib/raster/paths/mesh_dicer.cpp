@@ -16,9 +16,9 @@ constexpr double place_error = 1.0 / 16, level_error = 1.0 / 16;
 /// A patch is never finer: then its triangles cover some 2^-5 pixels in pictures of 2^14.
 constexpr int most_steps = 512;
 
-/// The Bernstein polynomials; those of 1 - t are the same numbers backwards.
-std::array<double, 4> weights(double t) {
-    const double s = 1 - t;
+/// The Bernstein polynomials at i / n; those at (n - i) / n are the same numbers backwards.
+std::array<double, 4> weights(int i, int n) {
+    const double t = static_cast<double>(i) / n, s = static_cast<double>(n - i) / n;
     return {s * s * s, 3 * (s * s * t), 3 * (t * t * s), t * t * t};
 }
 
@@ -74,15 +74,14 @@ mesh_dicer::mesh_dicer(std::span<const l3d_mesh_patch> patches) {
     for (const l3d_mesh_patch& patch : patches)
         if (is_finite(patch))
             needed = std::max(needed, steps_for(patch));
-    while (steps_ < needed && steps_ < most_steps)
-        steps_ *= 2;
+    steps_ = static_cast<int>(std::ceil(std::min<double>(needed, most_steps)));
     above_.resize(static_cast<std::size_t>(steps_) + 1);
     below_.resize(above_.size());
 }
 
 void mesh_dicer::set_row(const l3d_mesh_patch& patch, int row) {
     const double v = static_cast<double>(row) / steps_;
-    const std::array<double, 4> down = weights(v);
+    const std::array<double, 4> down = weights(row, steps_);
     std::array<l3d_point_2d, 4> curve;
     for (std::size_t c = 0; c < 4; ++c)
         curve[c] = mixed(
@@ -97,7 +96,7 @@ void mesh_dicer::set_row(const l3d_mesh_patch& patch, int row) {
         }
     for (std::size_t i = 0; i < below_.size(); ++i) {
         const double u = static_cast<double>(i) / steps_;
-        below_[i].at = mixed(curve, weights(u));
+        below_[i].at = mixed(curve, weights(static_cast<int>(i), steps_));
         for (std::size_t k = 0; k < 3; ++k)
             below_[i].color[k] = ends[0][k] * (1 - u) + ends[1][k] * u;
     }

@@ -23,8 +23,8 @@ bool is_finite(const l3d_mesh_patch& patch);
 
 /// Dices all patches of a mesh into as many steps, so that neighbours meet without cracks.
 ///
-/// A border depends on its four control points alone, and on no direction: parameters are multiples
-/// of a power of two, so t and 1 - t are exact, and terms are added in pairs.
+/// A border depends on its four control points alone, and on no direction: i / n and (n - i) / n
+/// are both rounded once, and terms are added in pairs.
 class mesh_dicer {
 public:
     explicit mesh_dicer(std::span<const l3d_mesh_patch> patches);

@@ -28,9 +28,13 @@ std::span<const covered_span> path_scan::convert(const order& wanted) {
     add_path(wanted.path, 0);
     if (wanted.clip != nullptr)
         add_path(*wanted.clip, 1);
+    if (edges_.empty())
+        return {};
     areas_.set_width(width_);
-    sort_edges();
-    for (std::int32_t row = 0; row < height_; ++row) {
+    const std::int32_t bottom = std::ranges::max_element(edges_, {}, &edge::bottom)->bottom;
+    top_ = std::ranges::min_element(edges_, {}, &edge::top)->top;
+    sort_edges(bottom - top_);
+    for (std::int32_t row = top_; row < bottom; ++row) {
         begin_row(row);
         if (!pieces_.empty())
             add_row(row);
@@ -90,69 +94,87 @@ void path_scan::add_edge(l3d_point_2d from, l3d_point_2d to, std::uint8_t layer)
 
 void path_scan::add_within(double x0, double y0, double x1, double y1, int direction,
                            std::uint8_t layer) {
-    const double floor = std::floor(y0);
-    if (y0 == y1 && floor == y0)
-        return; // between two rows it ties nothing together
-    const auto top = static_cast<std::int32_t>(std::max(floor, 0.0));
-    const double end = y0 == y1 ? floor + 1 : std::ceil(y1);
-    const auto bottom = static_cast<std::int32_t>(std::min<double>(end, height_));
+    // A level edge belongs to its row. Between two rows it ties nothing together.
+    const auto row_of = [this](double y) {
+        return static_cast<std::int32_t>(std::clamp<double>(y, 0, height_));
+    };
+    const std::int32_t top = row_of(y0), end = row_of(y1);
+    const bool level = y0 == y1;
+    if (level && y0 == top)
+        return;
+    const std::int32_t bottom = end < height_ && (level || end < y1) ? end + 1 : end;
     if (top < bottom)
-        edges_.push_back({x0, y0, x1, y1, y0 == y1 ? 0 : (x1 - x0) / (y1 - y0), top, bottom,
+        edges_.push_back({x0, y0, x1, y1, level ? 0 : (x1 - x0) / (y1 - y0), top, bottom,
                           static_cast<std::int8_t>(direction), layer});
 }
 
 row_piece path_scan::edge::piece_in(std::int32_t row, std::size_t index) const {
-    const double left = std::min(x0, x1), right = std::max(x0, x1);
-    const auto x_at = [&](double y) { return std::clamp(x0 + (y - y0) * slope, left, right); };
-    row_piece p{x0, 0, x1, 1, 0, 0, direction, layer, index};
-    if (y0 >= row)
-        p.y0 = y0 - row;
-    else
-        p.x0 = x_at(row);
-    if (y1 <= row + 1)
-        p.y1 = y1 - row;
-    else
-        p.x1 = x_at(row + 1);
+    row_piece p{x0, y0 - row, x1, y1 - row, 0, 0, direction, layer, index};
+    if (p.y0 < 0 || p.y1 > 1) { // a part of it
+        const double left = std::min(x0, x1), right = std::max(x0, x1);
+        const auto x_at = [&](double y) { return std::clamp(x0 + (y - y0) * slope, left, right); };
+        if (p.y0 < 0) {
+            p.x0 = x_at(row);
+            p.y0 = 0;
+        }
+        if (p.y1 > 1) {
+            p.x1 = x_at(row + 1);
+            p.y1 = 1;
+        }
+    }
     p.first = static_cast<std::int32_t>(std::min(p.x0, p.x1));
     p.last = static_cast<std::int32_t>(std::max(p.x0, p.x1));
     return p;
 }
 
 /// Counts the edges of each row, then puts them where their row begins.
-void path_scan::sort_edges() {
-    begins_.assign(static_cast<std::size_t>(height_) + 2, 0);
+void path_scan::sort_edges(std::int32_t rows) {
+    begins_.assign(static_cast<std::size_t>(rows) + 2, 0);
     for (const edge& e : edges_)
-        ++begins_[static_cast<std::size_t>(e.top) + 2];
+        ++begins_[static_cast<std::size_t>(e.top - top_) + 2];
     for (std::size_t row = 2; row < begins_.size(); ++row)
         begins_[row] += begins_[row - 1];
     order_.resize(edges_.size());
     for (std::size_t i = 0; i < edges_.size(); ++i)
-        order_[begins_[static_cast<std::size_t>(edges_[i].top) + 1]++] = i;
+        order_[begins_[static_cast<std::size_t>(edges_[i].top - top_) + 1]++] = i;
 }
 
 void path_scan::begin_row(std::int32_t row) {
-    std::erase_if(pieces_, [&](const row_piece& p) { return edges_[p.edge].bottom <= row; });
-    for (row_piece& p : pieces_)
-        p = edges_[p.edge].piece_in(row, p.edge);
-    const auto place = static_cast<std::size_t>(row);
+    std::size_t kept = 0;
+    for (const row_piece& p : pieces_)
+        if (const edge& e = edges_[p.edge]; e.bottom > row)
+            pieces_[kept++] = e.piece_in(row, p.edge);
+    pieces_.resize(kept);
+    const auto place = static_cast<std::size_t>(row - top_);
     const std::size_t begin = begins_[place], end = begins_[place + 1];
     for (std::size_t i = begin; i < end; ++i)
         pieces_.push_back(edges_[order_[i]].piece_in(row, order_[i]));
-    constexpr std::size_t many = 8;
-    if (end - begin > many) {
-        std::ranges::sort(pieces_, {}, &row_piece::first);
+    sort_pieces(end - begin);
+}
+
+/// From one row to the next few pieces change places; new ones may be anywhere.
+void path_scan::sort_pieces(std::size_t added) {
+    if (std::ranges::is_sorted(pieces_, {}, &row_piece::first))
         return;
+    keys_.clear();
+    for (const row_piece& p : pieces_)
+        keys_.push_back(std::uint64_t{static_cast<std::uint32_t>(p.first)} << 32 | keys_.size());
+    constexpr std::size_t many = 24;
+    if (added > many) {
+        std::ranges::sort(keys_);
+    } else {
+        for (std::size_t i = 1; i < keys_.size(); ++i) {
+            const std::uint64_t moving = keys_[i];
+            std::size_t hole = i;
+            for (; hole > 0 && keys_[hole - 1] > moving; --hole)
+                keys_[hole] = keys_[hole - 1];
+            keys_[hole] = moving;
+        }
     }
-    // From one row to the next few pieces change places.
-    for (std::size_t i = 1; i < pieces_.size(); ++i) {
-        if (pieces_[i - 1].first <= pieces_[i].first)
-            continue;
-        const row_piece moving = pieces_[i];
-        std::size_t hole = i;
-        for (; hole > 0 && pieces_[hole - 1].first > moving.first; --hole)
-            pieces_[hole] = pieces_[hole - 1];
-        pieces_[hole] = moving;
-    }
+    ordered_.clear();
+    for (const std::uint64_t key : keys_)
+        ordered_.push_back(pieces_[key & 0xffffffff]);
+    pieces_.swap(ordered_);
 }
 
 void path_scan::add_row(std::int32_t row) {
@@ -173,27 +195,34 @@ void path_scan::add_row(std::int32_t row) {
         add_solid(row, done, width_);
 }
 
+namespace {
+
+/// The whole number that a sum is but for rounding.
+int whole(double sum) {
+    return static_cast<int>(sum < 0 ? sum - 0.5 : sum + 0.5);
+}
+
+} // namespace
+
 /// Gives the windings right of it.
 windings path_scan::add_cluster(std::int32_t row, std::span<const row_piece> pieces,
                                 std::int32_t last, const windings& left) {
     std::array<double, 2> risen{};
     double height = 0;
+    bool one_way = true;
     for (const row_piece& p : pieces) {
         const double h = p.y1 - p.y0;
         height += h;
         risen[p.layer] += p.direction * h;
+        one_way &= h == 0 || (p.layer == pieces[0].layer && p.direction == pieces[0].direction);
     }
     windings right = left;
     for (std::size_t layer = 0; layer < 2; ++layer)
-        right.turns[layer] += static_cast<int>(std::lround(risen[layer]));
+        right.turns[layer] += whole(risen[layer]);
     const bool was_inside = rules_.inside(left), is_inside = rules_.inside(right);
     const std::int32_t first = pieces[0].first, end = std::min(last + 1, width_);
     // All lead one way, and are a row high in sum, whole numbers apart from rounding: one chain.
-    const bool one_chain = height < 1.5 && std::abs(risen[0]) + std::abs(risen[1]) > 0.5 &&
-                           std::ranges::all_of(pieces, [&](const row_piece& p) {
-                               return p.y0 == p.y1 || (p.layer == pieces[0].layer &&
-                                                       p.direction == pieces[0].direction);
-                           });
+    const bool one_chain = one_way && height > 0.5 && height < 1.5;
     if (one_chain && was_inside == is_inside) {
         if (is_inside)
             add_solid(row, first, end);
@@ -215,10 +244,11 @@ void path_scan::add_values(std::int32_t row, std::int32_t first, std::int32_t la
     double covered = was_inside ? 1 : 0;
     if (first < end) {
         spans_.push_back({row + box_.top, first + box_.left, end + box_.left, -1, values_.size()});
+        values_.resize(values_.size() + static_cast<std::size_t>(end - first));
+        std::uint8_t* value = &values_[spans_.back().values];
         for (std::int32_t column = first; column < end; ++column) {
             covered += sums[column];
-            values_.push_back(
-                static_cast<std::uint8_t>(std::clamp(covered, 0.0, 1.0) * full_ + 0.5));
+            *value++ = static_cast<std::uint8_t>(std::clamp(covered, 0.0, 1.0) * full_ + 0.5);
         }
     }
     std::fill(sums + first, sums + last + 2, 0.0);

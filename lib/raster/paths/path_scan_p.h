@@ -66,8 +66,9 @@ private:
     void add_path(const l3d_path& path, std::uint8_t layer);
     void add_edge(l3d_point_2d from, l3d_point_2d to, std::uint8_t layer);
     void add_within(double x0, double y0, double x1, double y1, int direction, std::uint8_t layer);
-    void sort_edges();
+    void sort_edges(std::int32_t rows);
     void begin_row(std::int32_t row);
+    void sort_pieces(std::size_t added);
     void add_row(std::int32_t row);
     windings add_cluster(std::int32_t row, std::span<const row_piece> pieces, std::int32_t last,
                          const windings& left);
@@ -76,6 +77,7 @@ private:
 
     l3d_pixel_box box_{};
     std::int32_t width_ = 0, height_ = 0;
+    std::int32_t top_ = 0; ///< the first row with an edge
     double full_ = 255;
     int full_value_ = 255;
     fill_rules rules_;
@@ -83,6 +85,8 @@ private:
     std::vector<std::size_t> order_;  ///< edges by their top rows
     std::vector<std::size_t> begins_; ///< of each row, the first place in order_
     std::vector<row_piece> pieces_;   ///< of the row, by their first columns
+    std::vector<row_piece> ordered_;
+    std::vector<std::uint64_t> keys_; ///< first columns and places
     row_areas areas_;
     std::vector<covered_span> spans_;
     std::vector<std::uint8_t> values_;

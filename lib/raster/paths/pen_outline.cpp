@@ -116,10 +116,12 @@ void pen_outline::add_cap(const chord& last) {
 
 void pen_outline::add_arc(l3d_point_2d center, double x, double y, double angle) {
     const int pieces = static_cast<int>(std::ceil(angle / most_angle_));
-    for (int i = 1; i < pieces; ++i) {
-        const double cosine = std::cos(angle * i / pieces), sine = std::sin(angle * i / pieces);
-        add_point({center.x + radius_ * (x * cosine - y * sine),
-                   center.y + radius_ * (y * cosine + x * sine)});
+    const double cosine = std::cos(angle / pieces), sine = std::sin(angle / pieces);
+    for (int i = 1; i < pieces; ++i) { // a few hundred turns at most: rounding stays below 2^-40
+        const double turned = x * cosine - y * sine;
+        y = y * cosine + x * sine;
+        x = turned;
+        add_point({center.x + radius_ * x, center.y + radius_ * y});
     }
 }
 

@@ -19,8 +19,8 @@ struct pen_point {
 /// Adds to a path, for each chain of chords, one outline, or two if the chain is closed.
 ///
 /// Such an outline is the sum of a rectangle for each chord and a wedge for each joint, all wound
-/// the same way: on the inner side of a joint it goes by way of the joint itself. So each place
-/// that is covered is wound about once or more, never back to 0.
+/// the same way. For that, it goes by way of the joint itself on a joint's inner side. So each
+/// place that is covered is wound about once or more, never back to 0.
 class pen_outline {
 public:
     pen_outline(const l3d_stroke& pen, l3d_path& result);

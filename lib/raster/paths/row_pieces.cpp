@@ -22,7 +22,9 @@ double x_at(const row_piece& p, double y) {
 } // namespace
 
 void row_areas::set_width(std::int32_t width) {
-    sums_.assign(static_cast<std::size_t>(width) + 2, 0.0);
+    const std::size_t needed = static_cast<std::size_t>(width) + 2;
+    if (sums_.size() < needed)
+        sums_.resize(needed, 0.0);
 }
 
 void row_areas::add_border(double x0, double y0, double x1, double y1, double sign) {
@@ -70,7 +72,11 @@ void row_areas::add_cluster(std::span<const row_piece> pieces, const windings& l
     std::size_t next = 0;
     for (std::size_t i = 1; i < ends_.size(); ++i) {
         const double top = ends_[i - 1], bottom = ends_[i];
-        std::erase_if(chords_, [top](const chord& c) { return c.piece->y1 <= top; });
+        std::size_t kept = 0;
+        for (const chord& c : chords_)
+            if (c.piece->y1 > top)
+                chords_[kept++] = c;
+        chords_.resize(kept);
         for (; next < sorted_.size() && sorted_[next]->y0 <= top; ++next)
             chords_.push_back({0, 0, sorted_[next]});
         for (chord& c : chords_) {
@@ -83,12 +89,12 @@ void row_areas::add_cluster(std::span<const row_piece> pieces, const windings& l
 
 void row_areas::add_slab(double top, double bottom, const windings& left, const fill_rules& rules) {
     // Where several begin at one place, their lower ends tell the order.
-    std::ranges::sort(chords_, [](const chord& a, const chord& b) {
-        return a.x0 != b.x0 ? a.x0 < b.x0 : a.x1 < b.x1;
-    });
-    cut_chords_ = chords_;
+    // From one slab to the next few change places.
+    if (!std::is_sorted(chords_.begin(), chords_.end()))
+        std::sort(chords_.begin(), chords_.end());
     if (std::ranges::is_sorted(chords_, {}, &chord::x1))
-        return add_ordered(top, bottom, left, rules);
+        return add_ordered(chords_, top, bottom, left, rules);
+    cut_chords_ = chords_;
     find_crossings(top, bottom);
     for (std::size_t i = 1; i < cuts_.size(); ++i) {
         const double y0 = cuts_[i - 1], y1 = cuts_[i];
@@ -99,7 +105,7 @@ void row_areas::add_slab(double top, double bottom, const windings& left, const 
         for (const chord& c : chords_)
             cut_chords_.push_back({at(c, y0), at(c, y1), c.piece});
         std::ranges::sort(cut_chords_, {}, [](const chord& c) { return c.x0 + c.x1; });
-        add_ordered(y0, y1, left, rules);
+        add_ordered(cut_chords_, y0, y1, left, rules);
     }
 }
 
@@ -121,11 +127,11 @@ void row_areas::find_crossings(double top, double bottom) {
     cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
 }
 
-void row_areas::add_ordered(double top, double bottom, const windings& left,
-                            const fill_rules& rules) {
+void row_areas::add_ordered(std::span<const chord> chords, double top, double bottom,
+                            const windings& left, const fill_rules& rules) {
     windings w = left;
     bool was_inside = rules.inside(w);
-    for (const chord& c : cut_chords_) {
+    for (const chord& c : chords) {
         w.cross(*c.piece);
         const bool is_inside = rules.inside(w);
         if (is_inside != was_inside)

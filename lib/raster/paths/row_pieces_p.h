@@ -54,7 +54,7 @@ private:
 ///          the number of their ends and crossings.
 class row_areas {
 public:
-    /// Columns from 0 to width - 1.
+    /// Columns from 0 to width - 1. Expects: all sums are 0, as users leave them.
     void set_width(std::int32_t width);
 
     /// Adds the pieces that belong together, all of which lie right of `left`'s windings.
@@ -76,11 +76,16 @@ private:
     struct chord {
         double x0, x1; ///< at the top and at the bottom of the slab
         const row_piece* piece;
+
+        bool operator<(const chord& other) const {
+            return x0 != other.x0 ? x0 < other.x0 : x1 < other.x1;
+        }
     };
 
     void add_slab(double top, double bottom, const windings& left, const fill_rules& rules);
     void find_crossings(double top, double bottom);
-    void add_ordered(double top, double bottom, const windings& left, const fill_rules& rules);
+    void add_ordered(std::span<const chord> chords, double top, double bottom, const windings& left,
+                     const fill_rules& rules);
 
     std::vector<double> sums_;
     std::vector<double> ends_, cuts_;

@@ -8,15 +8,16 @@
 namespace l3d_detail {
 
 /// A word whose three lower bytes are moved towards the colour's by coverage / 255, to nearest.
+///
+/// Red and blue share a number, 16 bits each: sums stay below 2^16. Then t / 255 = (t + 1 + t /
+/// 256) / 256, rounded down each time.
 inline std::uint32_t blended(std::uint32_t word, std::uint32_t color, int coverage) {
-    std::uint32_t result = word & 0xff000000;
-    for (const int shift : {0, 8, 16}) {
-        const int from = static_cast<int>(word >> shift & 255);
-        const int to = static_cast<int>(color >> shift & 255);
-        const int sum = from * (255 - coverage) + to * coverage;
-        result |= static_cast<std::uint32_t>((sum + 127) / 255) << shift;
-    }
-    return result;
+    constexpr std::uint32_t two = 0x00ff00ff;
+    const auto to = static_cast<std::uint32_t>(coverage), from = 255 - to;
+    const std::uint32_t even = (word & two) * from + (color & two) * to + 0x007f007f;
+    const std::uint32_t odd = (word >> 8 & 255) * from + (color >> 8 & 255) * to + 127;
+    return (word & 0xff000000) | ((even + 0x00010001 + (even >> 8 & two)) >> 8 & two) |
+           ((odd + 1 + (odd >> 8)) & 0x0000ff00);
 }
 
 /// The same of a word that may be transparent: both colours count by what they cover.

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: MIT
+// Smooth paths beside cairo's image surface and AGG, 1024 x 768, one thread.
+//
+// Every library builds its path and fills it in each turn, with a nonzero rule and one opaque
+// colour. Curves are within 1/1024 pixel in all three: cairo's tolerance and AGG's scales are set
+// so. A row shows the median processor time of a turn and how many times as long the others take.
+// `off` is the mean difference of their levels from ours, in pixels that any of them lit.
+#include "processor_time.h"
+#include "raster/paths/gradient.h"
+#include "raster/paths/path.h"
+#include "raster/paths/stroke.h"
+#include "raster/shapes/rasterizer_2d_sw.h"
+#include "tool_2d/screen_memory.h"
+
+#include <agg2/agg_conv_curve.h>
+#include <agg2/agg_conv_dash.h>
+#include <agg2/agg_conv_stroke.h>
+#include <agg2/agg_ellipse.h>
+#include <agg2/agg_path_storage.h>
+#include <agg2/agg_pixfmt_rgba.h>
+#include <agg2/agg_rasterizer_scanline_aa.h>
+#include <agg2/agg_renderer_scanline.h>
+#include <agg2/agg_scanline_p.h>
+#include <cairo/cairo.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+constexpr l3d_size size{1024, 768};
+constexpr std::uint32_t color = 0x00e0a040;
+/// AGG's arcs are within 1/8 pixel at scale 1.
+constexpr double agg_scale = 0.125 / l3d_flat_enough;
+
+/// A picture for each library.
+struct peers {
+    peers()
+        : surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height)),
+          cairo(cairo_create(surface)), agg_words(std::size_t(size.width) * size.height),
+          buffer(reinterpret_cast<unsigned char*>(agg_words.data()), unsigned(size.width),
+                 unsigned(size.height), size.width * 4),
+          format(buffer), renderer(format), solid(renderer) {
+        cairo_set_source_rgb(cairo, 0xe0 / 255.0, 0xa0 / 255.0, 0x40 / 255.0);
+        solid.color(agg::rgba8(0xe0, 0xa0, 0x40));
+        cairo_set_tolerance(cairo, l3d_flat_enough);
+        rasterizer.clip_box(0, 0, size.width, size.height);
+    }
+    ~peers() {
+        cairo_destroy(cairo);
+        cairo_surface_destroy(surface);
+    }
+    peers(const peers&) = delete;
+    peers& operator=(const peers&) = delete;
+
+    void clear() {
+        draw.clear_buffer();
+        std::ranges::fill(agg_words, 0u);
+        cairo_save(cairo);
+        cairo_set_source_rgb(cairo, 0, 0, 0);
+        cairo_paint(cairo);
+        cairo_restore(cairo);
+    }
+
+    template <class Source> void agg_fill(Source& source) {
+        rasterizer.reset();
+        rasterizer.add_path(source);
+        agg::render_scanlines(rasterizer, line, solid);
+    }
+
+    l3d_screen_memory screen{size};
+    l3d_rasterizer_2d_sw_imp imp{screen.pixels()};
+    l3d_rasterizer_2d draw{imp};
+    l3d_path path;
+    cairo_surface_t* surface;
+    cairo_t* cairo;
+    std::vector<std::uint32_t> agg_words;
+    agg::rendering_buffer buffer;
+    using format_type = agg::pixfmt_bgra32;
+    using base_type = agg::renderer_base<format_type>;
+    format_type format;
+    base_type renderer;
+    agg::renderer_scanline_aa_solid<base_type> solid;
+    agg::rasterizer_scanline_aa<> rasterizer;
+    agg::scanline_p8 line;
+    agg::path_storage agg_path;
+};
+
+double mean_difference(peers& p, const std::uint32_t* words, std::ptrdiff_t stride) {
+    double sum = 0, count = 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const std::uint32_t a = p.screen.pixels().row(y)[std::size_t(x)];
+            const std::uint32_t b = words[y * stride + x];
+            if (((a | b) & 0x00ffffff) == 0)
+                continue;
+            ++count;
+            for (const int shift : {0, 8, 16})
+                sum += std::abs(int(a >> shift & 255) - int(b >> shift & 255)) / 3.0;
+        }
+    return count > 0 ? sum / count : 0;
+}
+
+/// The median of a few turns, in microseconds.
+double median(const std::function<void()>& turn) {
+    std::vector<double> times;
+    const double end = processor_seconds() + 0.4;
+    while (times.size() < 5 || (processor_seconds() < end && times.size() < 2000)) {
+        const double begin = processor_seconds();
+        turn();
+        times.push_back(1e6 * (processor_seconds() - begin));
+    }
+    std::ranges::nth_element(times, times.begin() + std::ptrdiff_t(times.size() / 2));
+    return times[times.size() / 2];
+}
+
+using turn = std::function<void(peers&)>;
+
+void row(const std::string& name, const turn& ours, const turn& cairo, const turn& agg) {
+    peers p;
+    p.clear();
+    ours(p);
+    cairo(p);
+    cairo_surface_flush(p.surface);
+    const double cairo_off = mean_difference(
+        p, reinterpret_cast<const std::uint32_t*>(cairo_image_surface_get_data(p.surface)),
+        cairo_image_surface_get_stride(p.surface) / 4);
+    double agg_off = 0;
+    if (agg) {
+        agg(p);
+        agg_off = mean_difference(p, p.agg_words.data(), size.width);
+    }
+    const double mine = median([&] { ours(p); });
+    const double his = median([&] { cairo(p); });
+    std::printf("%-34s %10.1f us   cairo %7.2f x, off %5.2f", name.c_str(), mine, his / mine,
+                cairo_off);
+    if (agg)
+        std::printf("   agg %7.2f x, off %5.2f", median([&] { agg(p); }) / mine, agg_off);
+    std::printf("\n");
+}
+
+using outlines = std::vector<std::vector<l3d_point_2d>>;
+
+/// Many polygons, each one path or all of them together. Cairo and AGG have pixel 0 from 0 to 1.
+void polygons_row(const std::string& name, const outlines& all, bool one_path) {
+    const auto ours = [&](peers& p) {
+        p.path.clear();
+        for (const auto& o : all) {
+            p.path.add_polygon(o);
+            if (!one_path) {
+                p.draw.draw_path(p.path, {.color = color});
+                p.path.clear();
+            }
+        }
+        if (one_path)
+            p.draw.draw_path(p.path, {.color = color});
+    };
+    const auto cairo = [&](peers& p) {
+        for (const auto& o : all) {
+            for (const l3d_point_2d& c : o)
+                cairo_line_to(p.cairo, c.x + 0.5, c.y + 0.5);
+            cairo_close_path(p.cairo);
+            if (one_path)
+                cairo_new_sub_path(p.cairo);
+            else
+                cairo_fill(p.cairo);
+        }
+        if (one_path)
+            cairo_fill(p.cairo);
+    };
+    const auto agg = [&](peers& p) {
+        p.agg_path.remove_all();
+        for (const auto& o : all) {
+            p.agg_path.move_to(o[0].x + 0.5, o[0].y + 0.5);
+            for (std::size_t i = 1; i < o.size(); ++i)
+                p.agg_path.line_to(o[i].x + 0.5, o[i].y + 0.5);
+            p.agg_path.close_polygon();
+            if (!one_path) {
+                p.agg_fill(p.agg_path);
+                p.agg_path.remove_all();
+            }
+        }
+        if (one_path)
+            p.agg_fill(p.agg_path);
+    };
+    row(name, ours, cairo, agg);
+}
+
+double uniform(std::mt19937& random, double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+void triangles_row(double side) {
+    std::mt19937 random(1);
+    outlines all(20);
+    const double radius = side / std::numbers::sqrt3;
+    for (auto& t : all) {
+        const double x = uniform(random, radius, size.width - radius);
+        const double y = uniform(random, radius, size.height - radius);
+        const double angle = uniform(random, 0, 6.28);
+        for (int k = 0; k < 3; ++k)
+            t.push_back({x + radius * std::cos(angle + k * 2 * std::numbers::pi / 3),
+                         y + radius * std::sin(angle + k * 2 * std::numbers::pi / 3)});
+    }
+    polygons_row("20 triangles of " + std::to_string(int(side)) + " px", all, false);
+}
+
+/// Wavy countries of 100 segments each, a few pixels long.
+void map_row() {
+    std::mt19937 random(2);
+    outlines all(1000);
+    for (auto& o : all) {
+        const double x = uniform(random, 30, size.width - 30);
+        const double y = uniform(random, 30, size.height - 30);
+        for (int i = 0; i < 100; ++i) {
+            const double angle = i * std::numbers::pi / 50, r = uniform(random, 14, 22);
+            o.push_back({x + r * std::cos(angle), y + r * std::sin(angle)});
+        }
+    }
+    polygons_row("a map of 10^5 segments", all, true);
+}
+
+void circles_row(double radius) {
+    std::mt19937 random(3);
+    std::vector<l3d_point_2d> centers(20);
+    for (l3d_point_2d& c : centers)
+        c = {uniform(random, radius, size.width - radius),
+             uniform(random, radius, size.height - radius)};
+    row(
+        "20 circles of radius " + std::to_string(int(radius)),
+        [&](peers& p) {
+            for (const l3d_point_2d& c : centers) {
+                p.path.clear();
+                p.path.add_circle(c, radius);
+                p.draw.draw_path(p.path, {.color = color});
+            }
+        },
+        [&](peers& p) {
+            for (const l3d_point_2d& c : centers) {
+                cairo_arc(p.cairo, c.x + 0.5, c.y + 0.5, radius, 0, 2 * std::numbers::pi);
+                cairo_fill(p.cairo);
+            }
+        },
+        [&](peers& p) {
+            for (const l3d_point_2d& c : centers) {
+                agg::ellipse e(c.x + 0.5, c.y + 0.5, radius, radius);
+                e.approximation_scale(agg_scale);
+                p.agg_fill(e);
+            }
+        });
+}
+
+void dashes_row(double width) {
+    std::mt19937 random(4);
+    std::vector<std::array<l3d_point_2d, 4>> curves(20);
+    for (auto& c : curves)
+        for (l3d_point_2d& p : c)
+            p = {uniform(random, 20, size.width - 20), uniform(random, 20, size.height - 20)};
+    const l3d_stroke pen{
+        .width = width, .cap = l3d_cap::round, .join = l3d_join::round, .dashes = {20, 2 * width}};
+    row(
+        "20 dashed curves, " + std::to_string(int(width)) + " px wide",
+        [&](peers& p) {
+            for (const auto& c : curves) {
+                p.path.clear();
+                p.path.move_to(c[0]);
+                p.path.cubic_to(c[1], c[2], c[3]);
+                p.draw.draw_path(l3d_stroked(p.path, pen), {.color = color});
+            }
+        },
+        [&](peers& p) {
+            cairo_set_line_width(p.cairo, width);
+            cairo_set_line_cap(p.cairo, CAIRO_LINE_CAP_ROUND);
+            cairo_set_line_join(p.cairo, CAIRO_LINE_JOIN_ROUND);
+            const std::array<double, 2> dashes{20, 2 * width};
+            cairo_set_dash(p.cairo, dashes.data(), 2, 0);
+            for (const auto& c : curves) {
+                cairo_move_to(p.cairo, c[0].x + 0.5, c[0].y + 0.5);
+                cairo_curve_to(p.cairo, c[1].x + 0.5, c[1].y + 0.5, c[2].x + 0.5, c[2].y + 0.5,
+                               c[3].x + 0.5, c[3].y + 0.5);
+                cairo_stroke(p.cairo);
+            }
+        },
+        [&](peers& p) {
+            for (const auto& c : curves) {
+                p.agg_path.remove_all();
+                p.agg_path.move_to(c[0].x + 0.5, c[0].y + 0.5);
+                p.agg_path.curve4(c[1].x + 0.5, c[1].y + 0.5, c[2].x + 0.5, c[2].y + 0.5,
+                                  c[3].x + 0.5, c[3].y + 0.5);
+                agg::conv_curve<agg::path_storage> curve(p.agg_path);
+                agg::conv_dash<decltype(curve)> dash(curve);
+                dash.add_dash(20, 2 * width);
+                agg::conv_stroke<decltype(dash)> stroke(dash);
+                curve.approximation_scale(agg_scale);
+                stroke.approximation_scale(agg_scale);
+                stroke.width(width);
+                stroke.line_cap(agg::round_cap);
+                stroke.line_join(agg::round_join);
+                p.agg_fill(stroke);
+            }
+        });
+}
+
+/// A mesh of across x across patches, its net shaken.
+void mesh_row(int across) {
+    std::mt19937 random(5);
+    const auto side = std::size_t(3 * across + 1);
+    std::vector<l3d_point_2d> net(side * side);
+    for (std::size_t r = 0; r < side; ++r)
+        for (std::size_t k = 0; k < side; ++k) {
+            const double step = 700.0 / double(side - 1), wild = step / 4;
+            net[r * side + k] = {150 + step * double(k) + uniform(random, -wild, wild),
+                                 30 + step * double(r) + uniform(random, -wild, wild)};
+        }
+    std::vector<l3d_mesh_patch> patches;
+    for (std::size_t r = 0; r + 1 < side; r += 3)
+        for (std::size_t k = 0; k + 1 < side; k += 3) {
+            l3d_mesh_patch patch;
+            for (std::size_t i = 0; i < 4; ++i)
+                for (std::size_t j = 0; j < 4; ++j)
+                    patch.points[i][j] = net[(r + i) * side + k + j];
+            for (std::uint32_t& c : patch.colors)
+                c = static_cast<std::uint32_t>(random()) & 0x00ffffff;
+            patches.push_back(patch);
+        }
+    row(
+        "a mesh of " + std::to_string(across * across) + " patches",
+        [&](peers& p) { p.draw.draw_mesh(patches); },
+        [&](peers& p) {
+            cairo_pattern_t* mesh = cairo_pattern_create_mesh();
+            for (const l3d_mesh_patch& patch : patches) {
+                const auto& q = patch.points;
+                // along v = 0, then to (1, 1) and around; cairo's corners in the same order
+                constexpr std::array<std::array<std::size_t, 2>, 12> around{{{0, 0},
+                                                                             {0, 1},
+                                                                             {0, 2},
+                                                                             {0, 3},
+                                                                             {1, 3},
+                                                                             {2, 3},
+                                                                             {3, 3},
+                                                                             {3, 2},
+                                                                             {3, 1},
+                                                                             {3, 0},
+                                                                             {2, 0},
+                                                                             {1, 0}}};
+                const auto at = [&](std::size_t i) {
+                    return l3d_point_2d{q[around[i % 12][0]][around[i % 12][1]].x + 0.5,
+                                        q[around[i % 12][0]][around[i % 12][1]].y + 0.5};
+                };
+                cairo_mesh_pattern_begin_patch(mesh);
+                cairo_mesh_pattern_move_to(mesh, at(0).x, at(0).y);
+                for (std::size_t i = 1; i < 12; i += 3)
+                    cairo_mesh_pattern_curve_to(mesh, at(i).x, at(i).y, at(i + 1).x, at(i + 1).y,
+                                                at(i + 2).x, at(i + 2).y);
+                constexpr std::array<std::array<unsigned, 3>, 4> inner{
+                    {{0, 1, 1}, {1, 1, 2}, {2, 2, 2}, {3, 2, 1}}};
+                for (const auto& [n, r, k] : inner)
+                    cairo_mesh_pattern_set_control_point(mesh, n, q[r][k].x + 0.5, q[r][k].y + 0.5);
+                constexpr std::array<unsigned, 4> corners{0, 1, 3, 2};
+                for (unsigned n = 0; n < 4; ++n) {
+                    const std::uint32_t c = patch.colors[corners[n]];
+                    cairo_mesh_pattern_set_corner_color_rgb(mesh, n, (c >> 16 & 255) / 255.0,
+                                                            (c >> 8 & 255) / 255.0,
+                                                            (c & 255) / 255.0);
+                }
+                cairo_mesh_pattern_end_patch(mesh);
+            }
+            cairo_save(p.cairo);
+            cairo_set_source(p.cairo, mesh);
+            cairo_paint(p.cairo);
+            cairo_restore(p.cairo);
+            cairo_pattern_destroy(mesh);
+        },
+        nullptr);
+}
+
+} // namespace
+
+int main() {
+    for (const double side : {16, 64, 128, 512})
+        triangles_row(side);
+    for (const double radius : {8, 64, 256})
+        circles_row(radius);
+    map_row();
+    dashes_row(3);
+    dashes_row(12);
+    mesh_row(1);
+    mesh_row(6);
+}
