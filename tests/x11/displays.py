@@ -313,7 +313,7 @@ def changes_workspace(cell):
     first, second = ("1", "2") if cell.manager == "i3" else ("0", "1")
     with cell.program("--turntable", "1"):
         cell.await_drawing()
-        if cell.manager == "metacity" or cell.manager == "mutter":
+        if cell.manager in ("metacity", "mutter", "kwin"):
             cell.tool("wmctrl", "-n", "2")
         cell.tool(*command, second)
         cell.await_rest()
