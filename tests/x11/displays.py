@@ -273,7 +273,7 @@ def fullscreen_by_us(cell):
             cell.await_drawing()
             cell.key(back)
             cell.await_whole(False)
-        cell.await_drawing()
+            cell.await_drawing()  # and the manager's word is heard
         cell.key("Escape")
         expect_equal(harness.ended(cell.process)[0], 0)
 
@@ -357,6 +357,7 @@ def outlives_managers(display, name):
             cell.key("F11")
             if not was_whole:
                 cell.await_whole(True)
+                cell.await_drawing()
                 cell.key("Escape")
                 cell.await_whole(False)
             with managed(display, "openbox"):
@@ -364,6 +365,7 @@ def outlives_managers(display, name):
                 cell.focus()
                 cell.key("F11")
                 cell.await_whole(True)
+                cell.await_drawing()
                 cell.key("Escape")
                 cell.await_drawing()
                 expect(cell.process.poll() is None, "the program ended")
