@@ -159,6 +159,8 @@ def managed(display, name):
                           XDG_SESSION_TYPE="x11")
         if name in ("mutter", "kwin", "xfwm4", "metacity") and shutil.which("dbus-run-session"):
             command = ["dbus-run-session", "--", *command]
+        # What a manager starts may outlive it, and would keep a pipe open.
+        command = ["sh", "-c", 'exec "$0" "$@" 2>/dev/null', *command]
         with started(command, env, stdout=subprocess.DEVNULL) as manager:
             with Onlooker(display) as eyes:
                 with contextlib.suppress(AssertionError):
