@@ -167,7 +167,7 @@ MAKEFLAGS += -rR --no-print-directory
 .SECONDEXPANSION:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: FORCE all run test stress faults stability matrix lint $(CHECKS) tidy format golden pictures docs bench report \
+.PHONY: FORCE all run test stress faults displays stability matrix lint $(CHECKS) tidy format golden pictures docs bench report \
         fuzz fuzz-each packages hooks clean help
 
 Q    := $(if $(V),,@)
@@ -204,6 +204,9 @@ test-%: packages-test ## the tests of one layer: make test-geom
 
 faults: packages-faults $(OUT)/bin/teapot_afd ## batches killed, out of disk or without power at each call that writes
 	L3D_BIN=$(abspath $(OUT)/bin) tests/faults/batch_faults.py
+
+displays: packages-displays $(OUT)/bin/teapot_afd ## every X server with every window manager of Debian; ARGS="--server Xvfb" for some
+	L3D_BIN=$(abspath $(OUT)/bin) PYTHONDONTWRITEBYTECODE=1 tests/x11/displays.py $(ARGS)
 
 stability: packages-stability ## 600 cases made to break it, and a million random ones, in four arithmetics
 	@$(again) $(STABILITY)

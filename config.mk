@@ -42,6 +42,11 @@ PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
 PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h
 PACKAGES_stability := libboost-dev:boost/multiprecision/cpp_bin_float.hpp
 PACKAGES_faults := python3:python3 strace:strace
+PACKAGES_displays := xvfb:Xvfb xdotool:xdotool wmctrl:wmctrl xserver-xephyr:Xephyr \
+    tigervnc-standalone-server:Xvnc xserver-xorg-video-dummy:Xorg xwayland:Xwayland weston:weston \
+    twm:twm openbox:openbox icewm:icewm fluxbox:fluxbox i3-wm:i3 awesome:awesome xfwm4:xfwm4 \
+    metacity:metacity mutter:mutter kwin-x11:kwin_x11 dbus:dbus-run-session \
+    matchbox-window-manager:matchbox-window-manager
 PACKAGES_fuzz   := $(PACKAGES_matrix)
 PACKAGES_bench  := libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so \
     libembree-dev:embree3/rtcore.h xvfb:Xvfb libbenchmark-dev:benchmark/benchmark.h \

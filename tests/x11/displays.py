@@ -159,6 +159,8 @@ def managed(display, name):
                           XDG_SESSION_TYPE="x11")
         if name in ("mutter", "kwin", "xfwm4", "metacity") and shutil.which("dbus-run-session"):
             command = ["dbus-run-session", "--", *command]
+        # What a manager starts may outlive it, and would keep a pipe open.
+        command = ["sh", "-c", 'exec "$0" "$@" 2>/dev/null', *command]
         with started(command, env, stdout=subprocess.DEVNULL) as manager:
             with Onlooker(display) as eyes:
                 with contextlib.suppress(AssertionError):
@@ -273,7 +275,7 @@ def fullscreen_by_us(cell):
             cell.await_drawing()
             cell.key(back)
             cell.await_whole(False)
-        cell.await_drawing()
+            cell.await_drawing()  # and the manager's word is heard
         cell.key("Escape")
         expect_equal(harness.ended(cell.process)[0], 0)
 
@@ -313,7 +315,7 @@ def changes_workspace(cell):
     first, second = ("1", "2") if cell.manager == "i3" else ("0", "1")
     with cell.program("--turntable", "1"):
         cell.await_drawing()
-        if cell.manager == "metacity" or cell.manager == "mutter":
+        if cell.manager in ("metacity", "mutter", "kwin"):
             cell.tool("wmctrl", "-n", "2")
         cell.tool(*command, second)
         cell.await_rest()
@@ -357,6 +359,7 @@ def outlives_managers(display, name):
             cell.key("F11")
             if not was_whole:
                 cell.await_whole(True)
+                cell.await_drawing()
                 cell.key("Escape")
                 cell.await_whole(False)
             with managed(display, "openbox"):
@@ -364,6 +367,7 @@ def outlives_managers(display, name):
                 cell.focus()
                 cell.key("F11")
                 cell.await_whole(True)
+                cell.await_drawing()
                 cell.key("Escape")
                 cell.await_drawing()
                 expect(cell.process.poll() is None, "the program ended")

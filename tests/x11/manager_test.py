@@ -164,6 +164,14 @@ def is_seen_on_all_workspaces():
             expect_moving(it)
 
 
+def a_workspace_that_does_not_exist_hides_nothing():
+    """Matchbox has one workspace, number 0, and says that windows are on number 1."""
+    with Managed("--turntable", "2", counted=True) as it:
+        it.eyes.set_numbers(it.window, "_NET_WM_DESKTOP", "CARDINAL", [4])
+        for _ in range(5):
+            expect_moving(it)
+
+
 def stale_words_hide_nothing():
     """What a manager left behind when it went is nobody's word."""
     with Managed("--turntable", "2", counted=True) as it:
@@ -196,6 +204,7 @@ CHECKS = (
     a_manager_that_goes_leaves_fullscreen_to_us,
     f11_asks_a_manager_that_came_later,
     is_seen_on_all_workspaces,
+    a_workspace_that_does_not_exist_hides_nothing,
     stale_words_hide_nothing,
     sizes_that_others_tell_are_not_believed,
 )

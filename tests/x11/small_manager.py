@@ -63,6 +63,7 @@ class Manager:
             self.set(window, "_NET_SUPPORTING_WM_CHECK", "WINDOW", check)
         self.set(self.root, "_NET_SUPPORTED", "ATOM", *map(self.atom, self.ABILITIES))
         self.set(self.root, "_NET_CURRENT_DESKTOP", "CARDINAL", 0)
+        self.set(self.root, "_NET_NUMBER_OF_DESKTOPS", "CARDINAL", 4)
         x.XSync(self.display, False)
 
     ABILITIES = ("_NET_WM_STATE", "_NET_WM_STATE_FULLSCREEN", "_NET_CURRENT_DESKTOP")

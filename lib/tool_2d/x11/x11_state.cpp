@@ -18,8 +18,6 @@ namespace {
 
 // Of a property, in words: the standard has about a hundred names of states and abilities.
 constexpr std::uint32_t longest_property = 1024;
-// _NET_WM_DESKTOP of a window that is on all of them.
-constexpr std::uint32_t all_desktops = 0xFFFFFFFF;
 
 struct reply_freer {
     void operator()(void* reply) const { std::free(reply); }
@@ -30,11 +28,13 @@ bool holds(const std::vector<std::uint32_t>& list, std::uint32_t wanted) {
     return std::ranges::find(list, wanted) != list.end();
 }
 
-/// A manager that shows several workspaces at once, one a monitor, still names one as current.
+/// A manager that shows several workspaces at once, one a monitor, still names one as current. One
+/// without workspaces may number windows by rules of its own.
 bool is_elsewhere(const std::vector<std::uint32_t>& desktop,
-                  const std::vector<std::uint32_t>& current, std::size_t monitors) {
-    return monitors <= 1 && !desktop.empty() && !current.empty() &&
-           desktop.front() != all_desktops && desktop.front() != current.front();
+                  const std::vector<std::uint32_t>& current,
+                  const std::vector<std::uint32_t>& desktops, std::size_t monitors) {
+    return monitors <= 1 && !desktop.empty() && !current.empty() && !desktops.empty() &&
+           desktop.front() < desktops.front() && desktop.front() != current.front();
 }
 
 } // namespace
@@ -65,9 +65,11 @@ void x11_state::ask() {
 
 void x11_state::ask_names() {
     constexpr std::array<std::string_view, name_count> texts{
-        "_NET_WM_STATE",  "_NET_WM_STATE_FULLSCREEN", "_NET_WM_STATE_HIDDEN",
-        "WM_STATE",       "_NET_WM_DESKTOP",          "_NET_CURRENT_DESKTOP",
-        "_NET_SUPPORTED", "_NET_SUPPORTING_WM_CHECK"};
+        "_NET_WM_STATE",           "_NET_WM_STATE_FULLSCREEN",
+        "_NET_WM_STATE_HIDDEN",    "WM_STATE",
+        "_NET_WM_DESKTOP",         "_NET_CURRENT_DESKTOP",
+        "_NET_NUMBER_OF_DESKTOPS", "_NET_SUPPORTED",
+        "_NET_SUPPORTING_WM_CHECK"};
     stage_ = stage::naming;
     for (std::size_t i = 0; i < name_count; ++i)
         names_[i] =
@@ -112,6 +114,7 @@ void x11_state::ask_facts() {
         question_.checked = ask_property(check_, net_supporting_wm_check);
     question_.supported = ask_property(root, net_supported);
     question_.current_desktop = ask_property(root, net_current_desktop);
+    question_.desktops = ask_property(root, net_number_of_desktops);
     question_.state = ask_property(window, net_wm_state);
     question_.wm_state = ask_property(window, wm_state);
     question_.desktop = ask_property(window, net_wm_desktop);
@@ -150,6 +153,7 @@ void x11_state::hear_facts() {
     const auto checked = question_.asked_check == 0 ? check : hear_property(question_.checked);
     const auto supported = hear_property(question_.supported);
     const auto current_desktop = hear_property(question_.current_desktop);
+    const auto desktops = hear_property(question_.desktops);
     const auto state = hear_property(question_.state);
     const auto icon = hear_property(question_.wm_state);
     const auto desktop = hear_property(question_.desktop);
@@ -173,7 +177,7 @@ void x11_state::hear_facts() {
     facts_.away =
         facts_.managed &&
         (is_icon || is_unviewable || (lives && holds(state, atoms_[net_wm_state_hidden])) ||
-         (lives && is_elsewhere(desktop, current_desktop, facts_.monitors.size())));
+         (lives && is_elsewhere(desktop, current_desktop, desktops, facts_.monitors.size())));
 }
 
 bool x11_state::take(const XEvent& event) {

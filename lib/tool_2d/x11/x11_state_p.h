@@ -40,6 +40,7 @@ public:
         wm_state,
         net_wm_desktop,
         net_current_desktop,
+        net_number_of_desktops,
         net_supported,
         net_supporting_wm_check,
         name_count
@@ -76,7 +77,7 @@ private:
     /// The requests of one question.
     struct question {
         xcb_get_window_attributes_cookie_t root, window;
-        xcb_get_property_cookie_t check, checked, supported, current_desktop;
+        xcb_get_property_cookie_t check, checked, supported, current_desktop, desktops;
         xcb_get_property_cookie_t state, wm_state, desktop;
         xcb_randr_get_monitors_cookie_t monitors;
         Window asked_check = 0; ///< whose property `checked` is
