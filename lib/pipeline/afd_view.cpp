@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_afd: what its camera shows, and where.
+// l3d_pipeline_afd: what its camera shows, and where, and what it tells of that.
 #include "pipeline/pipeline_afd.h"
 #include "scene/framing.h"
 #include "scene/inspected_scene.h"
@@ -39,5 +39,11 @@ l3d_inspection l3d_pipeline_afd::inspection() {
     if (!usual_curvature_ || usual_curvature_->first != shade || scene_.is_changed())
         usual_curvature_.emplace(shade, l3d_usual_curvature(scene_, shade));
     result.scale = usual_curvature_->second;
+    return result;
+}
+
+l3d_frame_report l3d_pipeline_afd::report() const {
+    l3d_frame_report result = report_;
+    result.hash = l3d_hash(screen_->pixels());
     return result;
 }

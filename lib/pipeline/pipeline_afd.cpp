@@ -398,9 +398,3 @@ void l3d_pipeline_afd::draw_nets() {
     const bool smooth = settings_.antialias && !settings_.background.is_none();
     l3d_detail::wire_drawer(rasterizer_, net_color, smooth).draw(lines);
 }
-
-l3d_frame_report l3d_pipeline_afd::report() const {
-    l3d_frame_report result = report_;
-    result.hash = l3d_hash(screen_->pixels());
-    return result;
-}
