@@ -21,15 +21,6 @@ namespace {
 using teapot_pipeline = l3d_viewer<method_viewer>;
 using comparing_pipeline = l3d_viewer<comparison>;
 
-// Steps 4 and 5.
-template <class Pipeline>
-l3d_exit show(l3d_dispatcher& dispatcher, Pipeline& pipeline, l3d_screen& screen) {
-    dispatcher.plug(pipeline, screen);
-    const l3d_exit result = dispatcher.start();
-    pipeline.finish();
-    return result;
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
@@ -77,6 +68,12 @@ int main(int argc, char** argv) {
     return program.run(argc, argv, [&] { // step 1: choose factories
         const l3d_patch_model model = parts.applied(afd.model());
         const auto dispatcher = program.create_dispatcher(); // step 3
+        const auto show = [&](auto& pipeline, l3d_screen& screen) {
+            dispatcher->plug(pipeline, screen);          // step 4
+            const l3d_exit result = dispatcher->start(); // step 5
+            pipeline.finish();
+            return result;
+        };
         l3d_canvas canvas = program.create_canvas(afd.model_title());
         if (other) {
             comparing_pipeline pipeline(program, afd, std::move(canvas), model, camera, settings,
@@ -84,10 +81,10 @@ int main(int argc, char** argv) {
             pipeline.controls().set_screenshot([&pipeline](const l3d_pixels&) {
                 return l3d_save_screenshot(pipeline.whole().pixels());
             });
-            return show(*dispatcher, pipeline, pipeline.whole());
+            return show(pipeline, pipeline.whole());
         }
         teapot_pipeline pipeline(program, afd, std::move(canvas), model, camera, settings,
                                  *method.choice());
-        return show(*dispatcher, pipeline, pipeline.screen());
+        return show(pipeline, pipeline.screen());
     });
 }

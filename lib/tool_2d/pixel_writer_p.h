@@ -19,8 +19,8 @@ namespace l3d_detail {
 /// Each word is shown as a square of scale x scale native pixels. The native picture may end
 /// within a square: ceil(native / scale) words make it.
 ///
-/// With a palette, and with masks of fewer than eight bits, colours between the levels are mixed from
-/// both by an ordered dither, which stays where it is while the picture moves:
+/// With a palette, and with masks of fewer than eight bits, colours between the levels are mixed
+/// from both by an ordered dither, which stays where it is while the picture moves:
 /// - a channel shows one of the two levels around its value, so it is off by less than a step;
 /// - a value that is a level is shown as that level in every pixel;
 /// - over 8 x 8 words of one colour, whole blocks of the picture or not, the mean of what a channel

@@ -72,7 +72,8 @@ TEST(coverage_2d, is_mixed_by_the_rule_wherever_the_shape_lies) {
                 const int coverage =
                     inside ? shape.row(static_cast<int>(row))[static_cast<std::size_t>(column)] : 0;
                 const std::uint32_t expected = coverage > 0 ? mixed(old, color, coverage) : old;
-                ASSERT_LE(level_difference(it.at(x, y), expected), 1) << n << ": " << x << ", " << y;
+                ASSERT_LE(level_difference(it.at(x, y), expected), 1)
+                    << n << ": " << x << ", " << y;
             }
     }
 }

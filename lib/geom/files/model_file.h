@@ -52,8 +52,8 @@ struct L3D_PUBLIC l3d_model_file {
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;
 };
 
-/// Reads another file that a model names, from the model's own folder: its bytes, or nothing and
-/// the reason.
+/// Reads another file that a model names, from the model's own folder: its bytes.
+/// Errors:  nothing, and the reason in `why`.
 using l3d_other_files =
     std::function<std::optional<std::string>(const std::string& name, std::string& why)>;
 
@@ -73,6 +73,7 @@ L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model(std::string_view text,
                                                         std::string_view name, std::string& why);
 
 /// The same with the files that the model names: the buffers of glTF.
+/// Errors:  as those of l3d_read_model.
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_files& files,
                                                              std::string_view text,
                                                              std::string_view name,
@@ -90,9 +91,11 @@ l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
     l3d_read_bez,              ///< geomview's patches
     l3d_read_stl;              ///< triangles
 
-/// The reader of glTF 2.0. Errors, Cost: as those of l3d_read_model; the place is one in the
-/// document, such as "accessors[3].count", or line and column where that is no JSON. The memory is
-/// counted for each byte of this text and of the other files.
+/// The reader of glTF 2.0.
+/// Errors:  as those of l3d_read_model; the place is one in the document, such as
+///          "accessors[3].count", or line and column where that is no JSON.
+/// Cost:    as that of l3d_read_model; memory is counted for each byte of this text and of the
+///          other files.
 std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, std::string_view name,
                                             std::string& why, const l3d_other_files& files = {});
 
