@@ -16,10 +16,12 @@ l3d_exit l3d_dispatcher::start() {
 
 namespace {
 
-/// A letter with Ctrl, Alt or Super held is another key than the letter, and none of ours.
+/// A letter with Ctrl, Alt or Super held is another key than the letter, and none of ours. With
+/// digits and keys that are no character, Ctrl is for the pipeline: any_event told it.
 bool is_plain(const l3d_event& press) {
-    const bool is_character = press.key >= ' ' && press.key <= '~';
-    return !press.alt && !press.logo && !(press.control && is_character);
+    const bool is_letter =
+        (press.key >= 'a' && press.key <= 'z') || (press.key >= 'A' && press.key <= 'Z');
+    return !press.alt && !press.logo && !(press.control && is_letter);
 }
 
 } // namespace

@@ -145,9 +145,9 @@ def says_that_a_model_turns_its_back():
 def picks_from_the_command_line():
     with folder() as path:
         names = {
-            "teapot_afd": ["patch", "u", "v", "point", "depth", "normal", "gaussian-curvature",
+            "teapot_afd": ["patch", "part", "u", "v", "point", "depth", "normal", "gaussian-curvature",
                            "mean-curvature", "proven"],
-            "modelview": ["face", "vertices", "weights", "point", "normal"],
+            "modelview": ["face", "part", "vertices", "weights", "point", "normal"],
         }
         for viewer in VIEWERS:
             for place in ("320,260", "320.25,260.75"):
