@@ -235,6 +235,8 @@ pictures: packages-report packages-bench $(APPS) $(PLUGINS) $(DATA) $(OUT)/tests
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/contact_sheet.py docs/pictures
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --output docs/pictures/teapot.png
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --wireframe --net --output docs/pictures/steps.png
+	for shade in zebra gaussian; do \
+	    $(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --shade $$shade --output docs/pictures/$$shade.png; done
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 1000x420 --compare tessellation:6 --output docs/pictures/comparison.png
 	$(OUT)/bin/gallery --no-input --backend memory --size 1024x560 --glossy --output docs/pictures/gallery.png
 	$(OUT)/tests/bench/fixed_failure_bench docs/pictures/fixed_16_16.png
