@@ -210,7 +210,7 @@ def overview_fits():
 
 def shells_complete_options():
     words = MOVED / "share" / "bash-completion" / "completions" / "teapot_afd"
-    script = """. %s; COMP_WORDS=(teapot_afd --shade g); COMP_CWORD=2; _teapot_afd; echo ${COMPREPLY[@]}
+    script = """. %s; COMP_WORDS=(teapot_afd --shade go); COMP_CWORD=2; _teapot_afd; echo ${COMPREPLY[@]}
 COMP_WORDS=(teapot_afd --wire); COMP_CWORD=1; _teapot_afd; echo ${COMPREPLY[@]}""" % shlex.quote(str(words))
     expect_equal(run(["bash", "-c", script], MOVED).stdout.split(), ["gouraud", "--wireframe"])
     for program in (MOVED / "bin").iterdir():
