@@ -167,6 +167,8 @@ TEST_F(captioned_row, is_done_when_the_program_is) {
 }
 
 TEST_F(captioned_row, puts_nothing_of_the_old_size_into_the_new_one) {
+    for (int y = 0; y < 300; ++y)
+        std::ranges::fill(screen.pixels().row(y), 0x123456u);
     pass(0.1);
     screen.resize({400, 340});
     shown.resize_event({400, 340});
