@@ -28,7 +28,7 @@ void captioned::any_event(const l3d_event& event) {
 
 void captioned::key_event(int key) {
     if (key > 0 && key < 128 && caption_.help.find(static_cast<char>(key)) != std::string::npos) {
-        help_is_shown_ = !help_is_shown_;
+        help_page_ = help_page_ < help_pages().size() ? help_page_ + 1 : 0;
         hint_seconds_ = 0;
         is_old_ = true;
         return;
@@ -90,7 +90,7 @@ void captioned::uncover() {
 
 /// Draws the panel, if there is one, and keeps the picture below.
 void captioned::cover() {
-    if (!help_is_shown_ && !hint_is_shown())
+    if (help_page_ == 0 && !hint_is_shown())
         return;
     const l3d_pixels pixels = screen_.pixels();
     picture_.clear();
@@ -99,27 +99,38 @@ void captioned::cover() {
     l3d_rasterizer_2d_sw_imp imp(pixels);
     l3d_rasterizer_2d rasterizer(imp);
     covered_ = draw_panel(rasterizer);
-    if (!help_is_shown_ && largest_share * covered_.area() > l3d_whole(pixels.size()).area()) {
+    if (help_page_ == 0 && largest_share * covered_.area() > l3d_whole(pixels.size()).area()) {
         uncover();
         hint_seconds_ = 0;
     }
 }
 
+l3d_panel_style captioned::style() const {
+    l3d_panel_style result;
+    result.font = font_;
+    result.size = l3d_panel_style::size_for(screen_.pixels().size(), screen_.text_scale());
+    return result;
+}
+
+std::vector<l3d_panel> captioned::help_pages() const {
+    l3d_panel all;
+    all.add_title(caption_.what);
+    for (const l3d_caption_row& row : caption_.all_keys())
+        all.add(row.keys, row.text);
+    return all.pages(screen_.pixels().size(), caption_.help.substr(0, 1), style());
+}
+
 l3d_pixel_box captioned::draw_panel(l3d_rasterizer_2d& rasterizer) const {
-    const l3d_size size = screen_.pixels().size();
-    l3d_panel_style style;
-    style.font = font_;
-    style.size = l3d_panel_style::size_for(size, screen_.text_scale());
-    l3d_panel panel;
-    panel.add(caption_.what);
-    if (help_is_shown_)
-        for (const l3d_caption_row& row : caption_.all_keys())
-            panel.add(row.keys, row.text);
-    else
-        panel.add(caption_.help.substr(0, 1), "shows all keys");
-    l3d_pixel_box free = l3d_whole(size);
-    return panel.draw(rasterizer, free,
-                      help_is_shown_ ? l3d_corner::top_left : l3d_corner::bottom_left, style);
+    l3d_pixel_box free = l3d_whole(screen_.pixels().size());
+    if (help_page_ > 0) {
+        const std::vector<l3d_panel> pages = help_pages();
+        return pages[std::min(help_page_, pages.size()) - 1].draw(rasterizer, free,
+                                                                  l3d_corner::top_left, style());
+    }
+    l3d_panel hint;
+    hint.add_title(caption_.what);
+    hint.add(caption_.help.substr(0, 1), "shows all keys");
+    return hint.draw(rasterizer, free, l3d_corner::bottom_left, style());
 }
 
 } // namespace l3d_detail

@@ -9,6 +9,7 @@
 #include "raster/shapes/rasterizer_2d_sw.h"
 #include "tool_2d/screen.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -18,7 +19,7 @@ namespace l3d_detail {
 /// the panel covers before the pipeline draws again: some programs add to the picture before.
 ///
 /// The panel says for some seconds what is shown and which key lists the others, if that leaves
-/// most of the picture free. The keys of help show all of it, and hide it again.
+/// most of the picture free. The keys of help show all keys, page after page, and hide them again.
 ///
 /// Lives: borrows pipeline and screen.
 class captioned final : public l3d_pipeline {
@@ -44,15 +45,17 @@ private:
     void follow() { done |= shown_.done; }
     void uncover();
     void cover();
+    l3d_panel_style style() const;
+    std::vector<l3d_panel> help_pages() const;
     l3d_pixel_box draw_panel(l3d_rasterizer_2d& rasterizer) const;
 
     l3d_pipeline& shown_;
     l3d_screen& screen_;
     l3d_caption caption_;
     l3d_font font_;
-    double hint_seconds_; ///< that are left
-    bool help_is_shown_ = false;
-    bool is_old_ = false; ///< another panel is wanted than is drawn
+    double hint_seconds_;       ///< that are left
+    std::size_t help_page_ = 0; ///< that is shown, from 1; 0 for none
+    bool is_old_ = false;       ///< another panel is wanted than is drawn
     std::vector<std::uint32_t> picture_;
     l3d_pixel_box covered_, changed_;
 };
