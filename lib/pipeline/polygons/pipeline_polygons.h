@@ -111,6 +111,12 @@ public:
     /// if it may show something.
     std::string why_empty() const;
 
+    /// Whether more than two thirds of what one might see of the model is seen from behind, as an
+    /// open sheet is that faces the other way. Without its back faces little of it would be shown.
+    /// Of a closed body each half is a half, whichever way it faces.
+    /// Cost: linear in triangles.
+    bool turns_its_back() const;
+
     /// What is seen at (x, y) of the picture: l3d_polygon_pick_at, with the camera and settings of
     /// now.
     std::optional<l3d_polygon_pick> pick(double x, double y) const;
