@@ -57,7 +57,7 @@ struct L3D_PUBLIC l3d_polygon_settings {
     l3d_vector<double, 3> rotation{0.0, 0.0, 0.0};
 
     /// The material of all faces, whatever the model says.
-    std::optional<l3d_material> material;
+    std::optional<l3d_material> material{};
 
     /// Faces that are seen from behind are left out.
     bool cull = true;
