@@ -2,65 +2,15 @@
 # SPDX-License-Identifier: MIT
 """Every program in a window: keys, close, resize, expose, signals, a server that dies."""
 
-import contextlib
 import os
 import signal
 import subprocess
 import time
 
 import harness
-from harness import Checks, Onlooker, environment, expect, expect_equal, folder, run, started
-from harness import wait_for, window_of, x_server, xdotool
-from x_proxy import Proxy
-
-
-class Session:
-    """A program in a window of a server of its own, which has drawn its first picture.
-
-    `prepare` is called with the display before the program starts; `more` adds to its environment;
-    if `counted`, a proxy stands between, which counts requests.
-    """
-
-    def __init__(
-        self, program, *arguments, prepare=lambda _: None, more=None, counted=False, **options
-    ):
-        self.program = program
-        self.command = program.command("--backend", "ximage", *arguments)
-        self.prepare, self.more, self.counted, self.options = prepare, more or {}, counted, options
-
-    def __enter__(self):
-        self.contexts = [x_server()]
-        self.server = self.enter()
-        self.display = self.server.display
-        self.prepare(self.display)
-        self.contexts.append(Onlooker(self.display))
-        self.eyes = self.enter()
-        self.contexts.append(Proxy(self.display) if self.counted else contextlib.nullcontext())
-        self.proxy = self.enter()
-        env = environment(self.proxy.display if self.proxy else self.display, **self.more)
-        self.contexts.append(started(self.command, env, **self.options))
-        self.process = self.enter()
-        self.window = window_of(self.display, self.program)
-        self.await_picture(harness.has_picture)
-        return self
-
-    def enter(self):
-        return self.contexts[-1].__enter__()
-
-    def __exit__(self, *error):
-        # The onlooker stays: its connection is gone if the server is, and Xlib would exit.
-        for context in (self.contexts[3], self.contexts[2], self.contexts[0]):
-            context.__exit__(*error)
-
-    def picture(self, size=None):
-        return self.eyes.picture(self.window, *(size or self.program.size))
-
-    def await_picture(self, question, size=None, what="the picture"):
-        return wait_for(lambda: question(self.picture(size)), what)
-
-    def expect_end(self, status, messages=""):
-        found, out, said = harness.ended(self.process)
-        expect_equal((found, out, said), (status, b"", messages))
+from harness import Checks, Session, await_motion, await_rest, environment, expect, expect_equal
+from harness import folder, run, settle, started, wait_for, window_of, window_size, x_server
+from harness import xdotool
 
 
 def quits_by_key(program):
@@ -130,29 +80,6 @@ def repairs_with_one_picture(program):
         expect_equal((it.proxy.mark() - mark).requests.count("PutImage"), 1)
 
 
-def await_rest(it):
-    """Returns when a quarter of a second has gone by without a request."""
-
-    def rests():
-        mark = it.proxy.mark()
-        time.sleep(0.25)
-        return not (it.proxy.mark() - mark).requests
-
-    wait_for(rests, "no more requests")
-
-
-def settle(it):
-    """Stops what moves."""
-    xdotool(it.display, "key", "space")
-    pictures = []
-
-    def is_still(rows):
-        pictures.append(rows)
-        return len(pictures) > 5 and all(each == rows for each in pictures[-5:])
-
-    it.await_picture(is_still, what="a picture that stays")
-
-
 def rests_when_nothing_moves(program):
     with Session(program) as it:
         settle(it)
@@ -202,12 +129,6 @@ def covers_the_screen_and_goes_back(program):
                 it.await_picture(harness.has_picture, size)
         xdotool(it.display, "key", "Escape")
         it.expect_end(0)
-
-
-def window_size(it):
-    shell = xdotool(it.display, "getwindowgeometry", "--shell", it.window)
-    values = dict(line.split("=") for line in shell.split())
-    return int(values["WIDTH"]), int(values["HEIGHT"])
 
 
 def shows_large_pixels(program):
@@ -403,12 +324,10 @@ def drawdot_keeps_its_trail_in_a_smaller_window():
 def teapot_draws_nothing_that_nobody_sees():
     with Session(harness.PROGRAMS[-1], counted=True) as it:
         xdotool(it.display, "key", "t")
-        mark = it.proxy.mark()
-        wait_for(lambda: (it.proxy.mark() - mark).requests.count("PutImage") > 2, "the turntable")
+        await_motion(it)
         with it.eyes.cover(800, 600):
             await_rest(it)
-        mark = it.proxy.mark()
-        wait_for(lambda: (it.proxy.mark() - mark).requests.count("PutImage") > 2, "life again")
+        await_motion(it)
 
 
 if __name__ == "__main__":
