@@ -207,6 +207,17 @@ def tells_who_it_is(program):
             expect_equal(found.split(), [str(it.window)], question)
 
 
+def has_the_title_that_was_asked_for(program):
+    """Else that of the model, if it shows one, and its own name."""
+    title = "Teekanne für Öl"
+    usual = {"drawdot": "drawdot", "teapot_afd": "Utah teapot - teapot_afd"}
+    for options, wanted in (((), usual[program.name]), (("--title", title), title)):
+        with Session(program, *options) as it:
+            command = ["xprop", "-id", str(it.window), "_NET_WM_NAME"]
+            out = run(command, environment(it.display, LC_ALL="C.UTF-8"))[1].decode()
+            expect_equal(out, '_NET_WM_NAME(UTF8_STRING) = "%s"\n' % wanted)
+
+
 def survives_a_storm_of_sizes(program):
     with Session(program) as it:
         steps = []
@@ -277,6 +288,7 @@ CHECKS = (
     covers_the_screen_and_goes_back,
     shows_large_pixels,
     tells_who_it_is,
+    has_the_title_that_was_asked_for,
     survives_a_storm_of_sizes,
     shows_what_memory_holds,
     starts_without_a_terminal,
