@@ -91,14 +91,16 @@ def xwayland():
         raise Unable("weston is not installed")
     with tempfile.TemporaryDirectory() as folder:
         env = environment(XDG_RUNTIME_DIR=folder)
-        weston = ["weston", "--backend=headless-backend.so", "--socket=l3d", "--idle-time=0"]
+        weston = ["weston", "--backend=headless-backend.so", "--socket=l3d", "--idle-time=0",
+                  "--width=800", "--height=600"]
         with started(weston, env, stdout=subprocess.DEVNULL) as compositor:
             wait_for(lambda: os.path.exists(os.path.join(folder, "l3d")) or compositor.poll(),
                      "weston")
             if compositor.poll() is not None:
                 raise Unable("weston does not start here")
             env["WAYLAND_DISPLAY"] = "l3d"
-            command = ["Xwayland", "-displayfd", "{fd}", "-noreset", "-geometry", "800x600"]
+            # Without a window manager inside the compositor it is one window, as large as the output.
+            command = ["Xwayland", "-displayfd", "{fd}", "-noreset"]
             with ready_server(command, env=env) as server:
                 yield server
 
