@@ -152,6 +152,27 @@ def draws_at_the_displays_resolution():
             expect_equal(window_size(it), program.size)
 
 
+def draws_lines_as_wide_as_the_resolution_asks():
+    """Pictures twice as fine have lines twice as wide: they cover about the same share. Wireframes have
+    some more of them, for steps are chosen in pixels."""
+    for lines in (("--wireframe",), ("--wireframe", "--antialias", "off"), ("--net",)):
+        shares = []
+        for dpi in (96, 192):
+            scale = dpi // 96
+            program = harness.Program("teapot_afd", (300, 225))
+            with Session(program, *lines, "--background", "0,0,0", prepare=fine(dpi)) as it:
+                size = tuple(scale * side for side in program.size)
+                # The word about the help goes away.
+                xdotool(it.display, "key", "--clearmodifiers", "h", "h")
+                rows = it.await_picture(lambda rows: rows, size)
+                shares.append(sum(map(brightness, rows)) / scale**2)
+        expect(0.85 < shares[1] / shares[0] < 1.3, lines, shares)
+
+
+def brightness(row):
+    return sum(word >> 8 & 255 for word in row)
+
+
 def has_thin_things(rows):
     """Whether some pixel differs from both neighbours in its row: no doubled pixel does so."""
     return rows and any(
@@ -353,6 +374,7 @@ if __name__ == "__main__":
         teapot_draws_nothing_that_nobody_sees,
         draws_at_the_displays_resolution,
         teapot_follows_the_resolution,
+        draws_lines_as_wide_as_the_resolution_asks,
     ):
         checks.run("window." + check.__name__, check)
     checks.finish()
