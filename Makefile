@@ -120,7 +120,7 @@ plugins   := $(wildcard apps/*/plugins/*.cpp tests/*/plugins/*.cpp)
 plugged    = $(patsubst %.cpp,$(OUT)/lib/l3d/%.so,$(notdir $(1)))
 PLUGINS   := $(call plugged,$(plugins))
 TEST_PLUGINS := $(call plugged,$(filter tests/%,$(plugins)))
-data      := $(wildcard data/*) apps/vidflat/plugins/spaceship.obj
+data      := $(wildcard data/* apps/teapot_afd/report_page*) apps/vidflat/plugins/spaceship.obj
 DATA      := $(addprefix $(OUT)/share/l3d/,$(notdir $(data)))
 
 ARCHIVES  := $(call archives,$(LAYERS))
@@ -254,7 +254,7 @@ bench: packages-bench ## build and run the benchmarks
 	@set -e; for bench in $(BENCHES); do $$bench $(ARGS); done
 	@L3D_BIN=$(abspath $(OUT)/bin) tests/bench/start_up.py
 
-report: packages-report $(OUT)/bin/teapot_afd ## error against time, all methods, into docs/report; QUICK=1: a small one
+report: packages-report $(OUT)/bin/teapot_afd $(DATA) ## error against time, into docs/report; goes on where it was stopped; QUICK=1: a small one
 	@$(OUT)/bin/teapot_afd --no-input --error-report $(if $(QUICK),$(OUT)/report --quick,docs/report)
 
 fuzz: packages-fuzz ## fuzz every reader of model files: make fuzz FUZZ_SECONDS=600

@@ -51,5 +51,6 @@ PACKAGES_fuzz   := $(PACKAGES_matrix)
 PACKAGES_bench  := libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so \
     libembree-dev:embree3/rtcore.h xvfb:Xvfb libbenchmark-dev:benchmark/benchmark.h \
     libcairo2-dev:cairo/cairo.h libagg-dev:agg2/agg_basics.h
-PACKAGES_report := gnuplot-nox:gnuplot graphviz:dot
+PACKAGES_report := gnuplot-nox:gnuplot graphviz:dot python3:python3 \
+    libjs-chart.js:/usr/share/javascript/chart.js/chart.min.js
 PACKAGES_docs   := doxygen:doxygen
