@@ -15,7 +15,7 @@ uses_apps     := $(LAYERS)
 # compare/ holds the methods that ours is measured against. It lies beside the library, on top of
 # all layers, and only these use it.
 uses_compare       := $(LAYERS)
-tests_with_compare := compare bench
+tests_with_compare := compare bench stability
 apps_with_compare  := teapot_afd
 
 # tests/reference, the exact renderer, is a layer beside them that only these may use, and one
@@ -23,7 +23,7 @@ apps_with_compare  := teapot_afd
 uses_reference       := base geom
 tests_with_reference := scene dice pipeline compare reference bench stability
 apps_with_reference  := teapot_afd
-uses_stability       := base geom tool_2d raster scene dice pipeline
+uses_stability       := base geom tool_2d raster scene dice pipeline compare
 
 # What a layer links from outside, and what pkg-config calls it.
 links_tool_2d := -lpng -lXext -lX11-xcb -lX11 -lxcb-randr -lxcb

@@ -15,8 +15,8 @@ STYLES = {
     "afd": (BLACK, 3, 7), "fd": (BLUE, 1.6, 5), "subdivision": (GREEN, 1.6, 9),
     "tessellation": (ORANGE, 1.6, 13), "zbuffer": (OLIVE, 1.2, 12), "zsort": (RED, 1.6, 11),
     "micropolygons": (PINK, 1.6, 4), "isocurves": (SKY, 1.6, 6), "scanline": (BROWN, 1.6, 8),
-    "voxels": (GREY, 1.6, 10), "mesa": (VIOLET, 1.6, 15), "llvmpipe": (ORANGE, 1.6, 2),
-    "Embree": (GREEN, 1.6, 3), "16.16": (RED, 1.6, 5), "32-bit block": (ORANGE, 1.6, 9),
+    "voxels": (GREY, 1.6, 10), "mesa": (VIOLET, 1.6, 15), "llvmpipe": ("#1b1b8f", 1.6, 2),
+    "Embree": ("#c51b7d", 1.6, 3), "16.16": (RED, 1.6, 5), "32-bit block": (ORANGE, 1.6, 9),
     "32-bit graded": (PINK, 1.6, 11), "32.32": (GREEN, 1.6, 13), "float": (BLACK, 2.4, 7),
     "double": (BLUE, 1.6, 4), "chord": (BLACK, 2, 7)}
 SVG, PNG = (900, 560), (1100, 680)

@@ -47,7 +47,7 @@ def picture_time(report, view):
             label = name if name == "llvmpipe" else "Embree"
             lines.append(Line(label, [(float(r[name + "_ms"]), float(r[name + "_all"])) for r in rows]))
     return Diagram(f"{', '.join(view)}: how wrong a picture is", "milliseconds a frame, one thread",
-                   "mean error of pixels, grey levels of 255 (root of squares)", lines)
+                   "root of the mean square error, grey levels of 255", lines)
 
 
 def bound_diagram(report):
