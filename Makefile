@@ -208,10 +208,11 @@ faults: packages-faults $(OUT)/bin/teapot_afd ## batches killed, out of disk or 
 displays: packages-displays $(OUT)/bin/teapot_afd ## every X server with every window manager of Debian; ARGS="--server Xvfb" for some
 	L3D_BIN=$(abspath $(OUT)/bin) PYTHONDONTWRITEBYTECODE=1 tests/x11/displays.py $(ARGS)
 
-stability: packages-stability ## 600 cases made to break it, and a million random ones, in four arithmetics
+stability: packages-stability ## cases made to break it, random ones, polygons and curves; goes on where it was stopped; REAL=double as well
 	@$(again) $(STABILITY)
 	@mkdir -p docs/report
-	$(STABILITY) --table docs/report/stability.md $(ARGS)
+	$(STABILITY) --folder docs/report $(ARGS)
+	tests/stability/stability_pages.py docs/report
 
 matrix: packages-test packages-matrix ## every test: each scalar, plain and sanitized, both compilers
 	@MAKE="$(again)" tests/lint/matrix.sh $(BUILD)/matrix

@@ -92,6 +92,8 @@ verdict judged_as_polygons(const test_case& c) {
     judge j(c, {});
     tessellation_way way;
     verdict result = j.of_frame(way);
+    result.measured = result.off;
+    result.ratio = result.bound > 0 ? result.off / result.bound : 0;
     const auto pixels = std::int64_t{c.size.width} * c.size.height;
     if (!j.accepted() || result.what == outcome::violated || pixels > most_compared_pixels)
         return result;

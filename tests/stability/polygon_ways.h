@@ -11,6 +11,8 @@ namespace stability {
 /// bound, as those of patches are. Then `zbuffer` and `zsort` draw the same mesh. They must cover
 /// the same pixels, and show the same levels in all but a few. (Where two depths tie, either may
 /// show its own.)
+///
+/// Only pictures are judged: `measured` is how far falsely covered or uncovered pixels are off.
 verdict judged_as_polygons(const test_case& c);
 
 } // namespace stability
