@@ -232,7 +232,7 @@ format: packages-lint ## clang-format every file in place
 golden: $(APPS) $(PLUGINS) $(DATA) ## store the pictures' hashes that tests/x11/programs_test.py compares with
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/programs_test.py --write
 
-pictures: packages-report packages-bench $(APPS) $(PLUGINS) $(DATA) $(OUT)/tests/bench/fixed_failure_bench ## the documents' pictures that are no report's
+pictures: packages-report packages-bench $(APPS) $(PLUGINS) $(DATA) $(OUT)/tests/bench/fixed_failure_bench $(OUT)/tests/bench/depth_bits_bench ## the documents' pictures that are no report's
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/contact_sheet.py docs/pictures
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --output docs/pictures/teapot.png
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --wireframe --net --output docs/pictures/steps.png
@@ -241,6 +241,7 @@ pictures: packages-report packages-bench $(APPS) $(PLUGINS) $(DATA) $(OUT)/tests
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 1000x420 --compare tessellation:6 --output docs/pictures/comparison.png
 	$(OUT)/bin/gallery --no-input --backend memory --size 1024x560 --glossy --output docs/pictures/gallery.png
 	$(OUT)/tests/bench/fixed_failure_bench docs/pictures/fixed_16_16.png
+	$(OUT)/tests/bench/depth_bits_bench docs/pictures/depth_16.png
 	gnuplot docs/report/peers.gp
 	gnuplot docs/report/antialias_peers.gp
 	for drawing in docs/pictures/*.dot; do dot -Tpng -Gdpi=90 $$drawing -o $${drawing%.dot}.png; done
