@@ -244,6 +244,7 @@ pictures: packages-report packages-bench $(APPS) $(PLUGINS) $(DATA) $(OUT)/tests
 	$(OUT)/tests/bench/depth_bits_bench docs/pictures/depth_16.png
 	gnuplot docs/report/peers.gp
 	gnuplot docs/report/antialias_peers.gp
+	gnuplot docs/report/leaving_out.gp
 	for drawing in docs/pictures/*.dot; do dot -Tpng -Gdpi=90 $$drawing -o $${drawing%.dot}.png; done
 
 docs: packages-docs $(DOOR) ## the reference of all public headers; a public thing without a comment is an error
