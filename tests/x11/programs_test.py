@@ -10,8 +10,7 @@ import pathlib
 import sys
 
 import harness
-from harness import Checks, environment, expect, expect_equal, run, x_server, xdotool
-from window_test import Session
+from harness import Checks, Session, environment, expect, expect_equal, run, x_server, xdotool
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TABLE = ROOT / "tests" / "golden" / "programs.txt"
