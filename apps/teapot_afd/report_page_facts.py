@@ -137,9 +137,9 @@ def chosen(report):
     words = []
     for line in table:
         top = max(range(len(names)), key=lambda i: line[i + 1])
-        words.append(f"{line[0]}: `{names[top]}` ({line[top + 1]} of {sum(line[1:])})")
-    return Conclusion("chosen", "Which method when?", "Fastest in most views, by the error that outlines may have: "
-                      + "; ".join(words) + ".", ["outline within", *names], table)
+        words.append(f"At {line[0]} it is `{names[top]}` ({line[top + 1]} of {sum(line[1:])})")
+    return Conclusion("chosen", "Which method when?", "This one is fastest in most views, if outlines may err by so much. "
+                      + ". ".join(words) + ".", ["outline within", *names], table)
 
 
 def loses(report):
