@@ -26,9 +26,9 @@ apps_with_reference  := teapot_afd
 uses_stability       := base geom tool_2d raster scene dice pipeline compare
 
 # What a layer links from outside, and what pkg-config calls it.
-links_tool_2d := -lpng -lXext -lX11-xcb -lX11 -lxcb-randr -lxcb
+links_tool_2d := -lpng -lXext -lX11-xcb -lX11 -lxcb-randr -lxcb -lXau
 links_raster  := -ltbb -lhwy -lfreetype
-needs_tool_2d := libpng xext x11-xcb x11 xcb-randr xcb
+needs_tool_2d := libpng xext x11-xcb x11 xcb-randr xcb xau
 needs_raster  := tbb libhwy freetype2
 
 include config.mk

@@ -28,11 +28,11 @@ FUZZ_LIMITS  ?= -timeout=10 -rss_limit_mb=1024 -malloc_limit_mb=64 -max_len=4096
 # Debian packages, each with its proof: a header, a library or a program that must be there.
 PACKAGES_build  := $(if $(findstring clang,$(CXX)),clang:clang++,g++:$(CXX)) libpng-dev:png.h libx11-dev:X11/Xlib.h \
     libxext-dev:X11/extensions/XShm.h libx11-xcb-dev:X11/Xlib-xcb.h \
-    libxcb-randr0-dev:xcb/randr.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
+    libxcb-randr0-dev:xcb/randr.h libxau-dev:X11/Xauth.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
     nlohmann-json3-dev:nlohmann/json.hpp libtbb-dev:oneapi/tbb/parallel_for.h \
     libhwy-dev:hwy/highway.h libfreetype-dev:freetype2/ft2build.h
 PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool \
-    x11-xkb-utils:setxkbmap x11-utils:xprop \
+    x11-xkb-utils:setxkbmap x11-utils:xprop xauth:xauth \
     parallel:parallel libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so \
     libboost-dev:boost/multiprecision/cpp_bin_float.hpp gnuplot-nox:gnuplot
 PACKAGES_install := pkgconf:pkg-config cmake:cmake mandoc:mandoc parallel:parallel

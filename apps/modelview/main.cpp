@@ -33,8 +33,7 @@ public:
             if (polygons_.pipeline() == l3d_pipeline_kind::afd) {
                 const l3d_afd_settings settings = afd_.settings();
                 const l3d_camera camera = afd_.camera();
-                return show<l3d_pipeline_afd_viewer>(parts_.applied(afd_.model()), camera,
-                                                     settings);
+                return show<l3d_pipeline_afd_viewer>(parts_.scene(afd_.model()), camera, settings);
             }
             const l3d_polygon_settings settings = polygons_.settings();
             const l3d_camera camera = afd_.camera();
