@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-method_viewer::method_viewer(l3d_canvas canvas, const l3d_patch_model& model,
+method_viewer::method_viewer(l3d_canvas canvas, const l3d_patch_scene& scene,
                              const l3d_camera& camera, const l3d_afd_settings& settings,
                              const l3d_method_choice& first)
-    : l3d_pipeline_afd_viewer(std::move(canvas), model, camera, settings), method_(first),
-      model_(model) {
+    : l3d_pipeline_afd_viewer(std::move(canvas), scene, camera, settings), method_(first),
+      model_(scene.instances()[0].model()) {
     controls().add({"m", "another method", {{'m', [this] { take_next_method(); }}}});
 }
 

@@ -18,8 +18,9 @@
 /// Lives: as l3d_pipeline_afd_viewer.
 class method_viewer : public l3d_pipeline_afd_viewer {
 public:
-    /// Expects: the settings are those of a method that l3d_method_option has chosen, `first`.
-    method_viewer(l3d_canvas canvas, const l3d_patch_model& model, const l3d_camera& camera,
+    /// Expects: an instance or more, of which the first is measured. The settings are those of a
+    /// method that l3d_method_option has chosen, `first`.
+    method_viewer(l3d_canvas canvas, const l3d_patch_scene& scene, const l3d_camera& camera,
                   const l3d_afd_settings& settings, const l3d_method_choice& first);
 
     void draw_event() override;

@@ -24,6 +24,13 @@ KEYS = {
 SIZE = (400, 300)
 
 
+class Viewer(Window):
+    """Without the corner where gallery tells the time of each frame, which is never the same."""
+
+    def picture(self):
+        return [row if y < 220 else row[:200] for y, row in enumerate(super().picture())]
+
+
 def rest(it):
     """No message, and nothing that moves: what changes now is done by the next key."""
     xdotool(it.display, "key", "j")  # a key without a meaning takes messages away
@@ -38,7 +45,7 @@ def rest(it):
 
 def viewer(stack, name):
     os.chdir(stack.enter_context(folder()))  # the key s writes a file
-    it = Window(stack, name, size=SIZE)
+    it = Viewer(stack, name, size=SIZE)
     if name == "gallery":
         xdotool(it.display, "key", "p")  # its models turn
     return it
@@ -54,8 +61,10 @@ def obeys_every_key(name):
                 xdotool(it.display, "key", "p")  # goes on, which nobody sees of what rests
             rest(it)
             it.does(key, "key", key)
-        rest(it)
-        it.does("t", "key", "t")
+        xdotool(it.display, "key", "space")  # goes on
+        if name != "gallery":
+            rest(it)
+            it.does("t", "key", "t")
         it.end()
         os.chdir(harness.BIN)
 
@@ -74,7 +83,7 @@ def obeys_every_gesture(name):
             ("a double click", (*it.at(225, 160), "click", "--repeat", 2, "--delay", 30, 1)),
             ("a click with Ctrl", ("keydown", "ctrl", "click", 1, "keyup", "ctrl")),
         ):
-            if what == "a double click":
+            if what in ("a double click", "a click with Ctrl"):
                 xdotool(it.display, "key", "r")  # where there is something to click on
             rest(it)
             it.does(what, *middle, *words)
