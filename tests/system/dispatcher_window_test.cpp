@@ -51,6 +51,21 @@ TEST(dispatcher_window, expose_shows_without_drawing) {
     EXPECT_EQ(run.log, (call_log{"update", "draw", "show", "frame", "show", "update"}));
 }
 
+/// The keys of help are the caption's, where somebody can see it.
+TEST(dispatcher_window, shows_a_caption_in_windows_alone) {
+    for (const bool in_window : {true, false}) {
+        window_run run(frames(1));
+        run.screen.window = in_window;
+        run.dispatcher.set_caption({.what = "A test."}, "test");
+        for (const char key : {'h', 'a', 'q'})
+            run.screen.pending.push_back(make_key(key));
+        run.dispatcher.start();
+        EXPECT_EQ(count_of(run.log, "key h"), in_window ? 0 : 1);
+        EXPECT_EQ(count_of(run.log, "key a"), 1);
+        EXPECT_TRUE(run.pipeline.done);
+    }
+}
+
 TEST(dispatcher_window, frames_before_the_first_pass_at_once) {
     l3d_frame_settings settings = frames(4, 1);
     settings.first_frame = 3;
