@@ -26,7 +26,10 @@ bool is_hidden(const drawn_frame& frame, const band_item& item) {
 
 bool is_grey(const drawn_frame& frame) {
     const l3d_background& background = frame.shading.background;
-    return frame.colors.empty() && !frame.shading.is_lit(frame.materials) &&
+    const l3d_fog& fog = frame.shading.fog;
+    const bool fog_is_grey =
+        !fog.is_on() || !fog.color || l3d_background::color(*fog.color).is_grey();
+    return fog_is_grey && frame.colors.empty() && !frame.shading.is_lit(frame.materials) &&
            l3d_is_light(frame.shading.mode) && background.is_grey() && !background.is_none();
 }
 
@@ -99,7 +102,8 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
     mark_others(frame, box);
     band_space& space = each_band_[static_cast<std::size_t>(band)];
     const contour_mixer mixer(frame.target, frame.window, cuts_, is_grey(frame),
-                              frame.shading.mode == l3d_shade::levels);
+                              frame.shading.mode == l3d_shade::levels &&
+                                  !frame.shading.fog.is_on());
     for (const contour_pixel& pixel : space.contours.pixels()) {
         if (others_.has(pixel.x, pixel.y))
             continue;
