@@ -14,10 +14,13 @@
 /// What is written on a half of the window. Units: milliseconds, pixels.
 struct caption {
     std::string method;
-    double milliseconds = 0; ///< a running mean
-    bool shows_time = false; ///< pictures in files are the same each time
+    /// A running mean of frames.
+    double milliseconds = 0;
+    /// Pictures in files do not show it, so they are the same each time.
+    bool shows_time = false;
     double bound_px = 0;
-    std::optional<double> tolerance_px; ///< none if the method keeps none
+    /// None if the method keeps none.
+    std::optional<double> tolerance_px;
     std::optional<live_result> measured;
 
     /// Takes a frame's time into the mean.
@@ -93,11 +96,14 @@ private:
     other_half other_;
     l3d_method_choice other_method_;
     bool equal_time_ = false;
-    double other_tolerance_;   ///< at equal time
-    int frames_to_settle_ = 0; ///< that are drawn although nothing moves
+    /// The right half's tolerance at equal time.
+    double other_tolerance_;
+    /// How many frames are still drawn although nothing moves.
+    int frames_to_settle_ = 0;
     caption text_;
     live_error live_;
-    subject measured_; ///< begun last
+    /// What was begun last.
+    subject measured_;
 };
 
 #endif

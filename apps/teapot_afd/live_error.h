@@ -13,16 +13,20 @@
 
 /// What was found about one picture. Units: pixels.
 struct live_result {
-    double outline_px = 0; ///< the largest error of an outline
-    double depth_px = 0;   ///< the largest error of a depth, as reference::depth_error_px counts it
-    double judged = 0;     ///< the part of the exact picture's pixels whose depth was compared
+    /// The largest error of an outline.
+    double outline_px = 0;
+    /// The largest error of a depth, as reference::depth_error_px counts it.
+    double depth_px = 0;
+    /// The part of the exact picture's pixels whose depth was compared.
+    double judged = 0;
 };
 
 /// Pictures of one view, drawn in several ways.
 struct live_task {
     l3d_camera camera;
     l3d_size size;
-    std::vector<std::vector<float>> distances; ///< of each picture, row by row
+    /// Those of each picture, row by row.
+    std::vector<std::vector<float>> distances;
 };
 
 /// Compares pictures with the exact one, on a thread of its own.
@@ -52,10 +56,12 @@ private:
     void run(bool is_modest);
 
     l3d_patch_model model_;
-    std::optional<measured_view> view_; ///< the thread's own
+    /// The thread's own.
+    std::optional<measured_view> view_;
     mutable std::mutex mutex_;
     mutable std::condition_variable changed_;
-    std::optional<live_task> task_; ///< until it is done
+    /// The task until it is done.
+    std::optional<live_task> task_;
     std::vector<live_result> results_;
     bool ends_ = false;
     std::thread thread_;

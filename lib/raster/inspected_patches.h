@@ -15,10 +15,18 @@
 struct l3d_inspected_patches {
     using vector = l3d_vector<double, 3>;
 
-    double focal = 1;                                      ///< pixels per unit at distance 1
-    double centre_x = 0, centre_y = 0;                     ///< the picture's middle, in pixels
-    vector light{0.0, 0.0, 1.0}, direction{0.0, 1.0, 0.0}; ///< unit vectors
-    std::vector<l3d_bezier_patch<double, 3>> nets;         ///< by the material of their parts
+    /// Pixels per unit at distance 1.
+    double focal = 1;
+    /// The column of the picture's middle, in pixels.
+    double centre_x = 0;
+    /// The row of the picture's middle, in pixels.
+    double centre_y = 0;
+    /// The unit vector towards the light.
+    vector light{0.0, 0.0, 1.0};
+    /// The unit vector that drafts are measured from.
+    vector direction{0.0, 1.0, 0.0};
+    /// The patches, by the material of their parts.
+    std::vector<l3d_bezier_patch<double, 3>> nets;
 
     /// What the eye sees at a place of the picture lies along this, 1 deep. Units: pixels.
     vector ray(double x, double y) const {

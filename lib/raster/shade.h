@@ -11,21 +11,33 @@
 
 /// How a surface's pixels get their colour.
 enum class L3D_PUBLIC l3d_shade {
-    lambert, ///< per-pixel unit normal; grey level round(255 (0.1 + 0.9 max(0, n.l)))
-    gouraud, ///< the same grey level per vertex, interpolated
-    flat,    ///< one grey level per quad, from the mean of its normals
-    normals, ///< red, green, blue = round(255 (n + 1) / 2)
-    error,   ///< one colour per part, its `error_color`: what is known of its error
+    /// A unit normal for each pixel; its grey level is round(255 (0.1 + 0.9 max(0, n.l))).
+    lambert,
+    /// The same grey level for each vertex, interpolated between them.
+    gouraud,
+    /// One grey level for each quad, from the mean of its normals.
+    flat,
+    /// Red, green and blue are round(255 (n + 1) / 2).
+    normals,
+    /// Each part has one colour, its `error_color`: what is known of its error.
+    error,
 
-    // From the exact derivatives of the patch at each pixel; l3d_inspection says what they show.
-    zebra,     ///< stripes of reflected rays
-    isophotes, ///< stripes of equal light
-    gaussian,  ///< Gaussian curvature
-    mean,      ///< mean curvature
-    draft,     ///< the angle between the surface and a direction
+    // The rest of those that users choose take the patch's exact derivatives at each pixel.
+    // l3d_inspection says what they show.
+
+    /// Stripes of reflected rays.
+    zebra,
+    /// Stripes of equal light.
+    isophotes,
+    /// Gaussian curvature.
+    gaussian,
+    /// Mean curvature.
+    mean,
+    /// The angle between the surface and a direction.
+    draft,
 
     /// Lambert's grey from levels that were made with the surface: vertices have their level and
-    /// what their sides bend by (l3d_micro_vertex) in place of normals. Not for users to choose.
+    /// what their sides bend by (l3d_micro_vertex) in place of normals. Users cannot choose it.
     levels,
 };
 

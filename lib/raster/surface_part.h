@@ -16,9 +16,10 @@
 struct L3D_PUBLIC l3d_block_starts {
     /// Most blocks along a row or a column.
     static constexpr int most_blocks = 4;
-    int blocks = 1; ///< their number
-    std::array<int, most_blocks + 1>
-        first{}; ///< the first row or column of quads in each, and the end of the last one
+    /// Their number.
+    int blocks = 1;
+    /// The first row or column of quads in each, and the end of the last one.
+    std::array<int, most_blocks + 1> first{};
 };
 
 /// A straight piece of the line at which a grid of a surface ends.
@@ -26,11 +27,24 @@ struct L3D_PUBLIC l3d_block_starts {
 /// Units: as l3d_micro_vertex. It goes so that the quad beside it is on the right, seen in the
 /// picture, if that quad's corners p00 p10 p11 p01 turn to the right there.
 struct L3D_PUBLIC l3d_border_edge {
-    std::int32_t from_x = 0, from_y = 0, to_x = 0, to_y = 0; ///< its ends
-    float nearest = 0;                                       ///< of both ends' inv_w
-    float level = 0; ///< of the light beside it, in mode l3d_shade::levels; else not a number
-    int row = 0, column = 0; ///< the quad of the grid that it lies beside
-    int side = 0;            ///< which of its sides: p00 to p10, p10 to p11, p11 to p01, p01 to p00
+    /// The column at which it begins.
+    std::int32_t from_x = 0;
+    /// The row at which it begins.
+    std::int32_t from_y = 0;
+    /// The column at which it ends.
+    std::int32_t to_x = 0;
+    /// The row at which it ends.
+    std::int32_t to_y = 0;
+    /// The larger inv_w of its ends.
+    float nearest = 0;
+    /// The level of the light beside it in mode l3d_shade::levels; not a number in others.
+    float level = 0;
+    /// The grid's row of the quad that it lies beside.
+    int row = 0;
+    /// The grid's column of that quad.
+    int column = 0;
+    /// Which of the quad's sides it is: p00 to p10, p10 to p11, p11 to p01, p01 to p00.
+    int side = 0;
 };
 
 /// A grid of micro-quads and loose triangles, drawn together.
@@ -39,15 +53,21 @@ struct L3D_PUBLIC l3d_border_edge {
 /// Expects: blocks in order, the last of block_rows (block_columns) ending with the grid's last row
 ///          (column) of quads; the grid's normals have unit length or are zero.
 struct L3D_PUBLIC l3d_surface_part {
-    l3d_micro_grid grid; ///< the regular part
-    /// Where the blocks along v and along u begin.
-    l3d_block_starts block_rows, block_columns;
-    l3d_micro_triangles triangles; ///< what belongs to no grid
+    /// The regular part.
+    l3d_micro_grid grid;
+    /// Where the blocks along v begin.
+    l3d_block_starts block_rows;
+    /// Where the blocks along u begin.
+    l3d_block_starts block_columns;
+    /// What belongs to no grid.
+    l3d_micro_triangles triangles;
     /// Where the surface ends or goes on in another part, for anti-aliasing. It may be known in
     /// part or not at all: then pixels there are drawn in a slower way.
     std::vector<l3d_border_edge> border;
-    unsigned unseen = 0; ///< bit 4 * row + column: a block of the grid that nobody need draw
-    std::uint32_t error_color = 0; ///< of everything in it, in mode `error`. A pixel word
+    /// Bit 4 * row + column is set for a block of the grid that nobody need draw.
+    unsigned unseen = 0;
+    /// The colour of everything in it in mode `error`, as a pixel word.
+    std::uint32_t error_color = 0;
     /// Index of l3d_surface_rasterizer::use_materials, of all but triangles that have their own.
     std::uint32_t material = 0;
 

@@ -17,24 +17,42 @@
 /// Each error is the largest distance from the exact value, rounding included. It is infinite where
 /// nothing is known, as of the curvature where the surface has no normal.
 struct L3D_PUBLIC l3d_pick {
-    std::size_t instance = 0;        ///< index in the scene
-    std::size_t patch = 0;           ///< index in the instance's model
-    std::string part{};              ///< its name; empty if the patch belongs to none
-    double u = 0, v = 0;             ///< the parameters, from 0 to 1
-    double u_error = 0, v_error = 0; ///< of the parameters
+    /// The instance's index in the scene.
+    std::size_t instance = 0;
+    /// The patch's index in the instance's model.
+    std::size_t patch = 0;
+    /// The name of the part that the patch belongs to; empty if there is none.
+    std::string part{};
+    /// The first parameter, from 0 to 1.
+    double u = 0;
+    /// The second parameter, from 0 to 1.
+    double v = 0;
+    /// The error of u.
+    double u_error = 0;
+    /// The error of v.
+    double v_error = 0;
 
-    l3d_camera::vector point{0.0, 0.0, 0.0}; ///< in the world
-    double point_error = 0;                  ///< in world units
-    double depth = 0;                        ///< distance along the view axis, as good as the point
+    /// The point in the world.
+    l3d_camera::vector point{0.0, 0.0, 0.0};
+    /// The point's error, in world units.
+    double point_error = 0;
+    /// The distance along the view axis, as good as the point.
+    double depth = 0;
 
     /// The unit normal in the world, on the side that is turned to the eye; zero if there is none.
     l3d_camera::vector normal{0.0, 0.0, 0.0};
-    double normal_error = 0; ///< the length of the difference, radians if it is small
+    /// The length of the normal's difference from the exact one; radians if it is small.
+    double normal_error = 0;
 
-    double gaussian = 0, gaussian_error = 0; ///< Gaussian curvature, in 1 / world units squared
+    /// Gaussian curvature, in 1 / world units squared.
+    double gaussian = 0;
+    /// The error of gaussian, in its unit.
+    double gaussian_error = 0;
     /// Mean curvature, in 1 / world units: positive where the surface bends towards the normal, as
     /// a bowl that is seen from above.
-    double mean = 0, mean_error = 0;
+    double mean = 0;
+    /// The error of mean, in its unit.
+    double mean_error = 0;
 
     /// True if it is proven that the ray meets the surface here. Otherwise it passes so near to an
     /// outline, or to a place without a normal, that rounding decides; the errors say how near.

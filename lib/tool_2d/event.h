@@ -27,34 +27,60 @@ enum l3d_key : int {
 
 /// The things that can happen to a window.
 enum class L3D_PUBLIC l3d_event_type {
-    key_press,      ///< a key went down
-    key_release,    ///< a key came up
-    button_press,   ///< a button of the mouse went down
-    button_release, ///< a button of the mouse came up
-    pointer_motion, ///< the pointer has moved
-    wheel,          ///< the wheel turned by one notch
-    resize,         ///< the picture, or l3d_screen::text_scale, has another size now
-    expose,       ///< part of the window can be seen and lost its picture: it has to be shown again
-    hide,         ///< nothing of the window can be seen until the next expose or reveal
-    reveal,       ///< part of the window can be seen again; if it lost its picture, expose follows
-    fullscreen,   ///< the user wants the whole display, or no longer: F11, Alt+Enter
-    close,        ///< the user wants the end, or somebody destroyed the window
-    display_lost, ///< the display went away; nothing can be shown any more
+    /// A key went down.
+    key_press,
+    /// A key came up.
+    key_release,
+    /// A button of the mouse went down.
+    button_press,
+    /// A button of the mouse came up.
+    button_release,
+    /// The pointer has moved.
+    pointer_motion,
+    /// The wheel turned by one notch.
+    wheel,
+    /// The picture, or l3d_screen::text_scale, has another size now.
+    resize,
+    /// Part of the window can be seen and lost its picture: it has to be shown again.
+    expose,
+    /// Nothing of the window can be seen until the next expose or reveal.
+    hide,
+    /// Part of the window can be seen again. If it lost its picture, expose follows.
+    reveal,
+    /// The user wants the whole display, or no longer: F11, Alt+Enter.
+    fullscreen,
+    /// The user wants the end, or somebody destroyed the window.
+    close,
+    /// The display went away; nothing can be shown any more.
+    display_lost,
 };
 
 /// One event. Fields that do not belong to the type are zero.
 struct L3D_PUBLIC l3d_event {
-    l3d_event_type type{}; ///< what happened
-    int key = 0;           ///< key_*: ASCII code or l3d_key
-    int button = 0;        ///< button_*: 1 left, 2 middle, 3 right; pointer_motion: the button held
-    int x = 0, y = 0;      ///< key_*, button_*, pointer_motion, wheel: the pointer, in pixels
-    l3d_size size{};       ///< resize
-    int notches = 0;       ///< wheel: +1 away from the user, -1 towards
-    int clicks = 0; ///< button_press: 2 if it followed another one soon at the same place, else 1
-    bool shift = false;   ///< key_press, button_*, pointer_motion, wheel: the key Shift was held
-    bool control = false; ///< the same for the key Ctrl
-    bool alt = false;     ///< the same for the key Alt
-    bool logo = false;    ///< the same for the key with the sign of a system or a maker
+    /// What happened.
+    l3d_event_type type{};
+    /// key_*: the key's ASCII code or l3d_key.
+    int key = 0;
+    /// button_*: 1 left, 2 middle, 3 right. pointer_motion: the button that is held.
+    int button = 0;
+    /// key_*, button_*, pointer_motion, wheel: the pointer's column, in pixels.
+    int x = 0;
+    /// The pointer's row, for the same types.
+    int y = 0;
+    /// resize: the new size.
+    l3d_size size{};
+    /// wheel: +1 away from the user, -1 towards.
+    int notches = 0;
+    /// button_press: 2 if another one came shortly before at the same place, else 1.
+    int clicks = 0;
+    /// key_press, button_*, pointer_motion, wheel: the key Shift was held.
+    bool shift = false;
+    /// The key Ctrl was held, for the same types.
+    bool control = false;
+    /// The key Alt was held, for the same types.
+    bool alt = false;
+    /// The key with the sign of a system or a maker was held, for the same types.
+    bool logo = false;
 };
 
 /// A thing a dispatcher can pull events from (the book's marker class, given its two calls).

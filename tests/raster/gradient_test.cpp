@@ -249,19 +249,15 @@ TEST(mesh, is_the_same_bits_with_all_vector_instructions) {
 }
 
 TEST(mesh, of_coons_is_straight_between_straight_borders) {
-    const l3d_mesh_patch patch = l3d_mesh_patch::coons({{{0, 0},
-                                                         {3, 0},
-                                                         {6, 0},
-                                                         {9, 0},
-                                                         {9, 3},
-                                                         {9, 6},
-                                                         {9, 9},
-                                                         {6, 9},
-                                                         {3, 9},
-                                                         {0, 9},
-                                                         {0, 6},
-                                                         {0, 3}}},
-                                                       {1, 2, 3, 4});
+    std::array<l3d_point_2d, 12> border;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double way = 3 * double(i);
+        border[i] = {way, 0};
+        border[3 + i] = {9, way};
+        border[6 + i] = {9 - way, 9};
+        border[9 + i] = {0, 9 - way};
+    }
+    const l3d_mesh_patch patch = l3d_mesh_patch::coons(border, {1, 2, 3, 4});
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = 0; j < 4; ++j) {
             EXPECT_NEAR(patch.points[i][j].x, 3.0 * double(j), 1e-12);

@@ -4,6 +4,7 @@
 #define L3D_RASTER_SHAPES_BLEND_P_H
 
 #include <cstdint>
+#include <initializer_list>
 
 namespace l3d_detail {
 
