@@ -15,9 +15,9 @@
 ///
 /// Units: distances along the view axis, in the world. At first there is none.
 struct L3D_PUBLIC l3d_fog {
-    float near = 0;                     ///< where it begins
-    float far = 0;                      ///< where it hides everything
-    std::optional<std::uint32_t> color; ///< pixel word; none: that of the background in each row
+    float near = 0;                       ///< where it begins
+    float far = 0;                        ///< where it hides everything
+    std::optional<std::uint32_t> color{}; ///< pixel word; none: that of the background in each row
 
     /// Whether there is any.
     bool is_on() const { return far > near; }

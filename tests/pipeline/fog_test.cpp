@@ -123,6 +123,7 @@ TEST(fog, leaves_the_bits_of_a_whole_picture_where_parts_are_drawn) {
         for (std::uint64_t seed = 0; seed < 10; ++seed) {
             studio s(seed);
             s.settings.antialias = antialias;
+            s.settings.shade = l3d_shade::lambert;
             s.settings.fog = {.near = 1, .far = 12, .color = {}};
             s.settings.background = l3d_background::gradient();
             tester program(s.scene, s.camera, s.settings);

@@ -33,6 +33,14 @@ bool is_grey(const drawn_frame& frame) {
            l3d_is_light(frame.shading.mode) && background.is_grey() && !background.is_none();
 }
 
+/// Whether levels are continuous inside a surface: those of diced ones, but for mode `flat`.
+bool is_smooth(const drawn_frame& frame) {
+    const l3d_shading& shading = frame.shading;
+    const bool is_diced = shading.ray == std::array<float, 3>{};
+    return shading.mode == l3d_shade::levels ||
+           (is_diced && shading.mode != l3d_shade::flat && shading.is_lit(frame.materials));
+}
+
 } // namespace
 
 std::int64_t picture_refiner::refine(const drawn_frame& frame, l3d_workers& workers) {
@@ -76,7 +84,7 @@ void picture_refiner::find_contours(const drawn_frame& frame, int band, worker_s
         std::max(box.top - 1, frame.window.top), std::min(box.bottom + 1, frame.window.bottom));
     const l3d_pixel_box reached{drawn.left - 1, box.top, drawn.right + 1, box.bottom};
     const jump_rule rule =
-        frame.shading.mode == l3d_shade::levels ? jump_rule::smooth : jump_rule::any;
+        is_smooth(frame) ? jump_rule::smooth : jump_rule::any;
     find_jumps(frame.target, is_grey(frame), rule, reached.intersected(box), jumps_);
 
     contour_pixels& contours = each_band_[static_cast<std::size_t>(band)].contours;
@@ -120,7 +128,7 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
 void picture_refiner::mark_others(const drawn_frame& frame, const l3d_pixel_box& box) {
     const std::size_t words = others_.row_words();
     constexpr int last = pixel_bits::word_pixels - 1;
-    const bool smooth = frame.shading.mode == l3d_shade::levels;
+    const bool smooth = is_smooth(frame);
     const auto steep = [&](std::int32_t y, std::size_t w) -> std::uint64_t {
         return smooth ? contour_bits_.row(y)[w] : 0;
     };
