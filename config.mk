@@ -28,11 +28,11 @@ FUZZ_LIMITS  ?= -timeout=10 -rss_limit_mb=1024 -malloc_limit_mb=64 -max_len=4096
 # Debian packages, each with its proof: a header, a library or a program that must be there.
 PACKAGES_build  := $(if $(findstring clang,$(CXX)),clang:clang++,g++:$(CXX)) libpng-dev:png.h libx11-dev:X11/Xlib.h \
     libxext-dev:X11/extensions/XShm.h libx11-xcb-dev:X11/Xlib-xcb.h \
-    libxcb-randr0-dev:xcb/randr.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
+    libxcb-randr0-dev:xcb/randr.h libxau-dev:X11/Xauth.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
     nlohmann-json3-dev:nlohmann/json.hpp libtbb-dev:oneapi/tbb/parallel_for.h \
     libhwy-dev:hwy/highway.h libfreetype-dev:freetype2/ft2build.h
 PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool \
-    x11-xkb-utils:setxkbmap x11-utils:xprop \
+    x11-xkb-utils:setxkbmap x11-utils:xprop xauth:xauth \
     parallel:parallel libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so \
     libboost-dev:boost/multiprecision/cpp_bin_float.hpp gnuplot-nox:gnuplot
 PACKAGES_install := pkgconf:pkg-config cmake:cmake mandoc:mandoc parallel:parallel
@@ -40,7 +40,7 @@ PACKAGES_package := debhelper:dh lintian:lintian
 PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
 PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
 PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h
-PACKAGES_stability := libboost-dev:boost/multiprecision/cpp_bin_float.hpp
+PACKAGES_stability := gnuplot-nox:gnuplot python3:python3 libboost-dev:boost/multiprecision/cpp_bin_float.hpp
 PACKAGES_faults := python3:python3 strace:strace
 PACKAGES_displays := xvfb:Xvfb xdotool:xdotool wmctrl:wmctrl xserver-xephyr:Xephyr \
     tigervnc-standalone-server:Xvnc xserver-xorg-video-dummy:Xorg xwayland:Xwayland weston:weston \
@@ -51,5 +51,6 @@ PACKAGES_fuzz   := $(PACKAGES_matrix)
 PACKAGES_bench  := libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so \
     libembree-dev:embree3/rtcore.h xvfb:Xvfb libbenchmark-dev:benchmark/benchmark.h \
     libcairo2-dev:cairo/cairo.h libagg-dev:agg2/agg_basics.h
-PACKAGES_report := gnuplot-nox:gnuplot graphviz:dot
+PACKAGES_report := gnuplot-nox:gnuplot graphviz:dot python3:python3 \
+    libjs-chart.js:/usr/share/javascript/chart.js/chart.min.js
 PACKAGES_docs   := doxygen:doxygen

@@ -344,8 +344,8 @@ void l3d_pipeline_afd::draw_wireframe() {
     }
     stages_->wire_culling.begin(scene_, stages_->transform.matrix(), stages_->view);
     stages_->wire_dicer.begin(stages_->view);
-    l3d_detail::wire_lines lines(
-        {rasterizer_, is_none ? l3d_detail::white : wire_color, settings_.antialias});
+    l3d_detail::wire_lines lines({rasterizer_, is_none ? l3d_detail::white : wire_color,
+                                  settings_.antialias, screen_->text_scale()});
     for (auto batch = stages_->wire_culling.next(nothing_is_hidden); !batch.empty();
          batch = stages_->wire_culling.next(nothing_is_hidden))
         lines.draw(stages_->wire_dicer.dice(scene_, stages_->wire_culling, batch));
@@ -383,5 +383,5 @@ void l3d_pipeline_afd::draw_nets() {
     }
     // A smooth line does not cover what is transparent.
     const bool smooth = settings_.antialias && !settings_.background.is_none();
-    l3d_detail::wire_drawer(rasterizer_, net_color, smooth).draw(lines);
+    l3d_detail::wire_drawer(rasterizer_, net_color, smooth, screen_->text_scale()).draw(lines);
 }

@@ -4,8 +4,11 @@
 #define L3D_PIPELINE_WIRE_P_H
 
 #include "raster/micro_grid.h"
+#include "raster/paths/path.h"
 #include "raster/rasterizer_2d.h"
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,10 +31,14 @@ inline constexpr std::uint32_t white = 0x00ffffff;
 /// Draws lines of one colour, smooth ones where they are.
 class wire_drawer {
 public:
-    wire_drawer(l3d_rasterizer_2d& rasterizer, std::uint32_t color, bool smooth)
-        : rasterizer_(rasterizer), color_(color), smooth_(smooth) {}
+    /// Units:   `width` in pixels, as l3d_screen::text_scale has it: 1 where a display is no finer
+    ///          than usual.
+    wire_drawer(l3d_rasterizer_2d& rasterizer, std::uint32_t color, bool smooth, double width)
+        : rasterizer_(rasterizer), color_(color), smooth_(smooth), width_(width) {}
 
     void draw(std::span<const wire> wires) {
+        if (width_ > 1)
+            return draw_wide(wires);
         if (smooth_) {
             for (const wire& w : wires)
                 rasterizer_.draw_line_antialiased(place(w.x0, w.y0), place(w.x1, w.y1), color_);
@@ -44,6 +51,28 @@ public:
     }
 
 private:
+    /// With square ends, half as long as lines are wide. All smooth ones are one path: what several
+    /// cover is covered once.
+    void draw_wide(std::span<const wire> wires) {
+        path_.clear();
+        for (const wire& w : wires) {
+            const l3d_point_2d from = place(w.x0, w.y0), to = place(w.x1, w.y1);
+            const double length = std::hypot(to.x - from.x, to.y - from.y);
+            const double x = length > 0 ? (to.x - from.x) / length * width_ / 2 : width_ / 2;
+            const double y = length > 0 ? (to.y - from.y) / length * width_ / 2 : 0;
+            const std::array corners{l3d_point_2d{from.x - x + y, from.y - y - x},
+                                     l3d_point_2d{to.x + x + y, to.y + y - x},
+                                     l3d_point_2d{to.x + x - y, to.y + y + x},
+                                     l3d_point_2d{from.x - x - y, from.y - y + x}};
+            if (smooth_)
+                path_.add_polygon(corners);
+            else
+                rasterizer_.draw_polygon_flatshaded(corners, color_);
+        }
+        if (smooth_)
+            rasterizer_.draw_path(path_, {.color = color_});
+    }
+
     /// Lines name pixels by their centres.
     static l3d_point_2d place(std::int32_t x, std::int32_t y) {
         return {double(x) / l3d_subpixel_one - 0.5, double(y) / l3d_subpixel_one - 0.5};
@@ -52,7 +81,9 @@ private:
     l3d_rasterizer_2d& rasterizer_;
     std::uint32_t color_;
     bool smooth_;
+    double width_;
     std::vector<l3d_line_2d> lines_;
+    l3d_path path_;
 };
 
 /// Where there is no background, lines are drawn in white on black first: then a level is what they

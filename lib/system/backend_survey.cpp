@@ -58,6 +58,9 @@ void backend_survey::diagnose(std::ostream& out) {
     for (const l3d_backend& row : rows_)
         row.screen_factory->diagnose(probes);
     for (const l3d_probe& probe : probes) {
+        // Asked again, it would say the same, and so would libraries on stderr.
+        if (probe.what == l3d_display_probe && probe.outcome == l3d_probe::verdict::bad)
+            display_problem_ = {l3d_service::level::no_display, probe.result};
         const bool good = probe.outcome == l3d_probe::verdict::good;
         out << (good                                           ? "ok   "
                 : probe.outcome == l3d_probe::verdict::limited ? "note "

@@ -142,6 +142,8 @@ void l3d_options::add_common(l3d_size default_size) {
         "side of a pixel in the window, in the display's pixels; by itself the window is as much "
         "larger as Xft.dpi is above 96",
         "NUMBER", 1, l3d_largest_scale);
+    add("--title", common_.title, "title of the window (by itself what it shows, and the program)",
+        "TEXT");
     add_batch();
     add_number(app, "--fps", common_.fps, "",
                "frames per second; 0: no limit (by itself 60, or 15 on a remote display)", "NUMBER",
@@ -357,7 +359,10 @@ l3d_screen_request l3d_options::screen_request() const {
     // Pictures that are counted or written have the size that was asked for, whatever the display.
     const bool is_exact = common_.frames != 0 || !common_.output.empty();
     const int scale = common_.scale == 0 && is_exact ? 1 : common_.scale;
-    return {.size = common_.size, .title = program_, .name = program_, .scale = scale};
+    return {.size = common_.size,
+            .title = common_.title.empty() ? program_ : common_.title,
+            .name = program_,
+            .scale = scale};
 }
 
 l3d_frame_settings l3d_options::frame_settings() const {

@@ -34,6 +34,7 @@ struct L3D_PUBLIC l3d_common_options {
     bool verbose = false;        ///< tell what was chosen
     l3d_size size{};             ///< of the picture, in pixels
     int scale = 0;               ///< 0: not given
+    std::string title{};         ///< of the window; empty: the program's choice
     int first_frame = 0;         ///< number of the first one that is drawn
     int frames = 0;              ///< number of frames, the end of a range; 0: go on
     bool resume = false;         ///< leave out frames whose file is there
@@ -138,7 +139,7 @@ public:
     /// Names the back-end of a program that is about it, unless the user names another.
     void prefer_backend(const std::string& name) { common_.usual_backend = name; }
 
-    /// The request for a screen; the program's name is the title too.
+    /// The request for a screen. Unless the user gives a title, it is the program's name.
     l3d_screen_request screen_request() const;
 
     /// The settings of a dispatcher. Given --frames, time goes by fixed steps, so that window and

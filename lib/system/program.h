@@ -4,6 +4,7 @@
 #define L3D_SYSTEM_PROGRAM_H
 
 #include "base/public.h"
+#include "pipeline/caption.h"
 #include "pipeline/pipeline_2d.h"
 #include "system/factory_manager.h"
 #include "system/options.h"
@@ -30,6 +31,10 @@ class L3D_PUBLIC l3d_program {
 public:
     /// The purpose is what --help begins with; it has the keys, too.
     l3d_program(std::string name, const std::string& purpose, l3d_size default_size);
+
+    /// The same with a caption, which --help begins with. Windows show it, unless their frames are
+    /// counted or written.
+    l3d_program(std::string name, const l3d_caption& caption, l3d_size default_size);
 
     /// For options of the program's own, which are added before run().
     l3d_options& options() { return options_; }
@@ -68,6 +73,7 @@ public:
 private:
     l3d_options options_;
     l3d_factory_manager factories_;
+    l3d_caption caption_;
     std::function<bool()> goes_on_ = [] { return true; };
 };
 

@@ -23,6 +23,9 @@ struct L3D_PUBLIC l3d_probe {
     std::string remedy; ///< what to install, set or leave out; empty if nothing is wrong
 };
 
+/// The l3d_probe::what of the display itself: if it is bad, no window can be had.
+inline constexpr auto l3d_display_probe = "display";
+
 /// All that was found, in the order in which it is printed.
 using l3d_probes = std::vector<l3d_probe>;
 

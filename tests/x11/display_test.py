@@ -10,8 +10,8 @@ import subprocess
 import time
 
 import harness
-from harness import Checks, Shown, environment, expect, expect_equal, folder, started, wait_for
-from harness import x_server
+from harness import Checks, Shown, environment, expect, expect_equal, folder, is_quiet, started
+from harness import wait_for, x_server
 from x_proxy import Proxy
 
 BACKENDS = ("ximage", "xshm")
@@ -89,12 +89,6 @@ def rests_when_paused(program, backend, seconds=2):
             wait_for(lambda: proxy.mark().requests[len(mark.requests) :], "life after the pause")
             it.press("q")
             it.expect_end(0)
-
-
-def is_quiet(proxy, seconds=0.3):
-    mark = proxy.mark()
-    time.sleep(seconds)
-    return not (proxy.mark() - mark).requests
 
 
 def cpu_seconds(process):

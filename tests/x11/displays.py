@@ -2,173 +2,27 @@
 # SPDX-License-Identifier: MIT
 """Every X server with every window manager that is installed: what a window must do in each.
 
-    displays.py [--server NAME] [--manager NAME] [--write FILE]
+    displays.py [--server NAME] [--manager NAME] [--repeat N] [--write FILE]
 
-Events and pixels judge, never time. The result is a table; --write puts it into a document.
+Events and pixels judge, never time. The result is a table; --write puts it into a document. With
+--repeat a cell is ok if it was so each time.
 """
 
 import argparse
 import contextlib
-import os
-import shutil
 import subprocess
 import sys
-import tempfile
+import time
 
 import harness
-from harness import environment, expect, expect_equal, started, wait_for, x_server, xdotool
+from harness import await_motion, environment, expect, expect_equal, started, wait_for
+from harness import window_size, xdotool
 from onlooker import Onlooker
+from servers import MANAGERS, SERVERS, Unable, managed
 from x_proxy import Proxy
 
 TEAPOT = harness.Program("teapot_afd", (320, 240))
-MANAGERS = {  # and the word that another workspace is asked for with; none: it has no others
-    "none": (None, None),
-    "twm": (["twm"], None),
-    "openbox": (["openbox"], ["wmctrl", "-s"]),
-    "icewm": (["icewm"], ["wmctrl", "-s"]),
-    "fluxbox": (["fluxbox"], ["wmctrl", "-s"]),
-    "i3": (["i3", "-c"], ["i3-msg", "workspace"]),
-    "awesome": (["awesome"], ["wmctrl", "-s"]),
-    "xfwm4": (["xfwm4"], ["wmctrl", "-s"]),
-    "metacity": (["metacity"], ["wmctrl", "-s"]),
-    "mutter": (["mutter", "--x11"], ["wmctrl", "-s"]),
-    "kwin": (["kwin_x11"], ["wmctrl", "-s"]),
-    "matchbox": (["matchbox-window-manager"], None),
-}
-# Its usual fonts are packages of their own; this one every server has.
-TWM = "RandomPlacement\n" + "".join(
-    '%sFont "fixed"\n' % what for what in ("Title", "Resize", "Menu", "Icon", "IconManager")
-)
 TILING = ("i3", "matchbox")  # they give windows sizes of their own choice
-
-
-class Unable(Exception):
-    """What a cell cannot do, and why."""
-
-
-# ---- servers ------------------------------------------------------------------------------------
-
-
-@contextlib.contextmanager
-def ready_server(command, env=None, folder=None):
-    """A server that writes its number when it is ready."""
-    if shutil.which(command[0]) is None:
-        raise Unable(command[0] + " is not installed")
-    read, write = os.pipe()
-    command = [word.replace("{fd}", str(write)) for word in command]
-    server = subprocess.Popen(
-        command, pass_fds=[write], env=env, cwd=folder, stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-    )
-    os.close(write)
-    try:
-        number = os.read(read, 16).decode().strip()
-        if not number.isdigit():
-            raise Unable(command[0] + " does not start here")
-        server.display = ":" + number
-        yield server
-    finally:
-        os.close(read)
-        if server.poll() is None:
-            server.terminate()
-        server.wait()
-
-
-@contextlib.contextmanager
-def xephyr():
-    with x_server("-screen", "0", "1300x900x24") as outer:
-        command = ["Xephyr", "-displayfd", "{fd}", "-screen", "800x600x24", "-noreset"]
-        with ready_server(command, environment(outer.display)) as server:
-            yield server
-
-
-def tigervnc():
-    number = "%d" % (70 + os.getpid() % 20)
-    return ready_server(["Xvnc", "-displayfd", "{fd}", "-geometry", "800x600", "-depth", "24",
-                         "-SecurityTypes", "None", "-rfbport", "59" + number])
-
-
-DUMMY = """
-Section "Device"\nIdentifier "d"\nDriver "dummy"\nVideoRam 65536\nEndSection
-Section "Monitor"\nIdentifier "m"\nHorizSync 5-1000\nVertRefresh 5-200\nEndSection
-Section "Screen"\nIdentifier "s"\nDevice "d"\nMonitor "m"\nDefaultDepth 24
-SubSection "Display"\nDepth 24\nModes "800x600"\nVirtual 800 600\nEndSubSection\nEndSection
-Section "ServerFlags"\nOption "AutoAddDevices" "false"\nOption "AllowMouseOpenFail" "true"\nEndSection
-"""
-
-
-@contextlib.contextmanager
-def xorg():
-    with tempfile.TemporaryDirectory() as folder:
-        with open(os.path.join(folder, "dummy.conf"), "w") as file:
-            file.write(DUMMY)
-        with ready_server(["Xorg", "-displayfd", "{fd}", "-config", "dummy.conf", "-noreset",
-                           "-novtswitch", "-sharevts", "-logfile", "xorg.log"],
-                          folder=folder) as server:
-            yield server
-
-
-@contextlib.contextmanager
-def xwayland():
-    if shutil.which("weston") is None:
-        raise Unable("weston is not installed")
-    with tempfile.TemporaryDirectory() as folder:
-        env = environment(XDG_RUNTIME_DIR=folder)
-        weston = ["weston", "--backend=headless-backend.so", "--socket=l3d", "--idle-time=0"]
-        with started(weston, env, stdout=subprocess.DEVNULL) as compositor:
-            wait_for(lambda: os.path.exists(os.path.join(folder, "l3d")) or compositor.poll(),
-                     "weston")
-            if compositor.poll() is not None:
-                raise Unable("weston does not start here")
-            env["WAYLAND_DISPLAY"] = "l3d"
-            command = ["Xwayland", "-displayfd", "{fd}", "-noreset", "-geometry", "800x600"]
-            with ready_server(command, env) as server:
-                yield server
-
-
-SERVERS = {
-    "Xvfb": x_server,
-    "Xephyr": xephyr,
-    "TigerVNC": tigervnc,
-    "Xorg dummy": xorg,
-    "Xwayland": xwayland,
-}
-
-
-# ---- managers -----------------------------------------------------------------------------------
-
-
-@contextlib.contextmanager
-def managed(display, name):
-    command, _ = MANAGERS[name]
-    if command is None:
-        yield None
-        return
-    if shutil.which(command[0]) is None:
-        raise Unable(command[0] + " is not installed")
-    with Onlooker(display) as eyes:
-        wait_for(lambda: not eyes.has_manager(), "the end of the manager before")
-    with tempfile.TemporaryDirectory() as home:
-        # A configuration of its own: users' keys and rules are no part of the matrix.
-        config = os.path.join(home, "config")
-        with open(config, "w") as file:
-            file.write(TWM if name == "twm" else "workspace 1\n")
-        command = command + [config] if name == "i3" else command
-        command = command + ["-f", config] if name == "twm" else command
-        env = environment(display, HOME=home, XDG_CONFIG_HOME=home, XDG_RUNTIME_DIR=home,
-                          XDG_SESSION_TYPE="x11")
-        if name in ("mutter", "kwin", "xfwm4", "metacity") and shutil.which("dbus-run-session"):
-            command = ["dbus-run-session", "--", *command]
-        # What a manager starts may outlive it, and would keep a pipe open.
-        command = ["sh", "-c", 'exec "$0" "$@" 2>/dev/null', *command]
-        with started(command, env, stdout=subprocess.DEVNULL) as manager:
-            with Onlooker(display) as eyes:
-                with contextlib.suppress(AssertionError):
-                    wait_for(lambda: eyes.has_manager() or manager.poll() is not None, name)
-                harness.time.sleep(0.5)  # some give up once they have begun
-                if manager.poll() is not None or not eyes.has_manager():
-                    raise Unable(name + " does not start here")
-            yield manager
 
 
 # ---- a cell -------------------------------------------------------------------------------------
@@ -201,13 +55,8 @@ class Cell:
             xdotool(self.display, "windowactivate", self.window)
             xdotool(self.display, "windowfocus", self.window)
 
-    def size(self):
-        shell = xdotool(self.display, "getwindowgeometry", "--shell", self.window)
-        values = dict(line.split("=") for line in shell.split())
-        return int(values.get("WIDTH", 0)), int(values.get("HEIGHT", 0))
-
     def picture(self):
-        size = self.size()
+        size = window_size(self)
         return self.eyes.picture(self.window, *size) if size[0] else None
 
     def key(self, *keys):
@@ -224,20 +73,16 @@ class Cell:
     def puts(self, mark):
         return (self.proxy.mark() - mark).requests.count("PutImage")
 
-    def await_drawing(self):
-        mark = self.proxy.mark()
-        wait_for(lambda: self.puts(mark) > 2, "pictures")
-
     def await_rest(self):
         def rests():
             mark = self.proxy.mark()
-            harness.time.sleep(0.3)
+            time.sleep(0.3)
             return not self.puts(mark)
 
         wait_for(rests, "no more pictures")
 
     def await_whole(self, whole):
-        wait_for(lambda: (self.size() == (800, 600)) == whole, "the size of the screen: %s" % whole)
+        wait_for(lambda: (window_size(self) == (800, 600)) == whole, "the size of the screen: %s" % whole)
 
 
 def maps_and_takes_keys(cell):
@@ -260,22 +105,22 @@ def resizes(cell):
         for i in range(100):
             steps += ["windowsize", cell.window, 150 + 7 * i % 301, 140 + 11 * i % 211]
         xdotool(cell.display, *steps, "windowsize", cell.window, 333, 244)
-        wait_for(lambda: cell.size() == (333, 244), "the last size")
+        wait_for(lambda: window_size(cell) == (333, 244), "the last size")
         wanted = harness.memory_picture(harness.Program("teapot_afd", (333, 244)))
         wait_for(lambda: cell.picture() == wanted, "the picture of the last size")
 
 
 def fullscreen_by_us(cell):
     with cell.program("--turntable", "1"):
-        if cell.size() == (800, 600):
+        if window_size(cell) == (800, 600):
             raise Unable("windows cover the screen anyhow")
         for there, back in (("F11", "Escape"), ("F11", "F11")):
             cell.key(there)
             cell.await_whole(True)
-            cell.await_drawing()
+            await_motion(cell)
             cell.key(back)
             cell.await_whole(False)
-            cell.await_drawing()  # and the manager's word is heard
+            await_motion(cell)  # and the manager's word is heard
         cell.key("Escape")
         expect_equal(harness.ended(cell.process)[0], 0)
 
@@ -284,14 +129,14 @@ def fullscreen_by_manager(cell):
     if cell.manager in ("none", "twm"):
         raise Unable("knows no fullscreen")
     with cell.program("--turntable", "1"):
-        if cell.size() == (800, 600):
+        if window_size(cell) == (800, 600):
             raise Unable("windows cover the screen anyhow")
         cell.tool("wmctrl", "-i", "-r", cell.window, "-b", "add,fullscreen")
         cell.await_whole(True)
-        cell.await_drawing()
+        await_motion(cell)
         cell.key("Escape")
         cell.await_whole(False)
-        cell.await_drawing()
+        await_motion(cell)
         expect(cell.process.poll() is None, "the program ended")
 
 
@@ -299,13 +144,13 @@ def minimises(cell):
     if cell.manager in ("none", "i3", "matchbox"):
         raise Unable("minimises no windows")
     with cell.program("--turntable", "1"):
-        cell.await_drawing()
+        await_motion(cell)
         xdotool(cell.display, "windowminimize", cell.window)
         cell.await_rest()
         xdotool(cell.display, "windowmap", cell.window)
         if cell.manager != "twm":
             cell.tool("wmctrl", "-i", "-a", cell.window)
-        cell.await_drawing()
+        await_motion(cell)
 
 
 def changes_workspace(cell):
@@ -314,13 +159,13 @@ def changes_workspace(cell):
         raise Unable("has no workspaces")
     first, second = ("1", "2") if cell.manager == "i3" else ("0", "1")
     with cell.program("--turntable", "1"):
-        cell.await_drawing()
+        await_motion(cell)
         if cell.manager in ("metacity", "mutter", "kwin"):
             cell.tool("wmctrl", "-n", "2")
         cell.tool(*command, second)
         cell.await_rest()
         cell.tool(*command, first)
-        cell.await_drawing()
+        await_motion(cell)
 
 
 def closes(cell):
@@ -353,23 +198,23 @@ def outlives_managers(display, name):
         with cell.program("--turntable", "1"):
             stack.close()
             wait_for(lambda: not cell.eyes.has_manager(), "the manager's end")
-            cell.await_drawing()
+            await_motion(cell)
             xdotool(display, "windowfocus", cell.window)
-            was_whole = cell.size() == (800, 600)
+            was_whole = window_size(cell) == (800, 600)
             cell.key("F11")
             if not was_whole:
                 cell.await_whole(True)
-                cell.await_drawing()
+                await_motion(cell)
                 cell.key("Escape")
                 cell.await_whole(False)
             with managed(display, "openbox"):
-                cell.await_drawing()
+                await_motion(cell)
                 cell.focus()
                 cell.key("F11")
                 cell.await_whole(True)
-                cell.await_drawing()
+                await_motion(cell)
                 cell.key("Escape")
-                cell.await_drawing()
+                await_motion(cell)
                 expect(cell.process.poll() is None, "the program ended")
 
 
@@ -408,6 +253,11 @@ def run_cell(server_name, name):
     return row
 
 
+def worse(one, other):
+    """A failure counts more than what could not be tried, and that more than success."""
+    return max(one, other, key=lambda word: ("o(F").index(word[0]))
+
+
 def table(rows):
     titles = [check.__name__ for check in (*CHECKS, outlives_managers, outlives_the_server)]
     notes = []
@@ -432,12 +282,16 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--server", action="append", choices=SERVERS)
     parser.add_argument("--manager", action="append", choices=MANAGERS)
+    parser.add_argument("--repeat", type=int, default=1, metavar="N")
     parser.add_argument("--write", metavar="FILE")
     asked = parser.parse_args()
     rows = {}
     for server in asked.server or SERVERS:
         for name in asked.manager or MANAGERS:
-            row = rows[server, name] = run_cell(server, name)
+            row = rows[server, name] = {}
+            for _ in range(asked.repeat):
+                for title, word in run_cell(server, name).items():
+                    row[title] = worse(row.get(title, "ok"), word)
             for title, word in row.items():
                 start = {"o": "ok", "(": "not tested:", "F": "not ok"}[word[0]]
                 print(start, "displays.%s.%s.%s" % (server, name, title),

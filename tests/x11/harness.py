@@ -14,6 +14,7 @@ import traceback
 import zlib
 
 from onlooker import Onlooker
+from x_proxy import Proxy
 
 BIN = os.path.abspath(os.environ["L3D_BIN"])
 PATIENCE = 20  # seconds that anything may take on a busy machine before it counts as hanging
@@ -146,20 +147,22 @@ def run(command, env, patience=PATIENCE, **options):
 
 
 @contextlib.contextmanager
-def x_server(*options, before=()):
-    """An X server of its own; yields its process with the attribute `display`."""
+def server_of(command, **options):
+    """An X server that writes its number to the descriptor `{fd}` of its command when it is ready;
+    yields its process with the attribute `display`."""
     read, write = os.pipe()
-    xvfb = ["Xvfb", "-displayfd", str(write), "-screen", "0", "800x600x24", "-noreset"]
     server = subprocess.Popen(
-        [*before, *xvfb, *options],
+        [word.replace("{fd}", str(write)) for word in command],
         pass_fds=[write],
         stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
+        **options,
     )
     os.close(write)
     try:
-        number = os.read(read, 16).decode().strip()  # comes when the server is ready
-        expect(number.isdigit(), "Xvfb did not start")
+        number = os.read(read, 16).decode().strip()
+        expect(number.isdigit(), command[0] + " does not start here")
         server.display = ":" + number
         yield server
     finally:
@@ -167,6 +170,12 @@ def x_server(*options, before=()):
         if server.poll() is None:
             server.terminate()
         server.wait()
+
+
+def x_server(*options, before=()):
+    """An Xvfb of its own."""
+    xvfb = ["Xvfb", "-displayfd", "{fd}", "-screen", "0", "800x600x24", "-noreset"]
+    return server_of([*before, *xvfb, *options])
 
 
 def xdotool(display, *arguments):
@@ -198,7 +207,7 @@ class Shown:
 
     def __enter__(self):
         with contextlib.ExitStack() as stack:
-            self.eyes = stack.enter_context(Onlooker(self.server.display))
+            self.eyes = self.onlooker(stack)
             self.process = stack.enter_context(
                 started(self.command, self.environment, cwd=self.cwd)
             )
@@ -209,14 +218,86 @@ class Shown:
     def __exit__(self, *error):
         self.stack.__exit__(*error)
 
+    def onlooker(self, stack):
+        return stack.enter_context(Onlooker(self.server.display))
+
     def press(self, *keys):
         xdotool(self.server.display, "key", "--window", self.window, *keys)
 
-    def picture(self):
-        return self.eyes.picture(self.window, *self.program.size)
+    def picture(self, size=None):
+        return self.eyes.picture(self.window, *(size or self.program.size))
+
+    def await_picture(self, question, size=None, what="the picture"):
+        return wait_for(lambda: question(self.picture(size)), what)
 
     def expect_end(self, status, messages=""):
         expect_equal(ended(self.process), (status, b"", messages))
+
+
+class Session(Shown):
+    """A program in a window of a server of its own, which has drawn its first picture.
+
+    `prepare` is called with the display before the program starts; if `counted`, a proxy stands
+    between, which counts requests.
+    """
+
+    def __init__(self, program, *arguments, prepare=lambda _: None, counted=False, **more):
+        self.asked = program, arguments, more
+        self.prepare, self.counted, self.proxy = prepare, counted, None
+
+    def __enter__(self):
+        program, arguments, more = self.asked
+        with contextlib.ExitStack() as stack:
+            self.server = stack.enter_context(x_server())
+            self.display = self.server.display
+            self.prepare(self.display)
+            if self.counted:
+                self.proxy = stack.enter_context(Proxy(self.display))
+                more = {"display": self.proxy.display, **more}
+            super().__init__(program, self.server, "--backend", "ximage", *arguments, **more)
+            stack.push(super().__enter__().stack)
+            self.await_picture(has_picture)
+            self.stack = stack.pop_all()
+        return self
+
+    def onlooker(self, _):
+        """Stays: its connection is gone if the server is, and Xlib would end the tests."""
+        return Onlooker(self.display)
+
+
+def window_size(it):
+    shell = xdotool(it.display, "getwindowgeometry", "--shell", it.window)
+    values = dict(line.split("=") for line in shell.split())
+    return int(values.get("WIDTH", 0)), int(values.get("HEIGHT", 0))
+
+
+def is_quiet(proxy, seconds=0.3):
+    """Whether no request passes for a while."""
+    mark = proxy.mark()
+    time.sleep(seconds)
+    return not (proxy.mark() - mark).requests
+
+
+def await_rest(it):
+    wait_for(lambda: is_quiet(it.proxy), "no more requests")
+
+
+def await_motion(it):
+    """Returns when pictures come."""
+    mark = it.proxy.mark()
+    wait_for(lambda: (it.proxy.mark() - mark).requests.count("PutImage") > 2, "pictures")
+
+
+def settle(it):
+    """Stops what moves."""
+    xdotool(it.display, "key", "space")
+    pictures = []
+
+    def is_still(rows):
+        pictures.append(rows)
+        return len(pictures) > 5 and all(each == rows for each in pictures[-5:])
+
+    it.await_picture(is_still, what="a picture that stays")
 
 
 # ---- pictures -----------------------------------------------------------------------------------

@@ -5,8 +5,7 @@
 import subprocess
 
 import harness
-from harness import DRAWDOT, PATIENCE, Checks, environment, xdotool
-from window_test import Session
+from harness import DRAWDOT, PATIENCE, Checks, Session, environment, xdotool
 
 TEAPOT = next((program for program in harness.PROGRAMS if program.name == "teapot_afd"), None)
 
@@ -118,7 +117,7 @@ def needs_no_input_method():
         {"LANG": "C", "LC_ALL": "C"},
         {"LANG": "nonsense", "LC_ALL": "nonsense"},
     ):
-        with Session(DRAWDOT, more=more) as it:
+        with Session(DRAWDOT, **more) as it:
             xdotool(it.display, "key", "q")
             it.expect_end(0)
 

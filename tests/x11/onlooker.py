@@ -6,6 +6,9 @@ import ctypes
 import struct
 import time
 
+# What others may be told, or asked: masks of events.
+STRUCTURE, NOTIFY, REDIRECT, PROPERTY = 1 << 17, 1 << 19, 1 << 20, 1 << 22
+
 
 class ClientMessage(ctypes.Structure):
     """XClientMessageEvent, padded to the size of an XEvent, 24 longs."""
@@ -111,7 +114,7 @@ class Color(ctypes.Structure):
 class Onlooker:
     """An X client that looks at windows and does to them what a window manager does."""
 
-    seen = b""
+    seen = None
     settings = 0
     CLIENT_MESSAGE, Z_PIXMAP, ALL_PLANES = 33, 2, ctypes.c_ulong(-1).value
 
@@ -129,6 +132,7 @@ class Onlooker:
         self.display = ctypes.c_void_p(x.XOpenDisplay(display.encode()))
         if not self.display:
             raise RuntimeError("cannot open " + display)
+        self.root = x.XDefaultRootWindow(self.display)
 
     def __enter__(self):
         return self
@@ -143,36 +147,29 @@ class Onlooker:
 
     def pixels(self, window, width, height):
         """Rows of pixel values; None if the window is not (or no longer) that large."""
-        at = self.x.XGetImage(
-            self.display,
-            ctypes.c_ulong(window),
-            0,
-            0,
-            width,
-            height,
-            ctypes.c_ulong(self.ALL_PLANES),
-            self.Z_PIXMAP,
-        )
-        if not at:
+        found = self.image(window, width, height)
+        if not found:
             return None
-        head = ImageHead.from_address(at)
-        size = head.bits_per_pixel // 8
-        rows = []
-        for y in range(height):
-            row = ctypes.string_at(head.data + y * head.bytes_per_line, size * width)
-            rows.append(list(struct.unpack("<%d%s" % (width, {1: "B", 2: "H", 4: "I"}[size]), row)))
-        self.x.XDestroyImage(ctypes.c_void_p(at))
-        return rows
+        pitch, size, data = found
+        layout = "<%d%s" % (width, {1: "B", 2: "H", 4: "I"}[size])
+        return [list(struct.unpack_from(layout, data, at)) for at in range(0, len(data), pitch)]
 
-    def has_changed(self, window, width, height):
-        """Whether the window's pixels are others than at the last call."""
+    def image(self, window, width, height):
+        """Of a window: bytes of a row, bytes of a pixel, all rows; None if it is not that large."""
         at = self.x.XGetImage(
             self.display, ctypes.c_ulong(window), 0, 0, width, height,
             ctypes.c_ulong(self.ALL_PLANES), self.Z_PIXMAP,
         )
+        if not at:
+            return None
         head = ImageHead.from_address(at)
-        before, self.seen = self.seen, ctypes.string_at(head.data, height * head.bytes_per_line)
+        data = ctypes.string_at(head.data, height * head.bytes_per_line)
         self.x.XDestroyImage(ctypes.c_void_p(at))
+        return head.bytes_per_line, head.bits_per_pixel // 8, data
+
+    def has_changed(self, window, width, height):
+        """Whether the window's pixels are others than at the last call."""
+        before, self.seen = self.seen, self.image(window, width, height)
         return self.seen != before
 
     def visual(self, window):
@@ -192,26 +189,30 @@ class Onlooker:
 
     def ask_to_close(self, window):
         """What a click on the close button of a window manager's frame does."""
-        atom = lambda name: self.x.XInternAtom(self.display, name, False)
-        event = ClientMessage(type=self.CLIENT_MESSAGE, window=window, format=32)
-        event.message_type = atom(b"WM_PROTOCOLS")
-        event.data[0] = atom(b"WM_DELETE_WINDOW")
-        self.x.XSendEvent(self.display, ctypes.c_ulong(window), False, 0, ctypes.byref(event))
-        self.x.XSync(self.display, False)
+        event = self.message(window, "WM_PROTOCOLS", self.atom("WM_DELETE_WINDOW"))
+        self.send(window, event)
 
     def atom(self, name):
         return self.x.XInternAtom(self.display, name.encode(), False)
 
-    def root(self):
-        return self.x.XDefaultRootWindow(self.display)
+    def message(self, window, kind, *words):
+        event = ClientMessage(type=self.CLIENT_MESSAGE, window=window, format=32)
+        event.message_type = self.atom(kind)
+        event.data[: len(words)] = words
+        return event
+
+    def send(self, window, event, mask=0):
+        """Sends an event, by way of the server, to those who selected it; else to the owner."""
+        mask = ctypes.c_long(mask)
+        self.x.XSendEvent(self.display, ctypes.c_ulong(window), False, mask, ctypes.byref(event))
+        self.x.XSync(self.display, False)
 
     def has_manager(self):
         """Whether somebody redirects the requests of windows."""
         found = WindowAttributes()
-        root = ctypes.c_ulong(self.root())
-        self.x.XGetWindowAttributes(self.display, root, ctypes.byref(found))
+        self.x.XGetWindowAttributes(self.display, ctypes.c_ulong(self.root), ctypes.byref(found))
         # Of the rest: whether it is installed, its state, and all masks of events.
-        return bool(found.rest[1] & (1 << 20))
+        return bool(found.rest[1] & REDIRECT)
 
     def set_numbers(self, window, name, kind, values):
         """A property that is a list of 32-bit numbers, as a window manager would set it."""
@@ -242,19 +243,14 @@ class Onlooker:
 
     def ask_manager(self, window, state, action):
         """Asks the window manager to take a state away (0) or to add it (1), as a pager does."""
-        event = ClientMessage(type=self.CLIENT_MESSAGE, window=window, format=32)
-        event.message_type = self.atom("_NET_WM_STATE")
-        event.data[0], event.data[1], event.data[3] = action, self.atom(state), 2
-        to_managers = ctypes.c_long(1 << 20 | 1 << 19)
-        root = ctypes.c_ulong(self.root())
-        self.x.XSendEvent(self.display, root, False, to_managers, ctypes.byref(event))
-        self.x.XSync(self.display, False)
+        event = self.message(window, "_NET_WM_STATE", action, self.atom(state), 0, 2)
+        self.send(self.root, event, REDIRECT | NOTIFY)
 
     def press_key(self, window, name):
         """Sends the window the two events of a key, and notes when."""
         code = self.x.XKeysymToKeycode(self.display, ctypes.c_ulong(self.x.XStringToKeysym(name.encode())))
         for kind in (2, 3):
-            event = KeyEvent(type=kind, window=window, root=self.root(), code=code, same_screen=1)
+            event = KeyEvent(type=kind, window=window, root=self.root, code=code, same_screen=1)
             self.x.XSendEvent(
                 self.display, ctypes.c_ulong(window), False, ctypes.c_long(kind - 1), ctypes.byref(event)
             )
@@ -264,41 +260,32 @@ class Onlooker:
     def serve_settings(self, dpi):
         """What a desktop's manager of settings does: owns the selection, and writes Xft/DPI."""
         if not self.settings:
-            self.settings = self.x.XCreateSimpleWindow(
-                self.display, ctypes.c_ulong(self.root()), -9, -9, 1, 1, 0, ctypes.c_ulong(0),
-                ctypes.c_ulong(0),
-            )
+            self.settings = self.make_window(-9, -9, 1, 1)
         text = struct.pack("<B3xIIBxH7sxII", 0, 1, 1, 0, 7, b"Xft/DPI", 1, dpi * 1024)
         name = ctypes.c_ulong(self.atom("_XSETTINGS_SETTINGS"))
         window, selection = ctypes.c_ulong(self.settings), self.atom("_XSETTINGS_S0")
         self.x.XChangeProperty(self.display, window, name, name, 8, 0, text, len(text))
         self.x.XSetSelectionOwner(self.display, ctypes.c_ulong(selection), window, ctypes.c_ulong(0))
-        event = ClientMessage(type=self.CLIENT_MESSAGE, window=self.root(), format=32)
-        event.message_type = self.atom("MANAGER")
-        event.data[1], event.data[2] = selection, self.settings
-        root = ctypes.c_ulong(self.root())
-        self.x.XSendEvent(self.display, root, False, ctypes.c_long(1 << 17), ctypes.byref(event))
-        self.x.XSync(self.display, False)
+        self.send(self.root, self.message(self.root, "MANAGER", 0, selection, self.settings), STRUCTURE)
 
     def send_size(self, window, width, height):
         """Tells the window, as a window manager might, that it has a size."""
-        event = Configured(type=22, event=window, window=window, width=width, height=height)
-        self.x.XSendEvent(self.display, ctypes.c_ulong(window), False, 0, ctypes.byref(event))
-        self.x.XSync(self.display, False)
+        self.send(window, Configured(type=22, event=window, window=window, width=width, height=height))
 
     def expose(self, window, x, y, width, height):
         """Has the server say that this part of a window is to be drawn again."""
         self.x.XClearArea(self.display, ctypes.c_ulong(window), x, y, width, height, True)
         self.x.XSync(self.display, False)
 
+    def make_window(self, x, y, width, height):
+        plain = ctypes.c_ulong(0x445566)
+        root = ctypes.c_ulong(self.root)
+        return self.x.XCreateSimpleWindow(self.display, root, x, y, width, height, 0, plain, plain)
+
     @contextlib.contextmanager
     def cover(self, width, height):
         """A window over the top left of the screen, for a while."""
-        root = ctypes.c_ulong(self.x.XDefaultRootWindow(self.display))
-        plain = ctypes.c_ulong(0x445566)
-        cover = ctypes.c_ulong(
-            self.x.XCreateSimpleWindow(self.display, root, 0, 0, width, height, 0, plain, plain)
-        )
+        cover = ctypes.c_ulong(self.make_window(0, 0, width, height))
         self.x.XMapRaised(self.display, cover)
         self.x.XSync(self.display, False)
         yield

@@ -3,11 +3,11 @@
 """A window manager without frames: it maps, resizes and makes fullscreen what asks for it."""
 
 import ctypes
+import os
 
-from onlooker import ClientMessage
+from onlooker import NOTIFY, PROPERTY, REDIRECT, ClientMessage, Onlooker
 
-CONFIGURE_REQUEST, MAP_REQUEST, CLIENT_MESSAGE = 23, 20, 33
-REDIRECT, NOTIFY, PROPERTY = 1 << 20, 1 << 19, 1 << 22
+CONFIGURE_REQUEST, MAP_REQUEST = 23, 20
 LONG = ctypes.c_ulong
 
 
@@ -42,53 +42,34 @@ class Event(ctypes.Union):
     _fields_ = [("type", ctypes.c_int), ("message", ClientMessage), ("request", Request)]
 
 
-class Manager:
-    def __init__(self):
-        x = self.x = ctypes.CDLL("libX11.so.6")
-        x.XOpenDisplay.restype = ctypes.c_void_p
-        for name in ("XInternAtom", "XDefaultRootWindow", "XCreateSimpleWindow"):
-            getattr(x, name).restype = LONG
-        self.ignore = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)(
-            lambda *_: 0
-        )
-        x.XSetErrorHandler(self.ignore)  # windows may go at any time
-        self.display = ctypes.c_void_p(x.XOpenDisplay(None))
-        self.root = x.XDefaultRootWindow(self.display)
-        self.before = {}
-        x.XSelectInput(self.display, LONG(self.root), ctypes.c_long(REDIRECT | NOTIFY | PROPERTY))
-        check = x.XCreateSimpleWindow(
-            self.display, LONG(self.root), -9, -9, 1, 1, 0, LONG(0), LONG(0)
-        )
-        for window in (check, self.root):
-            self.set(window, "_NET_SUPPORTING_WM_CHECK", "WINDOW", check)
-        self.set(self.root, "_NET_SUPPORTED", "ATOM", *map(self.atom, self.ABILITIES))
-        self.set(self.root, "_NET_CURRENT_DESKTOP", "CARDINAL", 0)
-        self.set(self.root, "_NET_NUMBER_OF_DESKTOPS", "CARDINAL", 4)
-        x.XSync(self.display, False)
+class Manager(Onlooker):
+    """An onlooker that also decides."""
 
     ABILITIES = ("_NET_WM_STATE", "_NET_WM_STATE_FULLSCREEN", "_NET_CURRENT_DESKTOP")
 
-    def atom(self, name):
-        return self.x.XInternAtom(self.display, name.encode(), False)
-
-    def set(self, window, name, kind, *values):
-        data = (ctypes.c_long * len(values))(*values)
-        self.x.XChangeProperty(
-            self.display, LONG(window), LONG(self.atom(name)), LONG(self.atom(kind)), 32, 0, data,
-            len(values),
-        )
+    def __init__(self, display):
+        super().__init__(display)
+        self.before = {}
+        mask = ctypes.c_long(REDIRECT | NOTIFY | PROPERTY)
+        self.x.XSelectInput(self.display, LONG(self.root), mask)
+        check = self.make_window(-9, -9, 1, 1)
+        for window in (check, self.root):
+            self.set_numbers(window, "_NET_SUPPORTING_WM_CHECK", "WINDOW", [check])
+        self.set_atoms(self.root, "_NET_SUPPORTED", self.ABILITIES)
+        self.set_numbers(self.root, "_NET_CURRENT_DESKTOP", "CARDINAL", [0])
+        self.set_numbers(self.root, "_NET_NUMBER_OF_DESKTOPS", "CARDINAL", [4])
 
     def serve(self):
         event = (Event * 4)()  # more room than Xlib writes to
         while True:
             self.x.XNextEvent(self.display, event)
             if event[0].type == MAP_REQUEST:
-                self.set(event[0].request.window, "WM_STATE", "WM_STATE", 1, 0)
+                self.set_numbers(event[0].request.window, "WM_STATE", "WM_STATE", [1, 0])
                 self.x.XMapWindow(self.display, LONG(event[0].request.window))
                 self.x.XSetInputFocus(self.display, LONG(event[0].request.window), 1, LONG(0))
             elif event[0].type == CONFIGURE_REQUEST:
                 self.configure(event[0].request)
-            elif event[0].type == CLIENT_MESSAGE:
+            elif event[0].type == self.CLIENT_MESSAGE:
                 self.take(event[0].message)
 
     def configure(self, asked):
@@ -106,10 +87,10 @@ class Manager:
         place = (0, 0, 800, 600) if on else self.before.get(message.window, (0, 0, 160, 120))
         self.x.XMoveResizeWindow(self.display, LONG(message.window), *place)
         states = [message.data[1]] if on else []
-        self.set(message.window, "_NET_WM_STATE", "ATOM", *states)
+        self.set_numbers(message.window, "_NET_WM_STATE", "ATOM", states)
 
 
 if __name__ == "__main__":
-    manager = Manager()
+    manager = Manager(os.environ["DISPLAY"])
     print("ready", flush=True)
     manager.serve()

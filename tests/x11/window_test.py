@@ -2,65 +2,15 @@
 # SPDX-License-Identifier: MIT
 """Every program in a window: keys, close, resize, expose, signals, a server that dies."""
 
-import contextlib
 import os
 import signal
 import subprocess
 import time
 
 import harness
-from harness import Checks, Onlooker, environment, expect, expect_equal, folder, run, started
-from harness import wait_for, window_of, x_server, xdotool
-from x_proxy import Proxy
-
-
-class Session:
-    """A program in a window of a server of its own, which has drawn its first picture.
-
-    `prepare` is called with the display before the program starts; `more` adds to its environment;
-    if `counted`, a proxy stands between, which counts requests.
-    """
-
-    def __init__(
-        self, program, *arguments, prepare=lambda _: None, more=None, counted=False, **options
-    ):
-        self.program = program
-        self.command = program.command("--backend", "ximage", *arguments)
-        self.prepare, self.more, self.counted, self.options = prepare, more or {}, counted, options
-
-    def __enter__(self):
-        self.contexts = [x_server()]
-        self.server = self.enter()
-        self.display = self.server.display
-        self.prepare(self.display)
-        self.contexts.append(Onlooker(self.display))
-        self.eyes = self.enter()
-        self.contexts.append(Proxy(self.display) if self.counted else contextlib.nullcontext())
-        self.proxy = self.enter()
-        env = environment(self.proxy.display if self.proxy else self.display, **self.more)
-        self.contexts.append(started(self.command, env, **self.options))
-        self.process = self.enter()
-        self.window = window_of(self.display, self.program)
-        self.await_picture(harness.has_picture)
-        return self
-
-    def enter(self):
-        return self.contexts[-1].__enter__()
-
-    def __exit__(self, *error):
-        # The onlooker stays: its connection is gone if the server is, and Xlib would exit.
-        for context in (self.contexts[3], self.contexts[2], self.contexts[0]):
-            context.__exit__(*error)
-
-    def picture(self, size=None):
-        return self.eyes.picture(self.window, *(size or self.program.size))
-
-    def await_picture(self, question, size=None, what="the picture"):
-        return wait_for(lambda: question(self.picture(size)), what)
-
-    def expect_end(self, status, messages=""):
-        found, out, said = harness.ended(self.process)
-        expect_equal((found, out, said), (status, b"", messages))
+from harness import Checks, Session, await_motion, await_rest, environment, expect, expect_equal
+from harness import folder, run, settle, started, wait_for, window_of, window_size, x_server
+from harness import xdotool
 
 
 def quits_by_key(program):
@@ -130,29 +80,6 @@ def repairs_with_one_picture(program):
         expect_equal((it.proxy.mark() - mark).requests.count("PutImage"), 1)
 
 
-def await_rest(it):
-    """Returns when a quarter of a second has gone by without a request."""
-
-    def rests():
-        mark = it.proxy.mark()
-        time.sleep(0.25)
-        return not (it.proxy.mark() - mark).requests
-
-    wait_for(rests, "no more requests")
-
-
-def settle(it):
-    """Stops what moves."""
-    xdotool(it.display, "key", "space")
-    pictures = []
-
-    def is_still(rows):
-        pictures.append(rows)
-        return len(pictures) > 5 and all(each == rows for each in pictures[-5:])
-
-    it.await_picture(is_still, what="a picture that stays")
-
-
 def rests_when_nothing_moves(program):
     with Session(program) as it:
         settle(it)
@@ -204,12 +131,6 @@ def covers_the_screen_and_goes_back(program):
         it.expect_end(0)
 
 
-def window_size(it):
-    shell = xdotool(it.display, "getwindowgeometry", "--shell", it.window)
-    values = dict(line.split("=") for line in shell.split())
-    return int(values["WIDTH"]), int(values["HEIGHT"])
-
-
 def shows_large_pixels(program):
     """Asked to by an option, whatever the display's resources."""
     with Session(program, "--scale", "3") as it:
@@ -229,6 +150,27 @@ def draws_at_the_displays_resolution():
             it.await_picture(lambda rows: has_thin_things(rows), size, "pixels of its own size")
         with Session(program, "--frames", "1000000", prepare=fine(dpi)) as it:
             expect_equal(window_size(it), program.size)
+
+
+def draws_lines_as_wide_as_the_resolution_asks():
+    """Pictures twice as fine have lines twice as wide: they cover about the same share. Wireframes have
+    some more of them, for steps are chosen in pixels."""
+    for lines in (("--wireframe",), ("--wireframe", "--antialias", "off"), ("--net",)):
+        shares = []
+        for dpi in (96, 192):
+            scale = dpi // 96
+            program = harness.Program("teapot_afd", (300, 225))
+            with Session(program, *lines, "--background", "0,0,0", prepare=fine(dpi)) as it:
+                size = tuple(scale * side for side in program.size)
+                # The word about the help goes away.
+                xdotool(it.display, "key", "--clearmodifiers", "h", "h")
+                rows = it.await_picture(lambda rows: rows, size)
+                shares.append(sum(map(brightness, rows)) / scale**2)
+        expect(0.85 < shares[1] / shares[0] < 1.3, lines, shares)
+
+
+def brightness(row):
+    return sum(word >> 8 & 255 for word in row)
 
 
 def has_thin_things(rows):
@@ -284,6 +226,17 @@ def tells_who_it_is(program):
         ):
             found = xdotool(it.display, "search", "--onlyvisible", "--all", *question)
             expect_equal(found.split(), [str(it.window)], question)
+
+
+def has_the_title_that_was_asked_for(program):
+    """Else that of the model, if it shows one, and its own name."""
+    title = "Teekanne für Öl"
+    usual = {"drawdot": "drawdot", "teapot_afd": "Utah teapot - teapot_afd"}
+    for options, wanted in (((), usual[program.name]), (("--title", title), title)):
+        with Session(program, *options) as it:
+            command = ["xprop", "-id", str(it.window), "_NET_WM_NAME"]
+            out = run(command, environment(it.display, LC_ALL="C.UTF-8"))[1].decode()
+            expect_equal(out, '_NET_WM_NAME(UTF8_STRING) = "%s"\n' % wanted)
 
 
 def survives_a_storm_of_sizes(program):
@@ -356,6 +309,7 @@ CHECKS = (
     covers_the_screen_and_goes_back,
     shows_large_pixels,
     tells_who_it_is,
+    has_the_title_that_was_asked_for,
     survives_a_storm_of_sizes,
     shows_what_memory_holds,
     starts_without_a_terminal,
@@ -403,12 +357,10 @@ def drawdot_keeps_its_trail_in_a_smaller_window():
 def teapot_draws_nothing_that_nobody_sees():
     with Session(harness.PROGRAMS[-1], counted=True) as it:
         xdotool(it.display, "key", "t")
-        mark = it.proxy.mark()
-        wait_for(lambda: (it.proxy.mark() - mark).requests.count("PutImage") > 2, "the turntable")
+        await_motion(it)
         with it.eyes.cover(800, 600):
             await_rest(it)
-        mark = it.proxy.mark()
-        wait_for(lambda: (it.proxy.mark() - mark).requests.count("PutImage") > 2, "life again")
+        await_motion(it)
 
 
 if __name__ == "__main__":
@@ -422,6 +374,7 @@ if __name__ == "__main__":
         teapot_draws_nothing_that_nobody_sees,
         draws_at_the_displays_resolution,
         teapot_follows_the_resolution,
+        draws_lines_as_wide_as_the_resolution_asks,
     ):
         checks.run("window." + check.__name__, check)
     checks.finish()

@@ -8,8 +8,9 @@ import signal
 import time
 
 import harness
-from display_test import MOVING, PICTURES, PUTS, TEAPOT, is_quiet, pictures, resident_bytes
-from harness import Checks, Shown, environment, expect, expect_equal, wait_for, x_server, xdotool
+from display_test import MOVING, PICTURES, PUTS, TEAPOT, pictures, resident_bytes
+from harness import Checks, Shown, environment, expect, expect_equal, is_quiet, wait_for, x_server
+from harness import xdotool
 from x_proxy import Proxy
 
 PERIOD = 1 / 60

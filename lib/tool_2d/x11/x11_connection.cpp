@@ -3,6 +3,7 @@
 #include "tool_2d/x11/x11_connection_p.h"
 
 #include "tool_2d/x11/x11_reach_p.h"
+#include "tool_2d/x11/x11_refusal_p.h"
 
 #include <algorithm>
 #include <cassert>
@@ -156,17 +157,15 @@ int x11_handlers::on_io_error(Display* display) {
 }
 
 std::unique_ptr<x11_connection> x11_connection::open(std::string& why) {
-    const char* name = std::getenv("DISPLAY");
-    if (name == nullptr || *name == '\0') {
-        why = name == nullptr ? "DISPLAY is not set" : "DISPLAY is empty";
-        return nullptr;
-    }
-    std::unique_ptr<x11_connection> connection(new x11_connection(name));
-    if (connection->display_ == nullptr && !connection->lost_) {
-        why = std::string("cannot open the display that DISPLAY names, '") + name + "'";
-        return nullptr;
-    }
-    return connection;
+    const char* const name = std::getenv("DISPLAY");
+    std::unique_ptr<x11_connection> connection;
+    if (name != nullptr && *name != '\0')
+        connection.reset(new x11_connection(name));
+    if (connection && (connection->display_ != nullptr || connection->lost_))
+        return connection;
+    // Not before: some wires carry one connection only, and some servers end with their last.
+    why = x11_refusal_of(name, longest_connect).why;
+    return nullptr;
 }
 
 x11_connection::x11_connection(const char* name) {

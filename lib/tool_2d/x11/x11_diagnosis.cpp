@@ -3,22 +3,27 @@
 #include "tool_2d/x11/x11_diagnosis_p.h"
 
 #include "tool_2d/x11/x11_extension_p.h"
+#include "tool_2d/x11/x11_refusal_p.h"
 #include "tool_2d/x11/x11_shm_segment_p.h"
 #include "tool_2d/x11/x11_visual_p.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace l3d_detail {
 namespace {
 
 using verdict = l3d_probe::verdict;
 
-const std::string display_name = "display";
+// A server that works answers in milliseconds.
+constexpr std::chrono::seconds longest_answer{3};
 
 l3d_probe probe_display(const x11_connection& connection) {
     auto* const display = connection.display();
-    return {display_name,
+    return {l3d_display_probe,
             std::string("'") + DisplayString(display) + "', " +
                 (connection.is_local() ? "local" : "over a network") + ", " +
                 ServerVendor(display) + " " + std::to_string(VendorRelease(display)),
@@ -38,6 +43,36 @@ l3d_probe probe_visual(const x11_connection& connection) {
     return probe;
 }
 
+/// To connections that are not trusted, as those of ssh -X, a server shows these extensions alone.
+bool is_trusted(const x11_connection& connection) {
+    int count = 0;
+    char** const names = XListExtensions(connection.display(), &count);
+    const bool shows_more = std::ranges::any_of(
+        std::span(names, static_cast<std::size_t>(count)),
+        [](const std::string_view name) { return name != "BIG-REQUESTS" && name != "XC-MISC"; });
+    XFreeExtensionList(names);
+    return shows_more;
+}
+
+/// What makes the way to the server special, if anything does.
+void probe_way(const x11_connection& connection, l3d_probes& probes) {
+    if (!is_trusted(connection))
+        probes.push_back({"trust",
+                          "the X server does not trust this connection, and hides most of "
+                          "its extensions",
+                          verdict::limited,
+                          "ssh -Y in place of ssh -X, if you trust the other machine"});
+    if (connection.is_local())
+        return;
+    const bool is_ssh = std::getenv("SSH_CONNECTION") != nullptr;
+    probes.push_back({"way",
+                      std::string(is_ssh ? "by ssh" : "over a network") +
+                          "; each picture travels, and --backend ximage is the right one",
+                      verdict::limited,
+                      std::string("a smaller --size and --fps 5 make it lighter") +
+                          (is_ssh ? "; so does ssh -C on a slow line" : "")});
+}
+
 l3d_probe probe_manager(const x11_connection& connection) {
     if (has_x11_manager(connection))
         return {"window manager", "there is one", verdict::good, {}};
@@ -55,7 +90,20 @@ l3d_probe probe_extension(const x11_connection& connection) {
                 verdict::good,
                 {}};
     return {"MIT-SHM", "not there; pictures go over the wire", verdict::limited,
-            "start the X server without '-extension MIT-SHM'"};
+            is_trusted(connection) ? "Xnest has none, Xephyr has; others have it unless started "
+                                     "with '-extension MIT-SHM'"
+                                   : "hidden from connections that are not trusted"};
+}
+
+/// What helps where no memory is shared.
+std::string sharing_remedy(const x11_connection& connection) {
+    const char* const refusal = std::getenv("L3D_NO_SHM");
+    if (refusal != nullptr && *refusal != '\0')
+        return "unset L3D_NO_SHM";
+    if (!connection.is_local())
+        return "none is needed: back-end ximage serves displays of other machines";
+    return "needs an X server with MIT-SHM in our IPC namespace (in a container: --ipc=host) and "
+           "free segments (ipcs -lm)";
 }
 
 l3d_probe probe_sharing(x11_connection& connection) {
@@ -65,26 +113,32 @@ l3d_probe probe_sharing(x11_connection& connection) {
     if (visual && x11_shm_segment::make(connection, visual->visual, visual->layout, 1, why))
         return probe;
     return {probe.what, why + "; pictures go over the wire", verdict::limited,
-            "needs a local X server in our IPC namespace (in a container: --ipc=host), free "
-            "segments (ipcs -lm), and L3D_NO_SHM unset"};
+            sharing_remedy(connection)};
 }
 
-/// Null if it has been told that there is no display.
+/// Null, and a probe that tells it, if there is no display.
+///
+/// A server that refuses is not asked by Xlib: the library below it would print a line each time.
 std::unique_ptr<x11_connection> diagnose_connection(l3d_probes& probes) {
-    std::string why;
-    auto connection = x11_connection::open(why);
+    const auto before = std::ranges::find(probes, l3d_display_probe, &l3d_probe::what);
+    if (before != probes.end() && before->outcome == verdict::bad)
+        return nullptr;
+    auto refusal = x11_refusal_of(std::getenv("DISPLAY"), longest_answer);
+    std::unique_ptr<x11_connection> connection;
+    if (!refusal.is_certain)
+        connection = x11_connection::open(refusal.why);
     if (connection && connection->lost()) {
         connection.reset();
-        why = x11_server_went_away;
+        refusal.why = x11_server_went_away;
     }
-    if (std::ranges::find(probes, display_name, &l3d_probe::what) != probes.end())
-        return connection;
     if (!connection) {
-        probes.push_back({display_name, why, verdict::bad,
-                          "set DISPLAY, or do without: --backend memory --output picture.png"});
+        probes.push_back({l3d_display_probe, refusal.why, verdict::bad, refusal.remedy});
         return nullptr;
     }
+    if (before != probes.end())
+        return connection;
     probes.push_back(probe_display(*connection));
+    probe_way(*connection, probes);
     probes.push_back(probe_visual(*connection));
     probes.push_back(probe_manager(*connection));
     return connection;

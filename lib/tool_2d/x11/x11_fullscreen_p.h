@@ -55,13 +55,28 @@ private:
 
     x11_window& window_;
     x11_state& state_;
-    std::optional<bool> wanted_; ///< and not done yet
+
+    /// What set() asked for, until it is done.
+    std::optional<bool> wanted_;
+
+    /// Whether the window covers the screen.
     bool on_ = false;
-    bool granted_ = false;      ///< a manager did, or would do it, when we last looked
-    bool covers_ = false;       ///< by ourselves
-    l3d_pixel_box place_;       ///< where the window is when it does not cover the screen
-    l3d_pixel_box asked_{};     ///< where it shall be to cover the screen
-    bool is_corrected_ = false; ///< by what a manager's frame had moved it
+
+    /// Whether a manager did, or would do it, when we last looked.
+    bool granted_ = false;
+
+    /// Whether we made it cover the screen ourselves.
+    bool covers_ = false;
+
+    /// Where the window is when it does not cover the screen.
+    l3d_pixel_box place_;
+
+    /// Where the window shall be to cover the screen.
+    l3d_pixel_box asked_{};
+
+    /// Whether asked_ was mended by what a manager's frame had moved the window.
+    bool is_corrected_ = false;
+
     bool pointer_hidden_ = false;
     clock::time_point pointer_moved_;
 };
