@@ -137,9 +137,9 @@ def chosen(report):
     words = []
     for line in table:
         top = max(range(len(names)), key=lambda i: line[i + 1])
-        words.append(f"{line[0]}: `{names[top]}` ({line[top + 1]} of {sum(line[1:])})")
-    return Conclusion("chosen", "Which method when?", "Fastest in most views, by the error that outlines may have: "
-                      + "; ".join(words) + ".", ["outline within", *names], table)
+        words.append(f"At {line[0]} it is `{names[top]}` ({line[top + 1]} of {sum(line[1:])})")
+    return Conclusion("chosen", "Which method when?", "This one is fastest in most views, if outlines may err by so much. "
+                      + ". ".join(words) + ".", ["outline within", *names], table)
 
 
 def loses(report):
@@ -162,6 +162,11 @@ def loses(report):
         f": {listed(by, 'of them')}." if by else ".")
     if table:
         made = sum(line[3] in MADE_BEFORE for line in table)
+        models = {}
+        for model, *_ in {tuple(line[:3]) for line in table}:
+            models[model] = models.get(model, 0) + 1
+        answer += " By model: " + ", ".join(
+            f"{name} {count}" for name, count in sorted(models.items(), key=lambda item: (-item[1], item[0]))) + "."
         worst = min(table, key=lambda line: float(line[-1]))
         answer += (f" {made} of these {len(table)} rows use a mesh that was made before the first frame. The largest "
                    f"loss: `{worst[3]}` on {worst[0]}, {worst[1]}, at {worst[2]} takes {worst[-1]} of the time.")
@@ -219,23 +224,25 @@ def bears(report):
 
 
 def certainty(report):
-    table, loose, dear = [], [], []
+    table, loose, dear, more = [], [], [], []
     plain = {(r["model"], r["view"], r["setting"]): r for r in report.rows() if r["method"] == "afd places only"}
     for view in report.views():
         own = [r for r in report.of_view(view) if r["method"] == report.own]
         factors = [r["bound_px"] / r["outline_px"] for r in own if r["outline_px"] > 0]
-        costs = [r["median_ms"] / plain[(*view, r["setting"])]["median_ms"] for r in own
-                 if (*view, r["setting"]) in plain]
-        if factors and costs:
-            loose += factors
-            dear += costs
-            table.append([*view, short(statistics.median(factors)), short(statistics.median(costs))])
+        pairs = [(r, plain[(*view, r["setting"])]) for r in own if (*view, r["setting"]) in plain]
+        if factors and pairs:
+            costs = [r["median_ms"] / other["median_ms"] for r, other in pairs]
+            quads = [r["quads"] / other["quads"] for r, other in pairs if other["quads"] > 0]
+            loose, dear, more = loose + factors, dear + costs, more + quads
+            table.append([*view, *(short(statistics.median(values)) for values in (factors, quads, costs))])
     answer = "Not measured here."
     if loose:
-        answer = (f"AFD's bound is {spread(loose)} as large as the largest error found at outlines. Bounds of depth and "
-                  f"shade on top of those of places take {spread(dear)} the time.")
+        answer = (f"AFD's bound is {spread(loose)} as large as the largest error found at outlines, so it draws finer than it "
+                  f"had to. Bounds of depth and shade on top of those of places take {spread(more)} the quads and "
+                  f"{spread(dear)} the time.")
     return Conclusion("certainty", "What does certainty cost?", answer,
-                      ["model", "view", "bound / error of outlines", "time / time with places only"], table)
+                      ["model", "view", "bound / error of outlines", "quads / quads with places only",
+                       "time / time with places only"], table)
 
 
 def kept(report):

@@ -126,6 +126,7 @@ READING = """## How to read it
   The eye is never twice at the same place. A mesh, or the cells of `voxels`, are made before the first frame.
 - An *error* is that of outlines. It is the largest distance of a falsely covered or uncovered pixel's centre from the
   exact outline. Some 60 of these pixels are measured, spread evenly. The exact picture shares no code with the library.
+  Where there is no such pixel the error is 0, which has no place in a diagram of powers.
 - A *bound* is what a method certifies: no point is drawn farther from its place in the picture.
 - A *level* is one of 255 steps of grey. A picture's error is the root of the mean square over all covered pixels.
 - *99.9 %*, *largest* and *mean*, in the tables of all rows, compare surfaces away from outlines. They also count along the

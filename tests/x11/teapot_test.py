@@ -285,8 +285,11 @@ def shows_the_error_where_it_is_bounded():
             expect_equal(done, (0, b"", ""), method)
             rows = harness.read_png(os.path.join(path, "o.png"))
             drawn = {pixel for row in rows for pixel in row if pixel}
-            expect(drawn and all(max(p >> 16, p >> 8 & 255) == 255 and p & 255 == 0 for p in drawn),
+            known = drawn - {0x606060}
+            expect(known and all(max(p >> 16, p >> 8 & 255) == 255 and p & 255 == 0 for p in known),
                    method, "colours", drawn)
+            # Measured errors differ from pixel to pixel, while a piece has one bound.
+            expect(len(known) > 10, method, len(known))
         for method in ("isocurves", "scanline", "voxels", "mesa"):
             status, out, said = memory("--shade", "error", "--method", method, "--output", "p.png", cwd=path)
             expect_equal((status, out, said.count("\n")), (2, b"", 1), method)
