@@ -89,7 +89,8 @@ def sends_nothing_while_it_stands_still(backend, reach, frames=100):
 
 
 # Of the state of the window, and of the resolution of the display.
-QUESTION = collections.Counter({"InternAtom": 12, "QueryExtension": 1, "GetProperty": 10,
+QUESTION = collections.Counter({"InternAtom": 14, "QueryExtension": 1, "GetProperty": 10,
+                                "ChangeProperty": 2,
                                 "GetWindowAttributes": 2, "ChangeWindowAttributes": 1,
                                 "GetSelectionOwner": 1, "SendEvent": 5, "RANDR.0": 1,
                                 "RANDR.42": 1})
