@@ -15,7 +15,7 @@ uses_apps     := $(LAYERS)
 # compare/ holds the methods that ours is measured against. It lies beside the library, on top of
 # all layers, and only these use it.
 uses_compare       := $(LAYERS)
-tests_with_compare := compare bench
+tests_with_compare := compare bench stability
 apps_with_compare  := teapot_afd
 
 # tests/reference, the exact renderer, is a layer beside them that only these may use, and one
@@ -23,7 +23,7 @@ apps_with_compare  := teapot_afd
 uses_reference       := base geom
 tests_with_reference := scene dice pipeline compare reference bench stability
 apps_with_reference  := teapot_afd
-uses_stability       := base geom tool_2d raster scene dice pipeline
+uses_stability       := base geom tool_2d raster scene dice pipeline compare
 
 # What a layer links from outside, and what pkg-config calls it.
 links_tool_2d := -lpng -lXext -lX11-xcb -lX11 -lxcb-randr -lxcb -lXau
@@ -120,7 +120,7 @@ plugins   := $(wildcard apps/*/plugins/*.cpp tests/*/plugins/*.cpp)
 plugged    = $(patsubst %.cpp,$(OUT)/lib/l3d/%.so,$(notdir $(1)))
 PLUGINS   := $(call plugged,$(plugins))
 TEST_PLUGINS := $(call plugged,$(filter tests/%,$(plugins)))
-data      := $(wildcard data/*) apps/vidflat/plugins/spaceship.obj
+data      := $(wildcard data/* apps/teapot_afd/report_page*) apps/vidflat/plugins/spaceship.obj
 DATA      := $(addprefix $(OUT)/share/l3d/,$(notdir $(data)))
 
 ARCHIVES  := $(call archives,$(LAYERS))
@@ -208,10 +208,11 @@ faults: packages-faults $(OUT)/bin/teapot_afd ## batches killed, out of disk or 
 displays: packages-displays $(OUT)/bin/teapot_afd ## every X server with every window manager of Debian; ARGS="--server Xvfb" for some
 	L3D_BIN=$(abspath $(OUT)/bin) PYTHONDONTWRITEBYTECODE=1 tests/x11/displays.py $(ARGS)
 
-stability: packages-stability ## 600 cases made to break it, and a million random ones, in four arithmetics
+stability: packages-stability ## cases made to break it, random ones, polygons and curves; goes on where it was stopped; REAL=double as well
 	@$(again) $(STABILITY)
 	@mkdir -p docs/report
-	$(STABILITY) --table docs/report/stability.md $(ARGS)
+	$(STABILITY) --folder docs/report $(ARGS)
+	tests/stability/stability_pages.py docs/report
 
 matrix: packages-test packages-matrix ## every test: each scalar, plain and sanitized, both compilers
 	@MAKE="$(again)" tests/lint/matrix.sh $(BUILD)/matrix
@@ -231,7 +232,7 @@ format: packages-lint ## clang-format every file in place
 golden: $(APPS) $(PLUGINS) $(DATA) ## store the pictures' hashes that tests/x11/programs_test.py compares with
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/programs_test.py --write
 
-pictures: packages-report packages-bench $(APPS) $(PLUGINS) $(DATA) $(OUT)/tests/bench/fixed_failure_bench ## the documents' pictures that are no report's
+pictures: packages-report packages-bench $(APPS) $(PLUGINS) $(DATA) $(OUT)/tests/bench/fixed_failure_bench $(OUT)/tests/bench/depth_bits_bench ## the documents' pictures that are no report's
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/contact_sheet.py docs/pictures
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --output docs/pictures/teapot.png
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --wireframe --net --output docs/pictures/steps.png
@@ -240,8 +241,10 @@ pictures: packages-report packages-bench $(APPS) $(PLUGINS) $(DATA) $(OUT)/tests
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 1000x420 --compare tessellation:6 --output docs/pictures/comparison.png
 	$(OUT)/bin/gallery --no-input --backend memory --size 1024x560 --glossy --output docs/pictures/gallery.png
 	$(OUT)/tests/bench/fixed_failure_bench docs/pictures/fixed_16_16.png
+	$(OUT)/tests/bench/depth_bits_bench docs/pictures/depth_16.png
 	gnuplot docs/report/peers.gp
 	gnuplot docs/report/antialias_peers.gp
+	gnuplot docs/report/leaving_out.gp
 	for drawing in docs/pictures/*.dot; do dot -Tpng -Gdpi=90 $$drawing -o $${drawing%.dot}.png; done
 
 docs: packages-docs $(DOOR) ## the reference of all public headers; a public thing without a comment is an error
@@ -254,7 +257,7 @@ bench: packages-bench ## build and run the benchmarks
 	@set -e; for bench in $(BENCHES); do $$bench $(ARGS); done
 	@L3D_BIN=$(abspath $(OUT)/bin) tests/bench/start_up.py
 
-report: packages-report $(OUT)/bin/teapot_afd ## error against time, all methods, into docs/report; QUICK=1: a small one
+report: packages-report $(OUT)/bin/teapot_afd $(DATA) ## error against time, into docs/report; goes on where it was stopped; QUICK=1: a small one
 	@$(OUT)/bin/teapot_afd --no-input --error-report $(if $(QUICK),$(OUT)/report --quick,docs/report)
 
 fuzz: packages-fuzz ## fuzz every reader of model files: make fuzz FUZZ_SECONDS=600

@@ -40,7 +40,7 @@ PACKAGES_package := debhelper:dh lintian:lintian
 PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
 PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
 PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h
-PACKAGES_stability := libboost-dev:boost/multiprecision/cpp_bin_float.hpp
+PACKAGES_stability := gnuplot-nox:gnuplot python3:python3 libboost-dev:boost/multiprecision/cpp_bin_float.hpp
 PACKAGES_faults := python3:python3 strace:strace
 PACKAGES_displays := xvfb:Xvfb xdotool:xdotool wmctrl:wmctrl xserver-xephyr:Xephyr \
     tigervnc-standalone-server:Xvnc xserver-xorg-video-dummy:Xorg xwayland:Xwayland weston:weston \
@@ -51,5 +51,6 @@ PACKAGES_fuzz   := $(PACKAGES_matrix)
 PACKAGES_bench  := libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so \
     libembree-dev:embree3/rtcore.h xvfb:Xvfb libbenchmark-dev:benchmark/benchmark.h \
     libcairo2-dev:cairo/cairo.h libagg-dev:agg2/agg_basics.h
-PACKAGES_report := gnuplot-nox:gnuplot graphviz:dot
+PACKAGES_report := gnuplot-nox:gnuplot graphviz:dot python3:python3 \
+    libjs-chart.js:/usr/share/javascript/chart.js/chart.min.js
 PACKAGES_docs   := doxygen:doxygen

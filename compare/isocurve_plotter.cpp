@@ -13,9 +13,6 @@
 
 namespace {
 
-/// Farthest that curves, and points on them, may be apart, in pixels: together a pixel.
-constexpr double spacing = 0.5;
-
 /// A stripe that is longer than this is cut across, so that a part of it can be narrow. A shorter
 /// curve would cost more to begin than to walk.
 constexpr double least_length = 8;
@@ -70,7 +67,7 @@ void l3d_isocurve_plotter<T>::fill(const stripe& between, const l3d_plot_task& o
     const l3d_image_box hull = l3d_image_box_of(between.net.points);
     if (hull.intersected(of.view.margin()).empty())
         return;
-    if (width_bound(between.net, hull) <= spacing || between.depth == deepest)
+    if (width_bound(between.net, hull) <= spacing_ || between.depth == deepest)
         return;
     if (std::max(hull.width(), hull.height()) > least_length) {
         const auto [low, high] = l3d_halves(between, false);
@@ -111,7 +108,7 @@ void l3d_isocurve_plotter<T>::draw_curve(const l3d_image_curve& curve, double u,
     while (time < end) {
         const place there = place_of(next(0), next(1), next(2));
         const double length = distance(here, there);
-        if (!(length <= spacing) && step > 1) {
+        if (!(length <= spacing_) && step > 1) {
             for (auto& coordinate : walk)
                 coordinate.halve();
             step /= 2;
@@ -123,7 +120,7 @@ void l3d_isocurve_plotter<T>::draw_curve(const l3d_image_curve& curve, double u,
         here = there;
         put({value(0), value(1), value(2)},
             v0 + (v1 - v0) * static_cast<double>(time) / static_cast<double>(end), of);
-        if (length < spacing / 2 && time < end && time % (2 * step) == 0 &&
+        if (length < spacing_ / 2 && time < end && time % (2 * step) == 0 &&
             time + 2 * step <= end) {
             for (auto& coordinate : walk)
                 coordinate.double_step();

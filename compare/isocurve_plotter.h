@@ -8,20 +8,23 @@
 #include "compare/plot_task.h"
 
 /// Curves of constant u, walked by adaptive forward differences in T. Before each step the step is
-/// halved while it is longer than half a pixel, and doubled where it is shorter than a quarter.
+/// halved while it is longer than the spacing, and doubled where it is shorter than half of that.
 ///
-/// Between two curves a third is drawn where they may be more than half a pixel apart, and only
-/// there. Pieces of the patch that are narrow enough are left out, so most curves end early. With
-/// points and curves half a pixel apart, in the larger of both coordinates, the points of a fold
-/// free piece leave no pixel out. A pixel gets the depth and normal of the point that fell into it,
-/// which may be half a pixel from its centre. So there is no bound, and outlines are up to a pixel
-/// fat.
-/// Cost:    some 30 points a pixel and layer.
-/// Source:  Lien, Shantz, Pratt, Adaptive Forward Differencing for Rendering Curves and Surfaces,
+/// Between two curves a third is drawn where they may be farther apart than the spacing, and only
+/// there. The spacing is half a pixel, unless told otherwise. Pieces of the patch that are narrow
+/// enough are left out, so most curves end early. With points and curves half a pixel apart, in the
+/// larger of both coordinates, the points of a fold free piece leave no pixel out. A pixel gets the
+/// depth and normal of the point that fell into it, which may be half a pixel from its centre. So
+/// there is no bound, and outlines are up to a pixel fat. Cost:    some 30 points a pixel and
+/// layer. Source:  Lien, Shantz, Pratt, Adaptive Forward Differencing for Rendering Curves and
+/// Surfaces,
 ///          SIGGRAPH 1987. Curves that end early are those of Elber, Cohen, Adaptive Isocurves
 ///          Based Rendering for Freeform Surfaces, TOG 15, 1996.
 template <class T> class l3d_isocurve_plotter {
 public:
+    /// So many points and curves a pixel. With one alone, pixels may be left out. Expects: >= 1.
+    explicit l3d_isocurve_plotter(int points_a_pixel = 2) : spacing_(1.0 / points_a_pixel) {}
+
     /// Expects: l3d_needs_no_clipping(net, of.view).
     void plot(const l3d_image_patch& net, const l3d_plot_task& of);
 
@@ -34,6 +37,7 @@ private:
                     const l3d_plot_task& of);
     void put(const l3d_image_point& h, double v, const l3d_plot_task& of);
 
+    double spacing_; ///< in pixels
     l3d_normal_columns normals_;
 };
 

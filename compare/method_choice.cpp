@@ -33,15 +33,18 @@ struct method_row {
     int usual = 0, least = 0, most = 0;
 };
 
+/// Points or quads along a pixel: with 16, each pixel has some thousand of them.
+constexpr int most_a_pixel = 16;
+
 /// 1024 x 1024 quads of fd are 2^20 for each patch; of 1024 cells along each axis a teapot fills 4
 /// million in 600 MB of bricks.
 constexpr std::array<method_row, 9> rows{{
     {"afd", l3d_method::afd, true, true},
     {"fd", l3d_method::fd, true, true, 0, 1, 1024},
-    {"isocurves", l3d_method::isocurves, false, false},
+    {"isocurves", l3d_method::isocurves, false, false, 2, 1, most_a_pixel},
     {"subdivision", l3d_method::subdivision, true, true},
     {"tessellation", l3d_method::tessellation, true, false, 16, 1, l3d_most_facets},
-    {"micropolygons", l3d_method::micropolygons, true, false},
+    {"micropolygons", l3d_method::micropolygons, true, false, 2, 1, most_a_pixel},
     {"scanline", l3d_method::scanline, false, true},
     {"voxels", l3d_method::voxels, false, false, 256, 8, 1024},
     {"mesa", l3d_method::mesa, false, true},
@@ -87,7 +90,8 @@ std::unique_ptr<l3d_surface_method> create_method(const l3d_method_choice& choic
         return create_mesh(rasterizers, workers,
                            l3d_fd_dicer(choice.arithmetic, choice.resolution));
     case l3d_method::isocurves:
-        return std::make_unique<l3d_method_points<l3d_isocurve_plotter<l3d_real>>>(rasterizers);
+        return std::make_unique<l3d_method_points<l3d_isocurve_plotter<l3d_real>>>(
+            rasterizers, l3d_isocurve_plotter<l3d_real>(choice.resolution));
     case l3d_method::scanline:
         return std::make_unique<l3d_method_points<l3d_scanline_plotter>>(rasterizers);
     case l3d_method::voxels:
@@ -99,7 +103,7 @@ std::unique_ptr<l3d_surface_method> create_method(const l3d_method_choice& choic
     case l3d_method::tessellation:
         return std::make_unique<l3d_method_tessellation>(choice.resolution, rasterizers, workers);
     case l3d_method::micropolygons:
-        return create_mesh(rasterizers, workers, l3d_micropolygon_dicer());
+        return create_mesh(rasterizers, workers, l3d_micropolygon_dicer(choice.resolution));
     default:
         return create_afd(choice.arithmetic, rasterizers, workers);
     }

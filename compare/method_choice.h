@@ -14,10 +14,10 @@
 enum class l3d_method {
     afd,           ///< adaptive forward differencing with a certified bound; the product
     fd,            ///< one fixed forward difference step a patch
-    isocurves,     ///< curves on the surface, stepped pixel by pixel
+    isocurves,     ///< curves on the surface, stepped by parts of a pixel
     subdivision,   ///< halved until flat, by de Casteljau's scheme
     tessellation,  ///< n x n quads a patch, as a model of polygons
-    micropolygons, ///< quads of half a pixel
+    micropolygons, ///< quads of a part of a pixel
     scanline,      ///< by Newton's iteration along scan lines
     voxels,        ///< a cubic frame buffer, looked into by rays
     mesa,          ///< triangles through GL
@@ -27,7 +27,8 @@ enum class l3d_method {
 struct l3d_method_choice {
     l3d_method method = l3d_method::afd;
     int resolution = 0; ///< of tessellation, fd: quads along a patch (fd: 0 is what the tolerance
-                        ///< asks for); of voxels: cells along the model
+                        ///< asks for); of voxels: cells along the model; of isocurves
+                        ///< and micropolygons: points or quads along a pixel
     l3d_arithmetic arithmetic = l3d_real_arithmetic(); ///< of afd (but 32-bit fixed) and fd
 
     /// As the command line has it: "fd", "tessellation:16".

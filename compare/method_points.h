@@ -24,8 +24,9 @@ concept l3d_point_plotter = requires(P plotter, const l3d_image_patch& net,
 /// others, patch after patch, on one thread.
 template <l3d_point_plotter Plotter> class l3d_method_points final : public l3d_surface_method {
 public:
-    explicit l3d_method_points(const l3d_rasterizer_factory& rasterizers)
-        : surface_(rasterizers.create_surface(worker_)) {}
+    explicit l3d_method_points(const l3d_rasterizer_factory& rasterizers,
+                               const Plotter& plotter = Plotter())
+        : surface_(rasterizers.create_surface(worker_)), plotter_(plotter) {}
 
 private:
     void do_draw(const l3d_method_frame& frame, l3d_stage_times& times) override {

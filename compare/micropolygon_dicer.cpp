@@ -10,11 +10,8 @@
 
 namespace {
 
-/// Sides of the quads, in pixels: half the distance of samples.
-constexpr double quad_size = 0.5;
-
-/// Quads along a grid at most: 16 pixels, as large as the paper's grids, and within the 32 steps
-/// for which walks are certified.
+/// Quads along a grid at most: with two quads a pixel these are 16 pixels, as large as the paper's
+/// grids. They are within the 32 steps for which walks are certified.
 constexpr int most_quads = 32;
 
 /// Cuts of a patch at most. 2^16 pieces of 32 x 32 quads are sixty million.
@@ -41,10 +38,10 @@ std::array<double, 2> lengths_of(const l3d_image_patch& net) {
     return longest;
 }
 
-int quads_along(double length) {
-    return length < quad_size * (1 << 20)
-               ? std::max(1, static_cast<int>(std::ceil(length / quad_size)))
-               : 1 << 20;
+int quads_along(double length, int a_pixel) {
+    constexpr int most = 1 << 20;
+    return length * a_pixel < most ? std::max(1, static_cast<int>(std::ceil(length * a_pixel)))
+                                   : most;
 }
 
 } // namespace
@@ -69,7 +66,8 @@ void l3d_micropolygon_dicer::dice_piece(const l3d_surface_piece& p, task& of) {
     if (p.depth > 0 && l3d_outside(p.net.points, of.view.margin(), of.view.near, of.view.far))
         return drawer_.close_hidden(p, of.out.next());
     const auto [length_u, length_v] = lengths_of(p.net);
-    const int wanted_u = quads_along(length_u), wanted_v = quads_along(length_v);
+    const int wanted_u = quads_along(length_u, quads_a_pixel_);
+    const int wanted_v = quads_along(length_v, quads_a_pixel_);
     if (std::max(wanted_u, wanted_v) > most_quads && of.cuts_left > 0)
         return cut(p, wanted_u >= wanted_v, of);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_micropolygon_dicer: quads of half a pixel.
+// l3d_micropolygon_dicer: quads smaller than pixels.
 #ifndef L3D_COMPARE_MICROPOLYGON_DICER_H
 #define L3D_COMPARE_MICROPOLYGON_DICER_H
 
@@ -11,16 +11,19 @@
 #include "dice/piece_drawer.h"
 #include "dice/surface_piece.h"
 
-/// Bound, split, dice, as in REYES. A patch is cut until a grid of half-pixel quads over a piece is
+/// Bound, split, dice, as in REYES. A patch is cut until a grid of such quads over a piece is
 /// small. Then it is diced by forward differences into that grid. How large the error may be is not
 /// asked; it comes out small, and is certified like that of every grid.
 ///
 /// Pieces and neighbours meet along edge polylines that are finer than the tolerance asks for, so
 /// there are no cracks, which the paper leaves open.
-/// Cost:   25 ns a quad, some ten quads a pixel.
+/// Cost:   25 ns a quad, some ten quads a pixel with two along each.
 /// Source: Cook, Carpenter, Catmull, The Reyes Image Rendering Architecture, SIGGRAPH 1987.
 class l3d_micropolygon_dicer {
 public:
+    /// The paper has two quads along a pixel, half the distance of samples. Expects: >= 1.
+    explicit l3d_micropolygon_dicer(int quads_a_pixel = 2) : quads_a_pixel_(quads_a_pixel) {}
+
     /// Expects: l3d_needs_no_clipping(net, view).
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_diced_pieces& out, l3d_dice_counts& counts);
@@ -36,6 +39,7 @@ private:
     void dice_piece(const l3d_surface_piece& p, task& of);
     void cut(const l3d_surface_piece& p, bool along_u, task& of);
 
+    int quads_a_pixel_;
     l3d_edge_polylines edges_;
     l3d_piece_drawer<l3d_real> drawer_;
 };

@@ -27,9 +27,10 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("camspikes",
-                        std::string("Spikes, and a camera that flies.\n") + l3d_world_keys,
-                        {320, 200});
+    l3d_program program(
+        "camspikes",
+        l3d_caption{.what = "Spikes come at a camera that you can fly.", .keys = l3d_world_keys()},
+        {960, 600});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         auto canvas = program.create_canvas();

@@ -4,6 +4,9 @@
 #include <l3d/pipeline_world.h>
 #include <l3d/program.h>
 
+#include <utility>
+#include <vector>
+
 namespace {
 
 class clipz_world final : public l3d_world {
@@ -46,11 +49,13 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
+    std::vector<l3d_caption_row> keys = l3d_world_keys();
+    keys.push_back({"o", "draw far spikes first, or as they come"});
     l3d_program program("clipz",
-                        std::string("Spikes cut by a near plane: press 0 and fly into one. o draws "
-                                    "far ones first.\n") +
-                            l3d_world_keys,
-                        {320, 200});
+                        l3d_caption{.what = "Spikes cut by a near plane. Stop them with 0, and fly "
+                                            "into one.",
+                                    .keys = std::move(keys)},
+                        {960, 600});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         auto canvas = program.create_canvas();

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // dots: dots in space, in true perspective: a runway, stars, or snow.
+#include "dot.h"
+
 #include <l3d/random.h>
 #include <l3d/camera_left_handed.h>
 #include <l3d/pipeline_2d.h>
@@ -90,8 +92,8 @@ private:
         rasterizer.clear_buffer();
         for (const point& dot : dots_) {
             const auto pixel = camera.project(dot, size());
-            rasterizer.draw_point(static_cast<int>(std::floor(pixel.x)),
-                                  static_cast<int>(std::floor(pixel.y)), 0xffffff);
+            draw_dot(rasterizer, std::floor(pixel.x), std::floor(pixel.y), dot_side(size()),
+                     0xffffff);
         }
     }
 
@@ -104,7 +106,7 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("dots", "Dots in space. Keys: F11, q.", {320, 240});
+    l3d_program program("dots", l3d_caption{"Dots in space, in true perspective."}, {960, 720});
     const runway a_runway;
     const stars some_stars;
     const snow some_snow;

@@ -57,7 +57,12 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("drawdot", "A dot leaves a trail. Keys: h j k l, p, F11, q.", {320, 200});
+    l3d_program program(
+        "drawdot",
+        l3d_caption{.what = "A dot leaves a trail.",
+                    .keys = {{"h, j, k, l", "left, down, up, right"}, {"p, space", "rest"}},
+                    .help = "?"},
+        {640, 400});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         drawdot_pipeline pipeline(program.create_canvas());

@@ -51,8 +51,10 @@ public:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("fltsim", std::string("A flight among pyramids.\n") + l3d_world_keys,
-                        {640, 400});
+    l3d_program program("fltsim",
+                        l3d_caption{.what = "A flight among pyramids, one of them from a plug-in.",
+                                    .keys = l3d_world_keys()},
+                        {960, 600});
     std::string plugin;
     program.options().add("--plugin", plugin,
                           "one object more, by a shared library; without it, l3d's pyramid.so",

@@ -4,6 +4,7 @@
 #include <l3d/text.h>
 #include <l3d/program.h>
 
+#include <algorithm>
 #include <iostream>
 #include <string>
 
@@ -81,9 +82,10 @@ private:
             return;
         }
         rasterizer.clear_buffer();
-        l3d_draw_text(rasterizer, x_, y_, "Hello, X!", 0xFFFFFF, 2);
+        const int scale = std::max(1, size().height / 200); // legible in large windows
+        l3d_draw_text(rasterizer, x_, y_, "Hello, X!", 0xFFFFFF, 2 * scale);
         if (lesson_ == lesson::event)
-            l3d_draw_text(rasterizer, 50, 50, last_event_, 0x00FF80);
+            l3d_draw_text(rasterizer, 50 * scale, 50 * scale, last_event_, 0x00FF80, scale);
     }
 
     lesson lesson_;
@@ -96,8 +98,7 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("hello", "A window, and what there is to learn about it. Keys: F11, q.",
-                        {320, 200});
+    l3d_program program("hello", l3d_caption{"A window, and what happens to it."}, {640, 400});
     lesson which = lesson::window;
     program.options().add_choice(
         "--lesson", which, "a greeting; what happens to the window; words of random colours",

@@ -24,7 +24,8 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("mesaflat", "Triangles by software GL pile up. Keys: F11, q.", {640, 480});
+    l3d_program program("mesaflat", l3d_caption{"Triangles, drawn by software GL, pile up."},
+                        {640, 480});
     program.options().prefer_backend("mesa");
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3

@@ -33,8 +33,7 @@ public:
             if (polygons_.pipeline() == l3d_pipeline_kind::afd) {
                 const l3d_afd_settings settings = afd_.settings();
                 const l3d_camera camera = afd_.camera();
-                return show<l3d_pipeline_afd_viewer>(parts_.applied(afd_.model()), camera,
-                                                     settings);
+                return show<l3d_pipeline_afd_viewer>(parts_.scene(afd_.model()), camera, settings);
             }
             const l3d_polygon_settings settings = polygons_.settings();
             const l3d_camera camera = afd_.camera();
@@ -58,6 +57,10 @@ private:
         const auto dispatcher = program_.create_dispatcher(); // step 3
         l3d_viewer<Pipeline> pipeline(program_, afd_, program_.create_canvas(afd_.model_title()),
                                       arguments...);
+        // Half a sheet is a riddle, and what turns its back is a black picture.
+        if constexpr (requires { pipeline.turns_its_back(); })
+            if (pipeline.settings().cull && pipeline.turns_its_back())
+                pipeline.settings().cull = false;
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         const l3d_exit result = dispatcher->start();   // step 5
         pipeline.finish();

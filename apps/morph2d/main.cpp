@@ -4,7 +4,9 @@
 #include <l3d/ticker.h>
 #include <l3d/polygon_2d_flatshaded.h>
 #include <l3d/program.h>
+#include <l3d/transform.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -42,7 +44,18 @@ private:
         rasterizer.clear_buffer();
         // Whole, not clipped beforehand: the rasterizer cuts it off at the window without moving
         // an edge.
-        polygon_.draw(morph_.list(), rasterizer);
+        vertex_list& vertices = morph_.list();
+        for (auto& vertex : vertices.fixed()) {
+            vertex.reset();
+            vertex.transform(scaling(), 1);
+        }
+        polygon_.draw(vertices, rasterizer);
+    }
+
+    /// The forms are for a picture of 320 x 200, and as much larger as this one is.
+    l3d_matrix<l3d_real> scaling() {
+        const double scale = std::min(size().width / 320.0, size().height / 200.0);
+        return l3d_scaling<l3d_real>(scale, scale, 1);
     }
 
     const std::array<vertex_list, 4> forms_{form({{100, 100}, {200, 150}, {150, 200}, {50, 120}}),
@@ -58,7 +71,8 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("morph2d", "A polygon changes its form. Keys: F11, q.", {320, 200});
+    l3d_program program("morph2d", l3d_caption{"A polygon on its way through four forms."},
+                        {960, 600});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         morph2d_pipeline pipeline(program.create_canvas());

@@ -60,8 +60,11 @@ public:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("objcopy", std::string("A pyramid in two halves.\n") + l3d_world_keys,
-                        {640, 400});
+    l3d_program program(
+        "objcopy",
+        l3d_caption{.what = "A pyramid and its copy, cut into two halves by a plane.",
+                    .keys = l3d_world_keys()},
+        {960, 600});
     bool capped = false;
     program.options().add("--cap", capped, "close the halves where they were cut");
     return program.run(argc, argv, [&] {                     // step 1: choose factories

@@ -5,7 +5,8 @@
 
 // Step 2 of 5: the application is a pipeline, that of spikes; these tumble.
 int main(int argc, char** argv) {
-    l3d_program program("rotspikes", "Spikes fly past and tumble. Keys: F11, q.", {320, 200});
+    l3d_program program("rotspikes", l3d_caption{"Spikes tumble and fly past the viewer."},
+                        {960, 600});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         spikes_pipeline pipeline(program.create_canvas(), program.seed(),

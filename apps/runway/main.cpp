@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // runway: three rows of dots at different speeds look like depth, and are not.
+#include "../dots/dot.h"
+
 #include <l3d/pipeline_2d.h>
 #include <l3d/ticker.h>
 #include <l3d/program.h>
@@ -23,15 +25,15 @@ public:
 
 private:
     void draw(l3d_rasterizer_2d& rasterizer) override {
+        const int side = dot_side(size()), width = size().width / side;
         rasterizer.clear_buffer();
         for (const row& r : rows)
-            for (int x = 0; x + r.spacing <= size().width; x += r.spacing)
-                rasterizer.draw_point(moved(x, r), r.y, 0xffffff);
+            for (int x = 0; x + r.spacing <= width; x += r.spacing)
+                draw_dot(rasterizer, side * moved(x, r, width), side * r.y, side, 0xffffff);
     }
 
     /// To the left, and in again from the right.
-    int moved(int x, const row& r) {
-        const int width = size().width;
+    int moved(int x, const row& r, int width) const {
         const auto gone = static_cast<int>(updates_ / r.updates_per_pixel % width);
         return (x - gone + width) % width;
     }
@@ -43,7 +45,9 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("runway", "Dots in three rows. Keys: F11, q.", {320, 200});
+    l3d_program program("runway",
+                        l3d_caption{"Dots in three rows of different speeds look like a plain."},
+                        {960, 600});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         runway_pipeline pipeline(program.create_canvas());

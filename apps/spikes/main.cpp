@@ -5,7 +5,7 @@
 
 // Step 2 of 5: the application is a pipeline; rotspikes has the same.
 int main(int argc, char** argv) {
-    l3d_program program("spikes", "Spikes fly past. Keys: F11, q.", {320, 200});
+    l3d_program program("spikes", l3d_caption{"Spikes fly past the viewer."}, {960, 600});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         spikes_pipeline pipeline(program.create_canvas(), program.seed(), spike_kind{});

@@ -1,53 +1,58 @@
 // SPDX-License-Identifier: MIT
-// The report: what is measured, in which order.
+// The report: what is measured, in which order, and into which files.
 #include "error_report.h"
 
-#include "curve_measure.h"
 #include "error_picture.h"
-#include "frame_measure.h"
-#include "report_files.h"
-#include "report_plots.h"
+#include "report_curves.h"
+#include "report_plan.h"
+#include "report_rows.h"
 
-#include <l3d/rasterizer_factory_sw.h>
-#include <l3d/surface_method.h>
+#include "raster/parallel/simd_target.h"
 #include <l3d/error.h>
+#include <l3d/places.h>
+#include <l3d/rasterizer_factory_sw.h>
+#include <l3d/real.h>
+#include <l3d/surface_method.h>
+#include <l3d/version.h>
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
+#include <fstream>
+#include <optional>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
 
 namespace {
 
-/// Says how far the report is: "[12/80] full, afd float, 0.25 px".
+/// Says how far the report is, and how long it may still take: "[12/80, 35 s, 200 s to go] ...".
 class progress {
 public:
-    explicit progress(std::size_t all) : all_(all) {}
+    progress(std::size_t all, std::size_t known) : all_(all), known_(known), done_(known) {}
+
     void next(const std::string& what) {
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        std::fprintf(stderr, "[%zu/%zu, %.0f s] %s\n", ++done_, all_, seconds, what.c_str());
+        const auto measured = static_cast<double>(done_ - known_);
+        const auto left = static_cast<double>(all_ - done_);
+        std::fprintf(stderr, "[%zu/%zu, %.0f s", ++done_, all_, seconds);
+        if (measured > 0)
+            std::fprintf(stderr, ", %.0f s to go", seconds / measured * left);
+        std::fprintf(stderr, "] %s\n", what.c_str());
     }
 
 private:
-    std::size_t all_, done_ = 0;
+    std::size_t all_, known_, done_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
-
-using settings = std::vector<measured_setting>;
-
-void add_tolerances(settings& to, l3d_method method, const std::vector<double>& tolerances,
-                    l3d_arithmetic arithmetic = l3d_real_arithmetic()) {
-    for (const double tolerance : tolerances)
-        to.push_back({{method, 0, arithmetic}, tolerance});
-}
-
-void add_numbers(settings& to, l3d_method method, const std::vector<int>& numbers,
-                 l3d_arithmetic arithmetic = l3d_real_arithmetic()) {
-    constexpr double unused = 0.25;
-    for (const int n : numbers)
-        to.push_back({{method, n, arithmetic}, unused});
-}
 
 bool has_mesa() {
     try {
@@ -61,75 +66,110 @@ bool has_mesa() {
     }
 }
 
-/// Arithmetics make no difference that depends on the view, so they are compared in one.
-settings all_settings(bool quick, bool gl_is_there, bool all_arithmetics) {
-    using enum l3d_method;
-    using enum l3d_arithmetic;
-    const std::vector<double> fine = quick ? std::vector<double>{1, 0.25, 0.1}
-                                           : std::vector<double>{2, 1, 0.5, 0.25, 0.1, 0.05, 0.02};
-    const std::vector<double> usual =
-        quick ? std::vector<double>{0.5, 0.1} : std::vector<double>{1, 0.5, 0.25, 0.1, 0.05};
-    settings result;
-    add_tolerances(result, afd, fine);
-    add_tolerances(result, fd, usual);
-    if (all_arithmetics) {
-        for (const auto arithmetic : {float_32, float_64, fixed_32_32})
-            if (arithmetic != l3d_real_arithmetic())
-                add_tolerances(result, afd, fine, arithmetic);
-        for (const auto arithmetic : {float_32, float_64, fixed_16_16, block_32, fixed_32_32})
-            if (arithmetic != l3d_real_arithmetic())
-                add_tolerances(result, fd, usual, arithmetic);
-        add_numbers(result, fd,
-                    quick ? std::vector{8, 32, 128} : std::vector{4, 8, 16, 32, 64, 128, 256},
-                    fixed_16_16);
-    }
-    add_tolerances(result, subdivision, usual);
-    add_numbers(result, tessellation,
-                quick ? std::vector{8, 32} : std::vector{4, 8, 16, 32, 64, 128});
-    add_tolerances(result, micropolygons, {0.25});
-    add_tolerances(result, isocurves, {0.25});
-    add_tolerances(result, scanline, quick ? std::vector{0.25} : std::vector{1.0, 0.25, 0.05});
-    add_numbers(result, voxels, quick ? std::vector{128} : std::vector{64, 128, 256, 512});
-    if (gl_is_there)
-        add_tolerances(result, mesa, usual);
-    return result;
+std::string processor() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name"))
+            return line.substr(line.find(':') + 2);
+    return "unknown processor";
 }
 
-struct named_camera {
-    const char* name;
-    l3d_camera camera;
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    std::array<char, 32> text{};
+    std::tm utc{};
+    std::strftime(text.data(), text.size(), "%Y-%m-%d", ::gmtime_r(&now, &utc));
+    return text.data();
+}
+
+/// What all rows have in common.
+nlohmann::ordered_json machine(l3d_size size, bool quick) {
+    return {{"processor", processor()},
+            {"processors", std::thread::hardware_concurrency()},
+            {"simd", l3d_simd_target()},
+            {"compiler", __VERSION__},
+            {"real", l3d_real_name()},
+            {"version", L3D_VERSION_TEXT},
+            {"width", size.width},
+            {"height", size.height},
+            {"quick", quick}};
+}
+
+/// The file of a picture of where the error sits, if there is to be one. It is that of ours, and
+/// that of a mesh of about the same cost.
+const char* pictured(const measured_setting& what) {
+    const l3d_method_choice& method = what.method;
+    if (method.method == l3d_method::afd && what.tolerance == 0.25 &&
+        method.arithmetic == l3d_real_arithmetic())
+        return "error_afd.png";
+    return method.method == l3d_method::tessellation && method.resolution == 16 &&
+                   what.as == drawn_as::patches
+               ? "error_tessellation.png"
+               : nullptr;
+}
+
+/// The pages, by the script that is installed beside the program.
+void make_pages(const std::string& folder) {
+    const std::string script = l3d_data_folder() + "/report_pages.py";
+    std::array<std::string, 3> words{"python3", script, folder};
+    std::array<char*, 4> arguments{words[0].data(), words[1].data(), words[2].data(), nullptr};
+    pid_t child = 0;
+    int status = 0;
+    if (::posix_spawnp(&child, "python3", nullptr, nullptr, arguments.data(), environ) != 0 ||
+        ::waitpid(child, &status, 0) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+        std::fprintf(stderr, "the pages are not made; the numbers are in %s; try: python3 %s %s\n",
+                     folder.c_str(), script.c_str(), folder.c_str());
+}
+
+/// Measures the rows that are not known yet.
+class measurer {
+public:
+    measurer(const std::string& folder, bool quick, l3d_size size, row_store& rows, progress& at)
+        : folder_(folder), quick_(quick), size_(size), rows_(rows), at_(at) {}
+
+    void measure(const planned_model& of, const report_view& from, bool has_pictures) {
+        std::optional<measured_view> view;
+        for (const measured_setting& setting : of.settings) {
+            const row_name name{of.model.name, from.name, setting.series(), setting.label()};
+            if (rows_.has(name))
+                continue;
+            if (!view)
+                view.emplace(from.name, of.model.model, from.camera, size_);
+            at_.next(name.model + ", " + name.view + ", " + name.series + ", " + name.label);
+            const double seconds = quick_ ? 0.02 : 0.1;
+            const int distances = quick_ ? 30 : 60; // some 5 ms each
+            measured_frames measured = measure_frames(*view, setting, seconds, distances);
+            measured.row.model = name.model;
+            if (const char* const file = has_pictures ? pictured(setting) : nullptr)
+                write_error_picture(folder_ + '/' + file, measured.errors, size_,
+                                    std::max(measured.row.percentile_px, 1e-3));
+            rows_.add(measured.row);
+        }
+    }
+
+private:
+    const std::string& folder_;
+    bool quick_;
+    l3d_size size_;
+    row_store& rows_;
+    progress& at_;
 };
 
-std::vector<named_camera> cameras_of(const l3d_camera& camera, bool project_views) {
-    if (!project_views)
-        return {{"view", camera}};
-    return {
-        {"full", {{3.2, 3.6, 7.4}, {0.2, 1.3, 0.0}, {0.0, 1.0, 0.0}, 38, 0.1, 1e13}},
-        {"closeup", {{1.2, 2.6, 4.4}, {-0.3, 1.5, 0.0}, {0.0, 1.0, 0.0}, 45, 0.1, 1e13}},
-        {"top", {{1.5, 7.5, 3.0}, {0.2, 1.2, 0.0}, {0.0, 1.0, 0.0}, 35, 0.1, 1e13}},
-    };
-}
-
-curve_results measure_curves(bool quick) {
-    const int curves = quick ? 40 : 400;
-    std::vector<int> steps;
-    for (int n = 4; n <= (quick ? 1024 : 8192); n *= 2)
-        steps.push_back(n);
-    std::vector<int> few;
-    for (int n = 1; n <= 256; n *= 2)
-        few.push_back(n);
-    curve_results result;
-    result.curves = curves;
-    result.growth = measure_growth(1024, steps, curves);
-    result.chords = measure_chords(1024, few, curves);
-    result.steps = measure_steps(1024, 5, curves);
-    constexpr double chang_range = 1024, rappoport_range = 131072;
-    const int limit = 1 << (quick ? 11 : 14);
-    for (const curve_numbers numbers : all_curve_numbers)
-        result.limits.push_back(
-            {numbers, most_steps_below_a_pixel(numbers, chang_range, limit, curves / 4),
-             most_steps_below_a_pixel(numbers, rappoport_range, limit, curves / 4)});
-    return result;
+std::vector<planned_model> plan_of(const l3d_patch_model& model, const l3d_camera& camera,
+                                   const error_report_scope& scope, bool mesa) {
+    std::vector<report_model> models;
+    if (scope.project_models)
+        models = report_models();
+    else
+        models.push_back({"model", model, {{"view", camera}}});
+    if (scope.quick) {
+        constexpr std::size_t few = 2;
+        models.resize(std::min(models.size(), few));
+        for (report_model& each : models)
+            each.views.resize(1);
+    }
+    return report_plan(std::move(models),
+                       {scope.quick, mesa, scope.project_models && !scope.quick});
 }
 
 } // namespace
@@ -144,40 +184,30 @@ void write_error_report(const std::string& folder, const l3d_patch_model& model,
         std::fprintf(stderr, "no software GL: the method mesa is left out\n");
     if (scope.quick)
         size = {size.width / 3, size.height / 3};
-    const settings first = all_settings(scope.quick, mesa, true);
-    const settings others = all_settings(scope.quick, mesa, false);
-    const auto cameras = cameras_of(camera, scope.project_views);
-    const double seconds = scope.quick ? 0.02 : 0.15;
-    const int distances = scope.quick ? 30 : 60; // some 5 ms each
+    const auto plan = plan_of(model, camera, scope, mesa);
+    std::vector<row_name> names;
+    for (const planned_model& each : plan)
+        for (const report_view& view : each.model.views)
+            for (const measured_setting& setting : each.settings)
+                names.push_back({each.model.name, view.name, setting.series(), setting.label()});
 
-    report_contents report;
-    report.size = size;
-    report.quick = scope.quick;
-    progress at(first.size() + 1 + (cameras.size() - 1) * (others.size() + 1) + 1);
-    for (const named_camera& each : cameras) {
-        at.next(std::string(each.name) + ": the exact picture");
-        const measured_view view(each.name, model, each.camera, size);
-        for (const measured_setting& setting : report.frames.empty() ? first : others) {
-            at.next(std::string(each.name) + ", " + setting.series() + ", " + setting.label());
-            frame_result& row =
-                report.frames.emplace_back(measure_frames(view, setting, seconds, distances));
-            const bool is_pictured =
-                (setting.method.method == l3d_method::afd && setting.tolerance == 0.25 &&
-                 setting.method.arithmetic == l3d_real_arithmetic()) ||
-                (setting.method.method == l3d_method::tessellation &&
-                 setting.method.resolution == (scope.quick ? 8 : 16));
-            if (is_pictured && report.frames.front().view == row.view) {
-                const std::string file = "error_" + std::to_string(report.pictures.size()) + ".png";
-                const double legend = std::max(row.percentile_px, 1e-3);
-                write_error_picture(folder + '/' + file, row.errors, size, legend);
-                report.pictures.push_back({file, row.series + ", " + row.label});
-            }
-            row.errors = {};
-        }
-    }
+    nlohmann::ordered_json facts = machine(size, scope.quick);
+    row_store rows(folder, facts.dump());
+    const auto known = static_cast<std::size_t>(std::count_if(
+        names.begin(), names.end(), [&](const auto& name) { return rows.has(name); }));
+    if (known > 0)
+        std::fprintf(stderr, "%zu of %zu rows are there already\n", known, names.size());
+    progress at(names.size() + 1, known);
+    measurer measuring(folder, scope.quick, size, rows, at);
+    for (const planned_model& each : plan)
+        for (const report_view& view : each.model.views)
+            measuring.measure(each, view,
+                              &each == &plan.front() && &view == &each.model.views.front());
     at.next("curves");
-    report.curves = measure_curves(scope.quick);
-    write_report_files(folder, report);
-    draw_report_plots(folder, report);
+    write_curve_tables(folder, scope.quick);
+    facts["date"] = today();
+    write_text(folder + "/machine.json", facts.dump(1) + '\n');
+    rows.finish(names);
+    make_pages(folder);
     std::fprintf(stderr, "%s/report.md\n", folder.c_str());
 }

@@ -10,15 +10,19 @@
 #include <string>
 
 struct error_report_scope {
-    bool project_views = false; ///< full, closeup and top, instead of one camera
-    bool quick = false;         ///< small pictures, fewer settings, shorter times
+    bool project_models = false; ///< the project's five models in three views, not the given one
+    bool quick = false;          ///< small pictures, fewer models, settings and frames
 };
 
-/// Measures all methods and arithmetics in each view, and cubic curves besides. Writes three kinds
-/// of files into a folder. They are tables (.md, .csv, .json), diagrams (.svg, .png; by gnuplot, if
-/// it is there), and pictures of where the error sits (.png). Says on stderr what it is doing.
+/// Measures all methods and arithmetics in each view, and cubic curves besides. Writes numbers into
+/// a folder (.csv, .json), and pictures of where the error sits (.png). Then a script makes pages
+/// and diagrams of the numbers: report.md, report.html, .svg and .png. Says on stderr what it is
+/// doing.
 ///
-/// Errors: l3d_error(failure) that names what cannot be written.
+/// A report that was stopped goes on where it was if it is begun again with the same folder.
+///
+/// Errors: l3d_error(failure) that names what cannot be written. Without python3 or gnuplot it says
+///         so, and the numbers are there all the same.
 void write_error_report(const std::string& folder, const l3d_patch_model& model,
                         const l3d_camera& camera, l3d_size size, const error_report_scope& scope);
 

@@ -25,6 +25,10 @@ public:
     const l3d_camera& camera() const { return camera_; }
     l3d_size size() const { return size_; }
 
+    /// The grey levels of the exact picture, row by row, in the usual light; 0 where nothing is.
+    const std::vector<unsigned char>& levels() const { return levels_; }
+    const reference::exact_image& exact() const { return exact_; }
+
     /// Shape: distances row by row.
     reference::error_map errors(const std::vector<float>& distances, int most_distances) const {
         return reference::map_errors(distances, exact_, region_, most_distances);
@@ -38,39 +42,49 @@ private:
     std::vector<reference::patch> patches_;
     reference::exact_image exact_;
     reference::exact_region region_;
+    std::vector<unsigned char> levels_;
 };
 
-/// The subject of a measurement: a method and its tolerance.
+/// How a picture is made: by a method that draws patches, or as polygons.
+enum class drawn_as { patches, zsort, zbuffer };
+
+/// The subject of a measurement: a method and its tolerance, or a pipeline of polygons. Of
+/// polygons, the method's resolution says into how many quads a patch is cut.
 struct measured_setting {
     l3d_method_choice method;
     double tolerance = 0.25;
+    drawn_as as = drawn_as::patches;
+    bool places_only = false; ///< neither depth nor shade is certified
 
     std::string series() const; ///< what its points in a diagram have in common
     std::string label() const;  ///< what sets it apart from others of its series
 };
 
-/// A row of the report.
+/// A row of the report. What is not known is NaN.
 struct frame_result {
-    std::string view, series, label;
+    std::string model, view, series, label;
+    std::int64_t patches = 0;                         ///< of the model
     double least_ms = 0, median_ms = 0, first_ms = 0; ///< of a frame; of the very first
     int frames = 0;
     std::int64_t samples = 0, quads = 0, failures = 0;
     double bound_px = 0;                                   ///< infinite: none
     double outline_px = 0;                                 ///< measured, the largest
     double largest_px = 0, mean_px = 0, percentile_px = 0; ///< of depth; 999 of 1000 are below
-    double judged = 0; ///< part of the covered pixels whose depth was compared
+    double judged = 0;     ///< part of the covered pixels whose depth was compared
+    double rms_levels = 0; ///< of the picture's greys, over what either picture covers
     std::int64_t holes = 0;
-    reference::error_map errors; ///< kept for pictures
+};
 
-    /// The error that a diagram shows: the larger of the outline's and of the 99.9th percentile of
-    /// depth.
-    double shown_px() const { return outline_px > percentile_px ? outline_px : percentile_px; }
+/// A row, and where each pixel's error sits.
+struct measured_frames {
+    frame_result row;
+    reference::error_map errors;
 };
 
 /// Draws the view again and again on one thread for about so long, from eyes that are never twice
 /// at the same place. Then it draws the view itself, which is compared with the exact one. At most
 /// some `most_distances` pixels of outlines are measured.
-frame_result measure_frames(const measured_view& view, const measured_setting& setting,
-                            double seconds, int most_distances);
+measured_frames measure_frames(const measured_view& view, const measured_setting& setting,
+                               double seconds, int most_distances);
 
 #endif

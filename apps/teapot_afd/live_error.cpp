@@ -80,9 +80,9 @@ void live_error::run(bool is_modest) {
             view_.emplace("", model_, task.camera, task.size);
         std::vector<live_result> results;
         for (const auto& distances : task.distances) {
-            const auto errors = view_->errors(distances, most_distances);
-            results.push_back(
-                {largest_of(errors.outline), largest_of(errors.depth), errors.depth_share()});
+            auto errors = view_->errors(distances, most_distances);
+            results.push_back({largest_of(errors.outline), largest_of(errors.depth),
+                               errors.depth_share(), std::move(errors)});
         }
         lock.lock();
         results_ = std::move(results);

@@ -19,6 +19,8 @@ struct live_result {
     double depth_px = 0;
     /// The part of the exact picture's pixels whose depth was compared.
     double judged = 0;
+    /// All errors, pixel by pixel.
+    reference::error_map map;
 };
 
 /// Pictures of one view, drawn in several ways.

@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
         return false;
     });
     return program.run(argc, argv, [&] { // step 1: choose factories
-        const l3d_patch_model model = parts.applied(afd.model());
+        const l3d_patch_scene scene = parts.scene(afd.model());
         const auto dispatcher = program.create_dispatcher(); // step 3
         const auto show = [&](auto& pipeline, l3d_screen& screen) {
             dispatcher->plug(pipeline, screen);          // step 4
@@ -76,14 +76,16 @@ int main(int argc, char** argv) {
         };
         l3d_canvas canvas = program.create_canvas(afd.model_title());
         if (other) {
-            comparing_pipeline pipeline(program, afd, std::move(canvas), model, camera, settings,
-                                        *other);
+            if (scene.transparent_count() > 0)
+                throw l3d_error(l3d_exit::usage, "--opacity: not with --compare");
+            comparing_pipeline pipeline(program, afd, std::move(canvas),
+                                        scene.instances()[0].model(), camera, settings, *other);
             pipeline.controls().set_screenshot([&pipeline](const l3d_pixels&) {
                 return l3d_save_screenshot(pipeline.whole().pixels());
             });
             return show(pipeline, pipeline.whole());
         }
-        teapot_pipeline pipeline(program, afd, std::move(canvas), model, camera, settings,
+        teapot_pipeline pipeline(program, afd, std::move(canvas), scene, camera, settings,
                                  *method.choice());
         return show(pipeline, pipeline.screen());
     });

@@ -1,16 +1,101 @@
 // SPDX-License-Identifier: MIT
-// method_viewer: the key, and what a method cannot show.
+// method_viewer: the key, what a method cannot show, and the error measured.
 #include "method_viewer.h"
 
+#include "dice/error_color.h"
 #include <l3d/error.h>
 
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
-method_viewer::method_viewer(l3d_canvas canvas, l3d_patch_scene scene, const l3d_camera& camera,
-                             const l3d_afd_settings& settings, const l3d_method_choice& first)
-    : l3d_pipeline_afd_viewer(std::move(canvas), std::move(scene), camera, settings),
-      method_(first) {
+method_viewer::method_viewer(l3d_canvas canvas, const l3d_patch_model& model,
+                             const l3d_camera& camera, const l3d_afd_settings& settings,
+                             const l3d_method_choice& first)
+    : l3d_pipeline_afd_viewer(std::move(canvas), model, camera, settings), method_(first),
+      model_(model) {
     controls().add({"m", "another method", {{'m', [this] { take_next_method(); }}}});
+}
+
+bool method_viewer::shows_error() const {
+    return settings().shade == l3d_shade::error && !settings().wireframe;
+}
+
+method_viewer::subject method_viewer::now() {
+    return {camera(), screen().pixels().size(), settings().tolerance, method_.name()};
+}
+
+/// A window goes on, and shows errors when they are known. Pictures in files have them at once.
+void method_viewer::draw_event() {
+    if (!shows_error())
+        return l3d_pipeline_afd_viewer::draw_event();
+    settings().depth = true;
+    take_errors();
+    l3d_pipeline_afd_viewer::draw_event();
+    measure();
+    if (!screen().is_window()) {
+        live_->wait();
+        take_errors();
+        l3d_pipeline_afd_viewer::draw_event();
+    }
+}
+
+bool method_viewer::needs_redraw() const {
+    return l3d_pipeline_afd_viewer::needs_redraw() || (live_ && live_->has_results());
+}
+
+/// What is being measured wants to be shown when it is known.
+bool method_viewer::is_at_rest() const {
+    return l3d_pipeline_afd_viewer::is_at_rest() && (!live_ || live_->is_idle());
+}
+
+/// Begins to, unless an older picture is still being measured or this one was.
+void method_viewer::measure() {
+    if (!live_)
+        live_.emplace(model_, screen().is_window());
+    if (begun_ == now() || !live_->is_idle())
+        return;
+    begun_ = now();
+    live_->begin({begun_.camera, begun_.size, {l3d_distances(depth())}});
+}
+
+void method_viewer::take_errors() {
+    if (!live_ || !live_->has_results())
+        return;
+    errors_ = std::move(live_->take_results().front().map);
+    measured_ = begun_;
+    redraw();
+}
+
+void method_viewer::draw_overlay() {
+    if (shows_error() && errors_ && measured_ == now())
+        paint_errors();
+    l3d_pipeline_afd_viewer::draw_overlay();
+}
+
+/// Where surfaces are, and where an outline's error was measured.
+void method_viewer::paint_errors() {
+    constexpr std::uint32_t not_measured = 0x00606060;
+    const std::vector<float> distances = l3d_distances(depth());
+    const l3d_pixels target = pixels();
+    std::size_t k = 0;
+    for (int y = 0; y < target.height; ++y)
+        for (std::uint32_t& word : target.row(y)) {
+            const float at_depth = errors_->depth[k], at_outline = errors_->outline[k];
+            const float error = std::isnan(at_depth) ? at_outline : at_depth;
+            if (std::isfinite(distances[k]))
+                word = std::isnan(error)
+                           ? not_measured
+                           : l3d_error_color(static_cast<double>(error), settings().tolerance);
+            ++k;
+        }
+}
+
+std::string method_viewer::error_scale_title() const {
+    return errors_ ? "measured error, in pixels; grey: not known"
+                   : l3d_pipeline_afd_viewer::error_scale_title();
 }
 
 void method_viewer::take_next_method() {

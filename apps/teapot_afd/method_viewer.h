@@ -1,22 +1,59 @@
 // SPDX-License-Identifier: MIT
-// method_viewer: the viewer of patches, with a key that steps through the methods.
+// method_viewer: the viewer of patches, with a key that steps through the methods, and the error.
 #ifndef L3D_APPS_TEAPOT_AFD_METHOD_VIEWER_H
 #define L3D_APPS_TEAPOT_AFD_METHOD_VIEWER_H
+
+#include "live_error.h"
 
 #include "compare/method_choice.h"
 #include <l3d/pipeline_afd_viewer.h>
 
+#include <optional>
+#include <string>
+
+/// With shade `error` it shows what the exact renderer measures: how far each pixel's surface is
+/// from the exact one, on a scale that ends at the tolerance. Windows show the certified bounds
+/// until that is known. Pixels that cannot be measured, at outlines and creases, are grey.
+///
 /// Lives: as l3d_pipeline_afd_viewer.
 class method_viewer : public l3d_pipeline_afd_viewer {
 public:
     /// Expects: the settings are those of a method that l3d_method_option has chosen, `first`.
-    method_viewer(l3d_canvas canvas, l3d_patch_scene scene, const l3d_camera& camera,
+    method_viewer(l3d_canvas canvas, const l3d_patch_model& model, const l3d_camera& camera,
                   const l3d_afd_settings& settings, const l3d_method_choice& first);
 
+    void draw_event() override;
+    bool needs_redraw() const override;
+    bool is_at_rest() const override;
+
+protected:
+    void draw_overlay() override;
+    std::string error_scale_title() const override;
+
 private:
+    /// What a measurement is of.
+    struct subject {
+        l3d_camera camera;
+        l3d_size size;
+        double tolerance = 0;
+        std::string method;
+
+        friend bool operator==(const subject&, const subject&) = default;
+    };
+
     void take_next_method();
+    bool shows_error() const;
+    subject now();
+    void measure();
+    void take_errors();
+    void paint_errors();
 
     l3d_method_choice method_;
+    l3d_patch_model model_;
+    std::optional<live_error> live_; ///< begun when it is first needed
+    subject begun_;                  ///< measured last, or being measured
+    std::optional<reference::error_map> errors_;
+    subject measured_; ///< what errors_ are of
 };
 
 /// The same settings without what their method cannot show: the wireframe, and shades that need its

@@ -26,8 +26,10 @@ public:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("vidflat", std::string("A model from a file.\n") + l3d_world_keys,
-                        {400, 300});
+    l3d_program program("vidflat",
+                        l3d_caption{.what = "A model, read from a Videoscape file by a plug-in.",
+                                    .keys = l3d_world_keys()},
+                        {960, 720});
     std::string folder, plugin;
     std::string parameters = "0 0 0 1 0 0 0 1 0 0 0 1 spaceship.obj";
     program.options().add("--plugin", plugin,

@@ -49,7 +49,7 @@ private:
 
 int main(int argc, char** argv) {
     l3d_program program(
-        "xform", "Triangles, clipped by the window, and lines pile up. Keys: F11, q.", {640, 480});
+        "xform", l3d_caption{"Triangles that the window clips, and lines, pile up."}, {640, 480});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         xform_pipeline pipeline(program.create_canvas(), program.seed());

@@ -1,5 +1,5 @@
 # gnuplot arithmetic.gp
-$line0 << end
+$d0_0 << end
 4 9.86478e-05
 8 0.000646997
 16 0.00499669
@@ -13,7 +13,7 @@ $line0 << end
 4096 3449
 8192 3449.07
 end
-$line1 << end
+$d0_1 << end
 4 0.000114441
 8 0.000709534
 16 0.00531769
@@ -27,7 +27,7 @@ $line1 << end
 4096 87381.4
 8192 699051
 end
-$line2 << end
+$d0_2 << end
 4 1.13992e-05
 8 8.16516e-05
 16 0.000631738
@@ -41,7 +41,7 @@ $line2 << end
 4096 3451.7
 8192 3467.7
 end
-$line3 << end
+$d0_3 << end
 4 1.43051e-05
 8 8.86917e-05
 16 0.000664711
@@ -55,7 +55,7 @@ $line3 << end
 4096 10922.7
 8192 87381.3
 end
-$line4 << end
+$d0_4 << end
 4 6.93413e-06
 8 2.50264e-05
 16 4.39692e-05
@@ -69,7 +69,7 @@ $line4 << end
 4096 0.0051821
 8192 0.0103939
 end
-$line5 << end
+$d0_5 << end
 4 1.28746e-05
 8 3.31402e-05
 16 6.28829e-05
@@ -83,7 +83,7 @@ $line5 << end
 4096 0.0110717
 8192 0.0221394
 end
-$line6 << end
+$d0_6 << end
 4 1.31956e-09
 8 9.58005e-09
 16 7.57462e-08
@@ -97,7 +97,7 @@ $line6 << end
 4096 1.33175
 8192 10.6446
 end
-$line7 << end
+$d0_7 << end
 4 1.74623e-09
 8 1.08266e-08
 16 8.11415e-08
@@ -111,7 +111,7 @@ $line7 << end
 4096 1.33333
 8192 10.6667
 end
-$line8 << end
+$d0_8 << end
 4 0.000130268
 8 0.000385242
 16 0.000577864
@@ -125,7 +125,7 @@ $line8 << end
 4096 0.109161
 8192 0.231399
 end
-$line9 << end
+$d0_9 << end
 4 0.00276184
 8 0.00349045
 16 0.00533962
@@ -139,7 +139,7 @@ $line9 << end
 4096 1.00134
 8192 2.00134
 end
-$line10 << end
+$d0_10 << end
 4 7.95808e-13
 8 8.95284e-13
 16 9.9476e-13
@@ -153,7 +153,7 @@ $line10 << end
 4096 2.11514e-10
 8192 5.27365e-10
 end
-$line11 << end
+$d0_11 << end
 4 1.48077e-11
 8 1.61648e-11
 16 1.96092e-11
@@ -168,37 +168,63 @@ $line11 << end
 8192 3.73746e-09
 end
 set logscale xy
-set grid xtics ytics lc rgb '#dddddd'
-set format y '%g'
-set key outside right top noenhanced
-set title 'round-off of a walk, random cubics over 1024 px; dashed: theory' noenhanced
-set xlabel 'steps without a restart'
-set ylabel 'largest round-off in pixels'
-set terminal svg size 900,560 dynamic background rgb 'white'
+set grid xtics ytics lt 1 lw 1 lc rgb '#dddddd'
+set format xy '%g'
+set border 3
+set tics nomirror
+set terminal svg size 900,560 font 'sans,13' dynamic background rgb 'white'
 set output 'arithmetic.svg'
-plot $line0 using 1:2 with linespoints lw 1.5 pt 4 lc rgb '#000000' title '16.16', \
-     $line1 using 1:2 with lines dt 2 lw 1 lc rgb '#000000' notitle, \
-     $line2 using 1:2 with linespoints lw 1.5 pt 5 lc rgb '#d62728' title '32-bit block', \
-     $line3 using 1:2 with lines dt 2 lw 1 lc rgb '#d62728' notitle, \
-     $line4 using 1:2 with linespoints lw 1.5 pt 6 lc rgb '#1f77b4' title '32-bit graded', \
-     $line5 using 1:2 with lines dt 2 lw 1 lc rgb '#1f77b4' notitle, \
-     $line6 using 1:2 with linespoints lw 1.5 pt 7 lc rgb '#2ca02c' title '32.32', \
-     $line7 using 1:2 with lines dt 2 lw 1 lc rgb '#2ca02c' notitle, \
-     $line8 using 1:2 with linespoints lw 1.5 pt 8 lc rgb '#ff7f0e' title 'float', \
-     $line9 using 1:2 with lines dt 2 lw 1 lc rgb '#ff7f0e' notitle, \
-     $line10 using 1:2 with linespoints lw 1.5 pt 9 lc rgb '#9467bd' title 'double', \
-     $line11 using 1:2 with lines dt 2 lw 1 lc rgb '#9467bd' notitle
-set terminal png size 1100,680
+unset label
+unset key
+set title 'round-off of cubics over 1024 pixels: solid, measured; dashed, theory' noenhanced
+set xlabel 'steps without a restart'
+set ylabel 'largest round-off, pixels'
+set xrange [2.73208:40622.7]
+set yrange [1.00838e-13:1.26057e+07]
+set label 'double' at graph 0.8333,0.1850 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label '32-bit graded' at graph 0.8333,0.5480 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'float' at graph 0.8333,0.6151 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label '32.32' at graph 0.8333,0.6978 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label '16.16' at graph 0.8333,0.8075 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label '32-bit block' at graph 0.8333,0.8381 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+plot $d0_0 using 1:2 with linespoints lw 1.6 pt 5 ps 0.9 lc rgb '#d55e00' notitle, \
+     $d0_1 using 1:2 with lines dt 2 lw 1.4 lc rgb '#d55e00' notitle, \
+     $d0_2 using 1:2 with linespoints lw 1.6 pt 9 ps 0.9 lc rgb '#e69f00' notitle, \
+     $d0_3 using 1:2 with lines dt 2 lw 1.4 lc rgb '#e69f00' notitle, \
+     $d0_4 using 1:2 with linespoints lw 1.6 pt 11 ps 0.9 lc rgb '#e377c2' notitle, \
+     $d0_5 using 1:2 with lines dt 2 lw 1.4 lc rgb '#e377c2' notitle, \
+     $d0_6 using 1:2 with linespoints lw 1.6 pt 13 ps 0.9 lc rgb '#009e73' notitle, \
+     $d0_7 using 1:2 with lines dt 2 lw 1.4 lc rgb '#009e73' notitle, \
+     $d0_8 using 1:2 with linespoints lw 2.4 pt 7 ps 0.9 lc rgb '#000000' notitle, \
+     $d0_9 using 1:2 with lines dt 2 lw 1.4 lc rgb '#000000' notitle, \
+     $d0_10 using 1:2 with linespoints lw 1.6 pt 4 ps 0.9 lc rgb '#0072b2' notitle, \
+     $d0_11 using 1:2 with lines dt 2 lw 1.4 lc rgb '#0072b2' notitle
+set output
+set terminal pngcairo size 1100,680 font 'sans,12' background rgb 'white'
 set output 'arithmetic.png'
-plot $line0 using 1:2 with linespoints lw 1.5 pt 4 lc rgb '#000000' title '16.16', \
-     $line1 using 1:2 with lines dt 2 lw 1 lc rgb '#000000' notitle, \
-     $line2 using 1:2 with linespoints lw 1.5 pt 5 lc rgb '#d62728' title '32-bit block', \
-     $line3 using 1:2 with lines dt 2 lw 1 lc rgb '#d62728' notitle, \
-     $line4 using 1:2 with linespoints lw 1.5 pt 6 lc rgb '#1f77b4' title '32-bit graded', \
-     $line5 using 1:2 with lines dt 2 lw 1 lc rgb '#1f77b4' notitle, \
-     $line6 using 1:2 with linespoints lw 1.5 pt 7 lc rgb '#2ca02c' title '32.32', \
-     $line7 using 1:2 with lines dt 2 lw 1 lc rgb '#2ca02c' notitle, \
-     $line8 using 1:2 with linespoints lw 1.5 pt 8 lc rgb '#ff7f0e' title 'float', \
-     $line9 using 1:2 with lines dt 2 lw 1 lc rgb '#ff7f0e' notitle, \
-     $line10 using 1:2 with linespoints lw 1.5 pt 9 lc rgb '#9467bd' title 'double', \
-     $line11 using 1:2 with lines dt 2 lw 1 lc rgb '#9467bd' notitle
+unset label
+unset key
+set title 'round-off of cubics over 1024 pixels: solid, measured; dashed, theory' noenhanced
+set xlabel 'steps without a restart'
+set ylabel 'largest round-off, pixels'
+set xrange [2.73208:40622.7]
+set yrange [1.00838e-13:1.26057e+07]
+set label 'double' at graph 0.8333,0.1850 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label '32-bit graded' at graph 0.8333,0.5480 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'float' at graph 0.8333,0.6151 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label '32.32' at graph 0.8333,0.6978 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label '16.16' at graph 0.8333,0.8102 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label '32-bit block' at graph 0.8333,0.8354 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+plot $d0_0 using 1:2 with linespoints lw 1.6 pt 5 ps 0.9 lc rgb '#d55e00' notitle, \
+     $d0_1 using 1:2 with lines dt 2 lw 1.4 lc rgb '#d55e00' notitle, \
+     $d0_2 using 1:2 with linespoints lw 1.6 pt 9 ps 0.9 lc rgb '#e69f00' notitle, \
+     $d0_3 using 1:2 with lines dt 2 lw 1.4 lc rgb '#e69f00' notitle, \
+     $d0_4 using 1:2 with linespoints lw 1.6 pt 11 ps 0.9 lc rgb '#e377c2' notitle, \
+     $d0_5 using 1:2 with lines dt 2 lw 1.4 lc rgb '#e377c2' notitle, \
+     $d0_6 using 1:2 with linespoints lw 1.6 pt 13 ps 0.9 lc rgb '#009e73' notitle, \
+     $d0_7 using 1:2 with lines dt 2 lw 1.4 lc rgb '#009e73' notitle, \
+     $d0_8 using 1:2 with linespoints lw 2.4 pt 7 ps 0.9 lc rgb '#000000' notitle, \
+     $d0_9 using 1:2 with lines dt 2 lw 1.4 lc rgb '#000000' notitle, \
+     $d0_10 using 1:2 with linespoints lw 1.6 pt 4 ps 0.9 lc rgb '#0072b2' notitle, \
+     $d0_11 using 1:2 with lines dt 2 lw 1.4 lc rgb '#0072b2' notitle
+set output

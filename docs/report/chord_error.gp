@@ -1,5 +1,5 @@
 # gnuplot chord_error.gp
-$line0 << end
+$d0_0 << end
 1 537.958
 2 206.065
 4 67.2702
@@ -10,7 +10,7 @@ $line0 << end
 128 0.0845167
 256 0.0212051
 end
-$line1 << end
+$d0_1 << end
 1 1394.67
 2 348.667
 4 87.1668
@@ -22,17 +22,33 @@ $line1 << end
 256 0.021281
 end
 set logscale xy
-set grid xtics ytics lc rgb '#dddddd'
-set format y '%g'
-set key outside right top noenhanced
-set title 'chords of random cubics over 1024 px; dashed: h^2/8 max f' noenhanced
-set xlabel 'steps'
-set ylabel 'largest error in pixels'
-set terminal svg size 900,560 dynamic background rgb 'white'
+set grid xtics ytics lt 1 lw 1 lc rgb '#dddddd'
+set format xy '%g'
+set border 3
+set tics nomirror
+set terminal svg size 900,560 font 'sans,13' dynamic background rgb 'white'
 set output 'chord_error.svg'
-plot $line0 using 1:2 with linespoints lw 1.5 pt 4 lc rgb '#000000' title 'measured', \
-     $line1 using 1:2 with lines dt 2 lw 1 lc rgb '#000000' notitle
-set terminal png size 1100,680
+unset label
+unset key
+set title 'chords of cubics over 1024 pixels: solid, measured; dashed, by the second derivative' noenhanced
+set xlabel 'steps'
+set ylabel 'largest error, pixels'
+set xrange [0.757858:820.296]
+set yrange [0.012177:3032.03]
+set label 'chord' at graph 0.8333,0.0446 left offset 0.9,0 tc rgb '#000000' noenhanced front
+plot $d0_0 using 1:2 with linespoints lw 2 pt 7 ps 0.9 lc rgb '#000000' notitle, \
+     $d0_1 using 1:2 with lines dt 2 lw 1.4 lc rgb '#000000' notitle
+set output
+set terminal pngcairo size 1100,680 font 'sans,12' background rgb 'white'
 set output 'chord_error.png'
-plot $line0 using 1:2 with linespoints lw 1.5 pt 4 lc rgb '#000000' title 'measured', \
-     $line1 using 1:2 with lines dt 2 lw 1 lc rgb '#000000' notitle
+unset label
+unset key
+set title 'chords of cubics over 1024 pixels: solid, measured; dashed, by the second derivative' noenhanced
+set xlabel 'steps'
+set ylabel 'largest error, pixels'
+set xrange [0.757858:820.296]
+set yrange [0.012177:3032.03]
+set label 'chord' at graph 0.8333,0.0446 left offset 0.9,0 tc rgb '#000000' noenhanced front
+plot $d0_0 using 1:2 with linespoints lw 2 pt 7 ps 0.9 lc rgb '#000000' notitle, \
+     $d0_1 using 1:2 with lines dt 2 lw 1.4 lc rgb '#000000' notitle
+set output

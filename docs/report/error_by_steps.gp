@@ -1,54 +1,74 @@
 # gnuplot error_by_steps.gp
-$line0 << end
+$d0_0 << end
+2 16
 4 11.3714
-8 2.79597
-16 0.689664
-32 0.171902
-64 0.0430182
-128 0.0108321
+8 2.09387
+16 0.621945
+32 0.140438
+64 0.0166913
+128 0.0050057
 end
-$line1 << end
-4 11.0018
-8 2.75044
-16 0.687609
-32 0.171902
-64 0.0429756
-128 0.0107439
+$d0_1 << end
+2 39.8045
+4 9.95112
+8 2.48778
+16 0.621945
+32 0.155486
+64 0.0388716
+128 0.00971789
 end
-$line2 << end
-4 37.3502
-8 2.79541
-16 0.689567
-32 1.05394
-64 6.35375
-128 39.8757
-256 148.715
+$d0_2 << end
+4 6.79993
+8 2.04793
+16 0.396676
+32 0.140438
+64 2.05403
+128 23.3429
+256 11.3598
 end
-$line3 << end
-4 67.4523
-8 16.8631
-16 4.21577
-32 1.05394
-64 0.263485
-128 0.0658714
-256 0.0164678
+$d0_3 << end
+4 8.98803
+8 2.24701
+16 0.561752
+32 0.140438
+64 0.0351095
+128 0.00877738
+256 0.00219434
 end
 set logscale xy
-set grid xtics ytics lc rgb '#dddddd'
-set format y '%g'
-set key outside right top noenhanced
-set title 'error of n x n quads a patch; dashed: slope -2' noenhanced
-set xlabel 'n, quads along a patch'
-set ylabel 'error in pixels'
-set terminal svg size 900,560 dynamic background rgb 'white'
+set grid xtics ytics lt 1 lw 1 lc rgb '#dddddd'
+set format xy '%g'
+set border 3
+set tics nomirror
+set terminal svg size 900,560 font 'sans,13' dynamic background rgb 'white'
 set output 'error_by_steps.svg'
-plot $line0 using 1:2 with linespoints lw 1.5 pt 4 lc rgb '#000000' title 'tessellation', \
-     $line1 using 1:2 with lines dt 2 lw 1 lc rgb '#000000' notitle, \
-     $line2 using 1:2 with linespoints lw 1.5 pt 5 lc rgb '#d62728' title 'fd 16.16', \
-     $line3 using 1:2 with lines dt 2 lw 1 lc rgb '#d62728' notitle
-set terminal png size 1100,680
+unset label
+unset key
+set title 'n x n quads a patch: exact corners, and corners walked in 16.16; dashed, slope -2' noenhanced
+set xlabel 'n, quads along a patch'
+set ylabel 'largest error of outlines, pixels'
+set xrange [1.56917:709.176]
+set yrange [0.00134392:79.0744]
+set label 'tessellation' at graph 0.7200,0.1197 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label '16.16' at graph 0.8333,0.8233 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+plot $d0_0 using 1:2 with linespoints lw 1.6 pt 13 ps 0.9 lc rgb '#e69f00' notitle, \
+     $d0_1 using 1:2 with lines dt 2 lw 1.4 lc rgb '#e69f00' notitle, \
+     $d0_2 using 1:2 with linespoints lw 1.6 pt 5 ps 0.9 lc rgb '#d55e00' notitle, \
+     $d0_3 using 1:2 with lines dt 2 lw 1.4 lc rgb '#d55e00' notitle
+set output
+set terminal pngcairo size 1100,680 font 'sans,12' background rgb 'white'
 set output 'error_by_steps.png'
-plot $line0 using 1:2 with linespoints lw 1.5 pt 4 lc rgb '#000000' title 'tessellation', \
-     $line1 using 1:2 with lines dt 2 lw 1 lc rgb '#000000' notitle, \
-     $line2 using 1:2 with linespoints lw 1.5 pt 5 lc rgb '#d62728' title 'fd 16.16', \
-     $line3 using 1:2 with lines dt 2 lw 1 lc rgb '#d62728' notitle
+unset label
+unset key
+set title 'n x n quads a patch: exact corners, and corners walked in 16.16; dashed, slope -2' noenhanced
+set xlabel 'n, quads along a patch'
+set ylabel 'largest error of outlines, pixels'
+set xrange [1.56917:709.176]
+set yrange [0.00134392:79.0744]
+set label 'tessellation' at graph 0.7200,0.1197 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label '16.16' at graph 0.8333,0.8233 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+plot $d0_0 using 1:2 with linespoints lw 1.6 pt 13 ps 0.9 lc rgb '#e69f00' notitle, \
+     $d0_1 using 1:2 with lines dt 2 lw 1.4 lc rgb '#e69f00' notitle, \
+     $d0_2 using 1:2 with linespoints lw 1.6 pt 5 ps 0.9 lc rgb '#d55e00' notitle, \
+     $d0_3 using 1:2 with lines dt 2 lw 1.4 lc rgb '#d55e00' notitle
+set output

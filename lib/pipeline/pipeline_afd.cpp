@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_pipeline_afd: the stages of a frame.
-#include "pipeline/pipeline_afd.h"
+#include "pipeline/pipeline_afd_p.h"
 
 #include "pipeline/surface_method.h"
 #include "raster/outline_mask.h"
@@ -42,34 +42,6 @@ std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(const l3d_rasterizer_factory& r
 }
 
 } // namespace
-
-/// All that a picture depends on but the placements of its models.
-struct l3d_pipeline_afd::basis {
-    l3d_pixels target;
-    l3d_matrix<double> to_image;
-    l3d_dice_view view;
-    l3d_shading shading;
-    bool wireframe = false, net = false, depth = false, outlines = false, error_map = false;
-
-    friend bool operator==(const basis&, const basis&) = default;
-};
-
-/// The stages of a frame, from the scene to the method that fills it.
-struct l3d_pipeline_afd::stages {
-    stages(const l3d_afd_settings& settings, const l3d_rasterizer_factory& rasterizers)
-        : workers(settings.threads), method(settings.method.create(rasterizers, workers)),
-          wire_dicer(workers) {}
-
-    l3d_workers workers;
-    std::unique_ptr<l3d_surface_method> method;
-    basis drawn; ///< of the picture that is in the pixels
-    l3d_image_transform transform;
-    l3d_dice_view view;
-    l3d_box_lanes moved_to; ///< kept for its memory
-    l3d_scene_culling wire_culling;
-    l3d_frame_dicer<l3d_real> wire_dicer;
-    std::unique_ptr<l3d_frame_doubts> doubts; ///< of the last frame, if it asked for them
-};
 
 l3d_pipeline_afd::l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene,
                                    const l3d_camera& camera, const l3d_afd_settings& settings)
@@ -129,7 +101,8 @@ void l3d_pipeline_afd::draw_event() {
     }
 
     if (!changed_.empty())
-        find_doubts(now.shading.is_lit(scene_.materials()), times);
+        find_doubts(!now.shading.is_lit(scene_.materials()) && scene_.transparent_count() == 0,
+                    times);
 
     const stopwatch overlaying;
     if (stale_ || !changed_.empty())
@@ -199,7 +172,8 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
         return whole;
     if (!scene_.is_changed())
         return {};
-    if (settings_.depth || !stages_->method->draws_parts() || report_.dice.unfinished > 0)
+    if (settings_.depth || scene_.transparent_count() > 0 || !stages_->method->draws_parts() ||
+        report_.dice.unfinished > 0)
         return whole;
     return parts_that_moved(whole.area() / 4 * 3, now.shading.reach());
 }
@@ -252,25 +226,13 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     const l3d_dice_counts kept = report_.pixels_kept > 0 ? report_.dice : l3d_dice_counts();
     report_.dice = {};
     report_.surface = {};
-    for (const l3d_pixel_box& part : parts.boxes()) {
-        const l3d_method_frame frame{.scene = scene_,
-                                     .materials = scene_.materials(),
-                                     .camera = camera_,
-                                     .to_image = stages_->transform.matrix(),
-                                     .view = stages_->view,
-                                     .shading = now.shading,
-                                     .target = now.target,
-                                     .depth = depth_,
-                                     .wants_depth = settings_.depth,
-                                     .untouched = untouched_,
-                                     .counts_pixels = settings_.count_pixels,
-                                     .part = part,
-                                     .outlines = settings_.outlines};
-        stages_->method->draw(frame, times);
-        report_.dice.add(stages_->method->counts());
-        report_.surface.add(stages_->method->surface_counts());
-    }
-    const l3d_outline_mask* const outlines = stages_->method->outlines();
+    if (scene_.transparent_count() > 0)
+        draw_transparent(now, times);
+    else
+        for (const l3d_pixel_box& part : parts.boxes())
+            draw_surfaces(now, {scene_, now.target, part, settings_.depth}, times);
+    const l3d_outline_mask* const outlines =
+        scene_.transparent_count() > 0 ? nullptr : stages_->method->outlines();
     report_.outline_pixels = outlines ? outlines->count() : l3d_surface_counts::none_counted;
     untouched_ = true;
     if (!stages_->method->certifies_depth() || stages_->view.focal == 0)
@@ -280,6 +242,8 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     if (is_certified && stages_->view.focal > 0) {
         report_.dice.shade_bound += report_.surface.level_error;
         report_.dice.unshaded_quads += report_.surface.loose_levels;
+        if (scene_.transparent_count() > 0)
+            report_.dice.shade_bound = shade_bound_of_mix(report_.dice.shade_bound);
     } else {
         report_.dice.shade_bound = std::numeric_limits<double>::infinity();
     }
@@ -288,6 +252,26 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     const auto more = static_cast<std::int64_t>(parts.boxes().size()) - 1;
     report_.dice.unchanged =
         std::max(std::int64_t{0}, report_.dice.unchanged - more * scene_.patch_count());
+}
+
+/// Draws some of the scene, and adds to the report.
+void l3d_pipeline_afd::draw_surfaces(const basis& now, const drawing& of, l3d_stage_times& times) {
+    const l3d_method_frame frame{.scene = of.scene,
+                                 .materials = of.scene.materials(),
+                                 .camera = camera_,
+                                 .to_image = stages_->transform.matrix(),
+                                 .view = stages_->view,
+                                 .shading = now.shading,
+                                 .target = of.target,
+                                 .depth = depth_,
+                                 .wants_depth = of.wants_depth,
+                                 .untouched = untouched_ && of.target == now.target,
+                                 .counts_pixels = settings_.count_pixels,
+                                 .part = of.part,
+                                 .outlines = settings_.outlines};
+    stages_->method->draw(frame, times);
+    report_.dice.add(stages_->method->counts());
+    report_.surface.add(stages_->method->surface_counts());
 }
 
 /// The report of the pixels that were kept. A whole frame might have diced more: what is hidden,
@@ -308,7 +292,7 @@ void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
 }
 
 /// Compares surfaces with the exact picture as long as nothing is drawn on top of them.
-void l3d_pipeline_afd::find_doubts(bool is_lit, l3d_stage_times& times) {
+void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
     const stopwatch finding;
     constexpr double unknown = std::numeric_limits<double>::infinity();
     report_.coverage_bound = report_.color_bound = unknown;
@@ -327,7 +311,7 @@ void l3d_pipeline_afd::find_doubts(bool is_lit, l3d_stage_times& times) {
                  .light = settings_.light,
                  .bound_px = report_.dice.bound_px,
                  .depth_bound_px = report_.dice.depth_bound_px,
-                 .has_levels = !is_lit,
+                 .has_levels = has_levels,
                  .drawn = screen_->pixels(),
                  .background = settings_.background},
                 stages_->workers);

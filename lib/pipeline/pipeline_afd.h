@@ -223,6 +223,7 @@ protected:
 
 private:
     struct basis;
+    struct drawing;
     struct stages;
 
     void touch() {
@@ -234,8 +235,11 @@ private:
     l3d_pixel_boxes parts_that_moved(std::int64_t most, int reach);
     void keep_picture();
     void fill_surfaces(const basis& now, const l3d_pixel_boxes& parts, l3d_stage_times& times);
+    void draw_surfaces(const basis& now, const drawing& of, l3d_stage_times& times);
+    void draw_transparent(const basis& now, l3d_stage_times& times);
+    static double shade_bound_of_mix(double of_each);
     void keep_bounds(const l3d_dice_counts& kept);
-    void find_doubts(bool is_lit, l3d_stage_times& times);
+    void find_doubts(bool has_levels, l3d_stage_times& times);
     void draw_on_top();
     void draw_wireframe();
     void draw_nets();

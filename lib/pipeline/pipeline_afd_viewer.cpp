@@ -130,7 +130,7 @@ l3d_panel l3d_pipeline_afd_viewer::legend() {
     l3d_panel result;
     const bool is_filled = !settings().wireframe;
     if (settings().shade == l3d_shade::error && is_filled && screen().is_window()) {
-        result.add("bound of the error, in pixels");
+        result.add(error_scale_title());
         result.add_scale({l3d_error_color(0, 1), l3d_error_color(0.5, 1), l3d_error_color(1, 1)},
                          "0", formatted("%.3g", settings().tolerance));
     }

@@ -7,6 +7,7 @@
 #include "pipeline/pipeline_afd.h"
 #include "pipeline/viewer_controls.h"
 
+#include <string>
 #include <vector>
 
 /// l3d_pipeline_afd with the controls that its help overlay lists.
@@ -30,6 +31,9 @@ public:
 
 protected:
     void draw_overlay() override;
+
+    /// What the scale of mode `error` is of. A subclass that knows more than bounds says so.
+    virtual std::string error_scale_title() const { return "bound of the error, in pixels"; }
 
 private:
     std::vector<l3d_viewer_row> own_rows();

@@ -81,10 +81,11 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::side_rows() {
     };
     return {
         {"f", "show all of it", {{'f', [this] { steering_.frame_all(); }}}},
-        {"1 3 7",
-         "front, right, top (Ctrl: back, left, bottom)",
+        {"1, 3, 7",
+         "from the front, the right, above",
          {{'1', look(0, 0, 1)}, {'3', look(1, 0, 0)}, {'7', look(0, 1, 0)}}},
-        {"9", "the opposite side", {{'9', [this] { steering_.look_from_opposite(); }}}},
+        {"Ctrl+1, 3, 7", "from the back, the left, below"},
+        {"9", "from the opposite side", {{'9', [this] { steering_.look_from_opposite(); }}}},
     };
 }
 
@@ -95,7 +96,9 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::last_rows(l3d_pipeline& viewer,
         paused_ = !paused_;
         say(paused_ ? "paused" : "");
     };
-    const auto help = [this] { help_shown_ = !help_shown_; };
+    const auto help = [this] {
+        help_page_ = help_page_ < help_pages().size() ? help_page_ + 1 : 0;
+    };
     const auto end = [&viewer] { viewer.done = true; };
     const auto first_view = [this, reset = std::move(reset)] {
         if (reset)
@@ -188,6 +191,14 @@ l3d_panel_style l3d_viewer_controls::panel_style() const {
     return style;
 }
 
+/// All keys, in as many panels as the window needs.
+std::vector<l3d_panel> l3d_viewer_controls::help_pages() const {
+    l3d_panel all;
+    for (const l3d_viewer_row& row : rows_)
+        all.add(row.keys, row.text);
+    return all.pages(screen_.pixels().size(), "h", panel_style());
+}
+
 /// What a key was answered with has room first, help what is left.
 void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, double milliseconds,
                                std::span<const std::string> lines, const l3d_panel& legend) const {
@@ -199,9 +210,10 @@ void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, double millisecond
         for (const std::string& line : lines)
             status.add(line);
     }
-    if (help_shown_)
-        for (const l3d_viewer_row& row : rows_)
-            help.add(row.keys, row.text);
+    if (help_page_ > 0) {
+        const std::vector<l3d_panel> pages = help_pages();
+        help = pages[std::min(help_page_, pages.size()) - 1];
+    }
     if (!empty_line_.empty())
         message.add(empty_line_);
     if (!message_.empty())

@@ -107,7 +107,7 @@ public:
 
     /// Whether draw() draws anything.
     bool shows_text() const {
-        return status_shown_ || help_shown_ || !message_.empty() || !empty_line_.empty() ||
+        return status_shown_ || help_page_ > 0 || !message_.empty() || !empty_line_.empty() ||
                hint_seconds_ > 0;
     }
 
@@ -119,6 +119,7 @@ public:
 
 private:
     bool passes_hint(double seconds);
+    std::vector<l3d_panel> help_pages() const;
     std::vector<l3d_viewer_row> first_rows();
     std::vector<l3d_viewer_row> side_rows();
     void measure(double x, double y);
@@ -138,7 +139,7 @@ private:
     bool first_frame_ = true;
     bool paused_ = false;
     bool status_shown_ = false;
-    bool help_shown_ = false;
+    std::size_t help_page_ = 0; ///< that is shown, from 1; 0 for none
     std::string message_;
     std::string empty_line_;
     double smoothed_seconds_ = 0; ///< between frames

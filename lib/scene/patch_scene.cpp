@@ -9,6 +9,7 @@
 #include <cassert>
 #include <cmath>
 #include <map>
+#include <string>
 
 namespace {
 
@@ -200,6 +201,7 @@ void l3d_patch_scene::place(std::size_t index, const l3d_patch_model& model,
         instance.place(placement);
     } else {
         patch_count_ += patches_of(model) - patches_of(instance.model());
+        transparent_count_ -= instance.opacity() < 1 ? 1 : 0;
         instance = l3d_patch_instance(model, placement);
         knows_materials_ = false;
     }
@@ -222,6 +224,40 @@ void l3d_patch_scene::paint(std::size_t index, const std::optional<l3d_material>
     note_change(index);
     instances_[index].paint(material);
     knows_materials_ = false;
+}
+
+void l3d_patch_scene::set_opacity(std::size_t index, double opacity) {
+    l3d_patch_instance& instance = instances_[index];
+    if (!(opacity >= 0 && opacity <= 1))
+        throw l3d_error(l3d_exit::failure,
+                        "opacity: " + std::to_string(opacity) + " is not from 0 to 1");
+    if (opacity == instance.opacity())
+        return;
+    const std::size_t others = transparent_count_ - (instance.opacity() < 1 ? 1 : 0);
+    const std::size_t count = others + (opacity < 1 ? 1 : 0);
+    if (count > most_transparent)
+        throw l3d_error(l3d_exit::failure, "opacity: more than " +
+                                               std::to_string(most_transparent) +
+                                               " instances would be transparent");
+    note_change(index);
+    instance.set_opacity(opacity);
+    transparent_count_ = count;
+}
+
+l3d_patch_scene l3d_patch_scene::only(std::span<const std::size_t> indices) const {
+    l3d_patch_scene result;
+    const std::span<const l3d_material> all = materials();
+    for (const std::size_t index : indices) {
+        const l3d_patch_instance& instance = result.instances_.emplace_back(instances_[index]);
+        result.instances_.back().set_opacity(1);
+        result.boxes_.add(instance.box());
+        result.patch_count_ += patches_of(instance.model());
+        result.is_moved_.push_back(false);
+        if (!all.empty())
+            result.first_materials_.push_back(first_materials_[index]);
+    }
+    result.materials_.assign(all.begin(), all.end());
+    return result;
 }
 
 /// Instances of one model share its materials.
@@ -282,6 +318,7 @@ void l3d_patch_scene::clear() {
     instances_.clear();
     boxes_.clear();
     patch_count_ = 0;
+    transparent_count_ = 0;
     extent_ = {};
     extent_count_ = 0;
     knows_materials_ = false;

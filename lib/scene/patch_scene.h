@@ -35,6 +35,11 @@ public:
     /// The material that all of it is made of, if it is not the model's.
     const std::optional<l3d_material>& material() const { return material_; }
 
+    /// The part of the light behind it that it keeps back: 1 if nothing is seen through it.
+    double opacity() const { return opacity_; }
+    /// Changes it. Expects: 0 to 1.
+    void set_opacity(double opacity) { opacity_ = opacity; }
+
     /// From the model's space to the world.
     const l3d_matrix<double>& placement() const { return placement_; }
 
@@ -75,7 +80,7 @@ private:
     l3d_vector<double, 3> terms_{0.0, 0.0, 0.0};
     double shift_ = 0;
     bool turns_normals_ = false;
-    double scale_ = 1;
+    double scale_ = 1, opacity_ = 1;
 };
 
 /// Models of bicubic patches, each standing anywhere any number of times.
@@ -119,6 +124,25 @@ public:
     /// stays so when the instance is placed elsewhere, until another model comes to its place.
     /// Expects: an index of instances().
     void paint(std::size_t index, const std::optional<l3d_material>& material);
+
+    /// Makes an instance transparent: a pixel that it covers shows `opacity` of the light that it
+    /// would show, and the rest of what is seen without it. Of the instance itself, what is nearest
+    /// is seen. It stays so as with paint().
+    /// Expects: an index of instances().
+    /// Errors:  throws l3d_error if the opacity is not from 0 to 1, or for more than
+    ///          most_transparent transparent instances; then nothing changes.
+    /// Cost:    a frame draws what lies in the instance's box twice; where the boxes of n
+    ///          transparent instances overlap, 2^n times.
+    void set_opacity(std::size_t index, double opacity);
+    /// Transparent instances that a scene may have. Where all overlap, 256 pictures are mixed.
+    static constexpr std::size_t most_transparent = 8;
+    /// How many instances have an opacity below 1.
+    std::size_t transparent_count() const { return transparent_count_; }
+
+    /// A scene of some of the instances, opaque, in the order of the indices. Its materials() are
+    /// those of all instances, so that pictures of both are lit alike.
+    /// Expects: indices of instances(). Lives: shares the models.
+    l3d_patch_scene only(std::span<const std::size_t> indices) const;
 
     /// The materials of all instances; none if all are plain.
     ///
@@ -182,6 +206,7 @@ private:
 
     std::vector<l3d_patch_instance> instances_;
     std::int64_t patch_count_ = 0;
+    std::size_t transparent_count_ = 0;
     l3d_box_lanes boxes_;
     mutable whole extent_; ///< of the first extent_count_ instances
     mutable std::size_t extent_count_ = 0;

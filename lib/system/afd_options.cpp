@@ -146,12 +146,14 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--one-sided", settings_.one_sided,
                 "leave out surfaces whose back is turned to the eye");
     options.add("--explain", explain_, "tell what the last frame did not need, and why");
+    options.add("--statistics", statistics_,
+                "tell at the end how many polygons were drawn, in how many seconds");
     options.add("--keep-all", keep_all_, "leave nothing out");
     options.add("--pick", pick_,
                 "tell what the last frame shows at this place, in pixels from the left upper "
                 "corner: patch, parameters, point, normal and curvature, each with its error");
     for (const char* const name :
-         {"--depth-output", "--error-output", "--report", "--explain", "--pick"})
+         {"--depth-output", "--error-output", "--report", "--explain", "--statistics", "--pick"})
         options.has_result(name);
 }
 

@@ -73,6 +73,8 @@ public:
     const std::string& report() const { return report_; }
     /// Whether --explain asks what the last frame did not need.
     bool explain() const { return explain_; }
+    /// Whether --statistics asks for polygons and seconds of the whole run.
+    bool statistics() const { return statistics_; }
 
     /// The place of the picture that --pick names, in pixels from its left upper corner; nothing
     /// if it was not given.
@@ -98,7 +100,7 @@ private:
     l3d_afd_settings settings_;
     double turntable_ = 0;
     std::string depth_output_, error_output_, report_;
-    bool explain_ = false, keep_all_ = false;
+    bool explain_ = false, statistics_ = false, keep_all_ = false;
     std::optional<double> tolerance_;
     std::optional<l3d_background> background_;
     std::optional<int> threads_, most_samples_;

@@ -2,7 +2,10 @@
 // l3d_dispatcher: what all kinds share.
 #include "system/dispatcher.h"
 
+#include "pipeline/captioned_p.h"
+
 #include <cassert>
+#include <iostream>
 
 void l3d_dispatcher::plug(l3d_pipeline& pipeline, l3d_screen& screen) {
     pipeline_ = &pipeline;
@@ -11,7 +14,21 @@ void l3d_dispatcher::plug(l3d_pipeline& pipeline, l3d_screen& screen) {
 
 l3d_exit l3d_dispatcher::start() {
     assert(pipeline_ && screen_);
+    if (!caption_.what.empty() && screen_->is_window())
+        return start_with_caption();
     return do_start(*pipeline_, *screen_);
+}
+
+l3d_exit l3d_dispatcher::start_with_caption() {
+    std::string why;
+    const l3d_font font = l3d_font::of_system(why);
+    if (!why.empty())
+        std::cerr << command_ << ": L3D_FONT: " << why << '\n';
+    constexpr double hint_seconds = 8; // two lines are read in four
+    l3d_detail::captioned shown(*pipeline_, *screen_, caption_, font, hint_seconds);
+    const l3d_exit result = do_start(shown, *screen_);
+    pipeline_->done |= shown.done;
+    return result;
 }
 
 namespace {

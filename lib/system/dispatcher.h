@@ -7,10 +7,13 @@
 #include "tool_2d/error.h"
 #include "tool_2d/event.h"
 #include "tool_2d/screen.h"
+#include "pipeline/caption.h"
 #include "pipeline/pipeline.h"
 #include "system/frame_settings.h"
 
 #include <memory>
+#include <string>
+#include <utility>
 
 /// The event loop as an object: a program plugs in its pipeline and its screen and starts it.
 ///
@@ -25,6 +28,13 @@ public:
 
     /// Names the application and the screen it draws into, which is also the source of events.
     void plug(l3d_pipeline& pipeline, l3d_screen& screen);
+
+    /// Has windows show this caption on their pictures, for some seconds and when help is asked
+    /// for. `command` begins a line on stderr if L3D_FONT names no font.
+    void set_caption(l3d_caption caption, std::string command) {
+        caption_ = std::move(caption);
+        command_ = std::move(command);
+    }
 
     /// Runs until the pipeline is done, the frames are made, or the display is lost.
     ///
@@ -41,8 +51,12 @@ protected:
 private:
     virtual l3d_exit do_start(l3d_pipeline& pipeline, l3d_screen& screen) = 0;
 
+    l3d_exit start_with_caption();
+
     l3d_pipeline* pipeline_ = nullptr;
     l3d_screen* screen_ = nullptr;
+    l3d_caption caption_;
+    std::string command_;
 };
 
 /// Makes dispatchers of one kind.

@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <map>
+#include <span>
+#include <string>
 
 namespace {
 
@@ -50,6 +53,10 @@ l3d_part_options::l3d_part_options(l3d_options& options) {
                      "part of the model and its colour, as lid=200,60,40: red, green and blue "
                      "from 0 to 255; may be given for several",
                      "PART_COLOR", "", [this](const std::string& text) { add_color(text); });
+    options.add_each("--opacity",
+                     "part of a model of patches and how opaque it is, as lid=0.4: 0 is not there, "
+                     "1 hides all behind it; may be given for several",
+                     "PART_OPACITY", "", [this](const std::string& text) { add_opacity(text); });
     options.has_result("--list-parts");
 }
 
@@ -67,6 +74,18 @@ void l3d_part_options::add_color(const std::string& text) {
     for (const int level : levels)
         color = color << 8 | static_cast<std::uint32_t>(level);
     colors_.push_back({text.substr(0, at), color});
+}
+
+void l3d_part_options::add_opacity(const std::string& text) {
+    const std::size_t at = text.rfind('=');
+    std::array<double, 1> value{};
+    const bool is_opacity = at != text.npos && at > 0 &&
+                            l3d_read_numbers(std::string_view(text).substr(at + 1), ',', value) &&
+                            value[0] >= 0 && value[0] <= 1;
+    if (!is_opacity)
+        refuse("--opacity: '" + l3d_detail::printable(text) +
+               "' is not PART=A with a number A from 0 to 1");
+    opacities_.push_back({text.substr(0, at), value[0]});
 }
 
 void l3d_part_options::list(const l3d_parts& parts, std::string_view things) {
@@ -98,10 +117,40 @@ template <class Model> Model l3d_part_options::applied_to(const Model& model) co
     return result;
 }
 
+/// The last opacity of a part counts. A part that is hidden has none.
+l3d_patch_scene l3d_part_options::scene(const l3d_patch_model& model) const {
+    const l3d_patch_model whole = applied(model);
+    std::map<std::size_t, double> by_part;
+    for (const opacity& o : opacities_) {
+        found(model.parts(), "--opacity", o.part);
+        if (const auto part = whole.parts().find(o.part))
+            by_part[*part] = o.value;
+    }
+    std::erase_if(by_part, [](const auto& part) { return part.second == 1; });
+    if (by_part.empty())
+        return whole;
+    if (by_part.size() > l3d_patch_scene::most_transparent)
+        refuse("--opacity: more than " + std::to_string(l3d_patch_scene::most_transparent) +
+               " parts");
+    l3d_patch_scene result;
+    std::vector<std::size_t> apart;
+    for (const auto& part : by_part)
+        apart.push_back(part.first);
+    if (const l3d_patch_model rest = whole.without(apart); !is_empty(rest))
+        result.add(rest);
+    for (const auto& [part, value] : by_part) {
+        result.add(whole.only(std::span(&part, 1)));
+        result.set_opacity(result.instances().size() - 1, value);
+    }
+    return result;
+}
+
 l3d_patch_model l3d_part_options::applied(const l3d_patch_model& model) const {
     return applied_to(model);
 }
 
 l3d_polygon_model l3d_part_options::applied(const l3d_polygon_model& model) const {
+    if (!opacities_.empty())
+        refuse("--opacity: polygons are opaque; it is for models of patches");
     return applied_to(model);
 }

@@ -7,6 +7,7 @@
 #include "geom/parts.h"
 #include "pipeline/polygons/polygon_model.h"
 #include "scene/patch_model.h"
+#include "scene/patch_scene.h"
 #include "system/options.h"
 
 #include <cstddef>
@@ -32,11 +33,16 @@ public:
     /// Errors: l3d_error(failure) if the standard output cannot be written to.
     static void list(const l3d_parts& parts, std::string_view things);
 
+    /// The model as --color, --hide, --show-only and --opacity have it: an instance of all that is
+    /// opaque, and one of each part that is not.
+    /// Errors: as applied().
+    l3d_patch_scene scene(const l3d_patch_model& model) const;
+
     /// The model as --color, --hide and --show-only have it.
     /// Errors: l3d_error(usage) that names the option, for a name that is no part; it lists the
     ///         parts.
     l3d_patch_model applied(const l3d_patch_model& model) const;
-    /// The same of polygons. Errors: as the other.
+    /// The same of polygons. Errors: as the other; if --opacity is given, too.
     l3d_polygon_model applied(const l3d_polygon_model& model) const;
 
 private:
@@ -45,12 +51,19 @@ private:
         std::uint32_t color;
     };
 
+    struct opacity {
+        std::string part;
+        double value;
+    };
+
     template <class Model> Model applied_to(const Model& model) const;
     void add_color(const std::string& text);
+    void add_opacity(const std::string& text);
 
     bool lists_ = false;
     std::vector<std::string> hidden_, shown_;
     std::vector<colored> colors_;
+    std::vector<opacity> opacities_;
 };
 
 #endif

@@ -8,6 +8,9 @@
 l3d_program::l3d_program(std::string name, const std::string& purpose, l3d_size default_size)
     : options_(std::move(name), purpose, default_size) {}
 
+l3d_program::l3d_program(std::string name, const l3d_caption& caption, l3d_size default_size)
+    : options_(std::move(name), caption.text(), default_size), caption_(caption) {}
+
 int l3d_program::run(int argc, const char* const* argv, const std::function<l3d_exit()>& steps) {
     try {
         if (!options_.parse(argc, argv) || !goes_on_() || !factories_.choose(options_))
@@ -19,7 +22,12 @@ int l3d_program::run(int argc, const char* const* argv, const std::function<l3d_
 }
 
 std::unique_ptr<l3d_dispatcher> l3d_program::create_dispatcher() const {
-    return factories_.create_dispatcher(options_.frame_settings());
+    const l3d_frame_settings settings = options_.frame_settings();
+    auto dispatcher = factories_.create_dispatcher(settings);
+    // Pictures that are counted or written are the same in windows and files.
+    if (settings.frames == 0 && settings.output.empty())
+        dispatcher->set_caption(caption_, options_.command());
+    return dispatcher;
 }
 
 l3d_canvas l3d_program::create_canvas(const std::string& shows) const {

@@ -4,6 +4,7 @@
 #define L3D_SYSTEM_PROGRAM_H
 
 #include "base/public.h"
+#include "pipeline/caption.h"
 #include "pipeline/pipeline_2d.h"
 #include "system/factory_manager.h"
 #include "system/options.h"
@@ -31,6 +32,10 @@ public:
     /// The purpose is what --help begins with; it has the keys, too.
     l3d_program(std::string name, const std::string& purpose, l3d_size default_size);
 
+    /// The same with a caption, which --help begins with. Windows show it, unless their frames are
+    /// counted or written.
+    l3d_program(std::string name, const l3d_caption& caption, l3d_size default_size);
+
     /// For options of the program's own, which are added before run().
     l3d_options& options() { return options_; }
 
@@ -47,6 +52,19 @@ public:
     ///
     /// Errors:  none: each exception becomes a line on stderr, and its exit code.
     int run(int argc, const char* const* argv, const std::function<l3d_exit()>& steps);
+
+    /// All five steps for a program of one pipeline, which gets a canvas and these arguments.
+    /// Returns what main does. A program whose arguments depend on the command line calls run().
+    /// Errors:  as run().
+    template <class Pipeline, class... Arguments>
+    int show(int argc, const char* const* argv, const Arguments&... arguments) {
+        return run(argc, argv, [&] {
+            const auto dispatcher = create_dispatcher();
+            Pipeline pipeline(create_canvas(), arguments...);
+            dispatcher->plug(pipeline, pipeline.screen());
+            return dispatcher->start();
+        });
+    }
 
     /// Errors:  as l3d_factory_manager::create_dispatcher. Expects: called by the steps.
     std::unique_ptr<l3d_dispatcher> create_dispatcher() const;
@@ -68,6 +86,7 @@ public:
 private:
     l3d_options options_;
     l3d_factory_manager factories_;
+    l3d_caption caption_;
     std::function<bool()> goes_on_ = [] { return true; };
 };
 

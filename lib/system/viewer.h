@@ -13,6 +13,8 @@
 #include "raster/shapes/font.h"
 #include "tool_2d/image_file.h"
 
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <iostream>
 #include <optional>
@@ -21,7 +23,8 @@
 #include <utility>
 
 /// A `Pipeline` with l3d_viewer_controls and a report of each frame, for which --turntable,
-/// --report, --explain, --depth-output and --error-output do what they say. Without --eye and
+/// --report, --explain, --statistics, --depth-output and --error-output do what they say. Without
+/// --eye and
 /// --target it frames its model.
 ///
 /// Lives:   borrows the options.
@@ -47,6 +50,20 @@ public:
             reports_.emplace(asked.report());
     }
 
+    /// Counts what --statistics tells.
+    void draw_event() override {
+        Pipeline::draw_event();
+        if (!asked_.statistics())
+            return;
+        const auto report = this->report();
+        ++frames_;
+        seconds_ += report.time_ms.total / 1000;
+        if constexpr (requires { report.polygons.drawn; })
+            polygons_ += report.polygons.drawn;
+        else
+            polygons_ += report.surface.quads;
+    }
+
     /// Adds a line to the report, if --report asked for one.
     void frame_event(const l3d_frame_times& times) override {
         Pipeline::frame_event(times);
@@ -54,9 +71,9 @@ public:
             reports_->add(this->report().json());
     }
 
-    /// After the last frame: its distances, the bounds of its pixels, what it did not need, why it
-    /// is empty, and what --pick asks for.
-    /// Errors:  l3d_error(failure) that names the file and the system's reason.
+    /// After the last frame: its distances, the bounds of its pixels, what it did not need, what
+    /// all frames took, why it is empty, and what --pick asks for. Errors:  l3d_error(failure) that
+    /// names the file and the system's reason.
     void finish() const {
         if constexpr (requires { this->depth(); })
             if (const std::string& file = asked_.depth_output(); !file.empty())
@@ -67,6 +84,11 @@ public:
                 write(file, this->error_map()->size(), this->error_map()->levels());
         if (asked_.explain())
             std::cerr << this->report().explanation();
+        if (asked_.statistics())
+            std::cerr << frames_ << " frames, " << seconds_ << " s, " << polygons_ << " polygons, "
+                      << (seconds_ > 0 ? std::llround(static_cast<double>(polygons_) / seconds_)
+                                       : 0)
+                      << " polygons a second\n";
         // A window said so itself.
         if (const std::string why = this->why_empty(); !why.empty() && !in_window_)
             std::cerr << command_ << ": the picture is empty, as the model is " << why << "; "
@@ -124,6 +146,8 @@ private:
 
     const l3d_afd_options& asked_;
     bool in_window_ = false;
+    std::int64_t frames_ = 0, polygons_ = 0; ///< drawn
+    double seconds_ = 0;                     ///< of drawing
     std::string command_;
     std::optional<l3d_report_writer> reports_;
 };

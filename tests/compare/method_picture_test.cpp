@@ -38,10 +38,15 @@ struct expectation {
 /// the point that is drawn is up to 0.297 px from the exact tangent plane. A cell of 1/256 of the
 /// teapot is 0.8 pixels here, its diagonal 1.4.
 constexpr expectation expectations[] = {
-    {"afd", 0.26, 0.35, 0, true},          {"fd", 0.26, 0.26, 0, true},
-    {"subdivision", 0.26, 0.35, 0, true},  {"tessellation:64", 0.26, 0.05, 0, true},
-    {"micropolygons", 0.05, 0.1, 0, true}, {"isocurves", 1.0, 0.75, 0, false},
-    {"scanline", 0.05, 0.1, 0, false},     {"voxels:256", 1.5, 1.5, 5, false},
+    {"afd", 0.26, 0.35, 0, true},
+    {"fd", 0.26, 0.26, 0, true},
+    {"subdivision", 0.26, 0.35, 0, true},
+    {"tessellation:64", 0.26, 0.05, 0, true},
+    {"micropolygons:2", 0.05, 0.1, 0, true},
+    {"micropolygons:4", 0.05, 0.1, 0, true},
+    {"isocurves:2", 1.0, 0.75, 0, false},
+    {"scanline", 0.05, 0.1, 0, false},
+    {"voxels:256", 1.5, 1.5, 5, false},
     {"mesa", 0.3, 0.26, 0, false},
 };
 
@@ -193,12 +198,14 @@ TEST(method_picture, counts_covered_pixels_only_for_who_asks) {
 
 TEST(method_choice, is_read_as_it_is_written) {
     std::string why;
-    for (const char* name : {"afd", "fd", "fd:12", "isocurves", "subdivision", "tessellation:16",
-                             "micropolygons", "scanline", "voxels:256", "mesa"})
+    for (const char* name : {"afd", "fd", "fd:12", "isocurves:3", "subdivision", "tessellation:16",
+                             "micropolygons:1", "scanline", "voxels:256", "mesa"})
         EXPECT_EQ(l3d_method_choice::from_name(name, why).value().name(), name);
     EXPECT_EQ(l3d_method_choice::from_name("voxels", why).value().resolution, 256);
-    for (const char* name : {"", "AFD", "afd:2", "tessellation:", "tessellation:0",
-                             "tessellation:193", "tessellation:8x", "tessellation:-4", "voxels:7"})
+    EXPECT_EQ(l3d_method_choice::from_name("micropolygons", why).value().resolution, 2);
+    for (const char* name :
+         {"", "AFD", "afd:2", "tessellation:", "tessellation:0", "tessellation:193",
+          "tessellation:8x", "tessellation:-4", "isocurves:17", "voxels:7"})
         EXPECT_FALSE(l3d_method_choice::from_name(name, why)) << name;
     EXPECT_EQ(why, "'voxels:7' needs a number from 8 to 1024");
 }

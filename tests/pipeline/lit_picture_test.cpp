@@ -114,6 +114,14 @@ std::vector<std::uint32_t> polygons(const l3d_polygon_settings& settings, const 
     return words_of(pipeline.screen().pixels());
 }
 
+/// Lanes round normals before they shade them, so a level may be the next one.
+void expect_near(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (const int shift : {0, 8, 16})
+            ASSERT_NEAR(channel(a[i], shift), channel(b[i], shift), 1) << i;
+}
+
 TEST(lit_picture, of_polygons_is_the_same_by_every_pipeline) {
     for (const l3d_projection projection : {l3d_projection::perspective, l3d_projection::parallel})
         for (const l3d_shade shade : {l3d_shade::flat, l3d_shade::lambert}) {
@@ -124,12 +132,12 @@ TEST(lit_picture, of_polygons_is_the_same_by_every_pipeline) {
             settings.lighting = two_lights();
             const auto by_depth =
                 polygons<l3d_pipeline_zbuffer>(settings, l3d_rasterizer_factory_sw());
-            EXPECT_EQ(polygons<l3d_pipeline_zsort>(settings), by_depth) << int(shade);
+            expect_near(polygons<l3d_pipeline_zsort>(settings), by_depth);
             EXPECT_GT(std::ranges::count_if(by_depth, [](auto w) { return channel(w, 8) > 180; }),
                       5);
             try {
-                EXPECT_EQ(polygons<l3d_pipeline_zbuffer>(settings, l3d_rasterizer_factory_mesa()),
-                          by_depth);
+                expect_near(polygons<l3d_pipeline_zbuffer>(settings, l3d_rasterizer_factory_mesa()),
+                            by_depth);
             } catch (const l3d_error&) { // no GL here
             }
         }

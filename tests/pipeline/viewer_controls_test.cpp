@@ -165,6 +165,22 @@ TEST(viewer_controls, fit_into_every_window) {
     }
 }
 
+/// At 320 x 240 a page of the help leaves half of the picture free; the key goes through all.
+TEST(viewer_controls, turn_the_pages_of_help_in_a_small_window) {
+    nothing_viewer it({320, 240});
+    int pages = 0;
+    for (it.controls.key('h'); it.controls.shows_text(); it.controls.key('h')) {
+        EXPECT_GT(it.text_rows(), 20);
+        ASSERT_LT(++pages, 10);
+    }
+    EXPECT_GT(pages, 1);
+    EXPECT_EQ(it.text_rows(), 0);
+    nothing_viewer large({640, 480});
+    large.controls.key('h');
+    large.controls.key('h');
+    EXPECT_FALSE(large.controls.shows_text()) << "one page";
+}
+
 TEST(viewer_controls, save_the_screens_pixels) {
     nothing_viewer it;
     EXPECT_TRUE(it.controls.key('s'));

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <random>
 #include <utility>
 #include <vector>
@@ -162,11 +163,16 @@ TEST(depth_precision, surfaces_farther_apart_than_their_bounds_are_told_apart) {
                 closely);
 }
 
-/// How far behind a distance another one must be to be stored as farther, relative to it.
+/// How far behind a distance another one must be to be stored as farther, relative to it; infinite
+/// if nothing is.
 template <class Encode> double told_apart(const Encode& encode, double distance) {
+    constexpr double farthest = 1e15;
     double least = 0, enough = distance;
-    while (encode(distance + enough) == encode(distance))
+    while (encode(distance + enough) == encode(distance)) {
         enough *= 2;
+        if (enough > farthest)
+            return std::numeric_limits<double>::infinity();
+    }
     // The worst place of a step: another surface just behind the one before it.
     for (int i = 0; i < 60; ++i) {
         const double middle = (least + enough) / 2;
@@ -184,7 +190,7 @@ template <class Encode> double worst_gap(const Encode& encode, double distance) 
 }
 
 TEST(depth_precision, floats_of_reciprocal_depth_hold_at_every_ratio) {
-    std::printf("  far/near  at         24 bits      32 bits      float 1/w\n");
+    std::printf("  far/near  at         16 bits      24 bits      32 bits      float 1/w\n");
     for (const double ratio : {1e2, 1e3, 1e6}) {
         // The depth that GL stores in whole numbers: 0 at near, 1 at far, linear in 1/w.
         const auto whole = [ratio](int bits) {
@@ -196,8 +202,8 @@ TEST(depth_precision, floats_of_reciprocal_depth_hold_at_every_ratio) {
         for (const double place : {0.0, 0.5, 1.0}) {
             const double w = std::max(std::pow(ratio, place), 1.002);
             const double a = worst_gap(whole(24), w), b = worst_gap(whole(32), w),
-                         c = worst_gap(reciprocal, w);
-            std::printf("  %8.0e  %-8.4g %12.2e %12.2e %12.2e\n", ratio, w, a, b, c);
+                         c = worst_gap(reciprocal, w), d = worst_gap(whole(16), w);
+            std::printf("  %8.0e  %-8.4g %12.2e %12.2e %12.2e %12.2e\n", ratio, w, d, a, b, c);
             // A step of n bits is w (1 - 1 / ratio) 2^-n of the distance, of floats 2^-23 at most.
             EXPECT_LE(c, 0x1p-23 * 1.01);
             EXPECT_NEAR(a / (w * (1 - 1 / ratio) * 0x1p-24), 1, 0.07);

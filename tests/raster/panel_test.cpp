@@ -183,4 +183,62 @@ TEST(panel, that_is_empty_draws_nothing) {
     EXPECT_EQ(free, l3d_whole({50, 40}));
 }
 
+/// How much of a picture a panel covers.
+double share_of(const l3d_panel& panel, l3d_size size, const l3d_panel_style& style) {
+    canvas it(size.width, size.height);
+    l3d_pixel_box free = l3d_whole(size);
+    const l3d_pixel_box box = panel.draw(it.draw, free, l3d_corner::top_left, style);
+    return static_cast<double>(box.area()) / (double(size.width) * size.height);
+}
+
+TEST(panel, pages_of_a_long_help_leave_half_of_the_picture_free) {
+    l3d_panel panel;
+    for (const auto& [key, text] : help)
+        panel.add(key, text);
+    for (const l3d_size size : {l3d_size{320, 240}, {300, 200}, {640, 480}, {1920, 1080}}) {
+        l3d_panel_style style;
+        style.size = l3d_panel_style::size_for(size);
+        const std::vector<l3d_panel> pages = panel.pages(size, "h", style);
+        EXPECT_EQ(pages.size() == 1, size.width >= 640) << size.width;
+        for (const l3d_panel& page : pages) {
+            EXPECT_GT(share_of(page, size, style), 0.0);
+            EXPECT_LE(share_of(page, size, style), 0.5) << size.width;
+        }
+    }
+}
+
+TEST(panel, pages_hold_every_row_once) {
+    l3d_panel panel;
+    for (const auto& [key, text] : help)
+        panel.add(key, text);
+    const l3d_size size{320, 240};
+    l3d_panel_style style;
+    style.size = 12;
+    const auto pages = panel.pages(size, "h", style);
+    ASSERT_GT(pages.size(), 1u);
+    std::size_t rows = 0;
+    for (const l3d_panel& page : pages)
+        rows += page.rows() - 1; // the last one tells of the key
+    EXPECT_EQ(rows, help.size());
+}
+
+TEST(panel, a_tiny_picture_has_one_page_rather_than_many_of_a_line_or_two) {
+    l3d_panel panel;
+    for (int i = 0; i < 20; ++i)
+        panel.add("k", "word");
+    for (const l3d_size size : {l3d_size{60, 40}, {160, 90}})
+        EXPECT_EQ(panel.pages(size, "h", {}).size(), 1u);
+}
+
+TEST(panel, a_title_begins_where_keys_do) {
+    const l3d_font font; // letters are 6 wide at size 10
+    const std::vector<panel_row> rows{{"", "all that", false, true}, {"key", "what", false}};
+    panel_layout layout(font, rows);
+    ASSERT_TRUE(layout.make(10, 1, {300, 300}));
+    ASSERT_EQ(layout.lines().size(), 3u);
+    EXPECT_EQ(layout.lines()[0].x, layout.lines()[1].x);
+    EXPECT_GT(layout.lines()[2].x, layout.lines()[1].x);
+    EXPECT_EQ(layout.size().width, 2 * 5 + 3 * 6 + 10 + 4 * 6) << "the title needs no more";
+}
+
 } // namespace

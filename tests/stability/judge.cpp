@@ -243,6 +243,7 @@ void judge::judge_picture(verdict& v, const frame& drawn) {
             try {
                 const double off = is ? most_covered_->distance_to_exact_surface(x + 0.5, y + 0.5)
                                       : outlines_->distance_to_outline(x + 0.5, y + 0.5);
+                v.off = std::max(v.off, off);
                 if (off > most)
                     v.violate(text("pixel %d, %d is %s: %.4f px from any outline, bound %.4f px", x,
                                    y, is ? "drawn" : "a hole", off, v.bound));

@@ -41,6 +41,7 @@ struct verdict {
     std::int64_t samples = 0;                   ///< vertices that the library evaluated
     std::int64_t pieces = 0;
     std::int64_t missing = 0, extra = 0; ///< pixels that differ from the exact picture
+    double off = 0; ///< of such pixels, the farthest from an outline. Units: pixels
     bool picture_judged = false;
     double milliseconds = 0;
 

@@ -2,9 +2,12 @@
 // stability: patches that are meant to break the library, and whether its bounds hold.
 #include "table.h"
 
+#include "geom/real.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -14,14 +17,14 @@ namespace {
 using namespace stability;
 
 /// A part of everything for each `make test`: seconds, the sanitizers' as well.
-const extent sample{14, 300, 6, 50, 1, ""};
-const extent everything{1, 1'000'000, 2000, 2000, 1, ""};
+const extent sample{14, 300, 6, 50, 1, "", ""};
+const extent everything{1, 300'000, 2000, 2000, 1, "", ""};
 
 [[noreturn]] void refuse(const std::string& what) {
     std::fprintf(
         stderr,
         "stability: %s\n"
-        "usage: stability [--sample] [--random N] [--threads N] [--table FILE] [--only TEXT]\n",
+        "usage: stability [--sample] [--random N] [--threads N] [--folder FOLDER] [--only TEXT]\n",
         what.c_str());
     std::exit(2);
 }
@@ -37,10 +40,10 @@ std::uint64_t count_of(const std::string& option, const std::string& text) {
 
 } // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     extent how_much = everything;
     how_much.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    std::string table;
+    std::string folder;
     for (int i = 1; i < argc; ++i) {
         const std::string option = argv[i];
         if (option == "--sample") {
@@ -56,24 +59,22 @@ int main(int argc, char** argv) {
             how_much.threads =
                 static_cast<int>(std::clamp<std::uint64_t>(count_of(option, value), 1, 256));
         else if (option == "--only")
-            how_much = {1, 0, 0, 0, how_much.threads, value};
-        else if (option == "--table")
-            table = value;
+            how_much = {1, 0, 0, 0, how_much.threads, value, ""};
+        else if (option == "--folder")
+            folder = value;
         else
             refuse(option + ": unknown");
     }
+    if (!folder.empty())
+        how_much.slices = folder + "/stability_" + l3d_real_name() + "_random.csv";
     const suite_result result = run_suite(how_much);
     if (!how_much.only.empty())
         write_cases(stdout, result);
     write_lines(stdout, result);
-    if (!table.empty()) {
-        std::FILE* const to = std::fopen(table.c_str(), "w");
-        if (!to) {
-            std::perror(table.c_str());
-            return 1;
-        }
-        write_table(to, result);
-        std::fclose(to);
-    }
+    if (!folder.empty())
+        write_files(folder, result);
     return result.violation_count == 0 ? 0 : 1;
+} catch (const std::exception& e) {
+    std::fprintf(stderr, "stability: %s\n", e.what());
+    return 1;
 }

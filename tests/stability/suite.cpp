@@ -2,6 +2,12 @@
 // Named cases, random ones, ordinary ones, walks.
 #include "suite.h"
 
+#include "polygon_ways.h"
+#include "slices.h"
+
+#include "geom/real.h"
+#include "raster/parallel/simd_target.h"
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -10,6 +16,7 @@
 #include <functional>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace stability {
@@ -37,6 +44,13 @@ public:
                 keep({v.ratio, into_.arithmetics[a], c.group, c.name, v.ratio_measured,
                       v.ratio_bound});
         }
+    }
+
+    void add(tally& to, const test_case& c, const verdict& v) {
+        const std::scoped_lock lock(mutex_);
+        to.add(c, v);
+        if (v.what == outcome::violated)
+            violate("polygons, " + c.group + ", " + c.name + ": " + v.reason);
     }
 
     void violate(const std::string& line) {
@@ -129,18 +143,39 @@ void run_named(suite_result& result, const extent& how_much, collector& collecte
                [&](std::uint64_t i, const arithmetics& ways) {
                    const test_case& c = *cases[i];
                    named_result& r = result.named[i];
-                   r = {c.group, c.name, c.tolerance, judged(c, named_effort, true, ways)};
+                   r = {c.group,
+                        c.name,
+                        c.tolerance,
+                        is_malformed(c) ? stiffness() : stiffness_of(c),
+                        judged(c, named_effort, true, ways),
+                        judged_as_polygons(c)};
                    collected.add(result.named_tally, c, r.verdicts);
+                   collected.add(result.polygon_tally, c, r.as_polygons);
                });
 }
 
+/// In slices; those that the file has already are left out.
 void run_random(suite_result& result, const extent& how_much, collector& collected) {
-    on_threads(how_much.threads, how_much.random, "random cases", collected,
-               [&](std::uint64_t i, const arithmetics& ways) {
-                   const test_case c = random_case(i + 1);
-                   const auto verdicts = judged(c, random_effort, i < how_much.frames, ways);
-                   collected.add(result.random_tally, c, verdicts);
-               });
+    std::optional<slice_file> slices;
+    if (!how_much.slices.empty())
+        slices.emplace(how_much.slices,
+                       std::string("l3d_real = ") + l3d_real_name() + ' ' + l3d_simd_target());
+    for (std::uint64_t first = 0; first < how_much.random; first += slice_size) {
+        if (slices && slices->has(first))
+            continue;
+        std::array<tally, arithmetic_count> tallies;
+        const std::uint64_t count = std::min(slice_size, how_much.random - first);
+        on_threads(how_much.threads, count, "random cases of a slice", collected,
+                   [&](std::uint64_t i, const arithmetics& ways) {
+                       const test_case c = random_case(first + i + 1);
+                       const bool picture = first + i < how_much.frames;
+                       collected.add(tallies, c, judged(c, random_effort, picture, ways));
+                   });
+        for (std::size_t a = 0; a < arithmetic_count; ++a)
+            result.random_tally[a].add(tallies[a]);
+        if (slices && count == slice_size)
+            slices->add(first, result, tallies);
+    }
 }
 
 void run_ordinary(suite_result& result, const extent& how_much, collector& collected) {
@@ -179,9 +214,34 @@ void tally::add(const test_case& c, const verdict& v) {
         slowest_ms = v.milliseconds;
         slowest = c.group + ", " + c.name;
     }
+    if (v.ratio > worst_ratio) {
+        worst_ratio = v.ratio;
+        worst = c.group + "; " + c.name;
+    }
     if (v.samples > most_samples) {
         most_samples = v.samples;
         most_sampled = c.group + ", " + c.name;
+    }
+}
+
+void tally::add(const tally& other) {
+    for (std::size_t i = 0; i < outcomes.size(); ++i)
+        outcomes[i] += other.outcomes[i];
+    points += other.points;
+    exactly += other.exactly;
+    pictures += other.pictures;
+    most_pieces = std::max(most_pieces, other.most_pieces);
+    if (other.worst_ratio > worst_ratio) {
+        worst_ratio = other.worst_ratio;
+        worst = other.worst;
+    }
+    if (other.slowest_ms > slowest_ms) {
+        slowest_ms = other.slowest_ms;
+        slowest = other.slowest;
+    }
+    if (other.most_samples > most_samples) {
+        most_samples = other.most_samples;
+        most_sampled = other.most_sampled;
     }
 }
 
@@ -202,8 +262,15 @@ suite_result run_suite(const extent& how_much) {
     run_named(result, how_much, collected);
     run_random(result, how_much, collected);
     run_ordinary(result, how_much, collected);
-    if (how_much.only.empty())
+    if (how_much.only.empty()) {
         result.walks = all_walks();
+        result.curves = all_curves();
+    }
+    for (const curve_result& c : result.curves)
+        if (!c.kept())
+            collected.violate("curves, " + c.group + ", " + c.name + ": " +
+                              std::to_string(c.measured) + " px off, bound " +
+                              std::to_string(c.bound));
     for (const walk_result& w : result.walks)
         if (!w.kept())
             collected.violate(w.arithmetic + ", " + w.curve + ", " + std::to_string(w.steps) +

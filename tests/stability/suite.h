@@ -3,7 +3,9 @@
 #ifndef L3D_TESTS_STABILITY_SUITE_H
 #define L3D_TESTS_STABILITY_SUITE_H
 
+#include "curve_cases.h"
 #include "judge.h"
+#include "stiffness.h"
 #include "walks.h"
 
 #include <array>
@@ -21,7 +23,8 @@ struct extent {
     std::uint64_t frames = 0;    ///< of those, the first ones have their pictures judged, too
     std::uint64_t ordinary = 0;  ///< ordinary patches, for how tight the bound is
     int threads = 1;
-    std::string only; ///< if not empty, only named cases whose "group: name" has this
+    std::string only;   ///< if not empty, only named cases whose "group: name" has this
+    std::string slices; ///< if not empty, the file that random cases are kept in
 };
 
 inline constexpr std::size_t arithmetic_count = 4;
@@ -42,22 +45,28 @@ struct tally {
     std::int64_t points = 0, exactly = 0, pictures = 0;
     double slowest_ms = 0;
     std::int64_t most_samples = 0, most_pieces = 0;
-    std::string slowest, most_sampled; ///< the cases
+    double worst_ratio = 0;                   ///< of measured / bound
+    std::string slowest, most_sampled, worst; ///< the cases
 
     void add(const test_case& c, const verdict& v);
+    void add(const tally& other);
     std::int64_t cases() const;
 };
 
 struct named_result {
     std::string group, name;
     double tolerance = 0;
+    stiffness how_stiff; ///< ones for malformed cases
     std::array<verdict, arithmetic_count> verdicts;
+    verdict as_polygons; ///< the same patch as a mesh, by the pipelines of polygons
 };
 
 struct suite_result {
     std::array<std::string, arithmetic_count> arithmetics;
     std::vector<named_result> named;
     std::array<tally, arithmetic_count> named_tally, random_tally;
+    tally polygon_tally; ///< of the named cases as polygons
+    std::vector<curve_result> curves;
     std::vector<worst_case> worst;       ///< five, the worst first
     std::vector<std::string> violations; ///< one line each, the first hundred
     std::int64_t violation_count = 0;

@@ -6,12 +6,13 @@
 #include "dice/patch_dicer.h"
 #include "raster/parallel/simd_target.h"
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <fstream>
-#include <map>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace stability {
 namespace {
@@ -46,138 +47,103 @@ std::string cell_of(const verdict& v) {
     return std::string(name_of(v.what)) + " " + number(v.bound) + " / " + number(v.measured);
 }
 
-void write_tallies(std::FILE* to, const suite_result& r,
-                   const std::array<tally, arithmetic_count>& tallies) {
-    std::fprintf(to, "| arithmetic | cases | within | weaker | no bound | refused | violated | "
-                     "points looked at | in 100 digits | pictures judged |\n"
-                     "|---|---|---|---|---|---|---|---|---|---|\n");
-    for (std::size_t a = 0; a < arithmetic_count; ++a) {
-        const tally& t = tallies[a];
-        std::fprintf(to, "| %s | %lld |", r.arithmetics[a].c_str(),
-                     static_cast<long long>(t.cases()));
-        for (const std::int64_t n : t.outcomes)
-            std::fprintf(to, " %lld |", static_cast<long long>(n));
-        std::fprintf(to, " %lld | %lld | %lld |\n", static_cast<long long>(t.points),
-                     static_cast<long long>(t.exactly), static_cast<long long>(t.pictures));
+/// Text without what would end a field of comma-separated values.
+std::string field_of(std::string text) {
+    std::ranges::replace(text, ',', ';');
+    std::ranges::replace(text, '\n', ' ');
+    return text;
+}
+
+class file {
+public:
+    explicit file(const std::string& name) : name_(name), to_(std::fopen(name.c_str(), "w")) {
+        if (!to_)
+            throw std::runtime_error("cannot write " + name_);
     }
-}
-
-void write_costs(std::FILE* to, const suite_result& r) {
-    std::fprintf(to,
-                 "\n## Cost\n\nA patch is cut into at most %zu pieces with at most %lld vertices. "
-                 "A patch that would need more is\ndrawn with a larger bound, which the frame "
-                 "reports. The table has the largest figures of all named cases.\nTimes are of "
-                 "the whole frame, of one patch, on one thread of a machine that had other work, "
-                 "too.\n\n"
-                 "| arithmetic | most pieces | most vertices, edges included | case | most ms | "
-                 "case |\n"
-                 "|---|---|---|---|---|---|\n",
-                 l3d_most_pieces, static_cast<long long>(l3d_most_samples));
-    for (std::size_t a = 0; a < arithmetic_count; ++a) {
-        const tally& t = r.named_tally[a];
-        std::fprintf(to, "| %s | %lld | %lld | %s | %.0f | %s |\n", r.arithmetics[a].c_str(),
-                     static_cast<long long>(t.most_pieces), static_cast<long long>(t.most_samples),
-                     t.most_sampled.c_str(), t.slowest_ms, t.slowest.c_str());
+    ~file() {
+        if (to_)
+            std::fclose(to_);
     }
-}
+    file(const file&) = delete;
+    file& operator=(const file&) = delete;
 
-void write_tightness(std::FILE* to, const suite_result& r) {
-    std::fprintf(to, "\n## How tight\n\nThe table has the five largest ratios of all cases. "
-                     "Grids are compared with their own bound, triangles with the frame's.\n\n| "
-                     "measured / bound | measured px | bound px | arithmetic | "
-                     "case |\n|---|---|---|---|---|\n");
-    for (const worst_case& w : r.worst)
-        std::fprintf(to, "| %.4f | %s | %s | %s | %s: %s |\n", w.ratio, number(w.measured).c_str(),
-                     number(w.bound).c_str(), w.arithmetic.c_str(), w.group.c_str(),
-                     w.name.c_str());
-    std::fprintf(to,
-                 "\nFor %llu ordinary patches, one a frame, we divide the frame's bound by the "
-                 "largest measured error. The\nmedian is:",
-                 static_cast<unsigned long long>(r.ordinary));
-    for (std::size_t a = 0; a < arithmetic_count; ++a)
-        std::fprintf(to, " %s %.2f%s", r.arithmetics[a].c_str(), r.median_looseness[a],
-                     a + 1 < arithmetic_count ? "," : ".\n");
-}
+    template <class... Values> void write(const char* format, Values... values) {
+        std::fprintf(to_, format, values...);
+    }
+    void close() {
+        if (std::fclose(std::exchange(to_, nullptr)) != 0)
+            throw std::runtime_error("cannot write " + name_);
+    }
 
-void write_walks(std::FILE* to, const suite_result& r) {
-    std::fprintf(
-        to, "\n## Forward differences alone\n\nWhole curves with values up to "
-            "2000 are walked without a restart. (The library restarts after 32 steps\n"
-            "at most.) Each cell has the bound and the measured error. 32 bits are no more "
-            "accurate than these bounds\nsay: their error grows with the cube of the steps.\n\n"
-            "| curve | steps |");
+private:
+    std::string name_;
+    std::FILE* to_;
+};
+
+void write_named(file& to, const suite_result& r) {
+    to.write("group,case,tolerance_px,speed,third_difference,weights,aspect,stiffness");
+    const auto head = [&](const char* name) {
+        to.write(",%s,%s bound_px,%s measured_px,%s ratio", name, name, name, name);
+    };
     for (const std::string& name : r.arithmetics)
-        std::fprintf(to, " %s |", name.c_str());
-    std::fprintf(to, "\n|---|---|---|---|---|---|\n");
-    for (std::size_t i = 0; i + arithmetic_count <= r.walks.size(); i += arithmetic_count) {
-        std::fprintf(to, "| %s | %d |", r.walks[i].curve.c_str(), r.walks[i].steps);
-        for (std::size_t a = 0; a < arithmetic_count; ++a)
-            std::fprintf(to, " %s / %s |", number(r.walks[i + a].bound).c_str(),
-                         number(r.walks[i + a].measured).c_str());
-        std::fprintf(to, "\n");
-    }
-}
-
-void write_named(std::FILE* to, const suite_result& r) {
-    std::fprintf(to,
-                 "\n## Every named case\n\nEach cell has the outcome, the bound and the largest "
-                 "measured error, in pixels.\n\n| group | case | tolerance |");
-    for (const std::string& name : r.arithmetics)
-        std::fprintf(to, " %s |", name.c_str());
-    std::fprintf(to, "\n|---|---|---|---|---|---|---|\n");
+        head(name.c_str());
+    head("polygons");
+    to.write(",reason\n");
     for (const named_result& n : r.named) {
-        std::fprintf(to, "| %s | %s | %s |", n.group.c_str(), n.name.c_str(),
-                     number(n.tolerance).c_str());
+        const stiffness& s = n.how_stiff;
+        to.write("%s,%s,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g", n.group.c_str(), field_of(n.name).c_str(),
+                 n.tolerance, s.speed, s.third, s.weights, s.aspect, s.most());
+        const auto cells = [&](const verdict& v) {
+            to.write(",%s,%.6g,%.6g,%.6g", name_of(v.what), v.bound, v.measured, v.ratio);
+        };
         for (const verdict& v : n.verdicts)
-            std::fprintf(to, " %s |", cell_of(v).c_str());
-        std::fprintf(to, "\n");
+            cells(v);
+        cells(n.as_polygons);
+        to.write(",%s\n", field_of(n.verdicts[0].reason).c_str());
     }
-    std::fprintf(to, "\n## Why cases are refused\n\n");
-    for (const named_result& n : r.named)
-        if (n.verdicts[0].what == outcome::refused)
-            std::fprintf(to, "- %s, %s: `%s`\n", n.group.c_str(), n.name.c_str(),
-                         n.verdicts[0].reason.c_str());
+}
+
+void write_facts(file& to, const suite_result& r) {
+    to.write("what,arithmetic,value,case\n");
+    for (std::size_t a = 0; a < arithmetic_count; ++a) {
+        const char* const name = r.arithmetics[a].c_str();
+        const tally& t = r.named_tally[a];
+        to.write("bound / measured of ordinary patches; median,%s,%.4g,%llu patches\n", name,
+                 r.median_looseness[a], static_cast<unsigned long long>(r.ordinary));
+        to.write("most pieces,%s,%lld,of at most %zu\n", name,
+                 static_cast<long long>(t.most_pieces), l3d_most_pieces);
+        to.write("most vertices,%s,%lld,%s\n", name, static_cast<long long>(t.most_samples),
+                 field_of(t.most_sampled).c_str());
+        to.write("most ms,%s,%.0f,%s\n", name, t.slowest_ms, field_of(t.slowest).c_str());
+        to.write("points looked at,%s,%lld,named cases\n", name, static_cast<long long>(t.points));
+        to.write("points in 100 digits,%s,%lld,named cases\n", name,
+                 static_cast<long long>(t.exactly));
+        to.write("pictures judged,%s,%lld,named cases\n", name, static_cast<long long>(t.pictures));
+    }
+    for (const std::string& line : r.violations)
+        to.write("violation,,,%s\n", field_of(line).c_str());
+    to.write("processor,,,%s\nvector instructions,,,%s\ndate,,,%s\nseconds,,%.0f,\n",
+             field_of(processor()).c_str(), l3d_simd_target().c_str(), today().c_str(), r.seconds);
 }
 
 } // namespace
 
-void write_table(std::FILE* to, const suite_result& r) {
-    std::fprintf(
-        to,
-        "# Stability\n\nMade by `make stability` on %s, %s, vector instructions %s, "
-        "l3d_real = %s, in %.0f s.\n\n"
-        "Each case is a patch, a view and a tolerance. It is drawn in four arithmetics: "
-        "*float*, *double* and\n*block 32* in vector lanes, and *32.32* fixed point by the "
-        "slow twin. *Block 32* has 32-bit integers with an\nexponent for each patch and "
-        "coordinate, and 64-bit ones where those are too coarse.\n\n"
-        "Drawn points are compared with the exact surface. This is done in 64 bits for all "
-        "points that are looked at,\nand in 100 decimal digits for the worst point of each "
-        "patch. Pictures are compared with the exact picture.\nFarther from an outline than "
-        "the bound, no pixel may be missing and none may be too many. The frame of\n"
-        "`l3d_pipeline_afd` itself has to be the same bits.\n\n"
-        "*within*: drawn, its bound at most the tolerance. *weaker*: drawn, and the frame "
-        "reports a larger bound.\n*no bound*: drawn, and the frame reports that it knows "
-        "no bound. *refused*: nothing is drawn, for a stated\nreason. *violated*: anything "
-        "else. Weights are distances: a patch seen in perspective is a rational patch.\n\n",
-        today().c_str(), processor().c_str(), l3d_simd_target().c_str(), l3d_real_name(),
-        r.seconds);
-    std::fprintf(to,
-                 "**%lld violations** in %lld named and %lld random cases in each "
-                 "arithmetic.\n\n## Named cases\n\n",
-                 static_cast<long long>(r.violation_count),
-                 static_cast<long long>(r.named_tally[0].cases()),
-                 static_cast<long long>(r.random_tally[0].cases()));
-    write_tallies(to, r, r.named_tally);
-    std::fprintf(to,
-                 "\n## Random cases\n\nAny shape in any view, tolerances from 0.02 to 2 pixels, "
-                 "pictures from 1 x 1 to 8192 pixels wide, worlds of\n1e-9 to 1e9 units.\n\n");
-    write_tallies(to, r, r.random_tally);
-    for (const std::string& line : r.violations)
-        std::fprintf(to, "\n- VIOLATED %s\n", line.c_str());
-    write_tightness(to, r);
-    write_costs(to, r);
-    write_walks(to, r);
-    write_named(to, r);
+void write_files(const std::string& folder, const suite_result& r) {
+    const std::string base = folder + "/stability_" + l3d_real_name();
+    file named(base + ".csv"), facts(base + "_facts.csv"), curves(base + "_curves.csv");
+    file walks(base + "_walks.csv");
+    write_named(named, r);
+    write_facts(facts, r);
+    curves.write("group,case,stiffness,chords,bound_px,measured_px\n");
+    for (const curve_result& c : r.curves)
+        curves.write("%s,%s,%.6g,%lld,%.6g,%.6g\n", c.group.c_str(), field_of(c.name).c_str(),
+                     c.stiffness, static_cast<long long>(c.chords), c.bound, c.measured);
+    walks.write("arithmetic,curve,steps,bound,measured\n");
+    for (const walk_result& w : r.walks)
+        walks.write("%s,%s,%d,%.6g,%.6g\n", w.arithmetic.c_str(), field_of(w.curve).c_str(),
+                    w.steps, w.bound, w.measured);
+    for (file* each : {&named, &facts, &curves, &walks})
+        each->close();
 }
 
 void write_cases(std::FILE* to, const suite_result& r) {
@@ -214,7 +180,10 @@ void write_lines(std::FILE* to, const suite_result& r) {
     if (r.violation_count == 0) {
         std::fprintf(to, "ok stability, named, %lld\n", sum(r.named_tally));
         std::fprintf(to, "ok stability, random, %lld\n", sum(r.random_tally));
+        std::fprintf(to, "ok stability, polygons, %lld\n",
+                     static_cast<long long>(r.polygon_tally.cases()));
         std::fprintf(to, "ok stability, walks, %zu\n", r.walks.size());
+        std::fprintf(to, "ok stability, plane curves, %zu\n", r.curves.size());
     }
     std::fprintf(to, "%lld violations in %.1f s\n", static_cast<long long>(r.violation_count),
                  r.seconds);

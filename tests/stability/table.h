@@ -6,11 +6,14 @@
 #include "suite.h"
 
 #include <cstdio>
+#include <string>
 
 namespace stability {
 
-/// Markdown: what was run, on what and when, the worst, and every named case.
-void write_table(std::FILE* to, const suite_result& result);
+/// Comma-separated values, named after this build's l3d_real: every named case with its stiffness,
+/// plane curves, walks, and the facts of the run. stability_pages.py makes a page of them.
+/// Errors: std::runtime_error that names the file.
+void write_files(const std::string& folder, const suite_result& result);
 
 /// A line for each named case and arithmetic, with all that is known of it.
 void write_cases(std::FILE* to, const suite_result& result);

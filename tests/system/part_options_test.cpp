@@ -47,6 +47,28 @@ TEST(part_options, leave_a_model_alone_unless_they_are_given) {
     EXPECT_TRUE(program({"--list-parts"}).parts.lists());
 }
 
+TEST(part_options, make_parts_instances_of_their_own_if_they_are_transparent) {
+    const program some({"--opacity", "lid=0.4", "--opacity", "spout=1", "--opacity", "handle=0.5",
+                        "--hide", "handle", "--color", "lid=255,128,0"});
+    const l3d_patch_scene scene = some.parts.scene(l3d_patch_model::teapot());
+    ASSERT_EQ(scene.instances().size(), 2u);
+    EXPECT_EQ(scene.instances()[0].model().patches().size(), 16u);
+    EXPECT_EQ(scene.instances()[0].opacity(), 1);
+    EXPECT_EQ(scene.instances()[1].model().patches().size(), 8u);
+    EXPECT_EQ(scene.instances()[1].opacity(), 0.4);
+    EXPECT_EQ(scene.instances()[1].model().materials()[0].color, 0xff8000u);
+    const l3d_patch_scene all = program({}).parts.scene(l3d_patch_model::teapot());
+    EXPECT_EQ(all.instances().size(), 1u);
+    EXPECT_THROW(program({"--opacity", "lid=0.4"}).polygons(), l3d_error);
+    EXPECT_THROW(program({"--opacity", "leg=1"}).parts.scene(l3d_patch_model::teapot()), l3d_error);
+}
+
+TEST(part_options, refuse_what_is_no_opacity) {
+    for (const char* const wrong :
+         {"lid", "=0.5", "lid=", "lid=half", "lid=1.5", "lid=-0.1", "lid=nan", "lid=0.5,0.5"})
+        EXPECT_NE(refusal_of({"--opacity", wrong}).find(wrong), std::string::npos) << wrong;
+}
+
 TEST(part_options, hide_show_and_colour_parts_of_both_kinds_of_models) {
     const program some({"--show-only", "lid", "--show-only", "spout", "--hide", "spout", "--color",
                         "lid=255,128,0", "--color", "body=1,2,3"});

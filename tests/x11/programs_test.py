@@ -148,6 +148,27 @@ def xform_differs_by_seed():
     expect(pictures[0] != pictures[1], "two seeds, one picture")
 
 
+def collide_keeps_its_bodies_together():
+    """The spring pulls all back, and balls that bounce keep their energy: nothing flies away."""
+    program = harness.Program("collide", (160, 120))
+    for frames in (1, 1200, 3600):
+        rows = harness.memory_picture(program, "--frames", str(frames))
+        expect(sum(pixel != 0 for row in rows for pixel in row) > 300, "few pixels at", frames)
+    expect(rows != harness.memory_picture(program, "--frames", "3600", "--seed", "2"), "seeds")
+
+
+def morph3d_comes_back_to_its_first_form():
+    """After four forms of 90 steps each it is the ball again, which looks alike from all sides."""
+    program = harness.Program("morph3d", (160, 120))
+    covered = []
+    for frames in (2, 92, 182, 272, 362):
+        rows = harness.memory_picture(program, "--frames", str(frames))
+        covered.append({(x, y) for y, row in enumerate(rows) for x, pixel in enumerate(row) if pixel})
+    expect(len(covered[0] ^ covered[4]) < 0.02 * len(covered[0]), "another form at the end")
+    for i in range(4):
+        expect(len(covered[i] ^ covered[i + 1]) > 0.1 * len(covered[i]), "no change", i)
+
+
 def write():
     lines = TABLE.read_text().splitlines()
     for i, line in enumerate(lines):
@@ -171,6 +192,8 @@ def main():
         hello_tells_every_event,
         morph2d_has_the_books_forms,
         xform_differs_by_seed,
+        collide_keeps_its_bodies_together,
+        morph3d_comes_back_to_its_first_form,
     ):
         checks.run("programs." + check.__name__, check)
     for row in rows:

@@ -25,6 +25,20 @@ constexpr int second_line = 16; // the book's; pixels from the top
 
 } // namespace
 
+std::vector<l3d_caption_row> l3d_world_keys() {
+    return {{"i, k", "fly forward and back"},
+            {"s, f", "fly left and right"},
+            {"e, d", "fly up and down"},
+            {"j, l", "turn left and right"},
+            {"I, K", "pitch"},
+            {"J, L", "roll"},
+            {"v", "more or less thrust"},
+            {"X, x", "width of the view"},
+            {"Y, y", "height of the view"},
+            {"0, 1", "stop and start the world"},
+            {"n", "status"}};
+}
+
 l3d_pipeline_world::l3d_pipeline_world(l3d_canvas canvas, l3d_world& world)
     : l3d_pipeline_2d(std::move(canvas)), world_(world), seen_size_(size()) {}
 

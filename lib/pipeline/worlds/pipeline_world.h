@@ -4,15 +4,15 @@
 #define L3D_PIPELINE_WORLDS_PIPELINE_WORLD_H
 
 #include "base/public.h"
+#include "pipeline/caption.h"
 #include "pipeline/pipeline_2d.h"
 #include "pipeline/worlds/world.h"
 
 #include <cstddef>
+#include <vector>
 
-/// The keys, for --help.
-inline constexpr const char* l3d_world_keys =
-    "Keys: j l turn, I K pitch, J L roll, i k forward and back, s f left and right, e d up and "
-    "down, v thrust, X x Y y field of view, n status, 0 1 stop and start, q.";
+/// The keys, for a program's caption.
+L3D_PUBLIC std::vector<l3d_caption_row> l3d_world_keys();
 
 /// Keys, time and pictures of a world.
 ///

@@ -52,15 +52,18 @@ double flat_steps(const l3d_curve_2d& curve, double distance);
 /// keep rounding below 2^-40 of the coordinates.
 inline constexpr int most_flat_steps = 16;
 
-/// Calls line(point) for the end of each chord. What is not seen becomes one chord.
+/// Calls line(point) for the end of each chord of so many equal steps, a whole number but for being
+/// a double. What is not seen becomes one chord.
+///
+/// A half needs half the steps: about the same origin, its second differences are a quarter.
 template <class Line>
-void flatten(const l3d_curve_2d& curve, double distance, const seen_box& seen, const Line& line) {
-    const double steps = flat_steps(curve, distance);
+void flatten_in(double steps, const l3d_curve_2d& curve, const seen_box& seen, const Line& line) {
     if (steps > 1 && !seen.misses(curve)) {
         if (steps > most_flat_steps) {
             const auto [first, second] = curve.split();
-            flatten(first, distance, seen, line);
-            return flatten(second, distance, seen, line);
+            const double half = std::ceil(steps / 2);
+            flatten_in(half, first, seen, line);
+            return flatten_in(half, second, seen, line);
         }
         const int count = static_cast<int>(steps);
         std::array<l3d_forward_difference<double, 3>, 3> walk;
@@ -83,6 +86,12 @@ void flatten(const l3d_curve_2d& curve, double distance, const seen_box& seen, c
         }
     }
     line(projected(curve.points[3]));
+}
+
+/// Calls line(point) for the end of each chord. What is not seen becomes one chord.
+template <class Line>
+void flatten(const l3d_curve_2d& curve, double distance, const seen_box& seen, const Line& line) {
+    flatten_in(flat_steps(curve, distance), curve, seen, line);
 }
 
 /// Calls begin(point), line(point) and end(closed) for each outline of a path.

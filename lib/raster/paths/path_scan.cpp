@@ -25,12 +25,76 @@ std::span<const covered_span> path_scan::convert(const order& wanted) {
     if (box_.empty() || full_value_ == 0 || !wanted.path.is_number() ||
         (wanted.clip != nullptr && !wanted.clip->is_number()))
         return {};
-    add_path(wanted.path, 0);
-    if (wanted.clip != nullptr)
-        add_path(*wanted.clip, 1);
-    if (edges_.empty())
-        return {};
     areas_.set_width(width_);
+    take_corners(wanted.path);
+    if (ends_.size() == 1 && wanted.clip == nullptr && convex_.begin(corners_, width_, height_)) {
+        add_convex();
+    } else {
+        add_edges(0);
+        if (wanted.clip != nullptr) {
+            take_corners(*wanted.clip);
+            add_edges(1);
+        }
+        if (!edges_.empty())
+            add_rows();
+    }
+    values_.resize(values_.size() + most_lanes);
+    return spans_;
+}
+
+/// Lattice: here pixel 0 is [0, 1), and its sample is its middle.
+void path_scan::take_corners(const l3d_path& path) {
+    corners_.clear();
+    ends_.clear();
+    const double dx = 0.5 - box_.left, dy = 0.5 - box_.top;
+    const seen_box seen{-dx, -dy, width_ - dx, height_ - dy};
+    const auto go = [&](l3d_point_2d to) { corners_.push_back({to.x + dx, to.y + dy}); };
+    visit_flat(path, l3d_flat_enough, seen, go, go, [&](bool) {
+        if (ends_.empty() || ends_.back() < corners_.size())
+            ends_.push_back(corners_.size());
+    });
+}
+
+void path_scan::add_edges(std::uint8_t layer) {
+    std::size_t begin = 0;
+    for (const std::size_t end : ends_) {
+        l3d_point_2d last = corners_[end - 1];
+        for (; begin < end; ++begin) {
+            add_edge(last, corners_[begin], layer);
+            last = corners_[begin];
+        }
+    }
+}
+
+void path_scan::add_convex() {
+    for (std::int32_t row = convex_.top(); row < convex_.bottom(); ++row) {
+        const reached_columns left = convex_.add_left(row, areas_);
+        const reached_columns right = convex_.add_right(row, areas_);
+        if (left.first <= left.last && right.first <= right.last)
+            add_convex_row(row, left, right);
+    }
+}
+
+void path_scan::add_convex_row(std::int32_t row, const reached_columns& left,
+                               const reached_columns& right) {
+    // A run of values costs a few nanoseconds, however short it is; so does a span beside it.
+    constexpr std::int32_t few = 32;
+    if (right.first <= left.last + 1) {
+        add_values(row, {left.first, std::max(left.last, right.last)}, 0);
+    } else if (right.last - left.first < few) {
+        std::uint8_t* value = add_values(row, {left.first, right.last});
+        const double covered = run_up(left, 0, value);
+        const std::int32_t between = right.first - left.last - 1;
+        std::fill_n(value + (left.last + 1 - left.first), between, value_of(covered));
+        run_up(right, covered, value + (right.first - left.first));
+    } else {
+        const double covered = add_values(row, left, 0);
+        add_solid(row, left.last + 1, right.first, value_of(covered));
+        add_values(row, right, covered);
+    }
+}
+
+void path_scan::add_rows() {
     const std::int32_t bottom = std::ranges::max_element(edges_, {}, &edge::bottom)->bottom;
     top_ = std::ranges::min_element(edges_, {}, &edge::top)->top;
     sort_edges(bottom - top_);
@@ -39,29 +103,6 @@ std::span<const covered_span> path_scan::convert(const order& wanted) {
         if (!pieces_.empty())
             add_row(row);
     }
-    return spans_;
-}
-
-void path_scan::add_path(const l3d_path& path, std::uint8_t layer) {
-    // Lattice: here pixel 0 is [0, 1), and its sample is its middle.
-    const double dx = 0.5 - box_.left, dy = 0.5 - box_.top;
-    const seen_box seen{-dx, -dy, width_ - dx, height_ - dy};
-    l3d_point_2d start{}, last{};
-    const auto go = [&](l3d_point_2d to) {
-        const l3d_point_2d moved{to.x + dx, to.y + dy};
-        add_edge(last, moved, layer);
-        last = moved;
-    };
-    visit_flat(
-        path, l3d_flat_enough, seen,
-        [&](l3d_point_2d from) {
-            start = last = {from.x + dx, from.y + dy};
-        },
-        go,
-        [&](bool) {
-            add_edge(last, start, layer);
-            last = start;
-        });
 }
 
 /// Cuts an edge at the sides of the box. What is outside moves to the side: so the windings inside
@@ -187,12 +228,12 @@ void path_scan::add_row(std::int32_t row) {
         for (++i; i < pieces_.size() && pieces_[i].first <= last; ++i)
             last = std::max(last, pieces_[i].last);
         if (rules_.inside(w))
-            add_solid(row, done, first);
+            add_solid(row, done, first, full_value_);
         w = add_cluster(row, std::span(pieces_).subspan(begin, i - begin), last, w);
         done = last + 1;
     }
     if (rules_.inside(w))
-        add_solid(row, done, width_);
+        add_solid(row, done, width_, full_value_);
 }
 
 namespace {
@@ -225,7 +266,7 @@ windings path_scan::add_cluster(std::int32_t row, std::span<const row_piece> pie
     const bool one_chain = one_way && height > 0.5 && height < 1.5;
     if (one_chain && was_inside == is_inside) {
         if (is_inside)
-            add_solid(row, first, end);
+            add_solid(row, first, end, full_value_);
         return right;
     }
     if (one_chain)
@@ -233,36 +274,48 @@ windings path_scan::add_cluster(std::int32_t row, std::span<const row_piece> pie
             areas_.add_border(p.x0, p.y0, p.x1, p.y1, is_inside ? 1 : -1);
     else
         areas_.add_cluster(pieces, left, rules_);
-    add_values(row, first, last, was_inside);
+    add_values(row, {first, last}, was_inside ? 1 : 0);
     return right;
 }
 
-void path_scan::add_values(std::int32_t row, std::int32_t first, std::int32_t last,
-                           bool was_inside) {
-    const std::int32_t end = std::min(last + 1, width_);
-    double* sums = areas_.sums();
-    double covered = was_inside ? 1 : 0;
-    if (first < end) {
-        spans_.push_back({row + box_.top, first + box_.left, end + box_.left, -1, values_.size()});
-        values_.resize(values_.size() + static_cast<std::size_t>(end - first));
-        std::uint8_t* value = &values_[spans_.back().values];
-        for (std::int32_t column = first; column < end; ++column) {
-            covered += sums[column];
-            *value++ = static_cast<std::uint8_t>(std::clamp(covered, 0.0, 1.0) * full_ + 0.5);
-        }
-    }
-    std::fill(sums + first, sums + last + 2, 0.0);
+/// A span of values that are still to be found.
+std::uint8_t* path_scan::add_values(std::int32_t row, const reached_columns& columns) {
+    const std::int32_t end = std::min(columns.last + 1, width_);
+    if (columns.first < end)
+        spans_.push_back(
+            {row + box_.top, columns.first + box_.left, end + box_.left, -1, values_.size()});
+    const std::size_t before = values_.size();
+    values_.resize(before + static_cast<std::size_t>(columns.last + 1 - columns.first));
+    return &values_[before];
 }
 
-void path_scan::add_solid(std::int32_t row, std::int32_t first, std::int32_t end) {
-    if (first >= end)
+/// Runs up the sums from what is covered on their left, and takes them back to 0. Gives what is
+/// covered on their right.
+double path_scan::run_up(const reached_columns& columns, double covered, std::uint8_t* value) {
+    double* sums = areas_.sums();
+    for (std::int32_t column = columns.first; column <= columns.last; ++column) {
+        covered += sums[column];
+        *value++ = value_of(covered);
+        sums[column] = 0;
+    }
+    covered += sums[columns.last + 1];
+    sums[columns.last + 1] = 0;
+    return covered;
+}
+
+double path_scan::add_values(std::int32_t row, const reached_columns& columns, double covered) {
+    return run_up(columns, covered, add_values(row, columns));
+}
+
+void path_scan::add_solid(std::int32_t row, std::int32_t first, std::int32_t end, int value) {
+    if (first >= end || value == 0)
         return;
     const std::int32_t y = row + box_.top, left = first + box_.left, right = end + box_.left;
-    if (!spans_.empty() && spans_.back().value >= 0 && spans_.back().row == y &&
+    if (!spans_.empty() && spans_.back().value == value && spans_.back().row == y &&
         spans_.back().last == left)
         spans_.back().last = right;
     else
-        spans_.push_back({y, left, right, full_value_, 0});
+        spans_.push_back({y, left, right, value, 0});
 }
 
 } // namespace l3d_detail

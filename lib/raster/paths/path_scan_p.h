@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_PATHS_PATH_SCAN_P_H
 #define L3D_RASTER_PATHS_PATH_SCAN_P_H
 
+#include "raster/paths/convex_rows_p.h"
 #include "raster/paths/path.h"
 #include "raster/paths/row_pieces_p.h"
 #include "tool_2d/pixels.h"
@@ -27,8 +28,9 @@ struct covered_span {
 /// Pieces of edges in one row whose columns meet form a cluster. Outlines are closed, and pieces
 /// that follow each other meet. So windings do not change down the row between two clusters, and
 /// what lies there is covered all or not at all. Most clusters are one chain of edges from the
-/// row's top to its bottom. The others go to row_areas::add_cluster. Cost:    for each row, a few
-/// divisions for each edge that is in it; linear in the columns of
+/// row's top to its bottom. The others go to row_areas::add_cluster. A single convex outline needs
+/// no clusters: convex_rows draws it.
+/// Cost:    for each row, a few divisions for each edge that is in it; linear in the columns of
 ///          clusters; nothing for columns between them. Allocates when a path has more edges or
 ///          spans than ever before.
 class path_scan {
@@ -48,12 +50,15 @@ public:
     /// Lives:   until the next call.
     std::span<const covered_span> convert(const order& wanted);
 
-    /// The values of a span whose value is -1.
+    /// The values of a span whose value is -1. As many may be read beyond its end as a vector has
+    /// lanes of 32 bits.
     const std::uint8_t* values_of(const covered_span& span) const {
         return values_.data() + span.values;
     }
 
 private:
+    static constexpr std::size_t most_lanes = 64; ///< vectors of 2048 bits
+
     struct edge {
         double x0, y0, x1, y1, slope; ///< y0 < y1, or a level one
         std::int32_t top, bottom;     ///< rows top <= row < bottom
@@ -63,7 +68,12 @@ private:
         row_piece piece_in(std::int32_t row, std::size_t index) const;
     };
 
-    void add_path(const l3d_path& path, std::uint8_t layer);
+    void take_corners(const l3d_path& path);
+    void add_convex();
+    void add_convex_row(std::int32_t row, const reached_columns& left,
+                        const reached_columns& right);
+    void add_edges(std::uint8_t layer);
+    void add_rows();
     void add_edge(l3d_point_2d from, l3d_point_2d to, std::uint8_t layer);
     void add_within(double x0, double y0, double x1, double y1, int direction, std::uint8_t layer);
     void sort_edges(std::int32_t rows);
@@ -72,8 +82,13 @@ private:
     void add_row(std::int32_t row);
     windings add_cluster(std::int32_t row, std::span<const row_piece> pieces, std::int32_t last,
                          const windings& left);
-    void add_values(std::int32_t row, std::int32_t first, std::int32_t end, bool was_inside);
-    void add_solid(std::int32_t row, std::int32_t first, std::int32_t end);
+    std::uint8_t* add_values(std::int32_t row, const reached_columns& columns);
+    double run_up(const reached_columns& columns, double covered, std::uint8_t* value);
+    double add_values(std::int32_t row, const reached_columns& columns, double covered);
+    void add_solid(std::int32_t row, std::int32_t first, std::int32_t end, int value);
+    std::uint8_t value_of(double covered) const {
+        return static_cast<std::uint8_t>(std::clamp(covered, 0.0, 1.0) * full_ + 0.5);
+    }
 
     l3d_pixel_box box_{};
     std::int32_t width_ = 0, height_ = 0;
@@ -81,6 +96,9 @@ private:
     double full_ = 255;
     int full_value_ = 255;
     fill_rules rules_;
+    std::vector<l3d_point_2d> corners_; ///< of all outlines, one after the other
+    std::vector<std::size_t> ends_;     ///< where each outline's corners end
+    convex_rows convex_;
     std::vector<edge> edges_;
     std::vector<std::size_t> order_;  ///< edges by their top rows
     std::vector<std::size_t> begins_; ///< of each row, the first place in order_

@@ -13,7 +13,8 @@ namespace l3d_detail {
 /// An arc of angle a is r (1 - cos(a / 2)) away from its chord, at most r a^2 / 8.
 pen_outline::pen_outline(const l3d_stroke& pen, l3d_path& result)
     : pen_(pen), result_(result), radius_(pen.width / 2),
-      most_angle_(std::min(std::sqrt(8 * l3d_flat_enough / radius_), std::numbers::pi / 4)) {}
+      most_angle_(std::min(std::sqrt(8 * l3d_flat_enough / radius_), std::numbers::pi / 4)),
+      least_cosine_(std::cos(most_angle_)) {}
 
 void pen_outline::add(const std::vector<pen_point>& points, bool closed) {
     find_chords(points, closed);
@@ -77,6 +78,8 @@ void pen_outline::add_side(bool closed) {
 void pen_outline::add_joint(const chord& before, const chord& after) {
     const double sine = before.x * after.y - before.y * after.x;
     const double cosine = before.x * after.x + before.y * after.y;
+    if (after.smooth && cosine >= least_cosine_ && add_smooth_joint(before, after, sine, cosine))
+        return;
     add_point(beside(after.from, before));
     if (sine > 0 || (sine == 0 && cosine < 0)) { // a turn to the right, y down: left is outside
         add_outer_joint(before, after, sine, cosine);
@@ -87,6 +90,21 @@ void pen_outline::add_joint(const chord& before, const chord& after) {
             add_point(after.from);
     }
     add_point(beside(after.from, after));
+}
+
+/// One point for a turn so small that its arc is nearly its chord. On the outside it lies on the
+/// arc, and the sides of both rectangles are at most r (1 - cos(turn / 2)) away. On the inside it
+/// is where these sides cross; nothing is done where that is beyond the middle of one of them.
+bool pen_outline::add_smooth_joint(const chord& before, const chord& after, double sine,
+                                   double cosine) {
+    const bool outside = sine > 0;
+    const double along = radius_ * -sine / (1 + cosine);
+    if (!outside && along > std::min(before.length, after.length) / 2)
+        return false;
+    const double scale = radius_ / (outside ? std::sqrt(2 * (1 + cosine)) : 1 + cosine);
+    add_point(
+        {after.from.x + scale * (before.y + after.y), after.from.y - scale * (before.x + after.x)});
+    return true;
 }
 
 void pen_outline::add_outer_joint(const chord& before, const chord& after, double sine,

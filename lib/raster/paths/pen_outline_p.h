@@ -41,6 +41,7 @@ private:
     /// end.
     void add_side(bool closed);
     void add_joint(const chord& before, const chord& after);
+    bool add_smooth_joint(const chord& before, const chord& after, double sine, double cosine);
     void add_outer_joint(const chord& before, const chord& after, double sine, double cosine);
     void add_cap(const chord& last);
     /// Points on the circle about a place, from the angle of a direction on.
@@ -55,6 +56,7 @@ private:
     const l3d_stroke& pen_;
     l3d_path& result_;
     double radius_, most_angle_;
+    double least_cosine_; ///< of a turn by that
     std::vector<chord> chords_;
     bool begun_ = false;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace l3d_detail {
 
@@ -27,33 +28,6 @@ void row_areas::set_width(std::int32_t width) {
         sums_.resize(needed, 0.0);
 }
 
-void row_areas::add_border(double x0, double y0, double x1, double y1, double sign) {
-    const double height = sign * (y1 - y0);
-    const double left = std::min(x0, x1), right = std::max(x0, x1);
-    const auto first = static_cast<std::int32_t>(left);
-    const auto last = static_cast<std::int32_t>(right);
-    double* sum = sums_.data() + first;
-    if (first == last) {
-        const double beyond = height * ((x0 + x1) / 2 - first);
-        sum[0] += height - beyond;
-        sum[1] += beyond;
-        return;
-    }
-    // From left to right: `passed` is how much of the height lies left of a column's right side.
-    const double per_column = height / (right - left);
-    double from = left, before = 0;
-    for (std::int32_t column = first; column <= last; ++column, ++sum) {
-        const double to = std::min<double>(column + 1, right);
-        const double passed = column == last ? height : (to - left) * per_column;
-        const double here = passed - before;
-        const double beyond = here * ((from + to) / 2 - column);
-        sum[0] += here - beyond;
-        sum[1] += beyond;
-        before = passed;
-        from = to;
-    }
-}
-
 void row_areas::add_cluster(std::span<const row_piece> pieces, const windings& left,
                             const fill_rules& rules) {
     ends_.clear();
@@ -75,14 +49,12 @@ void row_areas::add_cluster(std::span<const row_piece> pieces, const windings& l
         std::size_t kept = 0;
         for (const chord& c : chords_)
             if (c.piece->y1 > top)
-                chords_[kept++] = c;
+                chords_[kept++] = {c.x1, 0, c.piece};
         chords_.resize(kept);
         for (; next < sorted_.size() && sorted_[next]->y0 <= top; ++next)
-            chords_.push_back({0, 0, sorted_[next]});
-        for (chord& c : chords_) {
-            c.x0 = x_at(*c.piece, top);
+            chords_.push_back({sorted_[next]->x0, 0, sorted_[next]});
+        for (chord& c : chords_)
             c.x1 = x_at(*c.piece, bottom);
-        }
         add_slab(top, bottom, left, rules);
     }
 }
@@ -92,21 +64,44 @@ void row_areas::add_slab(double top, double bottom, const windings& left, const 
     // From one slab to the next few change places.
     if (!std::is_sorted(chords_.begin(), chords_.end()))
         std::sort(chords_.begin(), chords_.end());
-    if (std::ranges::is_sorted(chords_, {}, &chord::x1))
-        return add_ordered(chords_, top, bottom, left, rules);
-    cut_chords_ = chords_;
+    if (std::ranges::is_sorted(chords_, {}, &chord::x1)) {
+        add_ordered(chords_, top, bottom, left, rules);
+        return;
+    }
+    // Where all lower ends before a chord are left of those from it on, nothing crosses.
+    least_after_.resize(chords_.size() + 1);
+    least_after_.back() = std::numeric_limits<double>::infinity();
+    for (std::size_t i = chords_.size(); i-- > 0;)
+        least_after_[i] = std::min(least_after_[i + 1], chords_[i].x1);
+    windings w = left;
+    for (std::size_t i = 0; i < chords_.size();) {
+        const std::size_t begin = i;
+        double most = chords_[i].x1;
+        for (++i; i < chords_.size() && most > least_after_[i]; ++i)
+            most = std::max(most, chords_[i].x1);
+        const auto group = std::span(chords_).subspan(begin, i - begin);
+        w = group.size() == 1 ? add_ordered(group, top, bottom, w, rules)
+                              : add_crossing(group, top, bottom, w, rules);
+    }
+}
+
+windings row_areas::add_crossing(std::span<const chord> chords, double top, double bottom,
+                                 const windings& left, const fill_rules& rules) {
+    cut_chords_.assign(chords.begin(), chords.end());
     find_crossings(top, bottom);
+    windings right;
     for (std::size_t i = 1; i < cuts_.size(); ++i) {
         const double y0 = cuts_[i - 1], y1 = cuts_[i];
         const auto at = [&](const chord& c, double y) {
             return std::lerp(c.x0, c.x1, (y - top) / (bottom - top));
         };
         cut_chords_.clear();
-        for (const chord& c : chords_)
+        for (const chord& c : chords)
             cut_chords_.push_back({at(c, y0), at(c, y1), c.piece});
         std::ranges::sort(cut_chords_, {}, [](const chord& c) { return c.x0 + c.x1; });
-        add_ordered(cut_chords_, y0, y1, left, rules);
+        right = add_ordered(cut_chords_, y0, y1, left, rules);
     }
+    return right;
 }
 
 /// Sorts a copy by the lower ends, by insertion: two that change places cross.
@@ -127,8 +122,9 @@ void row_areas::find_crossings(double top, double bottom) {
     cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
 }
 
-void row_areas::add_ordered(std::span<const chord> chords, double top, double bottom,
-                            const windings& left, const fill_rules& rules) {
+/// Gives the windings right of them.
+windings row_areas::add_ordered(std::span<const chord> chords, double top, double bottom,
+                                const windings& left, const fill_rules& rules) {
     windings w = left;
     bool was_inside = rules.inside(w);
     for (const chord& c : chords) {
@@ -138,6 +134,7 @@ void row_areas::add_ordered(std::span<const chord> chords, double top, double bo
             add_border(c.x0, top, c.x1, bottom, is_inside ? 1 : -1);
         was_inside = is_inside;
     }
+    return w;
 }
 
 } // namespace l3d_detail

@@ -5,7 +5,9 @@
 
 #include "raster/rasterizer_2d.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -67,7 +69,12 @@ public:
 
     /// Adds a single border, whatever is between it and others. Sign 1: what is right of it is
     /// inside.
-    void add_border(double x0, double y0, double x1, double y1, double sign);
+    void add_border(double x0, double y0, double x1, double y1, double sign) {
+        add_border(x0, x1, sign * (y1 - y0), sign * (y1 - y0) / std::abs(x1 - x0));
+    }
+    /// The same for a height and how much of it is passed from one column to the next; both are
+    /// negative if what is left of it is inside.
+    void add_border(double x0, double x1, double height, double per_column);
 
     /// The sums of columns, to be run up. Beyond the last column there are two more.
     double* sums() { return sums_.data(); }
@@ -84,14 +91,42 @@ private:
 
     void add_slab(double top, double bottom, const windings& left, const fill_rules& rules);
     void find_crossings(double top, double bottom);
-    void add_ordered(std::span<const chord> chords, double top, double bottom, const windings& left,
-                     const fill_rules& rules);
+    windings add_crossing(std::span<const chord> chords, double top, double bottom,
+                          const windings& left, const fill_rules& rules);
+    windings add_ordered(std::span<const chord> chords, double top, double bottom,
+                         const windings& left, const fill_rules& rules);
 
     std::vector<double> sums_;
     std::vector<double> ends_, cuts_;
     std::vector<chord> chords_, cut_chords_;
+    std::vector<double> least_after_; ///< of the lower ends, from each chord on
     std::vector<const row_piece*> sorted_;
 };
+
+inline void row_areas::add_border(double x0, double x1, double height, double per_column) {
+    const double left = std::min(x0, x1), right = std::max(x0, x1);
+    const auto first = static_cast<std::int32_t>(left);
+    const auto last = static_cast<std::int32_t>(right);
+    double* sum = sums_.data() + first;
+    if (first == last) {
+        const double beyond = height * ((x0 + x1) / 2 - first);
+        sum[0] += height - beyond;
+        sum[1] += beyond;
+        return;
+    }
+    // From left to right: `passed` is how much of the height lies left of a column's right side.
+    double from = left, before = 0;
+    for (std::int32_t column = first; column <= last; ++column, ++sum) {
+        const double to = std::min<double>(column + 1, right);
+        const double passed = column == last ? height : (to - left) * per_column;
+        const double here = passed - before;
+        const double beyond = here * ((from + to) / 2 - column);
+        sum[0] += here - beyond;
+        sum[1] += beyond;
+        before = passed;
+        from = to;
+    }
+}
 
 } // namespace l3d_detail
 

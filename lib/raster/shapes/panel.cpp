@@ -50,6 +50,14 @@ void draw_scale(l3d_rasterizer_2d& rasterizer, const l3d_pixel_box& box,
                              color_at(colors, static_cast<double>(x - box.left) / last));
 }
 
+/// Rows as the layout wants them, which borrow the texts.
+template <class Rows> std::vector<panel_row> laid_out(const Rows& rows) {
+    std::vector<panel_row> result;
+    for (const auto& r : rows)
+        result.push_back({r.key, r.text, !r.colors.empty(), r.is_title});
+    return result;
+}
+
 /// The panel's place in the free part of a picture.
 l3d_pixel_box place_of(l3d_size size, const l3d_pixel_box& free, l3d_corner corner) {
     const bool is_right = corner == l3d_corner::top_right || corner == l3d_corner::bottom_right;
@@ -62,10 +70,18 @@ l3d_pixel_box place_of(l3d_size size, const l3d_pixel_box& free, l3d_corner corn
 } // namespace
 
 void l3d_panel::add(const std::string& key, const std::string& text) {
+    add_lines(key, text, false);
+}
+
+void l3d_panel::add_title(const std::string& text) {
+    add_lines({}, text, true);
+}
+
+void l3d_panel::add_lines(const std::string& key, const std::string& text, bool is_title) {
     std::size_t begin = 0;
     do {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
-        rows_.push_back({begin == 0 ? key : "", text.substr(begin, end - begin), {}});
+        rows_.push_back({begin == 0 ? key : "", text.substr(begin, end - begin), {}, is_title});
         begin = end + 1;
     } while (begin < text.size());
 }
@@ -76,13 +92,55 @@ int l3d_panel_style::size_for(l3d_size picture, double text_scale) {
     return static_cast<int>(std::lround(at_usual_dots * text_scale));
 }
 
+std::vector<l3d_panel> l3d_panel::pages(l3d_size picture, const std::string& key,
+                                        const l3d_panel_style& style) const {
+    constexpr std::size_t fewest_rows = 4; // of a page that is worth a press of a key
+    for (std::size_t count = 1; count * fewest_rows <= rows_.size(); ++count) {
+        auto result = divided(count, key);
+        if (std::ranges::all_of(
+                result, [&](const l3d_panel& page) { return page.leaves_half(picture, style); }))
+            return result;
+    }
+    return {*this};
+}
+
+/// Panels of as many rows each, and with the line that tells of the key.
+std::vector<l3d_panel> l3d_panel::divided(std::size_t count, const std::string& key) const {
+    if (count == 1)
+        return {*this};
+    const std::size_t each = (rows_.size() + count - 1) / count;
+    std::vector<l3d_panel> result;
+    for (std::size_t first = 0; first < rows_.size(); first += each) {
+        const auto begin = rows_.begin() + static_cast<std::ptrdiff_t>(first);
+        const std::size_t rows = std::min(each, rows_.size() - first);
+        result.emplace_back().rows_.assign(begin, begin + static_cast<std::ptrdiff_t>(rows));
+    }
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const std::string place = std::to_string(i + 1) + " of " + std::to_string(result.size());
+        result[i].add(key,
+                      (i + 1 < result.size() ? "more; this is " : "the end; this is ") + place);
+    }
+    return result;
+}
+
+/// Whether the panel takes at most half of an empty picture with letters of the style's size.
+bool l3d_panel::leaves_half(l3d_size picture, const l3d_panel_style& style) const {
+    const l3d_pixel_box whole = l3d_whole(picture), room = whole.grown(-style.size / 2);
+    if (room.empty())
+        return false;
+    const std::vector<panel_row> rows = laid_out(rows_);
+    panel_layout layout(style.font, rows);
+    for (int columns = 1; columns <= most_columns; ++columns)
+        if (layout.make(style.size, columns, {room.right - room.left, room.bottom - room.top}))
+            return 2 * l3d_whole(layout.size()).area() <= whole.area();
+    return false;
+}
+
 l3d_pixel_box l3d_panel::draw(l3d_rasterizer_2d& rasterizer, l3d_pixel_box& free, l3d_corner corner,
                               const l3d_panel_style& style) const {
     if (empty() || free.empty())
         return {};
-    std::vector<panel_row> rows;
-    for (const row& r : rows_)
-        rows.push_back({r.key, r.text, !r.colors.empty()});
+    const std::vector<panel_row> rows = laid_out(rows_);
     const l3d_pixel_box room = free.grown(-style.size / 2);
     if (room.empty())
         return {};

@@ -8,6 +8,7 @@
 #include "raster/shapes/font.h"
 #include "tool_2d/pixels.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -57,14 +58,26 @@ public:
     /// Adds lines with a word before the first, such as a key. Such words form a column.
     void add(const std::string& key, const std::string& text);
 
+    /// Adds lines that begin where words before lines do, such as what all the others are about.
+    void add_title(const std::string& text);
+
     /// Adds a scale: a bar of colours that pass into each other, and under its ends their names.
     /// Expects: at least two colours, which are pixel words.
     void add_scale(std::vector<std::uint32_t> colors, std::string first, std::string last) {
-        rows_.push_back({std::move(first), std::move(last), std::move(colors)});
+        rows_.push_back({std::move(first), std::move(last), std::move(colors), false});
     }
+
+    /// The number of lines and scales that were added.
+    std::size_t rows() const { return rows_.size(); }
 
     /// Whether nothing was added.
     bool empty() const { return rows_.empty(); }
+
+    /// Divides the lines among as few panels as leave half of a picture free, each for itself. If
+    /// there are several, each says that this key shows the next. One panel that covers more is
+    /// the answer for pictures so small that others would have hardly any line.
+    std::vector<l3d_panel> pages(l3d_size picture, const std::string& key,
+                                 const l3d_panel_style& style) const;
 
     /// Draws the panel in a corner of a free part of the picture, and takes what it needs off that
     /// part: the next panel is drawn above or below. Returns what was covered; an empty panel
@@ -80,7 +93,12 @@ private:
     struct row {
         std::string key, text;
         std::vector<std::uint32_t> colors; ///< of a scale; else empty
+        bool is_title = false;
     };
+
+    void add_lines(const std::string& key, const std::string& text, bool is_title);
+    std::vector<l3d_panel> divided(std::size_t count, const std::string& key) const;
+    bool leaves_half(l3d_size picture, const l3d_panel_style& style) const;
 
     std::vector<row> rows_;
 };

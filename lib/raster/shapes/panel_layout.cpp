@@ -55,8 +55,14 @@ int panel_layout::key_width_of(std::span<const panel_row> rows) const {
 
 /// The width that the texts of rows take, wrapped to `most`.
 int panel_layout::text_width_of(std::span<const panel_row> rows, int most) const {
+    const int key_width = key_width_of(rows);
     int width = 0;
     for (const panel_row& r : rows) {
+        if (r.is_title) {
+            for (const std::string& line : wrapped(font_, r.text, letter_size_, key_width + most))
+                width = std::max(width, font_.width(line, letter_size_) - key_width);
+            continue;
+        }
         if (r.is_scale) {
             const int names =
                 font_.width(r.key, letter_size_) + gap() + font_.width(r.text, letter_size_);
@@ -85,8 +91,10 @@ void panel_layout::add_row(std::size_t row, int x, int key_width, int text_width
     }
     if (!r.key.empty())
         lines_.push_back({.x = x, .y = y, .text = std::string(r.key), .is_key = true, .row = row});
-    for (std::string& text : wrapped(font_, r.text, letter_size_, text_width)) {
-        lines_.push_back({.x = x + key_width, .y = y, .text = std::move(text), .row = row});
+    const int indent = r.is_title ? 0 : key_width;
+    for (std::string& text :
+         wrapped(font_, r.text, letter_size_, key_width + text_width - indent)) {
+        lines_.push_back({.x = x + indent, .y = y, .text = std::move(text), .row = row});
         y += line;
     }
 }

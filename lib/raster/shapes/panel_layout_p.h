@@ -18,6 +18,7 @@ namespace l3d_detail {
 struct panel_row {
     std::string_view key, text; ///< of a scale: the names of its ends
     bool is_scale = false;
+    bool is_title = false; ///< it takes the room of keys, too
 };
 
 /// A piece of text, or the bar of a scale. Units: pixels from the panel's top left corner.

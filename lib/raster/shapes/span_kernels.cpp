@@ -103,6 +103,16 @@ void cover_run(std::uint32_t* at, std::size_t count, std::uint32_t color, const 
             break;
         hn::StoreU(blended_lanes(word, hn::Set(words, color), shares.lanes(i)), words, at + i);
     }
+    // A mask is worth it for more than three words, and lets nothing beyond them be read.
+    if (const std::size_t left = count - i; left > 3 && left < lanes) {
+        const auto mask = hn::FirstN(words, left);
+        const word_lanes word = hn::MaskedLoad(mask, words, at + i);
+        if (hn::AllTrue(words, hn::Lt(word, hn::Set(words, 0x01000000)))) {
+            hn::BlendedStore(blended_lanes(word, hn::Set(words, color), shares.lanes(i)), mask,
+                             words, at + i);
+            return;
+        }
+    }
     for (; i < count; ++i)
         if (shares.one(i) > 0)
             at[i] = blended_over_gap(at[i], color, shares.one(i));

@@ -52,6 +52,8 @@ void band_scalar::begin(const fill_band& band, const l3d_shading& shading,
 
 /// Calls draw with a filler for the frame's shader.
 template <class Draw> void band_scalar::with_filler(std::uint32_t error_color, const Draw& draw) {
+    if (target_.coding.has_normals)
+        return draw(surface_fill(target_, later_shader()));
     with_shader(*shading_, materials_, error_color,
                 [&](const auto& shader) { draw(surface_fill(target_, shader)); });
 }

@@ -62,7 +62,7 @@ template <class D> HWY_INLINE hn::Vec<D> lanes_kept(D d, hn::Mask<D> mask) {
 
 /// Keeps those polygons that may cover a pixel, and fills them when there are enough.
 ///
-/// Shape: Light makes their greys: lambert_lanes or grey_lanes.
+/// Shape: Light makes their greys: lambert_lanes and others.
 template <class Light> class fill_stream {
 public:
     HWY_INLINE explicit fill_stream(const fill_target& target)
@@ -279,7 +279,9 @@ void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int
     constexpr int run_of_quads = fill_queue::run;
     for (int column = column_begin; column < column_end; column += run_of_quads) {
         const auto count = static_cast<std::size_t>(std::min(column_end - column, run_of_quads));
-        if (to.shading.mode == l3d_shade::gouraud)
+        if (to.words.has_normals)
+            quads_by<later_lights>(to, grid, row_begin, row_end, column, count);
+        else if (to.shading.mode == l3d_shade::gouraud)
             quads_by<vertex_lights>(to, grid, row_begin, row_end, column, count);
         else if (to.shading.mode == l3d_shade::flat)
             quads_by<polygon_lights>(to, grid, row_begin, row_end, column, count);
@@ -294,7 +296,9 @@ void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles,
                     std::uint32_t material, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; i += fill_queue::run) {
         const std::size_t count = std::min(last - i, fill_queue::run);
-        if (to.shading.mode == l3d_shade::gouraud)
+        if (to.words.has_normals)
+            triangles_by<later_lights>(to, triangles, material, i, count);
+        else if (to.shading.mode == l3d_shade::gouraud)
             triangles_by<vertex_lights>(to, triangles, material, i, count);
         else if (to.shading.mode == l3d_shade::flat)
             triangles_by<polygon_lights>(to, triangles, material, i, count);
@@ -306,7 +310,9 @@ void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles,
 }
 
 void fill_finish(const fill_target& to) {
-    if (to.shading.mode == l3d_shade::lambert)
+    if (to.words.has_normals)
+        fill_stream<normal_lanes>(to).finish();
+    else if (to.shading.mode == l3d_shade::lambert)
         fill_stream<lambert_lanes>(to).finish();
     else if (to.shading.mode == l3d_shade::levels)
         fill_stream<level_lanes>(to).finish();

@@ -18,7 +18,8 @@ namespace l3d_detail {
 
 /// Rows [top, bottom) of a picture while they are filled.
 ///
-/// Shape:   words and depths point at column 0 of row `top`. Pitches in elements, >= width.
+/// Shape:   words and depths point at column 0 of row `top`. Pitches in elements, >= width. So do
+///          normals, if words are materials (fill_words); their pitch is that of depths.
 /// Expects: width >= fill_least_width; depths not negative, also where nobody has set them yet.
 ///          Nothing outside [0, width) x [top, bottom) is touched; inside, what lies beside
 ///          polygons may be read and written back, so nobody else writes there meanwhile.
@@ -28,6 +29,7 @@ struct fill_band {
     float* depths;
     std::ptrdiff_t depth_pitch;
     std::int32_t width, top, bottom;
+    std::uint32_t* normals = nullptr;
 };
 
 /// A whole vector of pixels must fit a row.
@@ -97,11 +99,18 @@ struct fill_rest {
 ///
 /// Without materials a word is a grey. With them it is the grey's level and, above it, the material
 /// (material_words makes colours of that when all is filled). So the lanes fill either alike.
+///
+/// In lit frames the lanes write normals, as normal_code has them, and lit_words shades each pixel
+/// that is seen once. The upper half of a word is a normal's z, the lower half the material.
 struct fill_words {
-    bool has_materials = false;
+    bool has_materials = false; ///< also if has_normals
+    bool has_normals = false;   ///< expects the next
+    static constexpr std::size_t most_lit_materials = std::size_t{1} << 16;
 
-    /// The part of a word that does not depend on the level.
+    /// The part of a word that does not depend on the level or normal.
     std::uint32_t of_material(std::uint32_t material) const {
+        if (has_normals)
+            return material;
         return has_materials ? material << 8 : 0;
     }
 

@@ -10,6 +10,7 @@
 #include "raster/surfaces/fill_grey-inl.h"
 #include "raster/surfaces/fill_lambert-inl.h"
 #include "raster/surfaces/fill_levels-inl.h"
+#include "raster/surfaces/fill_normals-inl.h"
 
 #include <algorithm>
 #include <array>
@@ -111,6 +112,7 @@ public:
 };
 
 using normal_lights = corner_lights<lambert_lanes>;
+using later_lights = corner_lights<normal_lanes>;
 using level_lights = corner_lights<level_lanes>;
 
 /// The grey levels of `count` vertices from `at` on. Expects: room for whole vectors.

@@ -23,7 +23,8 @@ quad_corners corners_of(const l3d_micro_grid& grid, std::size_t p00) {
 class piece_maker {
 public:
     piece_maker(const fill_target& to, std::uint32_t material)
-        : shading_(to.shading), pieces_(to.queue.pieces), material_(material) {}
+        : shading_(to.shading), pieces_(to.queue.pieces), material_(material),
+          has_normals_(to.words.has_normals) {}
 
     void add(const std::array<l3d_micro_vertex, 3>& v) {
         const float of_all =
@@ -41,7 +42,7 @@ private:
     static std::int32_t bits(float number) { return std::bit_cast<std::int32_t>(number); }
 
     std::array<float, 3> light_of(const l3d_micro_vertex& vertex, float of_all) const {
-        switch (shading_.mode) {
+        switch (has_normals_ ? l3d_shade::lambert : shading_.mode) {
         case l3d_shade::gouraud:
             return {255 * vertex_intensity(vertex, shading_), 0, 0};
         case l3d_shade::flat:
@@ -54,6 +55,7 @@ private:
     const l3d_shading& shading_;
     std::vector<fill_piece>& pieces_;
     std::uint32_t material_;
+    bool has_normals_;
 };
 
 } // namespace

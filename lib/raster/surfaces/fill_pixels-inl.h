@@ -7,7 +7,7 @@
 #define L3D_RASTER_SURFACES_FILL_PIXELS_INL_H
 #endif
 
-#include "raster/surfaces/fill_table-inl.h"
+#include "raster/surfaces/fill_words-inl.h"
 #include "raster/parallel/store_where-inl.h"
 
 #include <algorithm>
@@ -16,75 +16,6 @@ HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
-
-/// Where the bytes of words come from: their three lowest from a sum's lowest one, or only the
-/// lowest one, where the others are a material's.
-alignas(16) constexpr std::uint8_t bytes_of_greys[16] = {0, 0, 0, 0x80, 4,  4,  4,  0x80,
-                                                         8, 8, 8, 0x80, 12, 12, 12, 0x80};
-alignas(16) constexpr std::uint8_t bytes_of_levels[16] = {
-    0, 0x80, 0x80, 0x80, 4, 0x80, 0x80, 0x80, 8, 0x80, 0x80, 0x80, 12, 0x80, 0x80, 0x80};
-
-/// How a polygon's levels become words.
-template <class D> struct word_maker {
-    using tag = hn::RebindToUnsigned<D>;
-    using word_vec = hn::Vec<tag>;
-
-    HWY_INLINE word_maker(const fill_table& table, std::size_t i)
-#if HWY_TARGET == HWY_SCALAR // has no bytes to shuffle
-        : unit_(hn::Set(tag(), table.words.unit())), material_(hn::Set(tag(), table.material[i])){}
-#else
-        : bytes_(hn::LoadDup128(hn::Repartition<std::uint8_t, D>(),
-                                table.words.has_materials ? bytes_of_levels : bytes_of_greys)),
-          material_(hn::Set(tag(), table.material[i])),
-          darkest_(hn::Or(material_, hn::Set(tag(), ambient * table.words.unit()))) {
-    }
-#endif
-
-          /// Expects: levels in [0, 255].
-          HWY_INLINE word_vec of_levels(hn::Vec<D> level) const {
-        return hn::Or(spread(hn::Add(level, hn::Set(D(), whole_numbers))), material_);
-    }
-
-    /// Levels 26 + floor(max(0, lit)), at most 255. Expects: lit < 256.
-    HWY_INLINE word_vec of_cosines(hn::Vec<D> lit) const {
-        const D d;
-        const auto sum =
-            hn::Max(hn::Add(lit, hn::Set(d, whole_numbers - 0.5f)), hn::Set(d, whole_numbers));
-#if HWY_TARGET == HWY_SCALAR
-        const auto level = hn::And(hn::BitCast(tag(), sum), hn::Set(tag(), 0xffu));
-        const auto grey = hn::Min(hn::Add(level, hn::Set(tag(), ambient)), hn::Set(tag(), 255u));
-        return hn::Or(hn::Mul(grey, unit_), material_);
-#else
-        // A material's bytes are added to 0, and its level is held at 255.
-        const hn::Repartition<std::uint8_t, D> bytes;
-        return hn::BitCast(
-            tag(), hn::SaturatedAdd(hn::BitCast(bytes, spread(sum)), hn::BitCast(bytes, darkest_)));
-#endif
-    }
-
-private:
-    static constexpr std::uint32_t ambient = 26;
-
-    /// Where this is added to a number below it, the last bits of the sum are the nearest integer.
-    static constexpr float whole_numbers = 8388608.0f; // 2^23
-
-    /// Words of the lowest byte of each sum.
-    HWY_INLINE word_vec spread(hn::Vec<D> sum) const {
-#if HWY_TARGET == HWY_SCALAR
-        return hn::Mul(hn::And(hn::BitCast(tag(), sum), hn::Set(tag(), 0xffu)), unit_);
-#else
-        const hn::Repartition<std::uint8_t, D> bytes;
-        return hn::BitCast(tag(), hn::TableLookupBytesOr0(hn::BitCast(bytes, sum), bytes_));
-#endif
-    }
-
-#if HWY_TARGET == HWY_SCALAR
-    word_vec unit_, material_;
-#else
-    hn::Vec<hn::Repartition<std::uint8_t, D>> bytes_;
-    word_vec material_, darkest_; ///< without the level; with that of ambient light
-#endif
-};
 
 /// 1 / sqrt(q) over [0.75, 1.02] by a parabola through its Chebyshev points: within 3e-4, that is
 /// 0.07 grey levels.
@@ -105,8 +36,9 @@ public:
     using count_vec = hn::Vec<int_tag>; ///< pixels written, by lanes
 
     HWY_INLINE fill_polygon(const fill_band& band, const fill_table& table, std::size_t i)
-        : words_(band.words), depths_(band.depths), pitch_{band.word_pitch, band.depth_pitch},
-          table_(table), i_(i), make_(table, i) {
+        : words_(band.words), depths_(band.depths),
+          normals_(band.normals), pitch_{band.word_pitch, band.depth_pitch}, table_(table), i_(i),
+          make_(table, i) {
         const D d;
         farthest_ = hn::Set(d, table.farthest[i]);
         nearest_ = hn::Set(d, table.nearest[i]);
@@ -123,6 +55,10 @@ public:
                 lit_xx_[v] = hn::Mul(hn::Set(d, table.lit_xx[i]), hn::Mul(x, x));
             } else {
                 lit_x_[v] = hn::Mul(hn::Set(d, table.lit_x[i]), x);
+            }
+            if constexpr (is_normal) {
+                normal_y_x_[v] = hn::Mul(hn::Set(d, table.normal_y_x[i]), x);
+                normal_z_x_[v] = hn::Mul(hn::Set(d, table.normal_z_x[i]), x);
             }
             if constexpr (is_twisted) {
                 x_[v] = x;
@@ -169,11 +105,12 @@ private:
     static constexpr bool is_grey = Shape == fill_shape::grey;
     static constexpr bool is_twisted = Shape == fill_shape::twisted;
     static constexpr bool is_bent = Shape == fill_shape::bent;
+    static constexpr bool is_normal = Shape == fill_shape::normal;
     static constexpr std::size_t width = hn::MaxLanes(D()), vectors = Pixels / width;
 
     /// Numbers at a run's first pixel, in all lanes.
     struct run_start {
-        vec inv_w, lit, lit_x, bend, bend_x, facing;
+        vec inv_w, lit, lit_x, bend, bend_x, facing, normal_y, normal_z;
     };
 
     /// Where something is in the band, or how far from something else.
@@ -200,15 +137,24 @@ private:
         return table_.twisted_rows[&row - table_.rows];
     }
 
+    HWY_INLINE const fill_row_normal& normal_of(const fill_row& row) const {
+        return table_.normal_rows[&row - table_.rows];
+    }
+
     HWY_INLINE float bent_of(const fill_row& row) const {
         return table_.bent_rows[&row - table_.rows][i_];
     }
 
     HWY_INLINE run_start first_start(const fill_row& row) const {
         const D d;
-        run_start start{hn::Set(d, row.inv_w[i_]), hn::Set(d, row.lit[i_]), {}, {}, {}, {}};
+        run_start start{hn::Set(d, row.inv_w[i_]), hn::Set(d, row.lit[i_]), {}, {}, {}, {}, {}, {}};
         if constexpr (is_bent)
             start.lit_x = hn::Set(d, bent_of(row));
+        if constexpr (is_normal) {
+            const fill_row_normal& normal = normal_of(row);
+            start.normal_y = hn::Set(d, normal.y[i_]);
+            start.normal_z = hn::Set(d, normal.z[i_]);
+        }
         if constexpr (is_twisted) {
             const fill_row_twisted& twisted = twisted_of(row);
             start.bend = hn::Set(d, twisted.bend[i_]);
@@ -229,6 +175,11 @@ private:
             there.lit_x = hn::Set(d, slope + 2.0f * xx);
         } else {
             there.lit = hn::Set(d, row.lit[i_] + x * table_.lit_x[i_]);
+        }
+        if constexpr (is_normal) {
+            const fill_row_normal& normal = normal_of(row);
+            there.normal_y = hn::Set(d, normal.y[i_] + x * table_.normal_y_x[i_]);
+            there.normal_z = hn::Set(d, normal.z[i_] + x * table_.normal_z_x[i_]);
         }
         if constexpr (is_twisted) {
             const fill_row_twisted& twisted = twisted_of(row);
@@ -254,27 +205,35 @@ private:
     HWY_INLINE void one_run(const run_start& start, const run_place& at, count_vec& written,
                             const Covered& covered) const {
         for (std::size_t v = 0; v < vectors; ++v)
-            one_vector(start, v, covered(v), words_ + at.word + v * width,
-                       depths_ + at.depth + v * width, written);
+            one_vector(start, v, covered(v), at, written);
     }
 
     HWY_INLINE void one_vector(const run_start& start, std::size_t v, hn::Mask<int_tag> covered,
-                               std::uint32_t* to_words, float* to_depths,
-                               count_vec& written) const {
+                               const run_place& at, count_vec& written) const {
         const D d;
+        const hn::RebindToUnsigned<D> dw;
+        std::uint32_t* const to_words = words_ + at.word + v * width;
+        float* const to_depths = depths_ + at.depth + v * width;
         const vec inv_w = hn::IfThenElseZero(
             hn::RebindMask(d, covered),
             hn::Min(hn::Max(hn::Add(start.inv_w, inv_w_x_[v]), farthest_), nearest_));
         const vec there = hn::LoadU(d, to_depths);
         const auto seen = hn::Gt(inv_w, there);
         hn::StoreU(hn::Max(inv_w, there), d, to_depths);
-        store_where(seen, words_of(start, v), hn::RebindToUnsigned<D>(), to_words);
+        store_where(seen, words_of(start, v), dw, to_words);
+        if constexpr (is_normal)
+            store_where(seen,
+                        make_.of_normal_xy(hn::Add(start.lit, lit_x_[v]),
+                                           hn::Add(start.normal_y, normal_y_x_[v])),
+                        dw, normals_ + at.depth + v * width);
         written = one_more_where(hn::RebindMask(int_tag(), seen), written, int_tag());
     }
 
     HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> words_of(const run_start& start,
                                                          std::size_t v) const {
         const D d;
+        if constexpr (is_normal)
+            return make_.of_normal_z(hn::Add(start.normal_z, normal_z_x_[v]));
         if constexpr (is_bent)
             return make_.of_cosines(
                 hn::Add(start.lit, hn::Add(hn::Mul(start.lit_x, x_[v]), lit_xx_[v])));
@@ -294,6 +253,7 @@ private:
 
     std::uint32_t* words_; ///< of the band, copied: what is stored might be the band's own members
     float* depths_;
+    std::uint32_t* normals_;
     run_place pitch_;
     const fill_table& table_;
     std::size_t i_;
@@ -302,6 +262,7 @@ private:
     vec inv_w_x_[vectors], lit_x_[vectors], farthest_, nearest_;
     vec darkest_, brightest_;
     vec x_[vectors], bend_xx_[vectors], facing_x_[vectors], lit_xx_[vectors];
+    vec normal_y_x_[vectors], normal_z_x_[vectors];
 };
 
 /// Fills polygons of a table, and counts the pixels that were written.

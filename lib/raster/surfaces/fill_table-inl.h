@@ -47,7 +47,8 @@ enum class fill_shape {
     grey,    ///< is the grey level, but between darkest and brightest
     flat,    ///< is the cosine times 229.5
     twisted, ///< the same times 1 / sqrt(bend), and turned round where facing < 0
-    bent     ///< is that, and a parabola instead of a plane
+    bent,    ///< is that, and a parabola instead of a plane
+    normal   ///< is one of three numbers of a normal, all of them planes
 };
 
 /// A number of each polygon.
@@ -71,6 +72,11 @@ struct fill_row_twisted {
     lane_array<float> bend, bend_x, facing;
 };
 
+/// The other two numbers of a normal.
+struct fill_row_normal {
+    lane_array<float> y, z;
+};
+
 /// The data that the pixel loops need. Of the arrays for greys, it has those that the shape needs.
 ///
 /// A row's first run begins at its first covered pixel, the others follow. At the edge of the
@@ -84,11 +90,13 @@ struct fill_table {
     lane_array<float> inv_w_x, lit_x, farthest, nearest;
     lane_array<float> darkest, brightest;
     lane_array<float> bend_xx, facing_x;
-    lane_array<float> lit_xx;         ///< of a bent one
-    lane_array<std::int32_t> twisted; ///< not 0: it is; others are flat
+    lane_array<float> lit_xx;                 ///< of a bent one
+    lane_array<float> normal_y_x, normal_z_x; ///< of a normal
+    lane_array<std::int32_t> twisted;         ///< not 0: it is; others are flat
     fill_row rows[most_pixels + 1];
     fill_row_twisted twisted_rows[most_pixels + 1];
     lane_array<float> bent_rows[most_pixels + 1]; ///< what the next column adds to `lit`
+    fill_row_normal normal_rows[most_pixels + 1];
 };
 
 } // namespace

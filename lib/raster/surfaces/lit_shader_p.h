@@ -4,6 +4,7 @@
 #define L3D_RASTER_SURFACES_LIT_SHADER_P_H
 
 #include "geom/material.h"
+#include "raster/surfaces/normal_code_p.h"
 #include "raster/surfaces/surface_shader_p.h"
 
 #include <algorithm>
@@ -15,64 +16,98 @@
 
 namespace l3d_detail {
 
+/// A material as its light is computed.
+struct lit_material {
+    vector3 color{255, 255, 255}, highlight{};
+    int sharpness = 1;
+
+    /// Below its root, the power of a cosine adds nothing. That would be less than 2^-12, or than
+    /// exp(-e) if the sharpness is large, since (1 - e / k)^k < exp(-e). So no power is too small
+    /// to be computed fast.
+    float least_square = 0;
+
+    lit_material() = default;
+    explicit lit_material(const l3d_material& from) : sharpness(from.sharpness) {
+        constexpr float least = 0x1p-12F, e = 11.1F;
+        const float cosine = std::max(least, 1 - e / static_cast<float>(sharpness));
+        least_square = cosine * cosine;
+        for (std::size_t i = 0; i < color.size(); ++i) {
+            const std::size_t shift = 16 - 8 * i;
+            color[i] = static_cast<float>(from.color >> shift & 255);
+            highlight[i] = static_cast<float>(from.highlight >> shift & 255);
+        }
+    }
+
+    bool shines() const { return highlight != vector3{}; }
+};
+
 /// The colour of a surface by l3d_lighting. In mode `flat` a polygon has one normal, the sum of its
 /// corners'; the eye and highlights are each pixel's own.
 class lit_shader {
 public:
-    /// The normal, how far it points away from the eye, and the way from the eye.
-    static constexpr std::size_t components = 7;
+    /// The normal, and the way from the eye.
+    static constexpr std::size_t components = 6;
 
     /// Lives: borrows both.
     lit_shader(const l3d_shading& shading, std::span<const l3d_material> materials)
-        : shading_(shading), materials_(materials) {}
+        : shading_(shading), materials_(materials), turns_(turns_normals(shading)) {}
+
+    /// Whether normals are to be turned to the eye in each pixel.
+    static bool turns_normals(const l3d_shading& shading) {
+        return shading.mode != l3d_shade::flat && shading.ray != vector3{};
+    }
 
     /// What polygons are made of from now on: a place among the materials, if there are any.
     void use_material(std::uint32_t index) {
         if (!materials_.empty())
-            material_ = materials_[index];
+            material_ = lit_material(materials_[index]);
     }
 
     void begin_polygon(std::span<const l3d_micro_vertex> corners) {
         if (shading_.mode != l3d_shade::flat)
             return;
-        sum_ = {0, 0, 0, 0};
+        std::array<float, 4> sum{};
         for (const l3d_micro_vertex& vertex : corners) {
             std::array<float, 4> of;
             put_normal(vertex, shading_, of.data());
-            for (std::size_t i = 0; i < sum_.size(); ++i)
-                sum_[i] += of[i];
+            for (std::size_t i = 0; i < sum.size(); ++i)
+                sum[i] += of[i];
         }
+        const float side = sum[3] > 0 ? -1.0F : 1.0F;
+        normal_ = {side * sum[0], side * sum[1], side * sum[2]};
     }
 
     void corner(const l3d_micro_vertex& vertex, float* out) const {
-        if (shading_.mode == l3d_shade::flat)
-            std::copy(sum_.begin(), sum_.end(), out);
-        else
-            put_normal(vertex, shading_, out);
+        std::copy_n(shading_.mode == l3d_shade::flat ? normal_.data() : vertex.normal, 3, out);
         const float x = static_cast<float>(vertex.x) / l3d_subpixel_one;
         const float y = static_cast<float>(vertex.y) / l3d_subpixel_one;
-        for (std::size_t i = 0; i < 3; ++i)
-            out[4 + i] = shading_.look[i] + x * shading_.look_right[i] + y * shading_.look_down[i];
+        const vector3 look = look_at(shading_, x, y);
+        std::copy(look.begin(), look.end(), out + 3);
     }
 
+    /// The way from the eye to a place of the picture.
+    static vector3 look_at(const l3d_shading& shading, float x, float y) {
+        vector3 look;
+        for (std::size_t i = 0; i < look.size(); ++i)
+            look[i] = shading.look[i] + y * shading.look_down[i] + x * shading.look_right[i];
+        return look;
+    }
+
+    /// lit_words does the same in lanes, operation by operation.
     std::uint32_t word(const float* at) const {
-        const float length = std::sqrt(safe_square(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]));
-        const float side = (at[3] > 0 ? -1.0F : 1.0F) / length;
-        const vector3 normal{side * at[0], side * at[1], side * at[2]};
-        const vector3 to_eye = unit({-at[4], -at[5], -at[6]});
+        const vector3 raw{at[0], at[1], at[2]}, look{at[3], at[4], at[5]};
+        const float inverse = 1 / length(raw);
+        const float side = turns_ && dot(raw, look.data()) > 0 ? -inverse : inverse;
+        const seen_normal seen({raw[0] * side, raw[1] * side, raw[2] * side}, look);
         const l3d_lighting& lighting = shading_.lighting;
         l3d_light_color scattered = lighting.ambient, mirrored{};
-        add_light({shading_.light, lighting.color}, normal, to_eye, scattered, mirrored);
+        add_light({shading_.light, lighting.color}, seen, scattered, mirrored);
         for (std::size_t i = 0; i < lighting.count; ++i)
-            add_light(lighting.lights[i], normal, to_eye, scattered, mirrored);
+            add_light(lighting.lights[i], seen, scattered, mirrored);
         std::uint32_t word = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const int shift = 16 - 8 * static_cast<int>(i);
-            const auto part = [&](std::uint32_t color) {
-                return static_cast<float>(color >> shift & 255);
-            };
+        for (std::size_t i = 0; i < scattered.size(); ++i) {
             const float level =
-                part(material_.color) * scattered[i] + part(material_.highlight) * mirrored[i];
+                material_.color[i] * scattered[i] + material_.highlight[i] * mirrored[i];
             const float held = level > 0 ? (level < 255 ? level : 255.0F) : 0.0F;
             word = word << 8 | static_cast<std::uint32_t>(held + 0.5F);
         }
@@ -80,40 +115,68 @@ public:
     }
 
 private:
-    static vector3 unit(const vector3& v) {
-        const float length = std::sqrt(safe_square(dot(v, v.data())));
-        return {v[0] / length, v[1] / length, v[2] / length};
-    }
+    static float length(const vector3& v) { return std::sqrt(safe_square(dot(v, v.data()))); }
+
+    /// A unit normal, and the way from the eye.
+    struct seen_normal {
+        vector3 normal, look;
+        float distance, against; ///< the way's length, and its product with the normal
+
+        seen_normal(const vector3& n, const vector3& e)
+            : normal(n), look(e), distance(length(e)), against(dot(e, n.data())) {}
+    };
 
     /// By squares, so that no library's approximation decides a bit.
     static float whole_power(float base, int exponent) {
         float result = 1;
-        for (; exponent > 0; exponent >>= 1, base *= base)
+        for (;; base *= base) {
             if (exponent & 1)
                 result *= base;
-        return result;
+            exponent >>= 1;
+            if (exponent == 0)
+                return result;
+        }
     }
 
-    void add_light(const l3d_far_light& light, const vector3& normal, const vector3& to_eye,
-                   l3d_light_color& scattered, l3d_light_color& mirrored) const {
-        const float lit = dot(light.direction, normal.data());
+    /// With e the way from the eye, l |e| - e is half-way between l and the way to the eye. Its
+    /// square is 2 |e| (|e| - l.e), its product with the normal |e| n.l - n.e.
+    void add_light(const l3d_far_light& light, const seen_normal& seen, l3d_light_color& scattered,
+                   l3d_light_color& mirrored) const {
+        const float lit = dot(light.direction, seen.normal.data());
         if (!(lit > 0))
             return;
-        const vector3 half = unit({light.direction[0] + to_eye[0], light.direction[1] + to_eye[1],
-                                   light.direction[2] + to_eye[2]});
-        const float facing = std::max(dot(half, normal.data()), 0.0F);
-        const float peak =
-            material_.highlight == 0 ? 0.0F : whole_power(facing, material_.sharpness);
-        for (std::size_t i = 0; i < scattered.size(); ++i) {
+        for (std::size_t i = 0; i < scattered.size(); ++i)
             scattered[i] += 0.9F * lit * light.color[i];
+        if (!material_.shines())
+            return;
+        const float product = seen.distance * lit - seen.against;
+        const float beside = seen.distance - dot(light.direction, seen.look.data());
+        const float square = safe_square((seen.distance + seen.distance) * beside);
+        if (!(product > 0 && product * product > material_.least_square * square))
+            return;
+        const float facing = std::min(product / std::sqrt(square), 1.0F);
+        const float peak = whole_power(facing, material_.sharpness);
+        for (std::size_t i = 0; i < mirrored.size(); ++i)
             mirrored[i] += peak * light.color[i];
-        }
     }
 
     const l3d_shading& shading_;
     std::span<const l3d_material> materials_;
-    l3d_material material_;
-    std::array<float, 4> sum_{};
+    lit_material material_;
+    bool turns_;
+    vector3 normal_{}; ///< of the polygon, in mode `flat`
+};
+
+/// The normal, to be shaded later: a word's z and material, and a second word (fill_words).
+class later_shader {
+public:
+    static constexpr std::size_t components = 3;
+
+    void begin_polygon(std::span<const l3d_micro_vertex>) {}
+    void corner(const l3d_micro_vertex& vertex, float* out) const {
+        std::copy_n(vertex.normal, components, out);
+    }
+    normal_code code(const float* normal) const { return normal_code::of(normal); }
 };
 
 } // namespace l3d_detail

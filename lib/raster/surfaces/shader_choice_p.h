@@ -28,6 +28,12 @@ concept has_places = requires(Shader shader, const float* values) {
     shader.word_at(values, 0.0, 0.0);
 };
 
+/// Whether a shader leaves normals to be shaded later.
+template <class Shader>
+concept shades_later = requires(const Shader& shader, const float* values) {
+    shader.code(values);
+};
+
 /// Whether a shader counts the pixels that it finds no exact place for.
 template <class Shader>
 concept counts_unsolved = requires(Shader shader) {

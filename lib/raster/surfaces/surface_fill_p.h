@@ -110,11 +110,21 @@ private:
             std::array<float, count> here;
             for (std::size_t i = 1; i < count; ++i)
                 here[i] = value[i] + step[i] * k;
-            words[x] = target_.word_of(word_at(here.data() + 1, x, row));
+            put(here.data() + 1, x, row, words[x]);
             ++written;
         }
         target_.counts.samples += end - begin;
         target_.counts.written += written;
+    }
+
+    void put(const float* values, std::int32_t x, std::int32_t row, std::uint32_t& word) {
+        if constexpr (shades_later<Shader>) {
+            const normal_code code = shader_.code(values);
+            word = code.z | target_.material;
+            target_.normals(row)[x] = code.xy;
+        } else {
+            word = target_.word_of(word_at(values, x, row));
+        }
     }
 
     std::uint32_t word_at(const float* values, std::int32_t x, std::int32_t row) {

@@ -4,6 +4,7 @@
 
 #include "raster/refine/picture_refiner_p.h"
 #include "raster/surfaces/band_painter_p.h"
+#include "raster/surfaces/lit_words_p.h"
 #include "raster/surfaces/material_words_p.h"
 #include "tool_2d/image.h"
 
@@ -20,12 +21,21 @@ using namespace l3d_detail;
 /// Size of a band. Workers have a dozen bands to share. Colour and depth of a band take no more
 /// than half a megabyte, which is all or half of the second-level cache of a core of 2020. Not more
 /// of them for more workers: what is counted would depend on it.
-int rows_of_band(l3d_size size) {
-    constexpr int most_bytes = 512 << 10, bytes_of_pixel = 4 + 4, bands_wanted = 12;
+int rows_of_band(l3d_size size, bool with_normals) {
+    constexpr int most_bytes = 512 << 10, bands_wanted = 12;
+    const int bytes_of_pixel = 4 + 4 + (with_normals ? 4 : 0);
     constexpr int tile = depth_tile::height;
     const int fitting = most_bytes / bytes_of_pixel / std::max(size.width, 1) / tile * tile;
     const int sharing = (size.height + bands_wanted * tile - 1) / (bands_wanted * tile) * tile;
     return std::max(std::min(fitting, sharing), tile);
+}
+
+/// The normals' second words, in rows like depths.
+using normal_plane = std::vector<std::uint32_t, line_allocator<std::uint32_t>>;
+
+/// In mode `flat` a polygon has one normal, which the lanes do not make.
+bool lanes_take_lights(const l3d_shading& shading, std::span<const l3d_material> materials) {
+    return shading.mode != l3d_shade::flat && materials.size() <= fill_words::most_lit_materials;
 }
 
 /// The tiles that a box meets, so far as they are in the picture.
@@ -44,7 +54,9 @@ struct l3d_surface_rasterizer_sw::work_space {
     band_list list;
     coarse_depth coarse;
     material_words materials;
-    std::vector<band_painter> painters;          ///< one for each worker
+    lit_words lights;
+    std::vector<normal_plane> normals;  ///< of a band, one for each worker, or of the picture
+    std::vector<band_painter> painters; ///< one for each worker
     std::vector<l3d_depth_buffer> worker_depths; ///< of a band, if nobody wants it afterwards
     l3d_depth_buffer kept_depth; ///< of a picture, if nobody but anti-aliasing wants it afterwards
     std::vector<std::int64_t> covered;          ///< in each band, if that is counted
@@ -102,28 +114,47 @@ void l3d_surface_rasterizer_sw::start(l3d_depth_buffer* depth, const l3d_shading
         depth_ = &work_->kept_depth;
     }
     const l3d_size size{target_.width, window_.bottom - window_.top};
-    rows_ = settings_.rows ? settings_.rows : rows_of_band(size);
+    const bool is_lit = shading.is_lit(materials());
+    const bool by_lanes = fill_shades(shading.mode) && target_.width >= fill_least_width &&
+                          (!is_lit || lanes_take_lights(shading, materials()));
+    const bool with_normals = is_lit && by_lanes;
+    rows_ = settings_.rows ? settings_.rows : rows_of_band(size, with_normals);
     drawn_ = false;
     counts_ = {};
     work_->parts.clear();
-    const bool is_lit = shading.is_lit(materials());
     work_->materials.begin(is_lit ? std::span<const l3d_material>() : materials());
-    work_->frame = {shading,
-                    !is_lit && fill_shades(shading.mode) && target_.width >= fill_least_width,
-                    settings_.leave_out_hidden, fill_words{work_->materials.wanted()}, materials()};
+    work_->frame = {shading, by_lanes, settings_.leave_out_hidden,
+                    fill_words{with_normals || work_->materials.wanted(), with_normals},
+                    materials()};
+    if (with_normals)
+        work_->lights.begin(work_->frame.shading, materials());
     work_->coarse.resize(target_.size());
     const int bands = (size.height + rows_ - 1) / rows_;
     work_->covered.assign(static_cast<std::size_t>(bands), 0);
     if (!depth_)
         for (l3d_depth_buffer& worker_depth : work_->worker_depths)
             worker_depth.resize({target_.width, rows_});
+    if (with_normals)
+        make_room_for_normals();
+}
+
+/// As much as depths have, and for the same pixels.
+void l3d_surface_rasterizer_sw::make_room_for_normals() {
+    const l3d_depth_buffer& like = depth_ ? *depth_ : work_->worker_depths.front();
+    const auto size =
+        static_cast<std::size_t>(like.pitch()) * static_cast<std::size_t>(like.size().height);
+    work_->normals.resize(depth_ ? 1 : work_->worker_depths.size());
+    for (normal_plane& normals : work_->normals)
+        if (normals.size() < size)
+            normals.resize(size);
 }
 
 void l3d_surface_rasterizer_sw::do_draw(std::span<const l3d_surface_part* const> parts) {
     assert(depth_ || !drawn_);
     const band_list& list = work_->list;
     const band_frame& frame = work_->frame;
-    const bool with_levels = frame.by_lanes && frame.shading.mode == l3d_shade::gouraud;
+    const bool with_levels =
+        frame.by_lanes && !frame.words.has_normals && frame.shading.mode == l3d_shade::gouraud;
     const bool antialias = frame.shading.antialias;
     work_->list.make(parts, {window_, rows_, antialias}, with_levels ? &frame.shading : nullptr,
                      workers_);
@@ -156,7 +187,7 @@ void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
     const std::span<const std::uint32_t> items = work_->list.items(index);
     if (drawn_ && items.empty())
         return;
-    const fill_band band = band_at(index, depth_ ? *depth_ : work_->worker_depths[worker]);
+    const fill_band band = band_at(index, worker);
     coarse_depth& coarse = work_->coarse;
     if (!drawn_) {
         clear_words(band);
@@ -170,35 +201,47 @@ void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
         coarse.refresh(band); // `hidden` may be asked by many, so it finds nothing itself
     if (counts_pixels())
         work_->covered[static_cast<std::size_t>(index)] = coarse.covered(band);
-    if (!depth_ && work_->materials.wanted())
+    if (!depth_ && work_->frame.words.has_materials)
         color_band(band); // nothing more will come, and all is in the cache
 }
 
-/// Expects: a depth of the picture, or of the band alone if nobody wants the picture's.
-fill_band l3d_surface_rasterizer_sw::band_at(int index, l3d_depth_buffer& depth) const {
+/// Depth and normals are the worker's own if nobody wants the picture's.
+fill_band l3d_surface_rasterizer_sw::band_at(int index, std::size_t worker) {
     const int top = window_.top + index * rows_, bottom = std::min(top + rows_, window_.bottom);
+    l3d_depth_buffer& depth = depth_ ? *depth_ : work_->worker_depths[worker];
+    const std::ptrdiff_t first = depth_ ? top * depth.pitch() : 0;
+    std::uint32_t* const normals = work_->frame.words.has_normals
+                                       ? work_->normals[depth_ ? 0 : worker].data() + first
+                                       : nullptr;
     return {target_.row(top).data(),
             target_.stride,
-            depth.row(depth_ ? top : 0).data(),
+            depth.data() + first,
             depth.pitch(),
             target_.width,
             top,
-            bottom};
+            bottom,
+            normals};
 }
 
 /// Only tiles that something was drawn to have defined depths.
 void l3d_surface_rasterizer_sw::color_band(const fill_band& band) const {
     work_->coarse.visit_drawn(band, [&](const l3d_pixel_box& box) {
         const std::ptrdiff_t row = box.top - band.top;
-        work_->materials.color({band.words + row * band.word_pitch + box.left, band.word_pitch,
-                                band.depths + row * band.depth_pitch + box.left, band.depth_pitch,
-                                box.right - box.left, box.bottom - box.top});
+        std::uint32_t* const words = band.words + row * band.word_pitch + box.left;
+        const std::ptrdiff_t at = row * band.depth_pitch + box.left;
+        const std::int32_t width = box.right - box.left, height = box.bottom - box.top;
+        if (band.normals)
+            work_->lights.color({words, band.word_pitch, band.depths + at, band.normals + at,
+                                 band.depth_pitch, box.left, box.top, width, height});
+        else
+            work_->materials.color(
+                {words, band.word_pitch, band.depths + at, band.depth_pitch, width, height});
     });
 }
 
 void l3d_surface_rasterizer_sw::color_bands() {
     workers_.for_each_beside(static_cast<int>(work_->covered.size()),
-                             [&](int band, int) { color_band(band_at(band, *depth_)); });
+                             [&](int band, int) { color_band(band_at(band, 0)); });
 }
 
 void l3d_surface_rasterizer_sw::clear_words(const fill_band& band) {
@@ -217,7 +260,7 @@ bool l3d_surface_rasterizer_sw::do_hidden(const l3d_subpixel_box& box, float nea
 void l3d_surface_rasterizer_sw::do_finish() {
     if (!drawn_)
         do_draw({});
-    if (depth_ && work_->materials.wanted())
+    if (depth_ && work_->frame.words.has_materials)
         color_bands();
     if (work_->frame.shading.antialias)
         refine();

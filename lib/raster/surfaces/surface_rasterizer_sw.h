@@ -49,11 +49,12 @@ private:
     struct work_space;
 
     void start(l3d_depth_buffer* depth, const l3d_shading& shading);
+    void make_room_for_normals();
     void clear_words(const l3d_detail::fill_band& band);
     void draw_band(int index, std::size_t worker);
     void color_band(const l3d_detail::fill_band& band) const;
     void color_bands();
-    l3d_detail::fill_band band_at(int index, l3d_depth_buffer& depth) const;
+    l3d_detail::fill_band band_at(int index, std::size_t worker);
     void refine();
 
     l3d_workers& workers_;

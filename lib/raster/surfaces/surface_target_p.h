@@ -28,6 +28,10 @@ struct surface_target {
     std::uint32_t* words(std::int32_t row) const {
         return band.words + (row - band.top) * band.word_pitch;
     }
+    /// The same of normals.
+    std::uint32_t* normals(std::int32_t row) const {
+        return band.normals + (row - band.top) * band.depth_pitch;
+    }
     float* depths(std::int32_t row) const {
         return band.depths + (row - band.top) * band.depth_pitch;
     }

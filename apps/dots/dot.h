@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// draw_dot: a dot that one can see in a picture of any size.
+#ifndef L3D_APPS_DOTS_DOT_H
+#define L3D_APPS_DOTS_DOT_H
+
+#include <l3d/pixels.h>
+#include <l3d/rasterizer_2d.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+/// The side of a dot that is a pixel in the book's picture of 320 x 200. Units: pixels.
+inline int dot_side(l3d_size picture) {
+    return std::max(1, std::min(picture.width / 320, picture.height / 200));
+}
+
+/// Draws a square whose top left pixel is (x, y).
+inline void draw_dot(l3d_rasterizer_2d& rasterizer, double x, double y, int side,
+                     std::uint32_t color) {
+    const std::array<l3d_point_2d, 4> corners{
+        {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}};
+    rasterizer.draw_polygon_flatshaded(corners, color);
+}
+
+#endif

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// What the report says of cubic curves.
+#ifndef L3D_APPS_TEAPOT_AFD_REPORT_CURVES_H
+#define L3D_APPS_TEAPOT_AFD_REPORT_CURVES_H
+
+#include <string>
+
+/// Measures random cubics, and writes curves.csv, limits.csv and steps.csv into a folder.
+/// Errors: l3d_error(failure) that names the file.
+void write_curve_tables(const std::string& folder, bool quick);
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The models that the report measures: made here, of different shapes and sizes.
+#ifndef L3D_APPS_TEAPOT_AFD_REPORT_MODELS_H
+#define L3D_APPS_TEAPOT_AFD_REPORT_MODELS_H
+
+#include <l3d/camera.h>
+#include <l3d/patch_model.h>
+
+#include <string>
+#include <vector>
+
+/// A camera, and what the report calls what it sees.
+struct report_view {
+    std::string name;
+    l3d_camera camera;
+};
+
+/// A model, and the views of it that are measured.
+struct report_model {
+    std::string name;
+    l3d_patch_model model;
+    std::vector<report_view> views;
+};
+
+/// The teapot, a thin twisted band, a lampshade of creases, a knot of hundreds of patches, and
+/// hills of thousands, near and far. Three views each.
+std::vector<report_model> report_models();
+
+/// The same hills as 4, 16, ... 4096 patches, in one view: how time grows with the scene.
+std::vector<report_model> report_scenes();
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What the report measures: which settings of which methods, in which views.
+#ifndef L3D_APPS_TEAPOT_AFD_REPORT_PLAN_H
+#define L3D_APPS_TEAPOT_AFD_REPORT_PLAN_H
+
+#include "frame_measure.h"
+#include "report_models.h"
+
+#include <cstddef>
+#include <vector>
+
+/// The settings that are measured in each view of a model.
+struct planned_model {
+    report_model model;
+    std::vector<measured_setting> settings;
+
+    std::size_t rows() const { return model.views.size() * settings.size(); }
+};
+
+struct plan_scope {
+    bool quick = false;      ///< small: one view of two models
+    bool has_mesa = false;   ///< there is a software GL
+    bool has_scenes = false; ///< the same hills in 4 to 4096 patches, too
+};
+
+/// All methods and arithmetics for each of the models. Left out: meshes of millions of quads.
+std::vector<planned_model> report_plan(std::vector<report_model> models, const plan_scope& scope);
+
+#endif

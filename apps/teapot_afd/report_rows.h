@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The rows of a report that is measured in many minutes, and may be stopped at any time.
+#ifndef L3D_APPS_TEAPOT_AFD_REPORT_ROWS_H
+#define L3D_APPS_TEAPOT_AFD_REPORT_ROWS_H
+
+#include "frame_measure.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+/// Writes a whole text file. Errors: l3d_error(failure) that names the file.
+void write_text(const std::string& file, const std::string& text);
+
+/// What a row is known by: the model, the view, the method and its setting.
+struct row_name {
+    std::string model, view, series, label;
+
+    std::string text() const { return model + ',' + view + ',' + series + ',' + label; }
+};
+
+/// The rows measured so far, in a file of the report's folder. Each row is written as soon as it is
+/// there, so a report that was stopped begins where it was.
+///
+/// Errors: l3d_error(failure) that names what cannot be written.
+class row_store {
+public:
+    /// Rows of a report of another `key` are dropped: the machine, the build and the picture's
+    /// size.
+    row_store(const std::string& folder, const std::string& key);
+
+    bool has(const row_name& name) const { return lines_.contains(name.text()); }
+    std::size_t count() const { return lines_.size(); }
+    void add(const frame_result& row);
+
+    /// Writes the rows of these names as frames.csv, and drops the file of rows in between.
+    /// Expects: all of them measured.
+    void finish(const std::vector<row_name>& names) const;
+
+private:
+    std::string folder_, file_;
+    std::map<std::string, std::string> lines_; ///< by name
+};
+
+#endif

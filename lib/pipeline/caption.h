@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// l3d_caption: what a program shows and which keys it obeys, for people.
+#ifndef L3D_PIPELINE_CAPTION_H
+#define L3D_PIPELINE_CAPTION_H
+
+#include "base/public.h"
+
+#include <string>
+#include <vector>
+
+/// Keys, as the help calls them, and what they do.
+struct L3D_PUBLIC l3d_caption_row {
+    std::string keys; ///< such as "h j k l"
+    std::string text; ///< such as "left, down, up, right"
+};
+
+/// What a program shows and which keys it obeys. The program's --help says it, and so does a panel
+/// in its window, for some seconds and whenever the user asks for help.
+///
+///     l3d_program program("dot", l3d_caption{.what = "A dot moves.", .keys = {{"p", "rest"}}},
+///                         {320, 200});
+///
+/// Lives: a value.
+struct L3D_PUBLIC l3d_caption {
+    /// A sentence or two.
+    std::string what;
+
+    /// The program's own keys. Those that every program has follow by themselves.
+    std::vector<l3d_caption_row> keys{};
+
+    /// The keys that show and hide the help. A program that needs one of them leaves it out.
+    std::string help = "h?";
+
+    /// All keys: the program's own, F11, those of help, and the end.
+    std::vector<l3d_caption_row> all_keys() const;
+
+    /// What --help says: the sentence, and a list of all keys below it.
+    std::string text() const;
+};
+
+#endif

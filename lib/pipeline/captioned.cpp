@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// captioned: when the panel comes and goes, and the pixels below it.
+#include "pipeline/captioned_p.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace l3d_detail {
+
+namespace {
+
+/// Of a picture; a larger hint would hide what it speaks of.
+constexpr int largest_share = 5; // one part of so many
+
+} // namespace
+
+captioned::captioned(l3d_pipeline& shown, l3d_screen& screen, l3d_caption caption, l3d_font font,
+                     double hint_seconds)
+    : shown_(shown), screen_(screen), caption_(std::move(caption)), font_(std::move(font)),
+      hint_seconds_(hint_seconds) {
+    follow();
+}
+
+void captioned::any_event(const l3d_event& event) {
+    shown_.any_event(event);
+    follow();
+}
+
+void captioned::key_event(int key) {
+    if (key > 0 && key < 128 && caption_.help.find(static_cast<char>(key)) != std::string::npos) {
+        help_page_ = help_page_ < help_pages().size() ? help_page_ + 1 : 0;
+        hint_seconds_ = 0;
+        is_old_ = true;
+        return;
+    }
+    shown_.key_event(key);
+    follow();
+}
+
+void captioned::pointer_event(const l3d_event& event) {
+    shown_.pointer_event(event);
+    follow();
+}
+
+/// Nothing of the picture before is left to put back.
+void captioned::resize_event(l3d_size size) {
+    covered_ = {};
+    shown_.resize_event(size);
+    follow();
+}
+
+void captioned::update_event(double seconds) {
+    if (hint_is_shown()) {
+        hint_seconds_ -= seconds;
+        is_old_ |= !hint_is_shown();
+    }
+    shown_.update_event(seconds);
+    follow();
+}
+
+void captioned::draw_event() {
+    const l3d_pixel_box before = covered_;
+    uncover();
+    shown_.draw_event();
+    cover();
+    changed_ = shown_.changed().united(before).united(covered_);
+    is_old_ = false;
+    follow();
+}
+
+void captioned::frame_event(const l3d_frame_times& times) {
+    shown_.frame_event(times);
+    follow();
+}
+
+bool captioned::skip_event() {
+    return shown_.skip_event();
+}
+
+/// Puts back what the panel hides.
+void captioned::uncover() {
+    const l3d_pixels pixels = screen_.pixels();
+    for (int y = covered_.top; y < covered_.bottom; ++y) {
+        const auto hidden = picture_.begin() + std::ptrdiff_t{y} * pixels.width;
+        std::copy(hidden + covered_.left, hidden + covered_.right,
+                  l3d_row(pixels, y, covered_).begin());
+    }
+    covered_ = {};
+}
+
+/// Draws the panel, if there is one, and keeps the picture below.
+void captioned::cover() {
+    if (help_page_ == 0 && !hint_is_shown())
+        return;
+    const l3d_pixels pixels = screen_.pixels();
+    picture_.clear();
+    for (int y = 0; y < pixels.height; ++y)
+        picture_.insert(picture_.end(), pixels.row(y).begin(), pixels.row(y).end());
+    l3d_rasterizer_2d_sw_imp imp(pixels);
+    l3d_rasterizer_2d rasterizer(imp);
+    covered_ = draw_panel(rasterizer);
+    if (help_page_ == 0 && largest_share * covered_.area() > l3d_whole(pixels.size()).area()) {
+        uncover();
+        hint_seconds_ = 0;
+    }
+}
+
+l3d_panel_style captioned::style() const {
+    l3d_panel_style result;
+    result.font = font_;
+    result.size = l3d_panel_style::size_for(screen_.pixels().size(), screen_.text_scale());
+    return result;
+}
+
+std::vector<l3d_panel> captioned::help_pages() const {
+    l3d_panel all;
+    all.add_title(caption_.what);
+    for (const l3d_caption_row& row : caption_.all_keys())
+        all.add(row.keys, row.text);
+    return all.pages(screen_.pixels().size(), caption_.help.substr(0, 1), style());
+}
+
+l3d_pixel_box captioned::draw_panel(l3d_rasterizer_2d& rasterizer) const {
+    l3d_pixel_box free = l3d_whole(screen_.pixels().size());
+    if (help_page_ > 0) {
+        const std::vector<l3d_panel> pages = help_pages();
+        return pages[std::min(help_page_, pages.size()) - 1].draw(rasterizer, free,
+                                                                  l3d_corner::top_left, style());
+    }
+    l3d_panel hint;
+    hint.add_title(caption_.what);
+    hint.add(caption_.help.substr(0, 1), "shows all keys");
+    return hint.draw(rasterizer, free, l3d_corner::bottom_left, style());
+}
+
+} // namespace l3d_detail

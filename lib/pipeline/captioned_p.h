@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// captioned: a pipeline with its caption on top of the pictures.
+#ifndef L3D_PIPELINE_CAPTIONED_P_H
+#define L3D_PIPELINE_CAPTIONED_P_H
+
+#include "pipeline/caption.h"
+#include "pipeline/pipeline.h"
+#include "raster/shapes/panel.h"
+#include "raster/shapes/rasterizer_2d_sw.h"
+#include "tool_2d/screen.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Hands every call on to a pipeline. It draws a panel on the finished picture, and puts back what
+/// the panel covers before the pipeline draws again: some programs add to the picture before.
+///
+/// The panel says for some seconds what is shown and which key lists the others, if that leaves
+/// most of the picture free. The keys of help show all keys, page after page, and hide them again.
+///
+/// Lives: borrows pipeline and screen.
+class captioned final : public l3d_pipeline {
+public:
+    /// Units: the first words stay for so many seconds.
+    captioned(l3d_pipeline& shown, l3d_screen& screen, l3d_caption caption, l3d_font font,
+              double hint_seconds);
+
+    void any_event(const l3d_event& event) override;
+    void key_event(int key) override;
+    void pointer_event(const l3d_event& event) override;
+    void resize_event(l3d_size size) override;
+    void update_event(double seconds) override;
+    void draw_event() override;
+    l3d_pixel_box changed() const override { return changed_; }
+    void frame_event(const l3d_frame_times& times) override;
+    bool skip_event() override;
+    bool is_at_rest() const override { return !hint_is_shown() && shown_.is_at_rest(); }
+    bool needs_redraw() const override { return is_old_ || shown_.needs_redraw(); }
+
+private:
+    bool hint_is_shown() const { return hint_seconds_ > 0; }
+    void follow() { done |= shown_.done; }
+    void uncover();
+    void cover();
+    l3d_panel_style style() const;
+    std::vector<l3d_panel> help_pages() const;
+    l3d_pixel_box draw_panel(l3d_rasterizer_2d& rasterizer) const;
+
+    l3d_pipeline& shown_;
+    l3d_screen& screen_;
+    l3d_caption caption_;
+    l3d_font font_;
+    double hint_seconds_;       ///< that are left
+    std::size_t help_page_ = 0; ///< that is shown, from 1; 0 for none
+    bool is_old_ = false;       ///< another panel is wanted than is drawn
+    std::vector<std::uint32_t> picture_;
+    l3d_pixel_box covered_, changed_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// fill_words: what lanes write into pixels.
+#if defined(L3D_RASTER_SURFACES_FILL_WORDS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef L3D_RASTER_SURFACES_FILL_WORDS_INL_H
+#undef L3D_RASTER_SURFACES_FILL_WORDS_INL_H
+#else
+#define L3D_RASTER_SURFACES_FILL_WORDS_INL_H
+#endif
+
+#include "raster/surfaces/fill_table-inl.h"
+#include "raster/surfaces/normal_code_p.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// Where the bytes of words come from: their three lowest from a sum's lowest one, or only the
+/// lowest one, where the others are a material's.
+alignas(16) constexpr std::uint8_t bytes_of_greys[16] = {0, 0, 0, 0x80, 4,  4,  4,  0x80,
+                                                         8, 8, 8, 0x80, 12, 12, 12, 0x80};
+alignas(16) constexpr std::uint8_t bytes_of_levels[16] = {
+    0, 0x80, 0x80, 0x80, 4, 0x80, 0x80, 0x80, 8, 0x80, 0x80, 0x80, 12, 0x80, 0x80, 0x80};
+
+/// How a polygon's levels become words.
+template <class D> struct word_maker {
+    using tag = hn::RebindToUnsigned<D>;
+    using word_vec = hn::Vec<tag>;
+
+    HWY_INLINE word_maker(const fill_table& table, std::size_t i)
+#if HWY_TARGET == HWY_SCALAR // has no bytes to shuffle
+        : unit_(hn::Set(tag(), table.words.unit())), material_(hn::Set(tag(), table.material[i])){}
+#else
+        : bytes_(hn::LoadDup128(hn::Repartition<std::uint8_t, D>(),
+                                table.words.has_materials ? bytes_of_levels : bytes_of_greys)),
+          material_(hn::Set(tag(), table.material[i])),
+          darkest_(hn::Or(material_, hn::Set(tag(), ambient * table.words.unit()))) {
+    }
+#endif
+
+          /// Expects: levels in [0, 255].
+          HWY_INLINE word_vec of_levels(hn::Vec<D> level) const {
+        return hn::Or(spread(hn::Add(level, hn::Set(D(), whole_numbers))), material_);
+    }
+
+    /// A normal's z and the material. Expects: as normal_code.
+    HWY_INLINE word_vec of_normal_z(hn::Vec<D> z) const {
+        return hn::Or(hn::ShiftLeft<16>(rounded(z)), material_);
+    }
+
+    /// A normal's other two numbers.
+    static HWY_INLINE word_vec of_normal_xy(hn::Vec<D> x, hn::Vec<D> y) {
+        return hn::Or(hn::And(rounded(x), hn::Set(tag(), 0xffffu)), hn::ShiftLeft<16>(rounded(y)));
+    }
+
+    /// Levels 26 + floor(max(0, lit)), at most 255. Expects: lit < 256.
+    HWY_INLINE word_vec of_cosines(hn::Vec<D> lit) const {
+        const D d;
+        const auto sum =
+            hn::Max(hn::Add(lit, hn::Set(d, whole_numbers - 0.5f)), hn::Set(d, whole_numbers));
+#if HWY_TARGET == HWY_SCALAR
+        const auto level = hn::And(hn::BitCast(tag(), sum), hn::Set(tag(), 0xffu));
+        const auto grey = hn::Min(hn::Add(level, hn::Set(tag(), ambient)), hn::Set(tag(), 255u));
+        return hn::Or(hn::Mul(grey, unit_), material_);
+#else
+        // A material's bytes are added to 0, and its level is held at 255.
+        const hn::Repartition<std::uint8_t, D> bytes;
+        return hn::BitCast(
+            tag(), hn::SaturatedAdd(hn::BitCast(bytes, spread(sum)), hn::BitCast(bytes, darkest_)));
+#endif
+    }
+
+private:
+    static constexpr std::uint32_t ambient = 26;
+
+    /// Where this is added to a number below it, the last bits of the sum are the nearest integer.
+    static constexpr float whole_numbers = 8388608.0f; // 2^23
+
+    /// The lower halves are numbers' nearest integers.
+    static HWY_INLINE word_vec rounded(hn::Vec<D> number) {
+        return hn::BitCast(tag(), hn::Add(number, hn::Set(D(), normal_code::whole_numbers)));
+    }
+
+    /// Words of the lowest byte of each sum.
+    HWY_INLINE word_vec spread(hn::Vec<D> sum) const {
+#if HWY_TARGET == HWY_SCALAR
+        return hn::Mul(hn::And(hn::BitCast(tag(), sum), hn::Set(tag(), 0xffu)), unit_);
+#else
+        const hn::Repartition<std::uint8_t, D> bytes;
+        return hn::BitCast(tag(), hn::TableLookupBytesOr0(hn::BitCast(bytes, sum), bytes_));
+#endif
+    }
+
+#if HWY_TARGET == HWY_SCALAR
+    word_vec unit_, material_;
+#else
+    hn::Vec<hn::Repartition<std::uint8_t, D>> bytes_;
+    word_vec material_, darkest_; ///< without the level; with that of ambient light
+#endif
+};
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+// lit_words: lit_shader in lanes, a material at a time.
+#include "raster/surfaces/lit_words_p.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/surfaces/lit_words.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "raster/parallel/simd_dispatch_p.h"
+
+#include <cfloat>
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using floats = hn::CappedTag<float, 16>;
+using words = hn::RebindToUnsigned<floats>;
+using float_vec = hn::Vec<floats>;
+using word_vec = hn::Vec<words>;
+using float_mask = hn::Mask<floats>;
+
+HWY_INLINE float_vec set(float value) {
+    return hn::Set(floats(), value);
+}
+
+/// Three numbers of each pixel.
+struct lane_vector {
+    float_vec x, y, z;
+
+    HWY_INLINE lane_vector scaled(float_vec by) const {
+        return {hn::Mul(x, by), hn::Mul(y, by), hn::Mul(z, by)};
+    }
+};
+
+HWY_INLINE float_vec dot_of(const lane_vector& a, const lane_vector& b) {
+    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+
+HWY_INLINE float_vec length_of(const lane_vector& v) {
+    return hn::Sqrt(hn::Max(dot_of(v, v), set(FLT_MIN)));
+}
+
+HWY_INLINE lane_vector broadcast(const std::array<float, 3>& v) {
+    return {set(v[0]), set(v[1]), set(v[2])};
+}
+
+HWY_INLINE float_vec whole_power(float_vec base, int exponent) {
+    float_vec result = set(1);
+    for (;; base = hn::Mul(base, base)) {
+        if (exponent & 1)
+            result = hn::Mul(result, base);
+        exponent >>= 1;
+        if (exponent == 0)
+            return result;
+    }
+}
+
+/// Amounts of light in each of three channels, or in all of them alike.
+template <std::size_t Channels> struct light_amounts {
+    float_vec of[Channels];
+
+    HWY_INLINE explicit light_amounts(const l3d_light_color& color) {
+        for (std::size_t i = 0; i < Channels; ++i)
+            of[i] = set(color[i]);
+    }
+    HWY_INLINE void add(float_vec amount, const l3d_light_color& color) {
+        for (std::size_t i = 0; i < Channels; ++i)
+            of[i] = hn::Add(of[i], hn::Mul(amount, set(color[i])));
+    }
+    HWY_INLINE float_vec operator[](std::size_t i) const { return of[Channels == 1 ? 0 : i]; }
+};
+
+/// The light of a vector of pixels. Shape: one channel if all lights are white or grey.
+template <std::size_t Channels> class lane_light {
+public:
+    HWY_INLINE lane_light(const l3d_shading& shading, const lane_vector& raw,
+                          const lane_vector& look)
+        : shading_(shading), look_(look), distance_(length_of(look)) {
+        float_vec inverse = hn::Div(set(1), length_of(raw));
+        if (lit_shader::turns_normals(shading)) {
+            const auto away = hn::Gt(dot_of(raw, look), hn::Zero(floats()));
+            inverse = hn::IfThenElse(away, hn::Neg(inverse), inverse);
+        }
+        normal_ = raw.scaled(inverse);
+        against_ = dot_of(look, normal_);
+    }
+
+    HWY_INLINE word_vec word(const lit_material& material) const {
+        const l3d_lighting& lighting = shading_.lighting;
+        light_amounts<Channels> scattered(lighting.ambient), mirrored({0, 0, 0});
+        const bool shines = material.shines();
+        bool peaks = add({shading_.light, lighting.color}, material, shines, scattered, mirrored);
+        for (std::size_t i = 0; i < lighting.count; ++i)
+            peaks |= add(lighting.lights[i], material, shines, scattered, mirrored);
+        word_vec result = hn::Zero(words());
+        for (std::size_t i = 0; i < 3; ++i) {
+            float_vec level = hn::Mul(set(material.color[i]), scattered[i]);
+            if (peaks)
+                level = hn::Add(level, hn::Mul(set(material.highlight[i]), mirrored[i]));
+            result = hn::Or(hn::ShiftLeft<8>(result), whole(level));
+        }
+        return result;
+    }
+
+private:
+    /// Returns whether any highlight was added.
+    HWY_INLINE bool add(const l3d_far_light& light, const lit_material& material, bool shines,
+                        light_amounts<Channels>& scattered,
+                        light_amounts<Channels>& mirrored) const {
+        const floats d;
+        const float_vec zero = hn::Zero(d);
+        const lane_vector to_light = broadcast(light.direction);
+        const float_vec cosine = dot_of(to_light, normal_);
+        const float_mask is_lit = hn::Gt(cosine, zero);
+        if (hn::AllFalse(d, is_lit))
+            return false;
+        scattered.add(hn::Mul(set(0.9F), hn::IfThenElseZero(is_lit, cosine)), light.color);
+        if (!shines)
+            return false;
+        const float_vec product = hn::Sub(hn::Mul(distance_, cosine), against_);
+        const float_vec beside = hn::Sub(distance_, dot_of(to_light, look_));
+        const float_vec square =
+            hn::Max(hn::Mul(hn::Add(distance_, distance_), beside), set(FLT_MIN));
+        const float_mask is_seen =
+            hn::And(hn::And(is_lit, hn::Gt(product, zero)),
+                    hn::Gt(hn::Mul(product, product), hn::Mul(set(material.least_square), square)));
+        if (hn::AllFalse(d, is_seen))
+            return false;
+        const float_vec facing = hn::Min(hn::Div(product, hn::Sqrt(square)), set(1));
+        const float_vec peak =
+            whole_power(hn::IfThenElse(is_seen, facing, set(1)), material.sharpness);
+        mirrored.add(hn::IfThenElseZero(is_seen, peak), light.color);
+        return true;
+    }
+
+    static HWY_INLINE word_vec whole(float_vec level) {
+        const float_vec held = hn::Min(hn::Max(level, hn::Zero(floats())), set(255));
+        const hn::RebindToSigned<floats> d;
+        return hn::BitCast(words(), hn::ConvertTo(d, hn::Add(held, set(0.5F))));
+    }
+
+    const l3d_shading& shading_;
+    lane_vector look_, normal_;
+    float_vec distance_, against_;
+};
+
+/// Numbers in the upper halves of words.
+HWY_INLINE float_vec upper(word_vec word) {
+    const hn::RebindToSigned<floats> whole;
+    return hn::ConvertTo(floats(), hn::ShiftRight<16>(hn::BitCast(whole, word)));
+}
+
+/// Pixels side by side, `valid` of them.
+struct pixel_row {
+    std::uint32_t* words;
+    const float* depths;
+    const std::uint32_t* normals;
+    lane_vector look;       ///< in column 0 of the picture
+    lane_vector look_right; ///< what a column adds
+};
+
+/// The words of filled pixels, a material after the other. Mostly there is one.
+template <std::size_t Channels>
+HWY_INLINE word_vec by_materials(const lane_light<Channels>& light, const lit_material* materials,
+                                 word_vec there, float_mask filled) {
+    const words dw;
+    const word_vec material = hn::And(there, hn::Set(dw, 0xffffu));
+    const std::uint32_t first = hn::GetLane(material);
+    const auto others = hn::Ne(material, hn::Set(dw, first));
+    if (HWY_LIKELY(hn::AllFalse(dw, others) && hn::AllTrue(floats(), filled)))
+        return light.word(materials[first]);
+    HWY_ALIGN std::uint32_t each[hn::MaxLanes(words())];
+    hn::Store(material, dw, each);
+    word_vec result = there;
+    for (auto left = hn::RebindMask(dw, filled); !hn::AllFalse(dw, left);) {
+        const std::uint32_t next = each[hn::FindKnownFirstTrue(dw, left)];
+        const auto same = hn::And(left, hn::Eq(material, hn::Set(dw, next)));
+        result = hn::IfThenElse(same, light.word(materials[next]), result);
+        left = hn::AndNot(same, left);
+    }
+    return result;
+}
+
+template <std::size_t Channels>
+HWY_INLINE void color_vector(const l3d_shading& shading, const lit_material* materials,
+                             const pixel_row& row, std::size_t i, float_vec x) {
+    const floats d;
+    const words dw;
+    const float_mask filled = hn::Gt(hn::LoadU(d, row.depths + i), hn::Zero(d));
+    if (hn::AllFalse(d, filled))
+        return;
+    const word_vec there = hn::LoadU(dw, row.words + i), xy = hn::LoadU(dw, row.normals + i);
+    const lane_vector raw{upper(hn::ShiftLeft<16>(xy)), upper(xy), upper(there)};
+    const lane_vector along = row.look_right.scaled(x);
+    const lane_light<Channels> light(
+        shading, raw,
+        {hn::Add(row.look.x, along.x), hn::Add(row.look.y, along.y), hn::Add(row.look.z, along.z)});
+    hn::StoreU(by_materials(light, materials, there, filled), dw, row.words + i);
+}
+
+/// The last pixels of a row that are not a whole vector.
+template <std::size_t Channels>
+HWY_NOINLINE void color_last(const l3d_shading& shading, const lit_material* materials,
+                             const pixel_row& row, std::size_t from, std::size_t end, float_vec x) {
+    constexpr std::size_t lanes = hn::MaxLanes(floats());
+    HWY_ALIGN std::uint32_t of_words[lanes] = {}, normals[lanes] = {};
+    HWY_ALIGN float depths[lanes] = {};
+    std::copy(row.words + from, row.words + end, of_words);
+    std::copy(row.normals + from, row.normals + end, normals);
+    std::copy(row.depths + from, row.depths + end, depths);
+    color_vector<Channels>(shading, materials,
+                           {of_words, depths, normals, row.look, row.look_right}, 0, x);
+    std::copy_n(of_words, end - from, row.words + from);
+}
+
+template <std::size_t Channels>
+HWY_INLINE void light_by(const l3d_shading& shading, const lit_material* materials,
+                         const lit_pixels& pixels) {
+    const floats d;
+    const auto width = static_cast<std::size_t>(pixels.width);
+    const lane_vector look = broadcast(shading.look), down = broadcast(shading.look_down);
+    const float_vec first = hn::Add(hn::Iota(d, 0), set(static_cast<float>(pixels.left) + 0.5F));
+    for (std::int32_t row = 0; row < pixels.height; ++row) {
+        const lane_vector along = down.scaled(set(static_cast<float>(pixels.top + row) + 0.5F));
+        const pixel_row of{
+            pixels.words + row * pixels.word_pitch,
+            pixels.depths + row * pixels.depth_pitch,
+            pixels.normals + row * pixels.depth_pitch,
+            {hn::Add(look.x, along.x), hn::Add(look.y, along.y), hn::Add(look.z, along.z)},
+            broadcast(shading.look_right)};
+        std::size_t i = 0;
+        const auto x = [&] HWY_ATTR { return hn::Add(first, set(static_cast<float>(i))); };
+        for (; i + hn::Lanes(d) <= width; i += hn::Lanes(d))
+            color_vector<Channels>(shading, materials, of, i, x());
+        if (i < width)
+            color_last<Channels>(shading, materials, of, i, width, x());
+    }
+}
+
+bool is_grey(const l3d_light_color& color) {
+    return color[0] == color[1] && color[1] == color[2];
+}
+
+void light_pixels(const l3d_shading& shading, const lit_material* materials,
+                  const lit_pixels& pixels) {
+    const l3d_lighting& lighting = shading.lighting;
+    bool grey = is_grey(lighting.ambient) && is_grey(lighting.color);
+    for (std::size_t i = 0; i < lighting.count; ++i)
+        grey = grey && is_grey(lighting.lights[i].color);
+    if (grey)
+        light_by<1>(shading, materials, pixels);
+    else
+        light_by<3>(shading, materials, pixels);
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace l3d_detail {
+
+L3D_SIMD_TABLE(light_pixels);
+
+void lit_words::color(const lit_pixels& pixels) const {
+    L3D_SIMD_CALL(light_pixels)(*shading_, materials_.data(), pixels);
+}
+
+void lit_words::color_slowly(const lit_pixels& pixels) const {
+    lit_shader shader(*shading_, frame_materials_);
+    for (std::int32_t row = 0; row < pixels.height; ++row)
+        for (std::int32_t column = 0; column < pixels.width; ++column) {
+            const std::ptrdiff_t at = row * pixels.depth_pitch + column;
+            std::uint32_t& word = pixels.words[row * pixels.word_pitch + column];
+            if (!(pixels.depths[at] > 0))
+                continue;
+            shader.use_material(word & 0xffff);
+            const vector3 normal = normal_code{pixels.normals[at], word}.scaled();
+            const vector3 look =
+                lit_shader::look_at(*shading_, static_cast<float>(pixels.left + column) + 0.5F,
+                                    static_cast<float>(pixels.top + row) + 0.5F);
+            const std::array<float, lit_shader::components> numbers{normal[0], normal[1], normal[2],
+                                                                    look[0],   look[1],   look[2]};
+            word = shader.word(numbers.data());
+        }
+}
+
+} // namespace l3d_detail
+#endif

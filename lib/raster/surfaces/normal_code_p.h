@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// normal_code: a normal in two words of a pixel.
+#ifndef L3D_RASTER_SURFACES_NORMAL_CODE_P_H
+#define L3D_RASTER_SURFACES_NORMAL_CODE_P_H
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+namespace l3d_detail {
+
+/// A normal whose numbers are rounded to multiples of 1 / scale, 16 bits each.
+///
+/// Numbers of unit normals are at most 1, those of a plane through four corners at most 1.75. So
+/// they fit, and a normal of length 1 is off by at most sqrt(3) / 2 / scale = 2^-14.2.
+struct normal_code {
+    static constexpr float scale = 16383;
+
+    /// Where this is added to a number below 2^15 in size, the sum's last 16 bits are those of the
+    /// nearest integer: 3 * 2^22.
+    static constexpr float whole_numbers = 12582912;
+
+    std::uint32_t xy = 0; ///< x in the lower half, y in the upper
+    std::uint32_t z = 0;  ///< in the upper half; the lower half is free
+
+    /// Expects: numbers below 2 in size.
+    static normal_code of(const float* normal) {
+        const auto rounded = [](float number) {
+            return std::bit_cast<std::uint32_t>(number * scale + whole_numbers) & 0xffff;
+        };
+        return {rounded(normal[0]) | rounded(normal[1]) << 16, rounded(normal[2]) << 16};
+    }
+
+    /// The normal times `scale`; all else that `z` has is ignored.
+    std::array<float, 3> scaled() const {
+        const auto upper = [](std::uint32_t word) {
+            return static_cast<float>(static_cast<std::int32_t>(word) >> 16);
+        };
+        return {upper(xy << 16), upper(xy), upper(z)};
+    }
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// A program's caption: as text, and on the pictures of a window.
+#include "pipeline/captioned_p.h"
+
+#include "tool_2d/image.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace {
+
+constexpr double hint_seconds = 2;
+
+/// A screen in memory that can be resized.
+class resizable_screen final : public l3d_screen {
+public:
+    explicit resizable_screen(l3d_size size) : image_(size, size.width + 3) {}
+    void resize(l3d_size size) { image_ = l3d_image(size, size.width + 3); }
+
+private:
+    l3d_pixels do_pixels() override { return image_.pixels(); }
+    const l3d_screen_info& do_info() const override { return info_; }
+    void do_show(const l3d_pixel_box&) override {}
+    std::string do_describe() const override { return "test"; }
+    bool do_next_event(l3d_event&) override { return false; }
+    void do_wait(std::chrono::nanoseconds, int) override {}
+
+    l3d_image image_;
+    l3d_screen_info info_;
+};
+
+/// Adds a pixel more to a row with each picture, and never clears.
+class growing_row final : public l3d_pipeline {
+public:
+    explicit growing_row(l3d_screen& screen) : screen_(screen) {}
+
+    int draws = 0, keys = 0;
+    bool moves = true;
+
+    void draw_event() override {
+        const auto row = screen_.pixels().row(screen_.pixels().height - 20);
+        row[static_cast<std::size_t>(draws++)] = 0xFF0000;
+    }
+    void key_event(int key) override {
+        ++keys;
+        done |= key == 'q';
+    }
+    bool needs_redraw() const override { return moves; }
+    bool is_at_rest() const override { return !moves; }
+
+private:
+    l3d_screen& screen_;
+};
+
+class captioned_row : public testing::Test {
+protected:
+    explicit captioned_row(l3d_size size = {400, 300}) : screen(size) {}
+
+    /// The picture with the row's pixels, and without a panel?
+    bool is_plain() {
+        for (int y = 0; y < screen.pixels().height; ++y)
+            for (int x = 0; x < screen.pixels().width; ++x) {
+                const bool lit = y == screen.pixels().height - 20 && x < row.draws;
+                if (screen.pixels().row(y)[static_cast<std::size_t>(x)] != (lit ? 0xFF0000u : 0u))
+                    return false;
+            }
+        return true;
+    }
+    void pass(double seconds) {
+        shown.update_event(seconds);
+        shown.draw_event();
+    }
+
+    resizable_screen screen;
+    growing_row row{screen};
+    l3d_detail::captioned shown{row, screen,
+                                l3d_caption{.what = "A row grows.", .keys = {{"x", "nothing"}}},
+                                l3d_font(), hint_seconds};
+};
+
+class captioned_row_in_a_small_window : public captioned_row {
+protected:
+    captioned_row_in_a_small_window() : captioned_row({60, 40}) {}
+};
+
+} // namespace
+
+TEST(caption, says_all_keys_of_a_program_below_what_it_shows) {
+    const l3d_caption caption{.what = "Dots.", .keys = {{"p", "rest"}}};
+    EXPECT_EQ(caption.text(),
+              "Dots.\nKeys: p: rest; F11: whole screen; h, ?: help; q, Escape: quit.");
+}
+
+TEST(caption, breaks_lines_before_they_leave_a_terminal) {
+    l3d_caption caption{.what = "Dots."};
+    for (int i = 0; i < 20; ++i)
+        caption.keys.push_back({"a, b", "a thing that keys do"});
+    const std::string text = caption.text();
+    std::size_t longest = 0, begin = 0;
+    for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
+        end = text.find('\n', begin);
+        longest = std::max(longest, std::min(end, text.size()) - begin);
+    }
+    EXPECT_LE(longest, 80u);
+    EXPECT_GT(longest, 50u);
+}
+
+TEST_F(captioned_row, shows_a_hint_at_first_and_leaves_the_picture_as_it_would_be) {
+    constexpr double step = 0.25; // exact, as are its sums
+    for (double seconds = step; seconds < hint_seconds; seconds += step) {
+        pass(step);
+        EXPECT_FALSE(is_plain());
+        EXPECT_FALSE(shown.is_at_rest());
+    }
+    pass(step);
+    EXPECT_TRUE(is_plain()) << "what the panel covered is there again";
+    EXPECT_EQ(row.draws, 8);
+}
+
+TEST_F(captioned_row, asks_for_a_picture_when_its_panel_comes_or_goes) {
+    row.moves = false;
+    pass(0.1);
+    EXPECT_FALSE(shown.needs_redraw());
+    EXPECT_FALSE(shown.is_at_rest()) << "time takes the hint away";
+    shown.update_event(hint_seconds);
+    EXPECT_TRUE(shown.needs_redraw());
+    EXPECT_TRUE(shown.is_at_rest());
+    shown.draw_event();
+    EXPECT_FALSE(shown.needs_redraw());
+    EXPECT_TRUE(is_plain());
+}
+
+TEST_F(captioned_row, shows_help_by_its_keys_and_keeps_them_for_itself) {
+    row.moves = false;
+    pass(hint_seconds);
+    for (const int key : {'h', '?'}) {
+        shown.key_event(key);
+        EXPECT_TRUE(shown.needs_redraw());
+        pass(0.1);
+        EXPECT_FALSE(is_plain());
+        pass(100);
+        EXPECT_FALSE(is_plain()) << "help stays until a key hides it";
+        shown.key_event(key);
+        pass(0.1);
+        EXPECT_TRUE(is_plain());
+    }
+    EXPECT_EQ(row.keys, 0);
+    shown.key_event('x');
+    EXPECT_EQ(row.keys, 1);
+}
+
+TEST_F(captioned_row, tells_which_pixels_changed) {
+    row.moves = false;
+    pass(hint_seconds);
+    shown.key_event('h');
+    shown.draw_event();
+    const l3d_pixel_box whole = l3d_whole(screen.pixels().size());
+    EXPECT_EQ(shown.changed().intersected(whole), whole) << "the row says nothing less";
+}
+
+TEST_F(captioned_row, is_done_when_the_program_is) {
+    EXPECT_FALSE(shown.done);
+    shown.key_event('q');
+    EXPECT_TRUE(shown.done);
+}
+
+TEST_F(captioned_row, puts_nothing_of_the_old_size_into_the_new_one) {
+    for (int y = 0; y < 300; ++y)
+        std::ranges::fill(screen.pixels().row(y), 0x123456u);
+    pass(0.1);
+    screen.resize({400, 340});
+    shown.resize_event({400, 340});
+    row.draws = 0;
+    pass(hint_seconds);
+    EXPECT_TRUE(is_plain());
+}
+
+TEST_F(captioned_row_in_a_small_window, gives_no_hint_that_would_cover_the_picture) {
+    pass(0.1);
+    EXPECT_TRUE(is_plain());
+    EXPECT_FALSE(shown.needs_redraw() && !row.moves);
+}
