@@ -142,6 +142,19 @@ struct wedges {
     double deepest() const { return std::min(across.deepest(), along.deepest()); }
 };
 
+/// Whether a model lies at one side of the picture: beyond nine tenths of the half on this side,
+/// and nowhere beyond two thirds of the other. `slope` is the tangent to the picture's border.
+bool is_aside(const vector& side, const l3d_camera::frame& axes, const l3d_camera& camera,
+              double slope, const l3d_reach& reach) {
+    const double depth = l3d_dot(camera.eye, axes.forward), at = l3d_dot(camera.eye, side);
+    const auto reaches = [&](double sign, double tangent) {
+        return reach(side * sign - axes.forward * tangent) > sign * at - tangent * depth;
+    };
+    constexpr double near_border = 0.9, much_room = 0.66;
+    return (reaches(1, near_border * slope) && !reaches(-1, much_room * slope)) ||
+           (reaches(-1, near_border * slope) && !reaches(1, much_room * slope));
+}
+
 /// How deep a model begins and ends along the line of sight, from the origin.
 struct depths {
     double nearest, farthest;
@@ -220,6 +233,8 @@ bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3d_reach& re
     const wedges whole(axes, camera, size, 1, reach), part(axes, camera, size, least_share, reach);
     return whole.across.holds(l3d_dot(camera.eye, axes.right), depth) &&
            whole.along.holds(l3d_dot(camera.eye, axes.up), depth) && part.deepest() <= depth &&
+           !is_aside(axes.right, axes, camera, whole.across.slope, reach) &&
+           !is_aside(axes.up, axes, camera, whole.along.slope, reach) &&
            depths(axes.forward, reach).nearest > depth + camera.near;
 }
 

@@ -38,7 +38,8 @@ L3D_PUBLIC l3d_camera l3d_framed(const l3d_camera& camera, l3d_size size, const 
 L3D_PUBLIC l3d_camera l3d_framed_parallel(const l3d_camera& camera, l3d_size size,
                                           const l3d_reach& reach);
 
-/// Whether a picture of that size shows all of a model, at 60 % or more of its width or height.
+/// Whether a picture of that size shows all of a model, at 60 % or more of its width or height, and
+/// not at one side: nearly at a border with much room opposite.
 /// Expects: a valid camera.
 L3D_PUBLIC bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3d_reach& reach);
 

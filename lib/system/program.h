@@ -53,6 +53,19 @@ public:
     /// Errors:  none: each exception becomes a line on stderr, and its exit code.
     int run(int argc, const char* const* argv, const std::function<l3d_exit()>& steps);
 
+    /// All five steps for a program of one pipeline, which gets a canvas and these arguments.
+    /// Returns what main does. A program whose arguments depend on the command line calls run().
+    /// Errors:  as run().
+    template <class Pipeline, class... Arguments>
+    int show(int argc, const char* const* argv, const Arguments&... arguments) {
+        return run(argc, argv, [&] {
+            const auto dispatcher = create_dispatcher();
+            Pipeline pipeline(create_canvas(), arguments...);
+            dispatcher->plug(pipeline, pipeline.screen());
+            return dispatcher->start();
+        });
+    }
+
     /// Errors:  as l3d_factory_manager::create_dispatcher. Expects: called by the steps.
     std::unique_ptr<l3d_dispatcher> create_dispatcher() const;
 

@@ -20,13 +20,17 @@ os.environ["L3D_BIN"] = str(MOVED / "bin")
 sys.path.insert(0, str(ROOT / "tests" / "x11"))
 
 import pty_screen
-from harness import Checks, expect, expect_equal, read_png
+from harness import (Checks, Onlooker, expect, expect_equal, has_picture, read_png, wait_for, x_server,
+                     xdotool)
 
 TUTORIAL = (ROOT / "docs" / "TUTORIAL.md").read_text()
 README = (ROOT / "README.md").read_text()
 REALS = {"float": "l3d", "fixed": "l3d-fixed"}
 WAYS = ("shared", "static")
-MOST_LINES = {"teapot.cpp": 16, "dot.cpp": 25, "spin.cpp": 40, "even.cpp": 110, "terminal.h": 120}
+MOST_LINES = {"teapot.cpp": 16, "dot.cpp": 25, "spin.cpp": 40, "even.cpp": 110, "terminal.h": 120,
+              "three.cpp": 36, "arrow.cpp": 24, "orbit.cpp": 20, "xloop.cpp": 42}
+# What a file needs beside the tutorial's line.
+LINKS_MORE = {"xloop": " -lX11"}
 WORKERS = os.cpu_count()
 # A pipeline, a surface method and a back-end of one's own.
 BY_CMAKE = ("dot", "even", "terminal_spin")
@@ -95,7 +99,7 @@ def compile_one(folder, name, real):
 def link_one(folder, name, real, way):
     target = "%s/%s" % (place(folder, real, way).name, name)
     run(for_real(build_line(way).replace("dot.cpp -o dot", "%s.%s.o -o %s" % (name, real, target)),
-                 real), folder)
+                 real) + LINKS_MORE.get(name, ""), folder)
 
 
 def place(folder, real, way):
@@ -271,9 +275,36 @@ def runs_as_told(made):
     even = read_png(made / "even.png")
     grey = sum(color & 255 == color >> 16 and color != 0 for row in even for color in row)
     expect(8000 < grey < 50000, "a teapot of", grey, "pixels")
+    for name, least in (("three", 20000), ("arrow", 10000), ("orbit", 10000)):
+        picture = read_png(made / (name + ".png"))
+        expect(sum(color != 0 for row in picture for color in row) > least, name)
+    three = {color for row in read_png(made / "three.png") for color in row}
+    for channel in (16, 0): # the first is red, the last blue
+        expect(any(color >> channel & 255 > 2 * (color >> (16 - channel) & 255) + 40 for color in three), "colours")
+    shows_by_xlib(made)
     leaf = read_png(made / "leaf.png")
     expect(16000 < sum(color != 0 for row in leaf for color in row) < 19000, "a leaf on its ground")
     drawing_is_the_picture(made)
+
+
+def shows_by_xlib(made):
+    """The window of xloop has a teapot, any key turns it, and q ends it."""
+    with x_server() as server:
+        where = {**environment(), "DISPLAY": server.display}
+        process = subprocess.Popen([str(made / "xloop")], env=where)
+        try:
+            named = ("search", "--onlyvisible", "--name", "^xloop$")
+            window = int(wait_for(lambda: xdotool(server.display, *named).split(), "the window")[0])
+            with Onlooker(server.display) as eyes:
+                seen = lambda: eyes.picture(window, 640, 480)
+                wait_for(lambda: has_picture(seen()), "a teapot")
+                first = seen()
+                xdotool(server.display, "key", "x")
+                wait_for(lambda: seen() != first, "another view")
+            xdotool(server.display, "key", "q")
+            expect_equal(process.wait(20), 0)
+        finally:
+            process.kill()
 
 
 def drawing_is_the_picture(made):

@@ -174,6 +174,26 @@ TEST(pipeline_polygons, culling_leaves_out_what_is_not_seen) {
     }
 }
 
+TEST(pipeline_polygons, tell_that_a_sheet_turns_its_back_and_a_body_does_not) {
+    const auto turns = [](const l3d_polygon_mesh& mesh, const l3d_camera& from,
+                          l3d_projection projection, double pitch = 0) {
+        l3d_polygon_settings settings;
+        settings.projection = projection;
+        settings.rotation = {pitch, 0, 0};
+        return l3d_pipeline_zbuffer(canvas(), l3d_polygon_model(mesh), from, settings, sw)
+            .turns_its_back();
+    };
+    const l3d_polygon_mesh sheet = l3d_grid_mesh(4, [](double x, double y) { return 0.2 * x * y; });
+    for (const auto projection : {l3d_projection::perspective, l3d_projection::parallel}) {
+        EXPECT_FALSE(turns(sheet, camera(0.3, 0.2, 4), projection)) << "from above";
+        EXPECT_TRUE(turns(sheet, camera(0.3, 0.2, -4), projection)) << "from below";
+        EXPECT_TRUE(turns(sheet, camera(0.3, 0.2, 4), projection, 180)) << "turned over";
+        for (const double z : {-9.0, -1.3, 1.3, 2.0, 9.0}) // also with the eye near the body
+            EXPECT_FALSE(turns(l3d_sphere_mesh(24, 12), camera(0.1, 0.2, z), projection)) << z;
+    }
+    EXPECT_FALSE(turns({}, camera(), l3d_projection::perspective));
+}
+
 TEST(pipeline_polygons, hidden_lines_are_some_of_all_lines) {
     const l3d_polygon_model model(l3d_torus_mesh(12, 8, 1.7, 0.7));
     l3d_polygon_settings settings;

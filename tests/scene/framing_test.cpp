@@ -194,6 +194,26 @@ TEST(framing, keeps_a_view_that_shows_all_of_it_large_enough) {
     EXPECT_FALSE(l3d_shows_well(behind, {1024, 768}, reach));
 }
 
+/// A ball of a tenth of the picture's depth that wanders from the middle to a border.
+TEST(framing, keeps_no_view_that_has_a_model_at_one_side) {
+    const l3d_camera camera{.eye = {0, 0, 10}, .target = {0, 0, 0}};
+    const l3d_size size{400, 400};
+    const double half = 10 * size.width / 2.0 / camera.focal_length(size);
+    const auto shows_well = [&](double x, double y, double radius) {
+        const l3d_reach reach = [=](const vector& direction) {
+            return direction[0] * x + direction[1] * y + radius * l3d_length(direction);
+        };
+        return l3d_shows_well(camera, size, reach);
+    };
+    const double radius = 0.62 * half;
+    EXPECT_TRUE(shows_well(0, 0, radius));
+    const double room = half - radius;
+    for (const auto& [x, y] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        EXPECT_TRUE(shows_well(0.1 * room * x, 0.1 * room * y, radius));
+        EXPECT_FALSE(shows_well(0.7 * room * x, 0.7 * room * y, radius)) << x << ", " << y;
+    }
+}
+
 TEST(framing, why_nothing_is_seen_is_told_in_words) {
     const l3d_patch_scene scene(teapot_model());
     const l3d_reach reach = l3d_reach_of(scene);

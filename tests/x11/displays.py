@@ -81,8 +81,13 @@ class Cell:
 
         wait_for(rests, "no more pictures")
 
+    def is_whole(self):
+        """Whether the window is as large as the screen, whose mode a manager may change."""
+        screen = xdotool(self.display, "getdisplaygeometry").split()
+        return window_size(self) == tuple(map(int, screen))
+
     def await_whole(self, whole):
-        wait_for(lambda: (window_size(self) == (800, 600)) == whole, "the size of the screen: %s" % whole)
+        wait_for(lambda: self.is_whole() == whole, "the size of the screen: %s" % whole)
 
 
 def maps_and_takes_keys(cell):
@@ -112,7 +117,7 @@ def resizes(cell):
 
 def fullscreen_by_us(cell):
     with cell.program("--turntable", "1"):
-        if window_size(cell) == (800, 600):
+        if cell.is_whole():
             raise Unable("windows cover the screen anyhow")
         for there, back in (("F11", "Escape"), ("F11", "F11")):
             cell.key(there)
@@ -129,7 +134,7 @@ def fullscreen_by_manager(cell):
     if cell.manager in ("none", "twm"):
         raise Unable("knows no fullscreen")
     with cell.program("--turntable", "1"):
-        if window_size(cell) == (800, 600):
+        if cell.is_whole():
             raise Unable("windows cover the screen anyhow")
         cell.tool("wmctrl", "-i", "-r", cell.window, "-b", "add,fullscreen")
         cell.await_whole(True)
@@ -200,7 +205,7 @@ def outlives_managers(display, name):
             wait_for(lambda: not cell.eyes.has_manager(), "the manager's end")
             await_motion(cell)
             xdotool(display, "windowfocus", cell.window)
-            was_whole = window_size(cell) == (800, 600)
+            was_whole = cell.is_whole()
             cell.key("F11")
             if not was_whole:
                 cell.await_whole(True)

@@ -238,12 +238,13 @@ class Session(Shown):
     """A program in a window of a server of its own, which has drawn its first picture.
 
     `prepare` is called with the display before the program starts; if `counted`, a proxy stands
-    between, which counts requests.
+    between, which counts requests, and has what `faults` name.
     """
 
-    def __init__(self, program, *arguments, prepare=lambda _: None, counted=False, **more):
+    def __init__(self, program, *arguments, prepare=lambda _: None, counted=False, faults=None, **more):
         self.asked = program, arguments, more
         self.prepare, self.counted, self.proxy = prepare, counted, None
+        self.faults = faults or {}
 
     def __enter__(self):
         program, arguments, more = self.asked
@@ -252,7 +253,7 @@ class Session(Shown):
             self.display = self.server.display
             self.prepare(self.display)
             if self.counted:
-                self.proxy = stack.enter_context(Proxy(self.display))
+                self.proxy = stack.enter_context(Proxy(self.display, **self.faults))
                 more = {"display": self.proxy.display, **more}
             super().__init__(program, self.server, "--backend", "ximage", *arguments, **more)
             stack.push(super().__enter__().stack)
@@ -278,8 +279,8 @@ def is_quiet(proxy, seconds=0.3):
     return not (proxy.mark() - mark).requests
 
 
-def await_rest(it):
-    wait_for(lambda: is_quiet(it.proxy), "no more requests")
+def await_rest(it, seconds=0.3):
+    wait_for(lambda: is_quiet(it.proxy, seconds), "no more requests")
 
 
 def await_motion(it):

@@ -4,6 +4,7 @@
 
 import contextlib
 import os
+import signal
 import sys
 
 import harness
@@ -28,7 +29,10 @@ class Managed(Session):
 
     def __init__(self, *arguments, **options):
         self.manager = contextlib.ExitStack()
-        prepare = lambda display: self.manager.enter_context(managed(display))
+
+        def prepare(display):
+            self.managing = self.manager.enter_context(managed(display))
+
         super().__init__(TEAPOT, *arguments, prepare=prepare, **options)
 
     def __exit__(self, *error):
@@ -74,6 +78,43 @@ def f11_goes_by_what_the_manager_says():
         await_rest(it)
         press(it, "F11")
         wait_for(lambda: window_size(it) != WHOLE, "the window's own size")
+
+
+def escape_right_after_f11_leaves_fullscreen():
+    """The manager has not even heard of F11 when the next key comes."""
+    with Managed(counted=True) as it:
+        await_rest(it)
+        it.managing.send_signal(signal.SIGSTOP)
+        mark = it.proxy.mark()
+        press(it, "F11")
+        wait_for(lambda: (it.proxy.mark() - mark).requests.count("SendEvent") > 1, "the request")
+        press(it, "Escape")
+        await_rest(it)
+        it.managing.send_signal(signal.SIGCONT)
+        await_rest(it)
+        expect_own_size(it)
+        press(it, "Escape")
+        it.expect_end(0)
+
+
+def expect_own_size(it):
+    """Comes, and the program goes on."""
+    wait_for(lambda: window_size(it) != WHOLE, "the window's own size")
+    await_rest(it, 2)
+    expect(it.process.poll() is None, "the program ended")
+
+
+def escape_goes_by_what_came_before_it():
+    """What the manager did is known one way later, and understood two ways after that."""
+    with Managed(counted=True, faults={"delay": 0.6}) as it:
+        press(it, "Left")  # with the first key comes the map of the keyboard
+        await_rest(it, 2)
+        it.eyes.ask_manager(it.window, "_NET_WM_STATE_FULLSCREEN", 1)
+        wait_for(lambda: window_size(it) == WHOLE, "the size of the screen")
+        press(it, "Escape")
+        expect_own_size(it)
+        press(it, "Escape")
+        it.expect_end(0)
 
 
 def f11_works_after_the_manager_has_gone():
@@ -202,6 +243,8 @@ def sizes_that_others_tell_are_not_believed():
 CHECKS = (
     escape_leaves_what_the_manager_began,
     f11_goes_by_what_the_manager_says,
+    escape_right_after_f11_leaves_fullscreen,
+    escape_goes_by_what_came_before_it,
     f11_works_after_the_manager_has_gone,
     a_manager_that_goes_leaves_fullscreen_to_us,
     f11_asks_a_manager_that_came_later,

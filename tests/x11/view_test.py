@@ -131,15 +131,19 @@ def says_why_a_picture_is_empty():
                 expect(said.startswith(wanted), said)
 
 
-def says_that_a_model_turns_its_back():
+def shows_a_sheet_that_turns_its_back():
+    """Its back, as --all-faces does: nobody wants a black picture. The same from the front is as ever."""
     with folder() as path:
-        with open(os.path.join(path, "back.off"), "w", encoding="ascii") as file:
-            file.write("OFF\n3 1 0\n0 0 0\n0 1 0\n1 0 0\n3 0 1 2\n")
-        said = draw("modelview", (80, 60), "back.off", "--output", "o.png", cwd=path)
-        expect_equal(said, (0, b"", "modelview: the picture is empty, as the model is turning its back; "
-                            "give --all-faces, or press b in a window\n"))
-        said = draw("modelview", (80, 60), "back.off", "--all-faces", "--output", "o.png", cwd=path)
-        expect_equal(said, (0, b"", ""))
+        for corners, is_back in (("0 1 2", True), ("0 2 1", False)):
+            with open(os.path.join(path, "sheet.off"), "w", encoding="ascii") as file:
+                file.write("OFF\n3 1 0\n0 0 0\n0 1 0\n1 0 0\n3 " + corners + "\n")
+            pictures = []
+            for more in ((), ("--all-faces",)):
+                said = draw("modelview", (80, 60), "sheet.off", *more, "--output", "o.png", cwd=path)
+                expect_equal(said, (0, b"", ""), is_back)
+                pictures.append(harness.read_png(os.path.join(path, "o.png")))
+            expect_equal(pictures[0], pictures[1], "with --all-faces")
+            expect(harness.has_picture(pictures[0]), "a black picture", is_back)
 
 
 def picks_from_the_command_line():
@@ -274,7 +278,7 @@ def main():
     checks = Checks()
     for check in (
         frames_any_model, frames_the_teapot_where_it_was_cut, keeps_the_teapots_own_view,
-        says_why_a_picture_is_empty, says_that_a_model_turns_its_back, picks_from_the_command_line, obeys_every_key_of_the_view,
+        says_why_a_picture_is_empty, shows_a_sheet_that_turns_its_back, picks_from_the_command_line, obeys_every_key_of_the_view,
         obeys_every_gesture, keeps_the_model_in_a_window_of_another_size,
         says_in_the_window_that_it_is_empty,
     ):

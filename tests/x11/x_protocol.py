@@ -5,9 +5,13 @@ Source: X Window System Protocol, X Version 11, appendix B (encoding).
 """
 
 import array
+import contextlib
 import os
+import queue
 import socket
 import struct
+import threading
+import time
 from dataclasses import dataclass
 
 ERROR, REPLY, GENERIC_EVENT = 0, 1, 35
@@ -133,11 +137,17 @@ def error_like(answer, order, code, request):
 
 
 class Pipe:
-    """Two sockets, read from one and written to the other, with the files that go along."""
+    """Two sockets, read from one and written to the other, with the files that go along.
 
-    def __init__(self, source, target):
-        self.source, self.target = source, target
+    What is written arrives `delay` seconds later.
+    """
+
+    def __init__(self, source, target, delay=0):
+        self.source, self.target, self.delay = source, target, delay
         self.data, self.files = bytearray(), array.array("i")
+        self.late = queue.SimpleQueue()
+        if delay:
+            threading.Thread(target=self.deliver, daemon=True).start()
 
     def read(self):
         """Returns how many bytes came; none at the end of the stream."""
@@ -147,11 +157,24 @@ class Pipe:
         return len(got)
 
     def write(self, message):
-        if self.files:
-            sent = socket.send_fds(self.target, [message], self.files)
-            for file in self.files:
+        files, self.files = self.files, array.array("i")
+        if self.delay:
+            self.late.put((time.monotonic() + self.delay, bytes(message), files))
+        else:
+            self.send(message, files)
+
+    def deliver(self):
+        with contextlib.suppress(OSError):  # the other end is gone
+            while True:
+                due, message, files = self.late.get()
+                time.sleep(max(0, due - time.monotonic()))
+                self.send(message, files)
+
+    def send(self, message, files):
+        if files:
+            sent = socket.send_fds(self.target, [message], files)
+            for file in files:
                 os.close(file)
-            self.files = array.array("i")
             message = message[sent:]
         self.target.sendall(message)
 

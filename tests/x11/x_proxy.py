@@ -36,6 +36,7 @@ class Faults:
     shm_break: int = 0  # from this ShmPutImage on they are answered with BadShmSeg
     shm_swallow: int = 0  # from this ShmPutImage on they vanish without completion
     rate: float = 0  # bytes per second from the client; 0: no limit
+    delay: float = 0  # seconds that all takes in each direction
     die_after: int = -1  # the display goes away after so many requests of all clients
     freeze_after: int = -1  # nothing passes any more, and nobody is told
     kill_server: int = 0  # process number of the server, to be killed when the display goes away
@@ -99,9 +100,9 @@ class Connection:
     """One client: a thread for each direction."""
 
     def __init__(self, proxy, client, server):
-        self.proxy, self.faults = proxy, proxy.faults
-        self.sockets = client, server
-        self.up, self.down = x11.Pipe(client, server), x11.Pipe(server, client)
+        self.proxy, self.faults, self.sockets = proxy, proxy.faults, (client, server)
+        self.up = x11.Pipe(client, server, proxy.faults.delay)
+        self.down = x11.Pipe(server, client, proxy.faults.delay)
         self.picture_format = x11.PictureFormat(self.faults.msb, self.faults.bpp24)
         self.traffic = Traffic()
         self.asked = {}  # low 16 bits of the number of a request: its name, how to change a reply
@@ -388,11 +389,10 @@ def main():
         last, number = Traffic(), 0
         while number not in (signal.SIGINT, signal.SIGTERM):
             number = signal.sigwait([signal.SIGUSR1, signal.SIGINT, signal.SIGTERM])
-            now = proxy.mark()
-            if counts:
+            if (now := proxy.mark()) and counts:
                 with open(counts, "a") as file:
-                    line = {"all": now.summary(), "since_last": (now - last).summary()}
-                    file.write(json.dumps(line) + "\n")
+                    json.dump({"all": now.summary(), "since_last": (now - last).summary()}, file)
+                    file.write("\n")
             last = now
 
 

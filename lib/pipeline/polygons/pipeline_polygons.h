@@ -57,7 +57,7 @@ struct L3D_PUBLIC l3d_polygon_settings {
     l3d_vector<double, 3> rotation{0.0, 0.0, 0.0};
 
     /// The material of all faces, whatever the model says.
-    std::optional<l3d_material> material;
+    std::optional<l3d_material> material{};
 
     /// Faces that are seen from behind are left out.
     bool cull = true;
@@ -110,6 +110,12 @@ public:
     /// Why the last picture shows nothing, as l3d_why_unseen tells it, or l3d_turning_its_back; ""
     /// if it may show something.
     std::string why_empty() const;
+
+    /// Whether more than two thirds of what one might see of the model is seen from behind, as an
+    /// open sheet is that faces the other way. Without its back faces little of it would be shown.
+    /// Of a closed body each half is a half, whichever way it faces.
+    /// Cost: linear in triangles.
+    bool turns_its_back() const;
 
     /// What is seen at (x, y) of the picture: l3d_polygon_pick_at, with the camera and settings of
     /// now.

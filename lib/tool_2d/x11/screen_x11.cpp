@@ -77,6 +77,11 @@ private:
     void tell_shown();
     void look_around();
     bool sleep(steady_clock::time_point deadline, int waker = -1) const;
+    /// What the server told before a key may be under way to our facts: the key waits for it.
+    bool has_event() const {
+        return !events_.empty() && (!state_.is_asking() || !events_.is_about_fullscreen() ||
+                                    window_->connection().lost());
+    }
     bool resized_to(l3d_size size);
     std::unique_ptr<x11_image> make_image(l3d_size size);
     l3d_image make_picture(l3d_size size) const;
@@ -248,7 +253,7 @@ bool l3d_screen_x11::sleep(steady_clock::time_point deadline, int waker) const {
 
 bool l3d_screen_x11::do_next_event(l3d_event& event) {
     read_events();
-    while (events_.next(event)) {
+    while (has_event() && events_.next(event)) {
         if (event.type != l3d_event_type::resize || resized_to(event.size) ||
             std::exchange(letters_changed_, false))
             return true;
@@ -278,15 +283,14 @@ bool l3d_screen_x11::resized_to(l3d_size size) {
 void l3d_screen_x11::do_wait(std::chrono::nanoseconds longest, int waker) {
     const auto deadline = steady_clock::now() + std::min(longest, longest_wait);
     bool has_slept_well = true;
-    while (read_events(), events_.empty() && has_slept_well) {
+    while (read_events(), !has_event() && has_slept_well) {
         const auto next = std::min(deadline, fullscreen_.next_rest());
         has_slept_well = sleep(next, waker) || (next < deadline && steady_clock::now() >= next);
     }
 }
 
 double l3d_screen_x11::do_usual_fps() const {
-    const bool is_remote = !no_shm_.empty() && !window_->connection().is_local();
-    return is_remote ? network_fps : local_fps;
+    return no_shm_.empty() || window_->connection().is_local() ? local_fps : network_fps;
 }
 
 std::string l3d_screen_x11::do_describe() const {

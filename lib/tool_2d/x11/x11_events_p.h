@@ -42,6 +42,14 @@ public:
 
     bool empty() const { return queue_.empty(); }
 
+    /// Whether the oldest is a key that does one thing in a fullscreen window and another in
+    /// others. Expects: !empty().
+    bool is_about_fullscreen() const {
+        const l3d_event& oldest = queue_.front();
+        return oldest.type == l3d_event_type::fullscreen ||
+               (oldest.type == l3d_event_type::key_press && oldest.key == l3d_key_escape);
+    }
+
     /// Takes the oldest; false if there is none.
     bool next(l3d_event& event);
 

@@ -9,6 +9,8 @@ namespace l3d_detail {
 namespace {
 
 constexpr std::chrono::seconds longest_rest{2};
+// Managers act within some pictures; meanwhile keys count as if they had.
+constexpr std::chrono::seconds longest_grant{1};
 
 /// A cursor without any pixel. The server keeps it while a window uses it.
 void define_empty_cursor(Display* display, Window window) {
@@ -22,6 +24,12 @@ void define_empty_cursor(Display* display, Window window) {
 }
 
 } // namespace
+
+bool x11_fullscreen::is_on() const {
+    if (wanted_)
+        return *wanted_;
+    return awaited_ && clock::now() < awaited_until_ ? *awaited_ : on_;
+}
 
 void x11_fullscreen::set(bool on) {
     if (on == is_on() || window_.connection().lost())
@@ -46,6 +54,8 @@ void x11_fullscreen::follow() {
     if (wanted_ && !state_.is_asking())
         act(*std::exchange(wanted_, std::nullopt));
     const bool on = is_granted ? facts.fullscreen : covers_;
+    if (!is_granted || awaited_ == on)
+        awaited_.reset();
     if (std::exchange(on_, on) == on)
         return;
     window_.watch_pointer(on);
@@ -72,6 +82,8 @@ void x11_fullscreen::ask_manager(bool on) {
     event.xclient.data.l[3] = 1; // from an application
     XSendEvent(window_.display(), window_.connection().root(), False,
                SubstructureRedirectMask | SubstructureNotifyMask, &event);
+    awaited_ = on;
+    awaited_until_ = clock::now() + longest_grant;
 }
 
 /// The monitor that the window's middle is on; else the first.

@@ -26,7 +26,8 @@ public:
     x11_fullscreen(x11_window& window, x11_state& state, l3d_size native)
         : window_(window), state_(state), place_{0, 0, native.width, native.height} {}
 
-    bool is_on() const { return wanted_.value_or(on_); }
+    /// Whether it does, or will once all that was asked for is done.
+    bool is_on() const;
 
     /// Happens as soon as the state of the window is known.
     void set(bool on);
@@ -58,6 +59,11 @@ private:
 
     /// What set() asked for, until it is done.
     std::optional<bool> wanted_;
+
+    /// What the manager was asked for, and until when its word is waited for: it may refuse, and
+    /// nobody tells.
+    std::optional<bool> awaited_;
+    clock::time_point awaited_until_;
 
     /// Whether the window covers the screen.
     bool on_ = false;
