@@ -32,7 +32,7 @@ PACKAGES_build  := $(if $(findstring clang,$(CXX)),clang:clang++,g++:$(CXX)) lib
     nlohmann-json3-dev:nlohmann/json.hpp libtbb-dev:oneapi/tbb/parallel_for.h \
     libhwy-dev:hwy/highway.h libfreetype-dev:freetype2/ft2build.h
 PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool \
-    x11-xkb-utils:setxkbmap x11-utils:xprop xauth:xauth \
+    x11-xkb-utils:setxkbmap x11-utils:xprop xauth:xauth wmctrl:wmctrl openbox:openbox i3-wm:i3 \
     parallel:parallel libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so \
     libboost-dev:boost/multiprecision/cpp_bin_float.hpp gnuplot-nox:gnuplot
 PACKAGES_install := pkgconf:pkg-config cmake:cmake mandoc:mandoc parallel:parallel

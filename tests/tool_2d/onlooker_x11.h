@@ -165,6 +165,18 @@ inline void show_for_certain(l3d_screen& screen) {
         screen.show();
 }
 
+/// What a window tells only after its first picture.
+inline std::string late_property(l3d_screen& screen, const onlooker& other, const char* name) {
+    show_for_certain(screen);
+    std::string found;
+    for (int i = 0; i < 1000 && found.empty(); ++i) {
+        drop_events(screen);
+        screen.wait(std::chrono::milliseconds(10));
+        found = other.property(name);
+    }
+    return found;
+}
+
 inline int wrong_pixels(const onlooker& other, const l3d_pixels& pixels,
                         const l3d_screen_info& info) {
     XImage* shown =

@@ -85,7 +85,9 @@ TEST(screen_x11, tells_others_who_it_is) {
     EXPECT_EQ(other.property("WM_NAME"), "Teekanne f\xFCr \xD6l");
     EXPECT_EQ(other.property("WM_CLASS"), std::string("l3d\0L3d\0", 8));
     long process = 0;
-    std::memcpy(&process, other.property("_NET_WM_PID").data(), sizeof process);
+    const std::string told = late_property(*screen, other, "_NET_WM_PID");
+    ASSERT_FALSE(told.empty());
+    std::memcpy(&process, told.data(), sizeof process);
     EXPECT_EQ(process, getpid());
     EXPECT_FALSE(other.property("WM_CLIENT_MACHINE").empty());
     XWMHints* hints = XGetWMHints(other.display(), other.window());

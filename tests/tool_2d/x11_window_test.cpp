@@ -61,7 +61,7 @@ TEST(x11_window, has_an_icon_that_desktops_show) {
     L3D_REQUIRE_SERVER(server);
     const auto screen = make<l3d_screen_factory_ximage>();
     const onlooker other;
-    const std::string bytes = other.property("_NET_WM_ICON");
+    const std::string bytes = late_property(*screen, other, "_NET_WM_ICON");
     std::vector<long> items(bytes.size() / sizeof(long)); // the first of them
     std::memcpy(items.data(), bytes.data(), bytes.size());
     ASSERT_GT(items.size(), 1000u);

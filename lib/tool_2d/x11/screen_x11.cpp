@@ -79,8 +79,8 @@ private:
     bool sleep(steady_clock::time_point deadline, int waker = -1) const;
     /// What the server told before a key may be under way to our facts: the key waits for it.
     bool has_event() const {
-        return !events_.empty() && (!state_.is_asking() || !events_.is_about_fullscreen() ||
-                                    window_->connection().lost());
+        const bool knows = !state_.is_asking() || window_->connection().lost();
+        return !events_.empty() && (knows || !events_.is_about_fullscreen());
     }
     bool resized_to(l3d_size size);
     std::unique_ptr<x11_image> make_image(l3d_size size);
@@ -354,9 +354,8 @@ void l3d_screen_factory_x11::do_release() const {
 std::unique_ptr<x11_connection> l3d_screen_factory_x11::connect(std::string& why) const {
     auto kept = std::exchange(kept_, nullptr);
     const char* const name = std::getenv("DISPLAY");
-    if (kept && name != nullptr && kept->name() == name)
-        return kept;
-    return x11_connection::open(why);
+    const bool serves = kept && name != nullptr && kept->name() == name;
+    return serves ? std::move(kept) : x11_connection::open(why);
 }
 
 l3d_service l3d_screen_factory_ximage::do_service() const {

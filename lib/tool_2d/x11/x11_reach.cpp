@@ -28,9 +28,9 @@ struct address_freer {
 };
 using address_list = std::unique_ptr<addrinfo, address_freer>;
 
-/// Behind the colon, without the screen.
+/// Behind the colon, without the screen; -1 if there is none.
 int number_of(const std::string& display, std::size_t colon) {
-    int number = 0;
+    int number = -1;
     if (colon != std::string::npos)
         std::from_chars(display.data() + colon + 1, display.data() + display.size(), number);
     return number;
@@ -124,13 +124,13 @@ x11_socket connect_to_x11(const std::string& display, milliseconds longest, std:
     const auto deadline = steady_clock::now() + longest;
     const auto colon = display.rfind(':');
     const int number = number_of(display, colon);
-    if (!is_local(display))
-        return connected_there(host_of(display, colon), first_port + number, deadline, why);
     const bool is_path = display.starts_with('/');
-    if (colon == std::string::npos && !is_path) {
+    if (number < 0 && !is_path) {
         why = "a display's name has a colon and a number, as in ':0'";
         return {};
     }
+    if (!is_local(display))
+        return connected_there(host_of(display, colon), first_port + number, deadline, why);
     const std::string path = is_path ? display : "/tmp/.X11-unix/X" + std::to_string(number);
     auto reached = connected_here(path, deadline);
     if (!reached)

@@ -64,12 +64,17 @@ void x11_state::ask() {
 }
 
 void x11_state::ask_names() {
-    constexpr std::array<std::string_view, name_count> texts{
-        "_NET_WM_STATE",           "_NET_WM_STATE_FULLSCREEN",
-        "_NET_WM_STATE_HIDDEN",    "WM_STATE",
-        "_NET_WM_DESKTOP",         "_NET_CURRENT_DESKTOP",
-        "_NET_NUMBER_OF_DESKTOPS", "_NET_SUPPORTED",
-        "_NET_SUPPORTING_WM_CHECK"};
+    constexpr std::array<std::string_view, name_count> texts{"_NET_WM_STATE",
+                                                             "_NET_WM_STATE_FULLSCREEN",
+                                                             "_NET_WM_STATE_HIDDEN",
+                                                             "WM_STATE",
+                                                             "_NET_WM_DESKTOP",
+                                                             "_NET_CURRENT_DESKTOP",
+                                                             "_NET_NUMBER_OF_DESKTOPS",
+                                                             "_NET_SUPPORTED",
+                                                             "_NET_SUPPORTING_WM_CHECK",
+                                                             "_NET_WM_PID",
+                                                             "_NET_WM_ICON"};
     stage_ = stage::naming;
     for (std::size_t i = 0; i < name_count; ++i)
         names_[i] =
@@ -85,6 +90,7 @@ void x11_state::hear_names() {
         atoms_[i] = reply ? reply->atom : 0;
     }
     stage_ = stage::watching;
+    window_.set_process_and_icon(atoms_[net_wm_pid], atoms_[net_wm_icon]);
 }
 
 xcb_get_property_cookie_t x11_state::ask_property(Window window, name property) const {
@@ -206,7 +212,8 @@ bool x11_state::is_foreign(const XEvent& event) const {
 bool x11_state::concerns_us(const XEvent& event) const {
     switch (event.type) {
     case PropertyNotify:
-        return std::ranges::find(atoms_, event.xproperty.atom) != atoms_.end();
+        return std::ranges::count(std::span(atoms_).first(watched_count), event.xproperty.atom) !=
+               0;
     case ReparentNotify: // by a manager that comes or goes
         return true;
     case DestroyNotify:

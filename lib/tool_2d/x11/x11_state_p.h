@@ -43,6 +43,9 @@ public:
         net_number_of_desktops,
         net_supported,
         net_supporting_wm_check,
+        watched_count, ///< those above are what others write
+        net_wm_pid = watched_count,
+        net_wm_icon,
         name_count
     };
 

@@ -20,12 +20,12 @@ namespace l3d_detail {
 namespace {
 
 x11_atoms intern_atoms(Display* display) {
-    constexpr std::array names{"WM_PROTOCOLS", "WM_DELETE_WINDOW", "_NET_WM_PING", "_NET_WM_PID",
-                               "_NET_WM_NAME", "UTF8_STRING",      "_NET_WM_ICON", "_L3D_PUT_DONE"};
+    constexpr std::array names{"WM_PROTOCOLS", "WM_DELETE_WINDOW", "_NET_WM_PING",
+                               "_NET_WM_NAME", "UTF8_STRING",      "_L3D_PUT_DONE"};
     std::array<Atom, names.size()> atoms{};
     XInternAtoms(display, const_cast<char**>(names.data()), static_cast<int>(names.size()), False,
                  atoms.data());
-    return {atoms[0], atoms[1], atoms[2], atoms[3], atoms[4], atoms[5], atoms[6], atoms[7]};
+    return {atoms[0], atoms[1], atoms[2], atoms[3], atoms[4], atoms[5]};
 }
 
 constexpr long events_always = KeyPressMask | KeyReleaseMask | ButtonPressMask | ButtonReleaseMask |
@@ -62,7 +62,6 @@ std::unique_ptr<x11_window> x11_window::open(std::unique_ptr<x11_connection> con
     const x11_error_trap trap(window->connection());
     window->create(native);
     window->set_names(request);
-    window->set_icon();
     window->set_hints(native);
     window->set_protocols();
     window->managed_ = has_x11_manager(window->connection());
@@ -138,17 +137,17 @@ void x11_window::set_names(const l3d_screen_request& request) {
     XSetClassHint(display(), window_, &names);
     std::array<char, 256> machine{}; // POSIX: a host's name has at most 255 bytes.
     gethostname(machine.data(), machine.size() - 1);
-    // Without it the process number means nothing.
+    // Without it the number of the process means nothing.
     set_property(XA_WM_CLIENT_MACHINE, XA_STRING, 8, machine.data(),
                  std::string_view(machine.data()).size());
-    const long process = getpid();
-    set_property(atoms_.net_wm_pid, XA_CARDINAL, 32, &process, 1);
 }
 
-/// Width, height, and alpha, red, green and blue of each pixel: longs, whatever their size.
-void x11_window::set_icon() const {
+void x11_window::set_process_and_icon(Atom net_wm_pid, Atom net_wm_icon) const {
+    const long process = getpid();
+    set_property(net_wm_pid, XA_CARDINAL, 32, &process, 1);
+    // Width, height, and alpha, red, green and blue of each pixel: longs, whatever their size.
     const auto words = x11_icon();
-    set_property(atoms_.net_wm_icon, XA_CARDINAL, 32, words.data(), words.size());
+    set_property(net_wm_icon, XA_CARDINAL, 32, words.data(), words.size());
 }
 
 void x11_window::set_hints(l3d_size native) {

@@ -18,10 +18,8 @@ struct x11_atoms {
     Atom wm_protocols = 0;
     Atom wm_delete_window = 0;
     Atom net_wm_ping = 0;
-    Atom net_wm_pid = 0;
     Atom net_wm_name = 0;
     Atom utf8_string = 0;
-    Atom net_wm_icon = 0;
     Atom l3d_put_done = 0; ///< ours: see x11_image::put
 };
 
@@ -75,6 +73,9 @@ public:
     /// Expects: the window is on the screen.
     void take_focus();
 
+    /// Tells what a window need not tell before its first picture, which so comes sooner.
+    void set_process_and_icon(Atom net_wm_pid, Atom net_wm_icon) const;
+
     /// Sets one of the window's properties, an array of bytes or of longs, whatever X calls it.
     void set_property(Atom name, Atom type, int format, const void* data, std::size_t count) const;
 
@@ -85,7 +86,6 @@ private:
     void create(l3d_size native);
     void set_title(std::string title);
     void set_names(const l3d_screen_request& request);
-    void set_icon() const;
     void set_hints(l3d_size native);
     void set_protocols();
 
