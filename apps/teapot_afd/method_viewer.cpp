@@ -11,16 +11,17 @@
 #include <utility>
 #include <vector>
 
-method_viewer::method_viewer(l3d_canvas canvas, const l3d_patch_model& model,
+method_viewer::method_viewer(l3d_canvas canvas, const l3d_patch_scene& scene,
                              const l3d_camera& camera, const l3d_afd_settings& settings,
                              const l3d_method_choice& first)
-    : l3d_pipeline_afd_viewer(std::move(canvas), model, camera, settings), method_(first),
-      model_(model) {
+    : l3d_pipeline_afd_viewer(std::move(canvas), scene, camera, settings), method_(first) {
+    if (scene.instances().size() == 1 && scene.transparent_count() == 0)
+        model_ = scene.instances()[0].model();
     controls().add({"m", "another method", {{'m', [this] { take_next_method(); }}}});
 }
 
-bool method_viewer::shows_error() const {
-    return settings().shade == l3d_shade::error && !settings().wireframe;
+bool method_viewer::measures_error() const {
+    return settings().shade == l3d_shade::error && !settings().wireframe && model_;
 }
 
 method_viewer::subject method_viewer::now() {
@@ -29,7 +30,7 @@ method_viewer::subject method_viewer::now() {
 
 /// A window goes on, and shows errors when they are known. Pictures in files have them at once.
 void method_viewer::draw_event() {
-    if (!shows_error())
+    if (!measures_error())
         return l3d_pipeline_afd_viewer::draw_event();
     settings().depth = true;
     take_errors();
@@ -54,7 +55,7 @@ bool method_viewer::is_at_rest() const {
 /// Begins to, unless an older picture is still being measured or this one was.
 void method_viewer::measure() {
     if (!live_)
-        live_.emplace(model_, screen().is_window());
+        live_.emplace(*model_, screen().is_window());
     if (begun_ == now() || !live_->is_idle())
         return;
     begun_ = now();
@@ -70,7 +71,7 @@ void method_viewer::take_errors() {
 }
 
 void method_viewer::draw_overlay() {
-    if (shows_error() && errors_ && measured_ == now())
+    if (measures_error() && errors_ && measured_ == now())
         paint_errors();
     l3d_pipeline_afd_viewer::draw_overlay();
 }

@@ -13,13 +13,14 @@
 
 /// With shade `error` it shows what the exact renderer measures: how far each pixel's surface is
 /// from the exact one, on a scale that ends at the tolerance. Windows show the certified bounds
-/// until that is known. Pixels that cannot be measured, at outlines and creases, are grey.
+/// until that is known, and for scenes with transparent parts, which have no exact picture. Pixels
+/// that cannot be measured, at outlines and creases, are grey.
 ///
 /// Lives: as l3d_pipeline_afd_viewer.
 class method_viewer : public l3d_pipeline_afd_viewer {
 public:
     /// Expects: the settings are those of a method that l3d_method_option has chosen, `first`.
-    method_viewer(l3d_canvas canvas, const l3d_patch_model& model, const l3d_camera& camera,
+    method_viewer(l3d_canvas canvas, const l3d_patch_scene& scene, const l3d_camera& camera,
                   const l3d_afd_settings& settings, const l3d_method_choice& first);
 
     void draw_event() override;
@@ -42,16 +43,16 @@ private:
     };
 
     void take_next_method();
-    bool shows_error() const;
+    bool measures_error() const;
     subject now();
     void measure();
     void take_errors();
     void paint_errors();
 
     l3d_method_choice method_;
-    l3d_patch_model model_;
-    std::optional<live_error> live_; ///< begun when it is first needed
-    subject begun_;                  ///< measured last, or being measured
+    std::optional<l3d_patch_model> model_; ///< of a scene that has an exact picture
+    std::optional<live_error> live_;       ///< begun when it is first needed
+    subject begun_;                        ///< measured last, or being measured
     std::optional<reference::error_map> errors_;
     subject measured_; ///< what errors_ are of
 };

@@ -2,8 +2,29 @@
 // l3d_afd_complaint: the values that a frame of patches cannot be drawn with.
 #include "pipeline/pipeline_afd.h"
 
+#include <cmath>
 #include <limits>
 #include <string>
+
+namespace {
+
+std::string fog_complaint(const l3d_afd_settings& settings) {
+    const l3d_fog& fog = settings.fog;
+    if (fog == l3d_fog())
+        return "";
+    if (!(fog.near >= 0 && fog.far > fog.near && std::isfinite(fog.far)))
+        return "fog: " + std::to_string(fog.near) + " to " + std::to_string(fog.far) +
+               " are not two distances, the nearer first";
+    if (!settings.method.is_default())
+        return "fog: " + settings.method.name() + " draws without";
+    if (!l3d_is_light(settings.shade))
+        return "fog: only shades of light have it";
+    if (!fog.color && settings.background.is_none())
+        return "fog: without a background it needs a colour";
+    return "";
+}
+
+} // namespace
 
 std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
                               const l3d_afd_settings& settings) {
@@ -29,6 +50,8 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
     if (settings.shade == l3d_shade::error && !settings.method.has_bound())
         return "shade: error shows a bound of the error, and " + settings.method.name() +
                " has none";
+    if (const std::string why = fog_complaint(settings); !why.empty())
+        return why;
     if (!l3d_is_inspection(settings.shade))
         return camera.complaint();
     if (!settings.method.is_default())

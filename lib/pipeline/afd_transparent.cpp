@@ -119,3 +119,15 @@ double l3d_pipeline_afd::shade_bound_of_mix(double of_each) {
     constexpr double most_steep = 4.0 / 3, rounding = 0.51;
     return most_steep * of_each + rounding;
 }
+
+/// A drawn surface is nowhere farther from the exact one than the bound of depth, in pixels at its
+/// distance. Fog is rounded to whole 255ths, and both of its products to whole levels.
+double l3d_pipeline_afd::shade_bound_of_fog() const {
+    const l3d_fog& fog = settings_.fog;
+    if (!fog.is_on())
+        return 0;
+    constexpr double white = 255, rounding = 0.5 + 0.5 + 0.5 + 0.01;
+    const double far = double{fog.far}, most_off = report_.dice.depth_bound_px * far /
+                                                   camera_.focal_length(stages_->view.size);
+    return white * most_off / (far - double{fog.near}) + rounding;
+}

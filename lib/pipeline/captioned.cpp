@@ -125,7 +125,7 @@ l3d_pixel_box captioned::draw_panel(l3d_rasterizer_2d& rasterizer) const {
     if (help_page_ > 0) {
         const std::vector<l3d_panel> pages = help_pages();
         return pages[std::min(help_page_, pages.size()) - 1].draw(rasterizer, free,
-                                                                  l3d_corner::top_left, style());
+                                                                  l3d_corner::top_right, style());
     }
     l3d_panel hint;
     hint.add_title(caption_.what);

@@ -17,9 +17,11 @@ l3d_method_afd<T>::l3d_method_afd(const l3d_rasterizer_factory& rasterizers, l3d
     : workers_(workers), surface_(rasterizers.create_surface(workers)), used_(surface_.get()),
       dicer_(workers) {}
 
-/// Processors inspect in any case: where GL does not, its frames are drawn without it.
-template <class T> l3d_surface_rasterizer& l3d_method_afd<T>::surface_for(l3d_shade shade) {
-    if (!l3d_is_inspection(shade) || surface_->inspects())
+/// Processors inspect and have fog in any case: where GL does not, its frames are drawn without it.
+template <class T>
+l3d_surface_rasterizer& l3d_method_afd<T>::surface_for(const l3d_shading& shading) {
+    const bool is_special = l3d_is_inspection(shading.mode) || shading.fog.is_on();
+    if (!is_special || surface_->inspects())
         return *surface_;
     if (!inspector_)
         inspector_ = l3d_rasterizer_factory_sw().create_surface(workers_);
@@ -39,7 +41,7 @@ l3d_method_afd<T>::next_batch(const l3d_surface_rasterizer& surface) {
 template <class T>
 void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& times) {
     l3d_dice_view view = frame.view;
-    l3d_surface_rasterizer& surface = surface_for(frame.shading.mode);
+    l3d_surface_rasterizer& surface = surface_for(frame.shading);
     used_ = &surface;
     const bool with_levels = surface.takes_levels() && !frame.shading.is_lit(frame.materials);
     l3d_shading shading = l3d_lit_while_diced(view, frame.shading, with_levels);

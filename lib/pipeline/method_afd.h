@@ -34,7 +34,7 @@ private:
         return outlines_ ? &outlines_->mask() : nullptr;
     }
 
-    l3d_surface_rasterizer& surface_for(l3d_shade shade);
+    l3d_surface_rasterizer& surface_for(const l3d_shading& shading);
     std::span<const l3d_placed_patch> next_batch(const l3d_surface_rasterizer& surface);
     void begin_outlines(const l3d_method_frame& frame, const l3d_dice_view& view,
                         l3d_stage_times& times);

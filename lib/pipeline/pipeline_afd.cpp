@@ -101,7 +101,8 @@ void l3d_pipeline_afd::draw_event() {
     }
 
     if (!changed_.empty())
-        find_doubts(!now.shading.is_lit(scene_.materials()) && scene_.transparent_count() == 0,
+        find_doubts(!now.shading.is_lit(scene_.materials()) && scene_.transparent_count() == 0 &&
+                        !now.shading.fog.is_on(),
                     times);
 
     const stopwatch overlaying;
@@ -146,6 +147,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     shading.keep_unit_normals = settings_.keep.unit_normals;
     shading.antialias = settings_.antialias;
     shading.background = settings_.background;
+    shading.fog = settings_.fog;
     if (l3d_is_inspection(settings_.shade))
         shading.inspection = inspection();
     return {.target = target,
@@ -242,6 +244,7 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     if (is_certified && stages_->view.focal > 0) {
         report_.dice.shade_bound += report_.surface.level_error;
         report_.dice.unshaded_quads += report_.surface.loose_levels;
+        report_.dice.shade_bound += shade_bound_of_fog();
         if (scene_.transparent_count() > 0)
             report_.dice.shade_bound = shade_bound_of_mix(report_.dice.shade_bound);
     } else {

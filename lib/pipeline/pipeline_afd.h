@@ -65,6 +65,11 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// Edges are means over pixels, not stairs; see l3d_shading.
     bool antialias = false;
 
+    /// What far surfaces fade into. Only the library's own method has it, for shades of light. The
+    /// certificate of shades then counts what the bound of depth makes of it (NUMERICS, section
+    /// 23).
+    l3d_fog fog{};
+
     /// What is seen where nothing is drawn.
     l3d_background background{};
 
@@ -238,6 +243,7 @@ private:
     void draw_surfaces(const basis& now, const drawing& of, l3d_stage_times& times);
     void draw_transparent(const basis& now, l3d_stage_times& times);
     static double shade_bound_of_mix(double of_each);
+    double shade_bound_of_fog() const;
     void keep_bounds(const l3d_dice_counts& kept);
     void find_doubts(bool has_levels, l3d_stage_times& times);
     void draw_on_top();

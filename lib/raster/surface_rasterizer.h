@@ -7,6 +7,7 @@
 #include "geom/material.h"
 #include "raster/background.h"
 #include "raster/depth_buffer.h"
+#include "raster/fog.h"
 #include "raster/inspection.h"
 #include "raster/lighting.h"
 #include "raster/shade.h"
@@ -38,6 +39,9 @@ struct L3D_PUBLIC l3d_shading {
 
     /// What pixels show that no surface covers, and the rest of those that are covered in part.
     l3d_background background{};
+
+    /// What far surfaces fade into. A rasterizer that inspects has it, others draw without.
+    l3d_fog fog{};
 
     l3d_lighting lighting{}; ///< colours of lights, and lights beside `light`
 

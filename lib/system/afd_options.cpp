@@ -125,6 +125,11 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                 "what is seen where no surface is: a quiet gradient, as in windows unless told "
                 "otherwise; nothing, which needs a .png; or a colour from 0 to 255 each, as black "
                 "elsewhere");
+    options.add_each("--fog",
+                     "where surfaces begin to fade and where they are gone, and into which colour: "
+                     "NEAR,FAR or NEAR,FAR,R,G,B, distances along the view axis, colours from 0 to "
+                     "255; without a colour, into the background; 0,0,0 is depth cueing",
+                     "NEAR,FAR[,R,G,B]", "", [this](const std::string& text) { read_fog(text); });
     options.add("--wireframe", settings_.wireframe, "the adaptive steps as lines");
     options.add("--net", settings_.net, "the control nets on top");
     options.add("--turntable", turntable_, "degrees that the eye turns from frame to frame", -360.0,
@@ -231,6 +236,30 @@ void l3d_afd_options::add_light(const std::string& text) {
     gives_light_ = true;
 }
 
+void l3d_afd_options::read_fog(const std::string& text) {
+    std::array<double, 2> distances{};
+    std::array<double, 5> all{};
+    l3d_fog fog;
+    bool is_fog = l3d_read_numbers(text, ',', distances);
+    if (!is_fog && l3d_read_numbers(text, ',', all)) {
+        is_fog = true;
+        std::copy_n(all.begin(), distances.size(), distances.begin());
+        fog.color = 0;
+        for (std::size_t i = 2; i < all.size(); ++i) {
+            is_fog = is_fog && all[i] >= 0 && all[i] <= 255 && all[i] == std::floor(all[i]);
+            fog.color = *fog.color << 8 | (is_fog ? static_cast<std::uint32_t>(all[i]) : 0);
+        }
+    }
+    fog.near = static_cast<float>(distances[0]);
+    fog.far = static_cast<float>(distances[1]);
+    if (!is_fog || !(distances[0] >= 0 && fog.is_on() && distances[1] <= largest))
+        throw l3d_error(l3d_exit::usage,
+                        "--fog: '" + l3d_detail::printable(text) +
+                            "' is not NEAR,FAR or NEAR,FAR,R,G,B with distances from 0 on, the "
+                            "nearer first, and whole colours from 0 to 255");
+    settings_.fog = fog;
+}
+
 l3d_afd_settings l3d_afd_options::settings() const {
     l3d_afd_settings result = settings_;
     if (ambient_ != usual_ambient())
@@ -256,6 +285,9 @@ l3d_afd_settings l3d_afd_options::settings() const {
     if (result.error_map && result.background.is_none())
         throw l3d_error(l3d_exit::usage, "--error-output: pixels have bounds on a background, and "
                                          "--background none has none");
+    if (result.fog.is_on() && !result.fog.color && result.background.is_none())
+        throw l3d_error(l3d_exit::usage,
+                        "--fog: it needs a colour, as --background none has none to fade into");
     if (keep_all_)
         result.keep = l3d_kept_work::all();
     return result;

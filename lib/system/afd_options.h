@@ -84,6 +84,7 @@ public:
     bool shows_the_usual() const;
 
 private:
+    void read_fog(const std::string& text);
     void add_light(const std::string& text);
 
     /// A tenth of white, as l3d_lighting has it.

@@ -55,6 +55,8 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
         throw l3d_error(l3d_exit::usage,
                         "--shade: only --pipeline afd has the exact patches that zebra, isophotes, "
                         "gaussian, mean and draft look at");
+    if (shared.fog.is_on())
+        throw l3d_error(l3d_exit::usage, "--fog: only --pipeline afd has it");
     l3d_polygon_settings settings;
     settings.style = hidden_lines_      ? l3d_polygon_style::hidden_lines
                      : shared.wireframe ? l3d_polygon_style::wireframe

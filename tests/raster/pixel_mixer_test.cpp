@@ -60,7 +60,8 @@ std::vector<std::uint32_t> sampled(const all_fragments& of, const l3d_shading& s
             for (std::size_t pair = band.begin_of(i); pair < band.begin_of(i + 1); ++pair)
                 sampler.add(band.polygons()[band.pairs()[pair].polygon]);
             float empty = 0;
-            const light_sum light = sampler.light(shader, false, band.closed(i), empty);
+            const light_sum light =
+                sampler.light(shader, {shading, size.height}, false, band.closed(i), empty);
             result.push_back(
                 light.word_before(shading.background.word(at.y, size.height), empty, tables));
         }

@@ -175,8 +175,8 @@ def picks_from_the_command_line():
 class Window:
     """A viewer in a window, and what is in it."""
 
-    def __init__(self, stack, viewer, *arguments):
-        self.program = Program(viewer, (157, 119))
+    def __init__(self, stack, viewer, *arguments, size=(157, 119)):
+        self.program = Program(viewer, size)
         self.size = self.program.size
         self.display = stack.enter_context(x_server()).display
         self.eyes = stack.enter_context(Onlooker(self.display))

@@ -21,7 +21,8 @@ constexpr double least_fov = 0.05; // 169 degrees
 constexpr int frames_of_mean = 64;
 
 constexpr std::uint32_t text_color = 0x00ffffff;
-constexpr int second_line = 16; // the book's; pixels from the top
+constexpr int second_line = 16;   // the book's; pixels from the top
+constexpr int least_height = 300; // of a picture, for each pixel of a letter's dots
 
 } // namespace
 
@@ -156,6 +157,8 @@ void l3d_pipeline_world::draw(l3d_rasterizer_2d& rasterizer) {
     if (!status_shown_)
         return;
     const auto whole = static_cast<long>(frame_rate_ + 0.5);
-    l3d_draw_text(rasterizer, 0, 0, "FPS " + std::to_string(whole), text_color);
-    l3d_draw_text(rasterizer, 0, second_line, std::to_string(drawn) + " polys drawn", text_color);
+    const int scale = std::max(1, size().height / least_height);
+    l3d_draw_text(rasterizer, 0, 0, "FPS " + std::to_string(whole), text_color, scale);
+    l3d_draw_text(rasterizer, 0, scale * second_line, std::to_string(drawn) + " polys drawn",
+                  text_color, scale);
 }

@@ -9,7 +9,9 @@
 #include "raster/refine/linear_light_p.h"
 #include "raster/surfaces/shader_choice_p.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -92,6 +94,28 @@ attribute_planes<Count> planes_of(const fragment_polygon& polygon, const Numbers
     const corner_numbers<3, Count> of(polygon, numbers_of);
     return {of.places, of.numbers, polygon.area2()};
 }
+
+/// Fog before fragments. Lives: borrows the shading.
+struct fragment_fog {
+    const l3d_shading& shading;
+    int height; ///< of the picture
+
+    /// The light that is left of a polygon's at a place, and the fog's own. Units: 1/256 pixel.
+    light_sum over(const light_sum& light, const fragment_polygon& polygon, double x,
+                   double y) const {
+        const l3d_fog& fog = shading.fog;
+        if (!fog.is_on())
+            return light;
+        const linear_light& tables = linear_light_tables();
+        const auto depth =
+            planes_of<1>(polygon, [](const l3d_micro_vertex& v) { return std::array{v.inv_w}; });
+        const float inv_w = std::clamp(depth.at_place(x, y)[0], polygon.farthest, polygon.nearest);
+        const auto row = static_cast<int>(std::floor(y / l3d_subpixel_one));
+        const std::uint32_t color = fog.in_row(shading.background, row, height);
+        return light_sum::of_word(l3d_fog::word(light.word(tables), color, fog.amount(inv_w)),
+                                  tables);
+    }
+};
 
 /// The light of a polygon at a place; its material's colour is seen if `has_color`.
 /// Units: 1/256 pixel.

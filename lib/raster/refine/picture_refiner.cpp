@@ -26,8 +26,19 @@ bool is_hidden(const drawn_frame& frame, const band_item& item) {
 
 bool is_grey(const drawn_frame& frame) {
     const l3d_background& background = frame.shading.background;
-    return frame.colors.empty() && !frame.shading.is_lit(frame.materials) &&
+    const l3d_fog& fog = frame.shading.fog;
+    const bool fog_is_grey =
+        !fog.is_on() || !fog.color || l3d_background::color(*fog.color).is_grey();
+    return fog_is_grey && frame.colors.empty() && !frame.shading.is_lit(frame.materials) &&
            l3d_is_light(frame.shading.mode) && background.is_grey() && !background.is_none();
+}
+
+/// Whether levels are continuous inside a surface: those of diced ones, but for mode `flat`.
+bool is_smooth(const drawn_frame& frame) {
+    const l3d_shading& shading = frame.shading;
+    const bool is_diced = shading.ray == std::array<float, 3>{};
+    return shading.mode == l3d_shade::levels ||
+           (is_diced && shading.mode != l3d_shade::flat && shading.is_lit(frame.materials));
 }
 
 } // namespace
@@ -73,7 +84,7 @@ void picture_refiner::find_contours(const drawn_frame& frame, int band, worker_s
         std::max(box.top - 1, frame.window.top), std::min(box.bottom + 1, frame.window.bottom));
     const l3d_pixel_box reached{drawn.left - 1, box.top, drawn.right + 1, box.bottom};
     const jump_rule rule =
-        frame.shading.mode == l3d_shade::levels ? jump_rule::smooth : jump_rule::any;
+        is_smooth(frame) ? jump_rule::smooth : jump_rule::any;
     find_jumps(frame.target, is_grey(frame), rule, reached.intersected(box), jumps_);
 
     contour_pixels& contours = each_band_[static_cast<std::size_t>(band)].contours;
@@ -99,7 +110,8 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
     mark_others(frame, box);
     band_space& space = each_band_[static_cast<std::size_t>(band)];
     const contour_mixer mixer(frame.target, frame.window, cuts_, is_grey(frame),
-                              frame.shading.mode == l3d_shade::levels);
+                              frame.shading.mode == l3d_shade::levels &&
+                                  !frame.shading.fog.is_on());
     for (const contour_pixel& pixel : space.contours.pixels()) {
         if (others_.has(pixel.x, pixel.y))
             continue;
@@ -116,7 +128,7 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
 void picture_refiner::mark_others(const drawn_frame& frame, const l3d_pixel_box& box) {
     const std::size_t words = others_.row_words();
     constexpr int last = pixel_bits::word_pixels - 1;
-    const bool smooth = frame.shading.mode == l3d_shade::levels;
+    const bool smooth = is_smooth(frame);
     const auto steep = [&](std::int32_t y, std::size_t w) -> std::uint64_t {
         return smooth ? contour_bits_.row(y)[w] : 0;
     };

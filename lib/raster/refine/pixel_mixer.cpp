@@ -49,9 +49,12 @@ std::uint64_t sample_at(float x, float y) {
 void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading,
                        std::span<const l3d_material> materials, bool has_color, int height) {
     has_color_ = has_color;
+    const fragment_fog fog{shading, height};
+    fog_ = &fog;
     measure_pairs(band, measures_);
     with_shader(shading, materials, 0,
                 [&](auto shader) { draw_by(shader, band, shading.background, height); });
+    fog_ = nullptr;
 }
 
 pixel_mixer::ground pixel_mixer::ground_of(std::uint32_t word) {
@@ -75,7 +78,7 @@ void pixel_mixer::draw_by(Shader shader, const band_fragments& band,
             sampler_.begin(corner);
             for (const fragment& f : fragments_)
                 sampler_.add(band.polygons()[f.polygon]);
-            sum.light = sampler_.light(shader, has_color_, band.closed(i), sum.empty);
+            sum.light = sampler_.light(shader, *fog_, has_color_, band.closed(i), sum.empty);
         }
         words_.push_back(sum.light.word_before(behind.word, sum.empty, tables));
     }
@@ -142,15 +145,16 @@ bool pixel_mixer::is_hidden(const fragment& sliver) const {
 template <class Shader>
 light_sum pixel_mixer::light_of(Shader& shader, const band_fragments& band, const fragment& of,
                                 scan_point corner) const {
-    const linear_light& tables = linear_light_tables();
+    const fragment_polygon& polygon = band.polygons()[of.polygon];
+    const double x = corner.x + double{l3d_subpixel_one * measures_.x[of.pair]};
+    const double y = corner.y + double{l3d_subpixel_one * measures_.y[of.pair]};
     if constexpr (has_bends<Shader>) {
         constexpr std::uint32_t white = 0xffffff;
-        return light_sum::of_level(measures_.level[of.pair],
-                                   has_color_ ? band.polygons()[of.polygon].color : white, tables);
+        const light_sum light = light_sum::of_level(
+            measures_.level[of.pair], has_color_ ? polygon.color : white, linear_light_tables());
+        return fog_->over(light, polygon, x, y);
     } else {
-        return light_at(shader, band.polygons()[of.polygon], has_color_,
-                        corner.x + double{l3d_subpixel_one * measures_.x[of.pair]},
-                        corner.y + double{l3d_subpixel_one * measures_.y[of.pair]});
+        return fog_->over(light_at(shader, polygon, has_color_, x, y), polygon, x, y);
     }
 }
 

@@ -77,6 +77,7 @@ private:
                        scan_point corner) const;
 
     bool has_color_ = false;
+    const fragment_fog* fog_ = nullptr; ///< while it draws
     pair_measures measures_;
     std::vector<fragment> fragments_;
     std::vector<std::uint32_t> words_;

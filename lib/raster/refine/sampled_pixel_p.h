@@ -31,7 +31,8 @@ public:
     /// `has_color`: polygons have the colours of materials. `closed`: samples that no polygon
     /// covers show what the others do. Of others, `empty` gets the share.
     template <class Shader>
-    light_sum light(Shader& shader, bool has_color, bool closed, float& empty);
+    light_sum light(Shader& shader, const fragment_fog& fog, bool has_color, bool closed,
+                    float& empty);
 
 private:
     struct fragment {
@@ -46,7 +47,8 @@ private:
 };
 
 template <class Shader>
-light_sum sampled_pixel::light(Shader& shader, bool has_color, bool closed, float& empty) {
+light_sum sampled_pixel::light(Shader& shader, const fragment_fog& fog, bool has_color, bool closed,
+                               float& empty) {
     hide();
     light_sum sum;
     float covered = 0;
@@ -57,9 +59,8 @@ light_sum sampled_pixel::light(Shader& shader, bool has_color, bool closed, floa
         const float share = static_cast<float>(m.count) / sample_pattern::count;
         covered += share;
         const double half_each = 0.5 / m.count;
-        sum.add(light_at(shader, *f.polygon, has_color, corner_.x + half_each * m.x,
-                         corner_.y + half_each * m.y),
-                share);
+        const double x = corner_.x + half_each * m.x, y = corner_.y + half_each * m.y;
+        sum.add(fog.over(light_at(shader, *f.polygon, has_color, x, y), *f.polygon, x, y), share);
     }
     empty = closed && covered > 0 ? 0.0f : 1 - covered;
     if (empty > 0 || covered <= 0)

@@ -2,6 +2,8 @@
 // l3d_surface_rasterizer_scalar: a picture as one band.
 #include "raster/surfaces/surface_rasterizer_scalar.h"
 
+#include "raster/surfaces/fog_words_p.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -47,9 +49,12 @@ void l3d_surface_rasterizer_scalar::do_draw(std::span<const l3d_surface_part* co
 }
 
 void l3d_surface_rasterizer_scalar::do_finish() {
+    const material_pixels pixels{drawn_.words,    drawn_.stride, depth_->data(),
+                                 depth_->pitch(), drawn_.width,  drawn_.height};
     if (materials_.wanted())
-        materials_.color_slowly({drawn_.words, drawn_.stride, depth_->data(), depth_->pitch(),
-                                 drawn_.width, drawn_.height});
+        materials_.color_slowly(pixels);
+    if (shading_.fog.is_on())
+        put_fog(shading_, pixels, 0, drawn_.height);
     for (int row = part_.top; row < part_.bottom; ++row)
         std::copy_n(own_picture_.pixels().row(row).data() + part_.left, part_.right - part_.left,
                     part_target_.row(row).data() + part_.left);

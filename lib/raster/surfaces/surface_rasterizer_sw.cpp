@@ -4,6 +4,7 @@
 
 #include "raster/refine/picture_refiner_p.h"
 #include "raster/surfaces/band_painter_p.h"
+#include "raster/surfaces/fog_words_p.h"
 #include "raster/surfaces/lit_words_p.h"
 #include "raster/surfaces/material_words_p.h"
 #include "tool_2d/image.h"
@@ -201,7 +202,7 @@ void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
         coarse.refresh(band); // `hidden` may be asked by many, so it finds nothing itself
     if (counts_pixels())
         work_->covered[static_cast<std::size_t>(index)] = coarse.covered(band);
-    if (!depth_ && work_->frame.words.has_materials)
+    if (!depth_ && changes_words())
         color_band(band); // nothing more will come, and all is in the cache
 }
 
@@ -223,8 +224,14 @@ fill_band l3d_surface_rasterizer_sw::band_at(int index, std::size_t worker) {
             normals};
 }
 
+/// Whether words that were filled are not yet what is to be seen.
+bool l3d_surface_rasterizer_sw::changes_words() const {
+    return work_->frame.words.has_materials || work_->frame.shading.fog.is_on();
+}
+
 /// Only tiles that something was drawn to have defined depths.
 void l3d_surface_rasterizer_sw::color_band(const fill_band& band) const {
+    const l3d_shading& shading = work_->frame.shading;
     work_->coarse.visit_drawn(band, [&](const l3d_pixel_box& box) {
         const std::ptrdiff_t row = box.top - band.top;
         std::uint32_t* const words = band.words + row * band.word_pitch + box.left;
@@ -233,9 +240,12 @@ void l3d_surface_rasterizer_sw::color_band(const fill_band& band) const {
         if (band.normals)
             work_->lights.color({words, band.word_pitch, band.depths + at, band.normals + at,
                                  band.depth_pitch, box.left, box.top, width, height});
-        else
-            work_->materials.color(
-                {words, band.word_pitch, band.depths + at, band.depth_pitch, width, height});
+        const material_pixels pixels{words, band.word_pitch, band.depths + at, band.depth_pitch,
+                                     width, height};
+        if (work_->materials.wanted())
+            work_->materials.color(pixels);
+        if (shading.fog.is_on())
+            put_fog(shading, pixels, box.top, target_.height);
     });
 }
 
@@ -260,7 +270,7 @@ bool l3d_surface_rasterizer_sw::do_hidden(const l3d_subpixel_box& box, float nea
 void l3d_surface_rasterizer_sw::do_finish() {
     if (!drawn_)
         do_draw({});
-    if (depth_ && work_->frame.words.has_materials)
+    if (depth_ && changes_words())
         color_bands();
     if (work_->frame.shading.antialias)
         refine();

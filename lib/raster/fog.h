@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// l3d_fog: what is farther away fades into a colour.
+#ifndef L3D_RASTER_FOG_H
+#define L3D_RASTER_FOG_H
+
+#include "base/public.h"
+#include "raster/background.h"
+#include "tool_2d/screen_info.h"
+
+#include <cstdint>
+#include <optional>
+
+/// Fog, or depth cueing if its colour is black. Surfaces nearer than `near` are as without, those
+/// from `far` on have its colour; between them it grows in proportion to the distance.
+///
+/// Units: distances along the view axis, in the world. At first there is none.
+struct L3D_PUBLIC l3d_fog {
+    float near = 0;                       ///< where it begins
+    float far = 0;                        ///< where it hides everything
+    std::optional<std::uint32_t> color{}; ///< pixel word; none: that of the background in each row
+
+    /// Whether there is any.
+    bool is_on() const { return far > near; }
+
+    /// How much of it is before a surface: 0 to 255. Expects: is_on(), inv_w > 0.
+    std::uint32_t amount(float inv_w) const {
+        const float share = (1 / inv_w - near) / (far - near);
+        const float held = share > 0 ? (share < 1 ? share : 1.0F) : 0.0F;
+        return static_cast<std::uint32_t>(255 * held + 0.5F);
+    }
+
+    /// The colour of a surface behind it, each channel a mean of the two.
+    /// Units: pixel words without transparency; the amount from 0 to 255.
+    static std::uint32_t word(std::uint32_t surface, std::uint32_t fog, std::uint32_t amount) {
+        return l3d_screen_info::light_native(surface, 255 - amount) +
+               l3d_screen_info::light_native(fog, amount);
+    }
+
+    /// Its colour in a row of a picture.
+    std::uint32_t in_row(const l3d_background& background, int row, int height) const {
+        return color ? *color : background.word(row, height);
+    }
+
+    friend bool operator==(const l3d_fog&, const l3d_fog&) = default;
+};
+
+#endif

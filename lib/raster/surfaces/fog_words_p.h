@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// fog_words: fog before the pixels of a picture.
+#ifndef L3D_RASTER_SURFACES_FOG_WORDS_P_H
+#define L3D_RASTER_SURFACES_FOG_WORDS_P_H
+
+#include "raster/surface_rasterizer.h"
+#include "raster/surfaces/material_words_p.h"
+
+#include <cstdint>
+
+namespace l3d_detail {
+
+/// Puts fog before the pixels whose depth is not 0. Units: top is the first row's place in a
+/// picture of that height. Expects: final colours; fog that is on.
+inline void put_fog(const l3d_shading& shading, const material_pixels& pixels, std::int32_t top,
+                    std::int32_t height) {
+    const l3d_fog& fog = shading.fog;
+    for (std::int32_t row = 0; row < pixels.height; ++row) {
+        const std::uint32_t color = fog.in_row(shading.background, top + row, height);
+        std::uint32_t* const words = pixels.words + row * pixels.word_pitch;
+        const float* const depths = pixels.depths + row * pixels.depth_pitch;
+        for (std::int32_t x = 0; x < pixels.width; ++x)
+            if (depths[x] > 0)
+                words[x] = l3d_fog::word(words[x], color, fog.amount(depths[x]));
+    }
+}
+
+} // namespace l3d_detail
+
+#endif
