@@ -86,7 +86,7 @@ def wait_for(question, what):
         if answer:
             return answer
         time.sleep(0.02)
-    raise AssertionError("waited in vain for " + what)
+    raise AssertionError("waited in vain for %s" % (what,))
 
 
 # ---- processes ----------------------------------------------------------------------------------

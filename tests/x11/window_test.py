@@ -224,8 +224,8 @@ def tells_who_it_is(program):
             ("--class", "^L3d$"),
             ("--pid", it.process.pid, "--name", "."),
         ):
-            found = xdotool(it.display, "search", "--onlyvisible", "--all", *question)
-            expect_equal(found.split(), [str(it.window)], question)
+            search = ("search", "--onlyvisible", "--all", *question)
+            wait_for(lambda: xdotool(it.display, *search).split() == [str(it.window)], question)
 
 
 def has_the_title_that_was_asked_for(program):
