@@ -164,13 +164,17 @@ def draws_what_the_cpu_draws(program):
 
 
 def is_a_second_opinion(program):
-    """Surfaces: at most 2 % of the pixels differ by more than a level, 0.1 % by more than 16."""
+    """Surfaces: at most 2 % of the pixels differ by more than a level, 0.1 % by more than 16.
+
+    The shade `error` shows how far the very picture is off, and GL's is another one: 5 and 1 %.
+    """
     for shade in SHADES:
         by_cpu = picture(program, environment(), "--shade", shade, *SHARP, backend="memory")
         by_gl = picture(program, environment(), "--shade", shade, *SHARP)
         levels = differences(by_gl, by_cpu)
-        expect(above(levels, 1) <= 0.02, shade, above(levels, 1))
-        expect(above(levels, 16) <= 0.001, shade, above(levels, 16), max(levels))
+        some, few = (0.05, 0.01) if shade == "error" else (0.02, 0.001)
+        expect(above(levels, 1) <= some, shade, above(levels, 1))
+        expect(above(levels, 16) <= few, shade, above(levels, 16), max(levels))
         covered = lambda rows: [[pixel != 0 for pixel in row] for row in rows]
         if shade == "lambert":  # where ambient light makes no surface black
             expect(covered(by_gl) == covered(by_cpu), "not the same outline")
