@@ -288,8 +288,11 @@ help: ## this list
 # ---- rules --------------------------------------------------------------------------------------
 
 # A file whose text changed is written while make reads: what depends on it is remade when flags or
-# lists do, and a dry run knows it. Neither a compiler's cache nor -Werror changes what it makes.
-remember = $(if $(subst x$(strip $(2))x,,x$(if $(wildcard $(1)),$(file <$(1)),none)x),$(shell mkdir -p $(dir $(1)))$(file >$(1),$(strip $(2))))
+# lists do. A dry run leaves it as it is, so that what is built stays built. Neither a compiler's cache nor
+# -Werror changes what is made.
+dry_run  = $(findstring n,$(firstword -$(MAKEFLAGS)))
+is_new   = $(subst x$(strip $(2))x,,x$(if $(wildcard $(1)),$(file <$(1)),none)x)
+remember = $(if $(and $(dry_run),$(wildcard $(1))),,$(if $(is_new),$(shell mkdir -p $(dir $(1)))$(file >$(1),$(strip $(2)))))
 $(call remember,$(OUT)/flags,$(filter-out ccache $(WERROR),$(LINK) $(FLAGS_lib) $(FLAGS_tests)))
 
 $(OUT)/%.o: %.cpp $(OUT)/flags | packages-build

@@ -248,7 +248,7 @@ def page_and_a_half(name):
 
 def refuses_the_other(folder, name):
     line = build_line("shared").replace("dot.cpp -o dot", "%s.float.o -o none" % name)
-    done = run(for_real(line, "fixed"), folder, None)
+    done = run(for_real(line, "fixed") + LINKS_MORE.get(name, ""), folder, None)
     expect(done.returncode != 0 and "l3d_built_with_float_real" in done.stderr, done.stderr)
 
 

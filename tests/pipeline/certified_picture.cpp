@@ -64,6 +64,7 @@ void certified_sum::add(const certified_sum& more) {
     edges += more.edges;
     vacuous += more.vacuous;
     exceptions += more.exceptions;
+    unjudged += more.unjudged;
     squares += more.squares;
     edge_squares += more.edge_squares;
     bounds += more.bounds;
@@ -76,12 +77,13 @@ void certified_sum::print(const std::string& name) const {
     const auto of = [](double sum, std::int64_t count) {
         return count > 0 ? sum / static_cast<double>(count) : 0;
     };
-    std::printf("%-22s %9ld pixels, %8ld shown, %8ld edges; %ld exceptions; rms %.2f, of edges "
+    std::printf("%-22s %9ld pixels, %8ld shown, %8ld edges; %ld exceptions, %ld pictures not "
+                "judged; rms %.2f, of edges "
                 "%.2f; bound %.2f, of edges %.2f; %.2f %% say nothing; unsure by %.2f at most\n",
                 name.c_str(), static_cast<long>(pixels), static_cast<long>(shown),
                 static_cast<long>(edges), static_cast<long>(exceptions),
-                std::sqrt(of(squares, shown)), std::sqrt(of(edge_squares, edges)),
-                of(bounds, shown), of(edge_bounds, edges),
+                static_cast<long>(unjudged), std::sqrt(of(squares, shown)),
+                std::sqrt(of(edge_squares, edges)), of(bounds, shown), of(edge_bounds, edges),
                 100 * of(static_cast<double>(vacuous), shown), largest_unsure);
     std::fflush(stdout);
 }

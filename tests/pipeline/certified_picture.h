@@ -31,6 +31,7 @@ struct certified_sum {
     std::int64_t edges = 0;   ///< of those, pixels that an edge may pass
     std::int64_t vacuous = 0; ///< of those shown, pixels whose bound forbids no level
     std::int64_t exceptions = 0;
+    std::int64_t unjudged = 0;            ///< pictures of which the exact renderer knew nothing
     double squares = 0, edge_squares = 0; ///< of errors, where a surface is shown
     double bounds = 0, edge_bounds = 0;   ///< likewise
     double largest_unsure = 0;            ///< of the exact picture itself

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -118,13 +119,20 @@ certified_sum judged(random_numbers& random, const scene& s) {
     return result;
 }
 
-/// Scene number n of a kind: the same on every machine, and by itself.
+/// Scene number n of a kind: the same on every machine, and by itself. The exact renderer gives up
+/// where a ray touches a surface along a curve; that is not for or against the picture.
 certified_sum judged(int n) {
     const std::size_t kind = static_cast<std::size_t>(n) % names.size();
     random_numbers random(static_cast<std::uint64_t>(n));
     const scene s = random_scene(random, static_cast<scene_kind>(kind));
-    certified_sum result = judged(random, s);
-    if (result.exceptions > 0)
+    certified_sum result;
+    try {
+        result = judged(random, s);
+    } catch (const std::runtime_error& error) {
+        result.unjudged = 1;
+        result.where = error.what();
+    }
+    if (result.exceptions + result.unjudged > 0)
         result.where = "scene " + std::to_string(n) + ", " + names[kind] + ' ' + result.where;
     return result;
 }
@@ -145,6 +153,7 @@ void expect_within_bounds(int first, int scenes) {
         of_kind[k].print(names[k]);
     all.print(std::to_string(scenes) + " scenes");
     EXPECT_EQ(all.exceptions, 0) << all.where;
+    EXPECT_LE(all.unjudged, scenes / 500) << all.where;
     EXPECT_GT(all.edges, all.pixels / 20);
     EXPECT_LT(all.vacuous, all.shown / 4);
 }
@@ -168,9 +177,10 @@ TEST(certified_scenes, that_fold_in_their_own_plane_are_within_their_bounds) {
     EXPECT_EQ(all.exceptions, 0) << all.where;
 }
 
-/// An hour on one core.
+/// Half an hour on one core.
 TEST(certified_scenes, DISABLED_ten_thousand_random_ones_are_within_their_bounds) {
-    expect_within_bounds(1'000, 10'000);
+    for (int first = 1'000; first < 11'000; first += 500)
+        expect_within_bounds(first, 500);
 }
 
 } // namespace
