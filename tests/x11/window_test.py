@@ -165,7 +165,7 @@ def draws_lines_as_wide_as_the_resolution_asks():
                 # The word about the help goes away.
                 xdotool(it.display, "key", "--clearmodifiers", "h", "h")
                 rows = it.await_picture(
-                    lambda rows: rows and brightness(rows[len(rows) // 2]) > 0, size)
+                    lambda rows: rows and brightness(rows[len(rows) // 2]) and rows, size)
                 shares.append(sum(map(brightness, rows)) / scale**2)
         expect(0.85 < shares[1] / shares[0] < 1.3, lines, shares)
 
