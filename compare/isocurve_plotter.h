@@ -7,17 +7,17 @@
 #include "dice/normal_columns.h"
 #include "compare/plot_task.h"
 
-/// Curves of constant u, walked by adaptive forward differences in T. Before each step the step is
-/// halved while it is longer than the spacing, and doubled where it is shorter than half of that.
+/// Curves of constant u, walked by adaptive forward differences in T. A step that is longer than
+/// the spacing is halved before it is taken. One that is shorter than half the spacing is doubled.
 ///
 /// Between two curves a third is drawn where they may be farther apart than the spacing, and only
 /// there. The spacing is half a pixel, unless told otherwise. Pieces of the patch that are narrow
 /// enough are left out, so most curves end early. With points and curves half a pixel apart, in the
 /// larger of both coordinates, the points of a fold free piece leave no pixel out. A pixel gets the
 /// depth and normal of the point that fell into it, which may be half a pixel from its centre. So
-/// there is no bound, and outlines are up to a pixel fat. Cost:    some 30 points a pixel and
-/// layer. Source:  Lien, Shantz, Pratt, Adaptive Forward Differencing for Rendering Curves and
-/// Surfaces,
+/// there is no bound, and outlines are up to a pixel fat.
+/// Cost:    some 30 points a pixel and layer.
+/// Source:  Lien, Shantz, Pratt, Adaptive Forward Differencing for Rendering Curves and Surfaces,
 ///          SIGGRAPH 1987. Curves that end early are those of Elber, Cohen, Adaptive Isocurves
 ///          Based Rendering for Freeform Surfaces, TOG 15, 1996.
 template <class T> class l3d_isocurve_plotter {

@@ -10,8 +10,10 @@
 #include <string>
 
 struct error_report_scope {
-    bool project_models = false; ///< the project's five models in three views, not the given one
-    bool quick = false;          ///< small pictures, fewer models, settings and frames
+    /// The project's five models are measured in three views each, not the given one.
+    bool project_models = false;
+    /// Pictures are small, and there are fewer models, settings and frames.
+    bool quick = false;
 };
 
 /// Measures all methods and arithmetics in each view, and cubic curves besides. Writes numbers into

@@ -63,15 +63,26 @@ struct measured_setting {
 /// A row of the report. What is not known is NaN.
 struct frame_result {
     std::string model, view, series, label;
-    std::int64_t patches = 0;                         ///< of the model
-    double least_ms = 0, median_ms = 0, first_ms = 0; ///< of a frame; of the very first
+    /// The model's patches.
+    std::int64_t patches = 0;
+    /// The shortest time of a frame, and the median.
+    double least_ms = 0, median_ms = 0;
+    /// The time of the very first frame.
+    double first_ms = 0;
     int frames = 0;
     std::int64_t samples = 0, quads = 0, failures = 0;
-    double bound_px = 0;                                   ///< infinite: none
-    double outline_px = 0;                                 ///< measured, the largest
-    double largest_px = 0, mean_px = 0, percentile_px = 0; ///< of depth; 999 of 1000 are below
-    double judged = 0;     ///< part of the covered pixels whose depth was compared
-    double rms_levels = 0; ///< of the picture's greys, over what either picture covers
+    /// Infinite if nothing is certified.
+    double bound_px = 0;
+    /// The largest error of an outline that was measured.
+    double outline_px = 0;
+    /// The largest error of depth, and the mean.
+    double largest_px = 0, mean_px = 0;
+    /// 999 of 1000 errors of depth are below it.
+    double percentile_px = 0;
+    /// The part of the covered pixels whose depth was compared.
+    double judged = 0;
+    /// The root mean square error of greys, over what either picture covers.
+    double rms_levels = 0;
     std::int64_t holes = 0;
 };
 

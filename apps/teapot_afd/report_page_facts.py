@@ -213,9 +213,9 @@ def bears(report):
               and (row["model"], row["view"]) == report.views()[0]]
     answer = ""
     if "16.16" in by:
-        answer = (f"{by['16.16'][1]} with an error below a pixel, for control points up to 1024 px apart; "
-                  f"one exponent for 32 bits bears {by['32-bit block'][1]}, one for each register "
-                  f"{by['32-bit graded'][1]}, 32.32 {by['32.32'][1]}.")
+        answer = (f"They bear {by['16.16'][1]} steps with an error below a pixel, for control points up to 1024 px apart. "
+                  f"32 bits with one exponent for all registers bear {by['32-bit block'][1]} steps. With an exponent for "
+                  f"each register they bear {by['32-bit graded'][1]}. 32.32 bears {by['32.32'][1]}.")
     if walked:
         best = min(walked, key=lambda row: row["outline_px"])
         answer += f" A whole patch in 16.16 is best with {best['setting'][4:]} steps ({short(best['outline_px'])} px)."
