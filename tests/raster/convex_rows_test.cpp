@@ -86,13 +86,21 @@ TEST(convex_rows, know_a_convex_outline_in_either_direction) {
 }
 
 TEST(convex_rows, leave_other_outlines_alone) {
-    EXPECT_FALSE(is_convex({{1, 1}, {9, 1}}));
-    EXPECT_FALSE(is_convex({{1, 1}, {9, 1}, {1, 1}, {9, 1}}));                 // there and back
-    EXPECT_FALSE(is_convex({{1, 1}, {9, 1}, {3, 2}, {1, 8}}));                 // a dent
-    EXPECT_FALSE(is_convex({{1, 1}, {9, 8}, {9, 1}, {1, 8}}));                 // crosses itself
-    EXPECT_FALSE(is_convex({{1, 1}, {9, 1}, {5, 8}, {1, 1}, {9, 1}, {5, 8}})); // twice around
-    EXPECT_FALSE(is_convex({{-1, 1}, {9, 1}, {5, 8}}));                        // beyond the left
-    EXPECT_FALSE(is_convex({{1, 1}, {15.1, 1}, {5, 8}}));                      // beyond the right
+    struct outline {
+        const char* what;
+        corners of;
+    };
+    const std::vector<outline> others{
+        {"two corners", {{1, 1}, {9, 1}}},
+        {"there and back", {{1, 1}, {9, 1}, {1, 1}, {9, 1}}},
+        {"a dent", {{1, 1}, {9, 1}, {3, 2}, {1, 8}}},
+        {"crosses itself", {{1, 1}, {9, 8}, {9, 1}, {1, 8}}},
+        {"twice around", {{1, 1}, {9, 1}, {5, 8}, {1, 1}, {9, 1}, {5, 8}}},
+        {"beyond the left", {{-1, 1}, {9, 1}, {5, 8}}},
+        {"beyond the right", {{1, 1}, {15.1, 1}, {5, 8}}},
+    };
+    for (const outline& o : others)
+        EXPECT_FALSE(is_convex(o.of)) << o.what;
     corners star;
     for (int i = 0; i < 5; ++i)
         star.push_back({7 + 5 * std::sin(i * 0.8 * std::numbers::pi),
