@@ -2,7 +2,7 @@
 // l3d_point_canvas: shading a point.
 #include "compare/point_canvas.h"
 
-#include "raster/surfaces/surface_shader_p.h"
+#include "raster/shaders/surface_shader_p.h"
 
 #include <cassert>
 

@@ -3,7 +3,7 @@
 #include "raster/refine/pixel_mixer_p.h"
 #include "raster/refine/sampled_pixel_p.h"
 #include "raster/srgb_light.h"
-#include "raster/surfaces/shader_choice_p.h"
+#include "raster/shaders/shader_choice_p.h"
 #include "surface_scene.h"
 
 #include <gtest/gtest.h>

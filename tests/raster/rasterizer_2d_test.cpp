@@ -2,7 +2,7 @@
 // Points, lines and polygons: the book's reference values, exact rules, and awkward coordinates.
 #include "raster/rasterizer_factory_sw.h"
 #include "raster/parallel/simd_target.h"
-#include "raster/shapes/span_kernels_p.h"
+#include "raster/shapes/small_triangle_p.h"
 
 #include "raster/canvas_2d.h"
 #include "raster/slow_2d.h"

@@ -2,7 +2,7 @@
 // Several lights and highlights: Blinn's rule evaluated in doubles, and the twins against each
 // other.
 #include "raster/parallel/simd_target.h"
-#include "raster/surfaces/lit_words_p.h"
+#include "raster/shaders/lit_words_p.h"
 #include "surface_scene.h"
 
 #include <gtest/gtest.h>

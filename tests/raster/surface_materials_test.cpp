@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Surfaces in colour: the greys of before, each times its material's colour.
 #include "raster/parallel/simd_target.h"
-#include "raster/surfaces/material_words_p.h"
+#include "raster/shaders/material_words_p.h"
 #include "surface_scene.h"
 
 #include <gtest/gtest.h>

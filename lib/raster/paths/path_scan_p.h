@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_lanes = 64; ///< vectors of 2048 bits
+    static constexpr std::size_t most_lanes = 16; ///< of span_kernels' vectors
 
     struct edge {
         double x0, y0, x1, y1, slope; ///< y0 < y1, or a level one

@@ -7,7 +7,7 @@
 #include "raster/background.h"
 #include "raster/refine/coverage_p.h"
 #include "raster/refine/linear_light_p.h"
-#include "raster/surfaces/shader_choice_p.h"
+#include "raster/shaders/shader_choice_p.h"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 
 #include "raster/shapes/attribute_plane_p.h"
 #include "raster/shapes/piece_pixels_p.h"
-#include "raster/surfaces/lit_shader_p.h"
-#include "raster/surfaces/surface_shader_p.h"
+#include "raster/shaders/lit_shader_p.h"
+#include "raster/shaders/surface_shader_p.h"
 
 #include <algorithm>
 #include <cassert>

@@ -9,6 +9,7 @@
 #include "raster/shapes/line_steps_p.h"
 #include "raster/shapes/smooth_line_p.h"
 #include "raster/shapes/visit_coverage_p.h"
+#include "raster/shapes/small_triangle_p.h"
 #include "raster/shapes/span_kernels_p.h"
 
 #include <algorithm>

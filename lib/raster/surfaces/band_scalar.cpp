@@ -2,7 +2,7 @@
 // band_scalar: choosing the shader, and the walk over a grid's cells.
 #include "raster/surfaces/band_scalar_p.h"
 
-#include "raster/surfaces/shader_choice_p.h"
+#include "raster/shaders/shader_choice_p.h"
 #include "raster/surfaces/surface_fill_p.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "raster/surfaces/fill_pieces_p.h"
 
 #include "raster/surfaces/quad_cut_p.h"
-#include "raster/surfaces/surface_shader_p.h"
+#include "raster/shaders/surface_shader_p.h"
 
 #include <array>
 #include <bit>

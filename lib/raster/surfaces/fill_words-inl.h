@@ -8,7 +8,7 @@
 #endif
 
 #include "raster/surfaces/fill_table-inl.h"
-#include "raster/surfaces/normal_code_p.h"
+#include "raster/shaders/normal_code_p.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {

@@ -5,7 +5,7 @@
 
 #include "raster/shapes/attribute_plane_p.h"
 #include "raster/surfaces/quad_cut_p.h"
-#include "raster/surfaces/shader_choice_p.h"
+#include "raster/shaders/shader_choice_p.h"
 #include "raster/surfaces/surface_target_p.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // l3d_surface_rasterizer_scalar: a picture as one band.
 #include "raster/surfaces/surface_rasterizer_scalar.h"
 
-#include "raster/surfaces/fog_words_p.h"
+#include "raster/shaders/fog_words_p.h"
 
 #include <algorithm>
 #include <cassert>

@@ -5,7 +5,7 @@
 
 #include "raster/surfaces/band_scalar_p.h"
 #include "raster/surface_rasterizer.h"
-#include "raster/surfaces/material_words_p.h"
+#include "raster/shaders/material_words_p.h"
 #include "tool_2d/image.h"
 
 /// The slow twin of l3d_surface_rasterizer_sw: draws parts in the order in which they come, into

@@ -4,9 +4,9 @@
 
 #include "raster/refine/picture_refiner_p.h"
 #include "raster/surfaces/band_painter_p.h"
-#include "raster/surfaces/fog_words_p.h"
-#include "raster/surfaces/lit_words_p.h"
-#include "raster/surfaces/material_words_p.h"
+#include "raster/shaders/fog_words_p.h"
+#include "raster/shaders/lit_words_p.h"
+#include "raster/shaders/material_words_p.h"
 #include "tool_2d/image.h"
 
 #include <algorithm>

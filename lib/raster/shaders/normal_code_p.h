@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // normal_code: a normal in two words of a pixel.
-#ifndef L3D_RASTER_SURFACES_NORMAL_CODE_P_H
-#define L3D_RASTER_SURFACES_NORMAL_CODE_P_H
+#ifndef L3D_RASTER_SHADERS_NORMAL_CODE_P_H
+#define L3D_RASTER_SHADERS_NORMAL_CODE_P_H
 
 #include <array>
 #include <bit>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // inspection_shader: what a patch exactly is at a pixel, in colours.
-#ifndef L3D_RASTER_SURFACES_INSPECTION_SHADER_P_H
-#define L3D_RASTER_SURFACES_INSPECTION_SHADER_P_H
+#ifndef L3D_RASTER_SHADERS_INSPECTION_SHADER_P_H
+#define L3D_RASTER_SHADERS_INSPECTION_SHADER_P_H
 
 #include "geom/patch_jet.h"
 #include "raster/inspected_patches.h"

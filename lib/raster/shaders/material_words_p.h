@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // material_words: from levels of materials to colours, when a picture's surfaces are filled.
-#ifndef L3D_RASTER_SURFACES_MATERIAL_WORDS_P_H
-#define L3D_RASTER_SURFACES_MATERIAL_WORDS_P_H
+#ifndef L3D_RASTER_SHADERS_MATERIAL_WORDS_P_H
+#define L3D_RASTER_SHADERS_MATERIAL_WORDS_P_H
 
 #include "geom/material.h"
 

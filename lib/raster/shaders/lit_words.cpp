@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // lit_words: lit_shader in lanes, a material at a time.
-#include "raster/surfaces/lit_words_p.h"
+#include "raster/shaders/lit_words_p.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "raster/surfaces/lit_words.cpp"
+#define HWY_TARGET_INCLUDE "raster/shaders/lit_words.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

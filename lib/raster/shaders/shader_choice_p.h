@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // with_shader: from a frame's mode to the shader that draws it.
-#ifndef L3D_RASTER_SURFACES_SHADER_CHOICE_P_H
-#define L3D_RASTER_SURFACES_SHADER_CHOICE_P_H
+#ifndef L3D_RASTER_SHADERS_SHADER_CHOICE_P_H
+#define L3D_RASTER_SHADERS_SHADER_CHOICE_P_H
 
-#include "raster/surfaces/inspection_shader_p.h"
-#include "raster/surfaces/levels_shader_p.h"
-#include "raster/surfaces/lit_shader_p.h"
-#include "raster/surfaces/surface_shader_p.h"
+#include "raster/shaders/inspection_shader_p.h"
+#include "raster/shaders/levels_shader_p.h"
+#include "raster/shaders/lit_shader_p.h"
+#include "raster/shaders/surface_shader_p.h"
 
 namespace l3d_detail {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // inspection_shader: Newton's method, and how normals change from pixel to pixel.
-#include "raster/surfaces/inspection_shader_p.h"
+#include "raster/shaders/inspection_shader_p.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // lit_shader: the light of several lamps, and highlights, from a unit normal in every pixel.
-#ifndef L3D_RASTER_SURFACES_LIT_SHADER_P_H
-#define L3D_RASTER_SURFACES_LIT_SHADER_P_H
+#ifndef L3D_RASTER_SHADERS_LIT_SHADER_P_H
+#define L3D_RASTER_SHADERS_LIT_SHADER_P_H
 
 #include "geom/material.h"
-#include "raster/surfaces/normal_code_p.h"
-#include "raster/surfaces/surface_shader_p.h"
+#include "raster/shaders/normal_code_p.h"
+#include "raster/shaders/surface_shader_p.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // fog_words: fog before the pixels of a picture.
-#ifndef L3D_RASTER_SURFACES_FOG_WORDS_P_H
-#define L3D_RASTER_SURFACES_FOG_WORDS_P_H
+#ifndef L3D_RASTER_SHADERS_FOG_WORDS_P_H
+#define L3D_RASTER_SHADERS_FOG_WORDS_P_H
 
 #include "raster/surface_rasterizer.h"
-#include "raster/surfaces/material_words_p.h"
+#include "raster/shaders/material_words_p.h"
 
 #include <cstdint>
 

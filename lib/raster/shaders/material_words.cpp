@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // material_words: two products of 16 bits colour a pixel.
-#include "raster/surfaces/material_words_p.h"
+#include "raster/shaders/material_words_p.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "raster/surfaces/material_words.cpp"
+#define HWY_TARGET_INCLUDE "raster/shaders/material_words.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // lit_words: from normals to lit pixels, when a picture's surfaces are filled.
-#ifndef L3D_RASTER_SURFACES_LIT_WORDS_P_H
-#define L3D_RASTER_SURFACES_LIT_WORDS_P_H
+#ifndef L3D_RASTER_SHADERS_LIT_WORDS_P_H
+#define L3D_RASTER_SHADERS_LIT_WORDS_P_H
 
 #include "geom/material.h"
 #include "raster/surface_rasterizer.h"
-#include "raster/surfaces/lit_shader_p.h"
+#include "raster/shaders/lit_shader_p.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // levels_shader: grey from levels that were made with the surface; the slow twin of level_lanes.
-#ifndef L3D_RASTER_SURFACES_LEVELS_SHADER_P_H
-#define L3D_RASTER_SURFACES_LEVELS_SHADER_P_H
+#ifndef L3D_RASTER_SHADERS_LEVELS_SHADER_P_H
+#define L3D_RASTER_SHADERS_LEVELS_SHADER_P_H
 
 #include "raster/surfaces/quad_cut_p.h"
 

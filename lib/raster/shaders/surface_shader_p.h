@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The shaders: what is interpolated over a polygon, and the pixel word made of it.
-#ifndef L3D_RASTER_SURFACES_SURFACE_SHADER_P_H
-#define L3D_RASTER_SURFACES_SURFACE_SHADER_P_H
+#ifndef L3D_RASTER_SHADERS_SURFACE_SHADER_P_H
+#define L3D_RASTER_SHADERS_SURFACE_SHADER_P_H
 
 #include "raster/surfaces/away_from_eye_p.h"
 #include "raster/micro_grid.h"

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Triangles of a few pixels, in SIMD lanes.
+#ifndef L3D_RASTER_SHAPES_SMALL_TRIANGLE_P_H
+#define L3D_RASTER_SHAPES_SMALL_TRIANGLE_P_H
+
+#include "raster/rasterizer_2d.h"
+#include "tool_2d/pixels.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace l3d_detail {
+
+/// The longest side of a triangle that fill_small_triangle takes: 2^13 lattice units. Products of
+/// two differences and their sums then stay below 2^28.
+inline constexpr int small_side = 32;
+
+/// Fills a triangle by its three edge functions, at all pixels of its box: for a small one that
+/// costs less than finding spans. False if it is not small, or not wholly in the picture, and
+/// nothing is drawn.
+/// Shape:   three corners of any winding; NaN may be among them.
+/// Expects: `ends` = {width, height} of the picture, or less, and at most 2^15.
+bool fill_small_triangle(const l3d_pixels& target, std::span<const l3d_point_2d, 3> corners,
+                         const std::array<double, 2>& ends, std::uint32_t color);
+
+/// The same in colours that are linear, to nearest within 2^-8; red, green and blue of each corner.
+/// False, too, if they change too fast for float.
+bool shade_small_triangle(const l3d_pixels& target, std::span<const l3d_point_2d, 3> corners,
+                          const std::array<double, 2>& ends,
+                          const std::array<std::array<double, 3>, 3>& colors);
+
+} // namespace l3d_detail
+
+#endif
