@@ -2,7 +2,7 @@
 // A program's caption: as text, and on the pictures of a window.
 #include "pipeline/captioned_p.h"
 
-#include "tool_2d/image.h"
+#include "sizable_screen.h"
 
 #include <gtest/gtest.h>
 
@@ -12,24 +12,6 @@
 namespace {
 
 constexpr double hint_seconds = 2;
-
-/// A screen in memory that can be resized.
-class resizable_screen final : public l3d_screen {
-public:
-    explicit resizable_screen(l3d_size size) : image_(size, size.width + 3) {}
-    void resize(l3d_size size) { image_ = l3d_image(size, size.width + 3); }
-
-private:
-    l3d_pixels do_pixels() override { return image_.pixels(); }
-    const l3d_screen_info& do_info() const override { return info_; }
-    void do_show(const l3d_pixel_box&) override {}
-    std::string do_describe() const override { return "test"; }
-    bool do_next_event(l3d_event&) override { return false; }
-    void do_wait(std::chrono::nanoseconds, int) override {}
-
-    l3d_image image_;
-    l3d_screen_info info_;
-};
 
 /// Adds a pixel more to a row with each picture, and never clears.
 class growing_row final : public l3d_pipeline {
@@ -73,7 +55,7 @@ protected:
         shown.draw_event();
     }
 
-    resizable_screen screen;
+    pipeline_tests::sizable_screen screen;
     growing_row row{screen};
     l3d_detail::captioned shown{row, screen,
                                 l3d_caption{.what = "A row grows.", .keys = {{"x", "nothing"}}},

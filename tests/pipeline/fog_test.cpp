@@ -20,13 +20,6 @@ namespace {
 using namespace still_tests;
 using picture = std::vector<std::uint32_t>;
 
-l3d_camera before_the_teapot() {
-    l3d_camera camera;
-    camera.eye = {3.2, 3.6, 7.4};
-    camera.target = {0.2, 1.3, 0.0};
-    return camera;
-}
-
 l3d_afd_settings with_fog(std::optional<std::uint32_t> color = 0x4060a0) {
     l3d_afd_settings settings;
     settings.background = l3d_background::gradient();

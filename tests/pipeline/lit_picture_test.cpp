@@ -28,13 +28,6 @@ l3d_lighting two_lights() {
     return lighting;
 }
 
-l3d_camera before_the_teapot() {
-    l3d_camera camera;
-    camera.eye = {3.2, 3.6, 7.4};
-    camera.target = {0.2, 1.3, 0.0};
-    return camera;
-}
-
 std::uint32_t channel(std::uint32_t word, int shift) {
     return word >> shift & 255;
 }

@@ -6,44 +6,28 @@
 #include "scene/teapot_studio.h"
 #include "pipeline/pipeline_afd.h"
 #include "raster/rasterizer_factory_sw.h"
-#include "tool_2d/image.h"
-#include "tool_2d/screen.h"
+#include "sizable_screen.h"
 #include "words_of.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <random>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace still_tests {
 
 using dice_tests::teapot_model;
+using pipeline_tests::sizable_screen;
 
 inline constexpr l3d_size odd{203, 149};
 
-/// Pixels in memory, of any size.
-class sizable_screen final : public l3d_screen {
-public:
-    explicit sizable_screen(l3d_size size) { resize(size); }
-
-    void resize(l3d_size size) { image_ = l3d_image(size, size.width + 3); }
-
-private:
-    l3d_pixels do_pixels() override { return image_.pixels(); }
-    const l3d_screen_info& do_info() const override { return info_; }
-    void do_show(const l3d_pixel_box&) override {}
-    std::string do_describe() const override { return "sizable"; }
-    bool do_next_event(l3d_event&) override { return false; }
-    void do_wait(std::chrono::nanoseconds, int) override {}
-
-    l3d_image image_;
-    l3d_screen_info info_;
-};
+/// From where the Utah teapot is usually seen.
+inline l3d_camera before_the_teapot() {
+    return {.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0.0}};
+}
 
 class tester final : public l3d_pipeline_afd {
 public:

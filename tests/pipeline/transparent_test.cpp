@@ -32,10 +32,7 @@ l3d_patch_scene three_models() {
 }
 
 l3d_camera before_them() {
-    l3d_camera camera;
-    camera.eye = {3.2, 3.6, 9.4};
-    camera.target = {0.2, 1.3, 0.0};
-    return camera;
+    return {.eye = {3.2, 3.6, 9.4}, .target = {0.2, 1.3, 0.0}};
 }
 
 picture drawn(const l3d_patch_scene& scene, const l3d_afd_settings& settings) {

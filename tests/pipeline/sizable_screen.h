@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// sizable_screen: pixels in memory that get another size when a test says so.
+#ifndef L3D_TESTS_PIPELINE_SIZABLE_SCREEN_H
+#define L3D_TESTS_PIPELINE_SIZABLE_SCREEN_H
+
+#include "tool_2d/image.h"
+#include "tool_2d/screen.h"
+
+#include <chrono>
+#include <string>
+
+namespace pipeline_tests {
+
+/// Pixels in memory, of any size. Rows lie three words farther apart than they are long.
+class sizable_screen final : public l3d_screen {
+public:
+    explicit sizable_screen(l3d_size size) { resize(size); }
+
+    void resize(l3d_size size) { image_ = l3d_image(size, size.width + 3); }
+
+private:
+    l3d_pixels do_pixels() override { return image_.pixels(); }
+    const l3d_screen_info& do_info() const override { return info_; }
+    void do_show(const l3d_pixel_box&) override {}
+    std::string do_describe() const override { return "sizable"; }
+    bool do_next_event(l3d_event&) override { return false; }
+    void do_wait(std::chrono::nanoseconds, int) override {}
+
+    l3d_image image_;
+    l3d_screen_info info_;
+};
+
+} // namespace pipeline_tests
+
+#endif
