@@ -75,7 +75,12 @@ double light_sampler::level_by_lamps(const vec3& normal, const vec3& place) cons
         level += each.strength *
                  (0.9 * lamps_.color * lit + lamps_.highlight * std::pow(facing, lamps_.sharpness));
     }
-    return 255 * std::min(1.0, level);
+    const double clear = 255 * std::min(1.0, level);
+    if (!(lamps_.fog_far > lamps_.fog_near))
+        return clear;
+    const double share =
+        std::clamp((place.z - lamps_.fog_near) / (lamps_.fog_far - lamps_.fog_near), 0.0, 1.0);
+    return clear + share * (lamps_.fog_level - clear);
 }
 
 light_sample light_sampler::seen(double x, double y, double w, const vec3& world_normal) const {

@@ -42,6 +42,9 @@ struct lamp_light {
     int sharpness = 1;
     double ambient = 0.1;
     std::vector<lamp> lamps;
+    /// Fog hides nothing up to a distance along the axis, and all from another; none if they are
+    /// equal. Between them its level and the surface's are mixed in proportion.
+    double fog_near = 0, fog_far = 0, fog_level = 0;
 };
 
 /// Units: levels of 255, encoded by the sRGB curve; light is linear, 0 to 1.
