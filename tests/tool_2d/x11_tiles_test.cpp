@@ -32,7 +32,9 @@ TEST(x11_tiles, what_is_added_comes_out_and_stays_within_its_tiles) {
     const unsigned seed = std::random_device{}();
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    const auto below = [&](int most) { return static_cast<int>(random() % static_cast<unsigned>(most)); };
+    const auto below = [&](int most) {
+        return static_cast<int>(random() % static_cast<unsigned>(most));
+    };
     for (int run = 0; run < 200; ++run) {
         x11_tiles tiles(size);
         boxes added;

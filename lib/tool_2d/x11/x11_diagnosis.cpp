@@ -102,7 +102,8 @@ std::string sharing_remedy(const x11_connection& connection) {
         return "unset L3D_NO_SHM";
     if (!connection.is_local())
         return "none is needed: back-end ximage serves displays of other machines";
-    return "needs an X server with MIT-SHM 1.2; with an older one, an X server in our IPC namespace "
+    return "needs an X server with MIT-SHM 1.2; with an older one, an X server in our IPC "
+           "namespace "
            "(in a container: --ipc=host) and free segments (ipcs -lm)";
 }
 

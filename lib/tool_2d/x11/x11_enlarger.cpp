@@ -101,9 +101,7 @@ void x11_enlarger::add_steps(const l3d_pixel_box& cells, int factor,
                              std::vector<step>& steps) const {
     for (int x = cells.left; x < cells.right; x += copies_at_once) {
         const int end = std::min(cells.right, x + copies_at_once);
-        steps.emplace_back([=, this] {
-            copy_columns({x, cells.top, end, cells.bottom}, factor);
-        });
+        steps.emplace_back([=, this] { copy_columns({x, cells.top, end, cells.bottom}, factor); });
     }
     const l3d_pixel_box wide{factor * cells.left, cells.top, factor * cells.right, cells.bottom};
     for (int y = wide.top; y < wide.bottom; y += copies_at_once) {
@@ -121,10 +119,9 @@ void x11_enlarger::add_steps(const l3d_pixel_box& cells, int factor,
     const l3d_pixel_box large{wide.left, factor * wide.top, wide.right, factor * wide.bottom};
     steps.emplace_back([=, this] {
         for (int shift = 1, i = 0; shift < factor; shift *= 2, ++i)
-            XCopyArea(window_.display(), large_, large_,
-                      row_fillers_[static_cast<std::size_t>(i)], large.left, large.top,
-                      length(large.left, large.right), length(large.top, large.bottom), large.left,
-                      large.top + shift);
+            XCopyArea(window_.display(), large_, large_, row_fillers_[static_cast<std::size_t>(i)],
+                      large.left, large.top, length(large.left, large.right),
+                      length(large.top, large.bottom), large.left, large.top + shift);
     });
 }
 

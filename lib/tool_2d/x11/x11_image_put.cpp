@@ -22,8 +22,7 @@ public:
         : window_(window), writer_(window.info(), window.scale()),
           ximage_(make_ximage(window.display(), window.visual(), window.info().layout(),
                               {size.width * window.scale(), size.height * window.scale()})),
-          bytes_(ximage_size(*ximage_)),
-          echo_(window) {}
+          bytes_(ximage_size(*ximage_)), echo_(window) {}
 
 private:
     bool do_is_free() const override { return do_is_idle(); }

@@ -58,8 +58,9 @@ std::uint32_t mean_word(const l3d_pixels& picture, const l3d_pixel_box& box) {
 class x11_image_sparing final : public x11_image {
 public:
     x11_image_sparing(const x11_window& window, l3d_size size)
-        : window_(window), writer_(window.info(), window.scale()), cell_writer_(window.info()),
-          native_{size.width * window.scale(), size.height * window.scale()},
+        : window_(window), writer_(window.info(), window.scale()),
+          cell_writer_(window.info()), native_{size.width * window.scale(),
+                                               size.height * window.scale()},
           ximage_(ximage_of(native_)), bytes_(ximage_size(*ximage_)),
           row_(ximage_row_size(*ximage_)), changed_(native_), coarse_(native_), echo_(window) {
         ximage_->data = reinterpret_cast<char*>(bytes_.data());
@@ -97,9 +98,7 @@ private:
                static_cast<std::size_t>(window_.info().bytes_per_pixel());
     }
 
-    std::int64_t pixels_at_once() const {
-        return bytes_at_once / window_.info().bytes_per_pixel();
-    }
+    std::int64_t pixels_at_once() const { return bytes_at_once / window_.info().bytes_per_pixel(); }
 
     /// How many times as wide and high as a pixel a cell has to be.
     int factor_for(std::int64_t pixels) const {
@@ -166,8 +165,7 @@ private:
         }
         enlarger_->add_steps(all, factor, steps_);
         for (const l3d_pixel_box& box : boxes) {
-            const auto shown =
-                cells_of(box, factor).scaled(factor).intersected(l3d_whole(native_));
+            const auto shown = cells_of(box, factor).scaled(factor).intersected(l3d_whole(native_));
             steps_.emplace_back([this, shown] { enlarger_->show(shown); });
             coarse_.add(shown);
         }
@@ -175,8 +173,8 @@ private:
 
     void prepare_cells() {
         constexpr int least_factor = 2;
-        cell_ximage_ = ximage_of(
-            {cells(native_.width, least_factor), cells(native_.height, least_factor)});
+        cell_ximage_ =
+            ximage_of({cells(native_.width, least_factor), cells(native_.height, least_factor)});
         cell_bytes_.resize(ximage_size(*cell_ximage_));
         cell_ximage_->data = reinterpret_cast<char*>(cell_bytes_.data());
         enlarger_ = std::make_unique<x11_enlarger>(window_, native_);
@@ -194,11 +192,10 @@ private:
         for (int y = part.top; y < part.bottom; ++y) {
             for (int x = part.left; x < part.right; ++x)
                 words[static_cast<std::size_t>(x - part.left)] = mean_word(picture, box_of(x, y));
-            cell_writer_.write_row(words, y, part.right - part.left,
-                                   cell_bytes_.data() +
-                                       static_cast<std::size_t>(y) *
-                                           ximage_row_size(*cell_ximage_) +
-                                       bytes_of(part.left));
+            cell_writer_.write_row(
+                words, y, part.right - part.left,
+                cell_bytes_.data() + static_cast<std::size_t>(y) * ximage_row_size(*cell_ximage_) +
+                    bytes_of(part.left));
         }
     }
 

@@ -46,7 +46,8 @@ public:
           resolution_(*window_), sync_(*window_),
           fullscreen_(*window_, state_,
                       {size.width * window_->scale(), size.height * window_->scale()}),
-          no_shm_(std::move(no_shm)), is_sparing_(sparing), image_(make_image(size)), picture_(make_picture(size)) {}
+          no_shm_(std::move(no_shm)), is_sparing_(sparing), image_(make_image(size)),
+          picture_(make_picture(size)) {}
 
     /// Puts the window on the screen and waits until the server wants it drawn.
     void open();

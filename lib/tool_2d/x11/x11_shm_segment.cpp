@@ -160,13 +160,12 @@ std::unique_ptr<x11_shm_segment> x11_shm_segment::by_file(x11_connection& connec
         return segment->attach_file(size, connection.sharing().opcode, why) ? std::move(segment)
                                                                             : nullptr;
     int major = 0, minor = 0, pixmaps = 0, opcode = 0, first_event = 0, first_error = 0;
-    const bool is_told =
-        XShmQueryVersion(connection.display(), &major, &minor, &pixmaps) != 0 &&
-        ask_for_extension([&] {
-            return XQueryExtension(connection.display(), SHMNAME, &opcode, &first_event,
-                                   &first_error);
-        }) != 0 &&
-        !connection.lost();
+    const bool is_told = XShmQueryVersion(connection.display(), &major, &minor, &pixmaps) != 0 &&
+                         ask_for_extension([&] {
+                             return XQueryExtension(connection.display(), SHMNAME, &opcode,
+                                                    &first_event, &first_error);
+                         }) != 0 &&
+                         !connection.lost();
     if (is_told && (major < 1 || (major == 1 && minor < 2)))
         return nullptr;
     x11_error_trap trap(connection);
@@ -176,9 +175,9 @@ std::unique_ptr<x11_shm_segment> x11_shm_segment::by_file(x11_connection& connec
         connection.set_sharing({way::files, opcode});
         return segment;
     }
-    why = connection.lost() ? x11_server_went_away
-                            : "the X server refuses shared files: " +
-                                  x11_error_text(connection, trap.error());
+    why = connection.lost()
+              ? x11_server_went_away
+              : "the X server refuses shared files: " + x11_error_text(connection, trap.error());
     return nullptr;
 }
 
