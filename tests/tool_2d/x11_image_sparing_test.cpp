@@ -214,6 +214,26 @@ TEST(x11_image_sparing, what_stands_still_beside_what_moves_stays_fine) {
     EXPECT_EQ(wrong_pixels(other, picture.pixels(), window->info()), 0);
 }
 
+/// Without a rest: the next pictures, in which little changes, have room for it.
+TEST(x11_image_sparing, what_has_come_to_rest_becomes_fine_beside_what_moves) {
+    const xvfb server("1100x800x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto window = open_window(large);
+    const auto image = make_x11_image_sparing(*window, large);
+    auto picture = random_picture(large, 5);
+    put_part(*window, *image, picture.pixels(), l3d_whole(large));
+    const auto pieces = 4 * large.width * large.height / 80'000 + 1;
+    for (int i = 0; i < 2 * pieces && image->next_look() != x11_image::time_point::max(); ++i) {
+        const l3d_pixel_box part{320, 256, 352, 272};
+        for (int y = part.top; y < part.bottom; ++y)
+            for (std::uint32_t& word : l3d_row(picture.pixels(), y, part))
+                word ^= 0xFFFFFF;
+        put_part(*window, *image, picture.pixels(), part);
+    }
+    EXPECT_EQ(image->next_look(), x11_image::time_point::max());
+    EXPECT_EQ(wrong_pixels(onlooker(), picture.pixels(), window->info()), 0);
+}
+
 TEST(x11_image_sparing, every_kind_of_display_shows_the_picture_in_the_end) {
     for (const char* const screen : {"1100x800x8", "1100x800x15", "1100x800x16", "1100x800x30"}) {
         const xvfb server(screen);

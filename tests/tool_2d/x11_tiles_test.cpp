@@ -81,6 +81,16 @@ TEST(x11_tiles, boxes_far_apart_stay_apart) {
     EXPECT_EQ(tiles.take(), (boxes{left, right, below}));
 }
 
+TEST(x11_tiles, what_a_box_holds_is_removed_and_nothing_else) {
+    x11_tiles tiles(size);
+    const l3d_pixel_box left{1, 2, 4, 5}, right{98, 3, 101, 4};
+    tiles.add(left);
+    tiles.add(right);
+    tiles.remove({2, 0, 101, 10});
+    EXPECT_EQ(tiles.pixels(), left.area());
+    EXPECT_EQ(tiles.take(), (boxes{left})) << "a part of it is not enough";
+}
+
 TEST(x11_tiles, takes_no_more_than_a_tile_above_what_was_asked_for) {
     x11_tiles tiles(size);
     tiles.add(l3d_whole(size));

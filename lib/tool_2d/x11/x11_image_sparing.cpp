@@ -81,10 +81,20 @@ private:
         }
         last_put_ = steady_clock::now();
         const int factor = factor_for(changed_.pixels());
+        const std::int64_t room = pixels_at_once() - changed_.pixels() / (factor * factor);
+        auto boxes = changed_.take();
         if (factor == 1)
-            add_fine(changed_.take());
+            add_fine(boxes);
         else
-            add_coarse(picture, factor);
+            add_coarse(picture, factor, boxes);
+        // What has come to rest beside becomes fine, as far as there is room for it.
+        for (const l3d_pixel_box& box : boxes)
+            coarse_.remove(box);
+        if (room > 0)
+            add_fine(coarse_.take(room));
+        if (factor > 1)
+            for (const l3d_pixel_box& box : boxes)
+                coarse_.add(box);
         add_question();
         send(deadline);
     }
@@ -151,24 +161,21 @@ private:
             add_pieces(box, *ximage_, window_.id());
     }
 
-    /// Cells, which the server enlarges. What they show in place of pixels is to be made fine.
-    void add_coarse(const l3d_pixels& picture, int factor) {
+    /// Cells, which the server enlarges. The boxes grow to hold whole ones.
+    void add_coarse(const l3d_pixels& picture, int factor, std::vector<l3d_pixel_box>& boxes) {
         if (!enlarger_)
             prepare_cells();
         l3d_pixel_box all;
-        const auto boxes = changed_.take();
-        for (const l3d_pixel_box& box : boxes) {
+        for (l3d_pixel_box& box : boxes) {
             const l3d_pixel_box part = cells_of(box, factor);
             write_cells(picture, part, factor);
             add_pieces(part, *cell_ximage_, enlarger_->small());
             all = all.united(part);
+            box = part.scaled(factor).intersected(l3d_whole(native_));
         }
         enlarger_->add_steps(all, factor, steps_);
-        for (const l3d_pixel_box& box : boxes) {
-            const auto shown = cells_of(box, factor).scaled(factor).intersected(l3d_whole(native_));
-            steps_.emplace_back([this, shown] { enlarger_->show(shown); });
-            coarse_.add(shown);
-        }
+        for (const l3d_pixel_box& box : boxes)
+            steps_.emplace_back([this, box] { enlarger_->show(box); });
     }
 
     void prepare_cells() {

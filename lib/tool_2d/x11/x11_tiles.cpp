@@ -16,19 +16,32 @@ l3d_pixel_box& x11_tiles::tile(int column, int row) {
                   static_cast<std::size_t>(column)];
 }
 
-void x11_tiles::add(const l3d_pixel_box& box) {
+/// Calls visit(kept, place) for each tile that a box touches, and counts anew what it leaves there.
+template <class Visit> void x11_tiles::visit_tiles(const l3d_pixel_box& box, Visit visit) {
     if (box.empty())
         return;
     for (int row = box.top / height; row <= (box.bottom - 1) / height; ++row) {
         for (int column = box.left / width; column <= (box.right - 1) / width; ++column) {
-            const l3d_pixel_box place{column * width, row * height, (column + 1) * width,
-                                      (row + 1) * height};
             l3d_pixel_box& kept = tile(column, row);
             pixels_ -= kept.area();
-            kept = kept.united(box.intersected(place));
+            visit(kept, l3d_pixel_box{column * width, row * height, (column + 1) * width,
+                                      (row + 1) * height});
             pixels_ += kept.area();
         }
     }
+}
+
+void x11_tiles::add(const l3d_pixel_box& box) {
+    visit_tiles(box, [&box](l3d_pixel_box& kept, const l3d_pixel_box& place) {
+        kept = kept.united(box.intersected(place));
+    });
+}
+
+void x11_tiles::remove(const l3d_pixel_box& box) {
+    visit_tiles(box, [&box](l3d_pixel_box& kept, const l3d_pixel_box&) {
+        if (kept.intersected(box) == kept)
+            kept = {};
+    });
 }
 
 /// The boxes of neighbours become one.

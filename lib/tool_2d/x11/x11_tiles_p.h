@@ -31,11 +31,15 @@ public:
     /// Adds all pixels of a box. Expects: it lies in the picture.
     void add(const l3d_pixel_box& box);
 
+    /// Removes what was added of each tile, where all of that lies in the box.
+    void remove(const l3d_pixel_box& box);
+
     /// Takes boxes out, from top to bottom: all, or as many tiles as have `most` pixels, and one
     /// at least. No two boxes overlap.
     std::vector<l3d_pixel_box> take(std::int64_t most = std::numeric_limits<std::int64_t>::max());
 
 private:
+    template <class Visit> void visit_tiles(const l3d_pixel_box& box, Visit visit);
     l3d_pixel_box& tile(int column, int row);
     std::vector<l3d_pixel_box> take_row(int row, std::int64_t most, std::int64_t& taken);
 
