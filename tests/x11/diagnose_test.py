@@ -225,7 +225,7 @@ def over_a_network_and_by_ssh():
         ):
             lines = diagnosis(proxy.tcp_display, **more)
             expect_equal(lines[2:4], [
-                "note way: %s; each picture travels, and --backend ximage is the right one" % way,
+                "note way: %s; --remote auto sends only what changed, coarse while it moves" % way,
                 "     a smaller --size and --fps 5 make it lighter" + help_more])
             at = lines.index("note shared memory: the X server is reached over a network; pictures go"
                              " over the wire")

@@ -67,7 +67,7 @@ void probe_way(const x11_connection& connection, l3d_probes& probes) {
     const bool is_ssh = std::getenv("SSH_CONNECTION") != nullptr;
     probes.push_back({"way",
                       std::string(is_ssh ? "by ssh" : "over a network") +
-                          "; each picture travels, and --backend ximage is the right one",
+                          "; --remote auto sends only what changed, coarse while it moves",
                       verdict::limited,
                       std::string("a smaller --size and --fps 5 make it lighter") +
                           (is_ssh ? "; so does ssh -C on a slow line" : "")});

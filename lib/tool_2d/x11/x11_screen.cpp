@@ -7,6 +7,7 @@
 #include "tool_2d/x11/x11_fullscreen_p.h"
 #include "tool_2d/x11/x11_image_p.h"
 #include "tool_2d/x11/x11_resolution_p.h"
+#include "tool_2d/x11/x11_scroll_p.h"
 #include "tool_2d/x11/x11_state_p.h"
 #include "tool_2d/x11/x11_sync_p.h"
 
@@ -43,7 +44,7 @@ public:
     l3d_screen_x11(std::unique_ptr<x11_window> window, l3d_size size, std::string no_shm,
                    bool sparing)
         : window_(std::move(window)), events_(*window_, size), state_(*window_),
-          resolution_(*window_), sync_(*window_),
+          resolution_(*window_), scroll_(*window_), sync_(*window_),
           fullscreen_(*window_, state_,
                       {size.width * window_->scale(), size.height * window_->scale()}),
           no_shm_(std::move(no_shm)), is_sparing_(sparing), image_(make_image(size)),
@@ -90,6 +91,7 @@ private:
     x11_events events_;
     x11_state state_;
     x11_resolution resolution_;
+    x11_scroll scroll_;
     x11_sync sync_;
     x11_fullscreen fullscreen_;
     std::string no_shm_; ///< why memory is not shared; empty: it is
@@ -201,6 +203,7 @@ void l3d_screen_x11::look_around() {
         return;
     state_.look_after();
     resolution_.look_after();
+    scroll_.look_after();
 }
 
 void l3d_screen_x11::tell_shown() {
@@ -230,6 +233,11 @@ void l3d_screen_x11::take(XEvent& event) {
         letters_changed_ = window_->set_fineness(*fineness) || letters_changed_;
     if (letters_changed_)
         events_.tell_size();
+    if (const auto turn = scroll_.take(event)) {
+        event.xmotion = turn->motion;
+        if (turn->notches != 0)
+            events_.take_turn(turn->motion, turn->notches);
+    }
     if (state_.is_foreign(event) || resolution_.is_foreign(event) || window_->connection().lost())
         return;
     if (event.type == Expose) {
