@@ -46,6 +46,9 @@ constexpr expectation expectations[] = {
     {"micropolygons:4", 0.05, 0.1, 0, true},
     {"isocurves:2", 1.0, 0.75, 0, false},
     {"scanline", 0.05, 0.1, 0, false},
+    {"whitted", 0.3, 0.5, 20, false},
+    {"blinn", 0.05, 0.1, 20, false},
+    {"lane-carpenter", 0.3, 0.5, 20, false},
     {"voxels:256", 1.5, 1.5, 5, false},
     {"mesa", 0.3, 0.26, 0, false},
 };
@@ -198,8 +201,9 @@ TEST(method_picture, counts_covered_pixels_only_for_who_asks) {
 
 TEST(method_choice, is_read_as_it_is_written) {
     std::string why;
-    for (const char* name : {"afd", "fd", "fd:12", "isocurves:3", "subdivision", "tessellation:16",
-                             "micropolygons:1", "scanline", "voxels:256", "mesa"})
+    for (const char* name :
+         {"afd", "fd", "fd:12", "isocurves:3", "subdivision", "tessellation:16", "micropolygons:1",
+          "scanline", "whitted", "blinn", "lane-carpenter", "voxels:256", "mesa"})
         EXPECT_EQ(l3d_method_choice::from_name(name, why).value().name(), name);
     EXPECT_EQ(l3d_method_choice::from_name("voxels", why).value().resolution, 256);
     EXPECT_EQ(l3d_method_choice::from_name("micropolygons", why).value().resolution, 2);
