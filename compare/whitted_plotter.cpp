@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace {
 
@@ -16,9 +17,6 @@ constexpr int border_samples = 8;
 /// Cuts of a patch at most, and the size in pixels below which a piece is not cut any more.
 constexpr int deepest = 24;
 constexpr double smallest = 1;
-
-/// Parts of a border where it is cut by ends of silhouettes, at most.
-constexpr std::size_t most_stops = 2 + border_samples;
 
 } // namespace
 
@@ -81,13 +79,14 @@ void l3d_whitted_plotter::add_borders(const piece& p, const l3d_scan_piece& powe
     for (int side = 0; side < 4; ++side) {
         const l3d_image_curve curve =
             side < 2 ? p.net.row(side == 0 ? 0 : 3) : p.net.column(side == 2 ? 0 : 3);
-        std::array<double, most_stops> stops{0};
+        std::array<double, 4> stops{0}; // there are two turns at most
         std::size_t count = 1;
         for (const l3d_border_turn& turn : turns)
             if (turn.side == side)
                 stops[count++] = turn.t;
         stops[count++] = 1;
-        std::sort(stops.begin(), stops.begin() + static_cast<std::ptrdiff_t>(count));
+        if (stops[1] > stops[2] && count == stops.size())
+            std::swap(stops[1], stops[2]);
         for (std::size_t i = 0; i + 1 < count; ++i) {
             const l3d_scan_root middle = l3d_on_side(side, (stops[i] + stops[i + 1]) / 2);
             const bool is_front = turns.empty() ? l3d_turn_at(powers, 0.5, 0.5).value > 0

@@ -40,12 +40,12 @@ TEST(cloud, lets_through_what_its_length_says) {
         }
         const auto seen = cloud.look(from, along, 0, infinity);
         const double way = std::max(0.0, leaves - enters) * std::sqrt(length);
-        ASSERT_NEAR(seen.let_through, std::exp(-0.05f * way), 1e-9) << ray;
+        ASSERT_NEAR(seen.let_through, std::exp(-double(0.05f) * way), 1e-9) << ray;
         ASSERT_NEAR(seen.light, 1 - seen.let_through, 1e-9) << ray;
         // What ends at a polygon is weakened by the way to it alone.
         const double middle = (enters + leaves) / 2;
         const auto half = cloud.look(from, along, 0, middle);
-        ASSERT_NEAR(half.let_through, std::exp(-0.05f * way / 2), 1e-9) << ray;
+        ASSERT_NEAR(half.let_through, std::exp(-double(0.05f) * way / 2), 1e-9) << ray;
         ASSERT_LT(half.cells, seen.cells + 1);
     }
 }
@@ -57,8 +57,8 @@ TEST(cloud, weakens_light_from_behind) {
     });
     const auto front = cloud.look({-1, 5.5, 5.5}, {1, 0, 0}, 0, infinity);
     const auto back = cloud.look({11, 5.5, 5.5}, {-1, 0, 0}, 0, infinity);
-    EXPECT_NEAR(front.light, 1 - std::exp(-0.3f * 5), 1e-9);
-    EXPECT_NEAR(back.light, std::exp(-0.3f * 5) * (1 - std::exp(-0.3f * 5)), 1e-9);
+    EXPECT_NEAR(front.light, 1 - std::exp(-double(0.3f) * 5), 1e-9);
+    EXPECT_NEAR(back.light, std::exp(-double(0.3f) * 5) * (1 - std::exp(-double(0.3f) * 5)), 1e-9);
     EXPECT_EQ(front.cells, 10);
 }
 
