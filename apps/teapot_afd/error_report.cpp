@@ -3,6 +3,7 @@
 #include "error_report.h"
 
 #include "error_picture.h"
+#include "report_alternatives.h"
 #include "report_curves.h"
 #include "report_plan.h"
 #include "report_rows.h"
@@ -168,8 +169,8 @@ std::vector<planned_model> plan_of(const l3d_patch_model& model, const l3d_camer
         for (report_model& each : models)
             each.views.resize(1);
     }
-    return report_plan(std::move(models),
-                       {scope.quick, mesa, scope.project_models && !scope.quick});
+    return report_plan(std::move(models), {scope.quick, mesa, scope.project_models,
+                                           scope.project_models && !scope.quick});
 }
 
 } // namespace
@@ -197,7 +198,7 @@ void write_error_report(const std::string& folder, const l3d_patch_model& model,
         names.begin(), names.end(), [&](const auto& name) { return rows.has(name); }));
     if (known > 0)
         std::fprintf(stderr, "%zu of %zu rows are there already\n", known, names.size());
-    progress at(names.size() + 1, known);
+    progress at(names.size() + (scope.project_models ? 2 : 1), known);
     measurer measuring(folder, scope.quick, size, rows, at);
     for (const planned_model& each : plan)
         for (const report_view& view : each.model.views)
@@ -205,6 +206,13 @@ void write_error_report(const std::string& folder, const l3d_patch_model& model,
                               &each == &plan.front() && &view == &each.model.views.front());
     at.next("curves");
     write_curve_tables(folder, scope.quick);
+    if (scope.project_models) {
+        at.next("scan lines, cells, smoke, micropolygons that are kept");
+        write_scan_line_table(folder, size);
+        write_cell_table(folder, size, scope.quick);
+        write_smoke(folder, scope.quick);
+        write_kept_table(folder, size, scope.quick);
+    }
     facts["date"] = today();
     write_text(folder + "/machine.json", facts.dump(1) + '\n');
     rows.finish(names);
