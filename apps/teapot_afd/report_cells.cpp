@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -34,8 +35,8 @@ constexpr std::array kinds{
     path_kind{"faces (6)", l3d_cell_touch::face, l3d_cell_order::near_line},
     path_kind{"edges (18)", l3d_cell_touch::edge, l3d_cell_order::near_line},
     path_kind{"corners (26)", l3d_cell_touch::corner, l3d_cell_order::near_line},
-    path_kind{"edges (18), diagonals first", l3d_cell_touch::edge, l3d_cell_order::diagonal_first},
-    path_kind{"corners (26), diagonals first", l3d_cell_touch::corner,
+    path_kind{"edges (18) diagonals first", l3d_cell_touch::edge, l3d_cell_order::diagonal_first},
+    path_kind{"corners (26) diagonals first", l3d_cell_touch::corner,
               l3d_cell_order::diagonal_first}};
 
 /// A ray as one from cell to cell, and whether the exact ray meets a filled cell.
@@ -107,16 +108,21 @@ private:
 /// Walks all rays until they hit; steps, time, and pixels that the exact rays see otherwise.
 std::string walk_rays(const cells_of_teapot& of, const path_kind& kind) {
     std::int64_t steps = 0, other = 0;
-    const double before = processor_seconds();
-    for (const cell_ray& ray : of.rays()) {
-        bool hit = false;
-        steps += l3d_walk_cells(ray.from, ray.to, kind.touch, kind.order, [&](const l3d_cell& at) {
-            hit = of.cube().is_filled(at);
-            return !hit;
-        });
-        other += hit != ray.hits;
+    double seconds = std::numeric_limits<double>::infinity();
+    for (int repeat = 0; repeat < 3; ++repeat) { // the first one finds the cells in no cache
+        steps = other = 0;
+        const double before = processor_seconds();
+        for (const cell_ray& ray : of.rays()) {
+            bool hit = false;
+            steps +=
+                l3d_walk_cells(ray.from, ray.to, kind.touch, kind.order, [&](const l3d_cell& at) {
+                    hit = of.cube().is_filled(at);
+                    return !hit;
+                });
+            other += hit != ray.hits;
+        }
+        seconds = std::min(seconds, processor_seconds() - before);
     }
-    const double seconds = processor_seconds() - before;
     const auto count = static_cast<double>(of.rays().size());
     return table_row("rays", kind.name, static_cast<double>(steps) / count, 1e9 * seconds / count,
                      static_cast<double>(other) / count, 0);

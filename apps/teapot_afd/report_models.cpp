@@ -185,7 +185,7 @@ std::vector<report_model> report_scenes() {
 
 report_model report_folds() {
     return {"folds", folds(),
-            three_views(camera_at({0.2, 0.3, 3.1}, {0.0, 0.0, 0.0}, 38),
+            three_views(camera_at({0.2, 0.3, 3.1}, {0.05, 0.0, 0.0}, 45),
                         camera_at({0.5, -0.3, 1.7}, {0.2, -0.2, 0.0}, 42),
                         camera_at({0.3, 2.6, 2.0}, {0.0, 0.0, 0.0}, 36))};
 }

@@ -13,10 +13,12 @@ import harness
 from harness import Checks, environment, expect, expect_equal, folder, run
 
 METHODS = ("afd float", "afd double", "afd places only", "fd 16.16", "isocurves", "subdivision", "tessellation",
-           "micropolygons", "scanline", "voxels", "zsort", "zbuffer")
+           "micropolygons", "kept", "scanline", "whitted", "blinn", "lane-carpenter", "voxels", "zsort", "zbuffer")
 DIAGRAMS = ("error_time", "picture_time", "error_and_bound", "error_by_steps", "chord_error", "arithmetic")
 QUESTIONS = ("Which is fastest at 0.1 px?", "Does fixed point cost anything?", "When does AFD lose?",
              "How many steps do 16.16 bits bear?", "What does certainty cost?")
+OTHERS = ("What do iterations cost that fail?", "How do scan lines draw folded patches?", "What do diagonal steps from cell to cell save?",
+          "What does smoke cost?", "Does it pay to keep micropolygons?")
 
 # A report draws with every method at two settings and more: 15 s on two busy cores.
 SANITIZED_TIMES = 5
@@ -40,7 +42,9 @@ def is_whole(program):
         rows = rows_of(path)
         for method in METHODS:
             expect(any(row["method"].startswith(method) for row in rows), method)
-        expect(len({row["model"] for row in rows}) == 2, "models")
+        expect_equal({row["model"] for row in rows}, {"teapot", "band", "folds"}, "models")
+        folded = [row for row in rows if row["model"] == "folds" and row["method"] == "blinn"]
+        expect(folded and all(int(row["failures"]) > 0 for row in folded), "failures on folds", folded)
         for row in rows:
             expect(float(row["median_ms"]) > 0, row)
             bound = float("inf" if row["bound_px"] == "none" else row["bound_px"])
@@ -55,11 +59,15 @@ def has_whole_pages(path, rows):
     with open(os.path.join(path, "machine.json")) as file:
         expect(json.load(file)["quick"], "facts")
     with open(os.path.join(path, "report.md")) as file:
-        first = file.read().split("\n## ")[0]
+        text = file.read()
+    first = text.split("\n## ")[0]
     with open(os.path.join(path, "report.html")) as file:
         page = file.read()
     for question in QUESTIONS:
         expect(question in first and question in page, question)
+    for question in OTHERS:
+        expect_equal(text.count(question), 2, question)
+        expect(question in page, question)
     expect_equal(page.count("http://") + page.count("src="), 0, "what needs a network")
     data = json.loads(page.split("const report = ")[1].split(";\nconst element")[0])
     expect_equal(len(data["rows"]), len(rows), "rows in the page")
@@ -99,7 +107,8 @@ def keeps_its_numbers_without_python(program):
         status, _, messages = report(path, program, env={**environment(), "PATH": path})
         expect_equal(status, 0, messages)
         expect("the pages are not made; the numbers are in " + path in messages, messages)
-        for name in ("frames.csv", "curves.csv", "limits.csv", "steps.csv", "machine.json"):
+        for name in ("frames.csv", "curves.csv", "limits.csv", "steps.csv", "scan_lines.csv", "cells.csv", "smoke.csv", "kept.csv",
+                     "smoke.png", "scan_folds.png", "machine.json"):
             expect(os.path.getsize(os.path.join(path, name)) > 0, name)
 
 
