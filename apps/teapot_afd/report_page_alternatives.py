@@ -69,7 +69,7 @@ def cells(tables):
     def saved(along, touch):
         return f"{100 * (1 - steps[along, touch] / steps[along, 'faces (6)']):.0f} %"
     answer = (f"Rays across corners take {saved('rays', 'corners (26)')} fewer steps than rays across faces, those across edges "
-              f"{saved('rays', 'edges (18)')}. Along curves, diagonals first save {saved('curves', 'corners (26), diagonals first')}. "
+              f"{saved('rays', 'edges (18)')}. Along curves, diagonals first save {saved('curves', 'corners (26) diagonals first')}. "
               "That is as much as steps near the line save. A knight's move takes 2 steps in place of 3. The price is small: "
               "cells are farther from the chord, as the last column says.")
     return Conclusion("cells", "What do diagonal steps from cell to cell save?", answer,
@@ -100,7 +100,7 @@ def kept(tables):
         one, other = by[flight, "kept"], by[flight, "micropolygons"]
         ratio = float(one["mean_ms"]) / float(other["mean_ms"])
         diced = float(one["diced"]) / max(float(other["diced"]), 1)
-        words.append(f"{flight} {short(ratio)} times the time with {100 * diced:.2g} % of the vertices diced")
+        words.append(f"{flight} {short(ratio)} times the time with {100 * diced:.0f} % of the vertices diced")
     memory = max(float(by[f, "kept"]["megabytes"]) for f in dict.fromkeys(r["flight"] for r in rows))
     return Conclusion("keeps", "Does it pay to keep micropolygons?", "Beside dicing in each frame: " + "; ".join(words)
                       + f". Buffers take up to {short(memory)} MB. Quads are a quarter finer than they must be, so that they "
