@@ -20,9 +20,10 @@
 /// Units:  cells; the cube reaches from 0 to side() along each axis. Density: the natural logarithm
 ///         by which light weakens along a cell's side. Light: grey from 0 to 1.
 /// Cost:   5 bytes a cell; 10 ns for each cell that a ray meets.
-/// Source: polygons in the same picture as in Kreeger, Kaufman, Mixing Translucent Polygons with
-///         Volumes, IEEE Visualization 1999: a ray through the volume ends, or weakens, at the
-///         depth where the rasterizer has put a polygon. Neither is turned into the other.
+/// A ray through the volume ends at the depth where the rasterizer has put a polygon. Neither is
+/// turned into the other.
+/// Source: Kreeger, Kaufman, Mixing Translucent Polygons with Volumes, IEEE Visualization 1999, of
+///         which this is the case of opaque polygons.
 class l3d_cloud {
 public:
     using place = std::array<double, 3>;

@@ -34,8 +34,8 @@ private:
     static void divide(const l3d_net_piece& p, task& of);
 };
 
-/// Whether a net is a polygon as good as exactly: in a space where depth is measured in pixels, its
-/// points are within `tolerance` of a plane, and those of its sides within it of their chords.
+/// Whether a net is as good as a polygon. Depth is measured in pixels, too. Its points are within
+/// `tolerance` of a plane, and those of its sides within it of their chords.
 bool l3d_is_polygon(const l3d_image_patch& net, const l3d_dice_view& view, double tolerance);
 
 #endif
