@@ -61,14 +61,18 @@ std::vector<triangle> jet() {
     return result;
 }
 
-/// Densest in the middle, with lumps and holes.
+/// How much light weakens across the cube if it is as dense everywhere as where it is densest, as a
+/// natural logarithm.
+constexpr double thickness = 22;
+
+/// Densest round the jet's tail, with lumps and holes.
 l3d_cloud::matter smoke_at(const l3d_cloud::place& cell, int side) {
     const double x = 2 * cell[0] / side - 1, y = 2 * cell[1] / side - 1, z = 2 * cell[2] / side - 1;
     const double lumps = 0.5 + 0.25 * std::sin(7 * x + 3 * std::sin(4 * z + 1)) +
                          0.25 * std::sin(6 * z - 5 * y + 2 * std::sin(5 * x));
-    const double within = 1 - (0.9 * x * x + 2.6 * y * y + 1.3 * z * z);
+    const double within = 1 - (2.2 * (x + 0.3) * (x + 0.3) + 3.2 * y * y + 1.6 * z * z);
     const double dense = std::clamp(within, 0.0, 1.0) * std::clamp(2 * lumps - 0.4, 0.0, 1.0);
-    return {static_cast<float>(dense * 4.5 / side * 2), static_cast<float>(0.62 + 0.3 * y)};
+    return {static_cast<float>(dense * thickness / side), static_cast<float>(0.62 + 0.3 * y)};
 }
 
 /// Where a camera sees places: the inverse of its rays.
