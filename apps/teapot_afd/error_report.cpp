@@ -27,10 +27,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
 
 namespace {
 
@@ -107,19 +104,6 @@ const char* pictured(const measured_setting& what) {
                    what.as == drawn_as::patches
                ? "error_tessellation.png"
                : nullptr;
-}
-
-/// The pages, by the script that is installed beside the program.
-void make_pages(const std::string& folder) {
-    const std::string script = l3d_data_folder() + "/report_pages.py";
-    std::array<std::string, 3> words{"python3", script, folder};
-    std::array<char*, 4> arguments{words[0].data(), words[1].data(), words[2].data(), nullptr};
-    pid_t child = 0;
-    int status = 0;
-    if (::posix_spawnp(&child, "python3", nullptr, nullptr, arguments.data(), environ) != 0 ||
-        ::waitpid(child, &status, 0) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        std::fprintf(stderr, "the pages are not made; the numbers are in %s; try: python3 %s %s\n",
-                     folder.c_str(), script.c_str(), folder.c_str());
 }
 
 /// Measures the rows that are not known yet.
@@ -216,6 +200,6 @@ void write_error_report(const std::string& folder, const l3d_patch_model& model,
     facts["date"] = today();
     write_text(folder + "/machine.json", facts.dump(1) + '\n');
     rows.finish(names);
-    make_pages(folder);
-    std::fprintf(stderr, "%s/report.md\n", folder.c_str());
+    std::fprintf(stderr, "the numbers are in %s; pages of them: python3 %s/report_pages.py %s\n",
+                 folder.c_str(), l3d_data_folder().c_str(), folder.c_str());
 }

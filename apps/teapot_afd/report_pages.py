@@ -220,6 +220,7 @@ def main():
     write(folder, "report.md", markdown(report, found, diagrams(report, folder),
                                         report_page_alternatives.markdown(others, folder, table)))
     write(folder, "report.html", html(report, found + others))
+    print(os.path.join(folder, "report.md"))
 
 
 if __name__ == "__main__":
