@@ -75,7 +75,9 @@ private:
 /// A picture depends on the frames before, too: grids may be finer than a new one would be. Pieces
 /// meet without edge polylines, as in the paper, so there is no bound. An instance that moves has
 /// its grids diced anew. Parts of a piece stay until the whole would be half of a grid's size.
-/// Cost:   8 ns a vertex in a frame that dices nothing, and 36 bytes.
+/// Cost:   23 ns a quad with filling in a frame that dices nothing; 63 ns by
+/// l3d_micropolygon_dicer.
+///         Some 53 bytes a quad.
 /// Source: Cook, Carpenter, Catmull, The Reyes Image Rendering Architecture, SIGGRAPH 1987, with
 ///         buffers kept between frames.
 class l3d_method_kept final : public l3d_surface_method {

@@ -100,10 +100,10 @@ def kept(tables):
         one, other = by[flight, "kept"], by[flight, "micropolygons"]
         ratio = float(one["mean_ms"]) / float(other["mean_ms"])
         diced = float(one["diced"]) / max(float(other["diced"]), 1)
-        words.append(f"{flight} {short(ratio)} times the time with {100 * diced:.0f} % of the vertices diced")
+        words.append(f"In the flight `{flight}` it takes {short(ratio)} times the time of dicing in each frame, and dices {100 * diced:.0f} % of the vertices.")
     memory = max(float(by[f, "kept"]["megabytes"]) for f in dict.fromkeys(r["flight"] for r in rows))
-    return Conclusion("keeps", "Does it pay to keep micropolygons?", "Beside dicing in each frame: " + "; ".join(words)
-                      + f". Buffers take up to {short(memory)} MB. Quads are a quarter finer than they must be, so that they "
+    return Conclusion("keeps", "Does it pay to keep micropolygons?", " ".join(words)
+                      + f" Buffers take up to {short(memory)} MB. Quads are a quarter finer than they must be, so that they "
                       "may grow, and each must be filled.",
                       ["flight", "method", "median ms", "mean ms", "worst ms", "vertices diced", "quads", "MB"], table)
 
