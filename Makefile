@@ -167,7 +167,7 @@ MAKEFLAGS += -rR --no-print-directory
 .SECONDEXPANSION:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: FORCE all run test stress faults displays stability matrix lint $(CHECKS) tidy format golden pictures docs bench report \
+.PHONY: FORCE all run test stress faults displays stability matrix lint $(CHECKS) tidy format golden pictures docs bench report report-pages \
         fuzz fuzz-each packages hooks clean help
 
 Q    := $(if $(V),,@)
@@ -259,6 +259,10 @@ bench: packages-bench ## build and run the benchmarks
 
 report: packages-report $(OUT)/bin/teapot_afd $(DATA) ## error against time, into docs/report; goes on where it was stopped; QUICK=1: a small one
 	@$(OUT)/bin/teapot_afd --no-input --error-report $(if $(QUICK),$(OUT)/report --quick,docs/report)
+	@python3 $(OUT)/share/l3d/report_pages.py $(if $(QUICK),$(OUT)/report,docs/report)
+
+report-pages: packages-report ## the pages and diagrams of the report's numbers that are there
+	@PYTHONDONTWRITEBYTECODE=1 python3 apps/teapot_afd/report_pages.py docs/report
 
 fuzz: packages-fuzz ## fuzz every reader of model files: make fuzz FUZZ_SECONDS=600
 	@$(again) MODE=fuzz CXX="$(FUZZ_CXX)" fuzz-each

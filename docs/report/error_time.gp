@@ -100,12 +100,36 @@ $d0_13 << end
 267.491 0.00626309
 end
 $d0_14 << end
+79.8772 0.947749
+162.142 0.947749
+257.132 0.00777273
+411.097 0.00160861
+end
+$d0_15 << end
+197.893 16
+198.89 16
+196.129 16
+191.457 16
+end
+$d0_16 << end
+12.4977 0.518943
+38.0791 0.122641
+91.6816 0.0418987
+191.339 0.0226721
+end
+$d0_17 << end
+30.5318 0.00246026
+77.9781 0.00246026
+151.5 0.00159003
+544.944 0.00159003
+end
+$d0_18 << end
 185.371 18.3987
 218.615 8.87488
 326.745 4.22956
 525.196 2.51603
 end
-$d0_15 << end
+$d0_19 << end
 23.9189 0.1836
 33.7081 0.0747686
 36.9965 0.0161339
@@ -124,18 +148,22 @@ set title 'teapot, full: solid, the error measured; dashed, the bound certified'
 set xlabel 'milliseconds a frame, one thread'
 set ylabel 'largest error of outlines, pixels'
 set xrange [0.487014:2307.01]
-set yrange [0.00283964:363.654]
-set label 'afd' at graph 0.2932,0.0446 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'tessellation' at graph 0.5523,0.0482 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'scanline' at graph 0.7454,0.0673 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'mesa' at graph 0.5772,0.1106 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'fd' at graph 0.2866,0.1272 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.1335 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'subdivision' at graph 0.5999,0.2417 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'zsort' at graph 0.5181,0.3317 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.3368,0.3317 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'isocurves' at graph 0.7686,0.4638 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.8251,0.5771 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.000890024:392.897]
+set label 'kept' at graph 0.8295,0.0277 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.7962,0.0625 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'afd' at graph 0.2932,0.1297 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'tessellation' at graph 0.5523,0.1329 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'scanline' at graph 0.7454,0.1501 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'mesa' at graph 0.5772,0.1893 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'fd' at graph 0.2866,0.2043 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.2100 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'lane-carpenter' at graph 0.7058,0.2491 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'subdivision' at graph 0.5999,0.3080 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'zsort' at graph 0.5181,0.3894 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.3368,0.3894 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'isocurves' at graph 0.7686,0.5089 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.8251,0.6114 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.7059,0.7537 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d0_0 using 1:2 with linespoints lw 3 pt 7 ps 0.9 lc rgb '#000000' notitle, \
      $d0_1 using 1:2 with lines dt 2 lw 1.4 lc rgb '#000000' notitle, \
      $d0_2 using 1:2 with linespoints lw 1.6 pt 5 ps 0.9 lc rgb '#0072b2' notitle, \
@@ -150,8 +178,12 @@ plot $d0_0 using 1:2 with linespoints lw 3 pt 7 ps 0.9 lc rgb '#000000' notitle,
      $d0_11 using 1:2 with lines dt 2 lw 1.4 lc rgb '#e377c2' notitle, \
      $d0_12 using 1:2 with linespoints lw 1.6 pt 6 ps 0.9 lc rgb '#56b4e9' notitle, \
      $d0_13 using 1:2 with linespoints lw 1.6 pt 8 ps 0.9 lc rgb '#7a4a1e' notitle, \
-     $d0_14 using 1:2 with linespoints lw 1.6 pt 10 ps 0.9 lc rgb '#8a8a8a' notitle, \
-     $d0_15 using 1:2 with linespoints lw 1.6 pt 15 ps 0.9 lc rgb '#6a3d9a' notitle
+     $d0_14 using 1:2 with linespoints lw 1.2 pt 8 ps 0.9 lc rgb '#c7a17a' notitle, \
+     $d0_15 using 1:2 with linespoints lw 1.2 pt 14 ps 0.9 lc rgb '#a0522d' notitle, \
+     $d0_16 using 1:2 with linespoints lw 1.2 pt 9 ps 0.9 lc rgb '#66c2a5' notitle, \
+     $d0_17 using 1:2 with linespoints lw 1.2 pt 4 ps 0.9 lc rgb '#f4a6d7' notitle, \
+     $d0_18 using 1:2 with linespoints lw 1.6 pt 10 ps 0.9 lc rgb '#8a8a8a' notitle, \
+     $d0_19 using 1:2 with linespoints lw 1.6 pt 15 ps 0.9 lc rgb '#6a3d9a' notitle
 set output
 set terminal pngcairo size 1100,680 font 'sans,12' background rgb 'white'
 set output 'error_time.png'
@@ -161,18 +193,22 @@ set title 'teapot, full: solid, the error measured; dashed, the bound certified'
 set xlabel 'milliseconds a frame, one thread'
 set ylabel 'largest error of outlines, pixels'
 set xrange [0.487014:2307.01]
-set yrange [0.00283964:363.654]
-set label 'afd' at graph 0.2932,0.0446 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'tessellation' at graph 0.5523,0.0482 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'scanline' at graph 0.7454,0.0673 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'mesa' at graph 0.5772,0.1106 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'fd' at graph 0.2866,0.1272 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.1335 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'subdivision' at graph 0.5999,0.2417 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'zsort' at graph 0.5181,0.3317 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.3368,0.3317 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'isocurves' at graph 0.7686,0.4638 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.8251,0.5771 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.000890024:392.897]
+set label 'kept' at graph 0.8295,0.0324 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.7962,0.0578 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'afd' at graph 0.2932,0.1297 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'tessellation' at graph 0.5523,0.1329 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'scanline' at graph 0.7454,0.1501 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'mesa' at graph 0.5772,0.1893 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'fd' at graph 0.2866,0.2043 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.2100 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'lane-carpenter' at graph 0.7058,0.2491 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'subdivision' at graph 0.5999,0.3080 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'zsort' at graph 0.5181,0.3894 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.3368,0.3894 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'isocurves' at graph 0.7686,0.5089 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.8251,0.6114 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.7059,0.7537 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d0_0 using 1:2 with linespoints lw 3 pt 7 ps 0.9 lc rgb '#000000' notitle, \
      $d0_1 using 1:2 with lines dt 2 lw 1.4 lc rgb '#000000' notitle, \
      $d0_2 using 1:2 with linespoints lw 1.6 pt 5 ps 0.9 lc rgb '#0072b2' notitle, \
@@ -187,6 +223,10 @@ plot $d0_0 using 1:2 with linespoints lw 3 pt 7 ps 0.9 lc rgb '#000000' notitle,
      $d0_11 using 1:2 with lines dt 2 lw 1.4 lc rgb '#e377c2' notitle, \
      $d0_12 using 1:2 with linespoints lw 1.6 pt 6 ps 0.9 lc rgb '#56b4e9' notitle, \
      $d0_13 using 1:2 with linespoints lw 1.6 pt 8 ps 0.9 lc rgb '#7a4a1e' notitle, \
-     $d0_14 using 1:2 with linespoints lw 1.6 pt 10 ps 0.9 lc rgb '#8a8a8a' notitle, \
-     $d0_15 using 1:2 with linespoints lw 1.6 pt 15 ps 0.9 lc rgb '#6a3d9a' notitle
+     $d0_14 using 1:2 with linespoints lw 1.2 pt 8 ps 0.9 lc rgb '#c7a17a' notitle, \
+     $d0_15 using 1:2 with linespoints lw 1.2 pt 14 ps 0.9 lc rgb '#a0522d' notitle, \
+     $d0_16 using 1:2 with linespoints lw 1.2 pt 9 ps 0.9 lc rgb '#66c2a5' notitle, \
+     $d0_17 using 1:2 with linespoints lw 1.2 pt 4 ps 0.9 lc rgb '#f4a6d7' notitle, \
+     $d0_18 using 1:2 with linespoints lw 1.6 pt 10 ps 0.9 lc rgb '#8a8a8a' notitle, \
+     $d0_19 using 1:2 with linespoints lw 1.6 pt 15 ps 0.9 lc rgb '#6a3d9a' notitle
 set output

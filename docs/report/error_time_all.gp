@@ -63,12 +63,36 @@ $d0_8 << end
 267.491 0.00626309
 end
 $d0_9 << end
+79.8772 0.947749
+162.142 0.947749
+257.132 0.00777273
+411.097 0.00160861
+end
+$d0_10 << end
+197.893 16
+198.89 16
+196.129 16
+191.457 16
+end
+$d0_11 << end
+12.4977 0.518943
+38.0791 0.122641
+91.6816 0.0418987
+191.339 0.0226721
+end
+$d0_12 << end
+30.5318 0.00246026
+77.9781 0.00246026
+151.5 0.00159003
+544.944 0.00159003
+end
+$d0_13 << end
 185.371 18.3987
 218.615 8.87488
 326.745 4.22956
 525.196 2.51603
 end
-$d0_10 << end
+$d0_14 << end
 23.9189 0.1836
 33.7081 0.0747686
 36.9965 0.0161339
@@ -138,12 +162,35 @@ $d1_8 << end
 413.685 0.00602633
 end
 $d1_9 << end
+123.557 0.0802299
+235.002 0.0194055
+396.838 0.00145289
+end
+$d1_10 << end
+420.659 16
+426.199 16
+413.304 16
+404.7 16
+end
+$d1_11 << end
+16.4773 0.466252
+47.338 0.123617
+120.1 0.0525195
+222.556 0.020202
+end
+$d1_12 << end
+50.7406 0.00974676
+193.814 0.011339
+1048.61 0.00851493
+3231.99 0.00109314
+end
+$d1_13 << end
 252.486 33.8503
 268.362 16.8807
 335.137 8.23343
 494.618 4.46822
 end
-$d1_10 << end
+$d1_14 << end
 27.8705 0.237693
 37.1502 0.0510987
 53.1339 0.0348134
@@ -213,12 +260,36 @@ $d2_8 << end
 422.402 0.00688986
 end
 $d2_9 << end
+110.894 0.0966448
+204.887 0.0212405
+329.459 0.00357186
+481.191 0.0021338
+end
+$d2_10 << end
+348.675 16
+352.125 16
+352.747 16
+362.164 16
+end
+$d2_11 << end
+13.0434 0.522393
+45.8388 0.150704
+122.39 0.0460563
+230.828 0.0238426
+end
+$d2_12 << end
+50.072 0.0040789
+138.426 0.00202439
+288.122 0.00172007
+772.823 0.000235021
+end
+$d2_13 << end
 207.305 28.5754
 237.403 12.7753
 295.487 6.42935
 433.732 3.1763
 end
-$d2_10 << end
+$d2_14 << end
 30.5938 0.150704
 47.3834 0.0783722
 61.3378 0.0302396
@@ -286,12 +357,35 @@ $d3_8 << end
 55.1468 0.00580957
 end
 $d3_9 << end
+17.7815 1.01292
+55.6137 0.837628
+145.669 0.00119441
+end
+$d3_10 << end
+50.6619 8.45753
+51.7865 8.45753
+51.6616 8.45753
+52.8286 8.45753
+end
+$d3_11 << end
+1.95674 0.488089
+5.89425 0.100576
+14.8369 0.0314993
+29.7405 0.0206367
+end
+$d3_12 << end
+5.5301 0.00110237
+13.5477 0.000707021
+24.5775 0.000902439
+47.1482 0.00050257
+end
+$d3_13 << end
 137.906 17.4516
 164.516 8.2022
 241.413 4.77779
 420.409 1.89815
 end
-$d3_10 << end
+$d3_14 << end
 4.22691 0.142958
 4.93665 0.142958
 6.52284 0.0585267
@@ -357,12 +451,34 @@ $d4_8 << end
 143.547 0.0254922
 end
 $d4_9 << end
+59.6544 1.07992
+200.464 0.0047595
+end
+$d4_10 << end
+165.773 16
+142.463 16
+144.859 16
+145.117 16
+end
+$d4_11 << end
+4.50232 0.657175
+12.0356 0.136985
+25.7435 0.0236108
+48.4212 0.0236108
+end
+$d4_12 << end
+15.2541 0.00143476
+41.7949 0.00100023
+82.0196 0.00127221
+333.655 0.00127221
+end
+$d4_13 << end
 229.124 40.7916
 263.484 17.1306
 380.311 11.6081
 656.568 4.71935
 end
-$d4_10 << end
+$d4_14 << end
 6.2535 0.171573
 7.25476 0.114541
 9.23641 0.0592309
@@ -427,12 +543,35 @@ $d5_8 << end
 60.6072 0.153149
 end
 $d5_9 << end
+17.6734 0.0692598
+52.0862 0.0146969
+108.493 0.00113168
+end
+$d5_10 << end
+68.2364 0.10559
+59.7498 0.0178989
+58.9546 0.00398946
+59.0643 0.00165677
+end
+$d5_11 << end
+1.68589 0.264942
+5.49142 0.106448
+11.7134 0.00142208
+22.3588 0.00140997
+end
+$d5_12 << end
+5.46333 0.000894179
+12.3248 0.000763817
+24.4783 0.00140997
+38.2822 0.00140997
+end
+$d5_13 << end
 101.869 13.7542
 121.144 6.43314
 182.776 3.23415
 305.59 1.72338
 end
-$d5_10 << end
+$d5_14 << end
 4.18403 0.274238
 4.44709 0.103817
 4.8283 0.084288
@@ -497,12 +636,32 @@ $d6_8 << end
 286.966 0.0114275
 end
 $d6_9 << end
+87.6627 0.0293124
+147.095 0.00789074
+end
+$d6_10 << end
+296.715 0.0910757
+294.447 0.0293124
+end
+$d6_11 << end
+5.11344 0.404465
+11.9328 0.128853
+28.0141 0.317564
+59.6692 0.0338142
+end
+$d6_12 << end
+28.6802 0.000112701
+86.6932 0.000112701
+175.943 0.000315848
+319.93 0.000112701
+end
+$d6_13 << end
 169.096 13.1394
 171.904 6.30183
 212.758 3.97103
 312.467 2.04498
 end
-$d6_10 << end
+$d6_14 << end
 10.8619 0.214926
 15.0071 0.214926
 16.7718 0.0531925
@@ -564,12 +723,30 @@ $d7_7 << end
 886.831 0.635802
 end
 $d7_8 << end
+537.571 0.000332701
+554.076 0.000332701
+564.063 0.000332701
+541.887 0.000332701
+end
+$d7_9 << end
+8.66824 0.483683
+19.1595 0.0769085
+31.3519 0.0381779
+60.2428 0.0199344
+end
+$d7_10 << end
+61.3566 0.000332701
+169.194 0.000332701
+428.301 0.000332701
+1729.89 0.000332701
+end
+$d7_11 << end
 196.496 28.3646
 217.547 11.8414
 263.621 6.16002
 365.488 2.83254
 end
-$d7_9 << end
+$d7_12 << end
 17.1961 0.0868215
 20.7648 0.0381779
 23.9997 0.0231854
@@ -637,12 +814,36 @@ $d8_8 << end
 193.961 0.00465298
 end
 $d8_9 << end
+36.6007 0.769102
+63.087 0.769102
+89.1517 0.769102
+131.477 1.345
+end
+$d8_10 << end
+168.161 0.103563
+169.34 0.00931606
+175.456 0.00697734
+177.678 0.00191904
+end
+$d8_11 << end
+5.10104 0.547824
+12.5137 0.10052
+29.6281 0.0521723
+59.4233 0.0293478
+end
+$d8_12 << end
+19.8022 0.00108194
+53.398 0.678551
+118.224 0.666698
+218.849 0.678551
+end
+$d8_13 << end
 197.373 17.5043
 188.672 9.07526
 220.404 4.65613
 311.711 2.08489
 end
-$d8_10 << end
+$d8_14 << end
 7.91948 0.194376
 10.2542 0.0795511
 10.3072 0.0795511
@@ -706,12 +907,36 @@ $d9_8 << end
 240.515 0.00862334
 end
 $d9_9 << end
+98.4643 0.0822869
+186.895 0.02223
+298.155 0.00543481
+466.017 0.00486266
+end
+$d9_10 << end
+216.138 2.41669
+203.317 2.41669
+201.939 2.41669
+216.241 2.41669
+end
+$d9_11 << end
+14.4299 0.387375
+50.6083 0.107193
+111.905 0.0487828
+206.767 0.0239044
+end
+$d9_12 << end
+25.5353 0.0120119
+63.6757 0.0011598
+127.703 0.000452236
+211.539 0.00149167
+end
+$d9_13 << end
 136.217 11.8326
 156.124 7.44346
 206.002 3.33876
 310.885 1.52939
 end
-$d9_10 << end
+$d9_14 << end
 22.737 0.256166
 23.6064 0.256166
 37.2055 0.0848854
@@ -775,12 +1000,35 @@ $d10_8 << end
 452.437 0.00791634
 end
 $d10_9 << end
+155.652 0.0959039
+300.567 0.0199104
+482.024 0.00803893
+683.574 0.00198377
+end
+$d10_10 << end
+409.735 1.60116
+410.84 1.60116
+436.516 1.60116
+422.802 1.60116
+end
+$d10_11 << end
+16.152 0.481089
+51.9738 0.10186
+141.745 0.0438457
+247.634 0.0268417
+end
+$d10_12 << end
+50.2004 0.000840187
+132.978 0.00149918
+454.236 0.00126979
+end
+$d10_13 << end
 225.836 26.4744
 266.016 13.0583
 350.048 6.64838
 526.041 2.89832
 end
-$d10_10 << end
+$d10_14 << end
 31.8336 0.383861
 45.04 0.234303
 59.8817 0.0909569
@@ -844,12 +1092,36 @@ $d11_8 << end
 259.651 0.00705221
 end
 $d11_9 << end
+96.2819 0.112191
+176.946 0.0275975
+277.582 0.00812331
+426.387 8.66248e-05
+end
+$d11_10 << end
+182.383 1.51534
+184.354 1.51534
+186.073 1.51534
+190.305 1.51534
+end
+$d11_11 << end
+13.0262 0.481956
+48.8846 0.109309
+104.64 0.054526
+224.212 0.0242105
+end
+$d11_12 << end
+23.9441 0.00561576
+69.5797 0.00230231
+136.392 0.00124907
+210.967 0.00135887
+end
+$d11_13 << end
 112.744 18.2891
 134.111 8.98901
 171.715 4.50026
 249.676 2.254
 end
-$d11_10 << end
+$d11_14 << end
 21.8389 0.288699
 24.7673 0.288699
 33.7727 0.0929819
@@ -910,12 +1182,36 @@ $d12_8 << end
 558.468 0.00553949
 end
 $d12_9 << end
+118.186 16
+206.966 0.0171948
+341.586 0.00447538
+512.33 0.000116097
+end
+$d12_10 << end
+424.369 16
+399.74 16
+399.602 16
+409.273 16
+end
+$d12_11 << end
+27.264 16
+91.7832 16
+222.465 16
+440.845 0.798322
+end
+$d12_12 << end
+52.5916 0.000466313
+119.631 0.000466313
+218.238 0.000466313
+384.402 0.000466313
+end
+$d12_13 << end
 266.021 63.2139
 278.027 45.5494
 334.831 17.2114
 499.138 7.91942
 end
-$d12_10 << end
+$d12_14 << end
 77.7573 0.0394482
 88.084 0.0394482
 122.541 0.012691
@@ -976,12 +1272,36 @@ $d13_8 << end
 574.719 0.0044893
 end
 $d13_9 << end
+92.3979 0.334281
+162.42 16
+246.552 16
+347.003 16
+end
+$d13_10 << end
+433.285 16
+405.602 11.0932
+402.99 1.07145
+404.931 1.07145
+end
+$d13_11 << end
+24.3862 16
+83.42 16
+204.928 0.0255139
+417.893 0.313017
+end
+$d13_12 << end
+64.3741 0.00180089
+171.52 0.00180089
+265.868 16
+540.033 0.000589907
+end
+$d13_13 << end
 380.299 22.8634
 367.207 10.5501
 369.878 6.13612
 526.397 2.50865
 end
-$d13_10 << end
+$d13_14 << end
 46.9334 0.024857
 79.0684 0.00914146
 124.059 0.00618285
@@ -1036,12 +1356,35 @@ $d14_7 << end
 405.584 0.58987
 end
 $d14_8 << end
+141.292 0.993697
+299.183 0.774162
+532.708 0.00999439
+810.618 0.00030911
+end
+$d14_9 << end
+387.231 16
+377.149 16
+378.678 16
+end
+$d14_10 << end
+20.8039 0.2045
+71.7529 1.03321
+161.709 0.0141345
+316.8 0.00645517
+end
+$d14_11 << end
+38.3858 0.00105269
+72.541 0.122034
+127.522 0.00030911
+223.041 0.000137293
+end
+$d14_12 << end
 143.396 15.339
 164.227 7.50831
 210.712 3.68713
 309.967 1.70252
 end
-$d14_9 << end
+$d14_13 << end
 38.8383 0.0141345
 27.4561 0.0141345
 27.2942 0.0141345
@@ -1061,18 +1404,22 @@ set title 'teapot, full' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [0.487014:2307.01]
-set yrange [0.00317759:32.7818]
-set label 'afd' at graph 0.2932,0.0200 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'tessellation' at graph 0.5523,0.0200 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'scanline' at graph 0.7454,0.0787 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'mesa' at graph 0.5772,0.1440 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'fd' at graph 0.2866,0.2092 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.2092 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'subdivision' at graph 0.5999,0.2955 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'zsort' at graph 0.5181,0.3773 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.3368,0.4426 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'isocurves' at graph 0.7686,0.5781 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.8251,0.7222 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.000995947:35.418]
+set label 'kept' at graph 0.8295,0.0200 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.7962,0.0769 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'afd' at graph 0.2932,0.1501 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'tessellation' at graph 0.5523,0.1341 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'scanline' at graph 0.7454,0.1909 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'mesa' at graph 0.5772,0.2241 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'fd' at graph 0.2866,0.2427 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.2479 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'lane-carpenter' at graph 0.7058,0.3047 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'subdivision' at graph 0.5999,0.3713 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'zsort' at graph 0.5181,0.4723 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.3368,0.4723 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'isocurves' at graph 0.7686,0.6205 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.8251,0.7476 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.7059,0.9242 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d0_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d0_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d0_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1082,26 +1429,34 @@ plot $d0_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d0_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d0_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d0_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d0_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d0_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d0_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d0_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d0_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d0_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d0_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d0_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'teapot, closeup' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
-set xrange [0.637369:4291.04]
-set yrange [0.0026193:63.6289]
-set label 'afd' at graph 0.2659,0.0200 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'tessellation' at graph 0.4848,0.0200 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'scanline' at graph 0.7346,0.0838 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'mesa' at graph 0.5770,0.1491 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.2143 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'fd' at graph 0.2844,0.2143 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'subdivision' at graph 0.5665,0.2795 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'zsort' at graph 0.4775,0.3943 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.2108,0.4595 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'isocurves' at graph 0.7971,0.5480 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.7549,0.7370 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set xrange [0.600681:18015]
+set yrange [0.000651826:69.8111]
+set label 'kept' at graph 0.8333,0.0446 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.6299,0.0692 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'afd' at graph 0.2331,0.1590 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'tessellation' at graph 0.4203,0.1419 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'scanline' at graph 0.6339,0.1987 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'mesa' at graph 0.4991,0.2385 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'micropolygons' at graph 0.7183,0.2555 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'fd' at graph 0.2489,0.2581 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'lane-carpenter' at graph 0.5738,0.3124 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'subdivision' at graph 0.4902,0.3692 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'zsort' at graph 0.4140,0.4923 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.1860,0.4923 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'isocurves' at graph 0.6873,0.5979 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.6512,0.7627 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.6318,0.8728 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d1_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d1_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d1_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1111,26 +1466,34 @@ plot $d1_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d1_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d1_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d1_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d1_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d1_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d1_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d1_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d1_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d1_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d1_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d1_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'teapot, top' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [1.10414:4535.42]
-set yrange [0.00260346:53.1319]
-set label 'afd' at graph 0.2898,0.0200 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'tessellation' at graph 0.4928,0.0578 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.0579 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'scanline' at graph 0.7147,0.1231 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'mesa' at graph 0.5886,0.1882 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'fd' at graph 0.2607,0.1946 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'subdivision' at graph 0.5598,0.3121 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'zsort' at graph 0.5063,0.3772 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.2294,0.4425 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'isocurves' at graph 0.7470,0.5570 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.7179,0.7161 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.000130877:64.8536]
+set label 'kept' at graph 0.7873,0.0446 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.7304,0.2126 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'afd' at graph 0.2898,0.2618 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'tessellation' at graph 0.4928,0.2709 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.2694 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'scanline' at graph 0.7147,0.3263 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'mesa' at graph 0.5886,0.3297 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'fd' at graph 0.2607,0.3753 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'lane-carpenter' at graph 0.6421,0.3969 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'subdivision' at graph 0.5598,0.4655 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'zsort' at graph 0.5063,0.5375 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.2294,0.5375 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'isocurves' at graph 0.7470,0.6495 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.7179,0.7700 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.6962,0.8933 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d2_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d2_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d2_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1140,26 +1503,34 @@ plot $d2_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d2_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d2_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d2_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d2_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d2_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d2_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d2_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d2_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d2_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d2_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d2_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'band, full' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [0.122093:2143.23]
-set yrange [0.000487139:35.1113]
-set label 'tessellation' at graph 0.5411,0.0446 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'scanline' at graph 0.6255,0.2014 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'fd' at graph 0.1651,0.1394 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'afd' at graph 0.1799,0.2045 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'zsort' at graph 0.4352,0.2696 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.2808,0.3349 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'micropolygons' at graph 0.7126,0.3348 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'mesa' at graph 0.4175,0.4000 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'subdivision' at graph 0.4470,0.4651 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'isocurves' at graph 0.6320,0.6450 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.8333,0.7392 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.000297965:36.2811]
+set label 'kept' at graph 0.6095,0.0257 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'tessellation' at graph 0.5411,0.0827 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'whitted' at graph 0.7249,0.1395 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'scanline' at graph 0.6255,0.2537 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'fd' at graph 0.1651,0.2386 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'afd' at graph 0.1799,0.2955 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'zsort' at graph 0.4352,0.3136 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.2808,0.3136 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'micropolygons' at graph 0.7126,0.3196 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'lane-carpenter' at graph 0.5623,0.3765 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'mesa' at graph 0.4175,0.3872 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'subdivision' at graph 0.4470,0.4441 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'isocurves' at graph 0.6320,0.6581 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.8333,0.7480 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.6211,0.8756 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d3_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d3_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d3_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1169,26 +1540,34 @@ plot $d3_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d3_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d3_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d3_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d3_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d3_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d3_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d3_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d3_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d3_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d3_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d3_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'band, closeup' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [0.280435:3098.63]
-set yrange [0.000757283:84.3318]
-set label 'tessellation' at graph 0.4941,0.0446 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'micropolygons' at graph 0.7466,0.1637 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'afd' at graph 0.1673,0.1636 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'fd' at graph 0.1165,0.2717 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'subdivision' at graph 0.4618,0.2289 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'mesa' at graph 0.4469,0.2941 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'scanline' at graph 0.6700,0.3622 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'zsort' at graph 0.3602,0.3592 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.2043,0.4243 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'isocurves' at graph 0.6969,0.5833 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.8333,0.7519 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.00058827:85.7637]
+set label 'tessellation' at graph 0.4941,0.0649 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'kept' at graph 0.7606,0.0649 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.7059,0.1602 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'micropolygons' at graph 0.7466,0.2172 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'afd' at graph 0.1673,0.2184 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'fd' at graph 0.1165,0.3105 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'subdivision' at graph 0.4618,0.2604 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'lane-carpenter' at graph 0.5533,0.3565 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'mesa' at graph 0.4469,0.3172 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'scanline' at graph 0.6700,0.2995 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'zsort' at graph 0.3602,0.3742 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.2043,0.3584 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'isocurves' at graph 0.6969,0.5913 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.8333,0.7561 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.6712,0.8588 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d4_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d4_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d4_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1198,26 +1577,34 @@ plot $d4_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d4_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d4_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d4_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d4_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d4_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d4_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d4_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d4_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d4_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d4_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d4_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'band, top' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [0.135921:1430.57]
-set yrange [0.00089877:26.147]
-set label 'tessellation' at graph 0.5714,0.0446 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'afd' at graph 0.1740,0.1547 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'fd' at graph 0.1644,0.2199 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'micropolygons' at graph 0.7148,0.2199 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'zsort' at graph 0.4418,0.2850 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.3352,0.3501 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'mesa' at graph 0.4381,0.4154 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'subdivision' at graph 0.4295,0.4805 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'scanline' at graph 0.6587,0.5457 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'isocurves' at graph 0.6583,0.6377 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.8333,0.7354 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.000467969:27.3097]
+set label 'whitted' at graph 0.7215,0.0313 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'lane-carpenter' at graph 0.5510,0.2020 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'kept' at graph 0.6090,0.0313 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'tessellation' at graph 0.5714,0.1451 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'blinn' at graph 0.6559,0.0882 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
+set label 'afd' at graph 0.1740,0.2920 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'fd' at graph 0.1644,0.3490 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'micropolygons' at graph 0.7148,0.3255 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'zsort' at graph 0.4418,0.2855 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.3352,0.3424 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'mesa' at graph 0.4381,0.3993 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'subdivision' at graph 0.4295,0.4562 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'scanline' at graph 0.6587,0.5277 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'isocurves' at graph 0.6583,0.6567 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.8333,0.7482 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
 plot $d5_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d5_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d5_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1227,8 +1614,12 @@ plot $d5_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d5_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d5_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d5_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d5_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d5_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d5_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d5_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d5_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d5_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d5_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d5_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'lampshade, full' noenhanced
@@ -1236,15 +1627,19 @@ set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [0.492523:2487.76]
 set yrange [6.2892e-05:29.7331]
-set label 'tessellation' at graph 0.6044,0.0446 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'zsort' at graph 0.5127,0.2713 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.3120,0.3364 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'afd' at graph 0.1096,0.4015 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'scanline' at graph 0.7467,0.3744 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'mesa' at graph 0.4318,0.4016 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.4397 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'fd' at graph 0.1727,0.4668 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'subdivision' at graph 0.4446,0.5319 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'tessellation' at graph 0.6044,0.0200 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'kept' at graph 0.7595,0.0768 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'zsort' at graph 0.5127,0.3524 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.3120,0.3530 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'whitted' at graph 0.6684,0.3296 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'afd' at graph 0.1096,0.3780 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'scanline' at graph 0.7467,0.3864 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'mesa' at graph 0.4318,0.4100 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.4453 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'fd' at graph 0.1727,0.4349 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'blinn' at graph 0.7497,0.5115 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
+set label 'subdivision' at graph 0.4446,0.5002 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'lane-carpenter' at graph 0.5625,0.4434 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
 set label 'isocurves' at graph 0.7712,0.7070 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
 set label 'voxels' at graph 0.7567,0.7951 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
 plot $d6_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
@@ -1256,25 +1651,32 @@ plot $d6_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d6_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d6_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d6_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d6_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d6_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d6_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d6_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d6_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d6_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d6_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d6_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'lampshade, closeup' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
-set xrange [0.695129:6061.85]
+set xrange [0.68621:8285.73]
 set yrange [0.00018859:62.7953]
-set label 'tessellation' at graph 0.5142,0.0446 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'zsort' at graph 0.4526,0.1908 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.2368,0.2559 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.2857 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'afd' at graph 0.0726,0.3211 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'mesa' at graph 0.4181,0.3211 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'fd' at graph 0.1494,0.3864 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'subdivision' at graph 0.4028,0.4515 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'isocurves' at graph 0.7882,0.6388 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.6905,0.7563 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'tessellation' at graph 0.4977,0.0200 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'blinn' at graph 0.7098,0.0768 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
+set label 'kept' at graph 0.8333,0.0446 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'zsort' at graph 0.4383,0.2572 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.2300,0.2795 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'micropolygons' at graph 0.8059,0.2857 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'afd' at graph 0.0715,0.2935 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'mesa' at graph 0.4050,0.3140 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'fd' at graph 0.1456,0.3505 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'lane-carpenter' at graph 0.4761,0.3709 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'subdivision' at graph 0.3902,0.4278 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'isocurves' at graph 0.7622,0.6388 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.6679,0.7563 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
 plot $d7_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d7_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d7_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1283,26 +1685,33 @@ plot $d7_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d7_5 using 1:2 with linespoints lw 0.84 pt 12 ps 0.5 lc rgb '#8a8500' notitle, \
      $d7_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d7_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
-     $d7_8 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d7_9 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d7_8 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d7_9 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d7_10 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d7_11 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d7_12 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'lampshade, top' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [0.271611:1587.52]
-set yrange [0.000806483:34.0603]
-set label 'tessellation' at graph 0.6683,0.0252 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'scanline' at graph 0.7576,0.0903 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'zsort' at graph 0.5559,0.1555 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.4172,0.2206 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'fd' at graph 0.2545,0.2859 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'afd' at graph 0.1730,0.3510 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.3114 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'mesa' at graph 0.4690,0.4161 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'subdivision' at graph 0.5318,0.4812 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'isocurves' at graph 0.7833,0.6274 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.8123,0.7377 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.000666432:34.4962]
+set label 'tessellation' at graph 0.6683,0.0509 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'blinn' at graph 0.7475,0.1079 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
+set label 'scanline' at graph 0.7576,0.1790 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'zsort' at graph 0.5559,0.2206 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.4172,0.2775 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'fd' at graph 0.2545,0.3115 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'afd' at graph 0.1730,0.3139 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.3057 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'lane-carpenter' at graph 0.6212,0.3625 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'mesa' at graph 0.4690,0.3487 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'subdivision' at graph 0.5318,0.4195 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'isocurves' at graph 0.7833,0.5932 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'kept' at graph 0.7715,0.6500 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.7128,0.7069 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'voxels' at graph 0.8123,0.7638 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
 plot $d8_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d8_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d8_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1312,26 +1721,34 @@ plot $d8_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d8_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d8_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d8_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d8_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d8_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d8_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d8_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d8_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d8_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d8_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d8_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'knot, full' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [1.17213:1630.62]
-set yrange [0.0059197:19.6396]
-set label 'tessellation' at graph 0.5141,0.0200 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'scanline' at graph 0.7356,0.0464 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.1117 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'fd' at graph 0.2633,0.1428 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'afd' at graph 0.2218,0.2079 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'zsort' at graph 0.5717,0.2080 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.3430,0.2730 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'mesa' at graph 0.5195,0.3383 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'subdivision' at graph 0.5776,0.4034 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'isocurves' at graph 0.7505,0.5770 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.7710,0.6851 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.000271944:24.1168]
+set label 'kept' at graph 0.7178,0.1494 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.8270,0.2283 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'tessellation' at graph 0.5141,0.3022 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'scanline' at graph 0.7356,0.3420 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.2851 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'fd' at graph 0.2633,0.3696 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'lane-carpenter' at graph 0.7147,0.3988 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'afd' at graph 0.2218,0.4266 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'zsort' at graph 0.5717,0.4307 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.3430,0.4828 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'mesa' at graph 0.5195,0.5444 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'subdivision' at graph 0.5776,0.4877 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'isocurves' at graph 0.7505,0.6810 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.7710,0.7495 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.7209,0.8065 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d9_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d9_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d9_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1341,26 +1758,34 @@ plot $d9_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d9_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d9_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d9_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d9_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d9_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d9_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d9_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d9_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d9_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d9_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d9_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'knot, closeup' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [1.15992:4055.08]
-set yrange [0.00204604:49.7684]
-set label 'micropolygons' at graph 0.8333,0.0200 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'scanline' at graph 0.7312,0.0584 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'tessellation' at graph 0.4516,0.1235 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'afd' at graph 0.1886,0.1886 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'fd' at graph 0.2636,0.2539 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'subdivision' at graph 0.5453,0.3190 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'mesa' at graph 0.5458,0.3840 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'zsort' at graph 0.5225,0.4491 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.2873,0.5142 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'isocurves' at graph 0.7688,0.5755 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.7497,0.7185 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.000500557:54.666]
+set label 'kept' at graph 0.7317,0.0710 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.7818,0.1280 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.1902 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'scanline' at graph 0.7312,0.2472 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'tessellation' at graph 0.4516,0.2901 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'afd' at graph 0.1886,0.3033 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'fd' at graph 0.2636,0.3603 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'lane-carpenter' at graph 0.6574,0.3470 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'subdivision' at graph 0.5453,0.4124 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'mesa' at graph 0.5458,0.3555 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'zsort' at graph 0.5225,0.4693 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.2873,0.4484 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'isocurves' at graph 0.7688,0.6223 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'blinn' at graph 0.7229,0.6928 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
+set label 'voxels' at graph 0.7497,0.7497 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
 plot $d10_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d10_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d10_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1370,26 +1795,34 @@ plot $d10_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb 
      $d10_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d10_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d10_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d10_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d10_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d10_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d10_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d10_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d10_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d10_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d10_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'knot, top' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [1.07737:1829.75]
-set yrange [0.00476027:31.7076]
-set label 'scanline' at graph 0.7375,0.0200 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.0700 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'tessellation' at graph 0.5482,0.1351 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'afd' at graph 0.2216,0.1351 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'fd' at graph 0.2782,0.2004 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'subdivision' at graph 0.5837,0.2004 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'mesa' at graph 0.5447,0.2656 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'zsort' at graph 0.5758,0.3307 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.3370,0.3959 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'isocurves' at graph 0.7544,0.5609 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.7322,0.6997 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [4.69261e-05:43.143]
+set label 'whitted' at graph 0.8042,0.0446 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'kept' at graph 0.7095,0.2451 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'scanline' at graph 0.7375,0.3412 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.4058 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'tessellation' at graph 0.5482,0.3980 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'lane-carpenter' at graph 0.7177,0.4629 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'afd' at graph 0.2216,0.4277 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'fd' at graph 0.2782,0.4846 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'subdivision' at graph 0.5837,0.5686 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'mesa' at graph 0.5447,0.4550 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'zsort' at graph 0.5758,0.5118 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.3370,0.5414 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'isocurves' at graph 0.7544,0.6889 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'blinn' at graph 0.6957,0.7457 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
+set label 'voxels' at graph 0.7322,0.8026 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
 plot $d11_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d11_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d11_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1399,26 +1832,34 @@ plot $d11_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb 
      $d11_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d11_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d11_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d11_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d11_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d11_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d11_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d11_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d11_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d11_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d11_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'hills, full' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [1.48643:3095.56]
-set yrange [0.00162493:127.882]
-set label 'mesa' at graph 0.6189,0.0200 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'scanline' at graph 0.7759,0.0311 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'tessellation' at graph 0.4967,0.0962 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'afd' at graph 0.3705,0.1613 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'fd' at graph 0.3838,0.2266 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.2107 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'subdivision' at graph 0.6588,0.2917 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'zsort' at graph 0.5055,0.3568 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.3329,0.4220 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'isocurves' at graph 0.7654,0.5287 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.7612,0.7532 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [5.99821e-05:159.343]
+set label 'whitted' at graph 0.7646,0.0446 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'kept' at graph 0.7270,0.1386 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'mesa' at graph 0.6189,0.2571 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'scanline' at graph 0.7759,0.3059 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'tessellation' at graph 0.4967,0.3546 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'afd' at graph 0.3705,0.3362 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'fd' at graph 0.3838,0.3930 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.3791 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'subdivision' at graph 0.6588,0.4361 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'zsort' at graph 0.5055,0.4386 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.3329,0.4500 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'isocurves' at graph 0.7654,0.6055 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'lane-carpenter' at graph 0.7449,0.6625 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'voxels' at graph 0.7612,0.7924 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.7352,0.8493 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d12_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d12_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d12_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1428,8 +1869,12 @@ plot $d12_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb 
      $d12_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d12_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d12_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d12_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d12_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d12_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d12_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d12_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d12_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d12_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d12_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'hills, closeup' noenhanced
@@ -1438,16 +1883,20 @@ set ylabel 'pixels'
 set xrange [1.77845:3586.72]
 set yrange [0.000347829:47.8989]
 set label 'micropolygons' at graph 0.8333,0.0200 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'mesa' at graph 0.6869,0.0773 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'kept' at graph 0.7512,0.0874 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'mesa' at graph 0.6869,0.0304 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
 set label 'scanline' at graph 0.7594,0.2162 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'tessellation' at graph 0.4563,0.1760 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'afd' at graph 0.3107,0.2412 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'fd' at graph 0.3376,0.3063 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'zsort' at graph 0.4603,0.3716 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.2897,0.4367 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'subdivision' at graph 0.6205,0.4367 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'isocurves' at graph 0.7696,0.6373 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'tessellation' at graph 0.4563,0.2432 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'afd' at graph 0.3107,0.2770 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'fd' at graph 0.3376,0.3339 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'zsort' at graph 0.4603,0.3608 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.2897,0.3907 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'subdivision' at graph 0.6205,0.3630 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'lane-carpenter' at graph 0.7175,0.5735 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'isocurves' at graph 0.7696,0.6303 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'blinn' at graph 0.7133,0.6872 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 set label 'voxels' at graph 0.7478,0.7508 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'whitted' at graph 0.6931,0.9073 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
 plot $d13_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d13_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d13_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1457,25 +1906,33 @@ plot $d13_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb 
      $d13_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d13_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d13_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d13_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d13_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d13_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d13_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d13_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d13_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d13_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d13_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'hills, top' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
-set xrange [1.49829:1554.89]
-set yrange [0.000278218:31.7608]
-set label 'tessellation' at graph 0.5770,0.0200 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'zsort' at graph 0.6294,0.0642 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.4001,0.1295 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'mesa' at graph 0.5476,0.1947 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'afd' at graph 0.4024,0.2749 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'fd' at graph 0.3809,0.3402 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.3075 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'subdivision' at graph 0.5793,0.4392 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'isocurves' at graph 0.8065,0.6577 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.7678,0.7487 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set xrange [1.46085:2868.52]
+set yrange [7.66169e-05:36.2054]
+set label 'kept' at graph 0.6631,0.0446 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.8333,0.1068 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'tessellation' at graph 0.5318,0.1268 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'zsort' at graph 0.5798,0.1838 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.3698,0.1863 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'mesa' at graph 0.5049,0.2433 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'lane-carpenter' at graph 0.7094,0.3276 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'afd' at graph 0.3719,0.3443 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'fd' at graph 0.3522,0.4013 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'micropolygons' at graph 0.7666,0.3846 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'subdivision' at graph 0.5339,0.4902 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'isocurves' at graph 0.7420,0.6849 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.7066,0.7660 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.7330,0.9375 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d14_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d14_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d14_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1484,8 +1941,12 @@ plot $d14_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb 
      $d14_5 using 1:2 with linespoints lw 0.84 pt 12 ps 0.5 lc rgb '#8a8500' notitle, \
      $d14_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d14_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
-     $d14_8 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d14_9 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d14_8 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d14_9 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d14_10 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d14_11 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d14_12 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d14_13 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset multiplot
 set output
 set terminal pngcairo size 1540,1586 font 'sans,8' background rgb 'white'
@@ -1497,18 +1958,22 @@ set title 'teapot, full' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [0.487014:2307.01]
-set yrange [0.00317759:32.7818]
-set label 'afd' at graph 0.2932,0.0200 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'tessellation' at graph 0.5523,0.0289 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'scanline' at graph 0.7454,0.0826 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'mesa' at graph 0.5772,0.1362 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'fd' at graph 0.2866,0.1900 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.1900 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'subdivision' at graph 0.5999,0.2955 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'zsort' at graph 0.5181,0.3831 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.3368,0.4369 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'isocurves' at graph 0.7686,0.5781 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.8251,0.7222 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.000995947:35.418]
+set label 'kept' at graph 0.8295,0.0260 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.7962,0.0644 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'afd' at graph 0.2932,0.1501 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'tessellation' at graph 0.5523,0.1541 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'scanline' at graph 0.7454,0.1755 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'mesa' at graph 0.5772,0.2241 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'fd' at graph 0.2866,0.2427 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.2498 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'lane-carpenter' at graph 0.7058,0.2982 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'subdivision' at graph 0.5999,0.3713 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'zsort' at graph 0.5181,0.4723 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.3368,0.4723 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'isocurves' at graph 0.7686,0.6205 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.8251,0.7476 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.7059,0.9242 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d0_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d0_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d0_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1518,26 +1983,34 @@ plot $d0_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d0_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d0_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d0_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d0_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d0_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d0_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d0_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d0_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d0_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d0_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d0_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'teapot, closeup' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
-set xrange [0.637369:4291.04]
-set yrange [0.0026193:63.6289]
-set label 'afd' at graph 0.2659,0.0200 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'tessellation' at graph 0.4848,0.0362 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'scanline' at graph 0.7346,0.0898 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'mesa' at graph 0.5770,0.1436 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.1972 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'fd' at graph 0.2844,0.1973 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'subdivision' at graph 0.5665,0.2665 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'zsort' at graph 0.4775,0.4000 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.2108,0.4538 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'isocurves' at graph 0.7971,0.5480 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.7549,0.7370 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set xrange [0.600681:18015]
+set yrange [0.000651826:69.8111]
+set label 'kept' at graph 0.8333,0.0446 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.6299,0.0692 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'afd' at graph 0.2331,0.1590 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'tessellation' at graph 0.4203,0.1818 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'scanline' at graph 0.6339,0.1920 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'mesa' at graph 0.4991,0.2385 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'micropolygons' at graph 0.7183,0.2549 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'fd' at graph 0.2489,0.2581 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'lane-carpenter' at graph 0.5738,0.2965 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'subdivision' at graph 0.4902,0.3524 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'zsort' at graph 0.4140,0.4923 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.1860,0.4923 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'isocurves' at graph 0.6873,0.5979 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.6512,0.7627 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.6318,0.8728 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d1_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d1_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d1_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1547,26 +2020,34 @@ plot $d1_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d1_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d1_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d1_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d1_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d1_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d1_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d1_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d1_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d1_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d1_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d1_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'teapot, top' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [1.10414:4535.42]
-set yrange [0.00260346:53.1319]
-set label 'afd' at graph 0.2898,0.0200 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'tessellation' at graph 0.4928,0.0623 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.0625 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'scanline' at graph 0.7147,0.1163 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'mesa' at graph 0.5886,0.1700 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'fd' at graph 0.2607,0.1946 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'subdivision' at graph 0.5598,0.3138 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'zsort' at graph 0.5063,0.3821 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.2294,0.4359 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'isocurves' at graph 0.7470,0.5570 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.7179,0.7161 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.000130877:64.8536]
+set label 'kept' at graph 0.7873,0.0446 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.7304,0.2129 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'afd' at graph 0.2898,0.2618 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'tessellation' at graph 0.4928,0.2709 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.2932 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'scanline' at graph 0.7147,0.3023 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'mesa' at graph 0.5886,0.3297 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'fd' at graph 0.2607,0.3753 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'lane-carpenter' at graph 0.6421,0.3969 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'subdivision' at graph 0.5598,0.4655 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'zsort' at graph 0.5063,0.5375 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.2294,0.5375 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'isocurves' at graph 0.7470,0.6495 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.7179,0.7700 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.6962,0.8933 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d2_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d2_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d2_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1576,26 +2057,34 @@ plot $d2_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d2_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d2_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d2_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d2_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d2_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d2_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d2_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d2_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d2_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d2_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d2_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'band, full' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [0.122093:2143.23]
-set yrange [0.000487139:35.1113]
-set label 'tessellation' at graph 0.5411,0.0446 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'scanline' at graph 0.6255,0.2175 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'fd' at graph 0.1651,0.1666 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'afd' at graph 0.1799,0.2202 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'zsort' at graph 0.4352,0.2739 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.2808,0.3277 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'micropolygons' at graph 0.7126,0.3276 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'mesa' at graph 0.4175,0.3813 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'subdivision' at graph 0.4470,0.4350 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'isocurves' at graph 0.6320,0.6450 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.8333,0.7392 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.000297965:36.2811]
+set label 'kept' at graph 0.6095,0.0446 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'tessellation' at graph 0.5411,0.0846 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'whitted' at graph 0.7249,0.1186 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'scanline' at graph 0.6255,0.2537 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'fd' at graph 0.1651,0.2478 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'afd' at graph 0.1799,0.2863 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'zsort' at graph 0.4352,0.3136 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.2808,0.3136 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'micropolygons' at graph 0.7126,0.3322 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'lane-carpenter' at graph 0.5623,0.3707 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'mesa' at graph 0.4175,0.3930 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'subdivision' at graph 0.4470,0.4315 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'isocurves' at graph 0.6320,0.6581 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.8333,0.7480 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.6211,0.8756 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d3_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d3_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d3_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1605,26 +2094,34 @@ plot $d3_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d3_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d3_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d3_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d3_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d3_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d3_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d3_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d3_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d3_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d3_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d3_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'band, closeup' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [0.280435:3098.63]
-set yrange [0.000757283:84.3318]
-set label 'tessellation' at graph 0.4941,0.0446 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'micropolygons' at graph 0.7466,0.1837 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'afd' at graph 0.1673,0.1838 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'fd' at graph 0.1165,0.2796 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'subdivision' at graph 0.4618,0.2375 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'mesa' at graph 0.4469,0.2912 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'scanline' at graph 0.6700,0.3485 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'zsort' at graph 0.3602,0.3449 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.2043,0.3985 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'isocurves' at graph 0.6969,0.5833 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.8333,0.7519 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.00058827:85.7637]
+set label 'tessellation' at graph 0.4941,0.0649 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'kept' at graph 0.7606,0.0649 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.7059,0.1695 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'micropolygons' at graph 0.7466,0.2080 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'afd' at graph 0.1673,0.2184 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'fd' at graph 0.1165,0.3105 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'subdivision' at graph 0.4618,0.2821 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'lane-carpenter' at graph 0.5533,0.3426 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'mesa' at graph 0.4469,0.3205 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'scanline' at graph 0.6700,0.3041 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'zsort' at graph 0.3602,0.3584 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.2043,0.3584 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'isocurves' at graph 0.6969,0.5913 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.8333,0.7561 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.6712,0.8588 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d4_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d4_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d4_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1634,26 +2131,34 @@ plot $d4_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d4_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d4_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d4_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d4_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d4_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d4_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d4_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d4_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d4_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d4_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d4_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'band, top' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [0.135921:1430.57]
-set yrange [0.00089877:26.147]
-set label 'tessellation' at graph 0.5714,0.0446 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'afd' at graph 0.1740,0.1863 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'fd' at graph 0.1644,0.2400 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'micropolygons' at graph 0.7148,0.2400 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'zsort' at graph 0.4418,0.2936 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.3352,0.3473 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'mesa' at graph 0.4381,0.4011 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'subdivision' at graph 0.4295,0.4547 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'scanline' at graph 0.6587,0.5084 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'isocurves' at graph 0.6583,0.6377 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.8333,0.7354 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.000467969:27.3097]
+set label 'whitted' at graph 0.7215,0.0535 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'lane-carpenter' at graph 0.5510,0.1687 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'kept' at graph 0.6090,0.0535 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'tessellation' at graph 0.5714,0.1303 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'blinn' at graph 0.6559,0.0919 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
+set label 'afd' at graph 0.1740,0.3013 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'fd' at graph 0.1644,0.3398 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'micropolygons' at graph 0.7148,0.3255 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'zsort' at graph 0.4418,0.3334 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.3352,0.3334 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'mesa' at graph 0.4381,0.3726 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'subdivision' at graph 0.4295,0.4441 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'scanline' at graph 0.6587,0.5277 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'isocurves' at graph 0.6583,0.6567 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.8333,0.7482 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
 plot $d5_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d5_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d5_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1663,8 +2168,12 @@ plot $d5_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d5_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d5_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d5_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d5_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d5_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d5_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d5_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d5_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d5_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d5_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d5_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'lampshade, full' noenhanced
@@ -1673,14 +2182,18 @@ set ylabel 'pixels'
 set xrange [0.492523:2487.76]
 set yrange [6.2892e-05:29.7331]
 set label 'tessellation' at graph 0.6044,0.0446 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'zsort' at graph 0.5127,0.2943 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.3120,0.3479 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'afd' at graph 0.1096,0.4015 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'scanline' at graph 0.7467,0.3801 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'mesa' at graph 0.4318,0.4016 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.4339 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'fd' at graph 0.1727,0.4553 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'subdivision' at graph 0.4446,0.5089 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'kept' at graph 0.7595,0.0446 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'zsort' at graph 0.5127,0.3537 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.3120,0.3537 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'whitted' at graph 0.6684,0.3562 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'afd' at graph 0.1096,0.3789 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'scanline' at graph 0.7467,0.3946 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'mesa' at graph 0.4318,0.4080 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.4330 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'fd' at graph 0.1727,0.4340 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'blinn' at graph 0.7497,0.4702 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
+set label 'subdivision' at graph 0.4446,0.4619 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'lane-carpenter' at graph 0.5625,0.5004 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
 set label 'isocurves' at graph 0.7712,0.7070 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
 set label 'voxels' at graph 0.7567,0.7951 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
 plot $d6_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
@@ -1692,25 +2205,32 @@ plot $d6_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d6_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d6_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d6_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d6_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d6_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d6_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d6_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d6_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d6_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d6_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d6_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'lampshade, closeup' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
-set xrange [0.695129:6061.85]
+set xrange [0.68621:8285.73]
 set yrange [0.00018859:62.7953]
-set label 'tessellation' at graph 0.5142,0.0446 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'zsort' at graph 0.4526,0.2138 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.2368,0.2674 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.2857 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'afd' at graph 0.0726,0.3212 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'mesa' at graph 0.4181,0.3211 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'fd' at graph 0.1494,0.3748 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'subdivision' at graph 0.4028,0.4284 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'isocurves' at graph 0.7882,0.6388 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.6905,0.7563 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'tessellation' at graph 0.4977,0.0446 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'blinn' at graph 0.7098,0.0446 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
+set label 'kept' at graph 0.8333,0.0446 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'zsort' at graph 0.4383,0.2736 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.2300,0.2795 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'micropolygons' at graph 0.8059,0.2857 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'afd' at graph 0.0715,0.3015 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'mesa' at graph 0.4050,0.3121 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'fd' at graph 0.1456,0.3424 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'lane-carpenter' at graph 0.4761,0.3665 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'subdivision' at graph 0.3902,0.4176 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'isocurves' at graph 0.7622,0.6388 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.6679,0.7563 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
 plot $d7_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d7_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d7_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1719,26 +2239,33 @@ plot $d7_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d7_5 using 1:2 with linespoints lw 0.84 pt 12 ps 0.5 lc rgb '#8a8500' notitle, \
      $d7_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d7_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
-     $d7_8 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d7_9 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d7_8 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d7_9 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d7_10 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d7_11 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d7_12 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'lampshade, top' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [0.271611:1587.52]
-set yrange [0.000806483:34.0603]
-set label 'tessellation' at graph 0.6683,0.0446 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'scanline' at graph 0.7576,0.1221 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'zsort' at graph 0.5559,0.1757 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.4172,0.2293 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'fd' at graph 0.2545,0.2830 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'afd' at graph 0.1730,0.3366 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.3114 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'mesa' at graph 0.4690,0.3904 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'subdivision' at graph 0.5318,0.4440 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'isocurves' at graph 0.7833,0.6274 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.8123,0.7377 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.000666432:34.4962]
+set label 'tessellation' at graph 0.6683,0.0602 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'blinn' at graph 0.7475,0.0987 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
+set label 'scanline' at graph 0.7576,0.1790 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'zsort' at graph 0.5559,0.2490 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.4172,0.2490 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'fd' at graph 0.2545,0.3115 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'afd' at graph 0.1730,0.3139 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.3231 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'lane-carpenter' at graph 0.6212,0.3487 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'mesa' at graph 0.4690,0.3487 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'subdivision' at graph 0.5318,0.4159 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'isocurves' at graph 0.7833,0.6164 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'kept' at graph 0.7715,0.6549 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.7128,0.7011 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'voxels' at graph 0.8123,0.7415 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
 plot $d8_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d8_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d8_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1748,26 +2275,34 @@ plot $d8_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d8_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d8_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d8_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d8_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d8_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d8_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d8_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d8_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d8_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d8_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d8_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'knot, full' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [1.17213:1630.62]
-set yrange [0.0059197:19.6396]
-set label 'tessellation' at graph 0.5141,0.0200 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'scanline' at graph 0.7356,0.0464 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.1002 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'fd' at graph 0.2633,0.1526 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'afd' at graph 0.2218,0.2064 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'zsort' at graph 0.5717,0.2231 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.3430,0.2767 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'mesa' at graph 0.5195,0.3305 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'subdivision' at graph 0.5776,0.3841 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'isocurves' at graph 0.7505,0.5770 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.7710,0.6851 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.000271944:24.1168]
+set label 'kept' at graph 0.7178,0.1494 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.8270,0.2487 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'tessellation' at graph 0.5141,0.3022 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'scanline' at graph 0.7356,0.2871 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.3256 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'fd' at graph 0.2633,0.3789 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'lane-carpenter' at graph 0.7147,0.3929 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'afd' at graph 0.2218,0.4174 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'zsort' at graph 0.5717,0.4492 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.3430,0.4828 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'mesa' at graph 0.5195,0.5260 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'subdivision' at graph 0.5776,0.4877 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'isocurves' at graph 0.7505,0.6810 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.7710,0.7579 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.7209,0.7981 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d9_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d9_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d9_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1777,26 +2312,34 @@ plot $d9_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '
      $d9_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d9_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d9_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d9_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d9_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d9_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d9_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d9_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d9_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d9_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d9_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'knot, closeup' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [1.15992:4055.08]
-set yrange [0.00204604:49.7684]
-set label 'micropolygons' at graph 0.8333,0.0392 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'scanline' at graph 0.7312,0.0928 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'tessellation' at graph 0.4516,0.1465 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'afd' at graph 0.1886,0.2001 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'fd' at graph 0.2636,0.2539 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'subdivision' at graph 0.5453,0.3075 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'mesa' at graph 0.5458,0.3611 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'zsort' at graph 0.5225,0.4147 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.2873,0.4683 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'isocurves' at graph 0.7688,0.5755 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.7497,0.7185 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [0.000500557:54.666]
+set label 'kept' at graph 0.7317,0.0802 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.7818,0.1187 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.1994 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'scanline' at graph 0.7312,0.2380 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'tessellation' at graph 0.4516,0.3061 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'afd' at graph 0.1886,0.3288 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'fd' at graph 0.2636,0.3348 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'lane-carpenter' at graph 0.6574,0.3344 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'subdivision' at graph 0.5453,0.3728 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'mesa' at graph 0.5458,0.4113 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'zsort' at graph 0.5225,0.4496 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.2873,0.4484 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'isocurves' at graph 0.7688,0.6223 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'blinn' at graph 0.7229,0.6957 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
+set label 'voxels' at graph 0.7497,0.7468 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
 plot $d10_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d10_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d10_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1806,26 +2349,34 @@ plot $d10_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb 
      $d10_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d10_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d10_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d10_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d10_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d10_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d10_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d10_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d10_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d10_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d10_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'knot, top' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [1.07737:1829.75]
-set yrange [0.00476027:31.7076]
-set label 'scanline' at graph 0.7375,0.0374 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.0910 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'tessellation' at graph 0.5482,0.1448 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'afd' at graph 0.2216,0.1458 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'fd' at graph 0.2782,0.1994 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'subdivision' at graph 0.5837,0.1994 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'mesa' at graph 0.5447,0.2532 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'zsort' at graph 0.5758,0.3068 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.3370,0.3604 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'isocurves' at graph 0.7544,0.5609 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.7322,0.6997 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [4.69261e-05:43.143]
+set label 'whitted' at graph 0.8042,0.0446 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'kept' at graph 0.7095,0.2451 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'scanline' at graph 0.7375,0.3650 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.4054 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'tessellation' at graph 0.5482,0.4140 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'lane-carpenter' at graph 0.7177,0.4543 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'afd' at graph 0.2216,0.4620 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'fd' at graph 0.2782,0.4722 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'subdivision' at graph 0.5837,0.5016 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'mesa' at graph 0.5447,0.4631 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'zsort' at graph 0.5758,0.5399 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.3370,0.5195 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'isocurves' at graph 0.7544,0.6960 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'blinn' at graph 0.6957,0.7513 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
+set label 'voxels' at graph 0.7322,0.7898 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
 plot $d11_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d11_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d11_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1835,26 +2386,34 @@ plot $d11_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb 
      $d11_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d11_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d11_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d11_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d11_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d11_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d11_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d11_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d11_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d11_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d11_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'hills, full' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [1.48643:3095.56]
-set yrange [0.00162493:127.882]
-set label 'mesa' at graph 0.6189,0.0200 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'scanline' at graph 0.7759,0.0598 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'tessellation' at graph 0.4967,0.1134 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'afd' at graph 0.3705,0.1671 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'fd' at graph 0.3838,0.2209 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.2107 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'subdivision' at graph 0.6588,0.2745 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'zsort' at graph 0.5055,0.3282 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.3329,0.3818 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'isocurves' at graph 0.7654,0.5287 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.7612,0.7532 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set yrange [5.99821e-05:159.343]
+set label 'whitted' at graph 0.7646,0.0446 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'kept' at graph 0.7270,0.1386 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'mesa' at graph 0.6189,0.2571 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'scanline' at graph 0.7759,0.3059 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'tessellation' at graph 0.4967,0.3546 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'afd' at graph 0.3705,0.3510 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'fd' at graph 0.3838,0.3895 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.3836 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'subdivision' at graph 0.6588,0.4316 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'zsort' at graph 0.5055,0.4386 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.3329,0.4386 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'isocurves' at graph 0.7654,0.6147 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'lane-carpenter' at graph 0.7449,0.6532 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'voxels' at graph 0.7612,0.7971 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.7352,0.8446 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d12_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d12_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d12_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1864,8 +2423,12 @@ plot $d12_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb 
      $d12_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d12_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d12_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d12_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d12_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d12_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d12_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d12_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d12_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d12_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d12_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'hills, closeup' noenhanced
@@ -1873,17 +2436,21 @@ set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
 set xrange [1.77845:3586.72]
 set yrange [0.000347829:47.8989]
-set label 'micropolygons' at graph 0.8333,0.0200 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'mesa' at graph 0.6869,0.0715 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.0446 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'kept' at graph 0.7512,0.0254 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'mesa' at graph 0.6869,0.0639 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
 set label 'scanline' at graph 0.7594,0.2162 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'tessellation' at graph 0.4563,0.2029 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'afd' at graph 0.3107,0.2565 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'fd' at graph 0.3376,0.3101 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'zsort' at graph 0.4603,0.3639 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.2897,0.4176 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'subdivision' at graph 0.6205,0.4176 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'tessellation' at graph 0.4563,0.2432 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'afd' at graph 0.3107,0.2955 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'fd' at graph 0.3376,0.3338 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'zsort' at graph 0.4603,0.3608 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.2897,0.3723 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'subdivision' at graph 0.6205,0.3630 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'lane-carpenter' at graph 0.7175,0.5749 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
 set label 'isocurves' at graph 0.7696,0.6373 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'blinn' at graph 0.7133,0.6789 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 set label 'voxels' at graph 0.7478,0.7508 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'whitted' at graph 0.6931,0.9073 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
 plot $d13_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d13_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d13_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1893,25 +2460,33 @@ plot $d13_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb 
      $d13_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d13_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
      $d13_8 using 1:2 with linespoints lw 1.1199999999999999 pt 8 ps 0.5 lc rgb '#7a4a1e' notitle, \
-     $d13_9 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d13_10 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d13_9 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d13_10 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d13_11 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d13_12 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d13_13 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d13_14 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset label
 unset key
 set title 'hills, top' noenhanced
 set xlabel 'milliseconds a frame'
 set ylabel 'pixels'
-set xrange [1.49829:1554.89]
-set yrange [0.000278218:31.7608]
-set label 'tessellation' at graph 0.5770,0.0200 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'zsort' at graph 0.6294,0.0700 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.4001,0.1238 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'mesa' at graph 0.5476,0.1774 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'afd' at graph 0.4024,0.2806 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'fd' at graph 0.3809,0.3344 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.3075 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'subdivision' at graph 0.5793,0.4392 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'isocurves' at graph 0.8065,0.6577 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'voxels' at graph 0.7678,0.7487 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set xrange [1.46085:2868.52]
+set yrange [7.66169e-05:36.2054]
+set label 'kept' at graph 0.6631,0.0446 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'whitted' at graph 0.8333,0.1068 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'tessellation' at graph 0.5318,0.1385 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'zsort' at graph 0.5798,0.2005 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.3698,0.2005 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'mesa' at graph 0.5049,0.2005 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'lane-carpenter' at graph 0.7094,0.3368 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'afd' at graph 0.3719,0.3536 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'fd' at graph 0.3522,0.3920 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'micropolygons' at graph 0.7666,0.3753 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'subdivision' at graph 0.5339,0.4902 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'isocurves' at graph 0.7420,0.6849 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'voxels' at graph 0.7066,0.7660 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'blinn' at graph 0.7330,0.9375 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 plot $d14_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb '#000000' notitle, \
      $d14_1 using 1:2 with linespoints lw 1.1199999999999999 pt 5 ps 0.5 lc rgb '#0072b2' notitle, \
      $d14_2 using 1:2 with linespoints lw 1.1199999999999999 pt 9 ps 0.5 lc rgb '#009e73' notitle, \
@@ -1920,7 +2495,11 @@ plot $d14_0 using 1:2 with linespoints lw 2.0999999999999996 pt 7 ps 0.5 lc rgb 
      $d14_5 using 1:2 with linespoints lw 0.84 pt 12 ps 0.5 lc rgb '#8a8500' notitle, \
      $d14_6 using 1:2 with linespoints lw 1.1199999999999999 pt 4 ps 0.5 lc rgb '#e377c2' notitle, \
      $d14_7 using 1:2 with linespoints lw 1.1199999999999999 pt 6 ps 0.5 lc rgb '#56b4e9' notitle, \
-     $d14_8 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
-     $d14_9 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
+     $d14_8 using 1:2 with linespoints lw 0.84 pt 8 ps 0.5 lc rgb '#c7a17a' notitle, \
+     $d14_9 using 1:2 with linespoints lw 0.84 pt 14 ps 0.5 lc rgb '#a0522d' notitle, \
+     $d14_10 using 1:2 with linespoints lw 0.84 pt 9 ps 0.5 lc rgb '#66c2a5' notitle, \
+     $d14_11 using 1:2 with linespoints lw 0.84 pt 4 ps 0.5 lc rgb '#f4a6d7' notitle, \
+     $d14_12 using 1:2 with linespoints lw 1.1199999999999999 pt 10 ps 0.5 lc rgb '#8a8a8a' notitle, \
+     $d14_13 using 1:2 with linespoints lw 1.1199999999999999 pt 15 ps 0.5 lc rgb '#6a3d9a' notitle
 unset multiplot
 set output

@@ -63,24 +63,48 @@ $d0_8 << end
 267.491 0.574463
 end
 $d0_9 << end
+79.8772 6.04365
+162.142 2.18819
+257.132 2.05833
+411.097 0.789476
+end
+$d0_10 << end
+197.893 20.3013
+198.89 20.1549
+196.129 20.1395
+191.457 20.1342
+end
+$d0_11 << end
+12.4977 8.13656
+38.0791 4.46675
+91.6816 3.04119
+191.339 1.87525
+end
+$d0_12 << end
+30.5318 1.17668
+77.9781 1.2734
+151.5 1.29634
+544.944 1.24755
+end
+$d0_13 << end
 185.371 58.6834
 218.615 37.4978
 326.745 28.8072
 525.196 21.3635
 end
-$d0_10 << end
+$d0_14 << end
 23.9189 2.68886
 33.7081 1.87093
 36.9965 1.5508
 64.4287 1.12204
 end
-$d0_11 << end
+$d0_15 << end
 20.044 4.90763
 35.4558 3.65087
 41.4018 2.84809
 104.85 1.72169
 end
-$d0_12 << end
+$d0_16 << end
 28.1196 4.92287
 37.644 3.65517
 35.5124 2.84502
@@ -104,14 +128,18 @@ set label 'micropolygons' at graph 0.8333,0.0446 left offset 0.9,0 tc rgb '#e377
 set label 'tessellation' at graph 0.5523,0.1048 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
 set label 'scanline' at graph 0.7454,0.1590 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
 set label 'afd' at graph 0.2932,0.1624 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'whitted' at graph 0.7962,0.2125 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
 set label 'mesa' at graph 0.5772,0.2716 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
 set label 'fd' at graph 0.2866,0.2822 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'llvmpipe' at graph 0.6347,0.3252 left offset 0.9,0 tc rgb '#1b1b8f' noenhanced front
-set label 'Embree' at graph 0.5473,0.3556 left offset 0.9,0 tc rgb '#c51b7d' noenhanced front
-set label 'zsort' at graph 0.5181,0.3862 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'kept' at graph 0.8295,0.2895 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'llvmpipe' at graph 0.6347,0.3306 left offset 0.9,0 tc rgb '#1b1b8f' noenhanced front
+set label 'Embree' at graph 0.5473,0.3553 left offset 0.9,0 tc rgb '#c51b7d' noenhanced front
+set label 'lane-carpenter' at graph 0.7058,0.3654 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'zsort' at graph 0.5181,0.3902 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
 set label 'zbuffer' at graph 0.3368,0.3888 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'subdivision' at graph 0.5999,0.4166 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'subdivision' at graph 0.5999,0.4001 left offset 0.9,0 tc rgb '#009e73' noenhanced front
 set label 'isocurves' at graph 0.7686,0.6703 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'blinn' at graph 0.7059,0.7575 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 set label 'voxels' at graph 0.8251,0.7675 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
 plot $d0_0 using 1:2 with linespoints lw 3 pt 7 ps 0.9 lc rgb '#000000' notitle, \
      $d0_1 using 1:2 with linespoints lw 1.6 pt 5 ps 0.9 lc rgb '#0072b2' notitle, \
@@ -122,10 +150,14 @@ plot $d0_0 using 1:2 with linespoints lw 3 pt 7 ps 0.9 lc rgb '#000000' notitle,
      $d0_6 using 1:2 with linespoints lw 1.6 pt 4 ps 0.9 lc rgb '#e377c2' notitle, \
      $d0_7 using 1:2 with linespoints lw 1.6 pt 6 ps 0.9 lc rgb '#56b4e9' notitle, \
      $d0_8 using 1:2 with linespoints lw 1.6 pt 8 ps 0.9 lc rgb '#7a4a1e' notitle, \
-     $d0_9 using 1:2 with linespoints lw 1.6 pt 10 ps 0.9 lc rgb '#8a8a8a' notitle, \
-     $d0_10 using 1:2 with linespoints lw 1.6 pt 15 ps 0.9 lc rgb '#6a3d9a' notitle, \
-     $d0_11 using 1:2 with linespoints lw 1.6 pt 2 ps 0.9 lc rgb '#1b1b8f' notitle, \
-     $d0_12 using 1:2 with linespoints lw 1.6 pt 3 ps 0.9 lc rgb '#c51b7d' notitle
+     $d0_9 using 1:2 with linespoints lw 1.2 pt 8 ps 0.9 lc rgb '#c7a17a' notitle, \
+     $d0_10 using 1:2 with linespoints lw 1.2 pt 14 ps 0.9 lc rgb '#a0522d' notitle, \
+     $d0_11 using 1:2 with linespoints lw 1.2 pt 9 ps 0.9 lc rgb '#66c2a5' notitle, \
+     $d0_12 using 1:2 with linespoints lw 1.2 pt 4 ps 0.9 lc rgb '#f4a6d7' notitle, \
+     $d0_13 using 1:2 with linespoints lw 1.6 pt 10 ps 0.9 lc rgb '#8a8a8a' notitle, \
+     $d0_14 using 1:2 with linespoints lw 1.6 pt 15 ps 0.9 lc rgb '#6a3d9a' notitle, \
+     $d0_15 using 1:2 with linespoints lw 1.6 pt 2 ps 0.9 lc rgb '#1b1b8f' notitle, \
+     $d0_16 using 1:2 with linespoints lw 1.6 pt 3 ps 0.9 lc rgb '#c51b7d' notitle
 set output
 set terminal pngcairo size 1100,680 font 'sans,12' background rgb 'white'
 set output 'picture_time.png'
@@ -140,14 +172,18 @@ set label 'micropolygons' at graph 0.8333,0.0446 left offset 0.9,0 tc rgb '#e377
 set label 'tessellation' at graph 0.5523,0.1048 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
 set label 'scanline' at graph 0.7454,0.1590 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
 set label 'afd' at graph 0.2932,0.1624 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'whitted' at graph 0.7962,0.2125 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
 set label 'mesa' at graph 0.5772,0.2716 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
 set label 'fd' at graph 0.2866,0.2822 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'llvmpipe' at graph 0.6347,0.3332 left offset 0.9,0 tc rgb '#1b1b8f' noenhanced front
-set label 'Embree' at graph 0.5473,0.3583 left offset 0.9,0 tc rgb '#c51b7d' noenhanced front
-set label 'zsort' at graph 0.5181,0.3835 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'kept' at graph 0.8295,0.2895 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'llvmpipe' at graph 0.6347,0.3382 left offset 0.9,0 tc rgb '#1b1b8f' noenhanced front
+set label 'Embree' at graph 0.5473,0.3569 left offset 0.9,0 tc rgb '#c51b7d' noenhanced front
+set label 'lane-carpenter' at graph 0.7058,0.3636 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'zsort' at graph 0.5181,0.3886 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
 set label 'zbuffer' at graph 0.3368,0.3888 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'subdivision' at graph 0.5999,0.4085 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'subdivision' at graph 0.5999,0.3944 left offset 0.9,0 tc rgb '#009e73' noenhanced front
 set label 'isocurves' at graph 0.7686,0.6703 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'blinn' at graph 0.7059,0.7575 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
 set label 'voxels' at graph 0.8251,0.7675 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
 plot $d0_0 using 1:2 with linespoints lw 3 pt 7 ps 0.9 lc rgb '#000000' notitle, \
      $d0_1 using 1:2 with linespoints lw 1.6 pt 5 ps 0.9 lc rgb '#0072b2' notitle, \
@@ -158,8 +194,12 @@ plot $d0_0 using 1:2 with linespoints lw 3 pt 7 ps 0.9 lc rgb '#000000' notitle,
      $d0_6 using 1:2 with linespoints lw 1.6 pt 4 ps 0.9 lc rgb '#e377c2' notitle, \
      $d0_7 using 1:2 with linespoints lw 1.6 pt 6 ps 0.9 lc rgb '#56b4e9' notitle, \
      $d0_8 using 1:2 with linespoints lw 1.6 pt 8 ps 0.9 lc rgb '#7a4a1e' notitle, \
-     $d0_9 using 1:2 with linespoints lw 1.6 pt 10 ps 0.9 lc rgb '#8a8a8a' notitle, \
-     $d0_10 using 1:2 with linespoints lw 1.6 pt 15 ps 0.9 lc rgb '#6a3d9a' notitle, \
-     $d0_11 using 1:2 with linespoints lw 1.6 pt 2 ps 0.9 lc rgb '#1b1b8f' notitle, \
-     $d0_12 using 1:2 with linespoints lw 1.6 pt 3 ps 0.9 lc rgb '#c51b7d' notitle
+     $d0_9 using 1:2 with linespoints lw 1.2 pt 8 ps 0.9 lc rgb '#c7a17a' notitle, \
+     $d0_10 using 1:2 with linespoints lw 1.2 pt 14 ps 0.9 lc rgb '#a0522d' notitle, \
+     $d0_11 using 1:2 with linespoints lw 1.2 pt 9 ps 0.9 lc rgb '#66c2a5' notitle, \
+     $d0_12 using 1:2 with linespoints lw 1.2 pt 4 ps 0.9 lc rgb '#f4a6d7' notitle, \
+     $d0_13 using 1:2 with linespoints lw 1.6 pt 10 ps 0.9 lc rgb '#8a8a8a' notitle, \
+     $d0_14 using 1:2 with linespoints lw 1.6 pt 15 ps 0.9 lc rgb '#6a3d9a' notitle, \
+     $d0_15 using 1:2 with linespoints lw 1.6 pt 2 ps 0.9 lc rgb '#1b1b8f' notitle, \
+     $d0_16 using 1:2 with linespoints lw 1.6 pt 3 ps 0.9 lc rgb '#c51b7d' notitle
 set output

@@ -77,8 +77,8 @@ set xlabel 'patches'
 set ylabel 'milliseconds a frame, one thread'
 set xrange [2.82843:17559.9]
 set yrange [1.22102:839.267]
-set label 'fd' at graph 0.8333,0.4394 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'afd' at graph 0.8333,0.4699 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'fd' at graph 0.8333,0.4372 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'afd' at graph 0.8333,0.4721 left offset 0.9,0 tc rgb '#000000' noenhanced front
 set label 'tessellation' at graph 0.8333,0.5122 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
 set label 'mesa' at graph 0.8333,0.6401 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
 set label 'subdivision' at graph 0.8333,0.6753 left offset 0.9,0 tc rgb '#009e73' noenhanced front
@@ -103,8 +103,8 @@ set xlabel 'patches'
 set ylabel 'milliseconds a frame, one thread'
 set xrange [2.82843:17559.9]
 set yrange [1.22102:839.267]
-set label 'fd' at graph 0.8333,0.4420 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'afd' at graph 0.8333,0.4672 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'fd' at graph 0.8333,0.4419 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'afd' at graph 0.8333,0.4673 left offset 0.9,0 tc rgb '#000000' noenhanced front
 set label 'tessellation' at graph 0.8333,0.5122 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
 set label 'mesa' at graph 0.8333,0.6401 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
 set label 'subdivision' at graph 0.8333,0.6753 left offset 0.9,0 tc rgb '#009e73' noenhanced front
