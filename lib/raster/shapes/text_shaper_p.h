@@ -26,14 +26,12 @@ struct placed_glyph {
 /// Lives:   borrows the face.
 class text_shaper {
 public:
+    /// Without the file's name, the kern table counts.
     text_shaper(FT_Face face, const std::string& file);
 
     /// The glyphs of a text in UTF-8, and in `width` where a next letter would begin.
     /// Lives:   until the next call.
     const std::vector<placed_glyph>& shape(std::string_view text, double& width);
-
-    /// Whether the build has HarfBuzz, and it reads the file.
-    bool has_harfbuzz() const { return harfbuzz_ != nullptr; }
 
 private:
     double shape_by_harfbuzz(std::string_view text);
