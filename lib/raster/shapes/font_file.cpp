@@ -130,14 +130,17 @@ private:
         return made;
     }
 
-    /// Outlines in the font's own units know no pixels, so nothing is rounded or hinted.
+    /// At the size of its em square in pixels, FreeType's numbers are 64 times the font's own. So
+    /// nothing is rounded: the middle of two points is a whole number, too.
     double outline(l3d_path& to, l3d_point_2d base, std::string_view text, double size) override {
+        set_size(face_->units_per_EM);
         const double scale = size / face_->units_per_EM;
         double width = 0;
         for (const l3d_detail::placed_glyph& glyph : shaper_.shape(text, width)) {
-            if (FT_Load_Glyph(face_.get(), glyph.index, FT_LOAD_NO_SCALE) != 0)
+            if (FT_Load_Glyph(face_.get(), glyph.index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) !=
+                0)
                 continue;
-            glyph_pen pen{to, {base.x + glyph.x * scale, base.y - glyph.y * scale}, scale};
+            glyph_pen pen{to, {base.x + glyph.x * scale, base.y - glyph.y * scale}, scale / units};
             FT_Outline_Decompose(&face_->glyph->outline, &drawing, &pen);
             pen.close();
         }
