@@ -135,6 +135,11 @@ private:
         const auto exact_x = walked<double>(x, steps_), exact_y = walked<double>(y, steps_);
         const auto fixed_x = walked<fixed_16>(x, steps_), fixed_y = walked<fixed_16>(y, steps_);
         const double u = unit();
+        std::vector<double> errors;
+        for (std::size_t i = 0; i < fixed_x.size(); ++i)
+            errors.push_back(std::hypot(fixed_x[i] - exact_x[i], fixed_y[i] - exact_y[i]));
+        const auto worst =
+            static_cast<std::size_t>(std::ranges::max_element(errors) - errors.begin());
 
         l3d_path net, curve, steps, handles, fixed;
         net.add_polygon(std::array{p[0], p[1], p[2], p[3], p[2], p[1]});
@@ -154,18 +159,15 @@ private:
         }
         r.draw_path(l3d_stroked(fixed, {.width = u, .join = l3d_join::round}),
                     {.color = fixed_color});
+        // the magnifier shows what the marks would hide
+        l3d_image seen = magnified_ ? around(r, {fixed_x[worst], fixed_y[worst]}) : l3d_image();
         r.draw_path(steps, {.color = step_color});
         for (const l3d_point_2d& handle : p)
             handles.add_circle(handle, 5 * u);
         r.draw_path(l3d_stroked(handles, {.width = 1.5 * u}), {.color = step_color});
 
-        std::vector<double> errors;
-        for (std::size_t i = 0; i < fixed_x.size(); ++i)
-            errors.push_back(std::hypot(fixed_x[i] - exact_x[i], fixed_y[i] - exact_y[i]));
-        const auto worst =
-            static_cast<std::size_t>(std::ranges::max_element(errors) - errors.begin());
         if (magnified_)
-            draw_magnified(r, {fixed_x[worst], fixed_y[worst]});
+            draw_magnified(r, std::move(seen));
         draw_bars(r, errors, errors[worst]);
         draw_numbers(r, x, y, errors[worst]);
     }
@@ -175,22 +177,32 @@ private:
     double unit() {
         const double larger = std::min(size().width / 480.0, size().height / 320.0);
         constexpr double slower = 0.75;
-        return std::max({1.0, std::pow(larger, slower), screen().text_scale()});
+        constexpr double least = 0.75; // smaller letters could not be read
+        const double dots = screen().text_scale();
+        return std::max({least, std::pow(larger, slower), dots > 1 ? dots : least});
     }
 
-    /// The pixels around a place, each a square: there, whole steps and 16.16 part.
-    void draw_magnified(l3d_rasterizer_2d& r, l3d_point_2d around) {
-        constexpr int wide = 24, high = 16;
+    static constexpr int magnified_columns = 24, magnified_rows = 16;
+
+    /// The pixels around a place, as they are now.
+    l3d_image around(l3d_rasterizer_2d& r, l3d_point_2d place) {
         r.finish();
         const l3d_pixels all = screen().pixels();
-        if (all.width < wide || all.height < high)
-            return;
-        const int left = std::clamp(static_cast<int>(around.x) - wide / 2, 0, all.width - wide);
-        const int top = std::clamp(static_cast<int>(around.y) - high / 2, 0, all.height - high);
+        const int wide = std::min(magnified_columns, all.width);
+        const int high = std::min(magnified_rows, all.height);
+        const int left = std::clamp(static_cast<int>(place.x) - wide / 2, 0, all.width - wide);
+        const int top = std::clamp(static_cast<int>(place.y) - high / 2, 0, all.height - high);
         l3d_image copy({wide, high}, wide);
         for (int y = 0; y < high; ++y)
-            std::ranges::copy(all.row(top + y).subspan(static_cast<std::size_t>(left), wide),
+            std::ranges::copy(l3d_row(all, top + y, {left, 0, left + wide, 0}),
                               copy.pixels().row(y).begin());
+        return copy;
+    }
+
+    /// Pixels as squares, above the bars on the right: the red line beside the blue one.
+    void draw_magnified(l3d_rasterizer_2d& r, l3d_image copy) {
+        const l3d_size all = size();
+        const int wide = copy.pixels().width, high = copy.pixels().height;
         const double width = all.width / 3.0, height = width * high / wide;
         const l3d_point_2d corner{all.width - width - 6 * unit(),
                                   all.height * 7 / 8.0 - height - 12 * unit()};
@@ -229,6 +241,9 @@ private:
         const auto write = [&](std::uint32_t color, double from, const std::string& text) {
             l3d_path path;
             font_.outline(path, {base.x + from, base.y}, text, letters);
+            // a dark rim, so that letters can be read upon lines
+            r.draw_path(l3d_stroked(path, {.width = letters / 3, .join = l3d_join::round}),
+                        {.color = 0, .alpha = 0.7});
             r.draw_path(path, {.color = color});
         };
         const auto number = [&](std::uint32_t color, double end, double value) {
