@@ -142,7 +142,9 @@ private:
             static_cast<std::size_t>(std::ranges::max_element(errors) - errors.begin());
 
         l3d_path net, curve, steps, handles, fixed;
-        net.add_polygon(std::array{p[0], p[1], p[2], p[3], p[2], p[1]});
+        net.move_to(p[0]);
+        for (const l3d_point_2d& handle : {p[1], p[2], p[3]})
+            net.line_to(handle);
         r.draw_path(l3d_stroked(net, {.width = u, .dashes = {4 * u, 4 * u}}),
                     {.color = quiet_color});
         curve.move_to(p[0]);
