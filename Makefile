@@ -33,6 +33,10 @@ needs_raster  := tbb libhwy freetype2
 
 include config.mk
 
+# HarfBuzz kerns text that becomes paths, if it is there.
+links_raster += $(if $(HARFBUZZ),-lharfbuzz)
+needs_raster += $(if $(HARFBUZZ),harfbuzz)
+
 # ---- variant: one folder per choice of scalar, mode and compiler --------------------------------
 
 flags_float   := -DL3D_REAL_FLOAT
@@ -272,7 +276,7 @@ fuzz-each: $(FUZZERS)
 	    $$fuzzer -max_total_time=$(FUZZ_SECONDS) $(FUZZ_LIMITS) -artifact_prefix=$$fuzzer.found- \
 	    $$fuzzer.corpus tests/fuzz/corpus/$${fuzzer##*/}; done
 
-packages: packages-build packages-test packages-lint ## install the Debian packages that are missing
+packages: packages-build packages-test packages-lint packages-text ## install the Debian packages that are missing
 packages-test packages-lint packages-tidy packages-bench packages-matrix packages-fuzz \
     packages-stability packages-faults packages-report: packages-build
 packages-%:
@@ -318,6 +322,11 @@ $(OUT)/include/l3d/l3d.h: packaging/public_headers packaging/umbrella.awk
 	$(Q)mkdir -p $(@D); awk -f packaging/umbrella.awk $< > $@
 $(foreach a,$(apps),$(eval $(objects_apps/$(a)): | $(DOOR)))
 $(PLUGINS): | $(DOOR)
+
+# One source knows HarfBuzz, and it alone is compiled anew when that comes or goes.
+$(call remember,$(OUT)/harfbuzz,$(HARFBUZZ))
+$(OUT)/lib/raster/shapes/text_shaper.o: $(OUT)/harfbuzz
+$(OUT)/lib/raster/shapes/text_shaper.o: FLAGS_lib += $(if $(HARFBUZZ),-DL3D_HARFBUZZ -isystem $(HARFBUZZ))
 
 # A text file as a C++ string literal, to be included.
 $(OUT)/%.inc: %
