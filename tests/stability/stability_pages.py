@@ -117,8 +117,8 @@ def conclusions(runs):
                          for k in ("within", "weaker", "no_bound", "refused", "violated")) for r in runs}
     broken = sum(len(r.violations()) for r in runs) + sum(sums["violated"] for r in runs for sums in r.random_sums().values())
     lines = [f"**{broken} violations** in {named} named cases (l3d_real = {', '.join(r.real for r in runs)}), each in four "
-             f"arithmetics and as polygons, and in "
-             + ", ".join(f"{count} random cases with l3d_real = {real}" for real, count in seeds.items()) + " in four arithmetics."]
+             "arithmetics and as polygons. So it is in random cases: "
+             + ", ".join(f"{count} with l3d_real = {real}" for real, count in seeds.items() if count) + "."]
     stiff = [r for r in first.named if r["stiffness"] >= 1e3 and r["float"] != "refused"]
     kept = sum(r["float"] == "within" for r in stiff)
     weaker = sum(r["float"] == "weaker" for r in stiff)
