@@ -144,6 +144,10 @@ void l3d_options::add_common(l3d_size default_size) {
         "NUMBER", 1, l3d_largest_scale);
     add("--title", common_.title, "title of the window (by itself what it shows, and the program)",
         "TEXT");
+    add_choice("--remote", common_.remote,
+               "send only what changed, coarse while it moves, and share no memory; auto: if the "
+               "display is reached over a network",
+               {{"auto", l3d_remote::automatic}, {"on", l3d_remote::on}, {"off", l3d_remote::off}});
     add_batch();
     add_number(app, "--fps", common_.fps, "",
                "frames per second; 0: no limit (by itself 60, or 15 on a remote display)", "NUMBER",
@@ -362,7 +366,8 @@ l3d_screen_request l3d_options::screen_request() const {
     return {.size = common_.size,
             .title = common_.title.empty() ? program_ : common_.title,
             .name = program_,
-            .scale = scale};
+            .scale = scale,
+            .remote = common_.remote};
 }
 
 l3d_frame_settings l3d_options::frame_settings() const {

@@ -35,6 +35,7 @@ struct L3D_PUBLIC l3d_common_options {
     l3d_size size{};             ///< of the picture, in pixels
     int scale = 0;               ///< 0: not given
     std::string title{};         ///< of the window; empty: the program's choice
+    l3d_remote remote{};         ///< whether pictures travel sparingly
     int first_frame = 0;         ///< number of the first one that is drawn
     int frames = 0;              ///< number of frames, the end of a range; 0: go on
     bool resume = false;         ///< leave out frames whose file is there

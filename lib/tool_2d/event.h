@@ -37,7 +37,7 @@ enum class L3D_PUBLIC l3d_event_type {
     button_release,
     /// The pointer has moved.
     pointer_motion,
-    /// The wheel turned by one notch.
+    /// The wheel turned.
     wheel,
     /// The picture, or l3d_screen::text_scale, has another size now.
     resize,
@@ -69,7 +69,11 @@ struct L3D_PUBLIC l3d_event {
     int y = 0;
     /// resize: the new size.
     l3d_size size{};
-    /// wheel: +1 away from the user, -1 towards.
+    /// wheel: how far it turned, in notches: +1 is one away from the user, -1 one towards. Fine
+    /// wheels and touchpads turn by parts of it.
+    double turn = 0;
+    /// wheel: the notches that are full now, for what knows only whole steps; 0 while a fine wheel
+    /// is on its way to the next.
     int notches = 0;
     /// button_press: 2 if another one came shortly before at the same place, else 1.
     int clicks = 0;

@@ -81,6 +81,13 @@ private:
 /// Largest l3d_screen_request::scale. No display is eight times as fine as 96 dots an inch.
 inline constexpr int l3d_largest_scale = 8;
 
+/// Whether pictures travel sparingly, as a slow line wants it.
+enum class L3D_PUBLIC l3d_remote {
+    automatic, ///< if the display is reached over a network
+    on,        ///< only what changed, coarse while much of it changes; no memory is shared
+    off,       ///< whole pictures, as to a display of this machine
+};
+
 /// The properties that a program wants of its screen.
 struct L3D_PUBLIC l3d_screen_request {
     l3d_size size{1024, 768};  ///< of the picture, in pixels of the program; see scale
@@ -90,6 +97,8 @@ struct L3D_PUBLIC l3d_screen_request {
     /// and the picture is larger than `size` by as much as the display is finer than 96 dots an
     /// inch.
     int scale = 0;
+    /// How pictures travel to a display; nothing to screens that are no window.
+    l3d_remote remote = l3d_remote::automatic;
 };
 
 /// How well a kind of screen can serve here and now.

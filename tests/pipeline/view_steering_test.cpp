@@ -127,7 +127,8 @@ TEST(view_steering, wheel_and_right_drag_zoom_to_what_is_under_the_pointer) {
         ASSERT_TRUE(under);
         const double before = it.camera.depth_of(under->place);
         if (wheel)
-            EXPECT_TRUE(it.send({.type = type::wheel, .x = 220, .y = 130, .notches = 1}));
+            EXPECT_TRUE(
+                it.send({.type = type::wheel, .x = 220, .y = 130, .turn = 1, .notches = 1}));
         else
             EXPECT_TRUE(it.drag(3, {220, 130}, {220, 100}));
         expect_near(it.seen(under->place), {220.5, 130.5});
@@ -138,12 +139,12 @@ TEST(view_steering, wheel_and_right_drag_zoom_to_what_is_under_the_pointer) {
 TEST(view_steering, zoom_ends_before_the_near_plane_and_the_end_of_the_world) {
     ball_viewer it;
     for (int i = 0; i < 500; ++i)
-        it.send({.type = type::wheel, .x = 200, .y = 150, .notches = 1});
+        it.send({.type = type::wheel, .x = 200, .y = 150, .turn = 1, .notches = 1});
     const auto there = it.place(200.5, 150.5);
     ASSERT_TRUE(there);
     EXPECT_GE(it.camera.depth_of(there->place), it.camera.near);
     for (int i = 0; i < 3000; ++i)
-        it.send({.type = type::wheel, .x = 200, .y = 150, .notches = -1});
+        it.send({.type = type::wheel, .x = 200, .y = 150, .turn = -1, .notches = -1});
     EXPECT_TRUE(it.camera.is_valid()) << it.camera.complaint();
 }
 

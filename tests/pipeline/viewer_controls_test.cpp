@@ -94,7 +94,8 @@ TEST(viewer_controls, drag_and_wheel) {
     // A quarter of a turn, to where the eye is at right angles to where it was, seen from above.
     const auto was = first.eye - first.target, is = it.camera.eye - it.camera.target;
     EXPECT_NEAR(was[0] * is[0] + was[2] * is[2], 0, 1e-9);
-    EXPECT_TRUE(it.controls.pointer({.type = type::wheel, .x = 201, .y = 155, .notches = -1}));
+    EXPECT_TRUE(
+        it.controls.pointer({.type = type::wheel, .x = 201, .y = 155, .turn = -1, .notches = -1}));
     EXPECT_NEAR(distance(it.camera), 1.1 * distance(first), 1e-9);
 }
 

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <thread>
 
+#include <sys/resource.h>
 #include <sys/time.h>
 
 #include <X11/extensions/XShm.h>
@@ -39,27 +40,62 @@ std::vector<segment_row> segments_of(pid_t process) {
     return rows;
 }
 
-TEST(screen_x11_shm_loss, nothing_outlives_a_program_that_is_killed) {
-    const xvfb server("301x207x24");
-    L3D_REQUIRE_SERVER(server);
+/// A program that shows a picture and then sleeps. It shares memory by System V if files may have
+/// no bytes.
+pid_t start_program(rlim_t file_bytes) {
     const pid_t child = fork();
     if (child == 0) {
+        const rlimit most{file_bytes, RLIM_INFINITY};
+        setrlimit(RLIMIT_FSIZE, &most);
         const auto screen = make<l3d_screen_factory_xshm>();
         screen->show();
         raise(SIGSTOP);
         _exit(0);
     }
     waitpid(child, nullptr, WUNTRACED);
+    return child;
+}
+
+template <class Question> bool comes_true(Question question) {
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    while (!question() && std::chrono::steady_clock::now() < deadline)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return question();
+}
+
+TEST(screen_x11_shm_loss, nothing_outlives_a_program_that_is_killed) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const pid_t child = start_program(0);
     const auto while_it_lives = segments_of(child);
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
     ASSERT_EQ(while_it_lives.size(), 1U);
     EXPECT_EQ(while_it_lives[0].mode, 01600);
     EXPECT_EQ(while_it_lives[0].attached, 2) << "by us and by the server";
-    const auto deadline = std::chrono::steady_clock::now() + patience;
-    while (!segments_of(child).empty() && std::chrono::steady_clock::now() < deadline)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_TRUE(comes_true([child] { return segments_of(child).empty(); }));
+}
+
+/// Whether a process has one of our files mapped, so that it cannot write into it.
+bool maps_our_file(pid_t process) {
+    std::ifstream maps("/proc/" + std::to_string(process) + "/maps");
+    for (std::string line; std::getline(maps, line);)
+        if (line.find("/memfd:l3d ") != std::string::npos &&
+            line.find(" r--s ") != std::string::npos)
+            return true;
+    return false;
+}
+
+TEST(screen_x11_shm_loss, no_file_outlives_a_program_that_is_killed) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const pid_t child = start_program(RLIM_INFINITY);
+    const bool is_mapped = maps_our_file(server.process());
     EXPECT_TRUE(segments_of(child).empty());
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    EXPECT_TRUE(is_mapped);
+    EXPECT_TRUE(comes_true([&server] { return !maps_our_file(server.process()); }));
 }
 
 /// Reads the window over and over; counts the pictures that are not of one colour.

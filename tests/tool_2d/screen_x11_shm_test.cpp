@@ -7,6 +7,7 @@
 
 #include <sched.h>
 #include <sys/ipc.h>
+#include <sys/resource.h>
 #include <sys/shm.h>
 
 namespace {
@@ -137,16 +138,83 @@ TEST(screen_x11_shm, not_over_a_network) {
     EXPECT_EQ(make<l3d_screen_factory_ximage>()->usual_fps(), 15);
 }
 
-/// The kernel's own reason, in a namespace whose limits are ours to set.
+/// --remote decides whatever the display is.
+TEST(screen_x11_shm, travels_sparingly_if_the_user_says_so) {
+    const xvfb server("301x207x24", {"-ac", "-listen", "tcp"});
+    L3D_REQUIRE_SERVER(server);
+    const auto open = [](const l3d_screen_factory& factory, l3d_remote remote) {
+        l3d_service refusal;
+        return factory.create({.size = odd_size, .remote = remote}, refusal);
+    };
+    const auto is_sparing = [](const l3d_screen& screen) {
+        const bool is_coarse = screen.describe().find("changed tiles") != std::string::npos;
+        EXPECT_EQ(screen.usual_fps(), is_coarse ? 15 : 60);
+        return is_coarse;
+    };
+    const l3d_screen_factory_xshm xshm;
+    const l3d_screen_factory_ximage ximage;
+    EXPECT_FALSE(is_sparing(*open(ximage, l3d_remote::automatic)));
+    EXPECT_FALSE(is_sparing(*open(xshm, l3d_remote::off)));
+    EXPECT_TRUE(is_sparing(*open(ximage, l3d_remote::on)));
+    const auto screen = open(xshm, l3d_remote::on);
+    EXPECT_TRUE(is_sparing(*screen));
+    EXPECT_TRUE(screen->describe().ends_with("shared memory: no, --remote on"));
+    EXPECT_EQ(wrong_after_pictures(*screen, 5), 0);
+    setenv("DISPLAY", ("127.0.0.1" + server.display()).c_str(), 1);
+    EXPECT_TRUE(is_sparing(*open(ximage, l3d_remote::automatic)));
+    EXPECT_FALSE(is_sparing(*open(ximage, l3d_remote::off)));
+}
+
+/// In a namespace whose limits are ours to set.
+bool limits_segments(const std::string& limit, const std::string& value) {
+    if (unshare(CLONE_NEWIPC) != 0)
+        return false;
+    std::ofstream file("/proc/sys/kernel/" + limit);
+    return static_cast<bool>(file << value << std::flush);
+}
+
+int shares_files_without_segments() {
+    const xvfb server("301x207x24");
+    if (!server.started() || !limits_segments("shmmni", "0"))
+        return not_permitted;
+    EXPECT_LT(shmget(IPC_PRIVATE, 1, IPC_CREAT | 0600), 0);
+    EXPECT_EQ(l3d_screen_factory_xshm().service().how, level::fully);
+    const auto screen = make<l3d_screen_factory_xshm>();
+    EXPECT_TRUE(screen && is_shared(*screen));
+    EXPECT_EQ(screen->take_remark(), "");
+    EXPECT_EQ(wrong_after_pictures(*screen, 12), 0);
+    return testing::Test::HasFailure() ? 1 : 0;
+}
+
+TEST(screen_x11_shm, needs_no_segments_of_system_v) {
+    L3D_EXPECT_WELL(in_process_of_its_own(shares_files_without_segments));
+}
+
+/// Files that may not grow leave segments, as do servers that take no files.
+int shares_segments_without_files() {
+    const xvfb server("301x207x24");
+    const rlimit no_files{0, 0};
+    if (!server.started() || setrlimit(RLIMIT_FSIZE, &no_files) != 0)
+        return not_permitted;
+    const auto screen = make<l3d_screen_factory_xshm>();
+    EXPECT_TRUE(screen && is_shared(*screen));
+    EXPECT_EQ(wrong_after_pictures(*screen, 12), 0);
+    return testing::Test::HasFailure() ? 1 : 0;
+}
+
+TEST(screen_x11_shm, segments_of_system_v_serve_where_files_do_not) {
+    L3D_EXPECT_WELL(in_process_of_its_own(shares_segments_without_files));
+}
+
+/// The kernel's own reason, and that of files.
 int declines_within_limit(const std::string& limit, const std::string& value,
                           const std::string& why) {
     const xvfb server("301x207x24");
-    if (!server.started() || unshare(CLONE_NEWIPC) != 0)
+    if (!server.started() || !limits_segments(limit, value))
         return not_permitted;
-    std::ofstream file("/proc/sys/kernel/" + limit);
-    if (!(file << value << std::flush))
-        return not_permitted;
-    expect_wire(why);
+    const rlimit no_files{0, 0};
+    setrlimit(RLIMIT_FSIZE, &no_files);
+    expect_wire("the limit of file sizes (ulimit -f) is too small; " + why);
     return testing::Test::HasFailure() ? 1 : 0;
 }
 
@@ -169,7 +237,8 @@ int declines_foreign_memory() {
     for (int i = 0; i < 8; ++i)
         shmat(shmget(IPC_PRIVATE, large, IPC_CREAT | 0666), nullptr, 0);
     const xvfb server("301x207x24");
-    if (!server.started() || unshare(CLONE_NEWIPC) != 0)
+    const rlimit no_files{0, 0};
+    if (!server.started() || unshare(CLONE_NEWIPC) != 0 || setrlimit(RLIMIT_FSIZE, &no_files) != 0)
         return not_permitted;
     expect_wire("the X server sees other memory than ours");
     return testing::Test::HasFailure() ? 1 : 0;

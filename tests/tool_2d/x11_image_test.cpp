@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
-// x11_image: answers that come, come late or not at all; what travels over a network; and words
-// that change while they are sent.
-#include "onlooker_x11.h"
-
-#include "tool_2d/image.h"
-#include "tool_2d/x11/x11_image_p.h"
+// x11_image: answers that come, come late or not at all; and words that change while they are sent.
+#include "image_window.h"
 
 #include <thread>
 #include <vector>
-
-#include <linux/tcp.h>
-#include <netinet/in.h>
 
 #include <X11/extensions/XShm.h>
 
@@ -19,41 +12,6 @@ namespace {
 using namespace l3d_detail;
 using namespace std::chrono_literals;
 using std::chrono::steady_clock;
-
-constexpr l3d_size large{1021, 763};
-
-/// A window on the screen.
-std::unique_ptr<x11_window> open_window(l3d_size size) {
-    l3d_service refusal;
-    auto connection = x11_connection::open(refusal.why);
-    if (!connection)
-        return nullptr;
-    const auto visual = choose_x11_visual(*connection, refusal.why);
-    auto window = x11_window::open(std::move(connection), *visual, {size, "image"}, refusal);
-    EXPECT_NE(window, nullptr) << refusal.why;
-    window->map();
-    XSync(window->display(), False);
-    return window;
-}
-
-/// Hands all events that the server sent so far to the image. How many it took.
-int give_events(const x11_window& window, x11_image& image, int but_none_of_type = 0) {
-    int taken = 0;
-    XSync(window.display(), False);
-    while (XPending(window.display()) > 0) {
-        XEvent event;
-        XNextEvent(window.display(), &event);
-        if (event.type != but_none_of_type)
-            taken += image.take(event);
-    }
-    return taken;
-}
-
-l3d_image random_picture(l3d_size size, unsigned seed) {
-    l3d_image picture(size, size.width);
-    draw_random(picture.pixels(), seed);
-    return picture;
-}
 
 TEST(x11_image, answers_to_an_image_that_was_replaced_are_ignored) {
     const xvfb server("301x207x24");
@@ -184,75 +142,6 @@ TEST(x11_image, a_picture_that_is_refused_is_found_out) {
                    "parameter)");
 }
 
-/// Bytes that have left for the server.
-std::uint64_t bytes_sent(const x11_window& window) {
-    XSync(window.display(), False);
-    tcp_info info{};
-    socklen_t size = sizeof info;
-    getsockopt(ConnectionNumber(window.display()), IPPROTO_TCP, TCP_INFO, &info, &size);
-    return info.tcpi_bytes_acked;
-}
-
-class x11_image_network : public testing::Test {
-protected:
-    void SetUp() override {
-        L3D_REQUIRE_SERVER(server_);
-        setenv("DISPLAY", ("127.0.0.1" + server_.display()).c_str(), 1);
-        window_ = open_window(large);
-        if (!window_)
-            GTEST_SKIP() << "Xvfb does not listen to TCP here";
-        image_ = make_x11_image_put(*window_, large);
-    }
-
-    /// Sends the picture, and returns how many bytes that took.
-    std::uint64_t put(const l3d_pixels& picture) {
-        const auto before = bytes_sent(*window_);
-        image_->put(picture, l3d_whole(picture.size()), steady_clock::now() + patience);
-        give_events(*window_, *image_);
-        EXPECT_TRUE(image_->is_idle());
-        return bytes_sent(*window_) - before;
-    }
-
-    static constexpr std::uint64_t frame_bytes = 4ULL * large.width * large.height;
-
-    xvfb server_{"1100x800x24", {"-ac", "-listen", "tcp"}};
-    std::unique_ptr<x11_window> window_;
-    std::unique_ptr<x11_image> image_;
-};
-
-TEST_F(x11_image_network, only_what_changed_travels) {
-    const onlooker other;
-    auto picture = random_picture(large, 3);
-    const auto pixels = picture.pixels();
-    EXPECT_GE(put(pixels), frame_bytes) << "the first is whole";
-    EXPECT_LT(put(pixels), 1000U) << "nothing changed";
-    // As high as a line of text, in the middle of nowhere.
-    for (int y = 411; y < 411 + 16; ++y)
-        std::ranges::fill(pixels.row(y).subspan(317, 200), 0xFFFFFF);
-    EXPECT_LT(put(pixels), frame_bytes / 20);
-    EXPECT_EQ(wrong_pixels(other, pixels, window_->info()), 0);
-    image_->forget_shown();
-    EXPECT_GE(put(pixels), frame_bytes) << "the window was covered";
-}
-
-TEST_F(x11_image_network, every_change_arrives) {
-    const unsigned seed = std::random_device{}();
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    std::mt19937 random(seed);
-    const auto below = [&](int end) {
-        return static_cast<int>(random() % static_cast<unsigned>(end));
-    };
-    const onlooker other;
-    auto picture = random_picture(large, seed);
-    for (int change = 0; change < 20; ++change) {
-        for (int pixel = below(5); pixel > 0; --pixel)
-            picture.pixels().row(below(
-                large.height))[static_cast<std::size_t>(below(large.width))] ^= 1U << below(24);
-        put(picture.pixels());
-        ASSERT_EQ(wrong_pixels(other, picture.pixels(), window_->info()), 0) << change;
-    }
-}
-
 /// A part of a picture, at random, and other words in some of it.
 l3d_pixel_box changed_part(const l3d_pixels& pixels, std::mt19937& random) {
     const auto below = [&](int end) {
@@ -293,18 +182,6 @@ TEST(x11_image, parts_make_the_picture) {
                 << shared << ' ' << change;
         }
     }
-}
-
-TEST_F(x11_image_network, a_part_costs_in_proportion) {
-    auto picture = random_picture(large, 3);
-    put(picture.pixels());
-    const l3d_pixel_box part{317, 411, 317 + 64, 411 + 48};
-    for (int y = part.top; y < part.bottom; ++y)
-        std::ranges::fill(l3d_row(picture.pixels(), y, part), 0xFFFFFF);
-    const auto before = bytes_sent(*window_);
-    image_->put(picture.pixels(), part, steady_clock::now() + patience);
-    give_events(*window_, *image_);
-    EXPECT_LT(bytes_sent(*window_) - before, 4U * 72 * 48 + 1000);
 }
 
 TEST(x11_image, words_may_change_while_the_rest_is_under_way) {

@@ -47,6 +47,8 @@ public:
     bool started() const { return !number_.empty(); }
     std::string display() const { return ":" + number_; }
 
+    pid_t process() const { return process_; }
+
     void pause() const { kill(process_, SIGSTOP); }
     void resume() const { kill(process_, SIGCONT); }
     void end(int signal) {

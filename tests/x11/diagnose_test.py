@@ -29,8 +29,8 @@ NO_MANAGER = [
     "     start a window manager if you want frames",
 ]
 SHARING_REMEDY = (
-    "     needs an X server with MIT-SHM in our IPC namespace (in a container: --ipc=host) and free"
-    " segments (ipcs -lm)"
+    "     needs an X server with MIT-SHM 1.2; with an older one, an X server in our IPC namespace"
+    " (in a container: --ipc=host) and free segments (ipcs -lm)"
 )
 # What Xlib's own library prints, and nobody can keep it from that.
 REASONS = (
@@ -79,8 +79,33 @@ def expect_display(display, sharing, xshm, **more):
 def on_a_local_display():
     with x_server() as server:
         expect_display(server.display, [
-            "ok   MIT-SHM: version 1.2", "ok   shared memory: the X server sees what we write"],
+            "ok   MIT-SHM: version 1.2",
+            "ok   shared memory: the X server sees what we write, in files that it is handed"],
             WINDOW["xshm"])
+
+
+def on_a_display_that_takes_no_files():
+    with x_server() as server, Proxy(server.display, shm_no_files=True) as proxy:
+        expect_display(proxy.display, [
+            "ok   MIT-SHM: version 1.1",
+            "ok   shared memory: the X server sees what we write, in segments of System V"],
+            WINDOW["xshm"])
+
+
+def where_no_segment_is_left():
+    """strace has the kernel refuse what System V asks it for: files serve all the same, and what
+    refuses both is told."""
+    refuse = ("strace", "-f", "-o", "/dev/null", "-e", "inject=shmget:error=ENOSPC")
+    with x_server() as server, Proxy(server.display, shm_no_files=True) as proxy:
+        told = lambda display, *more: harness.run(
+            [*refuse, *more, *PROGRAM.command("--diagnose")],
+            environment(display, L3D_MESA="nothing"))[1].decode()
+        expect("in files that it is handed" in told(server.display), "no files")
+        expect("note shared memory: shmget: No space left on device; pictures" in
+               told(proxy.display), "no reason")
+        expect("note shared memory: memfd_create: Too many open files in system; shmget: No space "
+               "left on device; pictures" in
+               told(server.display, "-e", "inject=memfd_create:error=ENFILE"), "not both reasons")
 
 
 def with_shared_memory_forbidden():
@@ -200,7 +225,7 @@ def over_a_network_and_by_ssh():
         ):
             lines = diagnosis(proxy.tcp_display, **more)
             expect_equal(lines[2:4], [
-                "note way: %s; each picture travels, and --backend ximage is the right one" % way,
+                "note way: %s; --remote auto sends only what changed, coarse while it moves" % way,
                 "     a smaller --size and --fps 5 make it lighter" + help_more])
             at = lines.index("note shared memory: the X server is reached over a network; pictures go"
                              " over the wire")
@@ -241,6 +266,8 @@ if __name__ == "__main__":
     for check in (
         without_a_display,
         on_a_local_display,
+        on_a_display_that_takes_no_files,
+        where_no_segment_is_left,
         with_shared_memory_forbidden,
         without_the_extension,
         where_no_segment_can_be_attached,

@@ -156,6 +156,11 @@ class Pipe:
         self.files.extend(files)
         return len(got)
 
+    def drop_files(self):
+        for file in self.files:
+            os.close(file)
+        self.files = array.array("i")
+
     def write(self, message):
         files, self.files = self.files, array.array("i")
         if self.delay:

@@ -33,6 +33,7 @@ class Faults:
     hide: tuple = ()  # names of extensions that are not there
     shm_badrequest: bool = False  # as Xorg for the clients of ssh
     shm_badaccess: bool = False  # no segment can be attached
+    shm_no_files: bool = False  # as servers before MIT-SHM 1.2
     shm_break: int = 0  # from this ShmPutImage on they are answered with BadShmSeg
     shm_swallow: int = 0  # from this ShmPutImage on they vanish without completion
     rate: float = 0  # bytes per second from the client; 0: no limit
@@ -58,13 +59,8 @@ class Traffic:
     bytes_down: int = 0
 
     def copy(self):
-        return replace(
-            self,
-            requests=self.requests[:],
-            times=self.times[:],
-            replied=self.replied[:],
-            boxes=self.boxes[:],
-        )
+        lists = ("requests", "times", "replied", "boxes")
+        return replace(self, **{name: getattr(self, name)[:] for name in lists})
 
     def add_request(self, name, size, box):
         self.requests.append(name)
@@ -153,6 +149,8 @@ class Connection:
         noted = name, len(request), x11.picture_box(name, request, self.order)
         self.traffic.add_request(*noted)
         self.asked[len(self.traffic.requests) & 0xFFFF] = name, change
+        if sent is not request:
+            self.up.drop_files()  # which no other request would take
         is_last = self.proxy.note(*noted)
         self.up.write(sent)
         if is_last:
@@ -182,13 +180,13 @@ class Connection:
         # A request with a short reply keeps the place in the sequence; the reply becomes an error.
         harmless = struct.pack(self.order + "BBH", x11.GET_INPUT_FOCUS, 0, 1)
         error = lambda code: (
-            harmless,
-            lambda reply: x11.error_like(reply, self.order, code, request),
-        )
+            harmless, lambda reply: x11.error_like(reply, self.order, code, request))
         if faults.shm_badrequest and name != x11.SHM + ".QueryVersion":
             return error(x11.BAD_REQUEST)
         if faults.shm_badaccess and name.startswith(x11.SHM + ".Attach"):
             return error(x11.BAD_ACCESS)
+        if faults.shm_no_files and name == x11.SHM + ".QueryVersion":
+            return request, lambda reply: reply[:10] + struct.pack(self.order + "H", 1) + reply[12:]
         if name == x11.SHM + ".PutImage":
             number = 1 + self.proxy.traffic.requests.count(name)
             if 0 < faults.shm_break <= number:

@@ -16,6 +16,17 @@ namespace l3d_detail {
 /// Why there is no screen, if the display was lost while it was asked.
 inline constexpr auto x11_server_went_away = "the X server went away";
 
+/// How memory gets to the server.
+struct x11_sharing {
+    enum class way {
+        unproven, ///< nobody knows
+        files,    ///< as files that are handed over
+        segments, ///< as segments of System V
+    };
+    way by = way::unproven;
+    int opcode = 0; ///< of the extension, where files are handed over
+};
+
 /// Owns a Display.
 ///
 /// Xlib's two error handlers belong to the whole process, and its own ones end it. While
@@ -44,9 +55,9 @@ public:
     /// Whether the server is reached without a network, so that it can share memory with us.
     bool is_local() const { return local_; }
 
-    /// Whether it has been proven that the server attaches our segments, and not others.
-    bool shares_memory() const { return shares_memory_; }
-    void set_shares_memory() { shares_memory_ = true; }
+    /// By what it has been proven that the server attaches our memory, and not others'.
+    const x11_sharing& sharing() const { return sharing_; }
+    void set_sharing(const x11_sharing& sharing) { sharing_ = sharing; }
 
     /// Whether the server is gone. From then on no call reaches it, and none may wait for it.
     bool lost() const { return lost_; }
@@ -91,7 +102,7 @@ private:
     bool local_ = false;
     std::size_t writable_size_ = 0;
     bool lost_ = false;
-    bool shares_memory_ = false;
+    x11_sharing sharing_;
     unsigned long trap_serial_ = 0; ///< first request whose errors are asked for; 0: none
     int trapped_error_ = 0;
     // Two pictures may be under way; the rest is room for errors that nobody asks about.

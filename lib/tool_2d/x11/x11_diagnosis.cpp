@@ -67,7 +67,7 @@ void probe_way(const x11_connection& connection, l3d_probes& probes) {
     const bool is_ssh = std::getenv("SSH_CONNECTION") != nullptr;
     probes.push_back({"way",
                       std::string(is_ssh ? "by ssh" : "over a network") +
-                          "; each picture travels, and --backend ximage is the right one",
+                          "; --remote auto sends only what changed, coarse while it moves",
                       verdict::limited,
                       std::string("a smaller --size and --fps 5 make it lighter") +
                           (is_ssh ? "; so does ssh -C on a slow line" : "")});
@@ -102,16 +102,21 @@ std::string sharing_remedy(const x11_connection& connection) {
         return "unset L3D_NO_SHM";
     if (!connection.is_local())
         return "none is needed: back-end ximage serves displays of other machines";
-    return "needs an X server with MIT-SHM in our IPC namespace (in a container: --ipc=host) and "
-           "free segments (ipcs -lm)";
+    return "needs an X server with MIT-SHM 1.2; with an older one, an X server in our IPC "
+           "namespace "
+           "(in a container: --ipc=host) and free segments (ipcs -lm)";
 }
 
 l3d_probe probe_sharing(x11_connection& connection) {
     l3d_probe probe{"shared memory", "the X server sees what we write", verdict::good, {}};
     std::string why;
     const auto visual = choose_x11_visual(connection, why);
-    if (visual && x11_shm_segment::make(connection, visual->visual, visual->layout, 1, why))
+    if (visual && x11_shm_segment::make(connection, visual->visual, visual->layout, 1, why)) {
+        probe.result += connection.sharing().by == x11_sharing::way::files
+                            ? ", in files that it is handed"
+                            : ", in segments of System V";
         return probe;
+    }
     return {probe.what, why + "; pictures go over the wire", verdict::limited,
             sharing_remedy(connection)};
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
 #include <utility>
@@ -271,15 +272,32 @@ void x11_events::take_button(const XButtonEvent& event, l3d_event_type type) {
     take_modifiers(event.state, ours);
     const bool is_press = type == l3d_event_type::button_press;
     if (event.button == Button4 || event.button == Button5) {
-        ours.type = l3d_event_type::wheel;
-        ours.notches = event.button == Button4 ? 1 : -1;
-        if (is_press)
-            push(ours);
+        // The server makes a click of each full notch of a fine wheel, too, at the same time.
+        if (is_press && (turned_at_ == 0 || event.time != turned_at_))
+            push_turn(ours, event.button == Button4 ? 1 : -1);
     } else if (event.button <= Button3) {
         ours.button = static_cast<int>(event.button);
         ours.clicks = is_press ? clicks_of(event) : 0;
         push(ours);
     }
+}
+
+void x11_events::take_turn(const XMotionEvent& place, double notches) {
+    l3d_event ours{.x = window_.ours(place.x), .y = window_.ours(place.y)};
+    take_modifiers(place.state, ours);
+    turned_at_ = place.time;
+    push_turn(ours, notches);
+}
+
+void x11_events::push_turn(l3d_event event, double notches) {
+    event.type = l3d_event_type::wheel;
+    event.turn = notches;
+    turned_ += notches;
+    // Ten tenths are one, whatever they sum up to.
+    constexpr double nothing = 1e-6;
+    event.notches = static_cast<int>(turned_ + std::copysign(nothing, turned_));
+    turned_ -= event.notches;
+    push(event);
 }
 
 /// By the server's clock: 400 ms and 4 pixels are what desktops take for a double click. A third

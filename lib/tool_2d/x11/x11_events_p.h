@@ -26,6 +26,9 @@ public:
     /// Translates one event. A ping of the window manager is answered here.
     void take(XEvent& event);
 
+    /// A fine wheel turned, with the pointer at this place.
+    void take_turn(const XMotionEvent& place, double notches);
+
     /// The server is gone: the last event of all.
     void take_display_lost() { push({.type = l3d_event_type::display_lost}); }
 
@@ -65,6 +68,7 @@ private:
     void take_release(const XKeyEvent& event);
     void release_all();
     void take_button(const XButtonEvent& event, l3d_event_type type);
+    void push_turn(l3d_event event, double notches);
     int clicks_of(const XButtonEvent& press);
     void take_motion(const XMotionEvent& event);
     void take_message(XClientMessageEvent& event);
@@ -75,6 +79,8 @@ private:
     std::deque<l3d_event> queue_;
     bool mapped_ = false, exposed_ = false;
     bool covered_ = false, unmapped_ = false, away_ = false;
+    Time turned_at_ = 0;           ///< when a fine wheel last did
+    double turned_ = 0;            ///< since the last full notch
     bool hidden_ = false;          ///< for one of these reasons
     bool exposure_is_due_ = false; ///< is told as soon as the window can be seen
     std::array<int, 256> held_{};  ///< by key code: the key told pressed; 0: it is up

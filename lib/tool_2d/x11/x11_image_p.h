@@ -37,9 +37,12 @@ public:
         do_put(picture, part, deadline);
     }
 
-    /// Goes on with what put could not do without blocking, and asks after an answer that is
-    /// overdue. To be called now and then before events are read.
+    /// Goes on with what put could not do without blocking, makes coarse parts fine, and asks after
+    /// an answer that is overdue. To be called now and then before events are read.
     void look_after() { do_look_after(); }
+
+    /// When look_after has something to do although the server sends nothing. Expects: is_idle().
+    time_point next_look() const { return do_next_look(); }
 
     /// Whether part of a picture is still to be sent, as soon as the connection takes it.
     bool is_sending() const { return do_is_sending(); }
@@ -66,6 +69,7 @@ private:
     virtual void do_put(const l3d_pixels& picture, const l3d_pixel_box& part,
                         time_point deadline) = 0;
     virtual void do_look_after() = 0;
+    virtual time_point do_next_look() const { return time_point::max(); }
     virtual bool do_is_sending() const { return false; }
     virtual bool do_is_idle() const = 0;
     virtual void do_forget_shown() {}
@@ -74,12 +78,17 @@ private:
     virtual std::string do_describe() const = 0;
 };
 
-/// The picture travels over the connection, in the display's own pixels. Over a network only
-/// those rows of the part travel that differ from what was sent before.
+/// The picture travels over the connection, in the display's own pixels.
 /// Shape:   `size` in pixel words; the window's own pixels are scale() times as many.
 /// Errors:  std::bad_alloc.
 /// Lives:   the window outlives the image.
 std::unique_ptr<x11_image> make_x11_image_put(const x11_window& window, l3d_size size);
+
+/// The same for a slow line. Only what differs from what was sent before travels. If that is much,
+/// it travels with fewer pixels, which the server enlarges; once no picture comes for a while, it
+/// is made as fine as it is.
+/// Shape, Errors, Lives: likewise.
+std::unique_ptr<x11_image> make_x11_image_sparing(const x11_window& window, l3d_size size);
 
 /// The picture is in memory that the server shares.
 /// Errors:  null, with one line in `why`, if that cannot be done here; std::bad_alloc.

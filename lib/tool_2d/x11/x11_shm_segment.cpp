@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// x11_shm_segment: System V memory, and the proof that two programs see the same.
+// x11_shm_segment: files and System V memory, and the proof that two programs see the same.
 #include "tool_2d/x11/x11_shm_segment_p.h"
 
 #include "tool_2d/x11/x11_extension_p.h"
 #include "tool_2d/x11/x11_ximage_p.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
@@ -13,11 +14,23 @@
 #include <system_error>
 #include <utility>
 
+#include <fcntl.h>
 #include <sys/ipc.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/shm.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <X11/Xlib-xcb.h>
+#include <X11/Xproto.h>
+#include <X11/extensions/shmproto.h>
+#include <xcb/xcbext.h>
 
 namespace l3d_detail {
 namespace {
+
+using way = x11_sharing::way;
 
 // Linux attaches a segment by its number even after its name was removed; others may not.
 #ifdef __linux__
@@ -103,6 +116,19 @@ bool server_sees(x11_shm_segment& segment, XImage& row, const x11_connection& co
     return false;
 }
 
+/// Has the server attach a file, which is closed here once it is sent. Xlib has no such request.
+void hand_over(xcb_connection_t* xcb, int opcode, XID segment, int file) {
+    xShmAttachFdReq request{};
+    request.shmReqType = X_ShmAttachFd;
+    request.shmseg = static_cast<CARD32>(segment);
+    request.readOnly = xTrue;
+    // The two in front are the library's.
+    std::array<iovec, 3> parts{};
+    parts[2] = {&request, sizeof request};
+    const xcb_protocol_request_t kind{1, nullptr, static_cast<std::uint8_t>(opcode), 1};
+    xcb_send_request_with_fds(xcb, 0, &parts[2], &kind, 1, &file);
+}
+
 } // namespace
 
 std::unique_ptr<x11_shm_segment> x11_shm_segment::make(x11_connection& connection, Visual* visual,
@@ -110,17 +136,98 @@ std::unique_ptr<x11_shm_segment> x11_shm_segment::make(x11_connection& connectio
                                                        std::size_t size, std::string& why) {
     if (is_hopeless(connection, why))
         return nullptr;
+    std::string why_no_file;
+    if (connection.sharing().by != way::segments) {
+        auto segment = by_file(connection, size, why_no_file);
+        if (segment)
+            return segment;
+        if (connection.sharing().by == way::files || connection.lost()) {
+            why = connection.lost() ? x11_server_went_away : why_no_file;
+            return nullptr;
+        }
+    }
+    auto segment = by_system_v(connection, visual, layout, size, why);
+    if (!segment && !connection.lost() && !why_no_file.empty())
+        why = why_no_file + "; " + why;
+    return segment;
+}
+
+/// Errors:  null, with a reason in `why` unless the server is just too old.
+std::unique_ptr<x11_shm_segment> x11_shm_segment::by_file(x11_connection& connection,
+                                                          std::size_t size, std::string& why) {
+    std::unique_ptr<x11_shm_segment> segment(new x11_shm_segment(connection));
+    if (connection.sharing().by == way::files)
+        return segment->attach_file(size, connection.sharing().opcode, why) ? std::move(segment)
+                                                                            : nullptr;
+    int major = 0, minor = 0, pixmaps = 0, opcode = 0, first_event = 0, first_error = 0;
+    const bool is_told = XShmQueryVersion(connection.display(), &major, &minor, &pixmaps) != 0 &&
+                         ask_for_extension([&] {
+                             return XQueryExtension(connection.display(), SHMNAME, &opcode,
+                                                    &first_event, &first_error);
+                         }) != 0 &&
+                         !connection.lost();
+    if (is_told && (major < 1 || (major == 1 && minor < 2)))
+        return nullptr;
+    x11_error_trap trap(connection);
+    if (!is_told || !segment->attach_file(size, opcode, why))
+        return nullptr;
+    if (trap.sync() == 0 && !connection.lost()) {
+        connection.set_sharing({way::files, opcode});
+        return segment;
+    }
+    why = connection.lost()
+              ? x11_server_went_away
+              : "the X server refuses shared files: " + x11_error_text(connection, trap.error());
+    return nullptr;
+}
+
+std::unique_ptr<x11_shm_segment> x11_shm_segment::by_system_v(x11_connection& connection,
+                                                              Visual* visual,
+                                                              const l3d_pixel_layout& layout,
+                                                              std::size_t size, std::string& why) {
     const auto row = make_ximage(connection.display(), visual, layout, {proof_width, 1});
     std::unique_ptr<x11_shm_segment> segment(new x11_shm_segment(connection));
-    if (attaches_nameless && connection.shares_memory())
+    if (attaches_nameless && connection.sharing().by == way::segments)
         return segment->attach(size, why) ? std::move(segment) : nullptr;
     x11_error_trap trap(connection);
     if (!segment->attach(std::max(size, proof_size), why) ||
         !server_sees(*segment, *row, connection, trap, why))
         return nullptr;
     segment->forget_name();
-    connection.set_shares_memory();
+    connection.set_sharing({way::segments, 0});
     return segment;
+}
+
+bool x11_shm_segment::attach_file(std::size_t size, int opcode, std::string& why) {
+    rlimit largest{};
+    if (getrlimit(RLIMIT_FSIZE, &largest) == 0 && largest.rlim_cur < size) {
+        // The kernel would send a signal, which ends programs.
+        why = "the limit of file sizes (ulimit -f) is too small";
+        return false;
+    }
+    const int file = memfd_create("l3d", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+    if (file < 0) {
+        why = kernel_reason("memfd_create");
+        return false;
+    }
+    // Sealed, it never ends where the server reads.
+    void* address = MAP_FAILED;
+    if (ftruncate(file, static_cast<off_t>(size)) == 0 &&
+        fcntl(file, F_ADD_SEALS, F_SEAL_SHRINK) == 0)
+        address = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    if (address == MAP_FAILED) {
+        why = kernel_reason("shared file");
+        close(file);
+        return false;
+    }
+    file_size_ = size;
+    info_.shmid = -1;
+    info_.shmaddr = static_cast<char*>(address);
+    info_.readOnly = True;
+    auto* const xcb = XGetXCBConnection(connection_.display());
+    info_.shmseg = xcb_generate_id(xcb);
+    hand_over(xcb, opcode, info_.shmseg, file);
+    return true;
 }
 
 bool x11_shm_segment::attach(std::size_t size, std::string& why) {
@@ -157,7 +264,10 @@ x11_shm_segment::~x11_shm_segment() {
     if (!connection_.lost())
         XShmDetach(connection_.display(), &info_);
     forget_name();
-    shmdt(info_.shmaddr);
+    if (file_size_ != 0)
+        munmap(info_.shmaddr, file_size_);
+    else
+        shmdt(info_.shmaddr);
 }
 
 } // namespace l3d_detail

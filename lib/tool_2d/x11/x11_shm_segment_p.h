@@ -16,21 +16,24 @@
 
 namespace l3d_detail {
 
-/// A System V segment, attached here and, read-only, by the server.
+/// Memory, attached here and, read-only, by the server.
 ///
-/// Nobody else may open it (mode 0600), and it has no name any more. The kernel frees it with the
-/// last process that has it, however that ends.
+/// It is a file without a name, which the server is handed, if the server knows how to take one
+/// (MIT-SHM 1.2). Such memory cannot be mistaken for another's, has no limits of its own, and works
+/// from within a container. Else it is a segment of System V. Nobody else may open that (mode
+/// 0600), and its name is taken away at once. The kernel frees either with the last process that
+/// has it, however that ends.
 /// Lives:   the connection outlives the segment.
 class x11_shm_segment {
 public:
-    /// Makes a segment. The first segment of a connection proves that the server sees in it what we
-    /// write there. A server in another IPC namespace may find a stranger's memory under our
-    /// number.
+    /// Makes a segment. The first one of a connection proves that it works. The server answers that
+    /// it has taken the file; or it sees in the segment of System V what we write there. A server
+    /// in another IPC namespace may find a stranger's memory under our number.
     ///
     /// Shape:   at least `size` bytes; the proof is a row of pixels of this layout.
-    /// Errors:  null, with one line in `why` that gives the reason of kernel or server;
+    /// Errors:  null, with one line in `why` that gives the reasons of kernel or server;
     ///          std::bad_alloc. If the server refuses a later one, this shows when it is used.
-    /// Cost:    the first time four round trips, three of which ask for the extension.
+    /// Cost:    the first time four round trips for a file, and as many more if that fails.
     static std::unique_ptr<x11_shm_segment> make(x11_connection& connection, Visual* visual,
                                                  const l3d_pixel_layout& layout, std::size_t size,
                                                  std::string& why);
@@ -45,12 +48,20 @@ public:
 private:
     explicit x11_shm_segment(const x11_connection& connection) : connection_(connection) {}
 
+    static std::unique_ptr<x11_shm_segment> by_file(x11_connection& connection, std::size_t size,
+                                                    std::string& why);
+    static std::unique_ptr<x11_shm_segment> by_system_v(x11_connection& connection, Visual* visual,
+                                                        const l3d_pixel_layout& layout,
+                                                        std::size_t size, std::string& why);
+
     /// Errors:  false, with one line in `why`.
+    bool attach_file(std::size_t size, int opcode, std::string& why);
     bool attach(std::size_t size, std::string& why);
     void forget_name();
 
     const x11_connection& connection_;
     XShmSegmentInfo info_{};
+    std::size_t file_size_ = 0; ///< 0: it is a segment of System V
     bool is_named_ = false;
 };
 

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// x11_enlarger: small pictures that the server makes large.
+#ifndef L3D_TOOL_2D_X11_X11_ENLARGER_P_H
+#define L3D_TOOL_2D_X11_X11_ENLARGER_P_H
+
+#include "tool_2d/x11/x11_window_p.h"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Enlarges parts of a picture in the server, by requests that every server has: those who are not
+/// trusted have no others.
+///
+/// The columns of a small picture are moved apart, and the gaps are filled by copies of the whole,
+/// each shifted by twice as much as the one before. So it goes with rows.
+/// Lives:   the window outlives it.
+/// Cost:    the server keeps not quite two pictures. A part of w x h cells takes w + h requests of
+///          28 bytes beside its pixels.
+class x11_enlarger {
+public:
+    /// The side of the square that shows a cell: a power of two, and at most this.
+    static constexpr int largest_factor = 4;
+
+    /// Some requests that go together, small enough for every connection's buffer.
+    using step = std::function<void()>;
+
+    /// Shape:   `native` is the size of the large picture.
+    x11_enlarger(const x11_window& window, l3d_size native);
+    x11_enlarger(const x11_enlarger&) = delete;
+    x11_enlarger& operator=(const x11_enlarger&) = delete;
+    ~x11_enlarger();
+
+    /// Where small pictures are put.
+    Pixmap small() const { return small_; }
+
+    /// Adds what enlarges these cells of small().
+    /// Lives:   the steps borrow this.
+    void add_steps(const l3d_pixel_box& cells, int factor, std::vector<step>& steps) const;
+
+    /// Shows a part of the large picture. Expects: the steps of its cells are done.
+    void show(const l3d_pixel_box& box) const;
+
+private:
+    static constexpr std::size_t doublings = 2; ///< to the largest factor
+
+    GC make_copier() const;
+    GC make_filler(const std::vector<XRectangle>& gaps) const;
+    void copy_columns(const l3d_pixel_box& cells, int factor) const;
+    void copy_rows(const l3d_pixel_box& cells, int factor) const;
+
+    const x11_window& window_;
+    Pixmap small_, wide_, large_; ///< cells, cells with their columns enlarged, and the picture
+    GC copier_;
+    std::array<GC, doublings> column_fillers_{}, row_fillers_{};
+};
+
+} // namespace l3d_detail
+
+#endif

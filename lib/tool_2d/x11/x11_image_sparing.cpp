@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+// x11_image by XPutImage of what changed, first coarse if that is much.
+#include "tool_2d/x11/x11_image_p.h"
+
+#include "tool_2d/pixel_writer_p.h"
+#include "tool_2d/x11/x11_echo_p.h"
+#include "tool_2d/x11/x11_enlarger_p.h"
+#include "tool_2d/x11/x11_tiles_p.h"
+#include "tool_2d/x11/x11_ximage_p.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace l3d_detail {
+namespace {
+
+using std::chrono::steady_clock;
+using namespace std::chrono_literals;
+
+// What a line of 1 MB a second takes in 80 ms, so twelve pictures a second. More than that goes
+// with fewer pixels, and what makes it fine goes in pieces of it: a key then waits for one at most.
+constexpr std::int64_t bytes_at_once = 80'000;
+// After so long without a picture, things have come to rest: at 15 pictures a second three are
+// missing.
+constexpr auto until_rest = 250ms;
+
+int cells(int length, int factor) {
+    return (length + factor - 1) / factor;
+}
+
+/// The cells that show a box of pixels.
+l3d_pixel_box cells_of(const l3d_pixel_box& box, int factor) {
+    return {box.left / factor, box.top / factor, cells(box.right, factor),
+            cells(box.bottom, factor)};
+}
+
+/// The mean of a box of words.
+std::uint32_t mean_word(const l3d_pixels& picture, const l3d_pixel_box& box) {
+    std::uint32_t red = 0, green = 0, blue = 0;
+    for (int y = box.top; y < box.bottom; ++y) {
+        for (const std::uint32_t word : l3d_row(picture, y, box)) {
+            red += word >> 16 & 255;
+            green += word >> 8 & 255;
+            blue += word & 255;
+        }
+    }
+    const auto count = static_cast<std::uint32_t>(box.area());
+    const auto mean = [count](std::uint32_t sum) { return (sum + count / 2) / count; };
+    return mean(red) << 16 | mean(green) << 8 | mean(blue);
+}
+
+/// Steps never block, so that a server that is slow, or stopped, does not take the program with
+/// it. Those that could not go are kept, and look_after goes on with them.
+class x11_image_sparing final : public x11_image {
+public:
+    x11_image_sparing(const x11_window& window, l3d_size size)
+        : window_(window), writer_(window.info(), window.scale()),
+          cell_writer_(window.info()), native_{size.width * window.scale(),
+                                               size.height * window.scale()},
+          ximage_(ximage_of(native_)), bytes_(ximage_size(*ximage_)),
+          row_(ximage_row_size(*ximage_)), changed_(native_), coarse_(native_), echo_(window) {
+        ximage_->data = reinterpret_cast<char*>(bytes_.data());
+    }
+
+private:
+    bool do_is_free() const override { return do_is_idle(); }
+    bool do_is_idle() const override { return !do_is_sending() && !echo_.is_awaited(); }
+    bool do_is_sending() const override { return next_step_ < steps_.size(); }
+
+    void do_put(const l3d_pixels& picture, const l3d_pixel_box& part,
+                time_point deadline) override {
+        const l3d_pixel_box written = pixel_writer::writable_part(part, picture.size());
+        update(picture, written);
+        if (std::exchange(is_forgotten_, false)) {
+            changed_.add(writer_.native_part(written, native_));
+            coarse_.take();
+        }
+        last_put_ = steady_clock::now();
+        const int factor = factor_for(changed_.pixels());
+        const std::int64_t room = pixels_at_once() - changed_.pixels() / (factor * factor);
+        auto boxes = changed_.take();
+        if (factor == 1)
+            add_fine(boxes);
+        else
+            add_coarse(picture, factor, boxes);
+        // What has come to rest beside becomes fine, as far as there is room for it.
+        for (const l3d_pixel_box& box : boxes)
+            coarse_.remove(box);
+        if (room > 0)
+            add_fine(coarse_.take(room));
+        if (factor > 1)
+            for (const l3d_pixel_box& box : boxes)
+                coarse_.add(box);
+        add_question();
+        send(deadline);
+    }
+
+    unique_ximage ximage_of(l3d_size size) const {
+        return make_ximage(window_.display(), window_.visual(), window_.info().layout(), size);
+    }
+
+    std::size_t bytes_of(int pixels) const {
+        return static_cast<std::size_t>(pixels) *
+               static_cast<std::size_t>(window_.info().bytes_per_pixel());
+    }
+
+    std::int64_t pixels_at_once() const { return bytes_at_once / window_.info().bytes_per_pixel(); }
+
+    /// How many times as wide and high as a pixel a cell has to be.
+    int factor_for(std::int64_t pixels) const {
+        int factor = 1;
+        while (factor < x11_enlarger::largest_factor &&
+               pixels / (factor * factor) > pixels_at_once())
+            factor *= 2;
+        return factor;
+    }
+
+    /// Writes the display's own pixels of a part, and notes which of them are others than before.
+    void update(const l3d_pixels& picture, const l3d_pixel_box& part) {
+        const l3d_pixel_box box = writer_.native_part(part, native_);
+        for (int y = box.top; y < box.bottom; ++y) {
+            const int word_row = y / writer_.scale();
+            writer_.write_row(l3d_row(picture, word_row, part), word_row, box.right - box.left,
+                              row_.data());
+            auto* const kept = bytes_.data() +
+                               static_cast<std::size_t>(y) * ximage_row_size(*ximage_) +
+                               bytes_of(box.left);
+            if (std::memcmp(kept, row_.data(), bytes_of(box.right - box.left)) != 0)
+                update_row(box.left, box.right, y, kept);
+        }
+    }
+
+    /// Tile by tile: what changed may lie at both ends of a row.
+    void update_row(int left, int right, int y, std::uint8_t* kept) {
+        const std::size_t pixel = bytes_of(1);
+        const auto* found = row_.data();
+        for (int end = left; left < right; left = end) {
+            end = std::min(right, (left / x11_tiles::width + 1) * x11_tiles::width);
+            const std::size_t size = bytes_of(end - left);
+            std::size_t first = 0, last = size;
+            while (first < size && kept[first] == found[first])
+                ++first;
+            while (last > first && kept[last - 1] == found[last - 1])
+                --last;
+            if (first < last)
+                changed_.add({left + static_cast<int>(first / pixel), y,
+                              left + static_cast<int>((last + pixel - 1) / pixel), y + 1});
+            std::copy_n(found, size, kept);
+            kept += size;
+            found += size;
+        }
+    }
+
+    /// The pixels as they are.
+    void add_fine(const std::vector<l3d_pixel_box>& boxes) {
+        for (const l3d_pixel_box& box : boxes)
+            add_pieces(box, *ximage_, window_.id());
+    }
+
+    /// Cells, which the server enlarges. The boxes grow to hold whole ones.
+    void add_coarse(const l3d_pixels& picture, int factor, std::vector<l3d_pixel_box>& boxes) {
+        if (!enlarger_)
+            prepare_cells();
+        l3d_pixel_box all;
+        for (l3d_pixel_box& box : boxes) {
+            const l3d_pixel_box part = cells_of(box, factor);
+            write_cells(picture, part, factor);
+            add_pieces(part, *cell_ximage_, enlarger_->small());
+            all = all.united(part);
+            box = part.scaled(factor).intersected(l3d_whole(native_));
+        }
+        enlarger_->add_steps(all, factor, steps_);
+        for (const l3d_pixel_box& box : boxes)
+            steps_.emplace_back([this, box] { enlarger_->show(box); });
+    }
+
+    void prepare_cells() {
+        constexpr int least_factor = 2;
+        cell_ximage_ =
+            ximage_of({cells(native_.width, least_factor), cells(native_.height, least_factor)});
+        cell_bytes_.resize(ximage_size(*cell_ximage_));
+        cell_ximage_->data = reinterpret_cast<char*>(cell_bytes_.data());
+        enlarger_ = std::make_unique<x11_enlarger>(window_, native_);
+    }
+
+    /// A cell is the mean of the words that it shows.
+    void write_cells(const l3d_pixels& picture, const l3d_pixel_box& part, int factor) {
+        std::vector<std::uint32_t> words(static_cast<std::size_t>(part.right - part.left));
+        const auto box_of = [&](int x, int y) {
+            const l3d_pixel_box box{x * factor, y * factor,
+                                    std::min((x + 1) * factor, native_.width),
+                                    std::min((y + 1) * factor, native_.height)};
+            return cells_of(box, writer_.scale());
+        };
+        for (int y = part.top; y < part.bottom; ++y) {
+            for (int x = part.left; x < part.right; ++x)
+                words[static_cast<std::size_t>(x - part.left)] = mean_word(picture, box_of(x, y));
+            cell_writer_.write_row(
+                words, y, part.right - part.left,
+                cell_bytes_.data() + static_cast<std::size_t>(y) * ximage_row_size(*cell_ximage_) +
+                    bytes_of(part.left));
+        }
+    }
+
+    /// As many rows at once as there may be room for.
+    void add_pieces(const l3d_pixel_box& box, XImage& from, Drawable to) {
+        const auto most = window_.connection().writable_size() / bytes_of(box.right - box.left);
+        const int rows = std::max(1, static_cast<int>(most));
+        for (int top = box.top; top < box.bottom; top += rows) {
+            const l3d_pixel_box piece{box.left, top, box.right, std::min(box.bottom, top + rows)};
+            steps_.emplace_back([this, piece, &from, to] {
+                XPutImage(window_.display(), to, window_.graphics(), &from, piece.left, piece.top,
+                          piece.left, piece.top, static_cast<unsigned>(piece.right - piece.left),
+                          static_cast<unsigned>(piece.bottom - piece.top));
+            });
+        }
+    }
+
+    /// At the end, if there is something that it can be the end of.
+    void add_question() {
+        if (!steps_.empty())
+            steps_.emplace_back([this] { echo_.ask(); });
+    }
+
+    /// Each step goes when there is room for it. Even a small request would block right after a
+    /// large one.
+    void send(time_point deadline) {
+        while (do_is_sending() && window_.connection().wait_writable(deadline))
+            steps_[next_step_++]();
+        if (!do_is_sending()) {
+            steps_.clear();
+            next_step_ = 0;
+        }
+    }
+
+    void do_look_after() override {
+        send({});
+        if (!do_is_idle() || steady_clock::now() < do_next_look())
+            return;
+        add_fine(coarse_.take(pixels_at_once()));
+        add_question();
+        send({});
+    }
+
+    time_point do_next_look() const override {
+        return coarse_.empty() ? time_point::max() : last_put_ + until_rest;
+    }
+
+    void do_forget_shown() override { is_forgotten_ = true; }
+    bool do_take(const XEvent& event) override { return echo_.take(event); }
+
+    std::string do_describe() const override {
+        return std::string(writer_.is_identity() ? "unconverted" : "converted") +
+               ", changed tiles, coarse while they move";
+    }
+
+    const x11_window& window_;
+    pixel_writer writer_, cell_writer_;
+    l3d_size native_;
+    unique_ximage ximage_, cell_ximage_;
+    std::vector<std::uint8_t> bytes_; ///< what the window shall show
+    std::vector<std::uint8_t> row_;   ///< what may become part of it
+    std::vector<std::uint8_t> cell_bytes_;
+    x11_tiles changed_; ///< where the window shows neither pixels nor cells of the latest picture
+    x11_tiles coarse_;  ///< where it shows cells
+    std::unique_ptr<x11_enlarger> enlarger_;
+    std::vector<x11_enlarger::step> steps_;
+    std::size_t next_step_ = 0;
+    time_point last_put_{};
+    x11_echo echo_;
+    bool is_forgotten_ = true; ///< nothing is known of what the window shows
+};
+
+} // namespace
+
+std::unique_ptr<x11_image> make_x11_image_sparing(const x11_window& window, l3d_size size) {
+    return std::make_unique<x11_image_sparing>(window, size);
+}
+
+} // namespace l3d_detail

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// x11_tiles: which parts of a picture are to be sent.
+#ifndef L3D_TOOL_2D_X11_X11_TILES_P_H
+#define L3D_TOOL_2D_X11_X11_TILES_P_H
+
+#include "tool_2d/pixels.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace l3d_detail {
+
+/// A set of pixels, as a box in each tile of a picture. Few boxes hold it, and little beside it.
+///
+/// Cost:    16 bytes a tile.
+class x11_tiles {
+public:
+    /// Width and height of a tile, in pixels. A letter of an overlay is about half as wide and as
+    /// high. A rectangle that is sent has 24 bytes beside its pixels, a hundredth of a tile's 2048.
+    static constexpr int width = 32, height = 16;
+
+    explicit x11_tiles(l3d_size size);
+
+    bool empty() const { return pixels_ == 0; }
+
+    /// The number of pixels in the boxes.
+    std::int64_t pixels() const { return pixels_; }
+
+    /// Adds all pixels of a box. Expects: it lies in the picture.
+    void add(const l3d_pixel_box& box);
+
+    /// Removes what was added of each tile, where all of that lies in the box.
+    void remove(const l3d_pixel_box& box);
+
+    /// Takes boxes out, from top to bottom: all, or as many tiles as have `most` pixels, and one
+    /// at least. No two boxes overlap.
+    std::vector<l3d_pixel_box> take(std::int64_t most = std::numeric_limits<std::int64_t>::max());
+
+private:
+    template <class Visit> void visit_tiles(const l3d_pixel_box& box, Visit visit);
+    l3d_pixel_box& tile(int column, int row);
+    std::vector<l3d_pixel_box> take_row(int row, std::int64_t most, std::int64_t& taken);
+
+    int columns_, rows_;
+    std::vector<l3d_pixel_box> boxes_; ///< of each tile; empty where nothing is
+    std::int64_t pixels_ = 0;
+};
+
+} // namespace l3d_detail
+
+#endif
