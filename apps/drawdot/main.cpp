@@ -4,6 +4,8 @@
 #include <l3d/program.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace {
@@ -38,8 +40,26 @@ public:
 
 private:
     void draw(l3d_rasterizer_2d& rasterizer) override {
-        rasterizer.draw_lines(trail_, l3d_screen_info::ext_to_native(0, 255, 128));
         moved_ = false;
+        const std::uint32_t green = l3d_screen_info::ext_to_native(0, 255, 128);
+        const double pen = std::floor(size().height / 128.0); // seen in large windows, too
+        if (pen < 2)
+            return rasterizer.draw_lines(trail_, green);
+        for (const l3d_line_2d& line : trail_)
+            draw_box(rasterizer, line, pen / 2, green);
+        const l3d_line_2d& last = trail_.back();
+        draw_box(rasterizer, {last.x1, last.y1, last.x1, last.y1}, 1.5 * pen, 0xffffff);
+    }
+
+    /// All that is at most so far from an upright or level line.
+    static void draw_box(l3d_rasterizer_2d& rasterizer, const l3d_line_2d& line, double reach,
+                         std::uint32_t color) {
+        const auto [left, right] = std::minmax(line.x0, line.x1);
+        const auto [top, bottom] = std::minmax(line.y0, line.y1);
+        const double l = left + 0.5 - reach, r = right + 0.5 + reach;
+        const double t = top + 0.5 - reach, b = bottom + 0.5 + reach;
+        const l3d_point_2d corners[] = {{l, t}, {r, t}, {r, b}, {l, b}};
+        rasterizer.draw_polygon_flatshaded(corners, color);
     }
 
     void turn(int right, int down) {

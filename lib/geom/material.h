@@ -18,10 +18,14 @@ struct L3D_PUBLIC l3d_material {
     /// How small highlights are: the exponent of their cosine, from 1 to most_sharpness.
     int sharpness = 32;
 
+    /// From 0, which is not there, to 1, which hides all behind it. An instance is transparent as a
+    /// whole: l3d_patch_scene::add_by_opacity() makes instances of what materials say.
+    float opacity = 1;
+
     static constexpr int most_sharpness = 1000; ///< that of .mtl files
 
     /// Whether it looks as surfaces do that have no material.
-    bool is_plain() const { return color == 0xffffff && highlight == 0; }
+    bool is_plain() const { return color == 0xffffff && highlight == 0 && opacity == 1; }
 
     friend bool operator==(const l3d_material&, const l3d_material&) = default;
 };

@@ -155,10 +155,11 @@ l3d_patch_model l3d_patch_model::painted(std::span<const l3d_material> materials
     if (std::ranges::all_of(materials, &l3d_material::is_plain))
         return result;
     const auto made = std::make_shared<paint>();
-    std::map<std::tuple<std::uint32_t, std::uint32_t, int>, std::uint32_t> places;
+    std::map<std::tuple<std::uint32_t, std::uint32_t, int, float>, std::uint32_t> places;
     for (const l3d_material& m : materials) {
         const auto next = static_cast<std::uint32_t>(made->materials.size());
-        const auto [place, is_new] = places.try_emplace({m.color, m.highlight, m.sharpness}, next);
+        const auto [place, is_new] =
+            places.try_emplace({m.color, m.highlight, m.sharpness, m.opacity}, next);
         if (is_new)
             made->materials.push_back(m);
         made->of_patches.push_back(place->second);
@@ -205,6 +206,21 @@ l3d_patch_model l3d_patch_model::without(std::span<const std::size_t> parts) con
     std::vector<bool> patches = this->parts().things_of(parts, this->patches().size());
     patches.flip();
     return chosen(patches);
+}
+
+std::vector<float> l3d_patch_model::opacities() const {
+    std::vector<float> result;
+    for (const l3d_material& m : patch_materials())
+        if (std::ranges::find(result, m.opacity) == result.end())
+            result.push_back(m.opacity);
+    return result;
+}
+
+l3d_patch_model l3d_patch_model::of_opacity(float least, float most) const {
+    std::vector<bool> is_chosen;
+    for (const l3d_material& m : patch_materials())
+        is_chosen.push_back(m.opacity >= least && m.opacity <= most);
+    return chosen(is_chosen);
 }
 
 l3d_patch_model l3d_patch_model::chosen(const std::vector<bool>& is_chosen) const {

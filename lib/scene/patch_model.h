@@ -116,6 +116,12 @@ public:
     /// A model without some parts. Expects, Cost: as only().
     l3d_patch_model without(std::span<const std::size_t> parts) const;
 
+    /// The different opacities of the patches' materials, in the order of the patches.
+    std::vector<float> opacities() const;
+    /// A model of the patches whose materials have an opacity from `least` to `most`. Cost: as
+    /// only().
+    l3d_patch_model of_opacity(float least, float most) const;
+
     /// The different materials of the patches, each once; none if all are plain, that is white.
     std::span<const l3d_material> materials() const;
     /// The place of a patch's material in materials(); 0 if there are none. Expects: index <

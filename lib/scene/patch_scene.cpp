@@ -244,6 +244,33 @@ void l3d_patch_scene::set_opacity(std::size_t index, double opacity) {
     transparent_count_ = count;
 }
 
+void l3d_patch_scene::add_by_opacity(const l3d_patch_model& model,
+                                     const l3d_matrix<double>& placement) {
+    std::vector<float> opacities = model.opacities();
+    const bool is_opaque = std::ranges::all_of(opacities, [](float o) { return o == 1; });
+    const std::size_t room = most_transparent - transparent_count_;
+    if (is_opaque || room == 0)
+        return add(model, placement);
+    std::ranges::sort(opacities);
+    const auto below_1 =
+        static_cast<std::size_t>(std::ranges::count_if(opacities, [](float o) { return o < 1; }));
+    if (below_1 > room) {
+        // Those from (i - 1) / room to i / room are one, for i < room; the last ones are opaque.
+        opacities.clear();
+        for (std::size_t i = 0; i <= room; ++i)
+            opacities.push_back(static_cast<float>(i) / static_cast<float>(room));
+    }
+    float above = -1;
+    for (const float opacity : opacities) {
+        const l3d_patch_model part = model.of_opacity(std::nextafter(above, 2.0F), opacity);
+        above = opacity;
+        if (part.patches().empty())
+            continue;
+        add(part, placement);
+        set_opacity(instances_.size() - 1, double{opacity});
+    }
+}
+
 l3d_patch_scene l3d_patch_scene::only(std::span<const std::size_t> indices) const {
     l3d_patch_scene result;
     const std::span<const l3d_material> all = materials();

@@ -107,6 +107,12 @@ public:
     void add(const l3d_patch_model& model,
              const l3d_matrix<double>& placement = l3d_identity<double>());
 
+    /// The same, an instance for each opacity that the model's materials have. If these are more
+    /// than may be transparent yet, opacities are rounded up to whole parts of what may.
+    /// Errors: as add.
+    void add_by_opacity(const l3d_patch_model& model,
+                        const l3d_matrix<double>& placement = l3d_identity<double>());
+
     /// Moves an instance, or puts another model in its place.
     ///
     /// Expects: an index of instances().

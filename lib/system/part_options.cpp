@@ -117,7 +117,8 @@ template <class Model> Model l3d_part_options::applied_to(const Model& model) co
     return result;
 }
 
-/// The last opacity of a part counts. A part that is hidden has none.
+/// The last opacity of a part counts, and not that of its materials. A part that is hidden has
+/// none.
 l3d_patch_scene l3d_part_options::scene(const l3d_patch_model& model) const {
     const l3d_patch_model whole = applied(model);
     std::map<std::size_t, double> by_part;
@@ -126,22 +127,22 @@ l3d_patch_scene l3d_part_options::scene(const l3d_patch_model& model) const {
         if (const auto part = whole.parts().find(o.part))
             by_part[*part] = o.value;
     }
-    std::erase_if(by_part, [](const auto& part) { return part.second == 1; });
-    if (by_part.empty())
-        return whole;
+    l3d_patch_scene result;
+    if (by_part.empty()) {
+        result.add_by_opacity(whole);
+        return result;
+    }
     if (by_part.size() > l3d_patch_scene::most_transparent)
         refuse("--opacity: more than " + std::to_string(l3d_patch_scene::most_transparent) +
                " parts");
-    l3d_patch_scene result;
     std::vector<std::size_t> apart;
-    for (const auto& part : by_part)
-        apart.push_back(part.first);
-    if (const l3d_patch_model rest = whole.without(apart); !is_empty(rest))
-        result.add(rest);
     for (const auto& [part, value] : by_part) {
+        apart.push_back(part);
         result.add(whole.only(std::span(&part, 1)));
         result.set_opacity(result.instances().size() - 1, value);
     }
+    if (const l3d_patch_model rest = whole.without(apart); !is_empty(rest))
+        result.add_by_opacity(rest);
     return result;
 }
 

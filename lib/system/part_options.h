@@ -33,8 +33,8 @@ public:
     /// Errors: l3d_error(failure) if the standard output cannot be written to.
     static void list(const l3d_parts& parts, std::string_view things);
 
-    /// The model as --color, --hide, --show-only and --opacity have it: an instance of all that is
-    /// opaque, and one of each part that is not.
+    /// The model as --color, --hide, --show-only and --opacity have it: an instance of each part
+    /// that has an opacity, and one for each opacity that materials of the rest have.
     /// Errors: as applied().
     l3d_patch_scene scene(const l3d_patch_model& model) const;
 

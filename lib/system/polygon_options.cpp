@@ -2,10 +2,12 @@
 // l3d_polygon_options: declarations, and the model.
 #include "system/polygon_options.h"
 
+#include "base/printable_p.h"
 #include "scene/model_loader.h"
 #include "pipeline/polygons/patch_tessellation.h"
 #include "system/places.h"
 
+#include <algorithm>
 #include <iostream>
 #include <utility>
 
@@ -45,6 +47,11 @@ l3d_polygon_model l3d_polygon_options::model() const {
     const l3d_model_file file = l3d_load_model(l3d_data_file(name), name);
     for (const std::string& note : file.notes)
         std::cerr << note << '\n';
+    const bool is_opaque =
+        std::ranges::all_of(file.mesh.looks, [](const l3d_material& m) { return m.opacity == 1; });
+    if (!is_opaque && file.mesh.faces() > 0)
+        std::cerr << l3d_detail::printable(name)
+                  << ": transparent materials are opaque here; only patches are seen through\n";
     return l3d_polygon_model(l3d_mesh_of(file, name, facets_), to_origin_, crease_angle_);
 }
 

@@ -48,9 +48,10 @@ TEST(gltf_file, is_the_scene_in_its_own_coordinates) {
     EXPECT_EQ(mesh.look_of(0).color, 0xff0000u);
     // 0.2 of linear light is 0.485 as encoded.
     EXPECT_EQ(mesh.look_of(24).color, 0x7c7cffu);
+    EXPECT_EQ(mesh.look_of(24).opacity, 0.5F); // it blends
     EXPECT_EQ(mesh.face_colors[0], 0xffffffu);
     EXPECT_NE(mesh.face_colors[12], 0xffffffu);
-    ASSERT_EQ(file.notes.size(), 5u);
+    ASSERT_EQ(file.notes.size(), 4u);
     EXPECT_TRUE(file.notes[0].starts_with("name: textures are skipped")) << file.notes[0];
 }
 

@@ -111,7 +111,7 @@ TEST(mtl_file, has_colors_and_highlights) {
 
 TEST(mtl_file, notes_what_it_cannot_read_and_goes_on) {
     EXPECT_EQ(read_mtl("Kd 1 1 1\nnewmtl a\nKd 1 x 1\nKd 1 1\nKd 2 0 0\nKd nan 0 0\nKd spectral a\n"
-                       "Ns\nNs many\nfoo 1\nmap_Kd a.png\nmap_Kd b.png\nd 0.5\nKd 0 1 0\n",
+                       "Ns\nNs many\nfoo 1\nmap_Kd a.png\nmap_Kd b.png\nTf 0.5 0 0\nKd 0 1 0\n",
                        {"a.mtl:1: 'Kd' before the first newmtl is skipped",
                         "a.mtl:3: 'x', a colour, is not a number: skipped",
                         "a.mtl:4: a colour of 2 components is skipped",
@@ -122,8 +122,31 @@ TEST(mtl_file, notes_what_it_cannot_read_and_goes_on) {
                         "a.mtl:9: Ns without a number is skipped",
                         "a.mtl:10: 'foo' begins no statement of an .mtl file",
                         "a.mtl:11: statements 'map_Kd' are skipped",
-                        "a.mtl:13: statements 'd' are skipped"}),
+                        "a.mtl:13: statements 'Tf' are skipped"}),
               (std::vector<l3d_named_material>{{"a", {.color = 0x00ff00}}}));
+}
+
+TEST(mtl_file, has_opacity_by_d_or_by_its_opposite_tr) {
+    using materials = std::vector<l3d_named_material>;
+    EXPECT_EQ(read_mtl("newmtl a\nd 0.25\nnewmtl b\nTr 0.25\nnewmtl c\nd 0.4\nTr 0.6\nnewmtl d\n"),
+              (materials{{"a", {.opacity = 0.25F}},
+                         {"b", {.opacity = 0.75F}},
+                         {"c", {.opacity = 0.4F}},
+                         {"d", {}}}));
+    EXPECT_EQ(read_mtl("newmtl a\nd 0.5\nTr 0.1\nnewmtl b\nTr 0.125\nd 0.5\n",
+                       {"a.mtl:3: 'Tr' and 'd' do not add up to 1: 'd' is taken",
+                        "a.mtl:6: 'Tr' and 'd' do not add up to 1: 'd' is taken"}),
+              (materials{{"a", {.opacity = 0.5F}}, {"b", {.opacity = 0.5F}}}));
+    EXPECT_EQ(read_mtl("d 1\nnewmtl a\nd 1.5\nTr -0.1\nd\nd much\nd nan\nd -halo 0.5\nTr\n",
+                       {"a.mtl:1: 'd' before the first newmtl is skipped",
+                        "a.mtl:3: 'd' is '1.5', which is not from 0 to 1: skipped",
+                        "a.mtl:4: 'Tr' is '-0.1', which is not from 0 to 1: skipped",
+                        "a.mtl:5: 'd' without a number is skipped",
+                        "a.mtl:6: 'd' without a number is skipped",
+                        "a.mtl:7: 'd' without a number is skipped",
+                        "a.mtl:8: '-halo' is not drawn: the material is as opaque from all sides",
+                        "a.mtl:9: 'Tr' without a number is skipped"}),
+              (materials{{"a", {.opacity = 0.5F}}}));
 }
 
 TEST(polygon_mesh, keeps_colors_and_materials_when_another_is_appended) {

@@ -5,11 +5,13 @@
 #include "../scene/bodies.h"
 #include "words_of.h"
 
+#include "dice/doubts/frame_doubts.h"
 #include "pipeline/pipeline_afd.h"
 #include "raster/error_map.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "reference/box_image.h"
 #include "reference/random_numbers.h"
+#include "scene/image_transform.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>
@@ -182,6 +184,53 @@ TEST(lit_doubts, DISABLED_hold_for_more_pixels_of_highlights) {
     for (const int sharpness : {5, 50, 500})
         beside_exact(four_models({56, 42}), sharpness, {red, blue})
             .print("all, k = " + std::to_string(sharpness));
+}
+
+/// A black and a white picture show both bounds of the light itself. They are closer to it than
+/// what pixels are off.
+TEST(lit_doubts, enclose_the_exact_light_from_both_sides) {
+    const scene s = dice_tests::teapot(reference::project_view("closeup"), {32, 24});
+    l3d_patch_scene world;
+    world.add(s.model, s.placement);
+    const l3d_image_transform transform(s.camera, s.size, world);
+    const auto count = static_cast<std::size_t>(s.size.width * s.size.height);
+    l3d_workers workers(1);
+    const l3d_vector<double, 3> light{reference::project_light.x, reference::project_light.y,
+                                      reference::project_light.z};
+    for (const int sharpness : {5, 50, 500}) {
+        const l3d_material material{
+            .color = 0x404040, .highlight = 0xffffff, .sharpness = sharpness};
+        world.paint(0, material);
+        const auto map_of = [&](std::uint32_t color) {
+            std::vector<std::uint32_t> words(count, color);
+            l3d_frame_doubts doubts;
+            doubts.find({.scene = world,
+                         .to_image = transform.matrix(),
+                         .view = transform.view(0.25),
+                         .light = light,
+                         .bound_px = 0.25,
+                         .depth_bound_px = 0.25,
+                         .has_levels = false,
+                         .drawn = {words.data(), s.size.width, s.size.height, s.size.width}},
+                        workers);
+            return doubts.map();
+        };
+        const l3d_error_map most = map_of(0), least = map_of(0xffffff);
+        const reference::box_image exact(s.patches, s.eye, s.picture(), reference::project_light,
+                                         {.wanted = 0.05, .lamps = lamps_of({}, material, red)});
+        int exceptions = 0;
+        double apart = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const reference::box_pixel& p = exact.pixels()[i];
+            const double high = double{most.levels()[i]}, low = 255 - double{least.levels()[i]};
+            exceptions += p.level - p.unsure > high || p.level + p.unsure < low;
+            apart += (high - low) / static_cast<double>(count);
+        }
+        std::printf("k = %d: bounds are %.2f levels apart in the mean; %d exceptions\n", sharpness,
+                    apart, exceptions);
+        EXPECT_EQ(exceptions, 0) << sharpness;
+        EXPECT_LT(apart, 6) << sharpness;
+    }
 }
 
 TEST(lit_doubts, hold_for_fog) {

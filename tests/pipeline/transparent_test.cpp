@@ -147,7 +147,7 @@ TEST(transparent, frames_keep_depth_and_have_bounds_of_places_and_colors) {
     mixed.draw_event();
     EXPECT_EQ(l3d_distances(mixed.depth()), l3d_distances(opaque.depth()));
     EXPECT_LE(mixed.report().dice.bound_px, settings.tolerance);
-    EXPECT_GT(mixed.report().dice.shade_bound, opaque.report().dice.shade_bound);
+    EXPECT_GT(mixed.report().dice.shade_bound, 4.0 / 3 * opaque.report().dice.shade_bound + 0.5);
     EXPECT_LT(mixed.report().dice.shade_bound, 4);
     EXPECT_LT(mixed.report().color_bound, 40);
     EXPECT_LT(mixed.error_map()->at(20, 20), 255);
@@ -168,6 +168,37 @@ TEST(transparent, scenes_refuse_what_is_no_opacity_and_too_many) {
     scene.set_opacity(l3d_patch_scene::most_transparent, 0.5);
     scene.place(1, l3d_patch_model::teapot(), l3d_identity<double>());
     EXPECT_EQ(scene.transparent_count(), l3d_patch_scene::most_transparent - 1);
+}
+
+TEST(transparent, models_are_as_their_materials_say) {
+    const l3d_patch_model teapot = teapot_model();
+    std::vector<l3d_material> each(teapot.patches().size(), red);
+    const auto opaque_and = [&](std::size_t count) {
+        for (std::size_t i = 0; i < each.size(); ++i)
+            each[i].opacity = i < count ? static_cast<float>(i + 1) / 32 : 1.0F;
+        l3d_patch_scene scene;
+        scene.add_by_opacity(teapot.painted(each));
+        return scene;
+    };
+    EXPECT_EQ(opaque_and(0).instances().size(), 1u);
+    const l3d_patch_scene two = opaque_and(2);
+    ASSERT_EQ(two.instances().size(), 3u);
+    EXPECT_EQ(two.transparent_count(), 2u);
+    EXPECT_EQ(two.instances()[0].opacity(), 1.0 / 32);
+    EXPECT_EQ(two.instances()[1].model().patches().size(), 1u);
+    EXPECT_EQ(two.patch_count(), static_cast<std::int64_t>(each.size()));
+    l3d_patch_scene by_hand(teapot.painted(each).of_opacity(1, 1));
+    for (const float opacity : {1.0F / 32, 2.0F / 32}) {
+        by_hand.add(teapot.painted(each).of_opacity(opacity, opacity));
+        by_hand.set_opacity(by_hand.instances().size() - 1, double{opacity});
+    }
+    EXPECT_EQ(drawn(two, {}), drawn(by_hand, {}));
+    // More than may be transparent are rounded up to eighths.
+    const l3d_patch_scene many = opaque_and(20);
+    EXPECT_LE(many.transparent_count(), l3d_patch_scene::most_transparent);
+    EXPECT_EQ(many.patch_count(), static_cast<std::int64_t>(each.size()));
+    EXPECT_EQ(many.instances()[0].opacity(), 1.0 / 8);
+    EXPECT_EQ(many.instances()[0].model().patches().size(), 4u);
 }
 
 /// NUMERICS, section 22: how much a change of all levels changes the level of a mean.

@@ -14,7 +14,7 @@ from view_test import Window
 VIEW = ("Left", "Right", "Up", "Down", "Prior", "Next", "1", "ctrl+1", "3", "ctrl+3", "7", "ctrl+7", "9", "r", "Prior",
         "f")
 TEXT = ("h", "h", "question", "question", "o", "o", "s", "p", "space")
-PATCHES = ("plus", "minus", "c", "i", "w", "a", "n")
+PATCHES = ("plus", "minus", "c", "i", "w", "a", "n", "e", "d")
 KEYS = {
     "teapot_afd": (*VIEW, *TEXT, *PATCHES, "m"),
     "modelview": (*VIEW, *TEXT, "x", "X", "y", "Y", "z", "Z", "c", "w", "a", "b", "v"),

@@ -22,10 +22,9 @@ struct half_way {
     double reach = 2; ///< it is no farther from the middle
     double off = infinite;
 
-    /// A unit vector v / |v| changes by at most p = |d| / |v| if v does by d, with the least |v|,
-    /// and is within 0.58 p^2 of linear: the second derivative's parts along and across are 2 a b
-    /// and a^2, a^2 + b^2 = 1, and half of the most of their root is 0.577. The way e from the eye
-    /// is linear in the place, and this counts twice: for e / |e| and for the half-way vector.
+    /// If v changes by d, the unit vector v / |v| changes by at most p = |d| / |v|, with the least
+    /// |v|. It is within 0.58 p^2 of linear (NUMERICS, The map of doubt). The way e from the eye is
+    /// linear in the place. So this counts twice: for e / |e|, and for the half-way vector.
     half_way(const l3d_doubt_bounds& b, const l3d_doubt_view& view, const vector& light) {
         constexpr double bent = 0.58;
         const auto& [of_x, of_y, of_w] = view.world_of_image;

@@ -39,8 +39,8 @@ using light_ranges = std::array<interval, light_lines::most>;
 l3d_light_bounds light_in(const l3d_doubt_leaf& leaf, const l3d_image_box& cell,
                           const l3d_light_bounds& background);
 
-/// A sheet that fills a cell, and of which nothing else is seen there: the mean of its light, by
-/// the lines of the piece that is known best, and how far all others may be below and above them.
+/// The mean light of a sheet that fills a cell, where nothing else is seen. The lines of the piece
+/// that is known best tell it, and how far all others may be below and above them.
 /// Lives: borrows all that it is given.
 class lone_sheet {
 public:

@@ -93,9 +93,13 @@ private:
             std::array<double, 4> color{1, 1, 1, 1};
             if (material.has("pbrMetallicRoughness"))
                 read_array(material.at("pbrMetallicRoughness"), "baseColorFactor", color);
-            is_transparent_ = is_transparent_ || material.text_or("alphaMode", "") == "BLEND";
+            const bool is_blended = material.text_or("alphaMode", "") == "BLEND";
+            const double alpha = is_blended ? color[3] : 1;
+            if (!(alpha >= 0 && alpha <= 1))
+                material.fail("has an alpha that is not from 0 to 1");
             mesh().materials.push_back(material.text_or("name", "material " + std::to_string(i)));
-            mesh().looks.push_back({.color = word_of({color[0], color[1], color[2]})});
+            mesh().looks.push_back({.color = word_of({color[0], color[1], color[2]}),
+                                    .opacity = static_cast<float>(alpha)});
         }
     }
 
@@ -299,8 +303,6 @@ private:
     void finish() {
         if (has_morphs_)
             note("morph targets are skipped: meshes have the shape they are stored in");
-        if (is_transparent_)
-            note("transparency is skipped: materials are opaque");
         if (has_lines_)
             note("points, lines and what has no places are skipped");
         if (!mesh().vertex_normals.empty() &&
@@ -336,7 +338,7 @@ private:
     std::string name_;
     l3d_detail::vertex_colors colors_;
     std::size_t color_bytes_ = 0;
-    bool has_morphs_ = false, has_lines_ = false, is_transparent_ = false;
+    bool has_morphs_ = false, has_lines_ = false;
 };
 
 } // namespace

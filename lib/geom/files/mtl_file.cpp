@@ -2,7 +2,9 @@
 // l3d_read_mtl: the colours and highlights of Wavefront's materials.
 #include "geom/files/model_reader_p.h"
 
+#include <cmath>
 #include <map>
+#include <optional>
 
 namespace {
 
@@ -11,9 +13,8 @@ using l3d_detail::text_cursor;
 
 /// Statements of things that are not drawn; their loss is noted once for each kind.
 constexpr std::string_view noted_statements[] = {
-    "map_Ka",   "map_Kd", "map_Ks", "map_Ke", "map_Ns", "map_d", "map_bump",
-    "map_Bump", "bump",   "disp",   "decal",  "refl",   "norm",  "d",
-    "Tr",       "Tf",     "map_Pr", "map_Pm", "map_Ps", "map_Tr"};
+    "map_Ka", "map_Kd", "map_Ks", "map_Ke", "map_Ns", "map_d",  "map_bump", "map_Bump", "bump",
+    "disp",   "decal",  "refl",   "norm",   "Tf",     "map_Pr", "map_Pm",   "map_Ps",   "map_Tr"};
 
 /// Those whose loss few would see: ambient and own light, refraction, physical models.
 constexpr std::string_view silent_statements[] = {
@@ -45,12 +46,14 @@ private:
                 name.append(name.empty() ? "" : " ").append(text_.token());
             materials_.push_back({std::move(name), {}});
             has_highlights_ = true;
+            opaque_ = clear_ = {};
             return;
         }
         const auto is_in = [word](const auto& list) {
             return std::ranges::find(list, word) != std::end(list);
         };
-        const bool is_read = word == "Kd" || word == "Ks" || word == "Ns" || word == "illum";
+        constexpr std::string_view read_statements[] = {"Kd", "Ks", "Ns", "illum", "d", "Tr"};
+        const bool is_read = is_in(read_statements);
         if (is_read && materials_.empty())
             text_.note(quoted(word) + " before the first newmtl is skipped");
         else if (is_read)
@@ -75,6 +78,31 @@ private:
                 std::lround(std::clamp(value, 1.0, double{l3d_material::most_sharpness})));
         else if (word == "illum" && number(value, "illum"))
             has_highlights_ = value >= highlights_from;
+        else if (word == "d" || word == "Tr")
+            read_opacity(word, look);
+    }
+
+    /// "d" is how opaque a material is, "Tr" how clear; files have either, or both. With -halo,
+    /// what is seen edge on is opaque.
+    void read_opacity(std::string_view word, l3d_material& look) {
+        double value = 0;
+        if (!text_.next_in_line())
+            return text_.note(quoted(word) + " without a number is skipped");
+        if (word == "d" && text_.token() == "-halo") {
+            text_.note("'-halo' is not drawn: the material is as opaque from all sides");
+            if (!text_.next_in_line())
+                return text_.note(quoted(word) + " without a number is skipped");
+        }
+        if (!text_.number_in(text_.token(), value, "an opacity"))
+            return text_.note(quoted(word) + " without a number is skipped");
+        if (!(value >= 0 && value <= 1))
+            return text_.note(quoted(word) + " is " + quoted(text_.token()) +
+                              ", which is not from 0 to 1: skipped");
+        (word == "d" ? opaque_ : clear_) = value;
+        look.opacity = static_cast<float>(opaque_ ? *opaque_ : 1 - *clear_);
+        constexpr double same = 1e-3; // both are written with a few digits
+        if (opaque_ && clear_ && std::abs(*opaque_ + *clear_ - 1) > same)
+            text_.note("'Tr' and 'd' do not add up to 1: 'd' is taken");
     }
 
     /// One number in the line. What is wrong is noted.
@@ -119,7 +147,8 @@ private:
     text_cursor& text_;
     std::vector<l3d_named_material>& materials_;
     std::vector<std::string_view> noted_;
-    bool has_highlights_ = true; ///< of the material that is read
+    bool has_highlights_ = true;           ///< of the material that is read
+    std::optional<double> opaque_, clear_; ///< likewise, as "d" and "Tr" have it
 };
 
 } // namespace
