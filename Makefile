@@ -33,6 +33,10 @@ needs_raster  := tbb libhwy freetype2
 
 include config.mk
 
+# HarfBuzz kerns text that becomes paths, if it is there.
+links_raster += $(if $(HARFBUZZ),-lharfbuzz)
+needs_raster += $(if $(HARFBUZZ),harfbuzz)
+
 # ---- variant: one folder per choice of scalar, mode and compiler --------------------------------
 
 flags_float   := -DL3D_REAL_FLOAT
@@ -167,7 +171,7 @@ MAKEFLAGS += -rR --no-print-directory
 .SECONDEXPANSION:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: FORCE all run test stress faults displays stability matrix lint $(CHECKS) tidy format golden pictures docs bench report \
+.PHONY: FORCE all run test stress faults displays stability matrix lint $(CHECKS) tidy format golden pictures docs bench report report-pages \
         fuzz fuzz-each packages hooks clean help
 
 Q    := $(if $(V),,@)
@@ -259,6 +263,10 @@ bench: packages-bench ## build and run the benchmarks
 
 report: packages-report $(OUT)/bin/teapot_afd $(DATA) ## error against time, into docs/report; goes on where it was stopped; QUICK=1: a small one
 	@$(OUT)/bin/teapot_afd --no-input --error-report $(if $(QUICK),$(OUT)/report --quick,docs/report)
+	@python3 $(OUT)/share/l3d/report_pages.py $(if $(QUICK),$(OUT)/report,docs/report)
+
+report-pages: packages-report ## the pages and diagrams of the report's numbers that are there
+	@PYTHONDONTWRITEBYTECODE=1 python3 apps/teapot_afd/report_pages.py docs/report
 
 fuzz: packages-fuzz ## fuzz every reader of model files: make fuzz FUZZ_SECONDS=600
 	@$(again) MODE=fuzz CXX="$(FUZZ_CXX)" fuzz-each
@@ -268,7 +276,7 @@ fuzz-each: $(FUZZERS)
 	    $$fuzzer -max_total_time=$(FUZZ_SECONDS) $(FUZZ_LIMITS) -artifact_prefix=$$fuzzer.found- \
 	    $$fuzzer.corpus tests/fuzz/corpus/$${fuzzer##*/}; done
 
-packages: packages-build packages-test packages-lint ## install the Debian packages that are missing
+packages: packages-build packages-test packages-lint packages-text ## install the Debian packages that are missing
 packages-test packages-lint packages-tidy packages-bench packages-matrix packages-fuzz \
     packages-stability packages-faults packages-report: packages-build
 packages-%:
@@ -314,6 +322,11 @@ $(OUT)/include/l3d/l3d.h: packaging/public_headers packaging/umbrella.awk
 	$(Q)mkdir -p $(@D); awk -f packaging/umbrella.awk $< > $@
 $(foreach a,$(apps),$(eval $(objects_apps/$(a)): | $(DOOR)))
 $(PLUGINS): | $(DOOR)
+
+# One source knows HarfBuzz, and it alone is compiled anew when that comes or goes.
+$(call remember,$(OUT)/harfbuzz,$(HARFBUZZ))
+$(OUT)/lib/raster/shapes/text_shaper.o: $(OUT)/harfbuzz
+$(OUT)/lib/raster/shapes/text_shaper.o: FLAGS_lib += $(if $(HARFBUZZ),-DL3D_HARFBUZZ -isystem $(HARFBUZZ))
 
 # A text file as a C++ string literal, to be included.
 $(OUT)/%.inc: %

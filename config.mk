@@ -15,6 +15,7 @@ ifneq ($(filter default undefined,$(origin CXX)),)
 CXX := g++
 endif
 FREETYPE     ?= /usr/include/freetype2#  where the headers of FreeType 2 are
+HARFBUZZ     ?= $(wildcard /usr/include/harfbuzz)#  where the headers of HarfBuzz are; empty: text is kerned without
 WERROR       ?=#  -Werror makes warnings errors, as .ci/run, make matrix and the hooks do
 CLANG_FORMAT ?= clang-format
 CLANG_TIDY   ?= clang-tidy
@@ -31,6 +32,7 @@ PACKAGES_build  := $(if $(findstring clang,$(CXX)),clang:clang++,g++:$(CXX)) lib
     libxcb-randr0-dev:xcb/randr.h libxau-dev:X11/Xauth.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
     nlohmann-json3-dev:nlohmann/json.hpp libtbb-dev:oneapi/tbb/parallel_for.h \
     libhwy-dev:hwy/highway.h libfreetype-dev:freetype2/ft2build.h
+PACKAGES_text   := libharfbuzz-dev:harfbuzz/hb.h
 PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool \
     x11-xkb-utils:setxkbmap x11-utils:xprop xauth:xauth wmctrl:wmctrl openbox:openbox i3-wm:i3 \
     parallel:parallel libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so \

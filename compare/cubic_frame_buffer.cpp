@@ -2,10 +2,11 @@
 // l3d_cubic_frame_buffer: bricks and rays.
 #include "compare/cubic_frame_buffer.h"
 
+#include "compare/cell_stride.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace {
 
@@ -26,45 +27,6 @@ std::array<float, 3> unpacked(std::uint32_t word) {
         normal[i] = static_cast<float>(static_cast<int>(word >> (10 * i) & 1023) - 511) / 511;
     return normal;
 }
-
-/// A walk from cell to cell of cubes of some size.
-class stride {
-public:
-    /// Begins at the cell of origin + t direction.
-    stride(const l3d_cubic_frame_buffer::place& origin,
-           const l3d_cubic_frame_buffer::place& direction, double t, double size, int cells)
-        : t_(t) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double at = (origin[i] + t * direction[i]) / size;
-            cell_[i] = std::clamp(static_cast<int>(std::floor(at)), 0, cells - 1);
-            step_[i] = direction[i] > 0 ? 1 : -1;
-            const bool stands = direction[i] == 0;
-            constexpr double never = std::numeric_limits<double>::infinity();
-            const double wall = (cell_[i] + (step_[i] > 0)) * size;
-            next_[i] = stands ? never : (wall - origin[i]) / direction[i];
-            each_[i] = stands ? never : size / std::abs(direction[i]);
-        }
-    }
-
-    const std::array<int, 3>& cell() const { return cell_; }
-    double t() const { return t_; }
-
-    /// Where the cell is left.
-    double leaves() const { return std::min({next_[0], next_[1], next_[2]}); }
-
-    void go_on() {
-        const std::size_t i =
-            next_[0] <= next_[1] ? (next_[0] <= next_[2] ? 0 : 2) : (next_[1] <= next_[2] ? 1 : 2);
-        t_ = next_[i];
-        next_[i] += each_[i];
-        cell_[i] += step_[i];
-    }
-
-private:
-    std::array<int, 3> cell_, step_;
-    std::array<double, 3> next_, each_;
-    double t_;
-};
 
 } // namespace
 
@@ -105,30 +67,21 @@ l3d_cubic_frame_buffer::brick_at(const std::array<int, 3>& of) const {
 
 std::optional<l3d_cubic_frame_buffer::hit>
 l3d_cubic_frame_buffer::first(const place& origin, const place& direction, double least_t) const {
-    double t = least_t, end = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (direction[i] == 0) {
-            if (origin[i] < 0 || origin[i] >= resolution_)
-                return std::nullopt;
-            continue;
-        }
-        const double a = -origin[i] / direction[i], b = (resolution_ - origin[i]) / direction[i];
-        t = std::max(t, std::min(a, b));
-        end = std::min(end, std::max(a, b));
-    }
+    const auto [t, end] = l3d_in_cube(origin, direction, resolution_, least_t);
     if (!(t < end))
         return std::nullopt;
     const auto inside = [this](const std::array<int, 3>& of) {
         return std::all_of(of.begin(), of.end(), [this](int i) { return i >= 0 && i < bricks(); });
     };
-    for (stride outer(origin, direction, t, side, bricks()); inside(outer.cell()); outer.go_on()) {
+    for (l3d_cell_stride outer(origin, direction, t, side, bricks()); inside(outer.cell());
+         outer.go_on()) {
         const brick* const here = brick_at(outer.cell());
         if (!here)
             continue;
         const double leaves = std::min(outer.leaves(), end); // the last bricks may stick out
         const auto& corner = outer.cell();
-        for (stride inner(origin, direction, outer.t(), 1, resolution_); inner.t() < leaves;
-             inner.go_on()) {
+        for (l3d_cell_stride inner(origin, direction, outer.t(), 1, resolution_);
+             inner.t() < leaves; inner.go_on()) {
             std::size_t in = 0;
             bool within = true;
             for (std::size_t i = 3; i-- > 0;) {
@@ -148,4 +101,12 @@ l3d_cubic_frame_buffer::first(const place& origin, const place& direction, doubl
         }
     }
     return std::nullopt;
+}
+
+bool l3d_cubic_frame_buffer::is_filled(const std::array<int, 3>& of) const {
+    const brick* const here = brick_at({of[0] / side, of[1] / side, of[2] / side});
+    std::size_t in = 0;
+    for (std::size_t i = 3; i-- > 0;)
+        in = in * side + static_cast<std::size_t>(of[i] % side);
+    return here && (*here)[in] != 0;
 }

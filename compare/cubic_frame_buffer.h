@@ -31,6 +31,9 @@ public:
     /// Units:  a unit vector, or zero. Points outside of the cube are left out.
     void fill(const place& at, const std::array<float, 3>& normal);
 
+    /// Whether something is in a cell. Expects: a cell of the cube.
+    bool is_filled(const std::array<int, 3>& of) const;
+
     /// The first cell that is met from `origin` along `direction`.
     struct hit {
         double t;                    ///< origin + t direction is nearest to the cell's middle

@@ -3,9 +3,12 @@
 #include "compare/method_choice.h"
 
 #include "geom/real.h"
+#include "compare/blinn_plotter.h"
 #include "compare/fd_dicer.h"
 #include "compare/isocurve_plotter.h"
+#include "compare/lane_carpenter_dicer.h"
 #include "pipeline/method_afd.h"
+#include "compare/method_kept.h"
 #include "compare/method_mesa.h"
 #include "compare/method_mesh.h"
 #include "compare/method_points.h"
@@ -15,6 +18,7 @@
 #include "compare/micropolygon_dicer.h"
 #include "compare/scanline_plotter.h"
 #include "compare/subdivision_dicer.h"
+#include "compare/whitted_plotter.h"
 
 #include <algorithm>
 #include <array>
@@ -38,14 +42,18 @@ constexpr int most_a_pixel = 16;
 
 /// 1024 x 1024 quads of fd are 2^20 for each patch; of 1024 cells along each axis a teapot fills 4
 /// million in 600 MB of bricks.
-constexpr std::array<method_row, 9> rows{{
+constexpr std::array<method_row, 13> rows{{
     {"afd", l3d_method::afd, true, true},
     {"fd", l3d_method::fd, true, true, 0, 1, 1024},
     {"isocurves", l3d_method::isocurves, false, false, 2, 1, most_a_pixel},
     {"subdivision", l3d_method::subdivision, true, true},
     {"tessellation", l3d_method::tessellation, true, false, 16, 1, l3d_most_facets},
     {"micropolygons", l3d_method::micropolygons, true, false, 2, 1, most_a_pixel},
+    {"kept", l3d_method::kept, false, false, 2, 1, most_a_pixel},
     {"scanline", l3d_method::scanline, false, true},
+    {"whitted", l3d_method::whitted, false, true},
+    {"blinn", l3d_method::blinn, false, true},
+    {"lane-carpenter", l3d_method::lane_carpenter, false, true},
     {"voxels", l3d_method::voxels, false, false, 256, 8, 1024},
     {"mesa", l3d_method::mesa, false, true},
 }};
@@ -94,6 +102,14 @@ std::unique_ptr<l3d_surface_method> create_method(const l3d_method_choice& choic
             rasterizers, l3d_isocurve_plotter<l3d_real>(choice.resolution));
     case l3d_method::scanline:
         return std::make_unique<l3d_method_points<l3d_scanline_plotter>>(rasterizers);
+    case l3d_method::kept:
+        return std::make_unique<l3d_method_kept>(choice.resolution, rasterizers, workers);
+    case l3d_method::whitted:
+        return std::make_unique<l3d_method_points<l3d_whitted_plotter>>(rasterizers);
+    case l3d_method::blinn:
+        return std::make_unique<l3d_method_points<l3d_blinn_plotter>>(rasterizers);
+    case l3d_method::lane_carpenter:
+        return create_mesh(rasterizers, workers, l3d_lane_carpenter_dicer());
     case l3d_method::voxels:
         return std::make_unique<l3d_method_voxels>(choice.resolution, workers);
     case l3d_method::mesa:

@@ -12,22 +12,26 @@
 
 /// Ways to draw bicubic patches.
 enum class l3d_method {
-    afd,           ///< adaptive forward differencing with a certified bound; the product
-    fd,            ///< one fixed forward difference step a patch
-    isocurves,     ///< curves on the surface, stepped by parts of a pixel
-    subdivision,   ///< halved until flat, by de Casteljau's scheme
-    tessellation,  ///< n x n quads a patch, as a model of polygons
-    micropolygons, ///< quads of a part of a pixel
-    scanline,      ///< by Newton's iteration along scan lines
-    voxels,        ///< a cubic frame buffer, looked into by rays
-    mesa,          ///< triangles through GL
+    afd,            ///< adaptive forward differencing with a certified bound; the product
+    fd,             ///< one fixed forward difference step a patch
+    isocurves,      ///< curves on the surface, stepped by parts of a pixel
+    subdivision,    ///< halved until flat, by de Casteljau's scheme
+    tessellation,   ///< n x n quads a patch, as a model of polygons
+    micropolygons,  ///< quads of a part of a pixel
+    kept,           ///< micropolygons that are diced again only where they no longer fit
+    scanline,       ///< by Newton's iteration along scan lines
+    whitted,        ///< scan lines between curved edges that are tracked
+    blinn,          ///< scan lines whose pixels are solved one from the other
+    lane_carpenter, ///< halved into polygons, as its paper has it
+    voxels,         ///< a cubic frame buffer, looked into by rays
+    mesa,           ///< triangles through GL
 };
 
 /// A method and what it is told.
 struct l3d_method_choice {
     l3d_method method = l3d_method::afd;
     int resolution = 0; ///< of tessellation, fd: quads along a patch (fd: 0 is what the tolerance
-                        ///< asks for); of voxels: cells along the model; of isocurves
+                        ///< asks for); of voxels: cells along the model; of isocurves, kept
                         ///< and micropolygons: points or quads along a pixel
     l3d_arithmetic arithmetic = l3d_real_arithmetic(); ///< of afd (but 32-bit fixed) and fd
 

@@ -50,7 +50,11 @@ void l3d_method_patches::dice_one(const l3d_method_frame& frame, const l3d_place
         l3d_placed_net(culling_.matrix(placed), model.patches()[placed.patch]),
         instance.turns_normals() ? model.normals(placed.patch).turned(instance.normal_matrix())
                                  : model.normals(placed.patch),
-        frame.materials.empty() ? l3d_material().color : frame.materials[material].color};
+        frame.materials.empty() ? l3d_material().color : frame.materials[material].color,
+        material,
+        placed,
+        &model.patches()[placed.patch],
+        &culling_.matrix(placed)};
     if (l3d_left_out(patch.net, frame.view, space.counts))
         return;
     if (l3d_needs_no_clipping(patch.net, frame.view)) {

@@ -17,11 +17,15 @@
 #include <span>
 #include <vector>
 
-/// A patch in the image.
+/// A patch in the image. Lives: what it points to, until the frame's end.
 struct l3d_method_patch {
     l3d_image_patch net;
     l3d_normal_net normals;
-    std::uint32_t color = 0xffffff; ///< of its material
+    std::uint32_t color = 0xffffff;                  ///< of its material
+    std::uint32_t material = 0;                      ///< its index
+    l3d_placed_patch placed{};                       ///< which one it is
+    const l3d_patch_model::patch* surface = nullptr; ///< in its model's space
+    const l3d_matrix<double>* to_image = nullptr;    ///< from there
 };
 
 /// Whether a net lies wholly in front of the near plane, before the far one, and in the guard band.

@@ -28,6 +28,14 @@ public:
         : workers_(workers), resolution_(resolution),
           canvases_(static_cast<std::size_t>(workers.count())) {}
 
+    /// The cells of the last frame's scene.
+    const l3d_cubic_frame_buffer& cube() const { return cube_; }
+
+    /// A place in the world, in cells.
+    l3d_patch_model::vector in_cells(const l3d_patch_model::vector& at) const {
+        return (at - corner_) * cells_per_unit_;
+    }
+
 private:
     void do_draw(const l3d_method_frame& frame, l3d_stage_times& times) override;
     const l3d_dice_counts& do_counts() const override { return counts_; }

@@ -10,19 +10,15 @@
 
 namespace {
 
-/// Quads along a grid at most: with two quads a pixel these are 16 pixels, as large as the paper's
-/// grids. They are within the 32 steps for which walks are certified.
-constexpr int most_quads = 32;
-
 /// Cuts of a patch at most. 2^16 pieces of 32 x 32 quads are sixty million.
 constexpr int most_pieces = 1 << 16;
 
 /// The tolerance of the polylines along which pieces meet, in pixels.
 constexpr double edge_tolerance = 1.0 / 16;
 
-/// The longest line of control points along u and along v, in pixels, an estimate of the longest
-/// curve.
-std::array<double, 2> lengths_of(const l3d_image_patch& net) {
+} // namespace
+
+std::array<double, 2> l3d_micropolygon_lengths(const l3d_image_patch& net) {
     std::array<double, 2> longest{};
     const auto distance = [](const l3d_image_point& a, const l3d_image_point& b) {
         return std::hypot(a[0] / a[2] - b[0] / b[2], a[1] / a[2] - b[1] / b[2]);
@@ -38,13 +34,11 @@ std::array<double, 2> lengths_of(const l3d_image_patch& net) {
     return longest;
 }
 
-int quads_along(double length, int a_pixel) {
+int l3d_micropolygons_along(double length, int a_pixel) {
     constexpr int most = 1 << 20;
     return length * a_pixel < most ? std::max(1, static_cast<int>(std::ceil(length * a_pixel)))
                                    : most;
 }
-
-} // namespace
 
 void l3d_micropolygon_dicer::dice(const l3d_image_patch& net, const l3d_normal_net& normals,
                                   const l3d_dice_view& view, l3d_diced_pieces& out,
@@ -65,10 +59,10 @@ void l3d_micropolygon_dicer::dice(const l3d_image_patch& net, const l3d_normal_n
 void l3d_micropolygon_dicer::dice_piece(const l3d_surface_piece& p, task& of) {
     if (p.depth > 0 && l3d_outside(p.net.points, of.view.margin(), of.view.near, of.view.far))
         return drawer_.close_hidden(p, of.out.next());
-    const auto [length_u, length_v] = lengths_of(p.net);
-    const int wanted_u = quads_along(length_u, quads_a_pixel_);
-    const int wanted_v = quads_along(length_v, quads_a_pixel_);
-    if (std::max(wanted_u, wanted_v) > most_quads && of.cuts_left > 0)
+    const auto [length_u, length_v] = l3d_micropolygon_lengths(p.net);
+    const int wanted_u = l3d_micropolygons_along(length_u, quads_a_pixel_);
+    const int wanted_v = l3d_micropolygons_along(length_v, quads_a_pixel_);
+    if (std::max(wanted_u, wanted_v) > l3d_most_micropolygons && of.cuts_left > 0)
         return cut(p, wanted_u >= wanted_v, of);
 
     const l3d_piece_nets<l3d_real> nets(p.net, of.view);

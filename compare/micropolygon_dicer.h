@@ -11,6 +11,19 @@
 #include "dice/piece_drawer.h"
 #include "dice/surface_piece.h"
 
+#include <array>
+
+/// Quads along a grid at most: with two quads a pixel these are 16 pixels, as large as the paper's
+/// grids. They are within the 32 steps for which walks are certified.
+inline constexpr int l3d_most_micropolygons = 32;
+
+/// The longest line of control points along u and along v, in pixels, an estimate of the longest
+/// curve.
+std::array<double, 2> l3d_micropolygon_lengths(const l3d_image_patch& net);
+
+/// Quads along so many pixels.
+int l3d_micropolygons_along(double length, int quads_a_pixel);
+
 /// Bound, split, dice, as in REYES. A patch is cut until a grid of such quads over a piece is
 /// small. Then it is diced by forward differences into that grid. How large the error may be is not
 /// asked; it comes out small, and is certified like that of every grid.

@@ -16,9 +16,6 @@ cubic powers_of(const l3d_image_point& a, const l3d_image_point& b, const l3d_im
     return {a, d1 * 3.0, d2 * 3.0, ((d - c) - (c - b)) - d2};
 }
 
-/// Newton's iteration doubles the digits in each round; what needs more rounds goes astray.
-constexpr int most_rounds = 10;
-
 /// How far outside of the piece a root may rest that its neighbour finds inside: a rounding.
 constexpr double rim = 1e-9;
 
@@ -53,10 +50,27 @@ l3d_scan_piece::jet l3d_scan_piece::at(double u, double v) const {
             ((slope[3] * u + slope[2]) * u + slope[1]) * u + slope[0]};
 }
 
+l3d_scan_piece::second_jet l3d_scan_piece::second_at(double u, double v) const {
+    cubic bend, twist;
+    second_jet result{at(u, v), {}, {}, {}};
+    cubic along_u;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto &a = powers_[0][i], &b = powers_[1][i], &c = powers_[2][i], &d = powers_[3][i];
+        along_u[i] = ((d * v + c) * v + b) * v + a;
+        twist[i] = (d * (3 * v) + c * 2.0) * v + b;
+        bend[i] = d * (6 * v) + c * 2.0;
+    }
+    result.by_uu = along_u[3] * (6 * u) + along_u[2] * 2.0;
+    result.by_uv = (twist[3] * (3 * u) + twist[2] * 2.0) * u + twist[1];
+    result.by_vv = ((bend[3] * u + bend[2]) * u + bend[1]) * u + bend[0];
+    return result;
+}
+
 std::optional<l3d_scan_root> l3d_scan_piece::find(double x, double y, l3d_scan_root start,
-                                                  double accuracy) const {
+                                                  double accuracy, int& rounds) const {
     double u = start.u, v = start.v;
     for (int round = 0; round < most_rounds; ++round) {
+        ++rounds;
         const jet s = at(u, v);
         const double fx = s.value[0] - x * s.value[2], fy = s.value[1] - y * s.value[2];
         const double ux = s.by_u[0] - x * s.by_u[2], uy = s.by_u[1] - y * s.by_u[2];

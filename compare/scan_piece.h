@@ -6,6 +6,7 @@
 #include "geom/step_bound.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 
 /// Parameters of a point of a piece, each from 0 to 1, and w there.
@@ -13,9 +14,23 @@ struct l3d_scan_root {
     double u = 0.5, v = 0.5, w = 0;
 };
 
+/// How much Newton's iterations did: rounds are evaluations of the surface, or of a curve of it.
+struct l3d_scan_effort {
+    std::int64_t solved = 0, failed = 0;               ///< iterations
+    std::int64_t solved_rounds = 0, failed_rounds = 0; ///< of these, and of those
+
+    void add(bool is_solved, int rounds) {
+        (is_solved ? solved : failed) += 1;
+        (is_solved ? solved_rounds : failed_rounds) += rounds;
+    }
+};
+
 /// A piece in power form, for points and derivatives by Horner's scheme.
 class l3d_scan_piece {
 public:
+    /// Newton's iteration doubles the digits in each round; what needs more rounds goes astray.
+    static constexpr int most_rounds = 10;
+
     explicit l3d_scan_piece(const l3d_image_patch& net);
 
     /// The parameters at which the piece is seen at (x, y), by Newton's iteration from `start`.
@@ -24,13 +39,26 @@ public:
     /// Source: Blinn's way in Lane, Carpenter, Whitted, Blinn, Scan Line Methods for Displaying
     ///         Parametrically Defined Surfaces, CACM 23, 1980.
     std::optional<l3d_scan_root> find(double x, double y, l3d_scan_root start,
-                                      double accuracy) const;
+                                      double accuracy) const {
+        int rounds = 0;
+        return find(x, y, start, accuracy, rounds);
+    }
 
-private:
+    /// The same; adds to `rounds` how often the surface was evaluated.
+    std::optional<l3d_scan_root> find(double x, double y, l3d_scan_root start, double accuracy,
+                                      int& rounds) const;
+
+    /// A point and its derivatives.
     struct jet {
         l3d_image_point value, by_u, by_v;
     };
     jet at(double u, double v) const;
+
+    /// A point with its second derivatives, too.
+    struct second_jet : jet {
+        l3d_image_point by_uu, by_uv, by_vv;
+    };
+    second_jet second_at(double u, double v) const;
 
     std::array<std::array<l3d_image_point, 4>, 4> powers_; ///< [power of v][power of u]
 };

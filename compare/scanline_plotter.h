@@ -4,7 +4,7 @@
 #define L3D_COMPARE_SCANLINE_PLOTTER_H
 
 #include "dice/net_piece.h"
-#include "compare/scan_piece.h"
+#include "compare/scan_edges.h"
 #include "compare/plot_task.h"
 
 #include <vector>
@@ -28,32 +28,19 @@ public:
 
 private:
     using piece = l3d_net_piece;
-    /// A stretch of a piece's border that rises or falls from end to end.
-    struct stretch {
-        l3d_image_curve curve;
-        double top, bottom; ///< in the picture
-        l3d_scan_root from, to;
-    };
-    /// Where a stretch meets a scan line.
-    struct crossing {
-        double x;
-        l3d_scan_root root;
-    };
 
     void divide(const piece& p, const l3d_plot_task& of);
-    void add_stretches(const l3d_image_curve& curve, l3d_scan_root from, l3d_scan_root to,
-                       int depth);
-    static crossing meet(const stretch& s, double y);
     void scan(const piece& p, const l3d_image_box& hull, const l3d_plot_task& of);
-    void scan_span(const piece& p, const l3d_scan_piece& powers, int row, const crossing& left,
-                   const crossing& right, const l3d_plot_task& of);
+    void scan_span(const piece& p, const l3d_scan_piece& powers, int row,
+                   const l3d_scan_crossing& left, const l3d_scan_crossing& right,
+                   const l3d_plot_task& of);
     void try_pixels(const piece& p, const l3d_image_box& hull, const l3d_plot_task& of);
     static void put(const piece& p, int column, int row, const l3d_scan_root& root,
                     const l3d_plot_task& of);
 
     double accuracy_ = 0; ///< within which the iteration stops
-    std::vector<stretch> stretches_;
-    std::vector<crossing> crossings_;
+    std::vector<l3d_scan_edge> edges_;
+    std::vector<l3d_scan_crossing> crossings_;
 };
 
 #endif

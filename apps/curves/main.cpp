@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
-// curves: a cubic curve with handles, walked by forward differences in two arithmetics.
+// curves: a cubic curve with handles, walked by forward differences in three arithmetics.
 #include <l3d/fixed.h>
+#include <l3d/font.h>
+#include <l3d/image.h>
+#include <l3d/integer_cubic.h>
 #include <l3d/path.h>
+#include <l3d/placed_image.h>
 #include <l3d/program.h>
 #include <l3d/stroke.h>
-#include <l3d/text.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <iostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,7 +47,12 @@ template <class T> std::vector<double> walked(const numbers& b, int n) {
 /// Step 2 of 5: the application is a pipeline.
 class curves_pipeline final : public l3d_pipeline_2d {
 public:
-    explicit curves_pipeline(l3d_canvas canvas) : l3d_pipeline_2d(std::move(canvas)) {}
+    explicit curves_pipeline(l3d_canvas canvas) : l3d_pipeline_2d(std::move(canvas)) {
+        std::string why;
+        font_ = l3d_font::of_system(why);
+        if (!why.empty())
+            std::cerr << why << '\n';
+    }
 
     void key_event(int key) override {
         l3d_pipeline_2d::key_event(key);
@@ -52,6 +62,8 @@ public:
             change_steps(-1);
         if (key == 'd')
             dashed_ = !dashed_;
+        if (key == 'z')
+            magnified_ = !magnified_;
         if (key == 'r') {
             handles_ = places_at_first;
             steps_ = steps_at_first;
@@ -88,7 +100,8 @@ private:
     static constexpr std::array<l3d_point_2d, 4> places_at_first{
         {{0.08, 0.62}, {0.3, 0.02}, {0.62, 0.85}, {0.92, 0.12}}};
     static constexpr std::uint32_t exact_color = 0x0060c0ff, fixed_color = 0x00ff5040,
-                                   quiet_color = 0x00707880, step_color = 0x00f0f0f0;
+                                   quiet_color = 0x00909aa4, step_color = 0x00f0f0f0,
+                                   whole_color = 0x0080e090;
 
     void change_steps(int by) {
         const int more = std::max(steps_ / 4, 1);
@@ -100,7 +113,7 @@ private:
     }
 
     std::size_t nearest_handle(l3d_point_2d at) {
-        constexpr double reach = 12;
+        const double reach = 12 * unit();
         std::size_t best = none;
         double least = reach;
         for (std::size_t i = 0; i < none; ++i) {
@@ -121,36 +134,91 @@ private:
         const numbers x{p[0].x, p[1].x, p[2].x, p[3].x}, y{p[0].y, p[1].y, p[2].y, p[3].y};
         const auto exact_x = walked<double>(x, steps_), exact_y = walked<double>(y, steps_);
         const auto fixed_x = walked<fixed_16>(x, steps_), fixed_y = walked<fixed_16>(y, steps_);
+        const double u = unit();
+        std::vector<double> errors;
+        for (std::size_t i = 0; i < fixed_x.size(); ++i)
+            errors.push_back(std::hypot(fixed_x[i] - exact_x[i], fixed_y[i] - exact_y[i]));
+        const auto worst =
+            static_cast<std::size_t>(std::ranges::max_element(errors) - errors.begin());
 
         l3d_path net, curve, steps, handles, fixed;
-        net.add_polygon(std::array{p[0], p[1], p[2], p[3], p[2], p[1]});
-        r.draw_path(l3d_stroked(net, {.dashes = {4, 4}}), {.color = quiet_color});
+        net.move_to(p[0]);
+        for (const l3d_point_2d& handle : {p[1], p[2], p[3]})
+            net.line_to(handle);
+        r.draw_path(l3d_stroked(net, {.width = u, .dashes = {4 * u, 4 * u}}),
+                    {.color = quiet_color});
         curve.move_to(p[0]);
         curve.cubic_to(p[1], p[2], p[3]);
         const std::vector<double> dashes =
-            dashed_ ? std::vector<double>{18, 8} : std::vector<double>{};
-        r.draw_path(l3d_stroked(curve, {.width = 5, .cap = l3d_cap::round, .dashes = dashes}),
+            dashed_ ? std::vector<double>{18 * u, 8 * u} : std::vector<double>{};
+        r.draw_path(l3d_stroked(curve, {.width = 5 * u, .cap = l3d_cap::round, .dashes = dashes}),
                     {.color = exact_color, .alpha = 0.6});
         r.draw_curves(curve, exact_color);
         fixed.move_to({fixed_x[0], fixed_y[0]});
         for (std::size_t i = 0; i < fixed_x.size(); ++i) {
             fixed.line_to({fixed_x[i], fixed_y[i]});
-            steps.add_circle({exact_x[i], exact_y[i]}, 1.7);
+            steps.add_circle({exact_x[i], exact_y[i]}, 1.7 * u);
         }
-        r.draw_path(l3d_stroked(fixed, {.join = l3d_join::round}), {.color = fixed_color});
+        r.draw_path(l3d_stroked(fixed, {.width = u, .join = l3d_join::round}),
+                    {.color = fixed_color});
+        // the magnifier shows what the marks would hide
+        l3d_image seen = magnified_ ? around(r, {fixed_x[worst], fixed_y[worst]}) : l3d_image();
         r.draw_path(steps, {.color = step_color});
         for (const l3d_point_2d& handle : p)
-            handles.add_circle(handle, 5);
-        r.draw_path(l3d_stroked(handles, {.width = 1.5}), {.color = step_color});
+            handles.add_circle(handle, 5 * u);
+        r.draw_path(l3d_stroked(handles, {.width = 1.5 * u}), {.color = step_color});
 
-        double worst = 0;
-        std::vector<double> errors;
-        for (std::size_t i = 0; i < fixed_x.size(); ++i) {
-            errors.push_back(std::hypot(fixed_x[i] - exact_x[i], fixed_y[i] - exact_y[i]));
-            worst = std::max(worst, errors.back());
-        }
-        draw_bars(r, errors, worst);
-        draw_numbers(r, differences(x, steps_), differences(y, steps_), worst);
+        if (magnified_)
+            draw_magnified(r, std::move(seen));
+        draw_bars(r, errors, errors[worst]);
+        draw_numbers(r, x, y, errors[worst]);
+    }
+
+    /// What thin lines and letters are multiplied by: windows of 480 x 320 pixels have 1, larger
+    /// ones more, but less than they are larger; fine displays at least what their text has.
+    double unit() {
+        const double larger = std::min(size().width / 480.0, size().height / 320.0);
+        constexpr double slower = 0.75;
+        constexpr double least = 0.75; // smaller letters could not be read
+        const double dots = screen().text_scale();
+        return std::max({least, std::pow(larger, slower), dots > 1 ? dots : least});
+    }
+
+    static constexpr int magnified_columns = 24, magnified_rows = 16;
+
+    /// The pixels around a place, as they are now.
+    l3d_image around(l3d_rasterizer_2d& r, l3d_point_2d place) {
+        r.finish();
+        const l3d_pixels all = screen().pixels();
+        const int wide = std::min(magnified_columns, all.width);
+        const int high = std::min(magnified_rows, all.height);
+        const int left = std::clamp(static_cast<int>(place.x) - wide / 2, 0, all.width - wide);
+        const int top = std::clamp(static_cast<int>(place.y) - high / 2, 0, all.height - high);
+        l3d_image copy({wide, high}, wide);
+        for (int y = 0; y < high; ++y)
+            std::ranges::copy(l3d_row(all, top + y, {left, 0, left + wide, 0}),
+                              copy.pixels().row(y).begin());
+        return copy;
+    }
+
+    /// Pixels as squares, above the bars on the right: the red line beside the blue one.
+    void draw_magnified(l3d_rasterizer_2d& r, l3d_image copy) {
+        const l3d_size all = size();
+        const int wide = copy.pixels().width, high = copy.pixels().height;
+        const double width = all.width / 3.0, height = width * high / wide;
+        const l3d_point_2d corner{all.width - width - 6 * unit(),
+                                  all.height * 7 / 8.0 - height - 12 * unit()};
+        r.draw_image(
+            {copy.pixels(),
+             l3d_placement_2d::image_in_box({wide, high}, corner.x, corner.y, width, height),
+             l3d_image_filter::area});
+        l3d_path frame;
+        const double from_x = corner.x - 0.5, from_y = corner.y - 0.5;
+        frame.add_polygon(std::array<l3d_point_2d, 4>{{{from_x, from_y},
+                                                       {from_x + width, from_y},
+                                                       {from_x + width, from_y + height},
+                                                       {from_x, from_y + height}}});
+        r.draw_path(l3d_stroked(frame, {.width = 1.5 * unit()}), {.color = quiet_color});
     }
 
     /// The error of each step in 16.16, the largest one an eighth of the window high.
@@ -169,23 +237,85 @@ private:
         r.draw_path(bars, {.color = fixed_color, .alpha = 0.8});
     }
 
-    void draw_numbers(l3d_rasterizer_2d& r, const numbers& dx, const numbers& dy, double worst) {
-        std::array<char, 100> line{};
-        int row = 0;
-        const auto show = [&](std::uint32_t color, const char* form, auto... values) {
-            std::snprintf(line.data(), line.size(), form, values...);
-            l3d_draw_text(r, 4, 4 + l3d_text_line * row++, line.data(), color);
+    void draw_numbers(l3d_rasterizer_2d& r, const numbers& x, const numbers& y, double worst) {
+        const double letters = 10 * unit();
+        l3d_point_2d base{0.6 * letters, 1.3 * letters};
+        const auto write = [&](std::uint32_t color, double from, const std::string& text) {
+            l3d_path path;
+            font_.outline(path, {base.x + from, base.y}, text, letters);
+            // a dark rim, so that letters can be read upon lines
+            r.draw_path(l3d_stroked(path, {.width = letters / 3, .join = l3d_join::round}),
+                        {.color = 0, .alpha = 0.7});
+            r.draw_path(path, {.color = color});
         };
-        show(step_color, "%d steps", steps_);
-        for (std::size_t k = 1; k < 4; ++k)
-            show(quiet_color, "d%d %10.4f %10.4f", int(k), dx[k], dy[k]);
-        show(fixed_color, "16.16 off by %.4f px", worst);
+        const auto number = [&](std::uint32_t color, double end, double value) {
+            l3d_path nowhere;
+            const std::string text = with_four_digits(value);
+            write(color, end - font_.outline(nowhere, {}, text, letters), text);
+        };
+        const auto next_line = [&] { base.y += 1.35 * letters; };
+        write(step_color, 0, std::to_string(steps_) + " steps");
+        const numbers dx = differences(x, steps_), dy = differences(y, steps_);
+        for (std::size_t k = 1; k < 4; ++k) {
+            next_line();
+            write(quiet_color, 0, "d" + std::to_string(k));
+            number(quiet_color, 7 * letters, dx[k]);
+            number(quiet_color, 13 * letters, dy[k]);
+        }
+        next_line();
+        write(fixed_color, 0, "16.16 off by " + with_four_digits(worst) + " px");
+        next_line();
+        const int doublings = doublings_for(steps_);
+        write(whole_color, 0,
+              "whole numbers, " + std::to_string(1 << doublings) + " steps, off by " +
+                  with_four_digits(whole_error(x, y, doublings)) + " px");
+    }
+
+    static std::string with_four_digits(double value) {
+        std::array<char, 40> text{};
+        std::snprintf(text.data(), text.size(), "%.4f", value);
+        return text.data();
+    }
+
+    /// Klassen's way takes a power of two of steps: as many, or more.
+    static int doublings_for(int steps) {
+        int doublings = 0;
+        while (1 << doublings < steps)
+            ++doublings;
+        return doublings;
+    }
+
+    /// How far the whole numbers are off, which is by rounding the control points alone.
+    static double whole_error(const numbers& x, const numbers& y, int doublings) {
+        constexpr double lattice = 256; // parts of a pixel
+        const auto offs = [&](const numbers& b) {
+            std::array<std::int64_t, 4> control{};
+            for (std::size_t i = 0; i < 4; ++i)
+                control[i] = std::llround(b[i] * lattice);
+            std::vector<double> result;
+            const double parts = lattice * std::pow(8.0, doublings);
+            const double n = 1 << doublings;
+            l3d_integer_cubic(control).walk_halved(
+                doublings / 2, doublings - doublings / 2, [&](std::int64_t value) {
+                    const double t = static_cast<double>(result.size()) / n, s = 1 - t;
+                    const double exact = s * s * s * b[0] + 3 * s * s * t * b[1] +
+                                         3 * s * t * t * b[2] + t * t * t * b[3];
+                    result.push_back(static_cast<double>(value) / parts - exact);
+                });
+            return result;
+        };
+        const auto off_x = offs(x), off_y = offs(y);
+        double worst = 0;
+        for (std::size_t i = 0; i < off_x.size(); ++i)
+            worst = std::max(worst, std::hypot(off_x[i], off_y[i]));
+        return worst;
     }
 
     std::array<l3d_point_2d, 4> handles_ = places_at_first;
     std::size_t held_ = none;
     int steps_ = steps_at_first;
-    bool dashed_ = false, fresh_ = false;
+    bool dashed_ = false, magnified_ = false, fresh_ = false;
+    l3d_font font_;
 };
 
 } // namespace
@@ -194,8 +324,9 @@ int main(int argc, char** argv) {
     l3d_program program(
         "curves",
         "A curve walked by forward differences, exactly and in 16.16 (red), and how "
-        "far each step of the latter is off. Drag the handles. Keys: m more steps, l "
-        "less, d dashes, r as at first, F11, q. The wheel changes steps, too.",
+        "far each step of the latter is off; beside them whole numbers (Klassen). Drag the "
+        "handles. Keys: m more steps, l less, d dashes, z magnifies where 16.16 is worst, r as "
+        "at first, F11, q. The wheel changes steps, too.",
         {480, 320});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3

@@ -3,6 +3,7 @@
 #include "error_report.h"
 
 #include "error_picture.h"
+#include "report_alternatives.h"
 #include "report_curves.h"
 #include "report_plan.h"
 #include "report_rows.h"
@@ -26,10 +27,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
 
 namespace {
 
@@ -108,19 +106,6 @@ const char* pictured(const measured_setting& what) {
                : nullptr;
 }
 
-/// The pages, by the script that is installed beside the program.
-void make_pages(const std::string& folder) {
-    const std::string script = l3d_data_folder() + "/report_pages.py";
-    std::array<std::string, 3> words{"python3", script, folder};
-    std::array<char*, 4> arguments{words[0].data(), words[1].data(), words[2].data(), nullptr};
-    pid_t child = 0;
-    int status = 0;
-    if (::posix_spawnp(&child, "python3", nullptr, nullptr, arguments.data(), environ) != 0 ||
-        ::waitpid(child, &status, 0) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        std::fprintf(stderr, "the pages are not made; the numbers are in %s; try: python3 %s %s\n",
-                     folder.c_str(), script.c_str(), folder.c_str());
-}
-
 /// Measures the rows that are not known yet.
 class measurer {
 public:
@@ -168,8 +153,8 @@ std::vector<planned_model> plan_of(const l3d_patch_model& model, const l3d_camer
         for (report_model& each : models)
             each.views.resize(1);
     }
-    return report_plan(std::move(models),
-                       {scope.quick, mesa, scope.project_models && !scope.quick});
+    return report_plan(std::move(models), {scope.quick, mesa, scope.project_models,
+                                           scope.project_models && !scope.quick});
 }
 
 } // namespace
@@ -197,7 +182,7 @@ void write_error_report(const std::string& folder, const l3d_patch_model& model,
         names.begin(), names.end(), [&](const auto& name) { return rows.has(name); }));
     if (known > 0)
         std::fprintf(stderr, "%zu of %zu rows are there already\n", known, names.size());
-    progress at(names.size() + 1, known);
+    progress at(names.size() + (scope.project_models ? 2 : 1), known);
     measurer measuring(folder, scope.quick, size, rows, at);
     for (const planned_model& each : plan)
         for (const report_view& view : each.model.views)
@@ -205,9 +190,16 @@ void write_error_report(const std::string& folder, const l3d_patch_model& model,
                               &each == &plan.front() && &view == &each.model.views.front());
     at.next("curves");
     write_curve_tables(folder, scope.quick);
+    if (scope.project_models) {
+        at.next("scan lines, cells, smoke, micropolygons that are kept");
+        write_scan_line_table(folder, size);
+        write_cell_table(folder, size, scope.quick);
+        write_smoke(folder, scope.quick);
+        write_kept_table(folder, size, scope.quick);
+    }
     facts["date"] = today();
     write_text(folder + "/machine.json", facts.dump(1) + '\n');
     rows.finish(names);
-    make_pages(folder);
-    std::fprintf(stderr, "%s/report.md\n", folder.c_str());
+    std::fprintf(stderr, "the numbers are in %s; pages of them: python3 %s/report_pages.py %s\n",
+                 folder.c_str(), l3d_data_folder().c_str(), folder.c_str());
 }

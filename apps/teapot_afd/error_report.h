@@ -17,14 +17,13 @@ struct error_report_scope {
 };
 
 /// Measures all methods and arithmetics in each view, and cubic curves besides. Writes numbers into
-/// a folder (.csv, .json), and pictures of where the error sits (.png). Then a script makes pages
+/// a folder (.csv, .json), and pictures of where the error sits (.png). report_pages.py makes pages
 /// and diagrams of the numbers: report.md, report.html, .svg and .png. Says on stderr what it is
-/// doing.
+/// doing, and how to call that script.
 ///
 /// A report that was stopped goes on where it was if it is begun again with the same folder.
 ///
-/// Errors: l3d_error(failure) that names what cannot be written. Without python3 or gnuplot it says
-///         so, and the numbers are there all the same.
+/// Errors: l3d_error(failure) that names what cannot be written.
 void write_error_report(const std::string& folder, const l3d_patch_model& model,
                         const l3d_camera& camera, l3d_size size, const error_report_scope& scope);
 

@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
     bool quick = false;
     program.options().add("--error-report", folder,
                           "draw nothing; measure what accuracy costs with each method, and write "
-                          "it there",
+                          "the numbers there",
                           "FOLDER");
     program.options().has_result("--error-report");
     program.options().add("--quick", quick, "a small --error-report, in half a minute or so");

@@ -4,30 +4,11 @@
 
 #include "curve_measure.h"
 #include "report_rows.h"
+#include "report_table.h"
 
-#include <array>
-#include <cstdio>
-#include <type_traits>
 #include <vector>
 
 namespace {
-
-template <class Field> std::string text_of(const Field& field) {
-    if constexpr (std::is_floating_point_v<Field>) {
-        std::array<char, 32> digits{};
-        std::snprintf(digits.data(), digits.size(), "%.6g", field);
-        return digits.data();
-    } else if constexpr (std::is_integral_v<Field>)
-        return std::to_string(field);
-    else
-        return field;
-}
-
-template <class... Fields> std::string row(const Fields&... fields) {
-    std::string line;
-    ((line += (line.empty() ? "" : ",") + text_of(fields)), ...);
-    return line + '\n';
-}
 
 /// Powers of two.
 std::vector<int> doubled(int from, int to) {
@@ -43,24 +24,25 @@ constexpr double chang_range = 1024, rappoport_range = 131072;
 std::string growth(int curves, bool quick) {
     std::string text = "numbers,steps,measured_px,theory_px\n";
     for (const growth_row& r : measure_growth(chang_range, doubled(4, quick ? 1024 : 8192), curves))
-        text += row(name_of(r.numbers), r.steps, r.measured, r.theory);
+        text += table_row(name_of(r.numbers), r.steps, r.measured, r.theory);
     for (const chord_row& r : measure_chords(chang_range, doubled(1, 256), curves))
-        text += row("chord", r.steps, r.measured, r.theory);
+        text += table_row("chord", r.steps, r.measured, r.theory);
     return text;
 }
 
 std::string limits(int curves, int tried) {
     std::string text = "numbers,in_1024_px,in_131072_px,tried\n";
     for (const curve_numbers numbers : all_curve_numbers)
-        text += row(name_of(numbers), most_steps_below_a_pixel(numbers, chang_range, tried, curves),
-                    most_steps_below_a_pixel(numbers, rappoport_range, tried, curves), tried);
+        text += table_row(name_of(numbers),
+                          most_steps_below_a_pixel(numbers, chang_range, tried, curves),
+                          most_steps_below_a_pixel(numbers, rappoport_range, tried, curves), tried);
     return text;
 }
 
 std::string steps(int curves) {
     std::string text = "halvings,mean,largest,chebyshev,by_derivative,per_pixel\n";
     for (const step_row& r : measure_steps(chang_range, 5, curves))
-        text += row(r.halvings, r.per_pixel, r.most, r.chebyshev, r.true_speed, r.extra);
+        text += table_row(r.halvings, r.per_pixel, r.most, r.chebyshev, r.true_speed, r.extra);
     return text;
 }
 

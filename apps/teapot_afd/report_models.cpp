@@ -126,6 +126,18 @@ l3d_patch_model hills(int n) {
         n, n));
 }
 
+/// A curtain of 3 x 2 patches that folds over itself: seen from the front, each wave hides a part
+/// of its neighbour, and folds begin in cusps where the waves rise.
+l3d_patch_model folds() {
+    return l3d_patch_model(patches_of(
+        [](double u, double v) {
+            const double wave = 3 * pi * u + 0.6 * v, rise = std::sin(0.5 * pi * v);
+            return vector{2 * u - 1 + 0.42 * rise * std::sin(2 * wave),
+                          0.8 - 1.6 * v + 0.08 * std::cos(wave), 0.3 * rise * std::cos(2 * wave)};
+        },
+        3, 2));
+}
+
 l3d_camera camera_at(const vector& eye, const vector& target, double fov) {
     return {eye, target, {0.0, 1.0, 0.0}, fov, 0.01, 1e13};
 }
@@ -169,4 +181,11 @@ std::vector<report_model> report_scenes() {
                           hills(n),
                           {{"full", camera_at({0.13, 0.35, 1.5}, {0.0, -0.05, 0.0}, 42)}}});
     return result;
+}
+
+report_model report_folds() {
+    return {"folds", folds(),
+            three_views(camera_at({0.2, 0.3, 3.1}, {0.05, 0.0, 0.0}, 45),
+                        camera_at({0.5, -0.3, 1.7}, {0.2, -0.2, 0.0}, 42),
+                        camera_at({0.3, 2.6, 2.0}, {0.0, 0.0, 0.0}, 36))};
 }

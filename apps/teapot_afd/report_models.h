@@ -29,4 +29,7 @@ std::vector<report_model> report_models();
 /// The same hills as 4, 16, ... 4096 patches, in one view: how time grows with the scene.
 std::vector<report_model> report_scenes();
 
+/// A curtain that folds over itself, on which iterations of scan line methods fail. Three views.
+report_model report_folds();
+
 #endif

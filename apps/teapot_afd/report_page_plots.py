@@ -15,6 +15,7 @@ STYLES = {
     "afd": (BLACK, 3, 7), "fd": (BLUE, 1.6, 5), "subdivision": (GREEN, 1.6, 9),
     "tessellation": (ORANGE, 1.6, 13), "zbuffer": (OLIVE, 1.2, 12), "zsort": (RED, 1.6, 11),
     "micropolygons": (PINK, 1.6, 4), "isocurves": (SKY, 1.6, 6), "scanline": (BROWN, 1.6, 8),
+    "whitted": ("#c7a17a", 1.2, 8), "blinn": ("#a0522d", 1.2, 14), "lane-carpenter": ("#66c2a5", 1.2, 9), "kept": ("#f4a6d7", 1.2, 4),
     "voxels": (GREY, 1.6, 10), "mesa": (VIOLET, 1.6, 15), "llvmpipe": ("#1b1b8f", 1.6, 2),
     "Embree": ("#c51b7d", 1.6, 3), "16.16": (RED, 1.6, 5), "32-bit block": (ORANGE, 1.6, 9),
     "32-bit graded": (PINK, 1.6, 11), "32.32": (GREEN, 1.6, 13), "float": (BLACK, 2.4, 7),
@@ -52,9 +53,12 @@ def spans(lines):
     return ends([x for x, _ in points], 0.16), ends([y for _, y in points], 0.02)
 
 
-def labels(lines, height, letters):
-    """Names at the ends of lines, moved up or down until none covers another."""
+def labels(lines, size, font):
+    """Names at the ends of lines, moved up or down until none touches another. Size: pixels of the panel."""
     (left, right), (low, high) = spans(lines)
+    # Titles and numbers at the axes take the rest of a panel, the more the smaller it is.
+    wide, tall = size[0] - 7 * font, size[1] - 7 * font
+    apart, letter = 1.25 * font / tall, 0.62 * font / wide
     wanted = []
     for line in lines:
         if line.dashed or line.scattered or len(lines) == 1:
@@ -62,37 +66,40 @@ def labels(lines, height, letters):
         x, y = line.points[-1]
         wanted.append([(math.log10(x) - left) / (right - left), (math.log10(y) - low) / (high - low), line])
     wanted.sort(key=lambda each: each[1])
-    apart, wide = 17 / height, letters
-    for _ in range(200):
+    reach = [(len(line.name) + 2) * letter for *_, line in wanted]
+    for _ in range(1000):
         for i, one in enumerate(wanted):
-            for other in wanted[i + 1:]:
-                if abs(one[0] - other[0]) < wide and abs(one[1] - other[1]) < apart:
+            for k, other in enumerate(wanted[i + 1:], i + 1):
+                beside = one[0] > other[0] + reach[k] or other[0] > one[0] + reach[i]
+                if not beside and abs(one[1] - other[1]) < apart:
                     push = (apart - abs(one[1] - other[1])) / 2 + 1e-4
-                    one[1], other[1] = one[1] - push, other[1] + push
+                    sign = 1 if one[1] <= other[1] else -1
+                    one[1], other[1] = one[1] - sign * push, other[1] + sign * push
+            one[1] = min(max(one[1], 0.02), 0.98)
     text = ""
     for x, y, line in wanted:
-        text += (f"set label '{line.name}' at graph {x:.4f},{min(max(y, 0.02), 0.98):.4f} left offset 0.9,0 "
+        text += (f"set label '{line.name}' at graph {x:.4f},{y:.4f} left offset 0.9,0 "
                  f"tc rgb '{line.style()[0]}' noenhanced front\n")
     return text
 
 
-def panel(d, data, height, letters, small=False):
+def panel(d, data, size, font, small=False):
     """The commands of one diagram; its data blocks are named by `data`."""
     (left, right), (low, high) = spans(d.lines)
     text = "unset label\nunset key\n" if not any(line.scattered for line in d.lines) else \
         "unset label\nset key outside right top noenhanced\n"
     text += f"set title '{d.title}' noenhanced\nset xlabel '{d.x_label}'\nset ylabel '{d.y_label}'\n"
     text += f"set xrange [{10 ** left:.6g}:{10 ** right:.6g}]\nset yrange [{10 ** low:.6g}:{10 ** high:.6g}]\n"
-    text += labels(d.lines, height, letters)
+    text += labels(d.lines, size, font)
     parts = []
     if d.diagonal:
         parts.append("x with lines lw 1 dt 2 lc rgb '#444444' title 'measured = bound'")
     for i, line in enumerate(d.lines):
         color, width, shape = line.style()
-        size = 0.5 if small else 0.9
+        point = 0.5 if small else 0.9
         how = (f"lines dt 2 lw 1.4 lc rgb '{color}' notitle" if line.dashed else
-               f"points pt {shape} ps {size} lc rgb '{color}' title '{line.name}'" if line.scattered else
-               f"linespoints lw {width if not small else width * 0.7} pt {shape} ps {size} lc rgb '{color}' notitle")
+               f"points pt {shape} ps {point} lc rgb '{color}' title '{line.name}'" if line.scattered else
+               f"linespoints lw {width if not small else width * 0.7} pt {shape} ps {point} lc rgb '{color}' notitle")
         parts.append(f"${data}{i} using 1:2 with {how}")
     return text + "plot " + ", \\\n     ".join(parts) + "\n"
 
@@ -118,7 +125,7 @@ def script(name, diagrams, columns=1, size_factor=1):
         if len(diagrams) > 1:
             text += f"set multiplot layout {rows},{columns}\n"
         for k, d in enumerate(diagrams):
-            text += panel(d, f"d{k}_", height / rows, 0.16 if rows == 1 else 0.3, rows > 1)
+            text += panel(d, f"d{k}_", (width / columns, height / rows), font, rows > 1)
         text += "unset multiplot\n" if len(diagrams) > 1 else ""
         text += "set output\n"
     return text

@@ -12,6 +12,7 @@ import math
 import os
 import sys
 
+import report_page_alternatives
 from report_page_facts import Report, conclusions
 from report_page_plots import STYLES, Diagram, Line, draw
 
@@ -156,12 +157,13 @@ def table(head, rows):
             + "".join("| " + " | ".join(str(cell) for cell in row) + " |\n" for row in rows))
 
 
-def markdown(report, found, drawn):
+def markdown(report, found, drawn, others):
     text = "# Error against run time\n\n"
     text += "".join(f"- **{c.question}** {c.answer} [rows](#{c.key})\n" for c in found)
     text += ("\nAll rows, with values under the pointer and tables that sort, are in [report.html](report.html), which works "
              "without network. The numbers are in [frames.csv](frames.csv), [curves.csv](curves.csv), "
-             "[limits.csv](limits.csv) and [steps.csv](steps.csv).\n\n" + heading(report.machine) + "\n\n" + READING)
+             "[limits.csv](limits.csv), [steps.csv](steps.csv), [scan_lines.csv](scan_lines.csv), "
+             "[cells.csv](cells.csv), [smoke.csv](smoke.csv) and [kept.csv](kept.csv).\n\n" + heading(report.machine) + "\n\n" + READING)
     for name, title, words in SECTIONS:
         if name in drawn:
             text += f"\n## {title}\n\n{words}\n\n![{title}]({name}.svg)\n"
@@ -171,7 +173,7 @@ def markdown(report, found, drawn):
     text += "## The rows behind the conclusions\n"
     for c in found:
         text += f"\n### <a id=\"{c.key}\"></a>{c.question}\n\n" + table(c.head, c.rows)
-    return text + literature(report)
+    return text + others + literature(report)
 
 
 def literature(report):
@@ -214,8 +216,11 @@ def main():
     folder = sys.argv[1]
     report = Report(folder)
     found = conclusions(report)
-    write(folder, "report.md", markdown(report, found, diagrams(report, folder)))
-    write(folder, "report.html", html(report, found))
+    others = report_page_alternatives.alternatives(report, folder)
+    write(folder, "report.md", markdown(report, found, diagrams(report, folder),
+                                        report_page_alternatives.markdown(others, folder, table)))
+    write(folder, "report.html", html(report, found + others))
+    print(os.path.join(folder, "report.md"))
 
 
 if __name__ == "__main__":

@@ -80,9 +80,23 @@ settings all_settings(std::size_t patches, bool is_first, const plan_scope& scop
     plan.add(micropolygons, numbers{1, 2, 3, 4});
     plan.add(isocurves, numbers{1, 2, 3, 4});
     plan.add(scanline, tolerances{1, 0.25, 0.1, 0.05});
+    plan.add(whitted, tolerances{1, 0.25, 0.1, 0.05});
+    plan.add(blinn, tolerances{1, 0.25, 0.1, 0.05});
+    plan.add(lane_carpenter, tolerances{1, 0.25, 0.1, 0.05});
+    plan.add(kept, numbers{1, 2, 3, 4});
     plan.add(voxels, numbers{64, 128, 256, 512});
     if (scope.has_mesa)
         plan.add(mesa, tolerances{1, 0.5, 0.25, 0.1});
+    return plan.done();
+}
+
+/// Those that are compared on folded patches.
+settings fold_settings(const plan_scope& scope) {
+    using enum l3d_method;
+    planner plan(1, scope.quick);
+    const tolerances two{0.25, 0.05};
+    for (const l3d_method each : {afd, subdivision, scanline, whitted, blinn, lane_carpenter})
+        plan.add(each, two);
     return plan.done();
 }
 
@@ -112,6 +126,8 @@ std::vector<planned_model> report_plan(std::vector<report_model> models, const p
         settings made = all_settings(patches, result.empty(), scope);
         result.push_back({std::move(model), std::move(made)});
     }
+    if (scope.has_folds)
+        result.push_back({report_folds(), fold_settings(scope)});
     if (scope.has_scenes)
         for (report_model& scene : report_scenes()) {
             const std::size_t patches = scene.model.patches().size();

@@ -20,6 +20,7 @@ struct planned_model {
 struct plan_scope {
     bool quick = false;      ///< small: one view of two models
     bool has_mesa = false;   ///< there is a software GL
+    bool has_folds = false;  ///< folded patches, for scan line methods
     bool has_scenes = false; ///< the same hills in 4 to 4096 patches, too
 };
 

@@ -185,8 +185,8 @@ set label 'double' at graph 0.8333,0.1850 left offset 0.9,0 tc rgb '#0072b2' noe
 set label '32-bit graded' at graph 0.8333,0.5480 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
 set label 'float' at graph 0.8333,0.6151 left offset 0.9,0 tc rgb '#000000' noenhanced front
 set label '32.32' at graph 0.8333,0.6978 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label '16.16' at graph 0.8333,0.8075 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label '32-bit block' at graph 0.8333,0.8381 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label '16.16' at graph 0.8333,0.8054 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label '32-bit block' at graph 0.8333,0.8402 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
 plot $d0_0 using 1:2 with linespoints lw 1.6 pt 5 ps 0.9 lc rgb '#d55e00' notitle, \
      $d0_1 using 1:2 with lines dt 2 lw 1.4 lc rgb '#d55e00' notitle, \
      $d0_2 using 1:2 with linespoints lw 1.6 pt 9 ps 0.9 lc rgb '#e69f00' notitle, \
@@ -213,8 +213,8 @@ set label 'double' at graph 0.8333,0.1850 left offset 0.9,0 tc rgb '#0072b2' noe
 set label '32-bit graded' at graph 0.8333,0.5480 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
 set label 'float' at graph 0.8333,0.6151 left offset 0.9,0 tc rgb '#000000' noenhanced front
 set label '32.32' at graph 0.8333,0.6978 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label '16.16' at graph 0.8333,0.8102 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label '32-bit block' at graph 0.8333,0.8354 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label '16.16' at graph 0.8333,0.8101 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label '32-bit block' at graph 0.8333,0.8355 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
 plot $d0_0 using 1:2 with linespoints lw 1.6 pt 5 ps 0.9 lc rgb '#d55e00' notitle, \
      $d0_1 using 1:2 with lines dt 2 lw 1.4 lc rgb '#d55e00' notitle, \
      $d0_2 using 1:2 with linespoints lw 1.6 pt 9 ps 0.9 lc rgb '#e69f00' notitle, \

@@ -1,67 +1,67 @@
 # gnuplot scene_size.gp
 $d0_0 << end
-4 3.33918
-16 3.81025
-64 3.98471
-256 7.13726
-1024 15.7459
-4096 26.7406
+4 2.25996
+16 2.16209
+64 3.04705
+256 5.69022
+1024 11.3361
+4096 24.7769
 end
 $d0_1 << end
-4 9.99516
-16 6.36966
-64 8.88626
-256 9.01577
-1024 14.9564
-4096 23.4146
+4 6.82984
+16 6.89048
+64 5.47155
+256 7.5726
+1024 10.865
+4096 22.8635
 end
 $d0_2 << end
-4 35.5767
-16 32.6314
-64 47.2033
-256 89.7034
-1024 106.382
-4096 106.749
+4 31.902
+16 39.2987
+64 42.2573
+256 82.6327
+1024 100.692
+4096 100.616
 end
 $d0_3 << end
-4 6.50862
-16 2.54211
-64 3.14317
-256 4.13947
-1024 12.8158
-4096 39.2183
+4 4.09259
+16 2.89533
+64 1.63449
+256 3.05892
+1024 10.3
+4096 34.6584
 end
 $d0_4 << end
-4 9.87447
-16 5.33837
-64 7.42782
-256 21.5043
-1024 45.0011
-4096 154.167
+4 11.9959
+16 5.06727
+64 6.64423
+256 13.78
+1024 38.5633
+4096 134.41
 end
 $d0_5 << end
-4 368.719
-16 249.693
-64 316
-256 277.902
-1024 302.498
-4096 306.604
+4 399.145
+16 219.839
+64 228.065
+256 245.375
+1024 270.422
+4096 280.742
 end
 $d0_6 << end
-4 545.579
-16 390.521
-64 492.437
-256 545.725
-1024 578.115
-4096 600.613
+4 513.642
+16 379.362
+64 428.56
+256 531.319
+1024 557.926
+4096 549.789
 end
 $d0_7 << end
-4 122.327
-16 174.476
-64 155.091
-256 145.377
-1024 85.5157
-4096 89.8216
+4 87.2424
+16 120.971
+64 115.255
+256 110.611
+1024 81.5857
+4096 79.9294
 end
 set logscale xy
 set grid xtics ytics lt 1 lw 1 lc rgb '#dddddd'
@@ -76,15 +76,15 @@ set title 'the same hills, cut into more and more patches' noenhanced
 set xlabel 'patches'
 set ylabel 'milliseconds a frame, one thread'
 set xrange [2.82843:17559.9]
-set yrange [1.9343:880.507]
-set label 'fd' at graph 0.8333,0.4030 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'afd' at graph 0.8333,0.4335 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'tessellation' at graph 0.8333,0.4917 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'mesa' at graph 0.8333,0.6259 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'subdivision' at graph 0.8333,0.6564 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'zsort' at graph 0.8333,0.7153 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.8276 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'scanline' at graph 0.8333,0.9375 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set yrange [1.22102:839.267]
+set label 'fd' at graph 0.8333,0.4372 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'afd' at graph 0.8333,0.4721 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'tessellation' at graph 0.8333,0.5122 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'mesa' at graph 0.8333,0.6401 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'subdivision' at graph 0.8333,0.6753 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'zsort' at graph 0.8333,0.7196 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.8324 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'scanline' at graph 0.8333,0.9353 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
 plot $d0_0 using 1:2 with linespoints lw 3 pt 7 ps 0.9 lc rgb '#000000' notitle, \
      $d0_1 using 1:2 with linespoints lw 1.6 pt 5 ps 0.9 lc rgb '#0072b2' notitle, \
      $d0_2 using 1:2 with linespoints lw 1.6 pt 9 ps 0.9 lc rgb '#009e73' notitle, \
@@ -102,15 +102,15 @@ set title 'the same hills, cut into more and more patches' noenhanced
 set xlabel 'patches'
 set ylabel 'milliseconds a frame, one thread'
 set xrange [2.82843:17559.9]
-set yrange [1.9343:880.507]
-set label 'fd' at graph 0.8333,0.4057 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'afd' at graph 0.8333,0.4309 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'tessellation' at graph 0.8333,0.4917 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'mesa' at graph 0.8333,0.6271 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'subdivision' at graph 0.8333,0.6553 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'zsort' at graph 0.8333,0.7153 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'micropolygons' at graph 0.8333,0.8276 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'scanline' at graph 0.8333,0.9375 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set yrange [1.22102:839.267]
+set label 'fd' at graph 0.8333,0.4419 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'afd' at graph 0.8333,0.4673 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'tessellation' at graph 0.8333,0.5122 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'mesa' at graph 0.8333,0.6401 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'subdivision' at graph 0.8333,0.6753 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'zsort' at graph 0.8333,0.7196 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'micropolygons' at graph 0.8333,0.8324 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'scanline' at graph 0.8333,0.9353 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
 plot $d0_0 using 1:2 with linespoints lw 3 pt 7 ps 0.9 lc rgb '#000000' notitle, \
      $d0_1 using 1:2 with linespoints lw 1.6 pt 5 ps 0.9 lc rgb '#0072b2' notitle, \
      $d0_2 using 1:2 with linespoints lw 1.6 pt 9 ps 0.9 lc rgb '#009e73' notitle, \

@@ -101,9 +101,7 @@ void l3d_pipeline_afd::draw_event() {
     }
 
     if (!changed_.empty())
-        find_doubts(!now.shading.is_lit(scene_.materials()) && scene_.transparent_count() == 0 &&
-                        !now.shading.fog.is_on(),
-                    times);
+        find_doubts(!now.shading.is_lit(scene_.materials()) && !now.shading.fog.is_on(), times);
 
     const stopwatch overlaying;
     if (stale_ || !changed_.empty())
@@ -315,6 +313,8 @@ void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
                  .bound_px = report_.dice.bound_px,
                  .depth_bound_px = report_.dice.depth_bound_px,
                  .has_levels = has_levels,
+                 .lighting = settings_.lighting,
+                 .fog = settings_.fog,
                  .drawn = screen_->pixels(),
                  .background = settings_.background},
                 stages_->workers);

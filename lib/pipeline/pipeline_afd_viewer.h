@@ -4,6 +4,7 @@
 #define L3D_PIPELINE_PIPELINE_AFD_VIEWER_H
 
 #include "base/public.h"
+#include "pipeline/part_switch.h"
 #include "pipeline/pipeline_afd.h"
 #include "pipeline/viewer_controls.h"
 
@@ -46,7 +47,9 @@ private:
     void switch_antialias();
     l3d_panel legend();
 
-    l3d_viewer_controls controls_{*this, screen(), camera(), own_rows(), {}, viewed()};
+    l3d_part_switch parts_{scene()};
+    l3d_viewer_controls controls_{
+        *this, screen(), camera(), own_rows(), [this] { parts_.show_all(); }, viewed()};
 };
 
 #endif

@@ -2,6 +2,7 @@
 // l3d_rasterizer_2d_imp: coverage for outputs that cannot mix colours, paths for all.
 #include "raster/rasterizer_2d.h"
 
+#include "raster/images/image_sampler_p.h"
 #include "raster/paths/curve_pixels_p.h"
 #include "raster/paths/gradient.h"
 #include "raster/paths/mesh_dicer_p.h"
@@ -55,6 +56,22 @@ void l3d_rasterizer_2d_imp::do_draw_path(const l3d_path& path, const l3d_fill& f
             do_draw_coverage({s.first + i, s.row, 1, 1, values + i, 0},
                              colors[static_cast<std::size_t>(i)]);
     }
+}
+
+void l3d_rasterizer_2d_imp::do_draw_image(const l3d_placed_image& image, const l3d_fill& fill) {
+    const l3d_detail::color_mixer mixer(fill.blending);
+    l3d_detail::image_sampler sampler(image, mixer);
+    l3d_detail::path_scan scan;
+    const l3d_path reach = sampler.reach();
+    for (const l3d_detail::covered_span& s :
+         scan.convert(l3d_detail::order_of(reach, fill, l3d_whole(largest))))
+        for (int x = s.first; x < s.last; ++x) {
+            const auto color = sampler.at(x, s.row);
+            const int share = s.value >= 0 ? s.value : scan.values_of(s)[x - s.first];
+            const auto covered = static_cast<std::uint8_t>(share * color.opacity + 0.5);
+            if (covered > 0)
+                do_draw_coverage({x, s.row, 1, 1, &covered, 0}, mixer.word(color));
+        }
 }
 
 void l3d_rasterizer_2d_imp::do_draw_curves(const l3d_path& path, std::uint32_t color) {

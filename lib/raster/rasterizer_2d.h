@@ -13,6 +13,7 @@
 class l3d_gradient;
 class l3d_path;
 struct l3d_mesh_patch;
+struct l3d_placed_image;
 
 /// A corner of a polygon. Units: pixels; pixel (x, y) is sampled at the position (x, y).
 struct L3D_PUBLIC l3d_point_2d {
@@ -60,6 +61,14 @@ enum class L3D_PUBLIC l3d_winding {
     even_odd ///< an odd number of times
 };
 
+/// In which numbers two colours are mixed.
+enum class L3D_PUBLIC l3d_blending {
+    coded, ///< in those of pixel words: fast, and what most programs do
+    /// In the light that they stand for, by the sRGB curve: as two colours mix for an eye that is
+    /// too far away to tell them apart. Thin bright lines keep their light on a dark ground.
+    linear
+};
+
 /// How the area inside of a path is filled.
 struct L3D_PUBLIC l3d_fill {
     std::uint32_t color = 0x00ffffff; ///< 0x00RRGGBB
@@ -74,6 +83,8 @@ struct L3D_PUBLIC l3d_fill {
     l3d_winding clip_inside = l3d_winding::nonzero; ///< which points are inside of the clip path
     /// Only pixels in this box are drawn; by default, all of them.
     l3d_pixel_box box{0, 0, l3d_largest_side, l3d_largest_side};
+    /// How the colour is mixed with what is there. What cannot read its own picture mixes coded.
+    l3d_blending blending = l3d_blending::coded;
 };
 
 /// The drawing operations that each kind of output implements. Programs hold the l3d_rasterizer_2d
@@ -110,6 +121,7 @@ private:
 
     /// Unless a kind of output has a way of its own, a path is drawn as coverage, run by run.
     virtual void do_draw_path(const l3d_path& path, const l3d_fill& fill);
+    virtual void do_draw_image(const l3d_placed_image& image, const l3d_fill& fill);
 
     /// Unless a kind of output has a way of its own, curves are points, and meshes are
     /// Gouraud-shaded triangles.
@@ -211,11 +223,27 @@ public:
     /// drawn within l3d_flat_enough, and the product is rounded to a multiple of 1/255. A path of
     /// lines is thus within 1/510, up to the rounding of doubles. Positions are not rounded to a
     /// lattice. Nothing is drawn if a coordinate is not a number, and beyond +-2^30 it is moved to
-    /// that. In a picture without background, colours count by what they cover.
+    /// that. In a picture without background, colours count by what they cover. In linear light,
+    /// the rounded share moves the light of each channel, and the level nearest to it is stored:
+    /// near black, a step of 1/255 in the share is up to 13 levels.
     /// Expects: alpha in [0, 1].
     /// Cost:    linear in the rows that edges reach and the pixels that are covered. Where n edges
     ///          share pixels and cross each other m times, n log n (n + m).
     void draw_path(const l3d_path& path, const l3d_fill& fill) { imp_.do_draw_path(path, fill); }
+
+    /// Draws an image wherever it is placed, over what is there.
+    ///
+    /// Of the fill, alpha, clip, clip_inside, box and blending count. l3d_image_filter says which
+    /// colour a pixel gets. The image's own edges and the clip path's are smooth as those of paths;
+    /// with l3d_image_filter::nearest, only the clip path's are. Colours are mixed in double, and
+    /// rounded once: within 1/2 + 10^-6 levels, where shares of 1/255 are exact. Nothing is drawn
+    /// if the placement has no area, or a corner of the image is not within +-2^30 pixels.
+    /// Expects: alpha in [0, 1].
+    /// Cost:    as draw_path, and for each pixel as many pixels of the image as the filter takes.
+    ///          An opaque image that is only moved by whole pixels is copied.
+    void draw_image(const l3d_placed_image& image, const l3d_fill& fill = {}) {
+        imp_.do_draw_image(image, fill);
+    }
 
     /// Draws the lines and curves of a path one pixel wide, with hard edges.
     ///

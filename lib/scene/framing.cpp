@@ -91,6 +91,8 @@ private:
 double reach_along(const l3d_patch_scene& scene, const vector& direction) {
     highest found;
     for (const l3d_patch_instance& instance : scene.instances()) {
+        if (instance.opacity() == 0) // it is not there
+            continue;
         const l3d_matrix<double>& m = instance.placement();
         vector model{0.0, 0.0, 0.0}; // the direction as the model's points see it
         double moved = 0;

@@ -139,6 +139,8 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
     });
     for (std::size_t i = 0; i < scene.instances().size(); ++i) {
         const l3d_patch_instance& instance = scene.instances()[i];
+        if (instance.opacity() == 0) // nobody sees it
+            continue;
         const double error = ray.rounding(instance.reach());
         for (std::size_t p = 0; p < instance.model().patches().size(); ++p) {
             l3d_ray_net net = placed(instance.model().patches()[p], instance);

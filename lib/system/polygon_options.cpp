@@ -22,7 +22,15 @@ l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_opt
     options.add("--hidden-lines", hidden_lines_, "lines of polygons, what is hidden removed");
     options.add("--all-faces", all_faces_, "draw faces seen from behind, too");
     options.add("--rotate", rotation_,
-                "degrees that polygons are turned about x, then y, then z, round their middle");
+                "degrees that polygons are turned about x, y and z, round their middle");
+    options.add_choice<l3d_rotation_order>("--rotate-order", rotation_order_,
+                                           "which turn of --rotate comes first, second and last",
+                                           {{"xyz", l3d_rotation_order::xyz},
+                                            {"xzy", l3d_rotation_order::xzy},
+                                            {"yxz", l3d_rotation_order::yxz},
+                                            {"yzx", l3d_rotation_order::yzx},
+                                            {"zxy", l3d_rotation_order::zxy},
+                                            {"zyx", l3d_rotation_order::zyx}});
     options.add("--to-origin", to_origin_, "move the mean of the polygons' vertices to the origin");
     options.add("--crease-angle", crease_angle_,
                 "faces whose normals are more degrees apart meet in a crease", 0.0, 180.0);
@@ -71,6 +79,7 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
             l3d_upright(shared_.camera().up).at(shared.light[0], shared.light[1], shared.light[2]);
     }
     settings.rotation = rotation_;
+    settings.rotation_order = rotation_order_;
     settings.cull = !all_faces_;
     settings.antialias = shared.antialias;
     settings.background = shared.background;

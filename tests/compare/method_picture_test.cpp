@@ -32,11 +32,13 @@ struct expectation {
     double outline, depth; ///< largest
     int holes;
     bool certified;
+    int failures = 0; ///< at most
 };
 
 /// `afd` and its like keep 0.25 px in the picture; along the line of sight nothing is promised, and
 /// the point that is drawn is up to 0.297 px from the exact tangent plane. A cell of 1/256 of the
-/// teapot is 0.8 pixels here, its diagonal 1.4.
+/// teapot is 0.8 pixels here, its diagonal 1.4. Where iterations fail, and in cracks, the surface
+/// behind is seen.
 constexpr expectation expectations[] = {
     {"afd", 0.26, 0.35, 0, true},
     {"fd", 0.26, 0.26, 0, true},
@@ -44,8 +46,12 @@ constexpr expectation expectations[] = {
     {"tessellation:64", 0.26, 0.05, 0, true},
     {"micropolygons:2", 0.05, 0.1, 0, true},
     {"micropolygons:4", 0.05, 0.1, 0, true},
+    {"kept:2", 0.05, 0.1, 0, false},
     {"isocurves:2", 1.0, 0.75, 0, false},
     {"scanline", 0.05, 0.1, 0, false},
+    {"whitted", 0.3, 30, 0, false, 40},
+    {"blinn", 8, 120, 5, false, 400},
+    {"lane-carpenter", 0.3, 40, 0, false},
     {"voxels:256", 1.5, 1.5, 5, false},
     {"mesa", 0.3, 0.26, 0, false},
 };
@@ -93,7 +99,8 @@ TEST(method_picture, is_like_the_exact_one) {
         EXPECT_EQ(std::isfinite(report.dice.bound_px), expected.certified) << expected.method;
         EXPECT_EQ(settings_of(expected.method, 1).method.has_bound(), expected.certified)
             << expected.method;
-        EXPECT_EQ(report.dice.failures, 0) << expected.method;
+        EXPECT_LE(report.dice.failures, expected.failures) << expected.method;
+        EXPECT_EQ(report.dice.failures > 0, expected.failures > 0) << expected.method;
         EXPECT_EQ(report.method, expected.method);
     }
 }
@@ -151,7 +158,7 @@ TEST(method_picture, of_models_that_come_and_go_is_that_of_a_new_program) {
         const auto first = s.model.patches().begin() + static_cast<std::ptrdiff_t>(7 * frame);
         return l3d_patch_model(std::vector(first, first + 7));
     };
-    for (const char* method : {"tessellation:8", "voxels:32", "mesa"}) {
+    for (const char* method : {"tessellation:8", "voxels:32", "kept:1", "mesa"}) {
         std::optional<l3d_pipeline_afd> pipeline;
         try {
             pipeline.emplace(l3d_memory_canvas(size), part(0), s.camera, settings_of(method, 1));
@@ -198,8 +205,9 @@ TEST(method_picture, counts_covered_pixels_only_for_who_asks) {
 
 TEST(method_choice, is_read_as_it_is_written) {
     std::string why;
-    for (const char* name : {"afd", "fd", "fd:12", "isocurves:3", "subdivision", "tessellation:16",
-                             "micropolygons:1", "scanline", "voxels:256", "mesa"})
+    for (const char* name :
+         {"afd", "fd", "fd:12", "isocurves:3", "subdivision", "tessellation:16", "micropolygons:1",
+          "scanline", "whitted", "blinn", "lane-carpenter", "voxels:256", "mesa"})
         EXPECT_EQ(l3d_method_choice::from_name(name, why).value().name(), name);
     EXPECT_EQ(l3d_method_choice::from_name("voxels", why).value().resolution, 256);
     EXPECT_EQ(l3d_method_choice::from_name("micropolygons", why).value().resolution, 2);

@@ -112,6 +112,40 @@ TEST(obj_file, notes_each_kind_of_statement_that_is_skipped_once) {
     EXPECT_EQ(read_after("vt 1 2\nvt 3 4\ns off\ncurv 0 1 1 2 3\nparm u 0 1\nend\n").notes, notes);
 }
 
+/// The parameter file of a course's whiteboards.
+TEST(obj_file, has_the_window_and_the_viewport_of_two_dimensions) {
+    const l3d_model_file file = read("w 1.0 0.5 5.0 3.0\ns 0.25 0 0.75 1\nv 2 2 0\nv 2 1 0\n"
+                                     "v 4 1 0\nv 4 2 0\ns 1\ns off\ns\nf 1 2 3\nf 3 4 1\n");
+    EXPECT_EQ(file.window, (l3d_model_window{1, 0.5, 5, 3}));
+    EXPECT_EQ(file.viewport, (l3d_model_window{0.25, 0, 0.75, 1}));
+    EXPECT_EQ(file.mesh.corners, (numbers{0, 1, 2, 2, 3, 0}));
+    EXPECT_TRUE(file.notes.empty());
+    std::string why;
+    EXPECT_EQ(l3d_read_obj(l3d_write_obj(file), "again", why), file);
+    const auto alone = l3d_read_model("w 0 0 4 3\n", "name", why);
+    ASSERT_TRUE(alone) << why;
+    EXPECT_EQ(alone->window, (l3d_model_window{0, 0, 4, 3}));
+    EXPECT_FALSE(alone->viewport);
+}
+
+TEST(obj_file, says_what_is_wrong_with_windows_and_viewports) {
+    const std::string order = " is not beyond the one opposite: they are xmin ymin xmax ymax";
+    EXPECT_EQ(complaint_after("w 1 2 3"),
+              "name:5: the line ends where a border of the window should be");
+    EXPECT_EQ(complaint_after("w"), "name:5: the line ends where a border of the window should be");
+    EXPECT_EQ(complaint_after("w 1 2 3 4 5"), "name:5: '5' at the end of a statement");
+    EXPECT_EQ(complaint_after("w 1 2 x 4"), "name:5: 'x', a border of the window, is not a number");
+    EXPECT_EQ(complaint_after("w 1 2 nan 4"),
+              "name:5: 'nan', a border of the window, is not finite");
+    EXPECT_EQ(complaint_after("w 1 2 1 4"), "name:5: a border of the window" + order);
+    EXPECT_EQ(complaint_after("w 1 2 5 -4"), "name:5: a border of the window" + order);
+    EXPECT_EQ(complaint_after("s 0 0 1"),
+              "name:5: the line ends where a border of the viewport should be");
+    EXPECT_EQ(complaint_after("s 0 0.5 1 0.5"), "name:5: a border of the viewport" + order);
+    EXPECT_EQ(complaint_after("s 0 0 1 1.5"),
+              "name:5: the viewport leaves the picture, which is from 0 to 1");
+}
+
 TEST(obj_surface, of_several_bezier_patches_is_cut_at_its_parameters) {
     const l3d_model_file model = read_after("v 1 2 9\nv 3 4 7\n"
                                             "cstype bezier\ndeg 1 1\n"

@@ -72,9 +72,9 @@ TEST(lit_picture, promises_places_and_depth_but_no_shades) {
     EXPECT_LE(lit.report().dice.bound_px, settings.tolerance);
     EXPECT_TRUE(std::isfinite(lit.report().dice.depth_bound_px));
     EXPECT_FALSE(std::isfinite(lit.report().dice.shade_bound));
-    EXPECT_FALSE(std::isfinite(lit.report().color_bound));
+    EXPECT_LT(lit.report().color_bound, 100);
     ASSERT_NE(lit.error_map(), nullptr);
-    EXPECT_EQ(lit.error_map()->at(100, 70), 255);
+    EXPECT_LT(lit.error_map()->at(100, 70), 20);
 }
 
 TEST(lit_picture, that_changes_is_the_same_bits_as_drawn_whole) {

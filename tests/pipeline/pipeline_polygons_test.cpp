@@ -268,6 +268,35 @@ TEST(pipeline_polygons, euler_angles_turn_about_the_centre) {
     EXPECT_EQ(x, (l3d_vector<double, 4>(3.0, -1.0, 7.0, 1.0)));
 }
 
+/// Half turns that do not commute: each order leads elsewhere, and each turn is about an axis of
+/// the world.
+TEST(pipeline_polygons, euler_angles_turn_in_the_order_that_is_asked_for) {
+    const l3d_vector<double, 3> centre{1.0, 1.0, 1.0}, degrees{90.0, 180.0, 90.0};
+    const auto quarter = [&](std::array<double, 3> p, std::size_t about) {
+        std::array<double, 3> q = p;
+        q[(about + 1) % 3] = -p[(about + 2) % 3];
+        q[(about + 2) % 3] = p[(about + 1) % 3];
+        return q;
+    };
+    for (const auto& [order, axes] :
+         {std::pair(l3d_rotation_order::xyz, std::array<std::size_t, 3>{0, 1, 2}),
+          std::pair(l3d_rotation_order::xzy, std::array<std::size_t, 3>{0, 2, 1}),
+          std::pair(l3d_rotation_order::yxz, std::array<std::size_t, 3>{1, 0, 2}),
+          std::pair(l3d_rotation_order::yzx, std::array<std::size_t, 3>{1, 2, 0}),
+          std::pair(l3d_rotation_order::zxy, std::array<std::size_t, 3>{2, 0, 1}),
+          std::pair(l3d_rotation_order::zyx, std::array<std::size_t, 3>{2, 1, 0})}) {
+        std::array<double, 3> p{3, 5, 11};
+        for (const std::size_t axis : axes)
+            for (int turn = 0; turn < degrees[static_cast<int>(axis)] / 90; ++turn)
+                p = quarter(p, axis);
+        const auto moved =
+            l3d_euler_rotation(degrees, centre, order) * l3d_vector<double, 4>(4.0, 6.0, 12.0, 1.0);
+        for (int k = 0; k < 3; ++k)
+            EXPECT_NEAR(moved[k], p[static_cast<std::size_t>(k)] + 1, 1e-12)
+                << axes[0] << axes[1] << axes[2];
+    }
+}
+
 TEST(pipeline_polygons, threads_do_not_change_the_picture) {
     const l3d_polygon_model model(l3d_torus_mesh(90, 60, 1.7, 0.7));
     l3d_polygon_settings settings;

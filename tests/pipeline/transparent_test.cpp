@@ -134,7 +134,7 @@ TEST(transparent, changes_and_threads_leave_the_bits_of_a_fresh_picture) {
     }
 }
 
-TEST(transparent, frames_keep_depth_and_bounds_of_places_and_doubt_colors) {
+TEST(transparent, frames_keep_depth_and_have_bounds_of_places_and_colors) {
     l3d_afd_settings settings;
     settings.depth = true;
     l3d_patch_scene scene = three_models();
@@ -149,8 +149,8 @@ TEST(transparent, frames_keep_depth_and_bounds_of_places_and_doubt_colors) {
     EXPECT_LE(mixed.report().dice.bound_px, settings.tolerance);
     EXPECT_GT(mixed.report().dice.shade_bound, opaque.report().dice.shade_bound);
     EXPECT_LT(mixed.report().dice.shade_bound, 4);
-    EXPECT_FALSE(std::isfinite(mixed.report().color_bound));
-    EXPECT_EQ(mixed.error_map()->at(20, 20), 255);
+    EXPECT_LT(mixed.report().color_bound, 40);
+    EXPECT_LT(mixed.error_map()->at(20, 20), 255);
 }
 
 TEST(transparent, scenes_refuse_what_is_no_opacity_and_too_many) {

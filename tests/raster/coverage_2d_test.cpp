@@ -2,6 +2,7 @@
 // draw_coverage: each pixel by the rule, clipped, opaque and transparent; and outputs without it.
 #include "raster/canvas_2d.h"
 #include "level_difference.h"
+#include "raster/images/placed_image.h"
 #include "raster/paths/path.h"
 
 #include <gtest/gtest.h>
@@ -123,6 +124,28 @@ TEST(coverage_2d, of_paths_is_drawn_by_outputs_that_cannot_mix_and_curves_are_po
     EXPECT_EQ(it.lit(), half);
     EXPECT_GT(half.size(), 700u);
     EXPECT_EQ(curves.lit(), thin.lit());
+}
+
+TEST(coverage_2d, of_images_is_drawn_by_outputs_that_cannot_mix) {
+    canvas it(60, 40), smooth(60, 40);
+    std::vector<std::uint32_t> words(4, canvas::color);
+    l3d_placed_image image{{words.data(), 2, 2, 2}, {{20.2, 9.7}, {17.3, 3.1}, {-2.5, 14.9}}};
+    lines_only imp(it.draw);
+    for (const auto filter :
+         {l3d_image_filter::nearest, l3d_image_filter::linear, l3d_image_filter::area}) {
+        image.filter = filter;
+        it.draw.clear_buffer();
+        smooth.draw.clear_buffer();
+        l3d_rasterizer_2d(imp).draw_image(image);
+        smooth.draw.draw_image(image);
+        pixel_set half;
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < 60; ++x)
+                if ((smooth.at(x, y) & 255) >= 64) // of 128 in the colour
+                    half.insert({x, y});
+        EXPECT_EQ(it.lit(), half);
+        EXPECT_GT(half.size(), 700u);
+    }
 }
 
 } // namespace

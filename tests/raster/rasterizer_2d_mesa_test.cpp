@@ -4,6 +4,7 @@
 
 #include "level_difference.h"
 #include "raster/paths/gradient.h"
+#include "raster/images/placed_image.h"
 #include "raster/paths/path.h"
 #include "mesa_ways.h"
 
@@ -176,9 +177,13 @@ TEST_P(mesa_2d, PathsCurvesAndMeshesAreTheSamePixels) {
                                 {0, 12},
                                 {5, 8}}},
                               {0x00ff1020, 0x0010ff30, 0x002030ff, 0x00f0f010});
+    std::array<std::uint32_t, 4> words{0x00ff0000, 0x0000ff00, 0x000000ff, 0x00808080};
+    const l3d_placed_image image{{words.data(), 2, 2, 2}, {{10, 5}, {20, 8}, {-7, 19}}};
     t.draw([&](l3d_rasterizer_2d& r) {
         r.draw_polygon_flatshaded(all, 0x00304050);
         r.draw_path(path, {.color = 0x00ffd080, .alpha = 0.7});
+        r.draw_path(path, {.alpha = 0.2, .blending = l3d_blending::linear});
+        r.draw_image(image, {.alpha = 0.9, .clip = &path});
         r.draw_point(30, 20, 0x00ffffff);
         r.draw_mesh({&patch, 1});
         r.draw_curves(path, 0x0000ff00);

@@ -328,7 +328,8 @@ box_image::box_image(std::span<const patch> patches, const camera& view, picture
                      vec3 light, const box_settings& settings)
     : size_(size), settings_(settings),
       pixels_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {
-    const light_sampler exact(patches, view, size, light, settings.background);
+    light_sampler exact(patches, view, size, light, settings.background);
+    exact.take(settings.lamps);
     const outline_map outlines(patches, view, size);
     std::vector<first_look> looks(pixels_.size());
     const auto index = [&](int x, int y) {

@@ -17,6 +17,7 @@ struct box_settings {
     int edge_cells = 16;   ///< of a pixel that an edge may pass
     int most_lines = 64;   ///< across such a pixel: `edge_cells` + 1 and what is put between them
     double wanted = 0.5;   ///< levels: more lines are put between as long as `unsure` is more
+    lamp_light lamps{};    ///< that light instead, if there are any
 };
 
 struct box_pixel {
@@ -28,7 +29,7 @@ struct box_pixel {
 };
 
 /// The picture through a box filter. Light is Lambert's: the encoded level is
-/// 255 (0.1 + 0.9 max(0, n.l)), n turned to the eye.
+/// 255 (0.1 + 0.9 max(0, n.l)), n turned to the eye; or that of lamps, if there are any.
 ///
 /// Every pixel's square has a grid of samples, those on its sides included. Each is the nearest of
 /// all surface points there, found as exact_image finds them. The trapezoid rule gives the mean.

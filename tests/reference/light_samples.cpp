@@ -18,6 +18,11 @@ double dot(const vec3& p, const vec3& q) {
     return p.x * q.x + p.y * q.y + p.z * q.z;
 }
 
+vec3 unit(const vec3& p) {
+    const double length = std::sqrt(dot(p, p));
+    return {p.x / length, p.y / length, p.z / length};
+}
+
 double along(const long double (&axis)[3], const vec3& p) {
     return static_cast<double>(axis[0] * p.x + axis[1] * p.y + axis[2] * p.z);
 }
@@ -40,14 +45,42 @@ light_sampler::light_sampler(std::span<const patch> patches, const camera& view,
       judge_(patches, view, size) {
     for (const patch& each : patches)
         nets_.push_back(make_net(each, frame_));
-    const double length = std::sqrt(dot(light, light));
-    light_ = to_axes({light.x / length, light.y / length, light.z / length});
+    light_ = to_axes(unit(light));
     nothing_.level = background;
     nothing_.light = light_of_level(background);
 }
 
 vec3 light_sampler::to_axes(const vec3& world) const {
     return {along(frame_.right, world), along(frame_.up, world), along(frame_.forward, world)};
+}
+
+void light_sampler::take(const lamp_light& lamps) {
+    lamps_ = lamps;
+    for (lamp& each : lamps_.lamps)
+        each.direction = to_axes(unit(each.direction));
+}
+
+/// Expects: a unit normal, turned to the eye.
+double light_sampler::level_by_lamps(const vec3& normal, const vec3& place) const {
+    const vec3 way = unit(place);
+    double level = lamps_.color * lamps_.ambient;
+    for (const lamp& each : lamps_.lamps) {
+        const vec3& to = each.direction;
+        const double lit = dot(normal, to);
+        if (!(lit > 0))
+            continue;
+        const vec3 between{to.x - way.x, to.y - way.y, to.z - way.z};
+        const double facing =
+            std::max(0.0, dot(normal, between)) / std::sqrt(dot(between, between));
+        level += each.strength *
+                 (0.9 * lamps_.color * lit + lamps_.highlight * std::pow(facing, lamps_.sharpness));
+    }
+    const double clear = 255 * std::min(1.0, level);
+    if (!(lamps_.fog_far > lamps_.fog_near))
+        return clear;
+    const double share =
+        std::clamp((place.z - lamps_.fog_near) / (lamps_.fog_far - lamps_.fog_near), 0.0, 1.0);
+    return clear + share * (lamps_.fog_level - clear);
 }
 
 light_sample light_sampler::seen(double x, double y, double w, const vec3& world_normal) const {
@@ -58,7 +91,10 @@ light_sample light_sampler::seen(double x, double y, double w, const vec3& world
     result.normal = to_axes(world_normal);
     // A normal that goes along with the line of sight shows its back.
     const double turn = dot(result.normal, result.place) > 0 ? -1 : 1;
-    result.level = 255 * (0.1 + 0.9 * std::max(0.0, turn * dot(result.normal, light_)));
+    const vec3& n = result.normal;
+    result.level = lamps_.lamps.empty()
+                       ? 255 * (0.1 + 0.9 * std::max(0.0, turn * dot(n, light_)))
+                       : level_by_lamps({turn * n.x, turn * n.y, turn * n.z}, result.place);
     result.light = light_of_level(result.level);
     return result;
 }

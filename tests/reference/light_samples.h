@@ -25,6 +25,28 @@ struct light_sample {
     bool covered() const { return w < std::numeric_limits<double>::infinity(); }
 };
 
+/// A lamp so far away that its rays are parallel, in one channel.
+struct lamp {
+    vec3 direction;      ///< towards it, of any length but zero; world space
+    double strength = 1; ///< of white
+};
+
+/// Light by Blinn's rule in one channel, with an exact half-way vector for each line of sight. The
+/// encoded level is the least of 255 and
+///
+///     255 (color (ambient + 0.9 sum s max(0, n.l)) + highlight sum s max(0, n.h)^sharpness),
+///
+/// over all lamps with n.l > 0; s is a lamp's strength.
+struct lamp_light {
+    double color = 1, highlight = 0; ///< parts of white
+    int sharpness = 1;
+    double ambient = 0.1;
+    std::vector<lamp> lamps;
+    /// Fog hides nothing up to a distance along the axis, and all from another; none if they are
+    /// equal. Between them its level and the surface's are mixed in proportion.
+    double fog_near = 0, fog_far = 0, fog_level = 0;
+};
+
 /// Units: levels of 255, encoded by the sRGB curve; light is linear, 0 to 1.
 double light_of_level(double level);
 double level_of_light(double light);
@@ -34,6 +56,8 @@ class light_sampler {
 public:
     light_sampler(std::span<const patch> patches, const camera& view, picture_size size, vec3 light,
                   double background);
+    /// Lights by lamps instead, if there are any.
+    void take(const lamp_light& lamps);
 
     /// Shape: row by row. Cost: some us per sample.
     std::vector<light_sample> grid(const sample_grid& places) const;
@@ -49,6 +73,7 @@ public:
 private:
     light_sample seen(double x, double y, double w, const vec3& world_normal) const;
     vec3 to_axes(const vec3& world) const;
+    double level_by_lamps(const vec3& normal, const vec3& place) const;
 
     std::span<const patch> patches_;
     camera view_;
@@ -56,7 +81,8 @@ private:
     double focal_;
     std::vector<net> nets_;
     second_judge judge_;
-    vec3 light_; ///< unit, along the axes
+    vec3 light_;       ///< unit, along the axes
+    lamp_light lamps_; ///< likewise
     light_sample nothing_;
 };
 

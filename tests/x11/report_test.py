@@ -13,10 +13,14 @@ import harness
 from harness import Checks, environment, expect, expect_equal, folder, run
 
 METHODS = ("afd float", "afd double", "afd places only", "fd 16.16", "isocurves", "subdivision", "tessellation",
-           "micropolygons", "scanline", "voxels", "zsort", "zbuffer")
+           "micropolygons", "kept", "scanline", "whitted", "blinn", "lane-carpenter", "voxels", "zsort", "zbuffer")
 DIAGRAMS = ("error_time", "picture_time", "error_and_bound", "error_by_steps", "chord_error", "arithmetic")
 QUESTIONS = ("Which is fastest at 0.1 px?", "Does fixed point cost anything?", "When does AFD lose?",
              "How many steps do 16.16 bits bear?", "What does certainty cost?")
+OTHERS = ("What do iterations cost that fail?", "How do scan lines draw folded patches?", "What do diagonal steps from cell to cell save?",
+          "What does smoke cost?", "Does it pay to keep micropolygons?")
+
+DATA = os.path.join(os.path.dirname(harness.BIN), "share/l3d")
 
 # A report draws with every method at two settings and more: 15 s on two busy cores.
 SANITIZED_TIMES = 5
@@ -25,6 +29,13 @@ SANITIZED_TIMES = 5
 def report(path, program, *more, env=None):
     command = program.command("--error-report", path, "--quick", *more)
     return run(command, env or environment(), SANITIZED_TIMES * harness.PATIENCE)
+
+
+def pages(path, env=None):
+    """By the script that the program's last line names."""
+    script = os.path.join(DATA, "report_pages.py")
+    done = subprocess.run([sys.executable, script, path], env=env or environment(), capture_output=True, text=True)
+    return done.returncode, done.stdout, done.stderr
 
 
 def rows_of(path):
@@ -36,11 +47,16 @@ def is_whole(program):
     with folder() as path:
         status, _, messages = report(path, program)
         expect_equal(status, 0, messages)
-        expect(messages.endswith(path + "/report.md\n"), messages[-200:])
+        said = f"the numbers are in {path}; pages of them: python3 {DATA}/report_pages.py {path}\n"
+        expect(messages.endswith(said), messages[-300:])
+        expect(not os.path.exists(os.path.join(path, "report.md")), "pages that nobody asked for")
+        expect_equal(pages(path), (0, path + "/report.md\n", ""))
         rows = rows_of(path)
         for method in METHODS:
             expect(any(row["method"].startswith(method) for row in rows), method)
-        expect(len({row["model"] for row in rows}) == 2, "models")
+        expect_equal({row["model"] for row in rows}, {"teapot", "band", "folds"}, "models")
+        folded = [row for row in rows if row["model"] == "folds" and row["method"] == "blinn"]
+        expect(folded and all(int(row["failures"]) > 0 for row in folded), "failures on folds", folded)
         for row in rows:
             expect(float(row["median_ms"]) > 0, row)
             bound = float("inf" if row["bound_px"] == "none" else row["bound_px"])
@@ -55,11 +71,15 @@ def has_whole_pages(path, rows):
     with open(os.path.join(path, "machine.json")) as file:
         expect(json.load(file)["quick"], "facts")
     with open(os.path.join(path, "report.md")) as file:
-        first = file.read().split("\n## ")[0]
+        text = file.read()
+    first = text.split("\n## ")[0]
     with open(os.path.join(path, "report.html")) as file:
         page = file.read()
     for question in QUESTIONS:
         expect(question in first and question in page, question)
+    for question in OTHERS:
+        expect_equal(text.count(question), 2, question)
+        expect(question in page, question)
     expect_equal(page.count("http://") + page.count("src="), 0, "what needs a network")
     data = json.loads(page.split("const report = ")[1].split(";\nconst element")[0])
     expect_equal(len(data["rows"]), len(rows), "rows in the page")
@@ -94,20 +114,20 @@ def goes_on_where_it_was_stopped(program):
         expect_equal(kept, [line.split(",")[5] for line in measured[:5]], "rows measured before")
 
 
-def keeps_its_numbers_without_python(program):
+def needs_no_other_program(program):
     with folder() as path:
         status, _, messages = report(path, program, env={**environment(), "PATH": path})
         expect_equal(status, 0, messages)
-        expect("the pages are not made; the numbers are in " + path in messages, messages)
-        for name in ("frames.csv", "curves.csv", "limits.csv", "steps.csv", "machine.json"):
+        for name in ("frames.csv", "curves.csv", "limits.csv", "steps.csv", "scan_lines.csv", "cells.csv", "smoke.csv", "kept.csv",
+                     "smoke.png", "scan_folds.png", "machine.json"):
             expect(os.path.getsize(os.path.join(path, name)) > 0, name)
+        makes_pages_without_gnuplot(path)
 
 
-def makes_pages_without_gnuplot(program):
+def makes_pages_without_gnuplot(path):
     """The page for browsers draws its own diagrams; the other says nothing of those that are not there."""
-    with folder() as path, folder() as tools:
-        os.symlink(sys.executable, os.path.join(tools, "python3"))
-        status, _, messages = report(path, program, env={**environment(), "PATH": tools})
+    with folder() as tools:
+        status, _, messages = pages(path, {**environment(), "PATH": tools})
         expect_equal(status, 0, messages)
         expect("gnuplot cannot be run; the diagrams' scripts are in " + path in messages, messages)
         with open(os.path.join(path, "report.md")) as file:
@@ -130,7 +150,7 @@ if __name__ == "__main__":
     checks = Checks()
     for program in harness.PROGRAMS:
         if program.name == "teapot_afd":
-            for check in (is_whole, goes_on_where_it_was_stopped, keeps_its_numbers_without_python,
-                          makes_pages_without_gnuplot, refuses_a_folder_that_is_a_file):
+            for check in (is_whole, goes_on_where_it_was_stopped, needs_no_other_program,
+                          refuses_a_folder_that_is_a_file):
                 checks.run("report." + check.__name__, check, program)
     checks.finish()

@@ -259,7 +259,7 @@ def refuses_wrong_values():
 def refuses_a_tolerance_that_nobody_keeps():
     """Where a method's steps are its own, and the tolerance is not the scale of the error's colours."""
     with folder() as path:
-        for method in ("isocurves", "micropolygons", "tessellation", "fd:8", "voxels"):
+        for method in ("isocurves", "micropolygons", "tessellation", "fd:8", "voxels", "kept"):
             status, out, said = memory("--method", method, "--tolerance", "0.3", cwd=path)
             expect_equal((status, out), (2, b""), method)
             expect("--tolerance" in said and method in said and "subdivision" in said, said)
@@ -290,7 +290,7 @@ def shows_the_error_where_it_is_bounded():
                    method, "colours", drawn)
             # Measured errors differ from pixel to pixel, while a piece has one bound.
             expect(len(known) > 10, method, len(known))
-        for method in ("isocurves", "scanline", "voxels", "mesa"):
+        for method in ("isocurves", "scanline", "whitted", "blinn", "lane-carpenter", "kept", "voxels", "mesa"):
             status, out, said = memory("--shade", "error", "--method", method, "--output", "p.png", cwd=path)
             expect_equal((status, out, said.count("\n")), (2, b"", 1), method)
             wanted = "--shade: error ", "--method " + method, ", ".join(bounded)

@@ -2,6 +2,8 @@
 // l3d_doubt_bounds: from control points.
 #include "dice/doubts/doubt_bounds.h"
 
+#include "dice/doubts/doubt_cosines_p.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,14 +11,10 @@
 namespace {
 
 using vector = l3d_doubt_piece::vector;
-constexpr std::size_t order = l3d_doubt_piece::order;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Of sums of a few dozen products in double, some 2^-53 each, with much to spare.
-constexpr double rounding = 0x1p-40;
-
-/// Normals that differ more from their common axis have no bound but that of all levels.
-constexpr double least_cosine = 1.0 / 16;
+using l3d_detail::line_of, l3d_detail::put, l3d_detail::rounding;
+using l3d_detail::plane, l3d_detail::seen_normals, l3d_detail::cosines;
 
 struct place {
     double x = 0, y = 0;
@@ -25,24 +23,6 @@ struct place {
 place projected(const l3d_image_point& p) {
     return {p[0] / p[2], p[1] / p[2]};
 }
-
-/// A linear function of a piece's parameters, from -1/2 to 1/2, that is close to four corners.
-struct plane {
-    double middle = 0, in_u = 0, in_v = 0;
-
-    plane(double c00, double c01, double c10, double c11)
-        : middle((c00 + c01 + c10 + c11) / 4), in_u((c01 - c00 + c11 - c10) / 2),
-          in_v((c10 - c00 + c11 - c01) / 2) {}
-    double at(double u, double v) const { return middle + in_u * u + in_v * v; }
-    plane times(double factor) const {
-        plane result = *this;
-        result.middle *= factor;
-        result.in_u *= factor;
-        result.in_v *= factor;
-        return result;
-    }
-    double range() const { return std::abs(in_u) + std::abs(in_v); }
-};
 
 /// How a piece lies in the picture.
 struct linear_picture {
@@ -69,93 +49,6 @@ struct linear_picture {
 private:
     linear_picture(place a, place b, place c, place d)
         : x(a.x, b.x, c.x, d.x), y(a.y, b.y, c.y, d.y) {}
-};
-
-/// A piece's normals, along their common axis and across it.
-struct seen_normals {
-    vector axis{0.0, 0.0, 0.0};
-    std::array<double, order * order> along; ///< of each
-    double most_along = 0;                   ///< in size
-    double most_across = 0, longest = 0;
-    double most_slope = 0; ///< across over along; infinite if a normal is far from the axis
-
-    explicit seen_normals(const std::array<vector, order * order>& normals) {
-        for (const vector& n : normals)
-            axis += n;
-        const double length = l3d_length(axis);
-        axis = length > 0 ? axis * (1 / length) : vector(0.0);
-        double slope = 0; // these are squares
-        for (std::size_t i = 0; i < normals.size(); ++i) {
-            const vector& n = normals[i];
-            const double q = l3d_dot(n, axis), whole = l3d_dot(n, n);
-            const vector across = n - axis * q;
-            const double rest = l3d_dot(across, across);
-            along[i] = q;
-            most_along = std::max(most_along, std::abs(q));
-            most_across = std::max(most_across, rest);
-            longest = std::max(longest, whole);
-            slope = std::max(slope, q > 0 && q * q > least_cosine * least_cosine * whole
-                                        ? rest / (q * q)
-                                        : infinite);
-        }
-        most_across = std::sqrt(most_across);
-        longest = std::sqrt(longest);
-        most_slope = std::sqrt(slope);
-    }
-};
-
-/// The cosine n.l of unit normals over a piece: within `off` of a plane, from least to most.
-struct cosines {
-    plane line{0, 0, 0, 0};
-    double off = 1, least = -1, most = 1;
-
-    /// With n = q (a + r), where a is the normals' axis and r across it, the cosine is (a.l + r.l)
-    /// / sqrt(1 + r.r). r.l is a quotient of polynomials. It is bounded like the picture of a
-    /// piece. Normals are known to `normal_off`.
-    cosines(const l3d_doubt_piece& piece, const seen_normals& seen, const vector& light) {
-        if (!(seen.most_slope < infinite))
-            return;
-        const std::array<double, order* order>& q = seen.along;
-        const double along = l3d_dot(seen.axis, light);
-        const vector across = light - seen.axis * along;
-        const auto [low_q, high_q] = std::minmax_element(q.begin(), q.end());
-        const double least_q = *low_q, most_q = *high_q;
-        const double known_to = 4 * piece.of->normal_off / least_q + rounding;
-        if (!(known_to < least_cosine))
-            return;
-        const double rho = seen.most_slope + known_to;
-        std::array<double, order * order> t;
-        double least_r = infinite, most_r = -infinite;
-        for (std::size_t i = 0; i < t.size(); ++i) {
-            t[i] = l3d_dot(piece.normals[i], across);
-            const double r = t[i] / q[i];
-            least_r = std::min(least_r, r);
-            most_r = std::max(most_r, r);
-        }
-        constexpr std::size_t end = order - 1, last = order * end;
-        const plane r(t[0] / q[0], t[end] / q[end], t[last] / q[last],
-                      t[last + end] / q[last + end]);
-        double most_off = 0;
-        for (std::size_t row = 0; row < order; ++row)
-            for (std::size_t column = 0; column < order; ++column) {
-                const std::size_t i = order * row + column;
-                const double u = static_cast<double>(column) / end - 0.5;
-                const double v = static_cast<double>(row) / end - 0.5;
-                most_off = std::max(most_off, std::abs(t[i] - r.at(u, v) * q[i]));
-            }
-        const double r_off = (most_off + r.range() * (most_q - least_q) / 2) / least_q;
-        const double shortest = 1 / std::sqrt(1 + rho * rho), middle = (1 + shortest) / 2;
-        line.middle = (along + r.middle) * middle;
-        line.in_u = r.in_u * middle;
-        line.in_v = r.in_v * middle;
-        const double largest = std::max(std::abs(along + least_r), std::abs(along + most_r));
-        off = r_off + largest * (1 - middle) + known_to;
-        const auto scaled = [&](double value, bool is_least) {
-            return value * ((value > 0) == is_least ? shortest : 1);
-        };
-        least = std::max(-1.0, scaled(along + least_r, true) - known_to);
-        most = std::min(1.0, scaled(along + most_r, false) + known_to);
-    }
 };
 
 /// The normals' size, and f = n.(S - E): it is 0 where the surface folds over in the picture.
@@ -226,26 +119,6 @@ double w_margin_of(const l3d_doubt_view& view, const facing_range& facing, doubl
     const double part =
         facing.longest * a_pixel * (view.bound_px + view.depth_bound_px) / facing.smallest();
     return part >= 0 && part < most / 2 ? part / (1 - part) : most;
-}
-
-/// The linear function of the place that is linear in the parameters.
-l3d_doubt_line line_of(const plane& of, double off, const l3d_doubt_bounds& b) {
-    l3d_doubt_line result;
-    result.middle = of.middle;
-    result.along_x = of.in_u * b.parameters[0] + of.in_v * b.parameters[2];
-    result.along_y = of.in_u * b.parameters[1] + of.in_v * b.parameters[3];
-    result.off = off + std::hypot(result.along_x, result.along_y) * b.picture_off;
-    return result;
-}
-
-/// Takes what is known from a range alone, if a line does not say more.
-void put(l3d_doubt_line& into, double least, double most, const l3d_doubt_line& line) {
-    if (line.off < (most - least) / 2)
-        into = line;
-    else
-        into = {0, 0, (least + most) / 2, 0, 0, (most - least) / 2};
-    into.least = least;
-    into.most = most;
 }
 
 void put_parameters(l3d_doubt_bounds& b, const linear_picture& picture) {
@@ -354,7 +227,10 @@ l3d_doubt_bounds l3d_bounds_of(const l3d_doubt_piece& piece, const l3d_doubt_vie
     b.at_x = picture.x.middle + x;
     b.at_y = picture.y.middle + y;
     put_parameters(b, picture);
-    put_levels(b, cosines(piece, normals, view.light));
+    if (of.lighting)
+        l3d_detail::put_lamps(b, piece, normals, view);
+    else
+        put_levels(b, cosines(piece, normals, view.light));
     put_w(b, piece.net, of.error_w);
     return b;
 }

@@ -11,6 +11,7 @@
 #include "scene/dice_view.h"
 
 #include <array>
+#include <vector>
 
 /// Grey levels of the exact picture: ambient light, and the most that the cosine adds.
 inline constexpr double l3d_ambient_level = 25.5, l3d_cosine_level = 229.5;
@@ -23,6 +24,8 @@ struct l3d_doubt_view {
     /// Takes (x, y, w) to the world, as seen from the eye. Shape: its columns.
     std::array<l3d_vector<double, 3>, 3> world_of_image{};
     l3d_vector<double, 3> light{0.0, 0.0, 1.0}; ///< unit, in the world
+    /// The lamps and the fog of a frame that has more than that one white light.
+    l3d_doubt_lighting lighting{};
     /// How far drawn things may be from the exact ones: in the picture, and along the normal.
     double bound_px = 0, depth_bound_px = 0;
     l3d_background background{}; ///< any but none
@@ -46,6 +49,12 @@ struct l3d_doubt_line {
     double at(double x, double y) const { return middle + along_x * x + along_y * y; }
 };
 
+/// Cosines of the normals, turned to the eye, with the way to a lamp, and with the way half-way
+/// between that and the way to the eye.
+struct l3d_doubt_cosines {
+    l3d_doubt_line lit, facing;
+};
+
 /// Bounds of what a picture shows of a piece.
 ///
 /// Units: pixels from the picture's top left corner.
@@ -61,6 +70,10 @@ struct l3d_doubt_bounds {
     /// Things that are drawn have another w than the exact ones of the piece, by this part of it.
     double w_margin = 0;
     l3d_doubt_line level; ///< above ambient light; where it is below 0, there is only ambient light
+
+    /// Of each lamp, if the patch has lighting; none if nothing is known. Then the level's line
+    /// tells only how well it is known.
+    std::vector<l3d_doubt_cosines> lamps;
 
     /// The parameters from -1/2 to 1/2 of a place. Shape: du/dx, du/dy, dv/dx, dv/dy.
     std::array<double, 4> parameters{};

@@ -2,7 +2,7 @@
 // l3d_doubt_judge: sheets of pieces, whether they fill a cell, and the light of what is seen.
 #include "dice/doubts/doubt_judge.h"
 
-#include "raster/srgb_light.h"
+#include "dice/doubts/doubt_light_p.h"
 
 #include <algorithm>
 #include <array>
@@ -16,18 +16,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// More pieces in one cell are not told apart: they are one sheet that may end anywhere.
 constexpr std::size_t most_pieces = 256;
 
-/// A cell whose level changes by more is cut in so many rows and columns for the mean of its light.
-constexpr double even_levels = 4;
-constexpr int finer_cuts = 4;
-
-struct interval {
-    double low = infinite, high = -infinite;
-
-    void add(const interval& more) {
-        low = std::min(low, more.low);
-        high = std::max(high, more.high);
-    }
-};
+using l3d_detail::interval;
 
 bool meet(double low_a, double high_a, double low_b, double high_b) {
     return low_a <= high_b && low_b <= high_a;
@@ -98,54 +87,6 @@ bool is_in(const l3d_doubt_leaf& leaf, const l3d_image_box& cell, const l3d_dice
         dy = y - py;
     }
     return false;
-}
-
-/// Levels above ambient light of a piece in a cell.
-interval levels_in(const l3d_doubt_bounds& b, const l3d_image_box& cell) {
-    const auto [least, most] = b.range(b.level, cell);
-    return {std::max(0.0, least), std::max(0.0, most)};
-}
-
-/// The level that a piece's line has at a place.
-double level_at(const l3d_doubt_bounds& b, double x, double y) {
-    return b.level.at(x - b.at_x, y - b.at_y);
-}
-
-/// The light of a level above ambient light, in a channel that has this part of white.
-double light_above_ambient(double level, double part) {
-    return l3d_light_of_level(part * (l3d_ambient_level + std::max(0.0, level)));
-}
-
-/// The light of levels between two bounds, of a material.
-l3d_light_bounds light_of(const interval& levels, const l3d_color_parts& color) {
-    return l3d_light_bounds::by_parts(color, [&](double part) {
-        return std::array{light_above_ambient(levels.low, part),
-                          light_above_ambient(levels.high, part)};
-    });
-}
-
-/// Bounds of the mean light of a cell whose level is between line - below and line + above. Light
-/// is a convex function of the level, and so of the place. So the mean over a square is at least
-/// the middle's, and at most the mean of the corners'.
-interval mean_light(const l3d_doubt_bounds& line, double below, double above,
-                    const l3d_image_box& cell, double part) {
-    const double change =
-        std::abs(line.level.along_x) * cell.width() + std::abs(line.level.along_y) * cell.height();
-    const int cuts = change > even_levels ? finer_cuts : 1;
-    interval sum{0, 0};
-    const auto level = [&](double column, double row) {
-        return level_at(line, cell.left + cell.width() * column / cuts,
-                        cell.top + cell.height() * row / cuts);
-    };
-    for (int row = 0; row < cuts; ++row)
-        for (int column = 0; column < cuts; ++column)
-            sum.low += light_above_ambient(level(column + 0.5, row + 0.5) - below, part);
-    for (int row = 0; row <= cuts; ++row)
-        for (int column = 0; column <= cuts; ++column) {
-            const double weight = (row % cuts == 0 ? 0.5 : 1.0) * (column % cuts == 0 ? 0.5 : 1.0);
-            sum.high += weight * light_above_ambient(level(column, row) + above, part);
-        }
-    return {sum.low / (cuts * cuts), sum.high / (cuts * cuts)};
 }
 
 } // namespace
@@ -259,8 +200,7 @@ l3d_doubt_verdict l3d_doubt_judge::judge(const l3d_image_box& cell,
             continue;
         is_certain = is_certain && sheets_[root].fills() && (only_ == nowhere || only_ == root);
         only_ = root;
-        const l3d_light_bounds here =
-            light_of(levels_in(pieces_[i]->bounds, cell), pieces_[i]->piece.of->color);
+        const l3d_light_bounds here = l3d_detail::light_in(*pieces_[i], cell, background);
         if (is_any)
             light.include(here);
         else
@@ -274,53 +214,18 @@ l3d_doubt_verdict l3d_doubt_judge::judge(const l3d_image_box& cell,
     return {false, light, light.levels_apart()};
 }
 
-/// All pieces of the sheet, by the line of the best: how far they may be below and above it.
 l3d_doubt_verdict l3d_doubt_judge::judge_alone(const l3d_image_box& cell,
                                                const l3d_light_bounds& background) const {
     if (only_ == nowhere)
         return {true, background, 0};
-    const l3d_doubt_bounds* line = nullptr;
+    l3d_detail::lone_sheet lone(cell, background);
     for (std::size_t i = 0; i < pieces_.size(); ++i)
-        if (const l3d_doubt_bounds& b = pieces_[i]->bounds;
-            root_of(i) == only_ && (line == nullptr || b.level.off < line->level.off))
-            line = &b;
-    double below = 0, above = 0;
-    interval levels;
-    l3d_light_bounds light; // if there is more than one colour
-    const l3d_color_parts* color = nullptr;
-    bool is_one_color = true;
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        const l3d_doubt_bounds& b = pieces_[i]->bounds;
-        if (root_of(i) != only_ || !b.touches(cell))
-            continue;
-        const interval here = levels_in(b, cell);
-        levels.add(here);
-        const l3d_color_parts& own = pieces_[i]->piece.of->color;
-        if (color == nullptr)
-            light = light_of(here, own);
-        else
-            light.include(light_of(here, own));
-        is_one_color = is_one_color && (color == nullptr || own == *color);
-        color = &own;
-        const l3d_image_box part = b.box.intersected(cell);
-        for (const double x : {part.left, part.right})
-            for (const double y : {part.top, part.bottom}) {
-                const double higher = level_at(b, x, y) - level_at(*line, x, y);
-                below = std::max(below, b.level.off - higher);
-                above = std::max(above, b.level.off + higher);
-            }
-    }
-    if (!(levels.low <= levels.high)) // rounding left nothing of the sheet
-        return {false, l3d_light_bounds::any(), 255};
-    if (!is_one_color)
-        return {false, light, light.levels_apart()};
-    const auto of_part = [&](double part) {
-        const interval mean = mean_light(*line, below, above, cell, part);
-        return std::array{std::max(light_above_ambient(levels.low, part), mean.low),
-                          std::min(light_above_ambient(levels.high, part), mean.high)};
-    };
-    return {true, l3d_light_bounds::by_parts(*color, of_part),
-            std::min(levels.high - levels.low, below + above)};
+        if (root_of(i) == only_)
+            lone.offer(*pieces_[i]);
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+        if (root_of(i) == only_ && pieces_[i]->bounds.touches(cell))
+            lone.add(*pieces_[i]);
+    return lone.verdict();
 }
 
 bool l3d_doubt_judge::is_drawn_alone(const l3d_image_box& grown,

@@ -4,19 +4,13 @@
 #define L3D_DICE_DOUBTS_DOUBT_JUDGE_H
 
 #include "dice/doubts/doubt_bounds.h"
+#include "dice/doubts/doubt_verdict.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
-
-/// What is known of a cell. Units: levels.
-struct l3d_doubt_verdict {
-    bool is_certain = false; ///< one surface of one colour, or the background, fills it
-    l3d_light_bounds light = l3d_light_bounds::any(); ///< the mean over the cell
-    double spread = 0;                                ///< of its levels that is not known
-};
 
 /// Judges cells by the pieces that reach into them.
 ///

@@ -7,10 +7,27 @@
 #include "scene/side_pairs.h"
 #include "geom/normal_net.h"
 #include "geom/step_bound.h"
+#include "raster/fog.h"
+#include "raster/lighting.h"
 
 #include <array>
 #include <cstdint>
 #include <utility>
+#include <vector>
+
+/// A lamp of the exact picture.
+struct l3d_doubt_lamp {
+    l3d_vector<double, 3> direction{0.0, 0.0, 1.0}; ///< towards it: unit, in the world
+    l3d_light_color color{1, 1, 1};                 ///< parts of white
+};
+
+/// Light by the rule of l3d_lighting, and fog.
+struct l3d_doubt_lighting {
+    l3d_light_color ambient{};
+    std::vector<l3d_doubt_lamp> lamps; ///< at most l3d_lighting::most_more + 1
+    l3d_fog fog;
+    double depth_scale = 1; ///< w / distance along the view axis
+};
 
 /// A patch that stands in the picture.
 struct l3d_doubt_patch {
@@ -23,6 +40,15 @@ struct l3d_doubt_patch {
     bool one_sided = false;
     double back = 1;
     l3d_color_parts color{1, 1, 1}; ///< of its material
+    l3d_color_parts highlight{};    ///< likewise
+    int sharpness = 1;
+    /// Of the frame; nothing if that has a single white light, and no fog and highlights.
+    const l3d_doubt_lighting* lighting = nullptr;
+
+    /// Whether it looks like another one in the same light.
+    bool looks_like(const l3d_doubt_patch& other) const {
+        return color == other.color && highlight == other.highlight && sharpness == other.sharpness;
+    }
 };
 
 /// A part of a patch by halves. Shape: nets as l3d_bezier_patch and l3d_normal_net have them.

@@ -56,6 +56,18 @@ double longest_normal(const l3d_patch_instance& instance) {
     return sum;
 }
 
+/// The first light, and the further ones.
+std::vector<l3d_doubt_lamp> lamps_of(const l3d_doubted_frame& frame, const vector& first) {
+    std::vector<l3d_doubt_lamp> result{{first, frame.lighting.color}};
+    for (std::size_t i = 0; i < frame.lighting.count; ++i) {
+        const l3d_far_light& light = frame.lighting.lights[i];
+        const vector to{double{light.direction[0]}, double{light.direction[1]},
+                        double{light.direction[2]}};
+        result.push_back({to * (1 / l3d_length(to)), light.color});
+    }
+    return result;
+}
+
 double determinant_of(const l3d_matrix<double>& m) {
     const auto column = [&](int i) -> vector { return {m(0, i), m(1, i), m(2, i)}; };
     return l3d_dot(column(0), l3d_cross<double>(column(1), column(2)));
@@ -89,8 +101,14 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
                     .sides = &sides,
                     .one_sided = frame.view.one_sided,
                     .back = back};
-            if (const auto materials = frame.scene.materials(); !materials.empty())
-                p.of.color = l3d_parts_of(materials[frame.scene.material_of(index, i)].color);
+            if (const auto materials = frame.scene.materials(); !materials.empty()) {
+                const l3d_material& m = materials[frame.scene.material_of(index, i)];
+                p.of.color = l3d_parts_of(m.color);
+                p.of.highlight = l3d_parts_of(m.highlight);
+                p.of.sharpness = m.sharpness;
+            }
+            if (!frame.has_levels)
+                p.of.lighting = &view_.lighting;
             const l3d_image_patch net = l3d_placed_net(to_image, model.patches()[i]);
             const l3d_depth_range w = l3d_depth_range_of(net.points);
             const double margin = 1 + p.of.error_xy / near;
@@ -123,20 +141,55 @@ l3d_doubt_piece l3d_frame_doubts::whole_of(const l3d_doubted_frame& frame, const
     return whole;
 }
 
-void l3d_frame_doubts::find_tile(const l3d_doubted_frame& frame, const l3d_pixel_box& box,
-                                 l3d_doubt_tile& tile, tile_result& result) {
-    tile.begin(view_, box);
+/// Each transparent instance is there or not; all that reach the tile are told apart.
+std::vector<l3d_frame_doubts::pixel> l3d_frame_doubts::find_light(const l3d_doubted_frame& frame,
+                                                                  const l3d_pixel_box& box,
+                                                                  l3d_doubt_tile& tile) const {
     const l3d_image_box reached =
         view_.view.window(box).grown(1 + (std::isfinite(view_.bound_px) ? view_.bound_px : 0.0));
-    for (const placed& p : patches_)
-        if (!p.box.intersected(reached).empty())
-            tile.add(whole_of(frame, p));
-    const auto pixels = tile.finish();
+    const auto instances = frame.scene.instances();
+    std::vector<const placed*> here;
+    std::vector<std::uint32_t> transparent; // instances, in their order
+    for (const placed& p : patches_) {
+        const std::uint32_t instance = p.of.instance;
+        if (p.box.intersected(reached).empty() || instances[instance].opacity() == 0)
+            continue;
+        here.push_back(&p);
+        if (instances[instance].opacity() < 1 &&
+            (transparent.empty() || transparent.back() != instance))
+            transparent.push_back(instance);
+    }
+    std::vector<pixel> result(static_cast<std::size_t>(box.area()));
+    for (unsigned seen = 0; seen < 1U << transparent.size(); ++seen) {
+        double weight = 1;
+        for (std::size_t i = 0; i < transparent.size(); ++i) {
+            const double opacity = instances[transparent[i]].opacity();
+            weight *= seen >> i & 1 ? opacity : 1 - opacity;
+        }
+        tile.begin(view_, box);
+        for (const placed* const p : here) {
+            const auto at = std::ranges::find(transparent, p->of.instance);
+            if (at == transparent.end() || seen >> (at - transparent.begin()) & 1)
+                tile.add(whole_of(frame, *p));
+        }
+        const auto pixels = tile.finish();
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            result[i].light.add(pixels[i].light, weight);
+            result[i].unsure = std::max(result[i].unsure, pixels[i].unsure);
+            result[i].unsure_drawn = std::max(result[i].unsure_drawn, pixels[i].unsure_drawn);
+        }
+    }
+    return result;
+}
+
+void l3d_frame_doubts::find_tile(const l3d_doubted_frame& frame, const l3d_pixel_box& box,
+                                 l3d_doubt_tile& tile, tile_result& result) {
+    const std::vector<pixel> pixels = find_light(frame, box, tile);
     std::size_t i = 0;
     for (int y = box.top; y < box.bottom; ++y) {
         const auto words = frame.drawn.row(y);
         for (int x = box.left; x < box.right; ++x, ++i) {
-            const l3d_doubt_pixel& p = pixels[i];
+            const pixel& p = pixels[i];
             const double bound = most_off(words[static_cast<std::size_t>(x)], p.light);
             map_.set(x, y, static_cast<float>(bound));
             const double part = is_searched_ ? p.unsure_drawn : 1;
@@ -148,26 +201,16 @@ void l3d_frame_doubts::find_tile(const l3d_doubted_frame& frame, const l3d_pixel
     }
 }
 
-/// All of a level may be wrong.
-void l3d_frame_doubts::know_nothing(l3d_size size) {
-    map_.begin(size);
-    coverage_.begin(size);
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            map_.set(x, y, 255);
-            coverage_.set(x, y, 1);
-        }
-    coverage_bound_ = color_bound_ = infinite;
-}
-
 void l3d_frame_doubts::find(const l3d_doubted_frame& frame, l3d_workers& workers) {
     view_.view = frame.view;
     view_.world_of_image = world_of_image(frame.to_image);
     view_.background = frame.background;
     view_.light = frame.light * (1 / l3d_length(frame.light));
     const bool has_bounds = std::isfinite(frame.bound_px + frame.depth_bound_px);
-    if (!frame.has_levels)
-        return know_nothing(frame.view.size);
+    view_.lighting = {.ambient = frame.lighting.ambient,
+                      .lamps = lamps_of(frame, view_.light),
+                      .fog = frame.fog,
+                      .depth_scale = frame.view.depth_scale};
     is_searched_ = frame.bound_px + frame.depth_bound_px <= most_searched;
     view_.bound_px = is_searched_ ? frame.bound_px : infinite;
     view_.depth_bound_px = frame.depth_bound_px;

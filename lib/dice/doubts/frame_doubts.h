@@ -26,8 +26,11 @@ struct l3d_doubted_frame {
     l3d_vector<double, 3> light; ///< towards the light, in the world; any length
     /// Of places and of depth; infinite if there is none. Units: pixels.
     double bound_px, depth_bound_px;
-    bool has_levels = true; ///< it shows Lambert's levels of one white light; else nothing is known
-    l3d_pixels drawn;       ///< greys in all three channels, or any colours
+    /// It shows Lambert's levels of one white light, without highlights and fog; else, its lamps.
+    bool has_levels = true;
+    l3d_lighting lighting{}; ///< beside the direction of the first light
+    l3d_fog fog{};
+    l3d_pixels drawn;            ///< greys in all three channels, or any colours
     l3d_background background{}; ///< what is exactly seen behind all surfaces; not none
 };
 
@@ -61,13 +64,19 @@ private:
         l3d_doubt_patch of;
         l3d_image_box box;
     };
+    /// What is certain of a pixel; the mean of all choices of what is transparent.
+    struct pixel {
+        l3d_light_bounds light;
+        double unsure = 0, unsure_drawn = 0; ///< the most of any choice
+    };
     struct tile_result {
         double coverage = 0, color = 0;
     };
 
-    void know_nothing(l3d_size size);
     void place(const l3d_doubted_frame& frame);
     l3d_doubt_piece whole_of(const l3d_doubted_frame& frame, const placed& p) const;
+    std::vector<pixel> find_light(const l3d_doubted_frame& frame, const l3d_pixel_box& box,
+                                  l3d_doubt_tile& tile) const;
     void find_tile(const l3d_doubted_frame& frame, const l3d_pixel_box& box, l3d_doubt_tile& tile,
                    tile_result& result);
 

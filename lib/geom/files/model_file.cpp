@@ -39,8 +39,8 @@ std::optional<l3d_model_format> l3d_model_format_of(std::string_view text) {
         return std::nullopt;
     const std::string_view word = cursor.token();
     constexpr std::string_view asc_words[] = {"Ambient", "Named", "Page", "Background", "Solid"};
-    constexpr std::string_view obj_words[] = {"v", "vt", "vn",     "vp",     "f",      "o",  "g",
-                                              "s", "mg", "mtllib", "usemtl", "cstype", "deg"};
+    constexpr std::string_view obj_words[] = {"v", "vt", "vn", "vp",     "f",      "o",      "g",
+                                              "s", "w",  "mg", "mtllib", "usemtl", "cstype", "deg"};
     if (word == "ply")
         return l3d_model_format::ply;
     if (word == "solid" || word == "SOLID")

@@ -40,6 +40,14 @@ struct L3D_PUBLIC l3d_material_file {
     }
 };
 
+/// A box of a plane.
+struct L3D_PUBLIC l3d_model_window {
+    /// Its least and its largest coordinates; x0 < x1 and y0 < y1.
+    double x0 = 0, y0 = 0, x1 = 1, y1 = 1;
+
+    friend bool operator==(const l3d_model_window&, const l3d_model_window&) = default;
+};
+
 /// Polygons, patches, or both; as the file has them, in its own coordinates.
 struct L3D_PUBLIC l3d_model_file {
     l3d_polygon_mesh mesh;                 ///< the polygons; without faces if there are none
@@ -48,6 +56,11 @@ struct L3D_PUBLIC l3d_model_file {
     std::vector<std::uint32_t> patch_materials{};    ///< optional, one per patch, as a face has it
     std::vector<l3d_material_file> material_files{}; ///< what the mesh's materials look like
     std::vector<l3d_part_run> patch_parts{};         ///< optional, runs of patches with names
+    /// What of the model's x and y is to be seen: `w` of .obj. For programs in two dimensions.
+    std::optional<l3d_model_window> window{};
+    /// Where it is to be seen: `s` of .obj. Units: shares of the picture, from the left and from
+    /// below.
+    std::optional<l3d_model_window> viewport{};
 
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;
 };

@@ -12,14 +12,14 @@ using l3d_detail::text_cursor;
 
 /// Statements that say nothing that is read here.
 constexpr std::string_view skipped_statements[] = {
-    "vt",    "vp",       "l",        "p",    "s",          "mg",        "usemap", "maplib",
-    "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",
-    "curv",  "curv2",    "con",      "call", "csh",        "cdc",       "cdp",    "res",
-    "bsp",   "bzp",      "bmat",     "step", "scrv",       "sp",        "trim",   "hole"};
+    "vt",       "vp",       "l",    "p",          "mg",        "usemap", "maplib", "bevel",
+    "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "curv",
+    "curv2",    "con",      "call", "csh",        "cdc",       "cdp",    "res",    "bsp",
+    "bzp",      "bmat",     "step", "scrv",       "sp",        "trim",   "hole"};
 
 /// Those among them whose loss nobody would see.
-constexpr std::string_view silent_statements[] = {"s",     "mg",    "lod",      "bevel",
-                                                  "ctech", "stech", "c_interp", "d_interp"};
+constexpr std::string_view silent_statements[] = {"mg",    "lod",      "bevel",   "ctech",
+                                                  "stech", "c_interp", "d_interp"};
 
 class obj_reader {
 public:
@@ -63,6 +63,11 @@ private:
             model_.material_files.push_back({rest_of_line(), line});
             return true;
         }
+        if (word == "w")
+            return this->word("a border of the window") &&
+                   read_window(text_.token(), model_.window, "a border of the window");
+        if (word == "s")
+            return read_group_or_viewport();
         if (l3d_detail::obj_surfaces::knows(word)) {
             const std::size_t before = model_.patches.size();
             const bool is_read = surfaces_.read_statement(word, mesh().vertices, weights_);
@@ -96,6 +101,45 @@ private:
         }
         while (text_.next_in_line())
             ;
+    }
+
+    /// `s` and one word is a smoothing group, which says nothing here; with four numbers it is the
+    /// part of the picture that the window fills.
+    bool read_group_or_viewport() {
+        if (!text_.next_in_line())
+            return true;
+        const std::string_view first = text_.token();
+        if (!text_.next_in_line())
+            return true;
+        constexpr const char* what = "a border of the viewport";
+        if (!read_window_from(first, model_.viewport, what))
+            return false;
+        const l3d_model_window& v = *model_.viewport;
+        return (v.x0 >= 0 && v.y0 >= 0 && v.x1 <= 1 && v.y1 <= 1) ||
+               text_.fail("the viewport leaves the picture, which is from 0 to 1");
+    }
+
+    bool read_window(std::string_view first, std::optional<l3d_model_window>& window,
+                     const char* what) {
+        return word(what) && read_window_from(first, window, what);
+    }
+
+    /// Expects: the first number was taken before the current token, which is the second.
+    bool read_window_from(std::string_view first, std::optional<l3d_model_window>& window,
+                          const char* what) {
+        l3d_model_window w;
+        const auto number = [&](std::string_view digits, double& value) {
+            return text_.number_in(digits, value, what) && text_.is_coordinate(value);
+        };
+        if (!number(first, w.x0) || !number(text_.token(), w.y0) || !word(what) ||
+            !number(text_.token(), w.x1) || !word(what) || !number(text_.token(), w.y1) ||
+            !line_ends())
+            return false;
+        if (!(w.x0 < w.x1 && w.y0 < w.y1))
+            return text_.fail(std::string(what) + " is not beyond the one opposite: "
+                                                  "they are xmin ymin xmax ymax");
+        window = w;
+        return true;
     }
 
     bool line_ends() {

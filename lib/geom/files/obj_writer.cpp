@@ -18,6 +18,17 @@ void append_uses(std::string& text, const l3d_polygon_mesh& mesh) {
         text += "usemtl " + material + '\n';
 }
 
+void append_window(std::string& text, const char* word,
+                   const std::optional<l3d_model_window>& window) {
+    if (!window)
+        return;
+    text += word;
+    l3d_detail::append(text, window->x0, ' ');
+    l3d_detail::append(text, window->y0, ' ');
+    l3d_detail::append(text, window->x1, ' ');
+    l3d_detail::append(text, window->y1, '\n');
+}
+
 void append_vertices(std::string& text, const l3d_polygon_mesh& mesh) {
     for (const l3d_polygon_mesh::vector& v : mesh.vertices)
         append_vector(text, "v ", v[0], v[1], v[2]);
@@ -82,6 +93,8 @@ std::string l3d_write_obj(const l3d_model_file& model) {
     std::string text;
     for (const l3d_material_file& file : model.material_files)
         text += "mtllib " + file.name + '\n';
+    append_window(text, "w ", model.window);
+    append_window(text, "s ", model.viewport);
     append_vertices(text, model.mesh);
     // A material goes on until the next one: patches without any come before it.
     const bool plain = model.patch_materials.empty();

@@ -56,6 +56,9 @@ struct L3D_PUBLIC l3d_polygon_settings {
     /// The turn about x, y and z, round the middle of the box. Units: degrees.
     l3d_vector<double, 3> rotation{0.0, 0.0, 0.0};
 
+    /// Which of these turns comes first.
+    l3d_rotation_order rotation_order = l3d_rotation_order::xyz;
+
     /// The material of all faces, whatever the model says.
     std::optional<l3d_material> material{};
 

@@ -21,10 +21,28 @@ vector turned_back(const l3d_matrix<double>& placement, const vector& v) {
 } // namespace
 
 l3d_matrix<double> l3d_euler_rotation(const l3d_vector<double, 3>& degrees,
-                                      const l3d_vector<double, 3>& centre) {
-    return l3d_about({centre[0], centre[1], centre[2]}, l3d_rotation_z<double>(degrees[2]) *
-                                                            l3d_rotation_y<double>(degrees[1]) *
-                                                            l3d_rotation_x<double>(degrees[0]));
+                                      const l3d_vector<double, 3>& centre,
+                                      l3d_rotation_order order) {
+    const l3d_matrix<double> x = l3d_rotation_x<double>(degrees[0]);
+    const l3d_matrix<double> y = l3d_rotation_y<double>(degrees[1]);
+    const l3d_matrix<double> z = l3d_rotation_z<double>(degrees[2]);
+    const auto turn = [&] {
+        switch (order) {
+        case l3d_rotation_order::xzy:
+            return y * z * x;
+        case l3d_rotation_order::yxz:
+            return z * x * y;
+        case l3d_rotation_order::yzx:
+            return x * z * y;
+        case l3d_rotation_order::zxy:
+            return y * x * z;
+        case l3d_rotation_order::zyx:
+            return x * y * z;
+        default:
+            return z * y * x;
+        }
+    };
+    return l3d_about({centre[0], centre[1], centre[2]}, turn());
 }
 
 l3d_polygon_view::l3d_polygon_view(const l3d_camera& camera, l3d_size size,

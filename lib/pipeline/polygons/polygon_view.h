@@ -15,10 +15,14 @@ enum class L3D_PUBLIC l3d_projection {
     parallel, ///< sizes as perspective has them at the camera's target; nothing is behind the eye
 };
 
-/// Turns about the x axis, then y, then z, through a centre that stays where it is.
-/// Units: degrees, counterclockwise for one at whom the axis points.
-L3D_PUBLIC l3d_matrix<double> l3d_euler_rotation(const l3d_vector<double, 3>& degrees,
-                                                 const l3d_vector<double, 3>& centre);
+/// The axes that a model is turned about, the first one first. All are the world's.
+enum class L3D_PUBLIC l3d_rotation_order { xyz, xzy, yxz, yzx, zxy, zyx };
+
+/// Turns about the three axes, one after the other, through a centre that stays where it is.
+/// Units: degrees about x, y and z, counterclockwise for one at whom the axis points.
+L3D_PUBLIC l3d_matrix<double>
+l3d_euler_rotation(const l3d_vector<double, 3>& degrees, const l3d_vector<double, 3>& centre,
+                   l3d_rotation_order order = l3d_rotation_order::xyz);
 
 /// The one matrix of a frame, from the model to the picture, and what else depends on the view.
 ///

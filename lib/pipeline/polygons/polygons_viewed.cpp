@@ -31,8 +31,9 @@ l3d_reach reach_of(const l3d_polygon_model& model, const l3d_matrix<double>& pla
 } // namespace
 
 l3d_polygon_view l3d_pipeline_polygons::view() const {
-    return l3d_polygon_view(camera_, screen_->pixels().size(), settings_.projection,
-                            l3d_euler_rotation(settings_.rotation, model_.centre()));
+    return l3d_polygon_view(
+        camera_, screen_->pixels().size(), settings_.projection,
+        l3d_euler_rotation(settings_.rotation, model_.centre(), settings_.rotation_order));
 }
 
 l3d_camera l3d_pipeline_polygons::framed(const l3d_camera& camera) const {

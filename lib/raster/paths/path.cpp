@@ -105,6 +105,22 @@ void l3d_path::add_polygon(l3d_outline_2d corners) {
     close();
 }
 
+void l3d_path::add(const l3d_path& other, const l3d_placement_2d& place) {
+    if (other.empty())
+        return;
+    const std::size_t kinds = other.kinds_.size(), points = other.points_.size();
+    const std::size_t weights = other.weights_.size(); // as other may be this path
+    for (std::size_t i = 0; i < kinds; ++i)
+        kinds_.push_back(other.kinds_[i]);
+    for (std::size_t i = 0; i < points; ++i)
+        points_.push_back(place.at(other.points_[i]));
+    for (std::size_t i = 0; i < weights; ++i)
+        weights_.push_back(other.weights_[i]);
+    first_ = place.at(other.first_);
+    last_ = place.at(other.last_);
+    open_ = other.open_;
+}
+
 void l3d_path::clear() {
     kinds_.clear();
     points_.clear();

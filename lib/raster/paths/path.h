@@ -5,6 +5,7 @@
 
 #include "base/public.h"
 #include "geom/bezier_curve.h"
+#include "raster/placement_2d.h"
 #include "raster/rasterizer_2d.h"
 
 #include <array>
@@ -74,6 +75,10 @@ public:
     }
     /// A polygon, an outline of its own. Nothing if it has no corner.
     void add_polygon(l3d_outline_2d corners);
+
+    /// Adds the outlines of a path, its points placed anew. Weights of curves stay: the same
+    /// curves, turned, stretched or slanted.
+    void add(const l3d_path& other, const l3d_placement_2d& place = {});
 
     /// No outline is left; the memory stays.
     void clear();

@@ -3,9 +3,9 @@
 #ifndef L3D_RASTER_PATHS_PATH_SCAN_P_H
 #define L3D_RASTER_PATHS_PATH_SCAN_P_H
 
-#include "raster/paths/convex_rows_p.h"
 #include "raster/paths/path.h"
-#include "raster/paths/row_pieces_p.h"
+#include "raster/paths/path_chains_p.h"
+#include "raster/paths/row_areas_p.h"
 #include "tool_2d/pixels.h"
 
 #include <algorithm>
@@ -25,14 +25,14 @@ struct covered_span {
 
 /// Turns paths into spans, exactly but for the distance of chords from curves and for rounding.
 ///
-/// Pieces of edges in one row whose columns meet form a cluster. Outlines are closed, and pieces
+/// Pieces of chains in one row whose columns meet form a cluster. Outlines are closed, and pieces
 /// that follow each other meet. So windings do not change down the row between two clusters, and
-/// what lies there is covered all or not at all. Most clusters are one chain of edges from the
-/// row's top to its bottom. The others go to row_areas::add_cluster. A single convex outline needs
-/// no clusters: convex_rows draws it.
-/// Cost:    for each row, a few divisions for each edge that is in it; linear in the columns of
-///          clusters; nothing for columns between them. Allocates when a path has more edges or
-///          spans than ever before.
+/// what lies there is covered all or not at all. The same is true of a gap between pieces within a
+/// cluster. What lies between two gaps is a run: mostly a single piece, or two that only meet where
+/// an outline turns. The others go to row_areas::add_cluster.
+/// Cost:    a few operations for each edge and row; for each row and piece, some more; linear in
+///          the columns of clusters; nothing for columns between them. Allocates when a path has
+///          more edges or spans than ever before.
 class path_scan {
 public:
     /// What is to be drawn of a path.
@@ -59,29 +59,38 @@ public:
 private:
     static constexpr std::size_t most_lanes = 16; ///< of span_kernels' vectors
 
-    struct edge {
-        double x0, y0, x1, y1, slope; ///< y0 < y1, or a level one
-        std::int32_t top, bottom;     ///< rows top <= row < bottom
-        std::int8_t direction;
-        std::uint8_t layer;
+    /// A piece of the row.
+    struct place {
+        double left, right;
+        std::uint32_t chain;
 
-        row_piece piece_in(std::int32_t row, std::size_t index) const;
+        bool operator<(const place& other) const {
+            return left != other.left ? left < other.left : right < other.right;
+        }
     };
 
-    void take_corners(const l3d_path& path);
-    void add_convex();
-    void add_convex_row(std::int32_t row, const reached_columns& left,
-                        const reached_columns& right);
-    void add_edges(std::uint8_t layer);
-    void add_rows();
-    void add_edge(l3d_point_2d from, l3d_point_2d to, std::uint8_t layer);
-    void add_within(double x0, double y0, double x1, double y1, int direction, std::uint8_t layer);
-    void sort_edges(std::int32_t rows);
+    /// First and last column.
+    struct reached_columns {
+        std::int32_t first, last;
+    };
+
+    void take_outlines(const l3d_path& path, std::uint8_t layer);
+    void add_pair();
+    void add_borders(std::int32_t row, const row_piece& left_piece, const row_piece& right_piece);
+    void add_all();
     void begin_row(std::int32_t row);
-    void sort_pieces(std::size_t added);
     void add_row(std::int32_t row);
-    windings add_cluster(std::int32_t row, std::span<const row_piece> pieces, std::int32_t last,
+    windings add_cluster(std::int32_t row, std::span<const place> places, std::int32_t last,
                          const windings& left);
+    windings add_run(std::int32_t row, std::span<const place> places, bool overlap,
+                     const windings& left);
+    bool add_meeting(std::span<const place> places, const windings& left);
+    void add_border(const row_piece& piece, int sign);
+    place place_of(std::uint32_t index) {
+        const row_piece& p = chains_.chains()[index].piece();
+        return {p.left, p.right, index};
+    }
+    const row_piece& piece_of(const place& p) { return chains_.chains()[p.chain].piece(); }
     std::uint8_t* add_values(std::int32_t row, const reached_columns& columns);
     double run_up(const reached_columns& columns, double covered, std::uint8_t* value);
     double add_values(std::int32_t row, const reached_columns& columns, double covered);
@@ -92,19 +101,14 @@ private:
 
     l3d_pixel_box box_{};
     std::int32_t width_ = 0, height_ = 0;
-    std::int32_t top_ = 0; ///< the first row with an edge
     double full_ = 255;
     int full_value_ = 255;
     fill_rules rules_;
-    std::vector<l3d_point_2d> corners_; ///< of all outlines, one after the other
-    std::vector<std::size_t> ends_;     ///< where each outline's corners end
-    convex_rows convex_;
-    std::vector<edge> edges_;
-    std::vector<std::size_t> order_;  ///< edges by their top rows
-    std::vector<std::size_t> begins_; ///< of each row, the first place in order_
-    std::vector<row_piece> pieces_;   ///< of the row, by their first columns
-    std::vector<row_piece> ordered_;
-    std::vector<std::uint64_t> keys_; ///< first columns and places
+    path_chains chains_;
+    std::vector<place> places_; ///< of the row, from left to right
+    std::vector<place> begun_, merged_;
+    std::vector<row_edge> edges_;
+    bool bordered_ = false; ///< the cluster has a border
     row_areas areas_;
     std::vector<covered_span> spans_;
     std::vector<std::uint8_t> values_;

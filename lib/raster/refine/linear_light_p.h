@@ -10,36 +10,37 @@
 namespace l3d_detail {
 
 /// Tables of the sRGB curve. A level that is taken to light and back is the same level.
-class linear_light {
+/// Real: float for many pixels, or double where the nearest level is wanted exactly.
+template <class Real> class linear_light_of {
 public:
-    linear_light();
+    linear_light_of();
 
     /// The light of a level of 255.
-    float light(std::uint32_t level) const { return light_[level]; }
+    Real light(std::uint32_t level) const { return light_[level]; }
 
     /// The level of a surface whose level above the ambient one is `lit`, as l3d_micro_vertex has
     /// it.
-    static float level_of(float lit) {
-        return 25.5f + (lit > 0 ? (lit < 229.5f ? lit : 229.5f) : 0.0f);
+    static Real level_of(Real lit) {
+        return Real(25.5) + (lit > 0 ? (lit < Real(229.5) ? lit : Real(229.5)) : Real(0));
     }
 
     /// Its light.
-    float light_between(float lit) const { return light_at_level(level_of(lit)); }
+    Real light_between(Real lit) const { return light_at_level(level_of(lit)); }
 
     /// The light of a level that need not be whole: between the tables' levels on a straight line.
     /// What is less than 0 or more than 255 counts as these.
-    float light_at_level(float level) const {
-        const float held = level > 0 ? level : 0.0f;
+    Real light_at_level(Real level) const {
+        const Real held = level > 0 ? level : Real(0);
         const auto below = static_cast<std::size_t>(held);
         if (below + 1 >= light_.size())
             return light_.back();
         return light_[below] +
-               (held - static_cast<float>(below)) * (light_[below + 1] - light_[below]);
+               (held - static_cast<Real>(below)) * (light_[below + 1] - light_[below]);
     }
 
     /// The level whose light is nearest as levels go: its ends are the light of level -+ 1/2.
-    std::uint32_t level(float light) const {
-        const float held = light > 0 ? (light < 1 ? light : 1.0f) : 0.0f;
+    std::uint32_t level(Real light) const {
+        const Real held = light > 0 ? (light < 1 ? light : Real(1)) : Real(0);
         std::uint32_t found = first_[static_cast<std::size_t>(held * (guesses - 1))];
         while (found < 255 && held >= begins_[found + 1])
             ++found;
@@ -51,12 +52,15 @@ private:
     /// two levels off.
     static constexpr std::size_t guesses = 4096;
 
-    std::array<float, 256> light_{}, begins_{};
+    std::array<Real, 256> light_{}, begins_{};
     std::array<std::uint8_t, guesses> first_{};
 };
 
+using linear_light = linear_light_of<float>;
+
 /// The tables, made at the first call.
 const linear_light& linear_light_tables();
+const linear_light_of<double>& exact_light_tables();
 
 } // namespace l3d_detail
 

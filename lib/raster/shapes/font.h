@@ -18,7 +18,8 @@
 /// of 5 x 7 pixels, the same bits on every machine.
 ///
 /// Units:   sizes are the height of the face's em square in pixels; a capital is some 0.7 of it.
-/// Expects: sizes of at least 1. Copies share what they have drawn, so all of them belong to one
+/// Expects: sizes of at least 1 where they are whole numbers. Copies share what they have drawn, so
+/// all of them belong to one
 ///          thread.
 /// Cost:    a letter is made once for each size. Then it is one l3d_coverage_2d.
 class L3D_PUBLIC l3d_font {
@@ -49,6 +50,19 @@ public:
     /// Bytes that are no UTF-8 are drawn as the sign for what is unknown, a box.
     void draw(l3d_rasterizer_2d& rasterizer, int x, int y, std::string_view text,
               std::uint32_t color, int size) const;
+
+    /// Adds the outlines of one line of text to a path, exactly as the font has them: no hinting,
+    /// and letters anywhere between pixels. Fill the path with l3d_winding::nonzero, stroke it, or
+    /// place it anew by l3d_path::add.
+    ///
+    /// The base line begins at `base` and goes to the right. Letters are kerned by HarfBuzz, which
+    /// joins them, too, where the script does; a build without it uses the font's kern table. What
+    /// the font does not have is drawn as its sign for that, mostly a box. Bytes that are no UTF-8
+    /// count as one such character each. The built-in face has its dots, a tenth of the size wide.
+    /// Returns: where a next letter would begin, in pixels to the right of `base`.
+    /// Expects: a finite size above 0, else nothing is added and the result is 0. Letters that
+    ///          belong together in one direction of writing.
+    double outline(l3d_path& to, l3d_point_2d base, std::string_view text, double size) const;
 
 private:
     class face;

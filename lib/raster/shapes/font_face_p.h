@@ -40,6 +40,9 @@ public:
 
     virtual line_heights heights(int size) = 0;
 
+    /// As l3d_font::outline. Expects: size > 0.
+    virtual double outline(l3d_path& to, l3d_point_2d base, std::string_view text, double size) = 0;
+
 private:
     virtual letter make(char32_t code, int size) = 0;
 
@@ -50,6 +53,7 @@ private:
 class l3d_font::built_in_face final : public face {
     line_heights heights(int size) override;
     letter make(char32_t code, int size) override;
+    double outline(l3d_path& to, l3d_point_2d base, std::string_view text, double size) override;
 };
 
 #endif

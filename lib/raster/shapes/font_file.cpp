@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// l3d_font from files: the only source that knows FreeType.
+// l3d_font from files: letters by FreeType.
 #include "raster/shapes/font.h"
 
+#include "raster/paths/path.h"
 #include "raster/shapes/font_face_p.h"
+#include "raster/shapes/text_shaper_p.h"
 
 #include <array>
 #include <cerrno>
@@ -13,6 +15,7 @@
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
+#include FT_OUTLINE_H
 
 namespace {
 
@@ -28,6 +31,59 @@ using unique_face = std::unique_ptr<std::remove_pointer_t<FT_Face>, face_closer>
 /// FreeType counts in 1/64 pixel.
 constexpr int units = 64;
 
+/// A glyph on its way into a path. FreeType's y points up.
+struct glyph_pen {
+    l3d_path& to;
+    l3d_point_2d origin;
+    double scale;
+    bool open = false;
+
+    void close() {
+        if (open)
+            to.close();
+        open = false;
+    }
+    void move(const FT_Vector& p) {
+        close();
+        to.move_to(at(p));
+        open = true;
+    }
+    l3d_point_2d at(const FT_Vector& p) const {
+        return {origin.x + static_cast<double>(p.x) * scale,
+                origin.y - static_cast<double>(p.y) * scale};
+    }
+};
+
+glyph_pen& pen_of(void* user) {
+    return *static_cast<glyph_pen*>(user);
+}
+
+/// What FreeType calls for each piece. Its curves are those of paths.
+const FT_Outline_Funcs drawing{
+    .move_to =
+        [](const FT_Vector* to, void* user) {
+            pen_of(user).move(*to);
+            return 0;
+        },
+    .line_to =
+        [](const FT_Vector* to, void* user) {
+            pen_of(user).to.line_to(pen_of(user).at(*to));
+            return 0;
+        },
+    .conic_to =
+        [](const FT_Vector* control, const FT_Vector* to, void* user) {
+            pen_of(user).to.quadratic_to(pen_of(user).at(*control), pen_of(user).at(*to));
+            return 0;
+        },
+    .cubic_to =
+        [](const FT_Vector* first, const FT_Vector* second, const FT_Vector* to, void* user) {
+            pen_of(user).to.cubic_to(pen_of(user).at(*first), pen_of(user).at(*second),
+                                     pen_of(user).at(*to));
+            return 0;
+        },
+    .shift = 0,
+    .delta = 0};
+
 int rounded_up(FT_Pos length) {
     return static_cast<int>((length + units - 1) / units);
 }
@@ -37,8 +93,8 @@ int rounded_up(FT_Pos length) {
 /// The letters of a file.
 class l3d_font::file_face final : public face {
 public:
-    file_face(unique_library library, unique_face of)
-        : library_(std::move(library)), face_(std::move(of)) {}
+    file_face(unique_library library, unique_face of, const std::string& file)
+        : library_(std::move(library)), face_(std::move(of)), shaper_(face_.get(), file) {}
 
 private:
     void set_size(int size) {
@@ -74,6 +130,23 @@ private:
         return made;
     }
 
+    /// At the size of its em square in pixels, FreeType's numbers are 64 times the font's own. So
+    /// nothing is rounded: the middle of two points is a whole number, too.
+    double outline(l3d_path& to, l3d_point_2d base, std::string_view text, double size) override {
+        set_size(face_->units_per_EM);
+        const double scale = size / face_->units_per_EM;
+        double width = 0;
+        for (const l3d_detail::placed_glyph& glyph : shaper_.shape(text, width)) {
+            if (FT_Load_Glyph(face_.get(), glyph.index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) !=
+                0)
+                continue;
+            glyph_pen pen{to, {base.x + glyph.x * scale, base.y - glyph.y * scale}, scale / units};
+            FT_Outline_Decompose(&face_->glyph->outline, &drawing, &pen);
+            pen.close();
+        }
+        return width * scale;
+    }
+
     /// Fonts of dots give a bit for a pixel, all others a byte.
     static std::uint8_t covered(const FT_Bitmap& bitmap, int x, int y) {
         const unsigned char* const row = bitmap.buffer + y * std::ptrdiff_t{bitmap.pitch};
@@ -84,6 +157,7 @@ private:
 
     unique_library library_;
     unique_face face_; ///< closed before its library
+    l3d_detail::text_shaper shaper_;
     int size_ = 0;
 };
 
@@ -110,7 +184,7 @@ std::optional<l3d_font> l3d_font::load(const std::string& file, std::string& why
         why = file + ": has letters of one size alone";
         return std::nullopt;
     }
-    return l3d_font(std::make_shared<file_face>(std::move(library), std::move(owned)), file);
+    return l3d_font(std::make_shared<file_face>(std::move(library), std::move(owned), file), file);
 }
 
 /// Faces with many scripts come first. Their folders are those of Debian, Fedora and Arch Linux.

@@ -240,6 +240,12 @@ void l3d_rasterizer_2d_mesa_imp::do_draw_path(const l3d_path& path, const l3d_fi
     cpu_.draw_path(path, fill);
 }
 
+void l3d_rasterizer_2d_mesa_imp::do_draw_image(const l3d_placed_image& image,
+                                               const l3d_fill& fill) {
+    do_finish();
+    cpu_.draw_image(image, fill);
+}
+
 void l3d_rasterizer_2d_mesa_imp::add_rectangle(int left, int top, int right, int bottom,
                                                std::uint32_t color) {
     const auto x0 = static_cast<float>(left), x1 = static_cast<float>(right);

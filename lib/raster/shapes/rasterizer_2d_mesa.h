@@ -39,6 +39,7 @@ private:
                           std::uint32_t color) override;
     void do_draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color) override;
     void do_draw_path(const l3d_path& path, const l3d_fill& fill) override;
+    void do_draw_image(const l3d_placed_image& image, const l3d_fill& fill) override;
     void do_draw_curves(const l3d_path& path, std::uint32_t color) override;
     void do_draw_mesh(std::span<const l3d_mesh_patch> patches) override;
 

@@ -2,10 +2,12 @@
 // l3d_rasterizer_2d_sw_imp: from steps and spans to words.
 #include "raster/shapes/rasterizer_2d_sw.h"
 
+#include "raster/images/image_sampler_p.h"
 #include "raster/paths/curve_pixels_p.h"
 #include "raster/paths/gradient.h"
 #include "raster/paths/mesh_dicer_p.h"
 #include "raster/shapes/blend_p.h"
+#include "raster/shapes/color_mixer_p.h"
 #include "raster/shapes/line_steps_p.h"
 #include "raster/shapes/smooth_line_p.h"
 #include "raster/shapes/visit_coverage_p.h"
@@ -143,19 +145,72 @@ void l3d_rasterizer_2d_sw_imp::do_draw_coverage(const l3d_coverage_2d& shape, st
     });
 }
 
+/// Gives paint(x, y, word, share of 255) each pixel that is covered; it returns what is stored.
+template <class Paint>
+void l3d_rasterizer_2d_sw_imp::paint_spans(std::span<const covered_span> spans,
+                                           const Paint& paint) const {
+    for (const covered_span& s : spans) {
+        std::uint32_t* const row = target_.row(s.row).data();
+        for (std::int32_t x = s.first; x < s.last; ++x) {
+            const int share = s.value >= 0 ? s.value : paths_.values_of(s)[x - s.first];
+            if (share > 0)
+                row[x] = paint(x, s.row, row[x], share);
+        }
+    }
+}
+
 void l3d_rasterizer_2d_sw_imp::do_draw_path(const l3d_path& path, const l3d_fill& fill) {
     const auto spans = paths_.convert(order_of(path, fill, l3d_whole(target_.size())));
-    if (fill.gradient == nullptr)
+    const bool is_coded = fill.blending == l3d_blending::coded;
+    if (is_coded && fill.gradient == nullptr)
         return cover_spans(target_, spans, paths_, fill.color & 0x00ffffff);
+    const color_mixer mixer(fill.blending);
+    mixed_color color = mixer.color(fill.color);
     for (const covered_span& s : spans) {
-        colors_.resize(static_cast<std::size_t>(s.last - s.first));
-        fill.gradient->colors(s.first, s.row, colors_);
-        std::uint32_t* word = target_.row(s.row).data() + s.first;
-        for (std::size_t i = 0; i < colors_.size(); ++i, ++word) {
-            const int share = s.value >= 0 ? s.value : paths_.values_of(s)[i];
-            if (share > 0)
-                *word = blended_over_gap(*word, colors_[i], share);
+        if (fill.gradient != nullptr) {
+            colors_.resize(static_cast<std::size_t>(s.last - s.first));
+            fill.gradient->colors(s.first, s.row, colors_);
         }
+        paint_spans({&s, 1}, [&](std::int32_t x, std::int32_t, std::uint32_t word, int share) {
+            const auto i = static_cast<std::size_t>(x - s.first);
+            if (is_coded)
+                return blended_over_gap(word, colors_[i], share);
+            if (fill.gradient != nullptr)
+                color = mixer.color(colors_[i]);
+            return mixer.over(word, color, share / 255.0);
+        });
+    }
+}
+
+/// An opaque image that is only moved is copied where it covers pixels wholly.
+void l3d_rasterizer_2d_sw_imp::do_draw_image(const l3d_placed_image& image, const l3d_fill& fill) {
+    const color_mixer mixer(fill.blending);
+    image_sampler sampler(image, mixer);
+    const l3d_path reach = sampler.reach();
+    path_scan::order order = order_of(reach, fill, l3d_whole(target_.size()));
+    const double alpha = order.full / 255;
+    if (alpha == 0)
+        return;
+    order.full = 255; // alpha is not rounded
+    const bool is_copied = sampler.is_moved_only() && !image.transparent && alpha == 1;
+    const l3d_pixel_box whole{sampler.moved_x(), sampler.moved_y(),
+                              sampler.moved_x() + image.pixels.width,
+                              sampler.moved_y() + image.pixels.height};
+    for (const covered_span& s : paths_.convert(order)) {
+        if (is_copied && s.value == 255) {
+            const std::uint32_t* const row =
+                image.pixels.words + (s.row - sampler.moved_y()) * image.pixels.stride;
+            const std::int32_t first = std::max(s.first, whole.left);
+            const std::int32_t last = std::min(s.last, whole.right);
+            if (s.row >= whole.top && s.row < whole.bottom && first < last)
+                std::transform(row + (first - whole.left), row + (last - whole.left),
+                               target_.row(s.row).data() + first,
+                               [](std::uint32_t word) { return word & 0x00ffffff; });
+            continue;
+        }
+        paint_spans({&s, 1}, [&](std::int32_t x, std::int32_t y, std::uint32_t word, int share) {
+            return mixer.over(word, sampler.at(x, y), share / 255.0 * alpha);
+        });
     }
 }
 

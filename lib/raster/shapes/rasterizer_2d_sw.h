@@ -32,10 +32,13 @@ private:
                           std::uint32_t color) override;
     void do_draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color) override;
     void do_draw_path(const l3d_path& path, const l3d_fill& fill) override;
+    void do_draw_image(const l3d_placed_image& image, const l3d_fill& fill) override;
     void do_draw_curves(const l3d_path& path, std::uint32_t color) override;
     void do_draw_mesh(std::span<const l3d_mesh_patch> patches) override;
 
     void draw_line(const l3d_line_2d& line, std::uint32_t color);
+    template <class Paint>
+    void paint_spans(std::span<const l3d_detail::covered_span> spans, const Paint& paint) const;
     template <class Point> void fill_convex(std::span<const Point> corners, std::uint32_t color);
 
     l3d_pixels target_;

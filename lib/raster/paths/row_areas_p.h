@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // row_areas: how much of each pixel of a row lies inside of edges that cross each other.
-#ifndef L3D_RASTER_PATHS_ROW_PIECES_P_H
-#define L3D_RASTER_PATHS_ROW_PIECES_P_H
+#ifndef L3D_RASTER_PATHS_ROW_AREAS_P_H
+#define L3D_RASTER_PATHS_ROW_AREAS_P_H
 
 #include "raster/rasterizer_2d.h"
 
@@ -17,19 +17,20 @@ namespace l3d_detail {
 
 /// The part of an edge in one row of pixels.
 /// Units:   x in pixels from the picture's left, y from 0 to 1 down the row; y0 <= y1.
-struct row_piece {
+struct row_edge {
     double x0, y0, x1, y1;
-    std::int32_t first, last; ///< the columns that it reaches
-    std::int8_t direction;    ///< 1 if it leads upwards, and adds 1 to the winding right of it
-    std::uint8_t layer;       ///< 0: of what is filled; 1: of what clips it
-    std::size_t edge;         ///< whose part it is
+    std::int8_t direction; ///< 1 if it leads upwards, and adds 1 to the winding right of it
+    std::uint8_t layer;    ///< 0: of what is filled; 1: of what clips it
 };
 
 /// How often outlines wind around a place: those of what is filled, and those that clip it.
 struct windings {
     std::array<int, 2> turns{};
 
-    void cross(const row_piece& piece) { turns[piece.layer] += piece.direction; }
+    /// What has a direction and a layer.
+    template <class Border> void cross(const Border& border) {
+        turns[border.layer] += border.direction;
+    }
 };
 
 /// What is inside, for both layers.
@@ -50,31 +51,26 @@ private:
 
 /// Exact areas of the pixels of one row, summed up from the borders of what is inside.
 ///
-/// A border piece adds the area right of it in its own columns. So the running sum over columns is
-/// the area of each pixel, also behind the last column that a piece reaches.
-/// Cost:    add: linear in the columns that are reached. add_cluster: n log n for n pieces, times
+/// A border adds the area right of it in its own columns. So the running sum over columns is
+/// the area of each pixel, also behind the last column that a border reaches.
+/// Cost:    add: linear in the columns that are reached. add_cluster: n log n for n edges, times
 ///          the number of their ends and crossings.
 class row_areas {
 public:
     /// Columns from 0 to width - 1. Expects: all sums are 0, as users leave them.
     void set_width(std::int32_t width);
 
-    /// Adds the pieces that belong together, all of which lie right of `left`'s windings.
+    /// Adds the edges that belong together, all of which lie right of `left`'s windings.
     ///
-    /// Pieces may cross and lie upon each other. The row is cut at their ends and crossings.
+    /// Edges may cross and lie upon each other. The row is cut at their ends and crossings.
     /// Between two cuts they have an order, and only those count behind which inside and outside
     /// change.
-    void add_cluster(std::span<const row_piece> pieces, const windings& left,
+    void add_cluster(std::span<const row_edge> edges, const windings& left,
                      const fill_rules& rules);
 
-    /// Adds a single border, whatever is between it and others. Sign 1: what is right of it is
-    /// inside.
-    void add_border(double x0, double y0, double x1, double y1, double sign) {
-        add_border(x0, x1, sign * (y1 - y0), sign * (y1 - y0) / std::abs(x1 - x0));
-    }
-    /// The same for a height and how much of it is passed from one column to the next; both are
-    /// negative if what is left of it is inside.
-    void add_border(double x0, double x1, double height, double per_column);
+    /// Adds a single border, whatever is between it and others. The height is negative if what is
+    /// left of it is inside.
+    void add_border(double x0, double x1, double height);
 
     /// The sums of columns, to be run up. Beyond the last column there are two more.
     double* sums() { return sums_.data(); }
@@ -82,7 +78,7 @@ public:
 private:
     struct chord {
         double x0, x1; ///< at the top and at the bottom of the slab
-        const row_piece* piece;
+        const row_edge* edge;
 
         bool operator<(const chord& other) const {
             return x0 != other.x0 ? x0 < other.x0 : x1 < other.x1;
@@ -90,20 +86,36 @@ private:
     };
 
     void add_slab(double top, double bottom, const windings& left, const fill_rules& rules);
-    void find_crossings(double top, double bottom);
+    void find_crossings(std::span<const chord> chords, double top, double bottom);
     windings add_crossing(std::span<const chord> chords, double top, double bottom,
                           const windings& left, const fill_rules& rules);
     windings add_ordered(std::span<const chord> chords, double top, double bottom,
                          const windings& left, const fill_rules& rules);
 
+    /// Two chords change places.
+    struct crossing {
+        double y;
+        std::size_t from_left, from_right;
+    };
+    /// A chord among those that cross.
+    struct track {
+        std::size_t place; ///< from left to right
+        double since;      ///< this height it has been a border, if its sign is not 0
+        int sign;          ///< 1: what is right of it is inside
+    };
+
     std::vector<double> sums_;
-    std::vector<double> ends_, cuts_;
-    std::vector<chord> chords_, cut_chords_;
+    std::vector<double> ends_;
+    std::vector<chord> chords_;
+    std::vector<crossing> crossings_, waiting_;
+    std::vector<track> tracks_;
+    std::vector<windings> before_; ///< left of each place
+    std::vector<std::size_t> by_lower_;
     std::vector<double> least_after_; ///< of the lower ends, from each chord on
-    std::vector<const row_piece*> sorted_;
+    std::vector<const row_edge*> sorted_;
 };
 
-inline void row_areas::add_border(double x0, double x1, double height, double per_column) {
+inline void row_areas::add_border(double x0, double x1, double height) {
     const double left = std::min(x0, x1), right = std::max(x0, x1);
     const auto first = static_cast<std::int32_t>(left);
     const auto last = static_cast<std::int32_t>(right);
@@ -115,6 +127,7 @@ inline void row_areas::add_border(double x0, double x1, double height, double pe
         return;
     }
     // From left to right: `passed` is how much of the height lies left of a column's right side.
+    const double per_column = height / (right - left);
     double from = left, before = 0;
     for (std::int32_t column = first; column <= last; ++column, ++sum) {
         const double to = std::min<double>(column + 1, right);

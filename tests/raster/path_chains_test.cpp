@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// convex_rows: which outlines are convex, and the exact areas of those that are.
+// path_chains: where outlines are cut, and the exact areas of those that are not cut on the way.
 #include "raster/canvas_2d.h"
-#include "raster/paths/convex_rows_p.h"
 #include "raster/paths/path.h"
+#include "raster/paths/path_chains_p.h"
 #include "raster/slow_area.h"
 
 #include <gtest/gtest.h>
@@ -21,8 +21,15 @@ constexpr int width = 15, height = 11;
 
 using corners = std::vector<l3d_point_2d>;
 
-bool is_convex(const corners& c) {
-    return l3d_detail::convex_rows().begin(c, width, height);
+/// How many chains an outline is cut into.
+std::size_t chains_of(const corners& c) {
+    l3d_detail::path_chains chains;
+    chains.clear(width, height);
+    chains.begin(c[0]);
+    for (std::size_t i = 1; i < c.size(); ++i)
+        chains.line(c[i]);
+    chains.end(0);
+    return chains.chains().size();
 }
 
 double uniform(std::mt19937& random, double low, double high) {
@@ -54,10 +61,10 @@ corners random_convex(std::mt19937& random) {
     return result;
 }
 
-TEST(convex_rows, cover_the_exact_area_of_each_pixel) {
+TEST(path_chains, cover_the_exact_area_of_each_pixel) {
     std::mt19937 random(11);
     canvas c(width, height);
-    int convex = 0;
+    int pairs = 0;
     for (int n = 0; n < 3000; ++n) {
         const corners shape = random_convex(random);
         l3d_path path;
@@ -73,39 +80,39 @@ TEST(convex_rows, cover_the_exact_area_of_each_pixel) {
         corners moved = shape; // to where the picture's corner is (0, 0)
         for (l3d_point_2d& p : moved)
             p = {p.x + 0.5, p.y + 0.5};
-        convex += is_convex(moved);
+        pairs += chains_of(moved) == 2;
     }
-    EXPECT_GT(convex, 2000);
+    EXPECT_GT(pairs, 2000);
 }
 
-TEST(convex_rows, know_a_convex_outline_in_either_direction) {
-    EXPECT_TRUE(is_convex({{1, 1}, {9, 1}, {9, 8}, {1, 8}}));
-    EXPECT_TRUE(is_convex({{1, 8}, {9, 8}, {9, 1}, {1, 1}}));
-    EXPECT_TRUE(is_convex({{1, 1}, {5, 1}, {9, 1}, {9, 1}, {9, 8}, {1, 8}, {1, 1}}));
-    EXPECT_TRUE(is_convex({{0, 0}, {15, 3}, {2, 40}}));
+TEST(path_chains, are_two_for_an_outline_that_turns_at_its_top_and_its_bottom_alone) {
+    const std::vector<corners> outlines{
+        {{1, 1}, {9, 1}, {9, 8}, {1, 8}},
+        {{1, 8}, {9, 8}, {9, 1}, {1, 1}},
+        {{1, 1}, {5, 1}, {9, 1}, {9, 1}, {9, 8}, {1, 8}, {1, 1}},
+        {{0, 0}, {15, 3}, {2, 40}},
+        {{-8, 1}, {9, 1}, {5, 8}},
+        {{1, 1}, {9, 1}, {3, 2}, {1, 8}},
+    };
+    for (const corners& c : outlines)
+        EXPECT_EQ(chains_of(c), 2u) << c[0].x << " " << c[0].y;
 }
 
-TEST(convex_rows, leave_other_outlines_alone) {
-    struct outline {
-        const char* what;
-        corners of;
-    };
-    const std::vector<outline> others{
-        {"two corners", {{1, 1}, {9, 1}}},
-        {"there and back", {{1, 1}, {9, 1}, {1, 1}, {9, 1}}},
-        {"a dent", {{1, 1}, {9, 1}, {3, 2}, {1, 8}}},
-        {"crosses itself", {{1, 1}, {9, 8}, {9, 1}, {1, 8}}},
-        {"twice around", {{1, 1}, {9, 1}, {5, 8}, {1, 1}, {9, 1}, {5, 8}}},
-        {"beyond the left", {{-1, 1}, {9, 1}, {5, 8}}},
-        {"beyond the right", {{1, 1}, {15.1, 1}, {5, 8}}},
-    };
-    for (const outline& o : others)
-        EXPECT_FALSE(is_convex(o.of)) << o.what;
+TEST(path_chains, begin_wherever_an_outline_turns) {
+    EXPECT_EQ(chains_of({{1, 1}, {5, 4}, {9, 1}, {9, 8}, {1, 8}}), 4u);
+    EXPECT_EQ(chains_of({{1, 1}, {9, 1}, {5, 8}, {1, 1}, {9, 1}, {5, 8}}), 4u);
     corners star;
     for (int i = 0; i < 5; ++i)
         star.push_back({7 + 5 * std::sin(i * 0.8 * std::numbers::pi),
                         5 - 5 * std::cos(i * 0.8 * std::numbers::pi)});
-    EXPECT_FALSE(is_convex(star));
+    EXPECT_EQ(chains_of(star), 4u);
+}
+
+TEST(path_chains, are_none_where_nothing_is_seen) {
+    EXPECT_EQ(chains_of({{1, 1}}), 0u);
+    EXPECT_EQ(chains_of({{1, 1}, {9, 1}, {1, 1}, {9, 1}}), 0u);
+    EXPECT_EQ(chains_of({{1, -3}, {9, -1}, {5, -2}}), 0u);
+    EXPECT_EQ(chains_of({{1, 11}, {9, 12}, {5, 13}}), 0u);
 }
 
 } // namespace

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What the report says of the ways that forward differencing competes with: scan lines, cells,
+// smoke, and micropolygons that are kept.
+#ifndef L3D_APPS_TEAPOT_AFD_REPORT_ALTERNATIVES_H
+#define L3D_APPS_TEAPOT_AFD_REPORT_ALTERNATIVES_H
+
+#include <l3d/pixels.h>
+
+#include <string>
+
+/// Iterations of Whitted's and Blinn's scan lines, and how many fail: scan_lines.csv. Folded
+/// patches as three methods draw them, their wrong pixels marked: scan_folds.png.
+/// Errors: here and below, l3d_error(failure) that names the file.
+void write_scan_line_table(const std::string& folder, l3d_size size);
+
+/// Steps and times of paths of cells, along rays and along curves: cells.csv.
+void write_cell_table(const std::string& folder, l3d_size size, bool quick);
+
+/// A jet of polygons in a cloud of cells: smoke.png, and what it costs: smoke.csv.
+void write_smoke(const std::string& folder, bool quick);
+
+/// Micropolygons diced in each frame, and those that are kept, over three flights: kept.csv.
+void write_kept_table(const std::string& folder, l3d_size size, bool quick);
+
+#endif

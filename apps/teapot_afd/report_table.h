@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Lines of the report's smaller tables.
+#ifndef L3D_APPS_TEAPOT_AFD_REPORT_TABLE_H
+#define L3D_APPS_TEAPOT_AFD_REPORT_TABLE_H
+
+#include <array>
+#include <cstdio>
+#include <string>
+#include <type_traits>
+
+template <class Field> std::string table_text(const Field& field) {
+    if constexpr (std::is_floating_point_v<Field>) {
+        std::array<char, 32> digits{};
+        std::snprintf(digits.data(), digits.size(), "%.6g", field);
+        return digits.data();
+    } else if constexpr (std::is_integral_v<Field>)
+        return std::to_string(field);
+    else
+        return field;
+}
+
+/// The fields, separated by commas, and the line's end.
+template <class... Fields> std::string table_row(const Fields&... fields) {
+    std::string line;
+    ((line += (line.empty() ? "" : ",") + table_text(fields)), ...);
+    return line + '\n';
+}
+
+#endif

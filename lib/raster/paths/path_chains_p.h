@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// path_chains: outlines as runs of edges that all lead down or all lead up.
+#ifndef L3D_RASTER_PATHS_PATH_CHAINS_P_H
+#define L3D_RASTER_PATHS_PATH_CHAINS_P_H
+
+#include "raster/paths/path.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// The part of a chain in one row of pixels: from where it enters, by its corners, to where it
+/// leaves.
+/// Units:   pixels of the box, row r from y = r to r + 1.
+struct row_piece {
+    double left, right; ///< all of it lies between
+    l3d_point_2d enters, leaves;
+    std::span<const l3d_point_2d> corners; ///< in between, from top to bottom
+    std::int8_t direction; ///< 1 if it leads upwards, and adds 1 to the winding right of it
+    std::uint8_t layer;    ///< 0: of what is filled; 1: of what clips it
+
+    double height() const { return leaves.y - enters.y; }
+
+    /// Calls edge(from, to) for each of its edges from top to bottom; some are level.
+    template <class Edge> void visit(const Edge& edge) const {
+        l3d_point_2d from = enters;
+        for (const l3d_point_2d& to : corners) {
+            edge(from, to);
+            from = to;
+        }
+        edge(from, leaves);
+    }
+};
+
+/// A run of edges of an outline that never turns back up. It is walked row by row.
+class chain {
+public:
+    /// The corners are from `first` to `last` among all, from top to bottom.
+    /// Expects: rows of the picture from 0 to height - 1; it reaches one of them.
+    chain(std::span<const l3d_point_2d> all, std::size_t first, std::size_t last,
+          std::int32_t height, std::int8_t direction, std::uint8_t layer);
+
+    /// The first row that it reaches, and the one behind the last.
+    std::int32_t top() const { return top_; }
+    std::int32_t bottom() const { return bottom_; }
+
+    /// Goes to the next row.
+    /// Expects: the same corners as before; rows from top() to bottom() - 1, in order.
+    void enter(std::int32_t row, std::span<const l3d_point_2d> all);
+
+    const row_piece& piece() const { return piece_; }
+
+private:
+    double x_at(double y, std::span<const l3d_point_2d> all);
+
+    std::size_t next_; ///< the corner that it leads to
+    std::size_t last_;
+    std::size_t sloped_ = 0; ///< the corner that the slope's edge leads to
+    double slope_ = 0;       ///< x per y
+    std::int32_t top_ = 0, bottom_ = 0;
+    row_piece piece_{};
+};
+
+/// Takes outlines, and cuts them at the sides of a picture and where they turn up or down.
+///
+/// What is outside of the sides moves to them: so the windings inside stay as they are, and
+/// outlines closed. Level edges belong to the chain before them.
+/// Cost:    linear in the corners; allocates when there are more than ever before.
+class path_chains {
+public:
+    /// No chain is left.
+    void clear(std::int32_t width, std::int32_t height);
+
+    /// Begins an outline, goes on with it, and closes it.
+    void begin(l3d_point_2d corner);
+    void line(l3d_point_2d corner);
+    void end(std::uint8_t layer);
+
+    /// The chains, and the corners that they are made of.
+    std::span<chain> chains() { return chains_; }
+    std::span<const l3d_point_2d> corners() const { return corners_; }
+
+    /// Sorts the chains by their top rows. Gives the row behind the last.
+    std::int32_t sort();
+    /// The first row of all; 0 without chains. Expects: sorted.
+    std::int32_t top() const { return top_; }
+    /// The chains that begin in a row. Expects: sorted; top() or a later row.
+    std::span<const std::uint32_t> begun_in(std::int32_t row) const;
+
+private:
+    void go(l3d_point_2d to, bool keep_end);
+    void add_chain(std::size_t first, std::size_t edges, bool down, std::uint8_t layer);
+
+    std::int32_t width_ = 0, height_ = 0;
+    std::int32_t top_ = 0;
+    l3d_point_2d first_, last_;         ///< of the outline, not moved to the sides
+    std::vector<l3d_point_2d> outline_; ///< moved
+    std::vector<l3d_point_2d> corners_;
+    std::vector<chain> chains_;
+    std::vector<std::uint32_t> order_;
+    std::vector<std::size_t> begins_; ///< of each row, the first place in order_
+};
+
+} // namespace l3d_detail
+
+#endif

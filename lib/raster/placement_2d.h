@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// l3d_placement_2d: where something plane is put, turned, stretched or slanted.
+#ifndef L3D_RASTER_PLACEMENT_2D_H
+#define L3D_RASTER_PLACEMENT_2D_H
+
+#include "base/public.h"
+#include "raster/rasterizer_2d.h"
+
+#include <cmath>
+
+/// An affine map of the plane: what is at (x, y) goes to origin + x across + y down.
+/// Units:   pixels, y down, as in l3d_rasterizer_2d.
+struct L3D_PUBLIC l3d_placement_2d {
+    l3d_point_2d origin{};     ///< where (0, 0) goes
+    l3d_point_2d across{1, 0}; ///< what a step of 1 to the right becomes
+    l3d_point_2d down{0, 1};   ///< what a step of 1 downwards becomes
+
+    /// Moved only.
+    static l3d_placement_2d moved(double x, double y) { return {{x, y}, {1, 0}, {0, 1}}; }
+
+    /// Stretched along both axes; what is at (0, 0) stays.
+    static l3d_placement_2d scaled(double x, double y) { return {{0, 0}, {x, 0}, {0, y}}; }
+
+    /// Turned around a point, clockwise as y points down. Units: radians.
+    static l3d_placement_2d turned(double angle, l3d_point_2d around = {}) {
+        const double c = std::cos(angle), s = std::sin(angle);
+        return {{around.x - c * around.x + s * around.y, around.y - s * around.x - c * around.y},
+                {c, s},
+                {-s, c}};
+    }
+
+    /// What fills a window, fitted onto a viewport, each a box from a corner to the one opposite.
+    /// If both axes of one run against those of the other, the picture is mirrored.
+    /// Expects: a window whose corners differ in x and in y.
+    static l3d_placement_2d window_to_viewport(l3d_point_2d window_from, l3d_point_2d window_to,
+                                               l3d_point_2d viewport_from,
+                                               l3d_point_2d viewport_to) {
+        const double x = (viewport_to.x - viewport_from.x) / (window_to.x - window_from.x);
+        const double y = (viewport_to.y - viewport_from.y) / (window_to.y - window_from.y);
+        return {{viewport_from.x - window_from.x * x, viewport_from.y - window_from.y * y},
+                {x, 0},
+                {0, y}};
+    }
+
+    /// An image of this size fitted onto a box of the picture: left, top, width and height in
+    /// pixels. Its outermost pixels reach to the box's sides.
+    /// Expects: a size above 0.
+    static l3d_placement_2d image_in_box(l3d_size image, double left, double top, double width,
+                                         double height) {
+        const double x = width / image.width, y = height / image.height;
+        return {{left + (x - 1) / 2, top + (y - 1) / 2}, {x, 0}, {0, y}};
+    }
+
+    /// Where a point goes.
+    l3d_point_2d at(l3d_point_2d p) const {
+        return {origin.x + (p.x * across.x + p.y * down.x),
+                origin.y + (p.x * across.y + p.y * down.y)};
+    }
+
+    /// This placement first, the next one after it.
+    l3d_placement_2d then(const l3d_placement_2d& next) const {
+        const auto turned_only = [&next](l3d_point_2d p) {
+            return l3d_point_2d{p.x * next.across.x + p.y * next.down.x,
+                                p.x * next.across.y + p.y * next.down.y};
+        };
+        return {next.at(origin), turned_only(across), turned_only(down)};
+    }
+};
+
+#endif
