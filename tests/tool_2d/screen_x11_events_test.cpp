@@ -73,10 +73,12 @@ TEST(screen_x11_events, buttons_wheel_and_motion) {
     }
     std::vector<std::array<int, 4>> seen;
     std::vector<int> notches;
+    std::vector<double> turns;
     l3d_event event;
     while (screen->next_event(event)) {
         seen.push_back({static_cast<int>(event.type), event.button, event.x, event.y});
         notches.push_back(event.notches);
+        turns.push_back(event.turn);
     }
     const auto row = [](l3d_event_type type, int button, int x, int y) {
         return std::array{static_cast<int>(type), button, x, y};
@@ -85,6 +87,7 @@ TEST(screen_x11_events, buttons_wheel_and_motion) {
                                  row(button_release, 3, 24, 26), row(wheel, 0, 5, 6),
                                  row(wheel, 0, 5, 6)}));
     EXPECT_EQ(notches, (std::vector{0, 0, 0, 1, -1}));
+    EXPECT_EQ(turns, (std::vector<double>{0, 0, 0, 1, -1}));
 }
 
 TEST(screen_x11_events, two_clicks_soon_at_one_place_are_a_double_click) {

@@ -97,12 +97,13 @@ def sends_nothing_while_it_stands_still(backend, reach, frames=100):
     expect_equal(sum(all_frames[name] for name in PICTURES), PUTS[backend], "pictures")
 
 
-# Of the state of the window, and of the resolution of the display.
-QUESTION = collections.Counter({"InternAtom": 14, "QueryExtension": 1, "GetProperty": 10,
+# Of the state of the window, of the resolution of the display, and of fine wheels.
+QUESTION = collections.Counter({"InternAtom": 14, "QueryExtension": 2, "GetProperty": 10,
                                 "ChangeProperty": 2,
                                 "GetWindowAttributes": 2, "ChangeWindowAttributes": 1,
-                                "GetSelectionOwner": 1, "SendEvent": 5, "RANDR.0": 1,
-                                "RANDR.42": 1})
+                                "GetSelectionOwner": 1, "SendEvent": 7, "RANDR.0": 1,
+                                "RANDR.42": 1, "XInputExtension.46": 1, "XInputExtension.47": 1,
+                                "XInputExtension.48": 1})
 
 
 def requests_of_a_run(server, backend, reach, frames):

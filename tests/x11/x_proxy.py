@@ -273,6 +273,8 @@ class Connection:
 class Proxy:
     """Listens as `display`, and over TCP as `tcp_display`, until the end of the block."""
 
+    kind = Connection
+
     def __init__(self, server_display, **faults):
         self.server_display = server_display
         self.faults = Faults(**faults)
@@ -324,7 +326,7 @@ class Proxy:
             while True:
                 client, _ = listener.accept()
                 server = socket.socket(socket.AF_UNIX)
-                self.connections.append(Connection(self, client, server))
+                self.connections.append(self.kind(self, client, server))
                 with contextlib.suppress(OSError):  # a dead server: the client will see the end
                     server.connect("/tmp/.X11-unix/X" + self.server_display.lstrip(":"))
                 self.connections[-1].start()

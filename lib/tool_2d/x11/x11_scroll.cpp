@@ -61,6 +61,18 @@ template <class Request> std::span<std::uint8_t> bytes_of(Request& request) {
     return {reinterpret_cast<std::uint8_t*>(&request), sizeof request};
 }
 
+/// Calls visit(type, place) for each class of a device, as far as they are whole.
+template <class Visit> void visit_classes(bytes classes, Visit visit) {
+    std::size_t at = 0;
+    for (;;) {
+        const auto any = read<xXIAnyInfo>(classes, at);
+        if (!any || any->length == 0)
+            return;
+        visit(any->type, at);
+        at += word * any->length;
+    }
+}
+
 /// Keeps the message as it is: Xlib knows none of this extension.
 Bool keep_message(Display* display, XGenericEventCookie* cookie, xEvent* wire) {
     const auto* const message = reinterpret_cast<const xXIDeviceEvent*>(wire);
@@ -186,24 +198,20 @@ void x11_scroll::hear() {
 
 /// The wheels among a device's classes, and how far they have turned.
 void x11_scroll::add_wheels(std::uint16_t device, bytes classes) {
-    std::size_t at = 0;
-    while (const auto any = read<xXIAnyInfo>(classes, at)) {
-        if (any->length == 0)
-            return;
+    visit_classes(classes, [&](int type, std::size_t at) {
         const auto scroll = read<xXIScrollInfo>(classes, at);
-        if (any->type == XIScrollClass && scroll && scroll->scroll_type == XIScrollTypeVertical &&
+        if (type == XIScrollClass && scroll && scroll->scroll_type == XIScrollTypeVertical &&
             number(scroll->increment) != 0)
             wheels_[{device, scroll->number}].increment = number(scroll->increment);
-        at += word * any->length;
-    }
-    for (at = 0; const auto any = read<xXIAnyInfo>(classes, at); at += word * any->length) {
+    });
+    visit_classes(classes, [&](int type, std::size_t at) {
         const auto axis = read<xXIValuatorInfo>(classes, at);
-        if (any->type != XIValuatorClass || !axis)
-            continue;
+        if (type != XIValuatorClass || !axis)
+            return;
         const auto found = wheels_.find({device, axis->number});
         if (found != wheels_.end())
             found->second.last = number(axis->value);
-    }
+    });
 }
 
 std::optional<x11_turn> x11_scroll::take(XEvent& event) {
