@@ -354,8 +354,8 @@ TEST(draw_image, of_any_size_fits) {
     for (std::size_t i = 0; i < words.size(); ++i)
         words[i] = i % 1000 < 500 ? 0x00c80000 : 0x00006400;
     canvas c(2, 1);
-    c.draw.draw_image({{words.data(), 1000, 800, 1000},
-                       l3d_placement_2d::image_in_box({1000, 800}, 0, 0, 2, 1)});
+    c.draw.draw_image(
+        {{words.data(), 1000, 800, 1000}, l3d_placement_2d::image_in_box({1000, 800}, 0, 0, 2, 1)});
     EXPECT_EQ(c.at(0, 0), 0x00c80000u);
     EXPECT_EQ(c.at(1, 0), 0x00006400u);
     words[0] = 0x000000ff;
