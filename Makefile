@@ -105,7 +105,7 @@ include_paths = $(if $(filter apps/%,$(1)),-I$(OUT)/include) \
 # A layer is a folder; large ones have rooms, folders in it, that the law knows nothing of.
 $(foreach l,$(LAYERS),$(eval objects_$(l) := $(call objects,$(wildcard lib/$(l)/*.cpp lib/$(l)/*/*.cpp))))
 $(foreach l,$(LAYERS),$(eval objects_tests/$(l) := $(call objects,$(wildcard tests/$(l)/*.cpp))))
-objects_compare       := $(call objects,$(wildcard compare/*.cpp))
+objects_compare       := $(call objects,$(wildcard compare/*.cpp compare/*/*.cpp))
 objects_tests/compare := $(call objects,$(wildcard tests/compare/*.cpp))
 # Scenes and judges of dicing serve the tests of whole frames, too.
 helpers = $(call objects,$(filter-out %_test.cpp,$(wildcard tests/$(1)/*.cpp)))
@@ -141,8 +141,8 @@ STRESS    := $(wildcard tests/x11/stress/*_test.py)
 # The front door: what others may include, as <l3d/name.h>, is made of the headers that are listed.
 PUBLIC    := $(shell sed '/^\#/d' packaging/public_headers)
 DOOR      := $(addprefix $(OUT)/include/l3d/,l3d.h $(notdir $(PUBLIC)))
-HEADERS   := $(sort $(wildcard lib/*/*.h lib/*/*/*.h compare/*.h))
-SOURCES   := $(sort $(wildcard lib/*/*.cpp lib/*/*/*.cpp compare/*.cpp apps/*/*.cpp tests/*/*.cpp))
+HEADERS   := $(sort $(wildcard lib/*/*.h lib/*/*/*.h compare/*.h compare/*/*.h))
+SOURCES   := $(sort $(wildcard lib/*/*.cpp lib/*/*/*.cpp compare/*.cpp compare/*/*.cpp apps/*/*.cpp tests/*/*.cpp))
 FORMATTED := $(SOURCES) $(HEADERS) $(plugins) $(sort $(wildcard apps/*/*.h tests/*.h tests/*/*.h))
 OBJECTS   := $(call objects,$(filter-out tests/fail/% tests/bench/% tests/fuzz/%,$(SOURCES)))
 LONE      := $(HEADERS:%=$(OUT)/%.ok)

@@ -3,10 +3,10 @@
 #include "compare/method_choice.h"
 
 #include "geom/real.h"
-#include "compare/blinn_plotter.h"
-#include "compare/fd_dicer.h"
-#include "compare/isocurve_plotter.h"
-#include "compare/lane_carpenter_dicer.h"
+#include "compare/plotters/blinn_plotter.h"
+#include "compare/dicers/fd_dicer.h"
+#include "compare/plotters/isocurve_plotter.h"
+#include "compare/dicers/lane_carpenter_dicer.h"
 #include "pipeline/method_afd.h"
 #include "compare/method_kept.h"
 #include "compare/method_mesa.h"
@@ -15,10 +15,10 @@
 #include "compare/method_tessellation.h"
 #include "compare/method_voxels.h"
 #include "pipeline/polygons/patch_tessellation.h"
-#include "compare/micropolygon_dicer.h"
-#include "compare/scanline_plotter.h"
-#include "compare/subdivision_dicer.h"
-#include "compare/whitted_plotter.h"
+#include "compare/dicers/micropolygon_dicer.h"
+#include "compare/plotters/scanline_plotter.h"
+#include "compare/dicers/subdivision_dicer.h"
+#include "compare/plotters/whitted_plotter.h"
 
 #include <algorithm>
 #include <array>

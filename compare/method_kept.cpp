@@ -2,7 +2,7 @@
 // l3d_method_kept: which grids still fit, and how the others are diced.
 #include "compare/method_kept.h"
 
-#include "compare/micropolygon_dicer.h"
+#include "compare/dicers/micropolygon_dicer.h"
 #include "dice/snap.h"
 #include "geom/forward_difference.h"
 #include "geom/real.h"
@@ -204,17 +204,7 @@ void l3d_method_kept::do_draw(const l3d_method_frame& frame, l3d_stage_times& ti
             else
                 kept_[i][j].clear();
     times.dice += dicing.milliseconds();
-
-    const l3d_detail::stopwatch filling;
-    if (frame.wants_depth)
-        frame.depth.resize(frame.view.size);
-    surface_->count_pixels(frame.counts_pixels);
-    surface_->use_materials(frame.materials);
-    surface_->begin(frame.target, frame.wants_depth ? &frame.depth : nullptr, frame.shading,
-                    frame.untouched);
-    surface_->draw(parts_);
-    surface_->finish();
-    times.raster += filling.milliseconds();
+    l3d_fill_parts(*surface_, frame, parts_, times);
 }
 
 std::size_t l3d_method_kept::bytes() const {

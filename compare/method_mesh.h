@@ -43,17 +43,7 @@ private:
                                                                counts);
             });
         times.dice += dicing.milliseconds();
-
-        const l3d_detail::stopwatch filling;
-        if (frame.wants_depth)
-            frame.depth.resize(frame.view.size);
-        surface_->count_pixels(frame.counts_pixels);
-        surface_->use_materials(frame.materials);
-        surface_->begin(frame.target, frame.wants_depth ? &frame.depth : nullptr, frame.shading,
-                        frame.untouched);
-        surface_->draw(parts);
-        surface_->finish();
-        times.raster += filling.milliseconds();
+        l3d_fill_parts(*surface_, frame, parts, times);
     }
     const l3d_dice_counts& do_counts() const override { return patches_.counts(); }
     const l3d_surface_counts& do_surface_counts() const override { return surface_->counts(); }

@@ -69,3 +69,17 @@ void l3d_method_patches::dice_one(const l3d_method_frame& frame, const l3d_place
         piece.part.material = material;
     }
 }
+
+void l3d_fill_parts(l3d_surface_rasterizer& surface, const l3d_method_frame& frame,
+                    std::span<const l3d_surface_part* const> parts, l3d_stage_times& times) {
+    const l3d_detail::stopwatch filling;
+    if (frame.wants_depth)
+        frame.depth.resize(frame.view.size);
+    surface.count_pixels(frame.counts_pixels);
+    surface.use_materials(frame.materials);
+    surface.begin(frame.target, frame.wants_depth ? &frame.depth : nullptr, frame.shading,
+                  frame.untouched);
+    surface.draw(parts);
+    surface.finish();
+    times.raster += filling.milliseconds();
+}

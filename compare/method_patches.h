@@ -10,6 +10,7 @@
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/surface_method.h"
 #include "raster/parallel/workers.h"
+#include "raster/surface_rasterizer.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -69,5 +70,10 @@ private:
     std::vector<l3d_diced_pieces> slots_; ///< one for each patch
     std::vector<const l3d_surface_part*> parts_;
 };
+
+/// Fills diced surfaces, as the methods do that know no smooth edges.
+/// Adds:    the time to times.raster.
+void l3d_fill_parts(l3d_surface_rasterizer& surface, const l3d_method_frame& frame,
+                    std::span<const l3d_surface_part* const> parts, l3d_stage_times& times);
 
 #endif

@@ -3,10 +3,10 @@
 #ifndef L3D_COMPARE_METHOD_POINTS_H
 #define L3D_COMPARE_METHOD_POINTS_H
 
-#include "compare/plot_task.h"
+#include "compare/plotters/plot_task.h"
 #include "compare/method_patches.h"
 #include "pipeline/surface_method.h"
-#include "compare/point_canvas.h"
+#include "compare/plotters/point_canvas.h"
 #include "raster/rasterizer_factory.h"
 #include "raster/parallel/workers.h"
 

@@ -5,8 +5,8 @@
 
 #include "compare/scene_memory.h"
 #include "pipeline/surface_method.h"
-#include "compare/cubic_frame_buffer.h"
-#include "compare/point_canvas.h"
+#include "compare/cells/cubic_frame_buffer.h"
+#include "compare/plotters/point_canvas.h"
 #include "raster/parallel/workers.h"
 #include "geom/normal_net.h"
 

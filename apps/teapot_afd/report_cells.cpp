@@ -5,8 +5,8 @@
 #include "report_rows.h"
 #include "report_table.h"
 
-#include "compare/cell_path.h"
-#include "compare/cell_stride.h"
+#include "compare/cells/cell_path.h"
+#include "compare/cells/cell_stride.h"
 #include "compare/method_voxels.h"
 #include "processor_time.h"
 #include <l3d/camera_shading.h>

@@ -6,9 +6,9 @@
 #include "report_rows.h"
 #include "report_table.h"
 
-#include "compare/blinn_plotter.h"
+#include "compare/plotters/blinn_plotter.h"
 #include "compare/method_patches.h"
-#include "compare/whitted_plotter.h"
+#include "compare/plotters/whitted_plotter.h"
 #include "raster/shapes/rasterizer_2d_sw.h"
 #include "scene/image_transform.h"
 #include "scene/placed_net.h"

@@ -4,7 +4,7 @@
 #include "report_rows.h"
 #include "report_table.h"
 
-#include "compare/cloud.h"
+#include "compare/cells/cloud.h"
 #include "processor_time.h"
 #include "raster/parallel/workers.h"
 #include "raster/surface_part.h"

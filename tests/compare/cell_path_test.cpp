@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Paths of cells: how they touch, how many steps they take, and what they miss.
-#include "compare/cell_path.h"
-#include "compare/cubic_frame_buffer.h"
+#include "compare/cells/cell_path.h"
+#include "compare/cells/cubic_frame_buffer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Clouds: light through many cells against what one exponential says, and polygons within.
-#include "compare/cloud.h"
+#include "compare/cells/cloud.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The cubic frame buffer: rays against every filled cell, one by one.
-#include "compare/cubic_frame_buffer.h"
+#include "compare/cells/cubic_frame_buffer.h"
 
 #include <gtest/gtest.h>
 

@@ -6,10 +6,10 @@
 #include "dice/picture.h"
 #include "dice/scene.h"
 
-#include "compare/fd_dicer.h"
+#include "compare/dicers/fd_dicer.h"
 #include "compare/method_patches.h"
-#include "compare/micropolygon_dicer.h"
-#include "compare/subdivision_dicer.h"
+#include "compare/dicers/micropolygon_dicer.h"
+#include "compare/dicers/subdivision_dicer.h"
 #include "scene/visibility.h"
 #include "reference/random_patches.h"
 

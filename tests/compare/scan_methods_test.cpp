@@ -3,13 +3,13 @@
 // ones iterations fail, and those are counted.
 #include "dice/scene.h"
 
-#include "compare/blinn_plotter.h"
-#include "compare/lane_carpenter_dicer.h"
+#include "compare/plotters/blinn_plotter.h"
+#include "compare/dicers/lane_carpenter_dicer.h"
 #include "compare/method_choice.h"
 #include "compare/method_patches.h"
-#include "compare/scan_edges.h"
-#include "compare/silhouette.h"
-#include "compare/whitted_plotter.h"
+#include "compare/plotters/scan_edges.h"
+#include "compare/plotters/silhouette.h"
+#include "compare/plotters/whitted_plotter.h"
 #include "pipeline/pipeline_afd.h"
 #include "reference/exact.h"
 #include "scene/camera_shading.h"

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// l3d_lane_carpenter_dicer: subdivision into polygons, for scan conversion.
+#ifndef L3D_COMPARE_DICERS_LANE_CARPENTER_DICER_H
+#define L3D_COMPARE_DICERS_LANE_CARPENTER_DICER_H
+
+#include "dice/diced_pieces.h"
+#include "dice/net_piece.h"
+#include "geom/normal_net.h"
+#include "scene/counts.h"
+#include "scene/dice_view.h"
+
+/// A patch is cut until its control points are within the tolerance of a plane and its sides are
+/// straight within it. Then its four corners are a polygon, and polygons are filled as always.
+/// Nothing is iterated, so nothing fails to converge.
+///
+/// The paper keeps cracks small by the tolerance, so here they stay: where a side is straight for
+/// one piece and cut by its neighbour, pixels may be left out. So there is no bound. The method
+/// `subdivision` is this one with its cracks mended, and with a certified bound.
+/// Source: Lane, Carpenter, A Generalized Scan Line Algorithm for the Computer Display of
+///         Parametrically Defined Surfaces, CGIP 11, 1979; with Whitted, Blinn, CACM 23, 1980.
+class l3d_lane_carpenter_dicer {
+public:
+    /// Expects: l3d_needs_no_clipping(net, view).
+    void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
+              l3d_diced_pieces& out, l3d_dice_counts& counts);
+
+private:
+    struct task {
+        const l3d_normal_net& normals;
+        const l3d_dice_view& view;
+        l3d_diced_piece& out;
+        l3d_dice_counts& counts;
+    };
+    static void divide(const l3d_net_piece& p, task& of);
+};
+
+/// Whether a net is as good as a polygon. Depth is measured in pixels, too. Its points are within
+/// `tolerance` of a plane, and those of its sides within it of their chords.
+bool l3d_is_polygon(const l3d_image_patch& net, const l3d_dice_view& view, double tolerance);
+
+#endif

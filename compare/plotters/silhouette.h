@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Silhouettes of a piece of a patch: where it turns from its front to its back.
+#ifndef L3D_COMPARE_PLOTTERS_SILHOUETTE_H
+#define L3D_COMPARE_PLOTTERS_SILHOUETTE_H
+
+#include "compare/plotters/scan_piece.h"
+
+#include <optional>
+#include <vector>
+
+/// The determinant of a homogeneous point and its two derivatives. Its sign tells which side of the
+/// surface is seen; on a silhouette it is 0.
+struct l3d_scan_turn {
+    double value, by_u, by_v;
+};
+l3d_scan_turn l3d_turn_at(const l3d_scan_piece& piece, double u, double v);
+
+/// A point of a piece's border where a silhouette runs into it.
+struct l3d_border_turn {
+    int side; ///< v low, v high, u low, u high
+    double t; ///< along the side
+    l3d_scan_root root;
+};
+
+/// Looks for them between so many samples of each side; two between the same samples are missed.
+std::vector<l3d_border_turn> l3d_border_turns(const l3d_scan_piece& piece, int samples);
+
+/// The parameters at t along a side.
+l3d_scan_root l3d_on_side(int side, double t);
+
+/// The point of a silhouette on a scan line, by Newton's iteration in two variables, within
+/// `accuracy` pixels. Adds to `rounds` how often the surface was evaluated. The point may lie
+/// outside of the piece. Nothing if the iteration does not come to rest.
+std::optional<l3d_scan_root> l3d_silhouette_on_line(const l3d_scan_piece& piece, double y,
+                                                    l3d_scan_root start, double accuracy,
+                                                    int& rounds);
+
+/// The highest, lowest and saddle points of a piece's picture inside of it: y neither rises nor
+/// falls there, so two silhouettes begin or end. They are sought from 5 x 5 places.
+std::vector<l3d_scan_root> l3d_level_points(const l3d_scan_piece& piece, int& rounds);
+
+#endif
