@@ -95,7 +95,8 @@ int main(int argc, char** argv) {
         {1024, 640});
     const l3d_afd_options afd(program.options());
     bool glossy = false;
-    program.options().add("--glossy", glossy, "highlights, whose colours only --error-output bounds");
+    program.options().add("--glossy", glossy,
+                          "highlights, whose colours only --error-output bounds");
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         l3d_camera camera = afd.camera();

@@ -131,8 +131,7 @@ vector l3d_view_steering::place_under(double x, double y) const {
 bool l3d_view_steering::pointer(const l3d_event& event) {
     switch (event.type) {
     case l3d_event_type::wheel:
-        approach(std::pow(notch_zoom, -event.turn),
-                 place_under(event.x + 0.5, event.y + 0.5));
+        approach(std::pow(notch_zoom, -event.turn), place_under(event.x + 0.5, event.y + 0.5));
         return true;
     case l3d_event_type::button_press:
         begin(event);

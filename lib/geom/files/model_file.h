@@ -120,8 +120,9 @@ struct L3D_PUBLIC l3d_named_material {
     friend bool operator==(const l3d_named_material&, const l3d_named_material&) = default;
 };
 
-/// Reads the materials of an .mtl file: Kd, Ks, Ns, illum, d and Tr. What cannot be read is skipped, with
-/// a note "name:line: what" for each of the first 20 such lines: no model is lost for a colour.
+/// Reads the materials of an .mtl file: Kd, Ks, Ns, illum, d and Tr. What cannot be read is
+/// skipped, with a note "name:line: what" for each of the first 20 such lines: no model is lost for
+/// a colour.
 L3D_PUBLIC std::vector<l3d_named_material>
 l3d_read_mtl(std::string_view text, std::string_view name, std::vector<std::string>& notes);
 

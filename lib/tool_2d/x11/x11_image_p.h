@@ -87,7 +87,8 @@ std::unique_ptr<x11_image> make_x11_image_put(const x11_window& window, l3d_size
 /// The same for a slow line. Only what differs from what was sent before travels. If that is much,
 /// it travels with fewer pixels, which the server enlarges; once no picture comes for a while, it
 /// is made as fine as it is.
-/// Shape, Errors, Lives: likewise.
+/// Errors:  as make_x11_image_put.
+/// Lives:   the window outlives the image.
 std::unique_ptr<x11_image> make_x11_image_sparing(const x11_window& window, l3d_size size);
 
 /// The picture is in memory that the server shares.

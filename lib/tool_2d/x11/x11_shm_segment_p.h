@@ -48,14 +48,19 @@ public:
 private:
     explicit x11_shm_segment(const x11_connection& connection) : connection_(connection) {}
 
+    /// A file without a name, whose descriptor goes to the server.
+    /// Errors:  null, with one line in `why`.
     static std::unique_ptr<x11_shm_segment> by_file(x11_connection& connection, std::size_t size,
                                                     std::string& why);
+    /// Memory that the server finds by its number.
+    /// Errors:  null, with one line in `why`.
     static std::unique_ptr<x11_shm_segment> by_system_v(x11_connection& connection, Visual* visual,
                                                         const l3d_pixel_layout& layout,
                                                         std::size_t size, std::string& why);
 
     /// Errors:  false, with one line in `why`.
     bool attach_file(std::size_t size, int opcode, std::string& why);
+    /// Errors:  false, with one line in `why`.
     bool attach(std::size_t size, std::string& why);
     void forget_name();
 
