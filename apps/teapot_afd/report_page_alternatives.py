@@ -28,15 +28,16 @@ def scan_lines(tables, report):
         values = shares.get((model, method), [(0, 0)])
         return tuple(f"{100 * max(value[i] for value in values):.2g} %" for i in (0, 1))
     answer = (f"Blinn's iteration fails for up to {most('folds', 'blinn')[0]} of what it solves on folded patches, and failures "
-              f"take up to {most('folds', 'blinn')[1]} of all rounds. On the teapot these are "
-              f"{most('teapot', 'blinn')[0]} and {most('teapot', 'blinn')[1]}. Whitted's fails for up to "
-              f"{most('folds', 'whitted')[0]} and {most('teapot', 'whitted')[0]}: it iterates along curves alone, where a "
-              "start is rarely wrong. Lane and Carpenter iterate nothing; theirs leaves cracks.")
+              f"take up to {most('folds', 'blinn')[1]} of all rounds. On the teapot, these shares are "
+              f"{most('teapot', 'blinn')[0]} and {most('teapot', 'blinn')[1]}. Whitted's iteration fails for up to "
+              f"{most('folds', 'whitted')[0]} on the folds and {most('teapot', 'whitted')[0]} on the teapot. It runs along "
+              "curves alone, where a start is rarely wrong. Lane and Carpenter's method does not iterate, but leaves cracks.")
     cracks = [r for r in report.frames if r["model"] == "folds" and r["method"] == "lane-carpenter"]
     if cracks:
-        answer += f" On the folds up to {int(max(r['holes'] for r in cracks))} pixels are left out in these."
-    return Conclusion("scans", "What do iterations cost that fail?", answer,
-                      ["model", "view", "method", "solved", "rounds each", "failed", "rounds each", "part of all rounds"], table)
+        answer += f" On the folds, up to {int(max(r['holes'] for r in cracks))} pixels of a picture are missing in these cracks."
+    return Conclusion("scans", "What do failed iterations cost?", answer,
+                      ["model", "view", "method", "solved", "rounds a solved one", "failed", "rounds a failed one",
+                       "failed rounds of all"], table)
 
 
 def folds(report):
@@ -52,9 +53,9 @@ def folds(report):
                        if r["method"] == name and (r["view"], r["setting"]) in own)
         if times:
             words.append(f"`{name}` {short(times[0])} to {short(times[-1])}")
-    return Conclusion("folds", "How do scan lines draw folded patches?", "At the same tolerance, times as long as AFD: "
-                      + ", ".join(words) + ". Only `blinn` loses whole spans; `scanline` cuts patches at silhouettes first, "
-                      "and has no failure.", ["view", "method", "setting", "ms", "outline px", "levels", "holes", "failures"], table)
+    return Conclusion("folds", "How do scan lines draw folded patches?", "At the same tolerance, they take these multiples of AFD's "
+                      "time: " + ", ".join(words) + ". Only `blinn` loses whole spans. `scanline` cuts patches at silhouettes first, "
+                      "and no iteration of it fails.", ["view", "method", "setting", "ms", "outline px", "levels", "holes", "failures"], table)
 
 
 def cells(tables):
@@ -68,10 +69,12 @@ def cells(tables):
 
     def saved(along, touch):
         return f"{100 * (1 - steps[along, touch] / steps[along, 'faces (6)']):.0f} %"
-    answer = (f"Rays across corners take {saved('rays', 'corners (26)')} fewer steps than rays across faces, those across edges "
-              f"{saved('rays', 'edges (18)')}. Along curves, diagonals first save {saved('curves', 'corners (26) diagonals first')}. "
-              "That is as much as steps near the line save. A knight's move takes 2 steps in place of 3. The price is small: "
-              "cells are farther from the chord, as the last column says.")
+    answer = ("A step leads to a cell that shares a face. With edges or corners, diagonal steps are allowed, too. "
+              f"Rays take {saved('rays', 'corners (26)')} fewer steps with corners than with faces alone, and "
+              f"{saved('rays', 'edges (18)')} fewer with edges. Curves that take diagonals first need "
+              f"{saved('curves', 'corners (26) diagonals first')} fewer steps with corners. Steps that stay near the line save "
+              f"{saved('curves', 'corners (26)')}. Diagonals first have a small price: cells are farther from the chord, as the "
+              "last column says.")
     return Conclusion("cells", "What do diagonal steps from cell to cell save?", answer,
                       ["along", "cells share", "steps", "ns", "pixels seen otherwise", "farthest from the chord, cells"], table)
 
@@ -81,10 +84,10 @@ def smoke(tables):
     if not rows:
         return None
     r = rows[0]
-    answer = (f"A jet of {r['polygons']} polygons is drawn in {short(float(r['polygons_ms']))} ms. A cloud of "
-              f"{r['cells_a_side']} cells a side is laid over it in {short(float(r['cloud_ms']))} ms. A pixel's ray meets "
-              f"{short(float(r['cells_a_pixel']))} cells in the mean, {short(float(r['ns_a_cell']))} ns each. Nothing is "
-              "converted: a ray through the cloud ends at the depth of the polygon in its pixel.")
+    answer = (f"Drawing a jet of {r['polygons']} polygons takes {short(float(r['polygons_ms']))} ms. Laying a cloud of "
+              f"{r['cells_a_side']} cells a side over it takes {short(float(r['cloud_ms']))} ms. A pixel's ray meets "
+              f"{short(float(r['cells_a_pixel']))} cells on average, at {short(float(r['ns_a_cell']))} ns each. Neither polygons "
+              "nor cells are converted: a ray through the cloud ends at the depth of the polygon in its pixel.")
     return Conclusion("smoke", "What does smoke cost?", answer, list(r), [[short(float(value)) for value in r.values()]])
 
 
@@ -100,11 +103,12 @@ def kept(tables):
         one, other = by[flight, "kept"], by[flight, "micropolygons"]
         ratio = float(one["mean_ms"]) / float(other["mean_ms"])
         diced = float(one["diced"]) / max(float(other["diced"]), 1)
-        words.append(f"In the flight `{flight}` it takes {short(ratio)} times the time of dicing in each frame, and dices {100 * diced:.0f} % of the vertices.")
+        words.append(f"In the flight `{flight}` it takes {short(ratio)} times as long and dices {100 * diced:.0f} % as many vertices.")
     memory = max(float(by[f, "kept"]["megabytes"]) for f in dict.fromkeys(r["flight"] for r in rows))
-    return Conclusion("keeps", "Does it pay to keep micropolygons?", " ".join(words)
-                      + f" Buffers take up to {short(memory)} MB. Quads are a quarter finer than they must be, so that they "
-                      "may grow, and each must be filled.",
+    return Conclusion("keeps", "Does it pay to keep micropolygons?", "`kept` is compared with `micropolygons`, which dices "
+                      "every frame anew. " + " ".join(words)
+                      + f" Its buffers take up to {short(memory)} MB. It makes quads a quarter finer than they must be, "
+                      "so that they have room to grow. So it fills more of them.",
                       ["flight", "method", "median ms", "mean ms", "worst ms", "vertices diced", "quads", "MB"], table)
 
 
@@ -123,9 +127,9 @@ def markdown(found, folder, table):
     """A section: answers, then rows and pictures."""
     if not found:
         return ""
-    text = ("\n## Other ways that were proposed\n\nScan lines by Whitted, by Blinn, and by Lane and Carpenter are methods of "
-            "their own here, true to their papers. So are micropolygons that are kept. Cells are found along paths whose steps "
-            "cross faces, edges or corners.\n\n")
+    text = ("\n## Other ways that were proposed\n\nThis section measures alternatives that papers proposed. The scan line methods "
+            "of Whitted, of Blinn, and of Lane and Carpenter follow their papers. `kept` keeps micropolygons for later frames. "
+            "Paths find their cells by steps across faces, edges or corners. Smoke is a cube of cells over polygons.\n\n")
     text += "".join(f"- **{c.question}** {c.answer} [rows](#{c.key})\n" for c in found)
     for c in found:
         text += f"\n### <a id=\"{c.key}\"></a>{c.question}\n\n"

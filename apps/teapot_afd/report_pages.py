@@ -124,7 +124,8 @@ def heading(machine):
 READING = """## How to read it
 
 - A *time* is the median of a method's frames but the first, from control points to finished pixels, in processor time.
-  The eye is never twice at the same place. A mesh, or the cells of `voxels`, are made before the first frame.
+  The eye is never twice at the same place. A mesh, or the cells of `voxels`, are made before the first frame. `kept` finds
+  the micropolygons of the frame before in its buffers.
 - An *error* is that of outlines. It is the largest distance of a falsely covered or uncovered pixel's centre from the
   exact outline. Some 60 of these pixels are measured, spread evenly. The exact picture shares no code with the library.
   Where there is no such pixel the error is 0, which has no place in a diagram of powers.

@@ -17,7 +17,7 @@ METHODS = ("afd float", "afd double", "afd places only", "fd 16.16", "isocurves"
 DIAGRAMS = ("error_time", "picture_time", "error_and_bound", "error_by_steps", "chord_error", "arithmetic")
 QUESTIONS = ("Which is fastest at 0.1 px?", "Does fixed point cost anything?", "When does AFD lose?",
              "How many steps do 16.16 bits bear?", "What does certainty cost?")
-OTHERS = ("What do iterations cost that fail?", "How do scan lines draw folded patches?", "What do diagonal steps from cell to cell save?",
+OTHERS = ("What do failed iterations cost?", "How do scan lines draw folded patches?", "What do diagonal steps from cell to cell save?",
           "What does smoke cost?", "Does it pay to keep micropolygons?")
 
 DATA = os.path.join(os.path.dirname(harness.BIN), "share/l3d")
