@@ -25,7 +25,7 @@ l3d_patch_model colored_teapot();
 /// A model of any size in the teapot's place: on the ground, and as wide or as high as it.
 l3d_patch_model in_teapots_place(const l3d_patch_model& model);
 
-/// The model without highlights, which no bound of shades covers before they are drawn.
+/// The model without highlights: so the report's bound of shades is finite.
 l3d_patch_model matt(const l3d_patch_model& model);
 
 #endif

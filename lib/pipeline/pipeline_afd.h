@@ -58,8 +58,8 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// The direction towards the light. Units: world space, any length.
     l3d_vector<double, 3> light = l3d_usual_light;
 
-    /// The colours of lights, and further lights. No shade is certified if it is not the usual
-    /// one, or if a material has highlights.
+    /// The colours of lights, and further lights. If it is not the usual one, or if a material has
+    /// highlights, only the map of doubt bounds shades; the report's bound of them is infinite.
     l3d_lighting lighting{};
 
     /// Edges are means over pixels, not stairs; see l3d_shading.

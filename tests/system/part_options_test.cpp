@@ -47,16 +47,18 @@ TEST(part_options, leave_a_model_alone_unless_they_are_given) {
     EXPECT_TRUE(program({"--list-parts"}).parts.lists());
 }
 
-TEST(part_options, make_parts_instances_of_their_own_if_they_are_transparent) {
+TEST(part_options, make_parts_with_an_opacity_instances_of_their_own) {
     const program some({"--opacity", "lid=0.4", "--opacity", "spout=1", "--opacity", "handle=0.5",
                         "--hide", "handle", "--color", "lid=255,128,0"});
     const l3d_patch_scene scene = some.parts.scene(l3d_patch_model::teapot());
-    ASSERT_EQ(scene.instances().size(), 2u);
-    EXPECT_EQ(scene.instances()[0].model().patches().size(), 16u);
+    ASSERT_EQ(scene.instances().size(), 3u); // the spout, the lid, the body
+    EXPECT_EQ(scene.instances()[0].model().patches().size(), 4u);
     EXPECT_EQ(scene.instances()[0].opacity(), 1);
     EXPECT_EQ(scene.instances()[1].model().patches().size(), 8u);
     EXPECT_EQ(scene.instances()[1].opacity(), 0.4);
     EXPECT_EQ(scene.instances()[1].model().materials()[0].color, 0xff8000u);
+    EXPECT_EQ(scene.instances()[2].model().patches().size(), 12u);
+    EXPECT_EQ(scene.instances()[2].opacity(), 1);
     const l3d_patch_scene all = program({}).parts.scene(l3d_patch_model::teapot());
     EXPECT_EQ(all.instances().size(), 1u);
     EXPECT_THROW(program({"--opacity", "lid=0.4"}).polygons(), l3d_error);

@@ -46,7 +46,7 @@ def steps_through_the_methods():
         first = it.changes("j")
         seen = [it.changes("m") for _ in range(3)]
         expect(all(picture != first for picture in seen), "another method says so")
-        for _ in range(8):
+        for _ in range(16):
             xdotool(it.display, "key", "m")
             if it.changes("j") == first:
                 break

@@ -292,13 +292,18 @@ def await_motion(it):
 def settle(it):
     """Stops what moves."""
     xdotool(it.display, "key", "space")
+    await_still(it)
+
+
+def await_still(it, size=None):
+    """A picture that stays: what keys and seconds change in it has changed."""
     pictures = []
 
     def is_still(rows):
         pictures.append(rows)
-        return len(pictures) > 5 and all(each == rows for each in pictures[-5:])
+        return len(pictures) > 5 and all(each == rows for each in pictures[-5:]) and rows
 
-    it.await_picture(is_still, what="a picture that stays")
+    return it.await_picture(is_still, size, "a picture that stays")
 
 
 # ---- pictures -----------------------------------------------------------------------------------

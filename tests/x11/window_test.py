@@ -8,8 +8,8 @@ import subprocess
 import time
 
 import harness
-from harness import Checks, Session, await_motion, await_rest, environment, expect, expect_equal
-from harness import folder, run, settle, started, wait_for, window_of, window_size, x_server
+from harness import Checks, Session, await_motion, await_rest, await_still, environment, expect
+from harness import expect_equal, folder, run, settle, started, wait_for, window_of, window_size, x_server
 from harness import xdotool
 
 
@@ -164,8 +164,8 @@ def draws_lines_as_wide_as_the_resolution_asks():
                 size = tuple(scale * side for side in program.size)
                 # The word about the help goes away.
                 xdotool(it.display, "key", "--clearmodifiers", "h", "h")
-                rows = it.await_picture(
-                    lambda rows: rows and brightness(rows[len(rows) // 2]) and rows, size)
+                it.await_picture(lambda rows: rows and brightness(rows[len(rows) // 2]), size)
+                rows = await_still(it, size)
                 shares.append(sum(map(brightness, rows)) / scale**2)
         expect(0.85 < shares[1] / shares[0] < 1.3, lines, shares)
 
