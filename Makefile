@@ -344,11 +344,13 @@ $(OUT)/libl3d_%.a: $$(objects_$$*) $(OUT)/list/%
 
 # What a program links beside the library.
 beside = $(foreach layer,compare reference,$(if $(filter $(1),$(apps_with_$(layer))),$(layer)))
+# A linker writes for a second what nobody may execute: whoever starts the program meanwhile gets the old one.
 $(APPS): $(OUT)/bin/%: $$(objects_apps/$$*) \
         $$(call archives,$(LAYERS) $$(call beside,$$*)) \
         $(OUT)/list/apps/%
 	$(call say,LINK,$@)
-	$(Q)mkdir -p $(@D); $(LINK) $(pie_$(MODE)) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -o $@
+	$(Q)mkdir -p $(@D); $(LINK) $(pie_$(MODE)) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -o $@.new
+	$(Q)mv $@.new $@
 
 # A plug-in is loaded, not linked: it may be built otherwise than the library, here by itself.
 $(foreach p,$(plugins),$(eval $(call plugged,$(p)): $(p)))
