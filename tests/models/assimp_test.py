@@ -52,7 +52,7 @@ def assimp_polygons(path):
     """The polygons that assimp finds without any of its repairs, or the message as text."""
     with tempfile.NamedTemporaryFile(suffix=".assxml") as dump:
         run = subprocess.run(["assimp", "dump", path, dump.name], stdout=subprocess.PIPE,
-                             stderr=subprocess.STDOUT)
+                             stderr=subprocess.STDOUT, timeout=60)
         try:
             scene = xml.etree.ElementTree.parse(dump.name).getroot().find("Scene")
         except xml.etree.ElementTree.ParseError:
