@@ -2,9 +2,9 @@
 // Polygons from 10^2 to 10^6 faces: painted in order, through our depth buffer, through Mesa's.
 //
 // A torus turned a little between frames, 1024 x 768, lambert shading, one thread of ours (llvmpipe
-// takes all processors). All three must show the same picture. The sort alone, without comparing
-// and cutting, is the naive twin of zsort: its picture may be wrong. Then the exponent of the time
-// in the number of faces, by least squares over the logarithms.
+// takes all processors) or as many of both as one says. All three must show the same picture. The
+// sort alone, without comparing and cutting, is the naive twin of zsort: its picture may be wrong.
+// Then the exponent of the time in the number of faces, by least squares over the logarithms.
 #include "geom/polygon_shapes.h"
 #include "pipeline/polygons/painter_order.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
@@ -136,7 +136,7 @@ double sorted_only_ms(const l3d_polygon_model& model, bool cull, int frames) {
     return median(times);
 }
 
-bool bench(bool cull) {
+bool bench(bool cull, int threads) {
     std::printf("\n%s\n%8s %8s | %8s %8s %8s %8s %8s | %8s | %8s | %6s %6s %8s %8s\n",
                 cull ? "faces seen from behind left out" : "all faces drawn", "faces", "drawn",
                 "zsort", "place", "order", "(sort)", "paint", "zbuffer", "mesa", "knots", "cuts",
@@ -152,6 +152,7 @@ bool bench(bool cull) {
         l3d_polygon_settings settings;
         settings.shade = l3d_shade::lambert;
         settings.cull = cull;
+        settings.threads = threads;
         l3d_pipeline_zsort zsort(canvas(sw), model, camera(), settings);
         l3d_pipeline_zbuffer zbuffer(canvas(sw), model, camera(), settings, *sw);
         l3d_pipeline_zbuffer gl(canvas(sw), model, camera(), settings, *mesa, "mesa");
@@ -185,14 +186,20 @@ bool bench(bool cull) {
 } // namespace
 
 int main(int argc, char** argv) {
-    // "cull" or "all" measures one half, for machines that others use, too.
+    // "cull" or "all" measures one half, for machines that others use, too. A number of threads
+    // after it is that of zbuffer, of placing, and of llvmpipe. Without it, ours have one.
     const std::string half = argc > 1 ? argv[1] : "";
-    std::printf("milliseconds per frame, medians; ours on one thread\n");
+    const char* const given = argc > 2 ? argv[2] : nullptr;
+    const int threads = given ? std::max(std::atoi(given), 1) : 1;
+    if (given)
+        setenv("LP_NUM_THREADS", given, 1);
+    std::printf("milliseconds per frame, medians; threads: %d of ours, %s of llvmpipe\n", threads,
+                given ? "as many" : "all");
     bool good = true;
     if (half != "all")
-        good = bench(true) && good;
+        good = bench(true, threads) && good;
     if (half != "cull")
-        good = bench(false) && good;
+        good = bench(false, threads) && good;
     if (!good)
         std::printf("WRONG: zsort and zbuffer do not show the same picture\n");
     return good ? 0 : 1;

@@ -47,6 +47,7 @@ class lit_shader {
 public:
     /// The normal, and the way from the eye.
     static constexpr std::size_t components = 6;
+    static constexpr bool interpolates_normals = true;
 
     /// Lives: borrows both.
     lit_shader(const l3d_shading& shading, std::span<const l3d_material> materials)
@@ -171,12 +172,14 @@ private:
 class later_shader {
 public:
     static constexpr std::size_t components = 3;
+    static constexpr bool interpolates_normals = true;
 
     void begin_polygon(std::span<const l3d_micro_vertex>) {}
     void corner(const l3d_micro_vertex& vertex, float* out) const {
         std::copy_n(vertex.normal, components, out);
     }
     normal_code code(const float* normal) const { return normal_code::of(normal); }
+    static row_light in_lanes() { return {.by = row_light::kind::code}; }
 };
 
 } // namespace l3d_detail

@@ -9,6 +9,7 @@
 #include "raster/shapes/blend_p.h"
 #include "raster/shapes/color_mixer_p.h"
 #include "raster/shapes/line_steps_p.h"
+#include "raster/shapes/short_line_p.h"
 #include "raster/shapes/smooth_line_p.h"
 #include "raster/shapes/visit_coverage_p.h"
 #include "raster/shapes/small_triangle_p.h"
@@ -78,6 +79,8 @@ void l3d_rasterizer_2d_sw_imp::do_draw_lines(std::span<const l3d_line_2d> lines,
 void l3d_rasterizer_2d_sw_imp::draw_line(const l3d_line_2d& line, std::uint32_t color) {
     if (line.x0 == line.x1 && line.y0 == line.y1)
         return do_draw_point(line.x0, line.y0, color);
+    if (short_line::serves(line, target_.size()))
+        return short_line::draw(line, target_, color);
     const line_steps steps = steps_of(line, target_.size());
     if (steps.first > steps.last)
         return;
