@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // hello: the first lessons: a window, what happens to it, and a picture made word by word.
+#include <l3d/font.h>
 #include <l3d/random.h>
-#include <l3d/text.h>
 #include <l3d/program.h>
 
 #include <algorithm>
@@ -57,6 +57,12 @@ public:
         : l3d_pipeline_2d(std::move(canvas)), lesson_(which), random_(seed) {
         if (lesson_ == lesson::event)
             std::cerr << screen().describe() << '\n';
+        // Files have the built-in face, the same on every machine.
+        std::string why;
+        if (screen().is_window())
+            font_ = l3d_font::of_system(why);
+        if (!why.empty())
+            std::cerr << why << '\n';
     }
 
     void any_event(const l3d_event& event) override {
@@ -83,13 +89,20 @@ private:
         }
         rasterizer.clear_buffer();
         const int scale = std::max(1, size().height / 200); // legible in large windows
-        l3d_draw_text(rasterizer, x_, y_, "Hello, X!", 0xFFFFFF, 2 * scale);
+        say(rasterizer, x_, y_, "Hello, X!", 0xFFFFFF, 2 * scale);
         if (lesson_ == lesson::event)
-            l3d_draw_text(rasterizer, 50 * scale, 50 * scale, last_event_, 0x00FF80, scale);
+            say(rasterizer, 50 * scale, 50 * scale, last_event_, 0x00FF80, scale);
+    }
+
+    /// The built-in face has capitals of seven dots below an empty one, and an em of ten.
+    void say(l3d_rasterizer_2d& rasterizer, int x, int y, const std::string& text,
+             std::uint32_t color, int dot) const {
+        font_.draw(rasterizer, x, y - dot, text, color, 10 * dot);
     }
 
     lesson lesson_;
     l3d_random random_;
+    l3d_font font_;
     int x_ = 20, y_ = 20; ///< of the greeting, which follows the pointer
     std::string last_event_ = "no event yet";
     bool changed_ = false;

@@ -43,6 +43,14 @@ struct mixed_thirds {
     }
 };
 
+/// Where vertices have normals, blocks whose normals may be off by more count as unproven.
+constexpr double most_normal = 1.0 / 64;
+
+/// Whether shades come from normals between those of vertices, rather than from levels.
+bool takes_normals(const l3d_dice_view& view) {
+    return !view.makes_levels() && view.shading.mode != l3d_shade::error;
+}
+
 float power(float x, int n) {
     float result = 1;
     for (int i = 0; i < n; ++i)
@@ -68,6 +76,17 @@ double levels_off_linear(const l3d_bend_numbers<double>& b, double h_u, double h
     return per_cosine * ((h_u * h_u * b.n_uu + h_v * h_v * b.n_vv) / 8 + h_u * h_v * b.n_uv / 4);
 }
 
+/// What normals are off by that are linear between those of corners, or in parameters over a quad.
+/// What clipping makes is brought to length 1 again, at each of six planes: then they are off by
+/// less than the square of what normals are apart (NUMERICS, section 24).
+double normals_off(const l3d_bend_numbers<double>& b, double h_u, double h_v, bool clipped) {
+    const double off = levels_off_linear(b, h_u, h_v) / per_cosine;
+    const double apart = h_u * b.turn_u + h_v * b.turn_v;
+    if (!clipped)
+        return off;
+    return apart <= 1 ? off + apart * apart : std::numeric_limits<double>::infinity();
+}
+
 /// What levels are off by in the slit along a side with steps h, if triangles reach that far.
 ///
 /// A triangle of the slit has levels of the grid's row at its corners and at the middles of its
@@ -85,6 +104,15 @@ double levels_off_slit(double h, double bent, double straight, double n_2, doubl
     if (straight > 0)
         off = std::max(off, per_cosine * (straight * straight + h * h) / 8 * n_2);
     return off;
+}
+
+/// The same of normals, which are planes over its triangles. Corners that are between the row's are
+/// off by as much as its chords, and once more by as much since their length is made 1.
+double normals_off_slit(double h, double longest, double n_2, double turn) {
+    if (std::isinf(longest)) // beyond the row's end
+        return longest;
+    const double apart = longest * turn;
+    return longest > 0 ? (longest * longest / 8 + h * h / 4) * n_2 + apart * apart : 0;
 }
 
 } // namespace
@@ -182,7 +210,7 @@ void l3d_placed_bends::ask(const l3d_net_piece& piece, const l3d_dice_view& view
     // Fewest steps come from sides of at most l3d_largest_quad pixels.
     constexpr double finest_quad = 6;
     constexpr double most_steps = l3d_largest_quad / finest_quad;
-    const bool keeps_shade = view.makes_levels() || view.shading.mode == l3d_shade::error;
+    const bool keeps_shade = !takes_normals(view);
     const auto count = static_cast<std::size_t>(needs.strips * needs.strips);
     const of_piece of = of_blocks(piece, needs.strips);
     const mixed_thirds mixed(piece.net.points, needs.strips, 1 / w_per_length_, focal_);
@@ -239,6 +267,15 @@ l3d_placed_bends::certificate(const l3d_net_piece& piece, const l3d_dice_view& v
     const of_piece of = of_blocks(piece, needs.strips);
     l3d_surface_certificate result;
     result.depth = plan.bend_error * depth_budget;
+    const bool of_normals = takes_normals(view);
+    const auto take = [&](double off, std::int64_t quads) {
+        if (of_normals && off <= most_normal)
+            result.normal = std::max(result.normal, off);
+        else if (!of_normals && off + rounded_level + l3d_most_level_error <= view.shade_tolerance)
+            result.shade = std::max(result.shade, off);
+        else
+            result.unshaded_quads += quads;
+    };
     for (std::size_t row = 0; row < strips; ++row)
         for (std::size_t column = 0; column < strips; ++column) {
             const std::size_t i = strips * row + column;
@@ -248,32 +285,30 @@ l3d_placed_bends::certificate(const l3d_net_piece& piece, const l3d_dice_view& v
             const double h_u = 1.0 / plan.nu[column], h_v = 1.0 / plan.nv[row];
             const bool side_row = row == 0 || row + 1 == strips;
             const bool side_column = column == 0 || column + 1 == strips;
-            const double off =
-                clipped ? levels_off_linear(b, h_u, h_v) : l3d_levels_off(b, h_u, h_v);
-            if (off + rounded_level + l3d_most_level_error <= view.shade_tolerance)
-                result.shade = std::max(result.shade, off);
-            else
-                result.unshaded_quads += std::int64_t{plan.nu[column]} * plan.nv[row];
-            const auto slit_levels = [&](bool of_u, std::size_t block, bool at_side) {
+            take(of_normals ? normals_off(b, h_u, h_v, clipped)
+                 : clipped  ? levels_off_linear(b, h_u, h_v)
+                            : l3d_levels_off(b, h_u, h_v),
+                 std::int64_t{plan.nu[column]} * plan.nv[row]);
+            const auto off_slit = [&](bool of_u, std::size_t block, bool at_side) {
+                if (!at_side)
+                    return 0.0;
                 const double size = (of_u ? piece.u1 - piece.u0 : piece.v1 - piece.v0) /
                                     static_cast<double>(strips);
                 const std::size_t direction = of_u ? 0 : 1;
-                return at_side
-                           ? levels_off_slit(of_u ? h_u : h_v, slits.bent[direction][block] / size,
-                                             slits.straight[direction][block] / size,
-                                             of_u ? b.n_uu : b.n_vv, of_u ? b.n_uuu : b.n_vvv)
-                           : 0;
+                const double bent = slits.bent[direction][block] / size;
+                const double straight = slits.straight[direction][block] / size;
+                const double h = of_u ? h_u : h_v, n_2 = of_u ? b.n_uu : b.n_vv;
+                const double turn = clipped ? (of_u ? b.turn_u : b.turn_v) : 0;
+                return of_normals
+                           ? normals_off_slit(h, std::max(bent, straight), n_2, turn)
+                           : levels_off_slit(h, bent, straight, n_2, of_u ? b.n_uuu : b.n_vvv);
             };
-            const double off_slit =
-                std::max(slit_levels(true, column, side_row), slit_levels(false, row, side_column));
-            if (off_slit + rounded_level + l3d_most_level_error <= view.shade_tolerance)
-                result.shade = std::max(result.shade, off_slit);
-            else
-                ++result.unshaded_quads;
+            take(std::max(off_slit(true, column, side_row), off_slit(false, row, side_column)), 1);
             if (!std::isfinite(b.n_uuu))
                 result.without_normals |= 1U << i;
         }
-    result.shade = result.shade + rounded_level;
+    if (!of_normals)
+        result.shade = result.shade + rounded_level;
     if (result.without_normals != 0)
         result.depth_without_normals =
             depth_budget * l3d_bend_error_of(only(needs, result.without_normals), plan);

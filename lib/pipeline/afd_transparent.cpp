@@ -4,6 +4,7 @@
 
 #include "pipeline/stopwatch_p.h"
 #include "scene/drawn_pixels.h"
+#include "scene/lit_shade_bound.h"
 #include "tool_2d/pixel_boxes.h"
 
 #include <algorithm>
@@ -130,4 +131,13 @@ double l3d_pipeline_afd::shade_bound_of_fog() const {
     const double far = double{fog.far}, most_off = report_.dice.depth_bound_px * far /
                                                    camera_.focal_length(stages_->view.size);
     return white * most_off / (far - double{fog.near}) + rounding;
+}
+
+/// What is drawn in a pixel stands for an exact point within the bound of places. A pixel is seen
+/// under the largest angle in the picture's middle.
+double l3d_pipeline_afd::shade_bound_of_lights(const l3d_shading& shading) const {
+    const l3d_size size = stages_->view.size;
+    return l3d_lit_shade_bound(shading, scene_.materials(), size,
+                               {.normal = report_.dice.normal_off + report_.surface.normal_error,
+                                .way = report_.dice.bound_px / camera_.focal_length(size)});
 }

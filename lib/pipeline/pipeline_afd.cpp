@@ -237,9 +237,9 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     untouched_ = true;
     if (!stages_->method->certifies_depth() || stages_->view.focal == 0)
         report_.dice.depth_bound_px = std::numeric_limits<double>::infinity();
-    const bool is_certified =
-        stages_->method->certifies_shade(now.shading) && !now.shading.is_lit(scene_.materials());
-    if (is_certified && stages_->view.focal > 0) {
+    if (stages_->method->certifies_shade(now.shading) && stages_->view.focal > 0) {
+        if (now.shading.is_lit(scene_.materials()))
+            report_.dice.shade_bound = shade_bound_of_lights(now.shading);
         report_.dice.shade_bound += report_.surface.level_error;
         report_.dice.unshaded_quads += report_.surface.loose_levels;
         report_.dice.shade_bound += shade_bound_of_fog();

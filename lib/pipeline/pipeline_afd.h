@@ -244,6 +244,7 @@ private:
     void draw_transparent(const basis& now, l3d_stage_times& times);
     static double shade_bound_of_mix(double of_each);
     double shade_bound_of_fog() const;
+    double shade_bound_of_lights(const l3d_shading& shading) const;
     void keep_bounds(const l3d_dice_counts& kept);
     void find_doubts(bool has_levels, l3d_stage_times& times);
     void draw_on_top();

@@ -76,6 +76,9 @@ struct L3D_PUBLIC l3d_shading {
 /// in polygons of which anything is said. Units: levels of 255.
 inline constexpr double l3d_most_level_error = 0.25;
 
+/// The same of normals that are interpolated over polygons in lit frames: their length.
+inline constexpr double l3d_most_normal_error = 1.0 / 256;
+
 /// Counts of the work of one frame.
 struct L3D_PUBLIC l3d_surface_counts {
     std::int64_t quads = 0; ///< micro-quads and triangles handed in
@@ -102,6 +105,7 @@ struct L3D_PUBLIC l3d_surface_counts {
         by_plane += other.by_plane;
         refined += other.refined;
         level_error = std::max(level_error, other.level_error);
+        normal_error = std::max(normal_error, other.normal_error);
         loose_levels += other.loose_levels;
         unsolved += other.unsolved;
     }
@@ -109,6 +113,9 @@ struct L3D_PUBLIC l3d_surface_counts {
     /// Mode `levels`: how far a level may be from the one that the corners' levels and bends give
     /// for the same parameters. Units: levels; at most l3d_most_level_error.
     double level_error = 0;
+    /// Lit frames: how far a normal may be from the one that the corners' normals give for the same
+    /// parameters, but for a quarter of what they are off one plane. At most l3d_most_normal_error.
+    double normal_error = 0;
     /// Shades that inspect a surface: tested pixels whose exact place on their patch was not found.
     /// They show what is at the place between the drawn vertices.
     std::int64_t unsolved = 0;

@@ -47,6 +47,9 @@ struct L3D_PUBLIC l3d_surface_certificate {
     double depth = 0;
     /// The distance of the level from the exact one at the same parameters. Units: levels of 255.
     double shade = 0;
+    /// Where vertices have normals instead of levels: the length by which what is interpolated
+    /// between them is off the exact unit normal at the same parameters. Then `shade` is 0.
+    double normal = 0;
     /// Quads of which `shade` says nothing, since their block may be off by more than the
     /// tolerance. Its normals turn faster than quads of six pixels can follow, or one of them
     /// vanishes. Slits beside a block that may be off by more count as one quad.
@@ -87,6 +90,10 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     /// same parameters. Units: pixels at that depth.
     double depth_bound_px = 0;
 
+    /// How far normals that are interpolated over quads and slits are from the exact unit normals
+    /// at the same parameters, if vertices have normals. What polygons' shapes add is not in it.
+    double normal_off = 0;
+
     /// How far greys are from those of the exact surface at the same parameters. Units: levels.
     double shade_bound = 0;
     std::int64_t unshaded_quads = 0; ///< quads of which the bound of shades says nothing
@@ -112,6 +119,7 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
         near = std::max(near, other.near);
         bound_px = std::max(bound_px, other.bound_px);
         depth_bound_px = std::max(depth_bound_px, other.depth_bound_px);
+        normal_off = std::max(normal_off, other.normal_off);
         shade_bound = std::max(shade_bound, other.shade_bound);
         unshaded_quads += other.unshaded_quads;
     }
@@ -119,6 +127,7 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     /// A piece of surface, and the slits along its sides.
     void add_surface(const l3d_surface_certificate& of, double slit_depth) {
         depth_bound_px = std::max({depth_bound_px, of.depth, slit_depth});
+        normal_off = std::max(normal_off, of.normal);
         shade_bound = std::max(shade_bound, of.shade);
         unshaded_quads += of.unshaded_quads;
     }

@@ -59,7 +59,7 @@ TEST(lit_picture, shows_highlights_and_the_second_light) {
     EXPECT_GT(blue, 500);
 }
 
-TEST(lit_picture, promises_places_and_depth_but_no_shades) {
+TEST(lit_picture, promises_places_depth_and_shades) {
     l3d_patch_scene scene(teapot_model());
     l3d_afd_settings settings;
     settings.error_map = true;
@@ -71,7 +71,8 @@ TEST(lit_picture, promises_places_and_depth_but_no_shades) {
     lit.draw_event();
     EXPECT_LE(lit.report().dice.bound_px, settings.tolerance);
     EXPECT_TRUE(std::isfinite(lit.report().dice.depth_bound_px));
-    EXPECT_FALSE(std::isfinite(lit.report().dice.shade_bound));
+    EXPECT_GT(lit.report().dice.shade_bound, plain.report().dice.shade_bound);
+    EXPECT_LT(lit.report().dice.shade_bound, 40);
     EXPECT_LT(lit.report().color_bound, 100);
     ASSERT_NE(lit.error_map(), nullptr);
     EXPECT_LT(lit.error_map()->at(100, 70), 20);

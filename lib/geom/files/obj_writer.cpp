@@ -46,7 +46,6 @@ void append_parts(std::string& text, const std::vector<l3d_part_run>& parts,
 }
 
 void append_faces(std::string& text, const l3d_polygon_mesh& mesh) {
-    append_uses(text, mesh);
     auto part = mesh.parts.begin();
     for (std::size_t i = 0; i < mesh.faces(); ++i) {
         append_parts(text, mesh.parts, part, i);
@@ -96,12 +95,17 @@ std::string l3d_write_obj(const l3d_model_file& model) {
     append_window(text, "w ", model.window);
     append_window(text, "s ", model.viewport);
     append_vertices(text, model.mesh);
-    // A material goes on until the next one: patches without any come before it.
-    const bool plain = model.patch_materials.empty();
-    if (plain)
+    // A material goes on until the next one: patches and faces without any come before it.
+    const bool plain_patches = model.patch_materials.empty();
+    const bool plain_faces = model.mesh.face_materials.empty();
+    if (plain_patches)
         append_patches(text, model);
-    append_faces(text, model.mesh);
-    if (!plain)
+    if (plain_faces)
+        append_faces(text, model.mesh);
+    append_uses(text, model.mesh);
+    if (!plain_faces)
+        append_faces(text, model.mesh);
+    if (!plain_patches)
         append_patches(text, model);
     return text;
 }

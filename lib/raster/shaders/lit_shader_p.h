@@ -47,6 +47,7 @@ class lit_shader {
 public:
     /// The normal, and the way from the eye.
     static constexpr std::size_t components = 6;
+    static constexpr bool interpolates_normals = true;
 
     /// Lives: borrows both.
     lit_shader(const l3d_shading& shading, std::span<const l3d_material> materials)
@@ -171,6 +172,7 @@ private:
 class later_shader {
 public:
     static constexpr std::size_t components = 3;
+    static constexpr bool interpolates_normals = true;
 
     void begin_polygon(std::span<const l3d_micro_vertex>) {}
     void corner(const l3d_micro_vertex& vertex, float* out) const {

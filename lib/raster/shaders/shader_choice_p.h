@@ -40,6 +40,10 @@ concept has_lanes = requires(const Shader shader) {
     shader.in_lanes();
 };
 
+/// Whether a shader lights the normals that are between those of corners.
+template <class Shader>
+concept has_normals = Shader::interpolates_normals;
+
 /// Whether a shader counts the pixels that it finds no exact place for.
 template <class Shader>
 concept counts_unsolved = requires(Shader shader) {

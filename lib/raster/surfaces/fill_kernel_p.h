@@ -52,14 +52,15 @@ struct fill_counts {
     /// Mode `levels`: as l3d_surface_counts has them.
     float level_error = 0;
     std::int64_t loose_levels = 0;
+    float normal_error = 0; ///< lit frames, likewise
 
     std::int64_t unsolved = 0; ///< as l3d_surface_counts has it
 
     void note_level_error(float error) {
-        if (error <= static_cast<float>(l3d_most_level_error))
-            level_error = std::max(level_error, error);
-        else
-            ++loose_levels;
+        note(error, static_cast<float>(l3d_most_level_error), level_error);
+    }
+    void note_normal_error(float error) {
+        note(error, static_cast<float>(l3d_most_normal_error), normal_error);
     }
 
     void add(const fill_counts& other) {
@@ -67,8 +68,17 @@ struct fill_counts {
         written += other.written;
         by_plane += other.by_plane;
         level_error = std::max(level_error, other.level_error);
+        normal_error = std::max(normal_error, other.normal_error);
         loose_levels += other.loose_levels;
         unsolved += other.unsolved;
+    }
+
+private:
+    void note(float error, float most, float& largest) {
+        if (error <= most)
+            largest = std::max(largest, error);
+        else
+            ++loose_levels;
     }
 };
 

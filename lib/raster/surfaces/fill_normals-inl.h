@@ -32,13 +32,14 @@ public:
     HWY_INLINE int_mask fit_in_pieces(int_mask polygons) const { return polygons; }
 
     HWY_INLINE void set_up(const l3d_shading&, const lane_places& at, fill_table& table,
-                           fill_counts&) {
+                           fill_counts& counts) {
         const floats d;
         float* const along[numbers] = {table.lit_x.of, table.normal_y_x.of, table.normal_z_x.of};
         for (std::size_t k = 0; k < numbers; ++k) {
             plane_[k] = at.frame.plane(normal_[k]);
             hn::Store(plane_[k].along(at.column_s, at.column_t), d, along[k]);
         }
+        note_error(at, table, counts);
     }
 
     HWY_INLINE void put(float_vec s, float_vec t, fill_table& table, std::int32_t row) const {
@@ -53,6 +54,36 @@ public:
     }
 
 private:
+    /// How far a normal can be from the one of the same parameters, because the picture of a quad
+    /// is no parallelogram, and because w is not the same in all of it. NUMERICS, section 24.
+    HWY_INLINE void note_error(const lane_places& at, const fill_table& table,
+                               fill_counts& counts) const {
+        const floats d;
+        float_vec along1 = hn::Zero(d), along2 = along1, twist = along1, beside = along1;
+        const float_vec part1 = hn::Sub(at.frame.mean_s, set(0.5f)), part2 = at.frame.mean_t;
+        for (const auto& n : normal_) {
+            const float_vec d1 = hn::Sub(n[2], n[0]), d2 = hn::Sub(n[3], n[1]);
+            along1 = hn::Add(along1, square_of(d1));
+            along2 = hn::Add(along2, square_of(d2));
+            twist = hn::Add(twist, square_of(hn::Sub(hn::Add(n[0], n[2]), hn::Add(n[1], n[3]))));
+            beside = hn::Add(beside, square_of(hn::Add(hn::Mul(part1, d1), hn::Mul(part2, d2))));
+        }
+        const float_vec of_shape =
+            hn::IfThenElseZero(hn::Not(hn::RebindMask(d, at.triangle)), hn::Sqrt(beside));
+        const float_vec ratio =
+            hn::Div(hn::Load(d, table.nearest.of), hn::Load(d, table.farthest.of));
+        const float_vec range =
+            hn::Add(hn::Sqrt(hn::Max(along1, along2)), hn::Mul(set(0.5f), hn::Sqrt(twist)));
+        const float_vec of_depth = hn::Mul(hn::Mul(set(0.25f), hn::Sub(ratio, set(1.0f))), range);
+        const float_vec error =
+            hn::IfThenElseZero(hn::RebindMask(d, at.fits),
+                               hn::Mul(set(1 / normal_code::scale), hn::Add(of_shape, of_depth)));
+        const auto tight = hn::Le(error, set(static_cast<float>(l3d_most_normal_error)));
+        const float_vec most = hn::IfThenElseZero(tight, error);
+        counts.normal_error = std::max(counts.normal_error, hn::GetLane(hn::MaxOfLanes(d, most)));
+        counts.loose_levels += static_cast<std::int64_t>(hn::CountTrue(d, hn::Not(tight)));
+    }
+
     float_vec normal_[numbers][4]; ///< times normal_code::scale
     lane_plane plane_[numbers];
 };

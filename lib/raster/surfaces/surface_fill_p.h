@@ -4,6 +4,7 @@
 #define L3D_RASTER_SURFACES_SURFACE_FILL_P_H
 
 #include "raster/shapes/attribute_plane_p.h"
+#include "raster/surfaces/normal_error_p.h"
 #include "raster/surfaces/quad_cut_p.h"
 #include "raster/shaders/shader_choice_p.h"
 #include "raster/surfaces/surface_target_p.h"
@@ -81,6 +82,8 @@ private:
             farthest = std::min(farthest, v[i].inv_w);
             nearest = std::max(nearest, v[i].inv_w);
         }
+        if constexpr (has_normals<Shader>)
+            target_.counts.note_normal_error(l3d_detail::normal_error(v, points, area2));
         const planes plane(points, values, area2);
         const numbers step = plane.per_column();
         if constexpr (has_lanes<Shader>)
