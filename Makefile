@@ -171,7 +171,7 @@ MAKEFLAGS += -rR --no-print-directory
 .SECONDEXPANSION:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: FORCE all run test stress faults displays stability matrix lint $(CHECKS) tidy format golden pictures docs bench report report-pages \
+.PHONY: FORCE all run test stress faults models displays stability matrix lint $(CHECKS) tidy format golden pictures docs bench report report-pages \
         fuzz fuzz-each packages hooks clean help
 
 Q    := $(if $(V),,@)
@@ -208,6 +208,9 @@ test-%: packages-test ## the tests of one layer: make test-geom
 
 faults: packages-faults $(OUT)/bin/teapot_afd ## batches killed, out of disk or without power at each call that writes
 	L3D_BIN=$(abspath $(OUT)/bin) tests/faults/batch_faults.py
+
+models: packages-models $(OUT)/tests/models/model_polygons ## files of every dialect, read by us and by assimp; ARGS="--folder PATH" for others
+	L3D_TESTS=$(abspath $(OUT)/tests/models) PYTHONDONTWRITEBYTECODE=1 tests/models/assimp_test.py $(ARGS)
 
 displays: packages-displays $(OUT)/bin/teapot_afd ## every X server with every window manager of Debian; ARGS="--server Xvfb" for some
 	L3D_BIN=$(abspath $(OUT)/bin) PYTHONDONTWRITEBYTECODE=1 tests/x11/displays.py $(ARGS)
@@ -278,7 +281,7 @@ fuzz-each: $(FUZZERS)
 
 packages: packages-build packages-test packages-lint packages-text ## install the Debian packages that are missing
 packages-test packages-lint packages-tidy packages-bench packages-matrix packages-fuzz \
-    packages-stability packages-faults packages-report: packages-build
+    packages-stability packages-faults packages-models packages-report: packages-build
 packages-%:
 	@CXX="$(CXX)" tests/lint/packages.sh $(PACKAGES_$*)
 
@@ -344,11 +347,13 @@ $(OUT)/libl3d_%.a: $$(objects_$$*) $(OUT)/list/%
 
 # What a program links beside the library.
 beside = $(foreach layer,compare reference,$(if $(filter $(1),$(apps_with_$(layer))),$(layer)))
+# A linker writes for a second what nobody may execute: whoever starts the program meanwhile gets the old one.
 $(APPS): $(OUT)/bin/%: $$(objects_apps/$$*) \
         $$(call archives,$(LAYERS) $$(call beside,$$*)) \
         $(OUT)/list/apps/%
 	$(call say,LINK,$@)
-	$(Q)mkdir -p $(@D); $(LINK) $(pie_$(MODE)) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -o $@
+	$(Q)mkdir -p $(@D); $(LINK) $(pie_$(MODE)) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -o $@.new
+	$(Q)mv $@.new $@
 
 # A plug-in is loaded, not linked: it may be built otherwise than the library, here by itself.
 $(foreach p,$(plugins),$(eval $(call plugged,$(p)): $(p)))
@@ -370,6 +375,10 @@ $(STABILITY): $(objects_stability) $(call archives,reference $(uses_stability)) 
         $(OUT)/list/stability
 	$(call say,LINK,$@)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(uses_stability)) -o $@
+
+$(OUT)/tests/models/model_polygons: %: %.o $(call archives,$(filter-out pipeline system,$(LAYERS)))
+	$(call say,LINK,$@)
+	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -o $@
 
 $(BENCHES): %: %.o $(objects_bench) $(call archives,reference compare $(LAYERS))
 	$(call say,LINK,$@)

@@ -44,6 +44,7 @@ PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
 PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h
 PACKAGES_stability := gnuplot-nox:gnuplot python3:python3 libboost-dev:boost/multiprecision/cpp_bin_float.hpp
 PACKAGES_faults := python3:python3 strace:strace
+PACKAGES_models := assimp-utils:assimp python3:python3
 PACKAGES_displays := xvfb:Xvfb xdotool:xdotool wmctrl:wmctrl xserver-xephyr:Xephyr \
     tigervnc-standalone-server:Xvnc xserver-xorg-video-dummy:Xorg xwayland:Xwayland weston:weston \
     twm:twm openbox:openbox icewm:icewm fluxbox:fluxbox i3-wm:i3 awesome:awesome xfwm4:xfwm4 \

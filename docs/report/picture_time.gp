@@ -1,102 +1,102 @@
 # gnuplot picture_time.gp
 $d0_0 << end
-0.681389 6.22753
-0.716712 4.9779
-0.776991 3.77795
-1.01376 2.82374
-1.91295 1.75578
-2.99038 1.13013
-5.82216 0.586288
+0.641611 6.22753
+0.658946 4.9779
+0.711393 3.77795
+0.873404 2.82374
+1.5567 1.75578
+2.32279 1.13013
+5.32954 0.586288
 end
 $d0_1 << end
-1.37734 5.85099
-1.27478 4.14755
-2.77263 2.73836
-3.76864 1.96548
-5.50768 1.19439
+0.897089 5.85099
+1.21854 4.14755
+1.79957 2.73836
+3.32337 1.96548
+5.52875 1.19439
 end
 $d0_2 << end
-11.2146 6.3654
-16.1858 4.89939
-32.0344 3.62112
-78.0673 2.32671
+9.2236 6.3654
+15.7761 4.89939
+35.1997 3.62112
+76.9728 2.32671
 end
 $d0_3 << end
-1.63724 47.8339
-1.69167 22.0388
-0.765975 10.2098
-1.53471 4.97326
-4.67714 2.39684
-15.6248 1.2892
-52.1821 0.416324
+1.58965 47.8339
+1.6846 22.0388
+0.78922 10.2098
+1.58199 4.97326
+4.47745 2.39684
+15.6008 1.2892
+47.9005 0.416324
 end
 $d0_4 << end
-3.7023 46.9856
-4.77799 20.4961
-7.50458 9.68159
-22.0094 4.573
-39.0838 2.24833
+3.66868 46.9856
+4.75556 20.4961
+7.62764 9.68159
+15.0863 4.573
+35.6575 2.24833
 end
 $d0_5 << end
-1.55223 46.9856
-1.60666 20.4961
-0.719827 9.68652
-1.37803 4.57809
-8.42178 2.25067
+1.62381 46.9856
+1.6577 20.4961
+0.7967 9.68652
+1.43117 4.57809
+4.33329 2.25067
 end
 $d0_6 << end
-108.235 0.936444
-147.391 0.78387
-288.735 0.72121
-562.943 0.291186
+66.7179 0.936444
+138.572 0.78387
+277.505 0.72121
+497.166 0.291186
 end
 $d0_7 << end
-42.5242 11.5704
-113.041 11.79
-185.084 11.9005
-325.441 11.9919
+40.7287 11.5704
+113.851 11.79
+188.771 11.9005
+333.872 11.9919
 end
 $d0_8 << end
-261.651 3.88763
-237.358 1.85333
-229.401 1.18099
-267.491 0.574463
+235.587 3.88763
+240.141 1.85333
+236.914 1.18099
+231.737 0.574463
 end
 $d0_9 << end
-79.8772 6.04365
-162.142 2.18819
-257.132 2.05833
-411.097 0.789476
+71.9652 6.04365
+148.72 2.18819
+243.555 2.05833
+358.892 0.789476
 end
 $d0_10 << end
-197.893 20.3013
-198.89 20.1549
-196.129 20.1395
-191.457 20.1342
+186.079 20.3013
+185.128 20.1549
+185.284 20.1395
+188.519 20.1342
 end
 $d0_11 << end
-12.4977 8.13656
-38.0791 4.46675
-91.6816 3.04119
-191.339 1.87525
+10.0223 8.13656
+36.183 4.46675
+86.5367 3.04119
+170.415 1.87525
 end
 $d0_12 << end
-30.5318 1.17668
-77.9781 1.2734
-151.5 1.29634
-544.944 1.24755
+21.5389 1.17668
+67.5343 1.2734
+125.602 1.29634
+400.68 1.24755
 end
 $d0_13 << end
-185.371 58.6834
-218.615 37.4978
-326.745 28.8072
-525.196 21.3635
+188.131 58.6834
+220.072 37.4978
+307.65 28.8072
+502.296 21.3635
 end
 $d0_14 << end
-23.9189 2.68886
-33.7081 1.87093
-36.9965 1.5508
-64.4287 1.12204
+17.6002 2.68886
+23.9475 1.87093
+35.1034 1.5508
+65.887 1.12204
 end
 $d0_15 << end
 20.044 4.90763
@@ -122,25 +122,25 @@ unset key
 set title 'teapot, full: how wrong a picture is' noenhanced
 set xlabel 'milliseconds a frame, one thread'
 set ylabel 'root of the mean square error, grey levels of 255'
-set xrange [0.487014:2307.01]
+set xrange [0.45982:2035.33]
 set yrange [0.223333:85.0784]
-set label 'micropolygons' at graph 0.8333,0.0446 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'tessellation' at graph 0.5523,0.1048 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'scanline' at graph 0.7454,0.1590 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'afd' at graph 0.2932,0.1624 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'whitted' at graph 0.7962,0.2125 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
-set label 'mesa' at graph 0.5772,0.2716 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'fd' at graph 0.2866,0.2822 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'kept' at graph 0.8295,0.2895 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
-set label 'llvmpipe' at graph 0.6347,0.3306 left offset 0.9,0 tc rgb '#1b1b8f' noenhanced front
-set label 'Embree' at graph 0.5473,0.3553 left offset 0.9,0 tc rgb '#c51b7d' noenhanced front
-set label 'lane-carpenter' at graph 0.7058,0.3654 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
-set label 'zsort' at graph 0.5181,0.3902 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.3368,0.3888 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'subdivision' at graph 0.5999,0.4001 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'isocurves' at graph 0.7686,0.6703 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'blinn' at graph 0.7059,0.7575 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
-set label 'voxels' at graph 0.8251,0.7675 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'micropolygons' at graph 0.8321,0.0446 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'tessellation' at graph 0.5534,0.1048 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'scanline' at graph 0.7412,0.1590 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'afd' at graph 0.2919,0.1624 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'whitted' at graph 0.7933,0.2125 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'mesa' at graph 0.5914,0.2716 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'fd' at graph 0.2962,0.2822 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'kept' at graph 0.8064,0.2895 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'llvmpipe' at graph 0.6467,0.3306 left offset 0.9,0 tc rgb '#1b1b8f' noenhanced front
+set label 'Embree' at graph 0.5586,0.3553 left offset 0.9,0 tc rgb '#c51b7d' noenhanced front
+set label 'lane-carpenter' at graph 0.7046,0.3654 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'zsort' at graph 0.5182,0.3902 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.2672,0.3888 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'subdivision' at graph 0.6099,0.4001 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'isocurves' at graph 0.7847,0.6703 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'blinn' at graph 0.7166,0.7575 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
+set label 'voxels' at graph 0.8333,0.7675 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
 plot $d0_0 using 1:2 with linespoints lw 3 pt 7 ps 0.9 lc rgb '#000000' notitle, \
      $d0_1 using 1:2 with linespoints lw 1.6 pt 5 ps 0.9 lc rgb '#0072b2' notitle, \
      $d0_2 using 1:2 with linespoints lw 1.6 pt 9 ps 0.9 lc rgb '#009e73' notitle, \
@@ -166,25 +166,25 @@ unset key
 set title 'teapot, full: how wrong a picture is' noenhanced
 set xlabel 'milliseconds a frame, one thread'
 set ylabel 'root of the mean square error, grey levels of 255'
-set xrange [0.487014:2307.01]
+set xrange [0.45982:2035.33]
 set yrange [0.223333:85.0784]
-set label 'micropolygons' at graph 0.8333,0.0446 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
-set label 'tessellation' at graph 0.5523,0.1048 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
-set label 'scanline' at graph 0.7454,0.1590 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
-set label 'afd' at graph 0.2932,0.1624 left offset 0.9,0 tc rgb '#000000' noenhanced front
-set label 'whitted' at graph 0.7962,0.2125 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
-set label 'mesa' at graph 0.5772,0.2716 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
-set label 'fd' at graph 0.2866,0.2822 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
-set label 'kept' at graph 0.8295,0.2895 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
-set label 'llvmpipe' at graph 0.6347,0.3382 left offset 0.9,0 tc rgb '#1b1b8f' noenhanced front
-set label 'Embree' at graph 0.5473,0.3569 left offset 0.9,0 tc rgb '#c51b7d' noenhanced front
-set label 'lane-carpenter' at graph 0.7058,0.3636 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
-set label 'zsort' at graph 0.5181,0.3886 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
-set label 'zbuffer' at graph 0.3368,0.3888 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
-set label 'subdivision' at graph 0.5999,0.3944 left offset 0.9,0 tc rgb '#009e73' noenhanced front
-set label 'isocurves' at graph 0.7686,0.6703 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
-set label 'blinn' at graph 0.7059,0.7575 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
-set label 'voxels' at graph 0.8251,0.7675 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
+set label 'micropolygons' at graph 0.8321,0.0446 left offset 0.9,0 tc rgb '#e377c2' noenhanced front
+set label 'tessellation' at graph 0.5534,0.1048 left offset 0.9,0 tc rgb '#e69f00' noenhanced front
+set label 'scanline' at graph 0.7412,0.1590 left offset 0.9,0 tc rgb '#7a4a1e' noenhanced front
+set label 'afd' at graph 0.2919,0.1624 left offset 0.9,0 tc rgb '#000000' noenhanced front
+set label 'whitted' at graph 0.7933,0.2125 left offset 0.9,0 tc rgb '#c7a17a' noenhanced front
+set label 'mesa' at graph 0.5914,0.2716 left offset 0.9,0 tc rgb '#6a3d9a' noenhanced front
+set label 'fd' at graph 0.2962,0.2822 left offset 0.9,0 tc rgb '#0072b2' noenhanced front
+set label 'kept' at graph 0.8064,0.2895 left offset 0.9,0 tc rgb '#f4a6d7' noenhanced front
+set label 'llvmpipe' at graph 0.6467,0.3382 left offset 0.9,0 tc rgb '#1b1b8f' noenhanced front
+set label 'Embree' at graph 0.5586,0.3569 left offset 0.9,0 tc rgb '#c51b7d' noenhanced front
+set label 'lane-carpenter' at graph 0.7046,0.3636 left offset 0.9,0 tc rgb '#66c2a5' noenhanced front
+set label 'zsort' at graph 0.5182,0.3886 left offset 0.9,0 tc rgb '#d55e00' noenhanced front
+set label 'zbuffer' at graph 0.2672,0.3888 left offset 0.9,0 tc rgb '#8a8500' noenhanced front
+set label 'subdivision' at graph 0.6099,0.3944 left offset 0.9,0 tc rgb '#009e73' noenhanced front
+set label 'isocurves' at graph 0.7847,0.6703 left offset 0.9,0 tc rgb '#56b4e9' noenhanced front
+set label 'blinn' at graph 0.7166,0.7575 left offset 0.9,0 tc rgb '#a0522d' noenhanced front
+set label 'voxels' at graph 0.8333,0.7675 left offset 0.9,0 tc rgb '#8a8a8a' noenhanced front
 plot $d0_0 using 1:2 with linespoints lw 3 pt 7 ps 0.9 lc rgb '#000000' notitle, \
      $d0_1 using 1:2 with linespoints lw 1.6 pt 5 ps 0.9 lc rgb '#0072b2' notitle, \
      $d0_2 using 1:2 with linespoints lw 1.6 pt 9 ps 0.9 lc rgb '#009e73' notitle, \

@@ -165,18 +165,20 @@ void l3d_write_image(const std::string& path, const l3d_pixels& pixels, l3d_alph
         throw l3d_error(l3d_exit::usage, path + ": the name must end in .png or .ppm");
 }
 
-l3d_image l3d_read_png(const std::string& path) {
+l3d_image l3d_read_png(const std::string& path, l3d_alpha alpha) {
     const l3d_detail::unique_file file(std::fopen(path.c_str(), "rb"));
     if (!file)
         throw l3d_error(l3d_exit::bad_input, path + ": " + std::strerror(errno));
+    const bool with_alpha = alpha == l3d_alpha::transparency;
     png_picture picture;
     std::vector<std::uint8_t> bytes;
     bool well = png_image_begin_read_from_stdio(&picture, file.get()) != 0;
     if (well) {
-        picture.format = PNG_FORMAT_RGB;
+        picture.format = with_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
         bytes.resize(PNG_IMAGE_SIZE(picture));
         const png_color black{};
-        well = png_image_finish_read(&picture, &black, bytes.data(), 0, nullptr) != 0;
+        well = png_image_finish_read(&picture, with_alpha ? nullptr : &black, bytes.data(), 0,
+                                     nullptr) != 0;
     }
     if (!well)
         throw l3d_error(l3d_exit::bad_input, path + ": " + picture.message);
@@ -187,7 +189,9 @@ l3d_image l3d_read_png(const std::string& path) {
     for (int y = 0; y < image.pixels().height; ++y) {
         for (auto& word : image.pixels().row(y)) {
             word = l3d_screen_info::ext_to_native(rgb[0], rgb[1], rgb[2]);
-            rgb += rgb_bytes;
+            if (with_alpha)
+                word |= static_cast<std::uint32_t>(rgb[rgb_bytes] ^ 0xff) << 24;
+            rgb += rgb_bytes + (with_alpha ? 1 : 0);
         }
     }
     return image;

@@ -32,12 +32,13 @@ struct named_model_reader {
     const char* name; ///< of the folder of its corpus, too
     l3d_model_reader* read;
     bool has_plain_names = true; ///< names have nothing that an .obj file could not hold
+    std::size_t always = 0;      ///< bytes that may be taken, whatever the text's length
 };
 inline constexpr std::array<named_model_reader, 9> model_readers{
     {{"asc", l3d_read_asc, false},
      {"bez", l3d_read_bez},
      {"bpt", read_bpt_model},
-     {"gltf", read_gltf_model, false},
+     {"gltf", read_gltf_model, false, std::size_t{40} << 20}, // 16 MB, and vectors that grow
      {"obj", l3d_read_obj},
      {"off", l3d_read_off},
      {"ply", l3d_read_ply},

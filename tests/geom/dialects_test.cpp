@@ -145,6 +145,13 @@ TEST(dialects, off_colours_of_vertices_may_have_three_components) {
 
 // ---- .ply
 
+/// As Blender wrote it until 2008.
+TEST(dialects, ply_that_says_by_whom_it_was_created) {
+    std::string text(ply_text);
+    text.replace(text.find("comment"), 7, "Created");
+    EXPECT_EQ(read(text).mesh, read(ply_text).mesh);
+}
+
 TEST(dialects, ply_properties_that_are_skipped_may_be_no_numbers) {
     const std::string header = "element vertex 3\nproperty float x\nproperty float y\n"
                                "property float z\nproperty float quality\n"

@@ -88,6 +88,11 @@ TEST_F(image_file, alpha_is_written_on_request_and_nowhere_else) {
     EXPECT_EQ(on_black.pixels().row(0)[1], 0u);
     EXPECT_LT(on_black.pixels().row(0)[0], 0x00c0d0e0u);
     EXPECT_GT(on_black.pixels().row(0)[0], 0u);
+    l3d_image as_written = l3d_read_png(path("b.PNG"), l3d_alpha::transparency);
+    EXPECT_EQ(as_written.pixels().row(0)[0], 0x40c0d0e0u);
+    EXPECT_EQ(as_written.pixels().row(0)[1] >> 24, 0xffu);
+    l3d_image opaque = l3d_read_png(path("a.png"), l3d_alpha::transparency);
+    EXPECT_EQ(opaque.pixels().row(0)[0], 0x00c0d0e0u);
     const auto action = [&] {
         l3d_write_image(path("c.ppm"), image.pixels(), l3d_alpha::transparency);
     };

@@ -9,8 +9,6 @@
 namespace l3d_detail {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 /// A cell whose level changes by more is cut in so many rows and columns for the mean of its light.
 constexpr double even_levels = 4;
 constexpr int finer_cuts = 4;

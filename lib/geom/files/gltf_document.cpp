@@ -169,10 +169,8 @@ void gltf_value::fail(const std::string& what) const {
     throw gltf_error((place_.empty() ? "the document" : place_) + ' ' + what);
 }
 
-gltf_document::gltf_document(std::string_view text, const l3d_other_files& files)
-    : bytes_(text.size()) {
+gltf_document::gltf_document(std::string_view text) : bytes_(text.size()) {
     read_container(text);
-    read_buffers(files);
 }
 
 /// A .glb file is a header of three words, and chunks of a length, a type and bytes each: first
@@ -269,11 +267,13 @@ void gltf_document::read_buffers(const l3d_other_files& files) {
 }
 
 void gltf_document::take_memory(std::size_t bytes) const {
-    constexpr std::size_t most_per_byte = 32;
+    // A small file may well draw one thing hundreds of times.
+    constexpr std::size_t most_per_byte = 32, always = std::size_t{16} << 20;
     taken_ += bytes;
-    if (taken_ > most_per_byte * bytes_)
+    if (taken_ > std::max(always, most_per_byte * bytes_))
         throw gltf_error("what the scene names again and again takes more than " +
-                         std::to_string(most_per_byte) + " times the memory of the file");
+                         std::to_string(most_per_byte) +
+                         " times the memory of the file, and more than 16 MB");
 }
 
 /// The bytes of a buffer view, from a value that names it.

@@ -76,8 +76,11 @@ class gltf_document {
 public:
     using json = nlohmann::json;
 
-    /// `name` is what messages call the file. Lives: borrows the text and `files`.
-    gltf_document(std::string_view text, const l3d_other_files& files);
+    /// Lives: borrows the text.
+    explicit gltf_document(std::string_view text);
+
+    /// Once, before numbers are asked for.
+    void read_buffers(const l3d_other_files& files);
 
     gltf_value root() const { return {json_, ""}; }
 
@@ -92,7 +95,6 @@ private:
     struct element_shape;
 
     void read_container(std::string_view text);
-    void read_buffers(const l3d_other_files& files);
     std::string_view view_of(const gltf_value& index, std::size_t& stride) const;
     element_shape shape_of(const gltf_value& accessor, const gltf_value& type) const;
     void fill(const gltf_value& accessor, const gltf_value& view, const element_shape& shape,

@@ -50,8 +50,15 @@ public:
     gltf_reader(const gltf_document& document, l3d_model_file& model, std::string name)
         : root_(document.root()), document_(document), model_(model), name_(std::move(name)) {}
 
+    /// Before the buffers, of which other versions think otherwise.
+    void check_version() {
+        const std::string version = root_.at("asset").at("version").text();
+        if (!version.starts_with("2."))
+            root_.at("asset").at("version").fail(l3d_detail::quoted(version) + "; 2.0 can be read");
+    }
+
     void read() {
-        check_version();
+        check_extensions();
         note_what_is_skipped();
         read_materials();
         read_scene();
@@ -62,11 +69,8 @@ private:
     l3d_polygon_mesh& mesh() { return model_.mesh; }
     void note(const std::string& what) { model_.notes.push_back(name_ + ": " + what); }
 
-    void check_version() {
-        const std::string version = root_.at("asset").at("version").text();
-        if (!version.starts_with("2."))
-            root_.at("asset").at("version").fail(l3d_detail::quoted(version) + "; 2.0 can be read");
-        // Those that change what the numbers here mean.
+    /// Refuses those that change what the numbers here mean.
+    void check_extensions() {
         for (std::size_t i = 0; i < root_.count("extensionsRequired"); ++i) {
             const gltf_value extension = root_.element("extensionsRequired", i);
             const std::string_view of = extension.text();
@@ -347,9 +351,12 @@ std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, std::string_v
                                             std::string& why, const l3d_other_files& files) {
     const std::string called = l3d_detail::printable(name);
     try {
-        const gltf_document document(text, files);
+        gltf_document document(text);
         l3d_model_file model;
-        gltf_reader(document, model, called).read();
+        gltf_reader reader(document, model, called);
+        reader.check_version();
+        document.read_buffers(files);
+        reader.read();
         return model;
     } catch (const gltf_error& error) {
         why = called + ':' + error.what();

@@ -80,8 +80,8 @@ L3D_PUBLIC std::optional<l3d_model_format> l3d_model_format_of(std::string_view 
 /// Coordinates are finite and at most l3d_bpt_largest_coordinate in magnitude; the mesh is valid.
 /// Errors:  nothing, and `why` = "name:line: what is wrong". In the binary part of a file, the line
 ///          is the one that it begins in, and the message has the byte.
-/// Cost:    time linear in the text; memory at most 80 bytes per byte of text, counts are checked
-///          before memory is taken for what they promise.
+/// Cost:    time linear in the text; memory at most 80 bytes per byte of text, or 40 MB for glTF;
+///          counts are checked before memory is taken for what they promise.
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model(std::string_view text,
                                                         std::string_view name, std::string& why);
 

@@ -71,7 +71,8 @@ bool header::read() {
             return text_.next_line() || elements_.empty() ||
                    text_.fail("the text ends after end_header");
         }
-        if (word == "comment" || word == "obj_info") {
+        // Blender up to 2.48 says by whom it was created without saying that this is a comment.
+        if (word == "comment" || word == "obj_info" || word == "Created") {
             text_.next_line();
             continue;
         }

@@ -179,6 +179,7 @@ public:
         std::copy_n(vertex.normal, components, out);
     }
     normal_code code(const float* normal) const { return normal_code::of(normal); }
+    static row_light in_lanes() { return {.by = row_light::kind::code}; }
 };
 
 } // namespace l3d_detail

@@ -38,6 +38,12 @@ concept shades_later = requires(const Shader& shader, const float* values) {
 template <class Shader>
 concept has_normals = Shader::interpolates_normals;
 
+/// Whether a shader's rows may be filled in lanes.
+template <class Shader>
+concept has_lanes = requires(const Shader shader) {
+    shader.in_lanes();
+};
+
 /// Whether a shader counts the pixels that it finds no exact place for.
 template <class Shader>
 concept counts_unsolved = requires(Shader shader) {

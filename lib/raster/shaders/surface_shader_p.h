@@ -4,6 +4,7 @@
 #define L3D_RASTER_SHADERS_SURFACE_SHADER_P_H
 
 #include "raster/surfaces/away_from_eye_p.h"
+#include "raster/surfaces/wide_rows_p.h"
 #include "raster/micro_grid.h"
 #include "raster/surface_rasterizer.h"
 
@@ -20,6 +21,8 @@
 //   begin_polygon(v)   told the corners
 //   corner(v, out)     the numbers of one corner
 //   word(values)       the pixel word for interpolated numbers
+//
+// If its rows may be filled in lanes, in_lanes() says how these make the same words.
 
 namespace l3d_detail {
 
@@ -95,6 +98,8 @@ public:
         return grey_word(intensity(normal[3] > 0 ? -lit : lit));
     }
 
+    row_light in_lanes() const { return {.by = row_light::kind::normal, .light = shading_.light}; }
+
 private:
     const l3d_shading& shading_;
 };
@@ -122,6 +127,10 @@ public:
         return grey_word(least < brightest_ ? least : brightest_);
     }
 
+    row_light in_lanes() const {
+        return {.by = row_light::kind::held, .darkest = darkest_, .brightest = brightest_};
+    }
+
 private:
     float grey(const l3d_micro_vertex& vertex) const { return vertex_intensity(vertex, shading_); }
 
@@ -141,6 +150,8 @@ public:
     }
     void corner(const l3d_micro_vertex&, float*) const {}
     std::uint32_t word(const float*) const { return word_; }
+
+    row_light in_lanes() const { return {.word = word_}; }
 
 private:
     const l3d_shading& shading_;

@@ -5,7 +5,9 @@
 #include "raster/shapes/attribute_plane_p.h"
 #include "raster/shapes/piece_pixels_p.h"
 #include "raster/shaders/lit_shader_p.h"
+#include "raster/shaders/shader_choice_p.h"
 #include "raster/shaders/surface_shader_p.h"
+#include "raster/surfaces/fill_kernel_p.h"
 
 #include <algorithm>
 #include <cassert>
@@ -48,9 +50,19 @@ struct painting {
     std::vector<placed_cut> cuts;
     std::uint32_t color = white; ///< of the material
     std::int64_t written = 0;
+    std::vector<wide_row> waiting; ///< of one triangle
 
-    static constexpr std::uint32_t white = 0xffffff;
+    static constexpr std::uint32_t white = wide_polygon::white;
 };
+
+/// A triangle as lanes fill it.
+template <class Shader, class Planes>
+wide_polygon painted_by(const Shader& shader, const Planes& plane, const painting& to) {
+    wide_polygon of{.light = shader.in_lanes(), .width = to.target.width, .color = to.color};
+    of.light.word = l3d_product_of_colors(to.color, of.light.word);
+    std::ranges::copy(plane.per_column(), of.step.begin());
+    return of;
+}
 
 template <class Shader>
 void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_vertex, 3>& v) {
@@ -66,6 +78,23 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
         }
         plane.emplace(points, values, area2);
     };
+    if constexpr (has_lanes<Shader>)
+        if (to.target.width >= fill_least_width) { // pixel by pixel the same bits
+            to.waiting.clear();
+            const auto keep_row = [&](std::int32_t row, std::int32_t start, columns span) {
+                wide_row& next = to.waiting.emplace_back();
+                next.words = to.target.row(row).data();
+                next.start = start;
+                next.begin = span.begin;
+                next.end = span.end;
+                std::ranges::copy(plane->at(start, row), next.value.begin());
+                return true;
+            };
+            visit_rows(to.scan, v, to.cuts, to.target.width, begin, keep_row);
+            if (!to.waiting.empty())
+                to.written += fill_wide_rows(painted_by(shader, *plane, to), to.waiting);
+            return;
+        }
     const auto paint_row = [&](std::int32_t row, std::int32_t start, columns span) {
         if constexpr (requires { shader.begin_row(row); })
             shader.begin_row(row);

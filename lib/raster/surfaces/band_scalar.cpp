@@ -79,6 +79,7 @@ void band_scalar::fill(const l3d_surface_part& part, std::size_t first, std::siz
 }
 
 void band_scalar::fill(const fill_rest& rest) {
+    target_.by_lanes = true;
     constexpr std::uint32_t no_color = 0; // the kernel does not take mode `error`
     with_filler(no_color, [&](auto fill) {
         for (const fill_rest::quad& quad : rest.quads) {
@@ -90,6 +91,7 @@ void band_scalar::fill(const fill_rest& rest) {
             fill_triangle(fill, *triangle.triangles, triangle.index);
         }
     });
+    target_.by_lanes = false;
 }
 
 } // namespace l3d_detail

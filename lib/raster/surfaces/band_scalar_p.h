@@ -13,7 +13,8 @@
 
 namespace l3d_detail {
 
-/// The slow twin of the fill kernel, for all shaders and all polygons.
+/// The slow twin of the fill kernel, for all shaders and all polygons. Of polygons that the kernel
+/// left it fills rows in lanes, pixel by pixel the same bits.
 ///
 /// A quad's attribute plane goes through its two diagonals' differences and the mean of its
 /// corners, so no diagonal shows. Quads far from a parallelogram are filled as two triangles.
@@ -33,7 +34,7 @@ public:
     /// Triangles [first, last).
     void fill(const l3d_surface_part& part, std::size_t first, std::size_t last);
 
-    /// The polygons that the kernel left.
+    /// The polygons that the kernel left. Expects: a band as wide as lanes want it.
     void fill(const fill_rest& rest);
 
     const fill_counts& counts() const { return target_.counts; }

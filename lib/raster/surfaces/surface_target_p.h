@@ -18,6 +18,7 @@ struct surface_target {
     fill_counts counts;
     fill_words coding{};
     std::uint32_t material = 0; ///< of what is filled, as fill_words has it
+    bool by_lanes = false;      ///< rows are filled in lanes, if the shader has them; the same bits
 
     /// What a pixel gets for a word of a shader.
     std::uint32_t word_of(std::uint32_t shaded) const {
