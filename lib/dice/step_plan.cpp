@@ -45,9 +45,7 @@ void add_need(l3d_block_needs& needs, std::size_t i, const l3d_image_patch& bloc
     needs.vv[i] = image.vv;
     // |D2 w| times half the box's diagonal is part of the image bound. Take a box with a half
     // diagonal of 8 budgets, and let both count h^2 / 8. Then w is off by an eighth at most where
-    // the image is within budget. Then w is off by an eighth at most where the image is within
-    // budget. Then w is off by an eighth at most where the image is within budget. Width and height
-    // together are at most sqrt(2) diagonals.
+    // the image is within budget. Width and height together are at most sqrt(2) diagonals.
     constexpr double two_root_two = 2.8284271247461903;
     const double enough = needs.balanced ? 1 / l3d_balance : 8;
     if (!in_front || box.width() + box.height() < enough * two_root_two * budget) {

@@ -70,8 +70,8 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
         throw l3d_error(l3d_exit::usage,
                         "--shade: only --pipeline afd has the exact patches that zebra, isophotes, "
                         "gaussian, mean and draft look at");
-    if (shared.fog.is_on())
-        throw l3d_error(l3d_exit::usage, "--fog: only --pipeline afd has it");
+    if (shared.fog.is_on() && (parallel_ || hidden_lines_ || shared.wireframe))
+        throw l3d_error(l3d_exit::usage, "--fog: only surfaces in perspective have it");
     l3d_polygon_settings settings;
     settings.style = hidden_lines_      ? l3d_polygon_style::hidden_lines
                      : shared.wireframe ? l3d_polygon_style::wireframe
@@ -90,6 +90,7 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
     settings.cull = !all_faces_;
     settings.antialias = shared.antialias;
     settings.background = shared.background;
+    settings.fog = shared.fog;
     settings.count_pixels = shared.count_pixels;
     settings.threads = shared.threads;
     return settings;

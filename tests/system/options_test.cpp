@@ -91,6 +91,20 @@ TEST(options, a_file_needs_no_option) {
     }
 }
 
+TEST(options, that_may_be_repeated_leave_the_file_behind_them_alone) {
+    l3d_options options("tester", "Tests.", {640, 400});
+    std::vector<std::string> lights;
+    std::string model;
+    options.add_each("--light", "from where", "X,Y,Z", "",
+                     [&](const std::string& text) { lights.push_back(text); });
+    options.add("FILE,--model", model, "patches", "FILE");
+    std::ostringstream out;
+    const char* arguments[] = {"tester", "--light", "1,2,3", "--light", "-4,5,6", "a.bpt"};
+    EXPECT_TRUE(options.parse(6, arguments, out)) << out.str();
+    EXPECT_EQ(lights, (std::vector<std::string>{"1,2,3", "-4,5,6"}));
+    EXPECT_EQ(model, "a.bpt");
+}
+
 TEST(options, defaults) {
     program tester;
     EXPECT_TRUE(tester.parse({}));

@@ -103,6 +103,8 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
     l3d_shading shading = view.shading(settings_.shade, settings_.light, settings_.lighting);
     shading.antialias = settings_.antialias && is_solid;
     shading.background = settings_.background;
+    if (is_solid && settings_.projection == l3d_projection::perspective)
+        shading.fog = settings_.fog;
     frame_->make(model_, view,
                  {.cull = settings_.cull, .smooth = smooth, .squares = shading.antialias},
                  workers_);

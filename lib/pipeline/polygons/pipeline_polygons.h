@@ -68,6 +68,9 @@ struct L3D_PUBLIC l3d_polygon_settings {
     /// What is seen where nothing is drawn.
     l3d_background background{};
 
+    /// What far surfaces fade into, in perspective. Hidden lines and wireframes have none.
+    l3d_fog fog{};
+
     /// Edges are means over pixels, not stairs, and lines are smooth.
     bool antialias = false;
 

@@ -4,6 +4,7 @@
 
 #include "pipeline/polygons/polygon_frame.h"
 #include "pipeline/stopwatch_p.h"
+#include "raster/rasterizer_factory_sw.h"
 #include "raster/shapes/hidden_lines.h"
 
 #include <algorithm>
@@ -23,12 +24,22 @@ l3d_pipeline_zbuffer::~l3d_pipeline_zbuffer() = default;
 
 void l3d_pipeline_zbuffer::fill(const scene& what, l3d_depth_buffer* depth,
                                 l3d_polygon_report& report) {
-    rasterizer_->count_pixels(what.count_pixels);
-    rasterizer_->use_materials(what.materials);
-    rasterizer_->begin(what.target, depth, what.shading);
-    rasterizer_->draw(what.frame.parts());
-    rasterizer_->finish();
-    report.surface = rasterizer_->counts();
+    l3d_surface_rasterizer& rasterizer = rasterizer_for(what.shading);
+    rasterizer.count_pixels(what.count_pixels);
+    rasterizer.use_materials(what.materials);
+    rasterizer.begin(what.target, depth, what.shading);
+    rasterizer.draw(what.frame.parts());
+    rasterizer.finish();
+    report.surface = rasterizer.counts();
+}
+
+/// GL has no fog as ours is: processors draw such frames.
+l3d_surface_rasterizer& l3d_pipeline_zbuffer::rasterizer_for(const l3d_shading& shading) {
+    if (!shading.fog.is_on() || rasterizer_->inspects())
+        return *rasterizer_;
+    if (!with_fog_)
+        with_fog_ = l3d_rasterizer_factory_sw().create_surface(workers());
+    return *with_fog_;
 }
 
 void l3d_pipeline_zbuffer::draw_solid(const scene& what, l3d_polygon_report& report) {

@@ -31,8 +31,11 @@ private:
 
     void fill(const scene& what, l3d_depth_buffer* depth, l3d_polygon_report& report);
 
+    l3d_surface_rasterizer& rasterizer_for(const l3d_shading& shading);
+
     const char* method_;
     std::unique_ptr<l3d_surface_rasterizer> rasterizer_;
+    std::unique_ptr<l3d_surface_rasterizer> with_fog_; ///< what has fog, if that one has not
     l3d_depth_buffer depth_;
     std::vector<l3d_painter_triangle> triangles_; ///< with their sides, for hidden lines
 };

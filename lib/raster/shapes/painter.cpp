@@ -50,7 +50,8 @@ struct painting {
     std::vector<placed_cut> cuts;
     std::uint32_t color = white; ///< of the material
     std::int64_t written = 0;
-    std::vector<wide_row> waiting; ///< of one triangle
+    std::vector<wide_row> waiting;      ///< of one triangle
+    const l3d_shading* foggy = nullptr; ///< whose fog is before all, if it has any
 
     static constexpr std::uint32_t white = wide_polygon::white;
 };
@@ -69,6 +70,7 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
     constexpr std::size_t count = 1 + Shader::components;
     using planes = attribute_planes<count>;
     std::optional<planes> plane;
+    const auto [farthest, nearest] = std::minmax({v[0].inv_w, v[1].inv_w, v[2].inv_w});
     const auto begin = [&](const std::array<scan_point, 3>& points, std::int64_t area2) {
         shader.begin_polygon(v);
         std::array<typename planes::numbers, 3> values;
@@ -79,7 +81,7 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
         plane.emplace(points, values, area2);
     };
     if constexpr (has_lanes<Shader>)
-        if (to.target.width >= fill_least_width) { // pixel by pixel the same bits
+        if (to.target.width >= fill_least_width && !to.foggy) { // pixel by pixel the same bits
             to.waiting.clear();
             const auto keep_row = [&](std::int32_t row, std::int32_t start, columns span) {
                 wide_row& next = to.waiting.emplace_back();
@@ -101,6 +103,8 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
         const typename planes::numbers step = plane->per_column();
         const typename planes::numbers value = plane->at(start, row);
         std::uint32_t* const words = to.target.row(row).data();
+        const std::uint32_t fog =
+            to.foggy ? to.foggy->fog.in_row(to.foggy->background, row, to.target.height) : 0;
         for (std::int32_t x = span.begin; x < span.end; ++x) {
             const auto k = static_cast<float>(x - start);
             std::array<float, count> here;
@@ -111,6 +115,10 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
                 words[x] = word; // no material changes it
             else
                 words[x] = l3d_product_of_colors(to.color, word);
+            if (to.foggy) {
+                const float inv_w = std::clamp(value[0] + step[0] * k, farthest, nearest);
+                words[x] = l3d_fog::word(words[x], fog, to.foggy->fog.amount(inv_w));
+            }
         }
         to.written += span.end - span.begin;
         return true;
@@ -129,6 +137,7 @@ struct l3d_painter::work_space {
         to.target = target;
         to.scan.set_rows({0, target.height});
         to.written = 0;
+        to.foggy = nullptr;
         to.color = painting::white;
     }
 
@@ -188,6 +197,8 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
                         std::span<const l3d_painter_piece> pieces,
                         std::span<const l3d_painter_cut> cuts) {
     work_->begin(target, shading.background);
+    if (shading.fog.is_on())
+        work_->to.foggy = &shading;
     const bool is_light = l3d_is_light(shading.mode);
     work_->materials = is_light ? materials : std::span<const l3d_material>();
     if (shading.is_lit(materials))
