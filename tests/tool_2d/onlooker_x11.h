@@ -11,6 +11,7 @@
 #include "shown_pixel.h"
 #include "xvfb.h"
 
+#include <initializer_list>
 #include <random>
 
 #include <X11/Xlib.h>
@@ -100,6 +101,29 @@ public:
         event.xkey.state = state;
         event.xkey.time = time;
         send(event, type == KeyPress ? KeyPressMask : KeyReleaseMask);
+    }
+
+    struct key_change {
+        int type;
+        KeySym keysym;
+        Time time;
+    };
+
+    /// In one piece, which the server takes and hands on as one.
+    void send_keys(std::initializer_list<key_change> changes) const {
+        const Window to = window();
+        for (const auto& [type, keysym, time] : changes) {
+            XEvent event{};
+            event.xkey.type = type;
+            event.xkey.display = display_;
+            event.xkey.window = to;
+            event.xkey.root = root();
+            event.xkey.keycode = XKeysymToKeycode(display_, keysym);
+            event.xkey.time = time;
+            XSendEvent(display_, to, False, type == KeyPress ? KeyPressMask : KeyReleaseMask,
+                       &event);
+        }
+        XSync(display_, False);
     }
 
     void send_button(int type, unsigned button, int x, int y, Time time = 0,
