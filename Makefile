@@ -24,6 +24,7 @@ uses_reference       := base geom
 tests_with_reference := scene dice pipeline compare reference bench stability
 apps_with_reference  := teapot_afd
 uses_stability       := base geom tool_2d raster scene dice pipeline compare
+uses_models          := base geom tool_2d raster scene dice
 
 # What a layer links from outside, and what pkg-config calls it.
 links_tool_2d := -lpng -lXext -lX11-xcb -lX11 -lxcb-randr -lxcb -lXau
@@ -376,7 +377,7 @@ $(STABILITY): $(objects_stability) $(call archives,reference $(uses_stability)) 
 	$(call say,LINK,$@)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(uses_stability)) -o $@
 
-$(OUT)/tests/models/model_polygons: %: %.o $(call archives,$(filter-out pipeline system,$(LAYERS)))
+$(OUT)/tests/models/model_polygons: %: %.o $(call archives,$(uses_models))
 	$(call say,LINK,$@)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -o $@
 
@@ -429,7 +430,7 @@ $(OUT)/%.h.ok: %.h $(OUT)/flags | packages-build
 	    $(CXX) $(FLAGS) $(call include_paths,$<) -MD -MP -MF $@.d -MT $@ -fsyntax-only -x c++ - && touch $@
 
 include_law = awk -f tests/lint/layers.awk -v out=$(OUT)/ \
-    -v law="$(foreach l,$(LAYERS) compare reference stability apps,$(l): $(uses_$(l));)" \
+    -v law="$(foreach l,$(LAYERS) compare reference stability models apps,$(l): $(uses_$(l));)" \
     -v with_compare="$(tests_with_compare:%=tests/%) $(apps_with_compare:%=apps/%)" \
     -v with_reference="$(tests_with_reference:%=tests/%) $(apps_with_reference:%=apps/%)" $(OBJECTS:.o=.d) $(INCLUDES)
 # Archives are lazy, so a whole one is linked: a call that climbs is an undefined symbol.
