@@ -32,11 +32,12 @@ PACKAGES_build  := $(if $(findstring clang,$(CXX)),clang:clang++,g++:$(CXX)) lib
     libxcb-randr0-dev:xcb/randr.h libxau-dev:X11/Xauth.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
     nlohmann-json3-dev:nlohmann/json.hpp libtbb-dev:oneapi/tbb/parallel_for.h \
     libhwy-dev:hwy/highway.h libfreetype-dev:freetype2/ft2build.h
+CHARTS          := libjs-chart.js:/usr/share/javascript/chart.js/chart.min.js
 PACKAGES_text   := libharfbuzz-dev:harfbuzz/hb.h
 PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool \
     x11-xkb-utils:setxkbmap x11-utils:xprop xauth:xauth wmctrl:wmctrl openbox:openbox i3-wm:i3 \
     parallel:parallel libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so \
-    libboost-dev:boost/multiprecision/cpp_bin_float.hpp gnuplot-nox:gnuplot
+    libboost-dev:boost/multiprecision/cpp_bin_float.hpp gnuplot-nox:gnuplot $(CHARTS)
 PACKAGES_install := pkgconf:pkg-config cmake:cmake mandoc:mandoc parallel:parallel
 PACKAGES_package := debhelper:dh lintian:lintian
 PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
@@ -54,6 +55,5 @@ PACKAGES_fuzz   := $(PACKAGES_matrix)
 PACKAGES_bench  := libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so \
     libembree-dev:embree3/rtcore.h xvfb:Xvfb libbenchmark-dev:benchmark/benchmark.h \
     libcairo2-dev:cairo/cairo.h libagg-dev:agg2/agg_basics.h
-PACKAGES_report := gnuplot-nox:gnuplot graphviz:dot python3:python3 \
-    libjs-chart.js:/usr/share/javascript/chart.js/chart.min.js
+PACKAGES_report := gnuplot-nox:gnuplot graphviz:dot python3:python3 $(CHARTS)
 PACKAGES_docs   := doxygen:doxygen
