@@ -175,13 +175,14 @@ private:
     }
 
     /// What thin lines and letters are multiplied by: windows of 480 x 320 pixels have 1, larger
-    /// ones more, but less than they are larger; fine displays at least what their text has.
+    /// ones more, but less than they are larger. A fine display counts by its text: its windows
+    /// look as they do elsewhere.
     double unit() {
-        const double larger = std::min(size().width / 480.0, size().height / 320.0);
+        const double dots = std::max(1.0, screen().text_scale());
+        const double larger = std::min(size().width / 480.0, size().height / 320.0) / dots;
         constexpr double slower = 0.75;
         constexpr double least = 0.75; // smaller letters could not be read
-        const double dots = screen().text_scale();
-        return std::max({least, std::pow(larger, slower), dots > 1 ? dots : least});
+        return dots * std::max(least, std::pow(larger, slower));
     }
 
     static constexpr int magnified_columns = 24, magnified_rows = 16;
