@@ -265,6 +265,7 @@ def stopped(server):
 def waits_for_a_stopped_server(program, backend, seconds=1.5):
     with x_server() as server:
         with Shown(program, server, "--backend", backend, *MOVING[program]) as it:
+            it.press("j")  # Xlib asks for the keyboard's map; whoever waits for it hears no signal
             with stopped(server):
                 busy = cpu_seconds(it.process)
                 time.sleep(seconds)
