@@ -272,7 +272,7 @@ def waits_for_a_stopped_server(program, backend, seconds=1.5):
                 share = (cpu_seconds(it.process) - busy) / seconds
                 expect(share < RESTING, "share of the processor", share)
             before = it.picture()
-            it.press("j")  # drawdot may have come to the border
+            it.press("l")  # drawdot may have come to the lower border
             wait_for(lambda: it.picture() != before, "life after the stop")
             with stopped(server):
                 start = time.monotonic()
