@@ -26,7 +26,8 @@ using net = l3d_bezier_patch<double, 3>;
 TEST(patch_jet, is_within_rounding_of_the_intervals_of_its_slow_twin) {
     random_numbers random(5);
     int compared = 0;
-    for (const net& patch : teapot_model().patches())
+    const l3d_patch_model teapot = teapot_model();
+    for (const net& patch : teapot.patches())
         for (int i = 0; i < 40; ++i) {
             const double u = random.between(0, 1), v = random.between(0, 1);
             const l3d_surface_jet slow(patch, u, v, 0, 0, 0);

@@ -350,7 +350,7 @@ def check_backend(checks, backend):
         if may(*right):
             checks.run(name, check, backend)
         else:
-            print("not tested:", name, "needs the right to", *right)
+            checks.skip(name, "it needs the right to " + " ".join(map(str, right)))
     for fault in ({"hide": ("MIT-SHM",)}, {"shm_badrequest": True}, {"shm_badaccess": True}):
         name = "display.%s.serves_through.%s" % (backend, *fault)
         checks.run(name, lambda: serves_through(backend, **fault))

@@ -32,4 +32,6 @@ if __name__ == "__main__":
             checks.run("hardened." + name, is_hardened, os.path.join(BIN, name), True)
         for file in glob.glob(os.path.join(BIN, "..", "lib", "l3d", "*.so")):
             checks.run("hardened." + os.path.basename(file), is_hardened, file, False)
+    else:
+        checks.skip("hardened", "this is no release build")
     checks.finish()

@@ -49,7 +49,8 @@ PROGRAMS = [
 
 
 class Checks:
-    """Runs functions and prints `ok NAME` or `not ok NAME why` for each."""
+    """Runs functions and prints `ok NAME` or `not ok NAME why` for each, `skipped NAME: why` for
+    those that cannot run here."""
 
     def __init__(self):
         self.failed = 0
@@ -63,6 +64,9 @@ class Checks:
             line = traceback.extract_tb(error.__traceback__)[-1].lineno
             why = (str(error) or type(error).__name__).replace("\n", " | ")
             print("not ok %s line %d: %s" % (name, line, why), flush=True)
+
+    def skip(self, name, why):
+        print("skipped %s: %s" % (name, why), flush=True)
 
     def finish(self):
         sys.exit(1 if self.failed else 0)
