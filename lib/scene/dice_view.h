@@ -31,8 +31,8 @@ inline bool l3d_far_apart(const l3d_image_point& a, const l3d_image_point& b, in
 
 /// Default budget of a frame for patches that have to be cut or clipped. Two samples a pixel are
 /// more than any picture shows, and 2^16 take a millisecond or two. Quads grow with 1 / tolerance:
-/// the teapot has one for two pixels that it covers at 0.05 px, so finer tolerances get more, up to
-/// 2^20 a pixel: a tolerance so fine that its inverse is infinite has a budget, too.
+/// the teapot has one for two pixels that it covers at 0.05 px, so finer tolerances get more. A
+/// pixel gets at most 2^20, lest the inverse of a tiny tolerance be infinite.
 /// Patches that need neither are always done, in at most 129 x 129 samples. Units: samples that are
 /// walked, see l3d_dice_budget; tolerance in pixels.
 constexpr std::int64_t l3d_usual_samples(l3d_size size, double tolerance) {

@@ -11,7 +11,7 @@ import time
 
 import harness
 from harness import Checks, Shown, environment, expect, expect_equal, folder, is_quiet, started
-from harness import wait_for, x_server
+from harness import wait_for, x_server, xdotool
 from x_proxy import Proxy
 
 BACKENDS = ("ximage", "xshm")
@@ -25,6 +25,7 @@ STARTING = {"ximage": 27, "xshm": 36}  # and nine requests: eight ask, one share
 COLOURED = ("--shade", "normals")
 LAST_OF_QUESTION = "GetSelectionOwner"  # and a property follows
 LAST_OF_OPENING = "XKEYBOARD.0"  # the last request that XOpenDisplay makes
+KEYBOARD = "XKEYBOARD.8"  # GetMap
 GOODBYE = 5  # seconds to end in: one by the requirement, the rest for sanitizers and a busy machine
 SEED = random.randrange(1 << 32)
 
@@ -265,7 +266,6 @@ def stopped(server):
 def waits_for_a_stopped_server(program, backend, seconds=1.5):
     with x_server() as server:
         with Shown(program, server, "--backend", backend, *MOVING[program]) as it:
-            it.press("j")  # Xlib asks for the keyboard's map; whoever waits for it hears no signal
             with stopped(server):
                 busy = cpu_seconds(it.process)
                 time.sleep(seconds)
@@ -280,6 +280,21 @@ def waits_for_a_stopped_server(program, backend, seconds=1.5):
                 it.expect_end(-signal.SIGINT)
                 took = time.monotonic() - start
                 expect(took < GOODBYE, "seconds", took)
+
+
+def hears_signals_with_a_key_unread(backend):
+    """The server told of a key before it stopped. What the key means is known by then."""
+    with x_server() as server, Proxy(server.display) as proxy:
+        xdotool(server.display, "key", "j")  # the server's first key tells of a keyboard, too
+        with Shown(TEAPOT, server, "--backend", backend, display=proxy.display) as it:
+            wait_for(lambda: KEYBOARD in proxy.mark().requests, "a question for the keyboard")
+            it.process.send_signal(signal.SIGSTOP)
+            it.press("Left")
+            with stopped(server):
+                it.process.send_signal(signal.SIGCONT)
+                time.sleep(0.3)  # the key is read first
+                it.process.send_signal(signal.SIGINT)
+                it.expect_end(-signal.SIGINT)
 
 
 def obeys_on_a_slow_wire():
@@ -351,6 +366,8 @@ def check_backend(checks, backend):
             checks.run(name, check, backend)
         else:
             checks.skip(name, "it needs the right to " + " ".join(map(str, right)))
+    name = "display.%s.hears_signals_with_a_key_unread" % backend
+    checks.run(name, hears_signals_with_a_key_unread, backend)
     for fault in ({"hide": ("MIT-SHM",)}, {"shm_badrequest": True}, {"shm_badaccess": True}):
         name = "display.%s.serves_through.%s" % (backend, *fault)
         checks.run(name, lambda: serves_through(backend, **fault))

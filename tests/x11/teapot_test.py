@@ -319,11 +319,14 @@ class Window:
         return self.eyes.picture(self.window, *self.size)
 
     def changes(self, *keys):
-        """Presses keys and returns the picture that follows, a different one."""
+        """Presses keys and returns the picture that follows: a different one, and whole."""
         before = self.picture()
         xdotool(self.display, "key", *keys)
         wait_for(lambda: self.picture() != before, "a change by " + " ".join(keys))
-        return self.picture()
+        return harness.await_still(self)
+
+    def await_picture(self, question, _, what):
+        return wait_for(lambda: question(self.picture()), what)
 
 
 def greets_a_person():
@@ -354,8 +357,10 @@ def obeys_its_keys():
         saved = os.path.join(path, "l3d-0001.png")
         wait_for(lambda: os.path.exists(saved), "the saved picture")
         expect(harness.has_picture(harness.read_png(saved)), "the saved picture is empty")
-        turning = it.changes("t")
-        wait_for(lambda: it.picture() != turning, "the turntable")
+        resting = it.picture()
+        xdotool(it.display, "key", "t")
+        turning = wait_for(lambda: it.picture() != resting and it.picture(), "the turntable")
+        wait_for(lambda: it.picture() != turning, "its next picture")
         xdotool(it.display, "key", "q")
         expect_equal(harness.ended(it.process), (0, b"", ""))
 

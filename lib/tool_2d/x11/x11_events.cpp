@@ -179,10 +179,22 @@ void x11_events::take(XEvent& event) {
         return push({.type = l3d_event_type::close});
     case MappingNotify:
         XRefreshKeyboardMapping(&event.xmapping);
-        return;
+        return read_keyboard();
     default:
         return;
     }
+}
+
+/// Xlib would read it at the first key that needs it, and wait in vain if the server stands still
+/// by then: nobody heard signals meanwhile.
+void x11_events::read_keyboard() {
+    symbol_of(window_.display(), 0, 0, 0);
+    has_keyboard_ = true;
+}
+
+void x11_events::look_after() {
+    if (!has_keyboard_)
+        read_keyboard();
 }
 
 bool x11_events::next(l3d_event& event) {

@@ -26,6 +26,9 @@ public:
     /// Translates one event. A ping of the window manager is answered here.
     void take(XEvent& event);
 
+    /// Has the keyboard's map read. To be called while the server answers: it is waited for.
+    void look_after();
+
     /// A fine wheel turned, with the pointer at this place.
     void take_turn(const XMotionEvent& place, double notches);
 
@@ -63,6 +66,7 @@ private:
     void push(const l3d_event& event) { queue_.push_back(event); }
     void push_instead_of(std::initializer_list<l3d_event_type> types, const l3d_event& event);
     void look();
+    void read_keyboard();
     void take_size(const XConfigureEvent& event);
     void take_press(XKeyEvent& event);
     void take_release(const XKeyEvent& event);
@@ -78,6 +82,7 @@ private:
     l3d_size size_; ///< as the server told it
     std::deque<l3d_event> queue_;
     bool mapped_ = false, exposed_ = false;
+    bool has_keyboard_ = false; ///< Xlib knows what its keys mean
     bool covered_ = false, unmapped_ = false, away_ = false;
     Time turned_at_ = 0;           ///< when a fine wheel last did
     double turned_ = 0;            ///< since the last full notch

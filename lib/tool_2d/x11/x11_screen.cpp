@@ -204,6 +204,8 @@ void l3d_screen_x11::look_around() {
     state_.look_after();
     resolution_.look_after();
     scroll_.look_after();
+    if (image_->is_idle())
+        events_.look_after();
 }
 
 void l3d_screen_x11::tell_shown() {
