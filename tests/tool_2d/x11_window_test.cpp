@@ -47,7 +47,7 @@ TEST(x11_window, tells_which_program_it_is) {
     EXPECT_FALSE(other.property("WM_NAME").empty()) << "in whatever encoding has these letters";
     std::array<char, 256> machine{};
     gethostname(machine.data(), machine.size());
-    EXPECT_EQ(other.property("WM_CLIENT_MACHINE"), machine.data());
+    EXPECT_EQ(late_property(*screen, other, "WM_CLIENT_MACHINE"), machine.data());
     XSizeHints size{};
     long supplied = 0;
     XGetWMNormalHints(other.display(), other.window(), &size, &supplied);

@@ -97,9 +97,10 @@ def sends_nothing_while_it_stands_still(backend, reach, frames=100):
     expect_equal(sum(all_frames[name] for name in PICTURES), PUTS[backend], "pictures")
 
 
-# Of the state of the window, of the resolution of the display, and of fine wheels.
+# Of the state of the window, of the resolution of the display, of fine wheels and of the keyboard.
 QUESTION = collections.Counter({"InternAtom": 14, "QueryExtension": 2, "GetProperty": 10,
-                                "ChangeProperty": 2,
+                                "ChangeProperty": 3, "XKEYBOARD.1": 2, "XKEYBOARD.8": 1,
+                                "XKEYBOARD.21": 1,
                                 "GetWindowAttributes": 2, "ChangeWindowAttributes": 1,
                                 "GetSelectionOwner": 1, "SendEvent": 7, "RANDR.0": 1,
                                 "RANDR.42": 1, "XInputExtension.46": 1, "XInputExtension.47": 1,

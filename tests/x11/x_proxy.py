@@ -185,6 +185,8 @@ class Connection:
             return error(x11.BAD_REQUEST)
         if faults.shm_badaccess and name.startswith(x11.SHM + ".Attach"):
             return error(x11.BAD_ACCESS)
+        if faults.shm_no_files and name == x11.SHM + ".AttachFd":
+            return error(x11.BAD_REQUEST)
         if faults.shm_no_files and name == x11.SHM + ".QueryVersion":
             return request, lambda reply: reply[:10] + struct.pack(self.order + "H", 1) + reply[12:]
         if name == x11.SHM + ".PutImage":

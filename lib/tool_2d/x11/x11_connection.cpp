@@ -4,6 +4,7 @@
 
 #include "tool_2d/x11/x11_reach_p.h"
 #include "tool_2d/x11/x11_refusal_p.h"
+#include "tool_2d/x11/x11_reply_p.h"
 
 #include <algorithm>
 #include <cassert>
@@ -16,6 +17,8 @@
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
+
+#include <X11/Xlib-xcb.h>
 
 namespace l3d_detail {
 
@@ -242,10 +245,17 @@ int x11_connection::error_of(unsigned long serial) const {
 }
 
 bool has_x11_manager(const x11_connection& connection) {
+    // Not XGetWindowAttributes, which asks for the geometry, too: on a slow display's way to its
+    // first picture each request counts.
+    auto* const xcb = XGetXCBConnection(connection.display());
+    const auto question =
+        xcb_get_window_attributes(xcb, static_cast<xcb_window_t>(connection.root()));
+    const unique_reply<xcb_get_window_attributes_reply_t> root(
+        xcb_get_window_attributes_reply(xcb, question, nullptr));
+    // Xlib hears of earlier errors, and that the server is gone.
+    XEventsQueued(connection.display(), QueuedAfterReading);
     // A window manager is the client that redirects the root's children; only one client can.
-    XWindowAttributes root{};
-    return XGetWindowAttributes(connection.display(), connection.root(), &root) != 0 &&
-           (root.all_event_masks & SubstructureRedirectMask) != 0;
+    return root && (root->all_event_masks & XCB_EVENT_MASK_SUBSTRUCTURE_REDIRECT) != 0;
 }
 
 std::string x11_error_text(const x11_connection& connection, int code) {

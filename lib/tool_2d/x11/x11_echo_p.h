@@ -5,6 +5,10 @@
 
 #include "tool_2d/x11/x11_window_p.h"
 
+#include <cstdint>
+
+#include <X11/Xatom.h>
+
 namespace l3d_detail {
 
 /// Tells when the server has done what it was asked before.
@@ -27,7 +31,7 @@ public:
         XEvent event{};
         event.xclient.type = ClientMessage;
         event.xclient.window = window_.id();
-        event.xclient.message_type = window_.atoms().l3d_put_done;
+        event.xclient.message_type = XA_INTEGER;
         event.xclient.format = 32;
         event.xclient.data.l[0] = name();
         XSendEvent(window_.display(), window_.id(), False, NoEventMask, &event);
@@ -41,7 +45,7 @@ public:
     /// True if the event is the answer to the latest question.
     bool take(const XEvent& event) {
         if (!is_awaited() || event.type != ClientMessage ||
-            event.xclient.message_type != window_.atoms().l3d_put_done ||
+            event.xclient.message_type != XA_INTEGER ||
             event.xclient.data.l[0] != name())
             return false;
         serial_ = 0;

@@ -188,13 +188,17 @@ void x11_events::take(XEvent& event) {
 /// Xlib would read it at the first key that needs it, and wait in vain if the server stands still
 /// by then: nobody heard signals meanwhile.
 void x11_events::read_keyboard() {
-    symbol_of(window_.display(), 0, 0, 0);
     has_keyboard_ = true;
+    if (!window_.connection().lost())
+        symbol_of(window_.display(), 0, 0, 0);
 }
 
 void x11_events::look_after() {
-    if (!has_keyboard_)
-        read_keyboard();
+    if (has_keyboard_ || window_.connection().lost())
+        return;
+    // Without this a held key looks like one that is pressed again and again.
+    XkbSetDetectableAutoRepeat(window_.display(), True, nullptr);
+    read_keyboard();
 }
 
 bool x11_events::next(l3d_event& event) {

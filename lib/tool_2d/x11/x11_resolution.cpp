@@ -2,10 +2,11 @@
 // x11_resolution: two sources of one number.
 #include "tool_2d/x11/x11_resolution_p.h"
 
+#include "tool_2d/x11/x11_reply_p.h"
+
 #include "tool_2d/x11/x11_scale_p.h"
 
 #include <bit>
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -18,11 +19,6 @@ namespace {
 
 // Of a text of settings, in words: desktops have some kilobytes.
 constexpr std::uint32_t longest_text = 1 << 16;
-
-struct reply_freer {
-    void operator()(void* reply) const { std::free(reply); }
-};
-template <class Reply> using unique_reply = std::unique_ptr<Reply, reply_freer>;
 
 /// Reads numbers one by one; once something is missing, all that follows is.
 class settings_reader {

@@ -159,25 +159,24 @@ std::unique_ptr<x11_shm_segment> x11_shm_segment::by_file(x11_connection& connec
     if (connection.sharing().by == way::files)
         return segment->attach_file(size, connection.sharing().opcode, why) ? std::move(segment)
                                                                             : nullptr;
-    int major = 0, minor = 0, pixmaps = 0, opcode = 0, first_event = 0, first_error = 0;
-    const bool is_told = XShmQueryVersion(connection.display(), &major, &minor, &pixmaps) != 0 &&
-                         ask_for_extension([&] {
+    int opcode = 0, first_event = 0, first_error = 0;
+    const bool is_told = ask_for_extension([&] {
                              return XQueryExtension(connection.display(), SHMNAME, &opcode,
                                                     &first_event, &first_error);
                          }) != 0 &&
                          !connection.lost();
-    if (is_told && (major < 1 || (major == 1 && minor < 2)))
-        return nullptr;
     x11_error_trap trap(connection);
     if (!is_told || !segment->attach_file(size, opcode, why))
         return nullptr;
-    if (trap.sync() == 0 && !connection.lost()) {
+    const int error = trap.sync();
+    if (error == 0 && !connection.lost()) {
         connection.set_sharing({way::files, opcode});
         return segment;
     }
-    why = connection.lost()
-              ? x11_server_went_away
-              : "the X server refuses shared files: " + x11_error_text(connection, trap.error());
+    if (connection.lost())
+        why = x11_server_went_away;
+    else if (error != BadRequest) // A server before MIT-SHM 1.2 does not know the request.
+        why = "the X server refuses shared files: " + x11_error_text(connection, error);
     return nullptr;
 }
 

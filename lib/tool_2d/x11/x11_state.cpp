@@ -2,9 +2,10 @@
 // x11_state: questions without waiting, and what follows from the answers.
 #include "tool_2d/x11/x11_state_p.h"
 
+#include "tool_2d/x11/x11_reply_p.h"
+
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -18,11 +19,6 @@ namespace {
 
 // Of a property, in words: the standard has about a hundred names of states and abilities.
 constexpr std::uint32_t longest_property = 1024;
-
-struct reply_freer {
-    void operator()(void* reply) const { std::free(reply); }
-};
-template <class Reply> using unique_reply = std::unique_ptr<Reply, reply_freer>;
 
 bool holds(const std::vector<std::uint32_t>& list, std::uint32_t wanted) {
     return std::ranges::find(list, wanted) != list.end();

@@ -12,7 +12,6 @@
 
 #include <unistd.h>
 
-#include <X11/XKBlib.h>
 #include <X11/Xatom.h>
 #include <X11/Xutil.h>
 
@@ -21,11 +20,11 @@ namespace {
 
 x11_atoms intern_atoms(Display* display) {
     constexpr std::array names{"WM_PROTOCOLS", "WM_DELETE_WINDOW", "_NET_WM_PING",
-                               "_NET_WM_NAME", "UTF8_STRING",      "_L3D_PUT_DONE"};
+                               "_NET_WM_NAME", "UTF8_STRING"};
     std::array<Atom, names.size()> atoms{};
     XInternAtoms(display, const_cast<char**>(names.data()), static_cast<int>(names.size()), False,
                  atoms.data());
-    return {atoms[0], atoms[1], atoms[2], atoms[3], atoms[4], atoms[5]};
+    return {atoms[0], atoms[1], atoms[2], atoms[3], atoms[4]};
 }
 
 constexpr long events_always = KeyPressMask | KeyReleaseMask | ButtonPressMask | ButtonReleaseMask |
@@ -81,16 +80,17 @@ x11_window::x11_window(std::unique_ptr<x11_connection> connection,
     : connection_(std::move(connection)), colormap_(std::move(colormap)), visual_(visual),
       atoms_(intern_atoms(display())), scale_(scale) {
     set_fineness(x11_fineness(*connection_));
-    // Without this a held key looks like one that is pressed again and again.
-    XkbSetDetectableAutoRepeat(display(), True, nullptr);
 }
 
 x11_window::~x11_window() {
+    const bool is_own = graphics_ != DefaultGC(display(), connection_->screen());
     if (connection_->lost()) {
-        XFree(graphics_); // Xlib's own record of it: there is no server to tell.
+        if (is_own)
+            XFree(graphics_); // Xlib's own record of it: there is no server to tell.
         return;
     }
-    XFreeGC(display(), graphics_);
+    if (is_own)
+        XFreeGC(display(), graphics_);
     XDestroyWindow(display(), window_);
 }
 
@@ -108,7 +108,10 @@ void x11_window::create(l3d_size native) {
         display(), root, 0, 0, static_cast<unsigned>(native.width),
         static_cast<unsigned>(native.height), 0, visual_.layout.depth, InputOutput, visual(),
         CWColormap | CWBorderPixel | CWBackPixel | CWBitGravity | CWEventMask, &attributes);
-    graphics_ = XCreateGC(display(), window_, 0, nullptr);
+    // Each display comes with a context for windows of its usual depth.
+    const bool is_usual = visual_.layout.depth == DefaultDepth(display(), connection_->screen());
+    graphics_ = is_usual ? DefaultGC(display(), connection_->screen())
+                         : XCreateGC(display(), window_, 0, nullptr);
 }
 
 void x11_window::set_property(Atom name, Atom type, int format, const void* data,
@@ -135,14 +138,21 @@ void x11_window::set_names(const l3d_screen_request& request) {
     std::string instance = request.name, class_name = "L3d";
     XClassHint names{instance.data(), class_name.data()};
     XSetClassHint(display(), window_, &names);
+    // Managers put another machine's name into the title, if they know it by then.
+    if (!connection_->is_local())
+        set_machine();
+}
+
+void x11_window::set_machine() const {
     std::array<char, 256> machine{}; // POSIX: a host's name has at most 255 bytes.
     gethostname(machine.data(), machine.size() - 1);
-    // Without it the number of the process means nothing.
     set_property(XA_WM_CLIENT_MACHINE, XA_STRING, 8, machine.data(),
                  std::string_view(machine.data()).size());
 }
 
 void x11_window::set_process_and_icon(Atom net_wm_pid, Atom net_wm_icon) const {
+    if (connection_->is_local())
+        set_machine(); // Without it the number of the process means nothing.
     const long process = getpid();
     set_property(net_wm_pid, XA_CARDINAL, 32, &process, 1);
     // Width, height, and alpha, red, green and blue of each pixel: longs, whatever their size.

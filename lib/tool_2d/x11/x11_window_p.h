@@ -20,7 +20,6 @@ struct x11_atoms {
     Atom net_wm_ping = 0;
     Atom net_wm_name = 0;
     Atom utf8_string = 0;
-    Atom l3d_put_done = 0; ///< ours: see x11_image::put
 };
 
 /// Owns connection, colormap, window and graphics context.
@@ -86,6 +85,7 @@ private:
     void create(l3d_size native);
     void set_title(std::string title);
     void set_names(const l3d_screen_request& request);
+    void set_machine() const;
     void set_hints(l3d_size native);
     void set_protocols();
 
