@@ -45,8 +45,7 @@ public:
     /// True if the event is the answer to the latest question.
     bool take(const XEvent& event) {
         if (!is_awaited() || event.type != ClientMessage ||
-            event.xclient.message_type != XA_INTEGER ||
-            event.xclient.data.l[0] != name())
+            event.xclient.message_type != XA_INTEGER || event.xclient.data.l[0] != name())
             return false;
         serial_ = 0;
         return true;

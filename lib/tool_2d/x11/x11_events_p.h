@@ -26,7 +26,8 @@ public:
     /// Translates one event. A ping of the window manager is answered here.
     void take(XEvent& event);
 
-    /// Asks for the keyboard's map and its way to repeat keys. To be called while the server answers: it is waited for.
+    /// Asks for the keyboard's map and its way to repeat keys. To be called while the server
+    /// answers: it is waited for.
     void look_after();
 
     /// A fine wheel turned, with the pointer at this place.

@@ -19,8 +19,8 @@ namespace l3d_detail {
 namespace {
 
 x11_atoms intern_atoms(Display* display) {
-    constexpr std::array names{"WM_PROTOCOLS", "WM_DELETE_WINDOW", "_NET_WM_PING",
-                               "_NET_WM_NAME", "UTF8_STRING"};
+    constexpr std::array names{"WM_PROTOCOLS", "WM_DELETE_WINDOW", "_NET_WM_PING", "_NET_WM_NAME",
+                               "UTF8_STRING"};
     std::array<Atom, names.size()> atoms{};
     XInternAtoms(display, const_cast<char**>(names.data()), static_cast<int>(names.size()), False,
                  atoms.data());
