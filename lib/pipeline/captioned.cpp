@@ -98,11 +98,19 @@ void captioned::cover() {
         picture_.insert(picture_.end(), pixels.row(y).begin(), pixels.row(y).end());
     l3d_rasterizer_2d_sw_imp imp(pixels);
     l3d_rasterizer_2d rasterizer(imp);
-    covered_ = draw_panel(rasterizer);
-    if (help_page_ == 0 && largest_share * covered_.area() > l3d_whole(pixels.size()).area()) {
-        uncover();
+    if (help_page_ > 0)
+        covered_ = draw_help(rasterizer);
+    else if (!covers_little(rasterizer, caption_.what) && !covers_little(rasterizer, {}))
         hint_seconds_ = 0;
-    }
+}
+
+/// Draws a hint with these words above it, and takes it away again if it is too large.
+bool captioned::covers_little(l3d_rasterizer_2d& rasterizer, const std::string& words) {
+    covered_ = draw_hint(rasterizer, words);
+    if (largest_share * covered_.area() <= l3d_whole(screen_.pixels().size()).area())
+        return true;
+    uncover();
+    return false;
 }
 
 l3d_panel_style captioned::style() const {
@@ -120,15 +128,18 @@ std::vector<l3d_panel> captioned::help_pages() const {
     return all.pages(screen_.pixels().size(), caption_.help.substr(0, 1), style());
 }
 
-l3d_pixel_box captioned::draw_panel(l3d_rasterizer_2d& rasterizer) const {
+l3d_pixel_box captioned::draw_help(l3d_rasterizer_2d& rasterizer) const {
     l3d_pixel_box free = l3d_whole(screen_.pixels().size());
-    if (help_page_ > 0) {
-        const std::vector<l3d_panel> pages = help_pages();
-        return pages[std::min(help_page_, pages.size()) - 1].draw(rasterizer, free,
-                                                                  l3d_corner::top_right, style());
-    }
+    const std::vector<l3d_panel> pages = help_pages();
+    return pages[std::min(help_page_, pages.size()) - 1].draw(rasterizer, free,
+                                                              l3d_corner::top_right, style());
+}
+
+l3d_pixel_box captioned::draw_hint(l3d_rasterizer_2d& rasterizer, const std::string& words) const {
+    l3d_pixel_box free = l3d_whole(screen_.pixels().size());
     l3d_panel hint;
-    hint.add_title(caption_.what);
+    if (!words.empty())
+        hint.add_title(words);
     hint.add(caption_.help.substr(0, 1), "shows all keys");
     return hint.draw(rasterizer, free, l3d_corner::bottom_left, style());
 }

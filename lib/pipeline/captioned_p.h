@@ -18,8 +18,9 @@ namespace l3d_detail {
 /// Hands every call on to a pipeline. It draws a panel on the finished picture, and puts back what
 /// the panel covers before the pipeline draws again: some programs add to the picture before.
 ///
-/// The panel says for some seconds what is shown and which key lists the others, if that leaves
-/// most of the picture free. The keys of help show all keys, page after page, and hide them again.
+/// The panel says for some seconds what is shown and which key lists the others. Where that would
+/// hide much of the picture, it names the key alone; where that would, too, nothing. The keys of
+/// help show all keys, page after page, and hide them again.
 ///
 /// Lives: borrows pipeline and screen.
 class captioned final : public l3d_pipeline {
@@ -47,7 +48,9 @@ private:
     void cover();
     l3d_panel_style style() const;
     std::vector<l3d_panel> help_pages() const;
-    l3d_pixel_box draw_panel(l3d_rasterizer_2d& rasterizer) const;
+    l3d_pixel_box draw_help(l3d_rasterizer_2d& rasterizer) const;
+    l3d_pixel_box draw_hint(l3d_rasterizer_2d& rasterizer, const std::string& words) const;
+    bool covers_little(l3d_rasterizer_2d& rasterizer, const std::string& words);
 
     l3d_pipeline& shown_;
     l3d_screen& screen_;

@@ -159,6 +159,22 @@ TEST_F(captioned_row, puts_nothing_of_the_old_size_into_the_new_one) {
     EXPECT_TRUE(is_plain());
 }
 
+TEST(captioned_row_with_many_words, names_the_key_of_help_where_they_have_no_room) {
+    pipeline_tests::sizable_screen screen(l3d_size{320, 240});
+    growing_row row{screen};
+    const std::string words = "Many words of what this picture is to show, and of what for. ";
+    l3d_detail::captioned shown{row, screen, l3d_caption{.what = words + words + words + words},
+                                l3d_font(), hint_seconds};
+    shown.update_event(0.1);
+    shown.draw_event();
+    int lit = 0;
+    for (int y = 0; y < 200; ++y)
+        for (const std::uint32_t word : screen.pixels().row(y))
+            lit += word != 0;
+    EXPECT_EQ(lit, 0) << "the words would hide these rows";
+    EXPECT_NE(screen.pixels().row(234)[20], 0u) << "the key's panel";
+}
+
 TEST_F(captioned_row_in_a_small_window, gives_no_hint_that_would_cover_the_picture) {
     pass(0.1);
     EXPECT_TRUE(is_plain());
