@@ -116,18 +116,18 @@ private:
 };
 
 /// Sorting without comparing: the naive twin.
-double sorted_only_ms(const l3d_polygon_model& model, bool cull, int frames) {
-    l3d_workers workers(1);
+double sorted_only_ms(const l3d_polygon_model& model, bool cull, int frames, int threads) {
+    l3d_workers workers(threads);
     l3d_polygon_frame frame;
     const l3d_polygon_view view(camera(), size, l3d_projection::perspective,
                                 l3d_identity<double>());
     frame.make(model, view, {.cull = cull, .smooth = true}, workers);
     std::vector<l3d_painter_triangle> triangles;
-    l3d_painter_order order;
+    l3d_painter_order order(workers);
     std::vector<double> times;
     for (int i = 0; i < frames; ++i) {
         const auto start = std::chrono::steady_clock::now();
-        frame.list(triangles);
+        frame.list(triangles, workers);
         order.make(triangles, size, false);
         times.push_back(
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
@@ -158,7 +158,7 @@ bool bench(bool cull, int threads) {
         l3d_pipeline_zbuffer gl(canvas(sw), model, camera(), settings, *mesa, "mesa");
         const measured by_order = measure(zsort, frames), by_depth = measure(zbuffer, frames),
                        by_gl = measure(gl, frames);
-        const double sorted = sorted_only_ms(model, cull, frames);
+        const double sorted = sorted_only_ms(model, cull, frames, threads);
         // Grey by lanes may be a level off; where two depths tie, either may be seen.
         const long wrong = differing(by_order, by_depth, 1);
         const long covered =

@@ -41,19 +41,31 @@ private:
 
 class painting {
 public:
+    explicit painting(int threads = 1) : workers_(threads) {}
+
     std::vector<std::uint32_t> paint(const std::vector<l3d_painter_triangle>& triangles,
                                      l3d_shade shade, bool resolve = true) {
         canvas on;
-        order.make(triangles, window, resolve);
+        order_.make(triangles, window, resolve);
         painter_.paint(on.pixels(), {shade, {0.6f, 0, 0.8f}, {0, 0, -1}, {}, {}}, {},
-                       order.triangles(), order.pieces(), order.cuts());
+                       order_.triangles(), order_.pieces(), order_.cuts());
         return on.picture();
     }
 
-    l3d_painter_order order;
+    std::vector<std::uint32_t> paint_lines() {
+        canvas on;
+        painter_.paint_lines(on.pixels(), {0x102030, 0x405060}, order_.triangles(), order_.pieces(),
+                             order_.cuts(), 0xffffff);
+        return on.picture();
+    }
+
+    const l3d_painter_order& order() const { return order_; }
+    std::int64_t written() const { return painter_.counts().written; }
 
 private:
-    l3d_painter painter_;
+    l3d_workers workers_;
+    l3d_painter_order order_{workers_};
+    l3d_painter painter_{workers_};
 };
 
 std::vector<std::uint32_t> by_depth_buffer(const std::vector<l3d_painter_triangle>& triangles,
@@ -104,8 +116,8 @@ TEST(painter_order, ten_thousand_scenes_are_right_in_every_pixel) {
             << "shaded, seed " << seed;
         tied += std::ranges::count(exact.tied, true);
         covered += std::ranges::count_if(exact.number, [](std::uint32_t n) { return n > 0; });
-        knots += painted.order.counts().knots;
-        cuts += painted.order.counts().cuts;
+        knots += painted.order().counts().knots;
+        cuts += painted.order().counts().cuts;
         wrong_unresolved +=
             differences(painted.paint(triangles, l3d_shade::error, false), exact.number, exact) > 0;
     }
@@ -141,12 +153,78 @@ TEST(painter_order, a_bush_of_crossing_triangles_is_cut_only_where_it_is_seen) {
         const nearest_triangles exact = find_nearest(triangles, window);
         EXPECT_EQ(differences(painted.paint(triangles, l3d_shade::error), exact.number, exact), 0)
             << count;
-        EXPECT_EQ(painted.order.counts().knots, 1);
+        EXPECT_EQ(painted.order().counts().knots, 1);
         // Each with each would be cut into more than count * count / 2 pieces.
-        EXPECT_LT(painted.order.pieces().size(), 20u * count);
-        std::cout << count << ": " << painted.order.pieces().size() << " pieces, "
-                  << painted.order.counts().cuts << " cuts\n";
+        EXPECT_LT(painted.order().pieces().size(), 20u * count);
+        std::cout << count << ": " << painted.order().pieces().size() << " pieces, "
+                  << painted.order().counts().cuts << " cuts\n";
     }
+}
+
+/// Small triangles all over the window, each over some others.
+std::vector<l3d_painter_triangle> confetti(unsigned count, unsigned seed) {
+    std::mt19937 random(seed);
+    std::vector<l3d_painter_triangle> triangles(count);
+    const auto below = [&](int most) { return static_cast<int>(random() % unsigned(most)); };
+    constexpr int reach = 4 << l3d_subpixel_bits;
+    for (unsigned i = 0; i < count; ++i) {
+        triangles[i].color = i + 1;
+        const int x = below(window.width << l3d_subpixel_bits);
+        const int y = below(window.height << l3d_subpixel_bits);
+        const auto inv_w = static_cast<float>(1 + below(1 << 20));
+        for (l3d_micro_vertex& v : triangles[i].v)
+            v = {x + below(reach),
+                 y + below(reach),
+                 (inv_w + static_cast<float>(below(1 << 12))) / (1 << 21),
+                 {static_cast<float>(below(256)) / 256, 0, 1}};
+    }
+    return triangles;
+}
+
+using piece_numbers = std::vector<std::array<std::uint32_t, 2>>;
+using cut_numbers = std::vector<std::array<std::uint32_t, 3>>;
+
+piece_numbers numbers_of(std::span<const l3d_painter_piece> pieces) {
+    piece_numbers all;
+    for (const l3d_painter_piece& piece : pieces)
+        all.push_back({piece.triangle, piece.cut});
+    return all;
+}
+
+cut_numbers numbers_of(std::span<const l3d_painter_cut> cuts) {
+    cut_numbers all;
+    for (const l3d_painter_cut& cut : cuts)
+        all.push_back({cut.splitter, cut.in_front, cut.next});
+    return all;
+}
+
+TEST(painter_order, any_number_of_threads_gives_the_same_order_and_the_same_bits) {
+    std::vector<std::vector<l3d_painter_triangle>> scenes{
+        {}, bush(60, 3), confetti(300, 4), confetti(5000, 5)};
+    for (unsigned seed = 1; seed <= 100; ++seed) {
+        std::mt19937 random(seed);
+        scenes.push_back(random_triangles(random, window));
+    }
+    painting alone;
+    std::int64_t out_of_turn = 0;
+    for (const int threads : {2, 3, 7}) {
+        painting shared(threads);
+        for (const auto& scene : scenes) {
+            const auto words = alone.paint(scene, l3d_shade::error);
+            ASSERT_EQ(shared.paint(scene, l3d_shade::error), words);
+            const l3d_painter_order &one = alone.order(), &many = shared.order();
+            ASSERT_EQ(numbers_of(many.pieces()), numbers_of(one.pieces()));
+            ASSERT_EQ(numbers_of(many.cuts()), numbers_of(one.cuts()));
+            ASSERT_EQ(many.counts().pairs, one.counts().pairs);
+            ASSERT_EQ(shared.written(), alone.written());
+            ASSERT_EQ(shared.paint_lines(), alone.paint_lines());
+            ASSERT_EQ(shared.paint(scene, l3d_shade::gouraud),
+                      alone.paint(scene, l3d_shade::gouraud));
+            for (std::size_t i = 1; i < one.pieces().size(); ++i)
+                out_of_turn += one.pieces()[i].triangle < one.pieces()[i - 1].triangle;
+        }
+    }
+    EXPECT_GT(out_of_turn, 1000); // so both ways to find what a triangle needs are taken
 }
 
 std::vector<std::uint32_t> all_of(std::span<const l3d_painter_triangle> triangles) {
@@ -166,7 +244,8 @@ TEST(painter_order, what_a_knot_leaves_out_would_not_show) {
     }
     std::size_t left_out = 0;
     for (const auto& scene : scenes) {
-        l3d_painter_order order; // sorts, and drops what has no area
+        l3d_workers worker(1);
+        l3d_painter_order order(worker); // sorts, and drops what has no area
         order.make(scene, window, false);
         const nearest_triangles exact = find_nearest(scene, window);
         std::array<std::vector<l3d_painter_piece>, 2> pieces;
@@ -176,7 +255,7 @@ TEST(painter_order, what_a_knot_leaves_out_would_not_show) {
             std::vector<l3d_painter_cut> cuts;
             knot.untie(window, order.triangles(), all_of(order.triangles()), pieces[i], cuts);
             canvas on;
-            l3d_painter painter;
+            l3d_painter painter(worker);
             painter.paint(on.pixels(), own_colors, {}, order.triangles(), pieces[i], cuts);
             pictures[i] = on.picture();
         }
@@ -192,14 +271,15 @@ TEST(painter_order, a_piece_is_hidden_if_its_area_and_its_sides_are_covered) {
     int hidden = 0, shown_by_sides = 0;
     for (unsigned seed = 1; seed <= 300; ++seed) {
         std::mt19937 random(seed);
-        l3d_painter_order order;
+        l3d_workers worker(1);
+        l3d_painter_order order(worker);
         order.make(random_triangles(random, window), window);
         const auto triangles = order.triangles();
         const std::vector<l3d_painter_cut> cuts(order.cuts().begin(), order.cuts().end());
         const auto pieces = order.pieces();
         l3d_detail::painter_cover cover;
         cover.begin(window, triangles, cuts);
-        l3d_painter painter;
+        l3d_painter painter(worker);
         canvas on;
         for (std::size_t i = pieces.size(); i > 0; --i) {
             const auto piece = pieces.subspan(i - 1, 1), in_front = pieces.subspan(i);
@@ -230,8 +310,8 @@ TEST(painter_order, the_cycle_of_three_rectangles) {
     const nearest_triangles exact = find_nearest(triangles, window);
     painting painted;
     EXPECT_EQ(differences(painted.paint(triangles, l3d_shade::error), exact.number, exact), 0);
-    EXPECT_EQ(painted.order.counts().knots, 1);
-    EXPECT_GE(painted.order.counts().cuts, 1);
+    EXPECT_EQ(painted.order().counts().knots, 1);
+    EXPECT_GE(painted.order().counts().cuts, 1);
     EXPECT_GT(differences(painted.paint(triangles, l3d_shade::error, false), exact.number, exact),
               0);
 }
@@ -244,7 +324,7 @@ TEST(painter_order, nothing_and_what_covers_nothing) {
         flat.v[static_cast<std::size_t>(i)] = {1000 * i, 2000 * i, 1, {0, 0, 1}};
     flat.color = 7;
     painted.paint({flat}, l3d_shade::error);
-    EXPECT_TRUE(painted.order.pieces().empty());
+    EXPECT_TRUE(painted.order().pieces().empty());
 }
 
 } // namespace

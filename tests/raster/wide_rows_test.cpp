@@ -131,7 +131,8 @@ std::vector<std::uint32_t> painted(const l3d_micro_triangles& triangles, l3d_sha
         }
     }
     std::vector<std::uint32_t> words(std::size_t(size.height) * std::size_t(width));
-    l3d_painter painter;
+    l3d_workers worker(1);
+    l3d_painter painter(worker);
     painter.paint({words.data(), width, size.height, width}, tilted(mode), materials, list, pieces,
                   cuts);
     return words;

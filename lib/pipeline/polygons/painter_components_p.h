@@ -20,8 +20,9 @@ public:
     /// Calls emit(component) for each strongly connected component of nodes [0, count), after those
     /// that its nodes need. Where there is a choice, the order is that of the least node.
     ///
-    /// `needed(node, out)` adds to `out` what a node needs before it. Members that are emitted
-    /// already may be left out. Nodes of a component are in rising order.
+    /// `needed(node, in_turn, out)` adds to `out` what a node needs before it. Members that are
+    /// emitted already may be left out. If it is the node's turn, all lesser ones are emitted.
+    /// Nodes of a component are in rising order.
     template <class Needed, class Emit>
     void walk(std::uint32_t count, const Needed& needed, const Emit& emit) {
         marks_.assign(count, mark{});
@@ -29,7 +30,7 @@ public:
         for (std::uint32_t root = 0; root < count; ++root) {
             if (marks_[root].index != unseen)
                 continue;
-            enter(root, needed);
+            enter(root, true, needed);
             while (!calls_.empty())
                 advance(needed, emit);
         }
@@ -50,12 +51,12 @@ private:
         std::size_t first_edge, next_edge;
     };
 
-    template <class Needed> void enter(std::uint32_t node, const Needed& needed) {
+    template <class Needed> void enter(std::uint32_t node, bool in_turn, const Needed& needed) {
         marks_[node] = {next_, next_};
         ++next_;
         open_.push_back(node);
         calls_.push_back({node, edges_.size(), edges_.size()});
-        needed(node, edges_);
+        needed(node, in_turn, edges_);
     }
 
     /// One step of the walk: the next edge of the node at hand, or its end.
@@ -64,7 +65,7 @@ private:
         if (at.next_edge < edges_.size()) {
             const std::uint32_t to = edges_[at.next_edge++];
             if (marks_[to].index == unseen)
-                enter(to, needed);
+                enter(to, false, needed);
             else if (marks_[to].index != finished)
                 marks_[at.node].low = std::min(marks_[at.node].low, marks_[to].index);
             return;

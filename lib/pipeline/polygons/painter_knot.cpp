@@ -109,7 +109,7 @@ void painter_knot::arrange(fragments&& set) {
     });
     components_.walk(
         static_cast<std::uint32_t>(set.size()),
-        [&](std::uint32_t node, std::vector<std::uint32_t>& out) {
+        [&](std::uint32_t node, bool, std::vector<std::uint32_t>& out) {
             out.insert(out.end(), needs[node].begin(), needs[node].end());
         },
         [&](std::span<const std::uint32_t> component) {

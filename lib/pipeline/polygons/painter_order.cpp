@@ -6,109 +6,49 @@
 #include "pipeline/polygons/painter_components_p.h"
 #include "pipeline/polygons/painter_knot_p.h"
 #include "pipeline/polygons/painter_overlap_p.h"
-#include "raster/shapes/scan_edge_p.h"
+#include "pipeline/polygons/painter_tiles_p.h"
+#include "raster/parallel/chunks_p.h"
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <vector>
 
 namespace {
 
 using namespace l3d_detail;
 
-/// The pixels whose centres are in a triangle's box, ends excluded, and its range of 1/w.
-struct pixel_range {
-    std::int32_t left, top, right, bottom;
-    float farthest, nearest;
-
-    bool empty() const { return left >= right || top >= bottom; }
-    bool meets(const pixel_range& other) const {
-        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
-    }
-};
-
-pixel_range range_of(const std::array<l3d_micro_vertex, 3>& v, l3d_size size) {
-    const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
-    const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
-    const auto [farthest, nearest] = std::minmax({v[0].inv_w, v[1].inv_w, v[2].inv_w});
-    return {std::max(first_centre(left), 0),
-            std::max(first_centre(top), 0),
-            std::min(first_centre(right), size.width),
-            std::min(first_centre(bottom), size.height),
-            farthest,
-            nearest};
-}
+/// So many triangles are one item of a worker's work: some 10^4 cycles at the least.
+constexpr std::size_t chunk_triangles = 1024;
 
 bool has_area(const std::array<l3d_micro_vertex, 3>& v) {
     return (std::int64_t{v[1].x} - v[0].x) * (std::int64_t{v[2].y} - v[0].y) !=
            (std::int64_t{v[1].y} - v[0].y) * (std::int64_t{v[2].x} - v[0].x);
 }
 
-/// For each tile of the picture the triangles whose boxes reach it, the farthest first.
-class tile_lists {
-public:
-    /// Squares about twice as wide as the mean triangle: fewer would list each triangle often,
-    /// larger ones would list together what does not meet.
-    void make(const std::vector<pixel_range>& ranges, l3d_size size) {
-        double area = 0;
-        for (const pixel_range& r : ranges)
-            area += double(r.right - r.left) * (r.bottom - r.top);
-        const double side = 2 * std::sqrt(area / std::max<double>(1, double(ranges.size())));
-        constexpr int least = 2, most = 7; // 4 to 128 pixels
-        shift_ =
-            std::clamp(static_cast<int>(std::lround(std::log2(std::max(side, 1.0)))), least, most);
-        columns_ = ((size.width - 1) >> shift_) + 1;
-        const int rows = ((size.height - 1) >> shift_) + 1;
-        // Counted two places too far: after the sums and the filling, begins_[t] is where t begins.
-        begins_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows) + 2, 0);
-        for (const pixel_range& r : ranges)
-            for_each(r, [&](std::size_t tile, int, int) { ++begins_[tile + 2]; });
-        for (std::size_t t = 2; t < begins_.size(); ++t)
-            begins_[t] += begins_[t - 1];
-        entries_.resize(begins_.back());
-        for (std::uint32_t i = 0; i < ranges.size(); ++i)
-            for_each(ranges[i],
-                     [&](std::size_t tile, int, int) { entries_[begins_[tile + 1]++] = i; });
-        heads_.assign(begins_.begin(), begins_.end());
-    }
+/// `triangle` must be painted after `before`, which is later in the sorted order.
+struct late_need {
+    std::uint32_t triangle, before;
+};
 
-    /// Calls visit(tile, column, row of tiles) for each that a range reaches.
-    template <class Visit> void for_each(const pixel_range& r, const Visit& visit) const {
-        for (int row = r.top >> shift_; row <= (r.bottom - 1) >> shift_; ++row)
-            for (int column = r.left >> shift_; column <= (r.right - 1) >> shift_; ++column)
-                visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                          static_cast<std::size_t>(column),
-                      column, row);
-    }
-
-    /// The members of a tile. Those at its beginning for which `skip` is true are dropped for good.
-    template <class Skip> std::span<const std::uint32_t> rest(std::size_t tile, const Skip& skip) {
-        std::uint32_t& head = heads_[tile];
-        const std::uint32_t end = begins_[tile + 1];
-        while (head < end && skip(entries_[head]))
-            ++head;
-        return {entries_.data() + head, end - head};
-    }
-
-    /// Whether a tile is the first of those that both ranges reach.
-    bool is_first_common(int column, int row, const pixel_range& a, const pixel_range& b) const {
-        return column == std::max(a.left, b.left) >> shift_ &&
-               row == std::max(a.top, b.top) >> shift_;
-    }
-
-private:
-    int shift_ = 0, columns_ = 0;
-    std::vector<std::uint32_t> begins_, heads_, entries_;
+/// What a row of tiles found.
+struct row_of_needs {
+    std::vector<late_need> found;
+    std::int64_t pairs = 0; ///< compared
 };
 
 } // namespace
 
 struct l3d_painter_order::work_space {
+    explicit work_space(l3d_workers& by) : workers(by) {}
+
+    l3d_workers& workers;
     std::vector<l3d_sort_item> keys, other_keys;
+    std::vector<std::size_t> kept; ///< of each chunk's keys
     std::vector<l3d_painter_triangle> sorted;
     std::vector<pixel_range> ranges;
-    tile_lists tiles;
+    painter_tiles tiles;
+    std::vector<row_of_needs> rows;
+    std::vector<std::uint32_t> late, late_begins; ///< what each triangle needs of the later ones
     ordered_components components;
     painter_knot knot;
     std::vector<l3d_painter_piece> pieces;
@@ -116,45 +56,115 @@ struct l3d_painter_order::work_space {
 
     /// By the farthest corner, as positive floats are ordered like their bits.
     void sort(std::span<const l3d_painter_triangle> triangles, l3d_size size) {
-        keys.clear();
-        for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-            const pixel_range range = range_of(triangles[i].v, size);
-            if (!range.empty() && has_area(triangles[i].v))
-                keys.push_back({std::bit_cast<std::uint32_t>(range.farthest), i});
+        keys.resize(triangles.size());
+        kept.resize(chunks_of(triangles.size(), chunk_triangles));
+        for_each_chunk(workers, triangles.size(), chunk_triangles,
+                       [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+                           std::size_t to = begin;
+                           for (std::size_t i = begin; i < end; ++i) {
+                               const pixel_range range = range_of(triangles[i].v, size);
+                               if (!range.empty() && has_area(triangles[i].v))
+                                   keys[to++] = {std::bit_cast<std::uint32_t>(range.farthest),
+                                                 static_cast<std::uint32_t>(i)};
+                           }
+                           kept[chunk] = to - begin;
+                       });
+        auto end = keys.begin();
+        for (std::size_t chunk = 0; chunk < kept.size(); ++chunk) {
+            const auto from = keys.begin() + static_cast<std::ptrdiff_t>(chunk * chunk_triangles);
+            end = std::copy(from, from + static_cast<std::ptrdiff_t>(kept[chunk]), end);
         }
+        keys.erase(end, keys.end());
         l3d_radix_sort(keys, other_keys);
         sorted.resize(keys.size());
         ranges.resize(keys.size());
-        for (std::size_t i = 0; i < keys.size(); ++i) {
-            sorted[i] = triangles[keys[i].index];
-            ranges[i] = range_of(sorted[i].v, size);
+        for_each_chunk(workers, keys.size(), chunk_triangles,
+                       [&](std::size_t begin, std::size_t end_of, std::size_t) {
+                           for (std::size_t i = begin; i < end_of; ++i) {
+                               sorted[i] = triangles[keys[i].index];
+                               ranges[i] = range_of(sorted[i].v, size);
+                           }
+                       });
+    }
+
+    /// Whether a triangle must be painted after another, whose box it meets: it is in front of it
+    /// somewhere.
+    bool needs(std::uint32_t triangle, std::uint32_t other) const {
+        return insides_meet(sorted[triangle].v, sorted[other].v) &&
+               (ranges[other].nearest <= ranges[triangle].farthest ||
+                front_of(sorted[triangle].v, sorted[other].v).first);
+    }
+
+    /// Finds what each triangle needs of those that are sorted after it.
+    void find_late() {
+        rows.resize(static_cast<std::size_t>(tiles.rows()));
+        workers.for_each(tiles.rows(), [&](int row, int) { find_late(row); });
+        // A stable sort by counting, so the order does not depend on who found what.
+        late_begins.assign(sorted.size() + 2, 0);
+        for (const row_of_needs& row : rows)
+            for (const late_need& need : row.found)
+                ++late_begins[need.triangle + 2];
+        for (std::size_t i = 2; i < late_begins.size(); ++i)
+            late_begins[i] += late_begins[i - 1];
+        late.resize(late_begins.back());
+        for (const row_of_needs& row : rows)
+            for (const late_need& need : row.found)
+                late[late_begins[need.triangle + 1]++] = need.before;
+    }
+
+    void find_late(int row) {
+        row_of_needs& to = rows[static_cast<std::size_t>(row)];
+        to.found.clear();
+        to.pairs = 0;
+        for (int column = 0; column < tiles.columns(); ++column) {
+            const painter_tile tile = tiles.tile(column, row);
+            const std::span<const std::uint32_t> members = tiles.members(tile);
+            for (std::size_t i = 0; i < members.size(); ++i) {
+                const pixel_range& own = ranges[members[i]];
+                for (const std::uint32_t other : members.subspan(i + 1)) {
+                    const pixel_range& range = ranges[other];
+                    if (range.farthest >= own.nearest)
+                        break; // wholly in front, and so are all that follow
+                    if (!tiles.first_meet(tile, own, range))
+                        continue;
+                    ++to.pairs;
+                    if (needs(members[i], other))
+                        to.found.push_back({members[i], other});
+                }
+            }
         }
     }
 
-    /// Adds what must be painted before a triangle: those that it is in front of somewhere.
-    void find_needed(std::uint32_t triangle, std::vector<std::uint32_t>& out,
-                     l3d_painter_order_counts& counts) {
+    /// Adds what a triangle needs of those that are sorted before it and wait for something.
+    void find_early(std::uint32_t triangle, std::vector<std::uint32_t>& out,
+                    l3d_painter_order_counts& counts) {
         const pixel_range& own = ranges[triangle];
         const auto emitted = [&](std::uint32_t i) { return components.emitted(i); };
-        tiles.for_each(own, [&](std::size_t tile, int column, int row) {
+        tiles.for_each(own, [&](const painter_tile& tile) {
             for (const std::uint32_t i : tiles.rest(tile, emitted)) {
-                const pixel_range& range = ranges[i];
-                if (range.farthest >= own.nearest)
-                    break; // wholly in front, and so are all that follow
-                if (i == triangle || !own.meets(range) ||
-                    !tiles.is_first_common(column, row, own, range) || emitted(i))
+                if (i >= triangle)
+                    break;
+                if (!tiles.first_meet(tile, own, ranges[i]) || emitted(i))
                     continue;
                 ++counts.pairs;
-                if (insides_meet(sorted[triangle].v, sorted[i].v) &&
-                    (range.nearest <= own.farthest ||
-                     front_of(sorted[triangle].v, sorted[i].v).first))
+                if (needs(triangle, i))
                     out.push_back(i);
             }
         });
     }
+
+    /// Adds what must be painted before a triangle: those that it is in front of somewhere.
+    void find_needed(std::uint32_t triangle, bool in_turn, std::vector<std::uint32_t>& out,
+                     l3d_painter_order_counts& counts) {
+        if (!in_turn)
+            find_early(triangle, out, counts);
+        out.insert(out.end(), late.begin() + late_begins[triangle],
+                   late.begin() + late_begins[triangle + 1]);
+    }
 };
 
-l3d_painter_order::l3d_painter_order() : work_(std::make_unique<work_space>()) {}
+l3d_painter_order::l3d_painter_order(l3d_workers& workers)
+    : work_(std::make_unique<work_space>(workers)) {}
 
 l3d_painter_order::~l3d_painter_order() = default;
 
@@ -172,11 +182,14 @@ void l3d_painter_order::make(std::span<const l3d_painter_triangle> triangles, l3
             w.pieces.push_back({i});
         return;
     }
-    w.tiles.make(w.ranges, size);
+    w.tiles.make(w.ranges, size, w.workers);
+    w.find_late();
+    for (const row_of_needs& row : w.rows)
+        counts_.pairs += row.pairs;
     w.components.walk(
         count,
-        [&](std::uint32_t triangle, std::vector<std::uint32_t>& out) {
-            w.find_needed(triangle, out, counts_);
+        [&](std::uint32_t triangle, bool in_turn, std::vector<std::uint32_t>& out) {
+            w.find_needed(triangle, in_turn, out, counts_);
         },
         [&](std::span<const std::uint32_t> component) {
             if (component.size() == 1) {

@@ -4,6 +4,7 @@
 #define L3D_PIPELINE_POLYGONS_PAINTER_ORDER_H
 
 #include "pipeline/polygons/polygon_report.h"
+#include "raster/parallel/workers.h"
 #include "raster/shapes/painter.h"
 #include "tool_2d/pixels.h"
 
@@ -28,7 +29,8 @@
 ///          structures (SIGGRAPH 1980).
 class l3d_painter_order {
 public:
-    l3d_painter_order();
+    /// Lives: borrows the workers.
+    explicit l3d_painter_order(l3d_workers& workers);
     ~l3d_painter_order();
     l3d_painter_order(const l3d_painter_order&) = delete;
     l3d_painter_order& operator=(const l3d_painter_order&) = delete;

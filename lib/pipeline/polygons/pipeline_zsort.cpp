@@ -13,6 +13,8 @@
 using l3d_detail::stopwatch;
 
 struct l3d_pipeline_zsort::stages {
+    explicit stages(l3d_workers& workers) : order(workers), painter(workers) {}
+
     std::vector<l3d_painter_triangle> triangles;
     l3d_painter_order order;
     l3d_painter painter;
@@ -22,13 +24,13 @@ l3d_pipeline_zsort::l3d_pipeline_zsort(l3d_canvas canvas, l3d_polygon_model mode
                                        const l3d_camera& camera,
                                        const l3d_polygon_settings& settings)
     : l3d_pipeline_polygons(std::move(canvas), std::move(model), camera, settings),
-      stages_(std::make_unique<stages>()) {}
+      stages_(std::make_unique<stages>(workers())) {}
 
 l3d_pipeline_zsort::~l3d_pipeline_zsort() = default;
 
 void l3d_pipeline_zsort::make_order(const scene& what, l3d_polygon_report& report) {
     const stopwatch ordering;
-    what.frame.list(stages_->triangles);
+    what.frame.list(stages_->triangles, workers());
     stages_->order.make(stages_->triangles, what.target.size());
     report.order = stages_->order.counts();
     report.time_ms.order = ordering.milliseconds();

@@ -4,6 +4,7 @@
 
 #include "dice/near_clip.h"
 #include "dice/snap.h"
+#include "raster/parallel/chunks_p.h"
 #include "raster/shapes/scan_edge_p.h"
 
 #include <algorithm>
@@ -14,7 +15,9 @@ namespace {
 
 using vector = l3d_polygon_view::vector;
 using point = l3d_vector<double, 4>;
+using l3d_detail::chunks_of;
 using l3d_detail::first_centre;
+using l3d_detail::for_each_chunk;
 
 point placed(const l3d_matrix<double>& m, const vector& v) {
     point result = m.column(3);
@@ -74,15 +77,11 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
 
     const std::size_t vertices = model.mesh().vertices.size();
     const std::size_t triangles = model.triangles().size();
-    const auto chunks_of = [](std::size_t count) {
-        return (count + chunk_triangles - 1) / chunk_triangles;
-    };
     vertices_.resize(vertices);
-    workers.for_each(static_cast<int>(chunks_of(vertices)), [&](int i, int) {
-        const std::size_t begin = static_cast<std::size_t>(i) * chunk_triangles;
-        place_vertices(in, begin, std::min(begin + chunk_triangles, vertices));
-    });
-    const std::size_t count = ends.empty() ? chunks_of(triangles) : ends.size();
+    for_each_chunk(
+        workers, vertices, chunk_triangles,
+        [&](std::size_t begin, std::size_t end, std::size_t) { place_vertices(in, begin, end); });
+    const std::size_t count = ends.empty() ? chunks_of(triangles, chunk_triangles) : ends.size();
     if (chunks_.size() < count)
         chunks_.resize(count);
     workers.for_each(static_cast<int>(count),
@@ -215,14 +214,19 @@ void l3d_polygon_frame::add_clipped(const frame_input& in, const l3d_model_trian
     to.counts.clipped += seen;
 }
 
-void l3d_polygon_frame::list(std::vector<l3d_painter_triangle>& out) const {
-    out.clear();
-    for (std::size_t c = 0; c < parts_.size(); ++c) {
+void l3d_polygon_frame::list(std::vector<l3d_painter_triangle>& out, l3d_workers& workers) const {
+    std::vector<std::size_t> begins{0};
+    for (const l3d_surface_part* part : parts_)
+        begins.push_back(begins.back() + part->triangles.count);
+    out.resize(begins.back());
+    workers.for_each(static_cast<int>(parts_.size()), [&](int number, int) {
+        const auto c = static_cast<std::size_t>(number);
         const l3d_micro_triangles& triangles = parts_[c]->triangles;
         for (std::size_t i = 0; i < triangles.count; ++i)
-            out.push_back({{triangles.vertex(i, 0), triangles.vertex(i, 1), triangles.vertex(i, 2)},
-                           0,
-                           chunks_[c].sides[i],
-                           parts_[c]->material_of(i)});
-    }
+            out[begins[c] + i] = {
+                {triangles.vertex(i, 0), triangles.vertex(i, 1), triangles.vertex(i, 2)},
+                0,
+                chunks_[c].sides[i],
+                parts_[c]->material_of(i)};
+    });
 }

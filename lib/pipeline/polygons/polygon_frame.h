@@ -51,7 +51,7 @@ public:
 
     /// The same triangles one by one, with the sides that are sides of faces. The outline of the
     /// rest of a clipped triangle.
-    void list(std::vector<l3d_painter_triangle>& out) const;
+    void list(std::vector<l3d_painter_triangle>& out, l3d_workers& workers) const;
 
     const l3d_polygon_counts& counts() const { return counts_; }
 

@@ -2,6 +2,7 @@
 // l3d_painter: spans, cut where planes meet, and shaded.
 #include "raster/shapes/painter.h"
 
+#include "raster/parallel/chunks_p.h"
 #include "raster/shapes/attribute_plane_p.h"
 #include "raster/shapes/piece_pixels_p.h"
 #include "raster/shaders/lit_shader_p.h"
@@ -43,9 +44,18 @@ struct ground_shader {
     std::uint32_t word(const float*) const { return of_row; }
 };
 
-/// Everything a triangle is painted by.
-struct painting {
+/// What there is to paint.
+struct painted_things {
+    std::span<const l3d_painter_triangle> triangles;
+    std::span<const l3d_painter_piece> pieces;
+    std::span<const l3d_painter_cut> cuts;
+};
+
+/// Everything a triangle is painted by, in a band of rows. A worker writes to it at each row, so no
+/// two share a line of the caches.
+struct alignas(64) painting {
     l3d_pixels target;
+    scan_rows rows;
     scan_polygon scan;
     std::vector<placed_cut> cuts;
     std::uint32_t color = white; ///< of the material
@@ -126,68 +136,130 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
     visit_rows(to.scan, v, to.cuts, to.target.width, begin, paint_row);
 }
 
+/// All rows in which a triangle may have pixels, or its sides: those may lie half a pixel outside.
+scan_rows reach_of(const l3d_painter_triangle& of) {
+    const auto [top, bottom] = std::minmax({of.v[0].y, of.v[1].y, of.v[2].y});
+    return {first_centre(top) - 1, first_centre(bottom) + 1};
+}
+
 } // namespace
 
 struct l3d_painter::work_space {
-    painting to;
-    std::span<const l3d_material> materials;
+    explicit work_space(l3d_workers& by) : workers(by), of_worker(std::size_t(by.count())) {}
 
-    void begin(l3d_pixels target, const l3d_background& background) {
-        background.fill(target);
-        to.target = target;
-        to.scan.set_rows({0, target.height});
-        to.written = 0;
-        to.foggy = nullptr;
-        to.color = painting::white;
-    }
+    /// More bands share the work more evenly; but a triangle is set up in each that it reaches.
+    static constexpr int bands_per_worker = 4;
+    static constexpr std::size_t chunk_pieces = 4096;
 
-    template <class Shader>
-    void paint(Shader shader, std::span<const l3d_painter_triangle> triangles,
-               std::span<const l3d_painter_piece> pieces, std::span<const l3d_painter_cut> cuts) {
-        for (const l3d_painter_piece& piece : pieces) {
-            place_cuts(piece, triangles, cuts, to.cuts);
-            if constexpr (std::is_same_v<Shader, own_color_shader>)
-                shader.color = triangles[piece.triangle].color;
-            if constexpr (std::is_same_v<Shader, lit_shader>)
-                shader.use_material(triangles[piece.triangle].material);
-            else if (!materials.empty())
-                to.color = materials[triangles[piece.triangle].material].color;
-            paint_triangle(to, shader, triangles[piece.triangle].v);
+    l3d_workers& workers;
+    std::vector<painting> of_worker;
+    std::vector<scan_rows> reach; ///< of each piece; only if there is more than one band
+
+    void begin(l3d_pixels target) {
+        for (painting& to : of_worker) {
+            to.target = target;
+            to.written = 0;
+            to.foggy = nullptr;
+            to.color = painting::white;
         }
     }
 
-    void paint_by_mode(const l3d_shading& shading, std::span<const l3d_painter_triangle> triangles,
-                       std::span<const l3d_painter_piece> pieces,
-                       std::span<const l3d_painter_cut> cuts) {
-        switch (shading.mode) {
-        case l3d_shade::lambert:
-            paint(lambert_shader(shading), triangles, pieces, cuts);
-            break;
-        case l3d_shade::gouraud:
-            paint(gouraud_shader(shading), triangles, pieces, cuts);
-            break;
-        case l3d_shade::flat:
-            paint(flat_shader(shading), triangles, pieces, cuts);
-            break;
-        case l3d_shade::normals:
-            paint(normals_shader(shading), triangles, pieces, cuts);
-            break;
-        case l3d_shade::error:
-            paint(own_color_shader(), triangles, pieces, cuts);
-            break;
-        default:
-            assert(false); // only diced surfaces have levels or parameters
-            break;
+    /// Clears each band and calls paint(piece, to) for the pieces that reach it, where `paint` is a
+    /// copy of what is given.
+    template <class Paint>
+    void paint_bands(const painted_things& what, const l3d_background& background,
+                     const Paint& prototype) {
+        const int height = of_worker.front().target.height;
+        const int bands =
+            workers.count() > 1 ? std::min(bands_per_worker * workers.count(), height) : 1;
+        if (bands > 1) {
+            reach.resize(what.pieces.size());
+            for_each_chunk(workers, reach.size(), chunk_pieces,
+                           [&](std::size_t begin, std::size_t end, std::size_t) {
+                               for (std::size_t i = begin; i < end; ++i)
+                                   reach[i] = reach_of(what.triangles[what.pieces[i].triangle]);
+                           });
         }
+        workers.for_each(bands, [&](int band, int worker) {
+            painting& to = of_worker[static_cast<std::size_t>(worker)];
+            to.rows = {band * height / bands, (band + 1) * height / bands};
+            to.scan.set_rows(to.rows);
+            background.fill(to.target, {0, to.rows.top, to.target.width, to.rows.bottom});
+            Paint paint = prototype;
+            for (std::size_t i = 0; i < what.pieces.size(); ++i) {
+                if (bands > 1 && (reach[i].top >= to.rows.bottom || reach[i].bottom <= to.rows.top))
+                    continue;
+                place_cuts(what.pieces[i], what.triangles, what.cuts, to.cuts);
+                paint(what.triangles[what.pieces[i].triangle], to);
+            }
+        });
     }
 
-    void draw_sides(const l3d_painter_triangle& of, std::uint32_t color) {
-        visit_sides(of, to.cuts, to.target.size(),
-                    [&](int x, int y) { to.target.row(y)[static_cast<std::size_t>(x)] = color; });
+    std::int64_t written() const {
+        std::int64_t sum = 0;
+        for (const painting& to : of_worker)
+            sum += to.written;
+        return sum;
     }
 };
 
-l3d_painter::l3d_painter() : work_(std::make_unique<work_space>()) {}
+namespace {
+
+/// Paints triangles of a picture by one shader.
+template <class Shader> struct shaded_paint {
+    Shader shader;
+    std::span<const l3d_material> materials;
+
+    void operator()(const l3d_painter_triangle& triangle, painting& to) {
+        if constexpr (std::is_same_v<Shader, own_color_shader>)
+            shader.color = triangle.color;
+        if constexpr (std::is_same_v<Shader, lit_shader>)
+            shader.use_material(triangle.material);
+        else if (!materials.empty())
+            to.color = materials[triangle.material].color;
+        paint_triangle(to, shader, triangle.v);
+    }
+};
+
+/// Hides by the background what is behind a triangle, and draws its sides.
+struct sides_paint {
+    ground_shader ground;
+    std::uint32_t line_color;
+
+    void operator()(const l3d_painter_triangle& triangle, painting& to) {
+        paint_triangle(to, ground, triangle.v);
+        visit_sides(triangle, to.cuts, to.target.size(), [&](int x, int y) {
+            if (y >= to.rows.top && y < to.rows.bottom)
+                to.target.row(y)[static_cast<std::size_t>(x)] = line_color;
+        });
+    }
+};
+
+/// Calls visit(shader) with that of a mode.
+template <class Visit>
+void with_shader(const l3d_shading& shading, std::span<const l3d_material> materials,
+                 const Visit& visit) {
+    if (shading.is_lit(materials))
+        return visit(lit_shader(shading, materials));
+    switch (shading.mode) {
+    case l3d_shade::lambert:
+        return visit(lambert_shader(shading));
+    case l3d_shade::gouraud:
+        return visit(gouraud_shader(shading));
+    case l3d_shade::flat:
+        return visit(flat_shader(shading));
+    case l3d_shade::normals:
+        return visit(normals_shader(shading));
+    case l3d_shade::error:
+        return visit(own_color_shader());
+    default:
+        assert(false); // only diced surfaces have levels or parameters
+    }
+}
+
+} // namespace
+
+l3d_painter::l3d_painter(l3d_workers& workers) : work_(std::make_unique<work_space>(workers)) {}
 
 l3d_painter::~l3d_painter() = default;
 
@@ -196,34 +268,33 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
                         std::span<const l3d_painter_triangle> triangles,
                         std::span<const l3d_painter_piece> pieces,
                         std::span<const l3d_painter_cut> cuts) {
-    work_->begin(target, shading.background);
+    work_->begin(target);
     if (shading.fog.is_on())
-        work_->to.foggy = &shading;
-    const bool is_light = l3d_is_light(shading.mode);
-    work_->materials = is_light ? materials : std::span<const l3d_material>();
-    if (shading.is_lit(materials))
-        work_->paint(lit_shader(shading, materials), triangles, pieces, cuts);
-    else
-        work_->paint_by_mode(shading, triangles, pieces, cuts);
-    counts_ = {};
-    counts_.quads = static_cast<std::int64_t>(pieces.size());
-    counts_.samples = counts_.written = work_->to.written;
-    counts_.covered = l3d_surface_counts::none_counted;
+        for (painting& to : work_->of_worker)
+            to.foggy = &shading;
+    const std::span<const l3d_material> of_light =
+        l3d_is_light(shading.mode) ? materials : std::span<const l3d_material>();
+    with_shader(shading, materials, [&](const auto& shader) {
+        using shader_type = std::remove_cvref_t<decltype(shader)>;
+        work_->paint_bands({triangles, pieces, cuts}, shading.background,
+                           shaded_paint<shader_type>{shader, of_light});
+    });
+    count(pieces.size());
 }
 
 void l3d_painter::paint_lines(l3d_pixels target, const l3d_background& background,
                               std::span<const l3d_painter_triangle> triangles,
                               std::span<const l3d_painter_piece> pieces,
                               std::span<const l3d_painter_cut> cuts, std::uint32_t line_color) {
-    work_->begin(target, background);
-    ground_shader ground{background, target.height};
-    for (const l3d_painter_piece& piece : pieces) {
-        place_cuts(piece, triangles, cuts, work_->to.cuts);
-        paint_triangle(work_->to, ground, triangles[piece.triangle].v);
-        work_->draw_sides(triangles[piece.triangle], line_color);
-    }
+    work_->begin(target);
+    work_->paint_bands({triangles, pieces, cuts}, background,
+                       sides_paint{{background, target.height}, line_color});
+    count(pieces.size());
+}
+
+void l3d_painter::count(std::size_t pieces) {
     counts_ = {};
-    counts_.quads = static_cast<std::int64_t>(pieces.size());
-    counts_.samples = counts_.written = work_->to.written;
+    counts_.quads = static_cast<std::int64_t>(pieces);
+    counts_.samples = counts_.written = work_->written();
     counts_.covered = l3d_surface_counts::none_counted;
 }

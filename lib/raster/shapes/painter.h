@@ -4,10 +4,12 @@
 #define L3D_RASTER_SHAPES_PAINTER_H
 
 #include "raster/micro_grid.h"
+#include "raster/parallel/workers.h"
 #include "raster/surface_rasterizer.h"
 #include "tool_2d/pixels.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -42,10 +44,12 @@ struct l3d_painter_piece {
 /// Fills by the coverage, the planes and the shaders of the surface rasterizers, so that a pixel of
 /// a triangle has the same colour as there.
 ///
-/// Cost:    keeps its memory; one thread.
+/// Cost:    keeps its memory. The workers share the picture by bands of rows; how many they are
+///          changes no bit of it.
+/// Lives:   borrows the workers.
 class l3d_painter {
 public:
-    l3d_painter();
+    explicit l3d_painter(l3d_workers& workers);
     ~l3d_painter();
     l3d_painter(const l3d_painter&) = delete;
     l3d_painter& operator=(const l3d_painter&) = delete;
@@ -69,6 +73,8 @@ public:
     const l3d_surface_counts& counts() const { return counts_; }
 
 private:
+    void count(std::size_t pieces);
+
     struct work_space;
     std::unique_ptr<work_space> work_;
     l3d_surface_counts counts_;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// for_each_chunk: a range of items, shared by the workers a chunk at a time.
+#ifndef L3D_RASTER_PARALLEL_CHUNKS_P_H
+#define L3D_RASTER_PARALLEL_CHUNKS_P_H
+
+#include "raster/parallel/workers.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace l3d_detail {
+
+/// The number of chunks of so many items, the last of which may be shorter.
+constexpr std::size_t chunks_of(std::size_t items, std::size_t chunk) {
+    return (items + chunk - 1) / chunk;
+}
+
+/// Calls work(begin, end, chunk's number) once for each chunk, on any worker.
+/// Expects: as l3d_workers::for_each; chunk > 0.
+template <class Work>
+void for_each_chunk(l3d_workers& workers, std::size_t items, std::size_t chunk, const Work& work) {
+    workers.for_each(static_cast<int>(chunks_of(items, chunk)), [&](int number, int) {
+        const std::size_t begin = static_cast<std::size_t>(number) * chunk;
+        work(begin, std::min(begin + chunk, items), static_cast<std::size_t>(number));
+    });
+}
+
+} // namespace l3d_detail
+
+#endif
