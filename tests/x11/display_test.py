@@ -26,6 +26,7 @@ COLOURED = ("--shade", "normals")
 LAST_OF_QUESTION = "GetSelectionOwner"  # and a property follows
 LAST_OF_OPENING = "XKEYBOARD.0"  # the last request that XOpenDisplay makes
 KEYBOARD = "XKEYBOARD.8"  # GetMap
+NO_KEY_OF_OURS = "U2603"  # a snowman: xdotool gives the server a new keyboard to type it
 GOODBYE = 5  # seconds to end in: one by the requirement, the rest for sanitizers and a busy machine
 SEED = random.randrange(1 << 32)
 
@@ -282,19 +283,31 @@ def waits_for_a_stopped_server(program, backend, seconds=1.5):
                 expect(took < GOODBYE, "seconds", took)
 
 
-def hears_signals_with_a_key_unread(backend):
-    """The server told of a key before it stopped. What the key means is known by then."""
+def hears_signals_with_a_key_unread(backend, *keys):
+    """The server told of keys before it stopped. What they mean is known by then, or they wait."""
     with x_server() as server, Proxy(server.display) as proxy:
         xdotool(server.display, "key", "j")  # the server's first key tells of a keyboard, too
         with Shown(TEAPOT, server, "--backend", backend, display=proxy.display) as it:
             wait_for(lambda: KEYBOARD in proxy.mark().requests, "a question for the keyboard")
             it.process.send_signal(signal.SIGSTOP)
-            it.press("Left")
+            it.press(*keys)
             with stopped(server):
                 it.process.send_signal(signal.SIGCONT)
-                time.sleep(0.3)  # the key is read first
+                time.sleep(0.3)  # the keys are read first
                 it.process.send_signal(signal.SIGINT)
                 it.expect_end(-signal.SIGINT)
+
+
+def obeys_keys_after_a_new_keyboard(backend):
+    """In one go: the change waits for an answer of the server, and the keys wait for the change."""
+    with x_server() as server:
+        with Shown(TEAPOT, server, "--backend", backend) as it:
+            for _ in range(5):
+                before = it.picture()
+                it.press(NO_KEY_OF_OURS, "Left")
+                wait_for(lambda: it.picture() != before, "another view")
+            it.press(NO_KEY_OF_OURS, "q")
+            it.expect_end(0)
 
 
 def obeys_on_a_slow_wire():
@@ -366,8 +379,11 @@ def check_backend(checks, backend):
             checks.run(name, check, backend)
         else:
             checks.skip(name, "it needs the right to " + " ".join(map(str, right)))
-    name = "display.%s.hears_signals_with_a_key_unread" % backend
-    checks.run(name, hears_signals_with_a_key_unread, backend)
+    for what, keys in (("a_key", ("Left",)), ("a_new_keyboard", (NO_KEY_OF_OURS, "Left"))):
+        name = "display.%s.hears_signals_with_%s_unread" % (backend, what)
+        checks.run(name, hears_signals_with_a_key_unread, backend, *keys)
+    checks.run("display.%s.obeys_keys_after_a_new_keyboard" % backend,
+               obeys_keys_after_a_new_keyboard, backend)
     for fault in ({"hide": ("MIT-SHM",)}, {"shm_badrequest": True}, {"shm_badaccess": True}):
         name = "display.%s.serves_through.%s" % (backend, *fault)
         checks.run(name, lambda: serves_through(backend, **fault))

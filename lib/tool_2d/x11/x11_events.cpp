@@ -142,6 +142,33 @@ int held_button(unsigned state) {
 } // namespace
 
 void x11_events::take(XEvent& event) {
+    if (keyboard_echo_.take(event))
+        return read_keyboard();
+    if (event.type == MappingNotify && !keyboard_echo_.is_awaited())
+        keyboard_is_due_ = true;
+    if (waits_for_keyboard(event))
+        waiting_.push_back(event);
+    else
+        take_now(event);
+}
+
+/// What the user does keeps its order.
+bool x11_events::waits_for_keyboard(const XEvent& event) const {
+    switch (event.type) {
+    case MappingNotify:
+        return true;
+    case KeyPress:
+    case KeyRelease:
+    case ButtonPress:
+    case ButtonRelease:
+    case FocusOut:
+        return !waiting_.empty();
+    default:
+        return false;
+    }
+}
+
+void x11_events::take_now(XEvent& event) {
     switch (event.type) {
     case KeyPress:
         return take_press(event.xkey);
@@ -179,26 +206,33 @@ void x11_events::take(XEvent& event) {
         return push({.type = l3d_event_type::close});
     case MappingNotify:
         XRefreshKeyboardMapping(&event.xmapping);
-        return read_keyboard();
+        return;
     default:
         return;
     }
 }
 
-/// Xlib would read it at the first key that needs it, and wait in vain if the server stands still
-/// by then: nobody heard signals meanwhile.
-void x11_events::read_keyboard() {
-    has_keyboard_ = true;
-    if (!window_.connection().lost())
-        symbol_of(window_.display(), 0, 0, 0);
+void x11_events::want_keyboard() {
+    if (!std::exchange(keyboard_was_wanted_, true))
+        keyboard_is_due_ = true;
 }
 
 void x11_events::look_after() {
-    if (has_keyboard_ || window_.connection().lost())
+    if (!keyboard_is_due_ || window_.connection().lost() ||
+        !window_.connection().wait_writable({}))
+        return;
+    keyboard_is_due_ = false;
+    keyboard_echo_.ask();
+}
+
+void x11_events::read_keyboard() {
+    if (window_.connection().lost())
         return;
     // Without this a held key looks like one that is pressed again and again.
     XkbSetDetectableAutoRepeat(window_.display(), True, nullptr);
-    read_keyboard();
+    for (XEvent& event : std::exchange(waiting_, {}))
+        take_now(event);
+    symbol_of(window_.display(), 0, 0, 0);
 }
 
 bool x11_events::next(l3d_event& event) {

@@ -4,11 +4,13 @@
 #define L3D_TOOL_2D_X11_X11_EVENTS_P_H
 
 #include "tool_2d/event.h"
+#include "tool_2d/x11/x11_echo_p.h"
 #include "tool_2d/x11/x11_window_p.h"
 
 #include <array>
 #include <deque>
 #include <initializer_list>
+#include <vector>
 
 namespace l3d_detail {
 
@@ -18,16 +20,24 @@ namespace l3d_detail {
 /// the window can be seen, that it lost its picture, and the pointer's place until something else
 /// happens. Every key that is told pressed is told released, by the time the window loses the
 /// keyboard at the latest.
+///
+/// Xlib reads what the keys mean when it looks up the first one, and after each change. It waits
+/// for the server then, and no signal is heard. So we have it read right after an answer of the
+/// server, and what the user does after a change waits for that.
 class x11_events {
 public:
     /// `size` is that which the window was made with.
-    x11_events(const x11_window& window, l3d_size size) : window_(window), size_(size) {}
+    x11_events(const x11_window& window, l3d_size size)
+        : window_(window), size_(size), keyboard_echo_(window) {}
 
     /// Translates one event. A ping of the window manager is answered here.
     void take(XEvent& event);
 
-    /// Asks for the keyboard's map and its way to repeat keys. To be called while the server
-    /// answers: it is waited for.
+    /// Once there is a picture: the meaning of the keys will be of use. Without it the first key is
+    /// waited for.
+    void want_keyboard();
+
+    /// Asks for an answer if the keyboard is to be read. To be called now and then.
     void look_after();
 
     /// A fine wheel turned, with the pointer at this place.
@@ -67,6 +77,8 @@ private:
     void push(const l3d_event& event) { queue_.push_back(event); }
     void push_instead_of(std::initializer_list<l3d_event_type> types, const l3d_event& event);
     void look();
+    void take_now(XEvent& event);
+    bool waits_for_keyboard(const XEvent& event) const;
     void read_keyboard();
     void take_size(const XConfigureEvent& event);
     void take_press(XKeyEvent& event);
@@ -83,7 +95,9 @@ private:
     l3d_size size_; ///< as the server told it
     std::deque<l3d_event> queue_;
     bool mapped_ = false, exposed_ = false;
-    bool has_keyboard_ = false; ///< Xlib knows what its keys mean
+    x11_echo keyboard_echo_;      ///< whose answer says that the keyboard can be read
+    bool keyboard_is_due_ = false, keyboard_was_wanted_ = false;
+    std::vector<XEvent> waiting_; ///< for the keyboard: a change of its keys, and what came after
     bool covered_ = false, unmapped_ = false, away_ = false;
     Time turned_at_ = 0;           ///< when a fine wheel last did
     double turned_ = 0;            ///< since the last full notch

@@ -197,15 +197,17 @@ void l3d_screen_x11::read_events(steady_clock::time_point put_deadline) {
         events_.take_display_lost();
 }
 
-/// After the first picture, which so comes sooner.
+/// Most of it after the first picture, which so comes sooner.
 void l3d_screen_x11::look_around() {
-    if (is_forgotten_ || image_->is_sending())
+    if (image_->is_sending())
+        return;
+    events_.look_after();
+    if (is_forgotten_)
         return;
     state_.look_after();
     resolution_.look_after();
     scroll_.look_after();
-    if (image_->is_idle())
-        events_.look_after();
+    events_.want_keyboard();
 }
 
 void l3d_screen_x11::tell_shown() {
