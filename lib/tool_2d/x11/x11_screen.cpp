@@ -253,6 +253,8 @@ void l3d_screen_x11::take(XEvent& event) {
     sync_.take(event);
     fullscreen_.take(event);
     events_.take(event);
+    if (!image_->is_sending())
+        events_.look_after(); // at once: nothing else may wake a program that rests
 }
 
 /// Sleeps until there is something to do, at the latest at the deadline. False at the deadline, at
