@@ -218,8 +218,7 @@ void x11_events::want_keyboard() {
 }
 
 void x11_events::look_after() {
-    if (!keyboard_is_due_ || window_.connection().lost() ||
-        !window_.connection().wait_writable({}))
+    if (!keyboard_is_due_ || window_.connection().lost() || !window_.connection().wait_writable({}))
         return;
     keyboard_is_due_ = false;
     keyboard_echo_.ask();

@@ -95,7 +95,7 @@ private:
     l3d_size size_; ///< as the server told it
     std::deque<l3d_event> queue_;
     bool mapped_ = false, exposed_ = false;
-    x11_echo keyboard_echo_;      ///< whose answer says that the keyboard can be read
+    x11_echo keyboard_echo_; ///< whose answer says that the keyboard can be read
     bool keyboard_is_due_ = false, keyboard_was_wanted_ = false;
     std::vector<XEvent> waiting_; ///< for the keyboard: a change of its keys, and what came after
     bool covered_ = false, unmapped_ = false, away_ = false;
