@@ -90,9 +90,12 @@ void l3d_rasterizer_2d_imp::do_draw_mesh(std::span<const l3d_mesh_patch> patches
     for (const l3d_mesh_patch& patch : patches) {
         if (!l3d_detail::is_finite(patch))
             continue;
-        dicer.visit(patch, [&](const std::array<l3d_detail::mesh_corner, 3>& corners) {
-            do_draw_polygon_gouraudshaded(
-                std::array{rounded(corners[0]), rounded(corners[1]), rounded(corners[2])});
+        dicer.visit(patch, [&](const l3d_detail::mesh_strip& strip) {
+            for (std::size_t i = 0; i < strip.triangles(); ++i) {
+                const auto corners = strip.triangle(i);
+                do_draw_polygon_gouraudshaded(
+                    std::array{rounded(corners[0]), rounded(corners[1]), rounded(corners[2])});
+            }
         });
     }
 }

@@ -69,6 +69,12 @@ bool is_finite(const l3d_mesh_patch& patch) {
     });
 }
 
+void mesh_row::resize(std::size_t count) {
+    size = count;
+    for (std::vector<double>* of : {&x, &y, &color[0], &color[1], &color[2]})
+        of->assign(count + room, 0);
+}
+
 mesh_dicer::mesh_dicer(std::span<const l3d_mesh_patch> patches) {
     double needed = 1;
     for (const l3d_mesh_patch& patch : patches)
@@ -78,7 +84,7 @@ mesh_dicer::mesh_dicer(std::span<const l3d_mesh_patch> patches) {
     for (int i = 0; i <= steps_; ++i)
         weights_.push_back(weights(i, steps_));
     above_.resize(weights_.size());
-    below_.resize(above_.size());
+    below_.resize(weights_.size());
 }
 
 void mesh_dicer::set_row(const l3d_mesh_patch& patch, int row) {
@@ -96,11 +102,13 @@ void mesh_dicer::set_row(const l3d_mesh_patch& patch, int row) {
             };
             ends[side][k] = level(side) * (1 - v) + level(side + 2) * v;
         }
-    for (std::size_t i = 0; i < below_.size(); ++i) {
+    for (std::size_t i = 0; i < below_.size; ++i) {
         const double u = static_cast<double>(i) / steps_;
-        below_[i].at = mixed(curve, weights_[i]);
+        const l3d_point_2d at = mixed(curve, weights_[i]);
+        below_.x[i] = at.x;
+        below_.y[i] = at.y;
         for (std::size_t k = 0; k < 3; ++k)
-            below_[i].color[k] = ends[0][k] * (1 - u) + ends[1][k] * u;
+            below_.color[k][i] = ends[0][k] * (1 - u) + ends[1][k] * u;
     }
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace l3d_detail {
@@ -16,6 +17,35 @@ namespace l3d_detail {
 struct mesh_corner {
     l3d_point_2d at;
     std::array<double, 3> color; ///< red, green, blue; 0 to 255
+};
+
+/// A row of corners. Shape: `size` of them, and room for so many more that lanes may read past the
+/// last.
+struct mesh_row {
+    static constexpr std::size_t room = 8;
+
+    std::size_t size = 0;
+    std::vector<double> x, y;
+    std::array<std::vector<double>, 3> color;
+
+    void resize(std::size_t count);
+    mesh_corner corner(std::size_t i) const {
+        return {{x[i], y[i]}, {color[0][i], color[1][i], color[2][i]}};
+    }
+};
+
+/// The triangles between two rows, in the order of the standard. Each step has two, that above the
+/// diagonal first.
+struct mesh_strip {
+    const mesh_row &above, &below;
+
+    std::size_t triangles() const { return 2 * (above.size - 1); }
+    std::array<mesh_corner, 3> triangle(std::size_t i) const {
+        const std::size_t u = i / 2 + 1;
+        if (i % 2 == 0)
+            return {above.corner(u - 1), above.corner(u), below.corner(u)};
+        return {above.corner(u - 1), below.corner(u), below.corner(u - 1)};
+    }
 };
 
 /// Whether all coordinates are finite numbers.
@@ -32,17 +62,14 @@ public:
     /// Steps along each side of each patch.
     int steps() const { return steps_; }
 
-    /// Calls triangle(std::array<mesh_corner, 3>) in the order of the standard: what has the larger
-    /// v comes later and stays; with one v, what has the larger u.
-    template <class Triangle> void visit(const l3d_mesh_patch& patch, const Triangle& triangle) {
+    /// Calls shade(mesh_strip) in the order of the standard: what has the larger v comes later and
+    /// stays; with one v, what has the larger u.
+    template <class Shade> void visit(const l3d_mesh_patch& patch, const Shade& shade) {
         set_row(patch, 0);
         for (int v = 1; v <= steps_; ++v) {
-            above_.swap(below_);
+            std::swap(above_, below_);
             set_row(patch, v);
-            for (std::size_t u = 1; u < below_.size(); ++u) {
-                triangle(std::array{above_[u - 1], above_[u], below_[u]});
-                triangle(std::array{above_[u - 1], below_[u], below_[u - 1]});
-            }
+            shade(mesh_strip{above_, below_});
         }
     }
 
@@ -51,7 +78,7 @@ private:
 
     int steps_ = 1;
     std::vector<std::array<double, 4>> weights_; ///< of control points, at each step
-    std::vector<mesh_corner> above_, below_;
+    mesh_row above_, below_;
 };
 
 } // namespace l3d_detail

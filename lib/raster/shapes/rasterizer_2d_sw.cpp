@@ -6,6 +6,7 @@
 #include "raster/paths/curve_pixels_p.h"
 #include "raster/paths/gradient.h"
 #include "raster/paths/mesh_dicer_p.h"
+#include "raster/paths/mesh_strip_p.h"
 #include "raster/shapes/blend_p.h"
 #include "raster/shapes/color_mixer_p.h"
 #include "raster/shapes/line_steps_p.h"
@@ -230,12 +231,13 @@ void l3d_rasterizer_2d_sw_imp::do_draw_mesh(std::span<const l3d_mesh_patch> patc
     for (const l3d_mesh_patch& patch : patches) {
         if (!is_finite(patch))
             continue;
-        dicer.visit(patch, [&](const std::array<mesh_corner, 3>& t) {
-            const std::array corners{t[0].at, t[1].at, t[2].at};
-            const std::array colors{t[0].color, t[1].color, t[2].color};
-            if (!shade_small_triangle(target_, corners, ends_, colors))
+        dicer.visit(patch, [&](const mesh_strip& strip) {
+            for (std::size_t i = 0; (i = shade_strip(target_, strip, ends_, i)) < strip.triangles();
+                 ++i) {
+                const auto t = strip.triangle(i);
                 shade_spans(target_, triangle_.convert({corner(t[0]), corner(t[1]), corner(t[2])},
                                                        target_.size()));
+            }
         });
     }
 }

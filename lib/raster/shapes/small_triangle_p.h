@@ -24,12 +24,6 @@ inline constexpr int small_side = 32;
 bool fill_small_triangle(const l3d_pixels& target, std::span<const l3d_point_2d, 3> corners,
                          const std::array<double, 2>& ends, std::uint32_t color);
 
-/// The same in colours that are linear, to nearest within 2^-8; red, green and blue of each corner.
-/// False, too, if they change too fast for float.
-bool shade_small_triangle(const l3d_pixels& target, std::span<const l3d_point_2d, 3> corners,
-                          const std::array<double, 2>& ends,
-                          const std::array<std::array<double, 3>, 3>& colors);
-
 } // namespace l3d_detail
 
 #endif

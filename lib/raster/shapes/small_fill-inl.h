@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Filling a small triangle by its edge functions, at all pixels of its box.
+#if defined(L3D_RASTER_SHAPES_SMALL_FILL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef L3D_RASTER_SHAPES_SMALL_FILL_INL_H
+#undef L3D_RASTER_SHAPES_SMALL_FILL_INL_H
+#else
+#define L3D_RASTER_SHAPES_SMALL_FILL_INL_H
+#endif
+
+#include "raster/parallel/store_where-inl.h"
+#include "tool_2d/pixels.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr hn::CappedTag<std::uint32_t, 16> words;
+constexpr hn::RebindToSigned<decltype(words)> integers;
+constexpr hn::RebindToFloat<decltype(words)> floats;
+using word_lanes = hn::Vec<decltype(words)>;
+using integer_lanes = hn::Vec<decltype(integers)>;
+
+/// Pixels of the picture.
+struct small_box {
+    std::int32_t left, top, columns, rows;
+};
+
+/// An edge function at the first sample of the box, and what it gains to the right and downwards:
+/// not below 0 where the sample is inside. On an edge that is neither left nor top it is -1.
+struct small_edge {
+    std::int32_t first, per_column, per_row;
+};
+
+/// An edge function in a row of samples.
+struct edge_lanes {
+    integer_lanes value, per_row;
+    std::int32_t per_column;
+
+    HWY_INLINE explicit edge_lanes(const small_edge& of) : per_column(of.per_column) {
+        value = hn::Add(hn::Set(integers, of.first),
+                        hn::Mul(hn::Iota(integers, 0), hn::Set(integers, per_column)));
+        per_row = hn::Set(integers, of.per_row);
+    }
+
+    /// To the next vector of columns.
+    HWY_INLINE void step_right() {
+        const auto lanes = static_cast<std::int32_t>(hn::Lanes(words));
+        value = hn::Add(value, hn::Set(integers, lanes * per_column));
+    }
+};
+
+/// `colors` gives the words of a row of the box, from a column on: begin_block(column), then
+/// next_row() row by row.
+/// Expects: the box lies in the picture.
+template <class Colors>
+HWY_INLINE void fill_box(const l3d_pixels& target, const small_box& box,
+                         const std::array<small_edge, 3>& edges, Colors& colors) {
+    edge_lanes pq(edges[0]), qr(edges[1]), rp(edges[2]);
+    const auto lanes = static_cast<std::int32_t>(hn::Lanes(words));
+    const std::ptrdiff_t stride = target.stride;
+    std::uint32_t* block = target.words + box.top * stride + box.left;
+    std::int32_t room = target.width - box.left;
+    for (std::int32_t columns = box.columns; columns > 0; columns -= lanes, block += lanes) {
+        integer_lanes u = pq.value, v = qr.value, w = rp.value;
+        std::uint32_t* at = block;
+        colors.begin_block(box.columns - columns);
+        for (std::int32_t rows = box.rows; rows > 0; --rows, at += stride) {
+            const word_lanes word = colors.next_row();
+            const auto inside = hn::Gt(hn::Or(hn::Or(u, v), w), hn::Set(integers, -1));
+            if (HWY_LIKELY(room >= lanes))
+                store_where(hn::RebindMask(floats, inside), word, words, at);
+            else
+                hn::BlendedStore(word, hn::RebindMask(words, inside), words, at);
+            u = hn::Add(u, pq.per_row);
+            v = hn::Add(v, qr.per_row);
+            w = hn::Add(w, rp.per_row);
+        }
+        room -= lanes;
+        if (columns > lanes) {
+            pq.step_right();
+            qr.step_right();
+            rp.step_right();
+        }
+    }
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#endif
