@@ -17,6 +17,7 @@ from x_proxy import Proxy
 BACKENDS = ("ximage", "xshm")
 DRAWDOT, TEAPOT = harness.PROGRAMS
 MOVING = {DRAWDOT: (), TEAPOT: ("--turntable", "3")}
+FRAMES_TO_READ_KEYS = 3  # what a key means: asked for with one, answered by the next, then read
 WAKING = {DRAWDOT: "j", TEAPOT: "space"}
 DEATHS = {DRAWDOT: range(3, 90, 10), TEAPOT: range(1, 300, 10)}  # the dot comes to the border
 PICTURES = ("PutImage", "MIT-SHM.PutImage")
@@ -273,8 +274,10 @@ def waits_for_a_stopped_server(program, backend, seconds=1.5):
                 share = (cpu_seconds(it.process) - busy) / seconds
                 expect(share < RESTING, "share of the processor", share)
             before = it.picture()
-            it.press("l")  # drawdot may have come to the lower border
-            wait_for(lambda: it.picture() != before, "life after the stop")
+            it.press("j")  # drawdot may have come to the right border
+            for _ in range(FRAMES_TO_READ_KEYS):
+                wait_for(lambda: it.picture() != before, "life after the stop")
+                before = it.picture()
             with stopped(server):
                 start = time.monotonic()
                 it.process.send_signal(signal.SIGINT)

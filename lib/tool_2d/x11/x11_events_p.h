@@ -22,8 +22,8 @@ namespace l3d_detail {
 /// keyboard at the latest.
 ///
 /// Xlib reads what the keys mean when it looks up the first one, and after each change. It waits
-/// for the server then, and no signal is heard. So we have it read right after an answer of the
-/// server, and what the user does after a change waits for that.
+/// for the server then, and no signal is heard but a second one. So we have it read right after an
+/// answer of the server, and what the user does after a change waits for that.
 class x11_events {
 public:
     /// `size` is that which the window was made with.
