@@ -54,7 +54,7 @@ struct set_up_triangles {
 };
 
 /// The words of a triangle whose colours are linear. Each stays between the corners'.
-class linear_colors {
+template <class Lanes> class linear_colors {
 public:
     HWY_INLINE linear_colors(const set_up_triangles& of, std::size_t triangle)
         : of_(of), triangle_(triangle) {
@@ -66,21 +66,21 @@ public:
     }
 
     HWY_INLINE void begin_block(std::int32_t column) {
-        const auto i = hn::ConvertTo(floats, hn::Iota(integers, column));
+        const auto i = hn::ConvertTo(floats, hn::Iota(Lanes::integers, column));
         for (std::size_t k = 0; k < 3; ++k)
             value_[k] = hn::Add(hn::Set(floats, of_.start[k][triangle_]),
                                 hn::Mul(hn::Set(floats, of_.across[k][triangle_]), i));
     }
 
-    HWY_INLINE word_lanes next_row() {
-        word_lanes level[3];
+    HWY_INLINE typename Lanes::word_vec next_row() {
+        typename Lanes::word_vec level[3];
         for (std::size_t k = 0; k < 3; ++k) {
             const auto within = hn::Min(hn::Max(value_[k], low_[k]), high_[k]);
             value_[k] = hn::Add(value_[k], down_[k]);
-            level[k] = hn::BitCast(words, hn::Add(within, hn::Set(floats, whole_floats)));
+            level[k] = hn::BitCast(Lanes::words, hn::Add(within, hn::Set(floats, whole_floats)));
         }
         return hn::Or(hn::Or(hn::ShiftLeft<16>(level[0]), hn::ShiftLeft<8>(level[1])),
-                      hn::And(level[2], hn::Set(words, 255)));
+                      hn::And(level[2], hn::Set(Lanes::words, 255)));
     }
 
 private:
@@ -88,9 +88,11 @@ private:
     /// its lowest bits are that number. All others are in the highest byte.
     static constexpr float whole_floats = 0x1p23F;
 
+    static constexpr auto floats = Lanes::floats;
+
     const set_up_triangles& of_;
     std::size_t triangle_;
-    hn::Vec<decltype(floats)> value_[3], down_[3], low_[3], high_[3];
+    typename Lanes::float_vec value_[3], down_[3], low_[3], high_[3];
 };
 
 HWY_ATTR HWY_INLINE void put(number x, set_up_triangles::integers_of_all& to) {
@@ -208,6 +210,12 @@ HWY_ATTR HWY_INLINE void set_up(lane_corner p, lane_corner q, lane_corner r,
     put(chosen(small, if_small, same(left_to_others)), out.state);
 }
 
+template <class Lanes>
+HWY_INLINE void fill(const l3d_pixels& target, const set_up_triangles& of, std::size_t triangle) {
+    linear_colors<Lanes> colors(of, triangle);
+    fill_box<Lanes>(target, of.box(triangle), of.edges(triangle), colors);
+}
+
 std::size_t shade_strip_in_lanes(const l3d_pixels& target, const mesh_strip& strip,
                                  const std::array<double, 2>& ends, std::size_t first) {
     const std::size_t all = strip.triangles(), lanes = lanes_at_once();
@@ -225,8 +233,10 @@ std::size_t shade_strip_in_lanes(const l3d_pixels& target, const mesh_strip& str
                 return i;
             if (half.state[lane] == empty)
                 continue;
-            linear_colors colors(half, lane);
-            fill_box(target, half.box(lane), half.edges(lane), colors);
+            if (half.columns[lane] <= 4)
+                fill<pixel_lanes<4>>(target, half, lane);
+            else
+                fill<pixel_lanes<8>>(target, half, lane);
         }
     }
     return all;

@@ -23,11 +23,15 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr hn::CappedTag<std::uint32_t, 16> words;
-constexpr hn::RebindToSigned<decltype(words)> integers;
-constexpr hn::RebindToFloat<decltype(words)> floats;
-using word_lanes = hn::Vec<decltype(words)>;
-using integer_lanes = hn::Vec<decltype(integers)>;
+/// At most so many pixels side by side.
+template <std::size_t Most> struct pixel_lanes {
+    static constexpr hn::CappedTag<std::uint32_t, Most> words{};
+    static constexpr hn::RebindToSigned<hn::CappedTag<std::uint32_t, Most>> integers{};
+    static constexpr hn::RebindToFloat<hn::CappedTag<std::uint32_t, Most>> floats{};
+    using word_vec = hn::Vec<hn::CappedTag<std::uint32_t, Most>>;
+    using integer_vec = hn::Vec<hn::RebindToSigned<hn::CappedTag<std::uint32_t, Most>>>;
+    using float_vec = hn::Vec<hn::RebindToFloat<hn::CappedTag<std::uint32_t, Most>>>;
+};
 
 /// Pixels of the picture.
 struct small_box {
@@ -41,43 +45,44 @@ struct small_edge {
 };
 
 /// An edge function in a row of samples.
-struct edge_lanes {
-    integer_lanes value, per_row;
+template <class Lanes> struct edge_lanes {
+    typename Lanes::integer_vec value, per_row;
     std::int32_t per_column;
 
     HWY_INLINE explicit edge_lanes(const small_edge& of) : per_column(of.per_column) {
-        value = hn::Add(hn::Set(integers, of.first),
-                        hn::Mul(hn::Iota(integers, 0), hn::Set(integers, per_column)));
-        per_row = hn::Set(integers, of.per_row);
+        constexpr auto d = Lanes::integers;
+        value = hn::Add(hn::Set(d, of.first), hn::Mul(hn::Iota(d, 0), hn::Set(d, per_column)));
+        per_row = hn::Set(d, of.per_row);
     }
 
     /// To the next vector of columns.
     HWY_INLINE void step_right() {
-        const auto lanes = static_cast<std::int32_t>(hn::Lanes(words));
-        value = hn::Add(value, hn::Set(integers, lanes * per_column));
+        const auto lanes = static_cast<std::int32_t>(hn::Lanes(Lanes::words));
+        value = hn::Add(value, hn::Set(Lanes::integers, lanes * per_column));
     }
 };
 
 /// `colors` gives the words of a row of the box, from a column on: begin_block(column), then
 /// next_row() row by row.
 /// Expects: the box lies in the picture.
-template <class Colors>
+template <class Lanes, class Colors>
 HWY_INLINE void fill_box(const l3d_pixels& target, const small_box& box,
                          const std::array<small_edge, 3>& edges, Colors& colors) {
-    edge_lanes pq(edges[0]), qr(edges[1]), rp(edges[2]);
+    constexpr auto words = Lanes::words;
+    edge_lanes<Lanes> pq(edges[0]), qr(edges[1]), rp(edges[2]);
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(words));
     const std::ptrdiff_t stride = target.stride;
     std::uint32_t* block = target.words + box.top * stride + box.left;
     std::int32_t room = target.width - box.left;
     for (std::int32_t columns = box.columns; columns > 0; columns -= lanes, block += lanes) {
-        integer_lanes u = pq.value, v = qr.value, w = rp.value;
+        auto u = pq.value, v = qr.value, w = rp.value;
         std::uint32_t* at = block;
         colors.begin_block(box.columns - columns);
         for (std::int32_t rows = box.rows; rows > 0; --rows, at += stride) {
-            const word_lanes word = colors.next_row();
-            const auto inside = hn::Gt(hn::Or(hn::Or(u, v), w), hn::Set(integers, -1));
+            const auto word = colors.next_row();
+            const auto inside = hn::Gt(hn::Or(hn::Or(u, v), w), hn::Set(Lanes::integers, -1));
             if (HWY_LIKELY(room >= lanes))
-                store_where(hn::RebindMask(floats, inside), word, words, at);
+                store_where(hn::RebindMask(Lanes::floats, inside), word, words, at);
             else
                 hn::BlendedStore(word, hn::RebindMask(words, inside), words, at);
             u = hn::Add(u, pq.per_row);

@@ -21,11 +21,11 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// The words of a triangle of one colour.
-struct one_color {
+template <class Lanes> struct one_color {
     std::uint32_t color;
 
     HWY_INLINE void begin_block(std::int32_t) {}
-    HWY_INLINE word_lanes next_row() { return hn::Set(words, color); }
+    HWY_INLINE auto next_row() { return hn::Set(Lanes::words, color); }
 };
 
 /// To whole units of 1/256 pixel. Expects: |position| <= 2^15.
@@ -62,6 +62,13 @@ HWY_INLINE small_edge edge_between(scan_point from, scan_point to) {
             l3d_subpixel_one * dx};
 }
 
+template <class Lanes>
+HWY_INLINE void fill(const l3d_pixels& target, const small_box& box,
+                     const std::array<small_edge, 3>& edges, std::uint32_t color) {
+    one_color<Lanes> word{color};
+    fill_box<Lanes>(target, box, edges, word);
+}
+
 bool fill_small_triangle_in_lanes(const l3d_pixels& target,
                                   std::span<const l3d_point_2d, 3> corners,
                                   const std::array<double, 2>& ends, std::uint32_t color) {
@@ -83,8 +90,12 @@ bool fill_small_triangle_in_lanes(const l3d_pixels& target,
         return true;
     if (area < 0)
         std::swap(q, r);
-    one_color word{color};
-    fill_box(target, box, {edge_between(p, q), edge_between(q, r), edge_between(r, p)}, word);
+    const std::array<small_edge, 3> edges{edge_between(p, q), edge_between(q, r),
+                                          edge_between(r, p)};
+    if (box.columns <= 8)
+        fill<pixel_lanes<8>>(target, box, edges, color);
+    else
+        fill<pixel_lanes<16>>(target, box, edges, color);
     return true;
 }
 
