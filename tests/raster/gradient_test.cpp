@@ -2,6 +2,7 @@
 // Gradients along lines and circles, and meshes of patches: colours, cracks and folds.
 #include "raster/canvas_2d.h"
 #include "raster/paths/gradient.h"
+#include "raster/paths/mesh_dicer_p.h"
 #include "raster/paths/path.h"
 #include "raster/parallel/simd_target.h"
 
@@ -152,6 +153,56 @@ TEST(mesh, has_colours_of_the_patch_next_to_each_sample) {
 /// Takes minutes: make stress.
 TEST(mesh, DISABLED_has_colours_of_the_patch_next_to_each_sample_in_10_000_patches) {
     test_patches(10000, 2);
+}
+
+/// Triangles of one colour are as near to the patch as promised, at its own parameters, and not
+/// much nearer: finer ones would be wasted.
+TEST(mesh, triangles_are_a_sixteenth_of_a_pixel_from_the_patch) {
+    constexpr std::array<std::array<double, 3>, 7> places{{{0.5, 0.5, 0},
+                                                           {0, 0.5, 0.5},
+                                                           {0.5, 0, 0.5},
+                                                           {1 / 3.0, 1 / 3.0, 1 / 3.0},
+                                                           {0.6, 0.2, 0.2},
+                                                           {0.2, 0.6, 0.2},
+                                                           {0.2, 0.2, 0.6}}};
+    std::mt19937 random(8);
+    double sum = 0;
+    constexpr int count = 100;
+    for (int n = 0; n < count; ++n) {
+        l3d_mesh_patch patch; // of one colour, from smooth to wild
+        for (std::size_t r = 0; r < 4; ++r)
+            for (std::size_t c = 0; c < 4; ++c)
+                patch.points[r][c] = {20 * double(c) + uniform(random, -0.2, 0.2) * n,
+                                      20 * double(r) + uniform(random, -0.2, 0.2) * n};
+        l3d_detail::mesh_dicer dicer({&patch, 1});
+        const double steps = dicer.steps();
+        double most = 0;
+        int v = 0;
+        dicer.visit(patch, [&](const l3d_detail::mesh_strip& strip) {
+            for (std::size_t i = 0; i < strip.triangles(); ++i) {
+                const auto t = strip.triangle(i);
+                const double u = double(i / 2);
+                const std::array<double, 3> us{u, u + 1, i % 2 == 0 ? u + 1 : u};
+                const std::array<double, 3> vs{double(v), i % 2 == 0 ? v : v + 1.0, v + 1.0};
+                for (const auto& at : places) {
+                    l3d_point_2d here{}, mean{};
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        here.x += at[k] * us[k] / steps;
+                        here.y += at[k] * vs[k] / steps;
+                        mean.x += at[k] * t[k].at.x;
+                        mean.y += at[k] * t[k].at.y;
+                    }
+                    const l3d_point_2d exact = place_of(patch, here.x, here.y);
+                    most = std::max(most, std::hypot(mean.x - exact.x, mean.y - exact.y));
+                }
+            }
+            ++v;
+        });
+        ASSERT_LE(most, 1.0 / 16 + 1e-9) << n;
+        sum += most * 16;
+    }
+    EXPECT_GT(sum / count, 0.5);
+    std::printf("  largest distance: %.2f of the bound in the mean\n", sum / count);
 }
 
 TEST(mesh, has_no_cracks_between_patches_whichever_way_their_borders_run) {

@@ -27,37 +27,97 @@ l3d_point_2d mixed(const std::array<l3d_point_2d, 4>& p, const std::array<double
             (p[0].y * w[0] + p[3].y * w[3]) + (p[1].y * w[1] + p[2].y * w[2])};
 }
 
-double length(double x, double y) {
-    return std::sqrt(x * x + y * y);
+/// Control points; or, of a second derivative, control vectors as a bicubic patch has them.
+using net = std::array<std::array<l3d_point_2d, 4>, 4>;
+
+l3d_point_2d sum(const l3d_point_2d& a, double of_b, const l3d_point_2d& b) {
+    return {a.x + of_b * b.x, a.y + of_b * b.y};
 }
 
-/// A triangle over steps h errs by at most h^2 / 8 (|Suu| + 2 |Suv| + |Svv|) in place. A colour
-/// that is bilinear errs by at most h^2 / 4 of its twist.
-double steps_for(const l3d_mesh_patch& patch) {
-    const auto& p = patch.points;
-    double along = 0, down = 0, twist = 0;
+/// The control vectors of a curve of lower degree as those of a cubic.
+std::array<l3d_point_2d, 4> as_cubic(const l3d_point_2d& a, const l3d_point_2d& b) {
+    const l3d_point_2d step{(b.x - a.x) / 3, (b.y - a.y) / 3};
+    return {a, sum(a, 1, step), sum(a, 2, step), b};
+}
+std::array<l3d_point_2d, 4> as_cubic(const l3d_point_2d& a, const l3d_point_2d& b,
+                                     const l3d_point_2d& c) {
+    return {a, sum({a.x / 3, a.y / 3}, 2.0 / 3, b), sum({c.x / 3, c.y / 3}, 2.0 / 3, b), c};
+}
+
+l3d_point_2d bend(const l3d_point_2d& a, const l3d_point_2d& b, const l3d_point_2d& c) {
+    return {6 * (a.x - 2 * b.x + c.x), 6 * (a.y - 2 * b.y + c.y)};
+}
+
+net turned(const net& p) {
+    net result;
     for (std::size_t r = 0; r < 4; ++r)
-        for (std::size_t c = 0; c < 4; ++c) {
-            const auto second = [](const l3d_point_2d& a, const l3d_point_2d& b,
-                                   const l3d_point_2d& d) {
-                return length(a.x - 2 * b.x + d.x, a.y - 2 * b.y + d.y);
+        for (std::size_t c = 0; c < 4; ++c)
+            result[r][c] = p[c][r];
+    return result;
+}
+
+/// Suu, and of a turned net Svv, turned.
+net along_rows(const net& p) {
+    net result;
+    for (std::size_t r = 0; r < 4; ++r)
+        result[r] = as_cubic(bend(p[r][0], p[r][1], p[r][2]), bend(p[r][1], p[r][2], p[r][3]));
+    return result;
+}
+
+/// Suv.
+net twist_of(const net& p) {
+    net columns; // of three rows; cubics along u
+    for (std::size_t r = 0; r < 3; ++r) {
+        const auto twist = [&](std::size_t c) {
+            const auto part = [&](double l3d_point_2d::*x) {
+                return 9 * (p[r][c].*x - p[r + 1][c].*x - p[r][c + 1].*x + p[r + 1][c + 1].*x);
             };
-            if (c < 2)
-                along = std::max(along, second(p[r][c], p[r][c + 1], p[r][c + 2]));
-            if (r < 2)
-                down = std::max(down, second(p[r][c], p[r + 1][c], p[r + 2][c]));
-            if (r < 3 && c < 3)
-                twist = std::max(
-                    twist, length(p[r][c].x - p[r + 1][c].x - p[r][c + 1].x + p[r + 1][c + 1].x,
-                                  p[r][c].y - p[r + 1][c].y - p[r][c + 1].y + p[r + 1][c + 1].y));
-        }
+            return l3d_point_2d{part(&l3d_point_2d::x), part(&l3d_point_2d::y)};
+        };
+        columns[r] = as_cubic(twist(0), twist(1), twist(2));
+    }
+    net result;
+    for (std::size_t c = 0; c < 4; ++c)
+        result[c] = as_cubic(columns[0][c], columns[1][c], columns[2][c]);
+    return turned(result);
+}
+
+/// No vector of the patch is longer.
+double longest(const net& of) {
+    double result = 0;
+    for (const auto& row : of)
+        for (const l3d_point_2d& v : row)
+            result = std::max(result, std::sqrt(v.x * v.x + v.y * v.y));
+    return result;
+}
+
+/// The largest x y a + y z b + z x c of all x + y + z = 1 that are not negative: inside the
+/// triangle or, if one number is not below the sum of the others, in the middle of a side.
+double largest_mix(double a, double b, double c) {
+    if (a >= b + c || b >= c + a || c >= a + b)
+        return std::max({a, b, c}) / 4;
+    return a * b * c / (2 * (a * b + b * c + c * a) - a * a - b * b - c * c);
+}
+
+/// A linear triangle errs by at most the largest_mix of its sides' second derivatives, halved.
+/// Those of a cell of h are h^2 times Suu, Svv and, for its diagonal, Suu + 2 Suv + Svv. A colour
+/// that is bilinear errs by at most h^2 / 4 of its twist. Source:  Waldron: The error in linear
+/// interpolation at the vertices of a simplex (SIAM J.
+///          Numerical Analysis 35, 1998).
+double steps_for(const l3d_mesh_patch& patch) {
+    const net along = along_rows(patch.points), twist = twist_of(patch.points),
+              down = turned(along_rows(turned(patch.points)));
+    net diagonal;
+    for (std::size_t r = 0; r < 4; ++r)
+        for (std::size_t c = 0; c < 4; ++c)
+            diagonal[r][c] = sum(sum(along[r][c], 1, down[r][c]), 2, twist[r][c]);
     double of_color = 0;
     for (const int shift : {0, 8, 16}) {
         const auto level = [&](std::size_t i) { return int(patch.colors[i] >> shift & 255); };
         of_color = std::max<double>(of_color, std::abs(level(0) - level(1) - level(2) + level(3)));
     }
-    const double places = (6 * along + 2 * 9 * twist + 6 * down) / (8 * place_error);
-    return std::sqrt(std::max(places, of_color / (4 * level_error)));
+    const double places = largest_mix(longest(along), longest(down), longest(diagonal)) / 2;
+    return std::sqrt(std::max(places / place_error, of_color / (4 * level_error)));
 }
 
 } // namespace
