@@ -91,8 +91,8 @@ double longest(const net& of) {
     return result;
 }
 
-/// The largest x y a + y z b + z x c of all x + y + z = 1 that are not negative: inside the
-/// triangle or, if one number is not below the sum of the others, in the middle of a side.
+/// The largest x y a + y z b + z x c of all x + y + z = 1 that are not negative. If one number is
+/// not below the sum of the others, it is in the middle of that one's side; else it is inside.
 double largest_mix(double a, double b, double c) {
     if (a >= b + c || b >= c + a || c >= a + b)
         return std::max({a, b, c}) / 4;
