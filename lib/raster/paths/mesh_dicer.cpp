@@ -94,15 +94,20 @@ double longest(const net& of) {
 /// The largest x y a + y z b + z x c of all x + y + z = 1 that are not negative. If one number is
 /// not below the sum of the others, it is in the middle of that one's side; else it is inside.
 double largest_mix(double a, double b, double c) {
-    if (a >= b + c || b >= c + a || c >= a + b)
-        return std::max({a, b, c}) / 4;
-    return a * b * c / (2 * (a * b + b * c + c * a) - a * a - b * b - c * c);
+    const double most = std::max({a, b, c});
+    if (2 * most >= a + b + c)
+        return most / 4;
+    a /= most; // lest products overflow
+    b /= most;
+    c /= most;
+    return most * (a * b * c / (2 * (a * b + b * c + c * a) - a * a - b * b - c * c));
 }
 
 /// A linear triangle errs by at most the largest_mix of its sides' second derivatives, halved.
 /// Those of a cell of h are h^2 times Suu, Svv and, for its diagonal, Suu + 2 Suv + Svv. A colour
-/// that is bilinear errs by at most h^2 / 4 of its twist. Source:  Waldron: The error in linear
-/// interpolation at the vertices of a simplex (SIAM J.
+/// that is bilinear errs by at most h^2 / 4 of its twist.
+///
+/// Source:  Waldron: The error in linear interpolation at the vertices of a simplex (SIAM J.
 ///          Numerical Analysis 35, 1998).
 double steps_for(const l3d_mesh_patch& patch) {
     const net along = along_rows(patch.points), twist = twist_of(patch.points),
