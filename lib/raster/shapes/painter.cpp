@@ -80,7 +80,7 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
     constexpr std::size_t count = 1 + Shader::components;
     using planes = attribute_planes<count>;
     std::optional<planes> plane;
-    const auto [farthest, nearest] = std::minmax({v[0].inv_w, v[1].inv_w, v[2].inv_w});
+    const auto range = std::minmax({v[0].inv_w, v[1].inv_w, v[2].inv_w});
     const auto begin = [&](const std::array<scan_point, 3>& points, std::int64_t area2) {
         shader.begin_polygon(v);
         std::array<typename planes::numbers, 3> values;
@@ -126,7 +126,7 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
             else
                 words[x] = l3d_product_of_colors(to.color, word);
             if (to.foggy) {
-                const float inv_w = std::clamp(value[0] + step[0] * k, farthest, nearest);
+                const float inv_w = std::clamp(value[0] + step[0] * k, range.first, range.second);
                 words[x] = l3d_fog::word(words[x], fog, to.foggy->fog.amount(inv_w));
             }
         }
