@@ -190,7 +190,7 @@ std::vector<picture_cell> planned_pictures(const l3d_patch_model& model, l3d_siz
     std::vector<std::optional<scenery>> sceneries(bench_views.size());
     for_all(sceneries.size(), [&](std::size_t i) {
         const bench_view& view = bench_views[i];
-        sceneries[i].emplace(&view, size, picture_judge(model, view.camera, size));
+        sceneries[i] = scenery{&view, size, picture_judge(model, view.camera, size)};
     });
     // llvmpipe and our workers have threads, which a later child must not inherit.
     const std::vector<double> numbers = in_child({}, [&] {

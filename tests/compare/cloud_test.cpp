@@ -78,7 +78,7 @@ TEST(cloud, ends_at_the_polygons_of_a_picture) {
     const std::int64_t met = l3d_lay_over(picture, depth, camera, cloud, {{-1.0, -1.0, -1.0}, 2});
     const auto expected = [](double cells) {
         const double passes = std::exp(-0.1f * cells);
-        return std::lround(0x40 * passes + 255 * (1 - passes));
+        return static_cast<double>(std::lround(0x40 * passes + 255 * (1 - passes)));
     };
     EXPECT_NEAR(words[15 * 40 + 10] & 255, expected(8), 1);
     EXPECT_NEAR(words[15 * 40 + 30] & 255, expected(16), 1);

@@ -26,7 +26,9 @@ TEST(integer_cubic, has_the_exact_values_whatever_of_its_steps_are_halvings) {
         control_values b{};
         for (std::int64_t& value : b)
             value = n % 5 == 0 ? (random() % 2 == 0 ? most : -most)
-                               : static_cast<std::int64_t>(random() % (2 * most + 1)) - most;
+                               : static_cast<std::int64_t>(
+                                     random() % static_cast<std::uint64_t>(2 * most + 1)) -
+                                     most;
         const int level = n % 10 == 0 ? l3d_integer_cubic::most_level : static_cast<int>(n % 8);
         const std::int64_t steps = std::int64_t{1} << level;
         for (int halvings = 0; halvings <= level; ++halvings) {

@@ -68,7 +68,10 @@ public:
     file& operator=(const file&) = delete;
 
     template <class... Values> void write(const char* format, Values... values) {
-        std::fprintf(to_, format, values...);
+        if constexpr (sizeof...(values) == 0)
+            std::fputs(format, to_);
+        else
+            std::fprintf(to_, format, values...);
     }
     void close() {
         if (std::fclose(std::exchange(to_, nullptr)) != 0)
