@@ -161,6 +161,7 @@ bool x11_events::waits_for_keyboard(const XEvent& event) const {
     case KeyRelease:
     case ButtonPress:
     case ButtonRelease:
+    case MotionNotify:
     case FocusOut:
         return !waiting_.empty();
     default:
@@ -229,9 +230,13 @@ void x11_events::read_keyboard() {
         return;
     // Without this a held key looks like one that is pressed again and again.
     XkbSetDetectableAutoRepeat(window_.display(), True, nullptr);
-    for (XEvent& event : std::exchange(waiting_, {}))
+    for (XEvent& event : std::exchange(waiting_, {})) {
+        if (window_.connection().lost())
+            return;
         take_now(event);
-    symbol_of(window_.display(), 0, 0, 0);
+    }
+    if (!window_.connection().lost())
+        symbol_of(window_.display(), 0, 0, 0);
 }
 
 bool x11_events::next(l3d_event& event) {
