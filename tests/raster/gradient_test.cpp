@@ -169,7 +169,8 @@ TEST(mesh, triangles_are_a_sixteenth_of_a_pixel_from_the_patch) {
     double sum = 0;
     constexpr int count = 100;
     for (int n = 0; n < count; ++n) {
-        l3d_mesh_patch patch; // of one colour, from smooth to wild
+        // Each is wilder than the one before.
+        l3d_mesh_patch patch;
         for (std::size_t r = 0; r < 4; ++r)
             for (std::size_t c = 0; c < 4; ++c)
                 patch.points[r][c] = {20 * double(c) + uniform(random, -0.2, 0.2) * n,

@@ -22,6 +22,10 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
+/// Most triangles of a mesh have three or four columns of pixels. Wider vectors would be idle, and
+/// many processors do vectors of 64 bytes in two steps.
+constexpr int narrow = 4;
+
 constexpr std::size_t most_lanes = 8;
 static_assert(mesh_row::room >= most_lanes);
 using lane_integers = hn::Rebind<std::int32_t, eight_doubles>;
@@ -233,10 +237,10 @@ std::size_t shade_strip_in_lanes(const l3d_pixels& target, const mesh_strip& str
                 return i;
             if (half.state[lane] == empty)
                 continue;
-            if (half.columns[lane] <= 4)
-                fill<pixel_lanes<4>>(target, half, lane);
+            if (half.columns[lane] <= narrow)
+                fill<pixel_lanes<narrow>>(target, half, lane);
             else
-                fill<pixel_lanes<8>>(target, half, lane);
+                fill<pixel_lanes<2 * narrow>>(target, half, lane);
         }
     }
     return all;

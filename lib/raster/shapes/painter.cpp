@@ -147,8 +147,10 @@ scan_rows reach_of(const l3d_painter_triangle& of) {
 struct l3d_painter::work_space {
     explicit work_space(l3d_workers& by) : workers(by), of_worker(std::size_t(by.count())) {}
 
-    /// More bands share the work more evenly; but a triangle is set up in each that it reaches.
+    /// With four, the last band to be done is an eighth of two workers' work. More would share it
+    /// more evenly; but a triangle is set up in each band that it reaches.
     static constexpr int bands_per_worker = 4;
+    /// Of those, the reach is one item of work: some 10^4 cycles.
     static constexpr std::size_t chunk_pieces = 4096;
 
     l3d_workers& workers;

@@ -92,10 +92,11 @@ bool fill_small_triangle_in_lanes(const l3d_pixels& target,
         std::swap(q, r);
     const std::array<small_edge, 3> edges{edge_between(p, q), edge_between(q, r),
                                           edge_between(r, p)};
-    if (box.columns <= 8)
-        fill<pixel_lanes<8>>(target, box, edges, color);
+    constexpr int narrow = 8; // many processors do vectors of 64 bytes in two steps
+    if (box.columns <= narrow)
+        fill<pixel_lanes<narrow>>(target, box, edges, color);
     else
-        fill<pixel_lanes<16>>(target, box, edges, color);
+        fill<pixel_lanes<2 * narrow>>(target, box, edges, color);
     return true;
 }
 
