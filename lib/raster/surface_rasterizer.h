@@ -37,6 +37,10 @@ struct L3D_PUBLIC l3d_shading {
     /// rasterizer that cannot do it draws as without (l3d_surface_rasterizer::antialiases).
     bool antialias = false;
 
+    /// How far vertices may be from the surface that is meant. Of what is smaller, little depends
+    /// at edges, so anti-aliasing may take shorter ways there. Units: pixels.
+    float place_error = 0;
+
     /// What pixels show that no surface covers, and the rest of those that are covered in part.
     l3d_background background{};
 

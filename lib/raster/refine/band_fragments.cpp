@@ -36,12 +36,9 @@ void band_fragments::begin(const pixel_bits& bits, const drawn_depth& depth, std
         farthest_.push_back(depth.farthest(p.x, p.y));
 }
 
-std::size_t band_fragments::index_of(std::int32_t x, std::int32_t y) const {
-    const auto word = static_cast<std::size_t>(x / pixel_bits::word_pixels);
-    const std::uint64_t bits = bits_->row(y)[word];
-    const std::uint64_t below = bits & ((std::uint64_t{1} << (x % pixel_bits::word_pixels)) - 1);
-    const auto row = static_cast<std::size_t>(y - band_.top);
-    return before_[row * bits_->row_words() + word] + static_cast<std::size_t>(bits_in(below));
+std::uint32_t band_fragments::first_in(std::int32_t word, std::int32_t y) const {
+    return before_[static_cast<std::size_t>(y - band_.top) * bits_->row_words() +
+                   static_cast<std::size_t>(word)];
 }
 
 /// Rows of quads that reach no marked pixel are left out, then columns that no row has a mark in.
@@ -74,30 +71,46 @@ void band_fragments::add_row(const l3d_surface_part& part, const grid_cells& cel
                              bool levels) {
     const l3d_micro_grid& grid = part.grid;
     const auto pitch = static_cast<std::size_t>(grid.pitch);
-    const auto box_of = [pitch](const std::int32_t* at) {
-        return std::pair(std::min(std::min(at[0], at[1]), std::min(at[pitch], at[pitch + 1])),
-                         std::max(std::max(at[0], at[1]), std::max(at[pitch], at[pitch + 1])));
+    const std::size_t first = grid.index(row, cells.column_begin);
+    /// The least and the most of a number at the two vertices of a column.
+    const auto range_at = [&](const std::vector<std::int32_t>& of, std::size_t at) {
+        return std::pair(std::min(of[at], of[at + pitch]), std::max(of[at], of[at + pitch]));
     };
-    const auto in_columns = [&](const l3d_pixel_box& box) {
-        std::uint64_t any = 0;
-        for (std::int32_t w = box.left / pixel_bits::word_pixels;
-             w * pixel_bits::word_pixels < box.right; ++w)
-            any |=
-                columns_[static_cast<std::size_t>(w)] & pixel_bits::within(w, box.left, box.right);
-        return any != 0;
-    };
-    for (int column = cells.column_begin; column < cells.column_end; ++column) {
-        const std::size_t p00 = grid.index(row, column);
-        const auto [left, right] = box_of(grid.x.data() + p00);
+    auto [left, right] = range_at(grid.x, first);
+    const std::size_t quads = static_cast<std::size_t>(cells.column_end - cells.column_begin);
+    for (std::size_t p00 = first; p00 < first + quads; ++p00) {
+        const auto [next_left, next_right] = range_at(grid.x, p00 + 1);
         const l3d_pixel_box wide =
-            squares_in({left, 0, right, 0}).intersected({band_.left, 0, band_.right, 0});
-        if (wide.left >= wide.right || !in_columns(wide))
+            squares_in({std::min(left, next_left), 0, std::max(right, next_right), 0});
+        left = next_left;
+        right = next_right;
+        if (!has_column(std::max(wide.left, band_.left), std::min(wide.right, band_.right)))
             continue;
-        const auto [top, bottom] = box_of(grid.y.data() + p00);
-        const l3d_pixel_box box = squares_in({left, top, right, bottom}).intersected(band_);
+        const auto [top, bottom] = range_at(grid.y, p00);
+        const auto [next_top, next_bottom] = range_at(grid.y, p00 + 1);
+        const l3d_pixel_box high =
+            squares_in({0, std::min(top, next_top), 0, std::max(bottom, next_bottom)});
+        const l3d_pixel_box box =
+            l3d_pixel_box{wide.left, high.top, wide.right, high.bottom}.intersected(band_);
         if (!box.empty() && bits_->any(box))
             add_quad(part, p00, box, levels);
     }
+}
+
+/// Whether a column of [left, right) is marked in columns_. Expects: left >= 0.
+bool band_fragments::has_column(std::int32_t left, std::int32_t right) const {
+    if (left >= right)
+        return false;
+    std::size_t word = pixel_bits::word_of(left);
+    const std::size_t last = pixel_bits::word_of(right - 1);
+    const std::uint64_t from = ~std::uint64_t{0} << pixel_bits::bit_of(left);
+    const std::uint64_t to = ~std::uint64_t{0} >> (63 - pixel_bits::bit_of(right - 1));
+    if (word == last)
+        return (columns_[word] & from & to) != 0;
+    std::uint64_t any = columns_[word] & from;
+    for (++word; word < last; ++word)
+        any |= columns_[word];
+    return (any | (columns_[last] & to)) != 0;
 }
 
 void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
@@ -161,12 +174,20 @@ void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners, std::
     polygon.color = color;
     const auto name = static_cast<std::uint32_t>(polygons_.size());
     const std::size_t pairs = pairs_.size();
-    bits_->for_each_in(box, [&](std::int32_t x, std::int32_t y) {
-        const std::size_t index = index_of(x, y);
-        if (polygon.nearest < farthest_[index])
-            return;
-        pairs_.push_back({static_cast<std::uint32_t>(index), name});
-    });
+    const auto last = static_cast<std::int32_t>(pixel_bits::word_of(box.right - 1));
+    for (std::int32_t y = box.top; y < box.bottom; ++y)
+        for (auto w = static_cast<std::int32_t>(pixel_bits::word_of(box.left)); w <= last; ++w) {
+            const std::uint64_t of_word = bits_->row(y)[w];
+            std::uint64_t marked = of_word & pixel_bits::within(w, box.left, box.right);
+            if (marked == 0)
+                continue;
+            // The marked pixels of a word are next to each other in the list.
+            const std::uint64_t before = of_word & ((marked & -marked) - 1);
+            std::uint32_t index = first_in(w, y) + static_cast<std::uint32_t>(bits_in(before));
+            for (; marked != 0; marked &= marked - 1, ++index)
+                if (polygon.nearest >= farthest_[index])
+                    pairs_.push_back({index, name});
+        }
     if (pairs_.size() != pairs)
         polygons_.push_back(polygon);
 }

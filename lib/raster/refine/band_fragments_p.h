@@ -91,7 +91,8 @@ private:
         return by_material_ ? material : colors_.empty() ? part.error_color : colors_[material];
     }
     l3d_pixel_box reached(std::span<const l3d_micro_vertex> corners) const;
-    std::size_t index_of(std::int32_t x, std::int32_t y) const;
+    std::uint32_t first_in(std::int32_t word, std::int32_t y) const;
+    bool has_column(std::int32_t left, std::int32_t right) const;
 
     std::span<const std::uint32_t> colors_;
     bool by_material_ = false;

@@ -62,8 +62,13 @@ void border_edges::add(const band_item& item) {
         const int turn = turn_at(item.part->grid, e);
         if (turn == 0)
             continue;
-        contour_edge edge{
-            {e.from_x, e.from_y}, {e.to_x, e.to_y}, e.nearest, std::abs(e.level), false};
+        contour_edge edge{{e.from_x, e.from_y},
+                          {e.to_x, e.to_y},
+                          e.nearest,
+                          std::abs(e.level),
+                          false,
+                          {item.part, e.row, e.column},
+                          {}};
         if (turn < 0)
             std::swap(edge.from, edge.to);
         edges_.push_back({edge, e.level, kind::end});
@@ -93,9 +98,10 @@ std::span<const contour_edge> border_edges::match() {
             if (!along && !against)
                 continue;
             here.is = kind::inside; // the other one stands for both
-            if (along)
+            if (along) {
                 other.is = kind::fold;
-            else
+                other.edge.also = here.edge.beside;
+            } else
                 other.is =
                     std::abs(other.level - here.level) > jump_levels ? kind::crease : kind::inside;
             break;

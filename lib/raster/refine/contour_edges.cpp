@@ -146,12 +146,13 @@ std::span<const contour_edge> contour_edges::find(const band_list& list, const b
             fill(above_, row - 1);
         fill(here_, row);
         filled = row;
-        add_row(grid, cells, row);
+        add_row(*item.part, cells, row);
     }
     return edges_;
 }
 
-void contour_edges::add_row(const l3d_micro_grid& grid, const grid_cells& cells, int row) {
+void contour_edges::add_row(const l3d_surface_part& part, const grid_cells& cells, int row) {
+    const l3d_micro_grid& grid = part.grid;
     const std::size_t words = here_.size() / 2;
     const std::uint64_t *const right = here_.data(), *const folded = right + words;
     const std::uint64_t *const right_above = above_.data(), *const folded_above =
@@ -171,7 +172,8 @@ void contour_edges::add_row(const l3d_micro_grid& grid, const grid_cells& cells,
         for (level &= inside; level != 0; level &= level - 1) {
             const int column = word * word_bits + std::countr_zero(level);
             const std::size_t p = grid.index(row, column);
-            add_between(grid, p, p + 1, turns(row, column, upper), turns(row - 1, column, lower));
+            add_between(part, row, column, p, p + 1, turns(row, column, upper),
+                        turns(row - 1, column, lower));
         }
         const auto moved = [&](const std::uint64_t* of) {
             return of[w] << 1 | (w > 0 ? of[w - 1] >> (word_bits - 1) : 0);
@@ -182,32 +184,37 @@ void contour_edges::add_row(const l3d_micro_grid& grid, const grid_cells& cells,
         for (upright &= inside; upright != 0; upright &= upright - 1) {
             const int column = word * word_bits + std::countr_zero(upright);
             const std::size_t p = grid.index(row, column);
-            add_between(grid, p + static_cast<std::size_t>(grid.pitch), p,
+            add_between(part, row, column, p + static_cast<std::size_t>(grid.pitch), p,
                         turns(row, column, left_side), turns(row, column - 1, right_side));
         }
         for (std::uint64_t some = folded[w] & inside; some != 0; some &= some - 1)
-            add_spokes(grid, row, word * word_bits + std::countr_zero(some));
+            add_spokes(part, row, word * word_bits + std::countr_zero(some));
     }
 }
 
 /// The edge from one vertex to another, if only the polygon on one of its sides turns to the right.
-void contour_edges::add_between(const l3d_micro_grid& grid, std::size_t from, std::size_t to,
-                                bool right_turns, bool left_turns) {
+void contour_edges::add_between(const l3d_surface_part& part, int row, int column, std::size_t from,
+                                std::size_t to, bool right_turns, bool left_turns) {
+    const l3d_micro_grid& grid = part.grid;
     if (right_turns == left_turns)
         return;
     const contour_edge edge{{grid.x[from], grid.y[from]},
                             {grid.x[to], grid.y[to]},
                             std::max(grid.inv_w[from], grid.inv_w[to]),
                             mean_level(grid.normal[0][from], grid.normal[0][to]),
-                            true};
+                            true,
+                            {&part, row, column},
+                            {}};
     if (right_turns)
         edges_.push_back(edge);
     else
-        edges_.push_back({edge.to, edge.from, edge.nearest, edge.level, true});
+        edges_.push_back(
+            {edge.to, edge.from, edge.nearest, edge.level, true, {&part, row, column}, {}});
 }
 
 /// The edges between the pieces of a folded quad.
-void contour_edges::add_spokes(const l3d_micro_grid& grid, int row, int column) {
+void contour_edges::add_spokes(const l3d_surface_part& part, int row, int column) {
+    const l3d_micro_grid& grid = part.grid;
     const quad_corners v = corners_of(grid, grid.index(row, column));
     const l3d_micro_vertex centre = projective_centre(v);
     std::array<bool, 4> turns{};
@@ -222,9 +229,9 @@ void contour_edges::add_spokes(const l3d_micro_grid& grid, int row, int column) 
         const float level = mean_level(v[i].normal[0], centre.normal[0]);
         // The piece at side i goes from the centre to its first corner.
         if (turns[i])
-            edges_.push_back({middle, corner, nearest, level, true});
+            edges_.push_back({middle, corner, nearest, level, true, {&part, row, column}, {}});
         else
-            edges_.push_back({corner, middle, nearest, level, true});
+            edges_.push_back({corner, middle, nearest, level, true, {&part, row, column}, {}});
     }
 }
 

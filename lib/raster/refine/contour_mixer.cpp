@@ -3,6 +3,7 @@
 #include "raster/refine/contour_mixer_p.h"
 
 #include "raster/background.h"
+#include "raster/refine/contour_light_p.h"
 #include "raster/refine/find_jumps_p.h"
 
 #include <algorithm>
@@ -13,258 +14,277 @@ namespace l3d_detail {
 
 namespace {
 
-int channel(std::uint32_t word, int shift) {
-    return static_cast<int>(word >> shift & 255);
-}
-
 /// How transparent a pixel is counts as a channel where pixels are compared.
 constexpr int channels_end = 32;
 
-/// How far neighbours' levels go on as they change, and how far two on the other side of a contour
-/// may be apart, being a diagonal's ends.
-constexpr int steady = jump_levels, like = jump_levels;
+/// Neighbours of one surface differ by no more levels, where these change steadily.
+constexpr int steady = jump_levels;
 
-/// Levels of the mixed pixel that a parabola may be wrong by, as a fourth level tells.
-constexpr float most_doubt = 0.75f;
+/// A level that is taken from a surface's own polygons is no farther from what is drawn next to
+/// it. Vertices beside a fold may have the level of the side that is not seen.
+constexpr float most_change = 48;
 
-/// What the area beside a straight contour may differ by from the share.
-constexpr float straight = 1.0f / 16;
+/// The same surface has the same depth where it was drawn, but for rounding.
+constexpr float same_depth = 1.0f / 1024;
 
-/// A pixel whose centre is nearer to a contour than this may show a sliver of the other side.
-constexpr float least_way = 0.1f;
+/// A part of the square that no vertex decides: an edge is off by as much as vertices are. Beyond a
+/// quarter of a pixel, one level no longer stands for all of a side.
+constexpr float largest_small_share = 0.25f;
 
-/// Means over the part of a pixel on one side of a straight contour: of the way to the contour
-/// along an axis, of its root and of its square. And that part's area.
-struct share_means {
-    float root = 0, way = 0, square = 0, area = 0;
-
-    /// The way to the centre, negative on the other side; its change from one end of the pixel to
-    /// the other.
-    share_means(float to_centre, float slope) {
-        // Two places that give the mean of a cubic.
-        constexpr float place = 0.28867513f;
-        for (const float aside : {-place, place}) {
-            const float far = std::max(to_centre + 0.5f + aside * slope, 0.0f);
-            const float near = std::max(to_centre - 0.5f + aside * slope, 0.0f);
-            area += 0.5f * (far - near);
-            root += 1.0f / 3 * (far * std::sqrt(far) - near * std::sqrt(near));
-            way += 0.25f * (far * far - near * near);
-            square += 1.0f / 6 * (far * far * far - near * near * near);
-        }
-        if (area > 0) {
-            root /= area;
-            way /= area;
-            square /= area;
-        }
-    }
-};
-
-/// Whether a surface's word has a single level. A transparent word has none.
-bool is_grey(std::uint32_t word) {
-    return word == (word & 255) * 0x010101;
+/// Levels of the mixed pixel that a parabola may be wrong by, as a fourth level tells: 3/4, which
+/// rounding nearly makes; or a thirtieth of what white beside black is off by if the edge is, which
+/// is 255 levels a pixel. But no more than the twos of l3d_dice_view::shade_tolerance.
+float most_doubt(float place_error) {
+    return std::clamp(255 * place_error / 30, 0.75f, 2.0f);
 }
 
-bool within(int levels, std::uint32_t a, std::uint32_t b) {
-    for (int shift = 0; shift < channels_end; shift += 8)
-        if (std::abs(channel(a, shift) - channel(b, shift)) > levels)
-            return false;
-    return true;
+/// Whether two words' channels differ by more than `steady`.
+bool differ(std::uint32_t a, std::uint32_t b, int end) {
+    for (int shift = 0; shift < end; shift += 8)
+        if (std::abs(static_cast<int>(a >> shift & 255) - static_cast<int>(b >> shift & 255)) >
+            steady)
+            return true;
+    return false;
 }
 
 } // namespace
 
-/// Whether a contour divides the centres of a pixel and of one beside, above or below it.
-bool contour_mixer::divided(std::int32_t x, std::int32_t y, step to) const {
-    if (to.x != 0)
-        return cuts_.on_right(std::min(x, x + to.x), y);
-    return cuts_.below(x, std::min(y, y + to.y));
+contour_mixer::contour_mixer(const drawn_picture& picture, const contour_cuts& cuts)
+    : picture_(picture), cuts_(cuts), tables_(linear_light_tables()),
+      small_share_(std::min(picture.place_error, largest_small_share)),
+      doubt_(most_doubt(picture.place_error)) {}
+
+bool contour_mixer::alike(std::uint32_t a, std::uint32_t b) const {
+    return a == b || !differ(a, b, picture_.is_grey ? 8 : channels_end);
 }
 
-/// The neighbour on the other side: of those beside, above and below it, one; else at a corner.
-/// False if there is none, or if they show more than one surface.
-bool contour_mixer::find_other(const contour_pixel& pixel, step& to) const {
-    const std::int32_t x = pixel.x, y = pixel.y;
+contour_mixer::surroundings contour_mixer::around(std::int32_t x, std::int32_t y) const {
+    const l3d_pixel_box& window = picture_.window;
+    const unsigned inside = (y > window.top ? 1u : 0u) | (y + 1 < window.bottom ? 2u : 0u) |
+                            (x > window.left ? 4u : 0u) | (x + 1 < window.right ? 8u : 0u);
+    const auto bit = [](bool set, unsigned place) { return set ? 1u << place : 0u; };
+    unsigned cut = bit(cuts_.right.has(x, y), 3);
+    if ((inside & 1) != 0)
+        cut |= bit(cuts_.below(x, y - 1), 0);
+    if ((inside & 2) != 0)
+        cut |= bit(cuts_.below(x, y), 1);
+    if ((inside & 4) != 0)
+        cut |= bit(cuts_.on_right(x - 1, y), 2);
+    return {x, y, inside & ~cut, inside & cut};
+}
+
+/// The neighbour on the other side: of those beside, above and below, one; else at a corner.
+contour_mixer::others contour_mixer::find_other(const surroundings& here, step& to) const {
+    const std::int32_t x = here.x, y = here.y;
     bool found = false;
-    for (const step s : beside)
-        if (inside(x + s.x, y + s.y) && divided(x, y, s)) {
-            if (found && !within(like, word_at(x + to.x, y + to.y), word_at(x + s.x, y + s.y)))
-                return false;
-            to = s;
-            found = true;
-        }
+    for (std::size_t i = 0; i < beside.size(); ++i) {
+        if ((here.divided >> i & 1) == 0)
+            continue;
+        const step s = beside[i];
+        if (found && !alike(word_at(x + to.x, y + to.y), word_at(x + s.x, y + s.y)))
+            return others::unlike;
+        to = s;
+        found = true;
+    }
     if (found)
-        return true;
-    constexpr step corners[] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
-    for (const step s : corners)
-        if (inside(x + s.x, y + s.y) && divided(x + s.x, y, {0, s.y}) &&
-            divided(x, y + s.y, {s.x, 0})) {
-            to = s;
-            return true;
+        return others::one;
+    // Round a corner of the contour, both ways to a diagonal neighbour are divided.
+    for (const std::size_t row : {0u, 1u})
+        for (const std::size_t column : {2u, 3u}) {
+            if ((here.joined >> row & here.joined >> column & 1) == 0)
+                continue;
+            const std::int32_t dx = beside[column].x, dy = beside[row].y;
+            if (cuts_.below(x + dx, std::min(y, y + dy)) &&
+                cuts_.on_right(std::min(x, x + dx), y + dy)) {
+                to = {dx, dy};
+                return others::one;
+            }
         }
-    return false;
+    return others::none;
 }
 
-/// Whether no contour divides a pixel from the next one.
+/// Whether the next pixel is in the window, and no contour divides the two.
 bool contour_mixer::goes_on(std::int32_t x, std::int32_t y, step to) const {
-    return inside(x + to.x, y + to.y) && !(to.x != 0 && divided(x, y, {to.x, 0})) &&
-           !(to.y != 0 && divided(x + to.x, y, {0, to.y}));
+    const std::int32_t next_x = x + to.x, next_y = y + to.y;
+    return inside(next_x, next_y) && !(to.x != 0 && cuts_.on_right(std::min(x, next_x), y)) &&
+           !(to.y != 0 && cuts_.below(next_x, std::min(y, next_y)));
 }
 
 /// Whether a neighbour shows the same surface at a level that is far from the one here. A centre
 /// beside a fold may have met a sliver of the other side.
-bool contour_mixer::is_odd(std::int32_t x, std::int32_t y) const {
-    return std::ranges::any_of(beside, [&](step s) {
-        return inside(x + s.x, y + s.y) && !divided(x, y, s) &&
-               !within(like, word_at(x + s.x, y + s.y), word_at(x, y));
-    });
+bool contour_mixer::is_odd(const surroundings& here) const {
+    const std::uint32_t word = word_at(here.x, here.y);
+    for (std::size_t i = 0; i < beside.size(); ++i)
+        if ((here.joined >> i & 1) != 0 &&
+            !alike(word_at(here.x + beside[i].x, here.y + beside[i].y), word))
+            return true;
+    return false;
+}
+
+/// The way from a contour to what is on its right, nearly.
+contour_mixer::step contour_mixer::to_right_of(const contour_pixel& pixel) {
+    if (std::abs(pixel.along_x) > std::abs(pixel.along_y))
+        return {0, pixel.along_x > 0 ? 1 : -1};
+    return {pixel.along_y > 0 ? -1 : 1, 0};
+}
+
+/// Whether a contour divides a pixel from one beside it.
+bool contour_mixer::is_divided(const surroundings& here, step to) {
+    for (std::size_t i = 0; i < beside.size(); ++i)
+        if (beside[i].x == to.x && beside[i].y == to.y)
+            return (here.divided >> i & 1) != 0;
+    return false;
 }
 
 /// A side whose levels change steadily: on a straight line from a pixel of it on to the next one.
-/// `way` of that leads to the middle of the share.
-bool contour_mixer::find_steady(std::int32_t x, std::int32_t y, step away, float way,
-                                side& found) const {
-    if (!goes_on(x, y, away) || is_odd(x, y))
+/// `way` of that leads to the middle of the share. Expects: `found` has the pixel's word.
+bool contour_mixer::find_steady(const surroundings& here, step away, float way, side& found) const {
+    if (is_odd(here) || !goes_on(here.x, here.y, away))
         return false;
-    const std::uint32_t here = word_at(x, y), next = word_at(x + away.x, y + away.y);
-    found = {{here, next, 0}, {1 - way, way, 0}};
-    return within(steady, here, next);
+    const std::uint32_t next = word_at(here.x + away.x, here.y + away.y);
+    if (!alike(found.first, next))
+        return false;
+    found.second = next;
+    found.way = way;
+    return true;
 }
 
-/// A side whose levels change fast: on a curve through three levels. Where a surface folds over,
-/// this is a parabola over the root of the way to the fold. Pixels beside a fold may show a sliver
-/// of the other side, so the level at the contour takes the place of the pixel that is mixed.
-bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_own, bool is_right,
-                               float share, side& found) const {
-    // What is seen behind a contour would have to be carried on from too far.
-    if (!has_levels_ || pixel.crossings != 2 || (away.x != 0 && away.y != 0) ||
-        !(is_own || (is_right && pixel.folds)))
-        return false;
-    const auto across =
-        static_cast<float>(std::abs(pixel.along_x * away.y - pixel.along_y * away.x));
-    const auto along =
-        static_cast<float>(std::abs(pixel.along_x * away.x + pixel.along_y * away.y));
-    if (!(across > 0))
-        return false;
-    // Ways along `away` from the contour: to the centre, and its change across the pixel.
-    const float to_centre =
-        (is_own ? 1.0f : -1.0f) * std::abs(static_cast<float>(pixel.to_centre)) / across;
-    const share_means means(to_centre, along / across);
-    if (std::abs(means.area - share) > straight)
-        return false; // it turns round a corner
-    const bool folds = is_right && pixel.folds;
-    std::int32_t x = pixel.x, y = pixel.y;
-    float way = to_centre;
-    if (!is_own || (folds && to_centre < least_way)) {
-        if (is_own && !goes_on(x, y, away))
-            return false;
-        x += away.x;
-        y += away.y;
-        way += 1;
-    }
-    std::array<float, 4> places{}, levels{};
-    std::size_t count = 0;
-    if (folds)
-        ++count; // the level at the contour
-    const std::uint32_t first = word_at(x, y);
-    for (std::int32_t px = x, py = y; count < places.size(); px += away.x, py += away.y, way += 1) {
-        const std::uint32_t word = word_at(px, py);
-        if (!is_grey_ && !is_grey(word))
-            return false;
-        places[count] = way;
-        levels[count++] = static_cast<float>(channel(word, 0));
-        if (count < places.size() && !goes_on(px, py, away))
-            return false;
-    }
-    const step aside{away.y, away.x};
-    const float rise = std::abs(levels[3] - levels[2]) + std::abs(levels[2] - levels[1]);
-    for (const step s : {aside, -aside})
-        if (inside(x + s.x, y + s.y) && !divided(x, y, s) &&
-            std::abs(channel(word_at(x + s.x, y + s.y), 0) - channel(first, 0)) >
-                like + static_cast<int>(rise))
-            return false;
-    if (folds)
-        for (float& place : places)
-            place = std::sqrt(place);
-    if (folds) {
-        // The level at the contour is that of the side that is seen, or of the other one, which is
-        // as far below 0 as this is above.
-        constexpr float ambient = 25.5f, darkest = 26;
-        if (std::min({levels[1], levels[2], levels[3]}) <= darkest)
-            return false; // where light begins, there is a corner in the curve
-        const float guess =
-            levels[1] - places[1] * (levels[2] - levels[1]) / (places[2] - places[1]);
-        levels[0] = ambient + (guess > ambient + 0.5f * pixel.level() ? pixel.level() : 0.0f);
-    }
-    const float mean = folds ? means.root : means.way, squares = folds ? means.way : means.square;
-    const auto slope = [&](float l1, float l0, std::size_t i, std::size_t k) {
-        return (l1 - l0) / (places[i] - places[k]);
-    };
-    const float rise01 = slope(levels[1], levels[0], 1, 0),
-                rise12 = slope(levels[2], levels[1], 2, 1),
-                rise23 = slope(levels[3], levels[2], 3, 2);
-    const float bend02 = slope(rise12, rise01, 2, 0), bend13 = slope(rise23, rise12, 3, 1);
-    const float twist = slope(bend13, bend02, 3, 0);
-    const float second = squares - (places[0] + places[1]) * mean + places[0] * places[1];
-    found = {};
-    found.constant = levels[0] + (mean - places[0]) * rise01 + second * bend02;
-    return std::abs(second * (mean - places[2]) * twist) * share < most_doubt;
+/// Whether the surface that a contour belongs to can be asked for its light.
+bool contour_mixer::has_own_surface(const contour_pixel& pixel) const {
+    return picture_.has_levels && picture_.is_grey && pixel.crossings == 2 &&
+           pixel.beside.part != nullptr;
 }
 
-/// The way across a contour at which a surface folds over, to the side where this is seen.
-bool contour_mixer::find_fold(const contour_pixel& pixel, step& to) const {
-    if (pixel.crossings != 2 || !pixel.folds || pixel.centre() != 0)
+/// Whether a neighbour of the same side is nearly as bright.
+bool contour_mixer::is_near(const surroundings& here, float level) const {
+    for (std::size_t i = 0; i < beside.size(); ++i)
+        if ((here.joined >> i & 1) != 0 &&
+            std::abs(level - grey_at(here.x + beside[i].x, here.y + beside[i].y)) <= most_change)
+            return true;
+    return false;
+}
+
+/// The level of the surface that the contour belongs to, from its polygons on the right. The drawn
+/// pixel of that side tells that it is this surface that is seen.
+bool contour_mixer::find_own_surface(const contour_pixel& pixel, step to, side& found) const {
+    if (!has_own_surface(pixel))
         return false;
-    if (std::abs(pixel.along_x) > std::abs(pixel.along_y))
-        to = {0, pixel.along_x > 0 ? 1 : -1};
-    else
-        to = {pixel.along_y > 0 ? -1 : 1, 0};
-    return inside(pixel.x + to.x, pixel.y + to.y) && divided(pixel.x, pixel.y, to);
+    const std::int32_t x = pixel.x + to.x, y = pixel.y + to.y;
+    constexpr float centre = 0.5f;
+    const bool is_own = to.x == 0 && to.y == 0;
+    surface_light drawn, light;
+    if (!find_light(pixel, {static_cast<float>(x) + centre, static_cast<float>(y) + centre}, drawn))
+        return false;
+    const float depth = picture_.depth[y * picture_.pitch + x];
+    if (std::abs(drawn.inv_w - depth) > same_depth * depth ||
+        std::abs(drawn.level - grey_at(x, y)) > steady ||
+        !find_light(pixel, middle_on_right(pixel), light) ||
+        light.turns_right != drawn.turns_right ||
+        std::abs(light.level - drawn.level) > most_change ||
+        (is_own && !is_near(around(x, y), light.level)))
+        return false;
+    found.all = light.level;
+    return true;
+}
+
+/// The same where no neighbour shows that surface, as the contour only cuts a corner off. What is
+/// seen beside the contour is seen in the middle of the share, too.
+bool contour_mixer::find_cut_off(const contour_pixel& pixel, float share, side& found) const {
+    if (!has_own_surface(pixel))
+        return false;
+    const step inward = to_right_of(pixel);
+    const std::int32_t x = pixel.x + inward.x, y = pixel.y + inward.y;
+    surface_light edge, light;
+    if (inside(x, y) && find_light(pixel, place_on_right(pixel), edge) &&
+        find_light(pixel, middle_on_right(pixel), light) && light.turns_right == edge.turns_right &&
+        std::abs(light.level - edge.level) <= most_change &&
+        std::abs(light.level - grey_at(x, y)) <= most_change) {
+        found.all = light.level;
+        return true;
+    }
+    found.all = linear_light::level_of(pixel.level());
+    return share < small_share_;
+}
+
+/// A pixel of which a contour cuts so little off that no neighbour's centre lies there.
+bool contour_mixer::mix_corner(const contour_pixel& pixel, const surroundings& here, float own,
+                               std::uint32_t& word) const {
+    const std::uint32_t here_word = word_at(here.x, here.y);
+    const float rest = 1 - own;
+    if (here_word == l3d_pixels::transparent || is_odd(here))
+        return false;
+    word = here_word;
+    if (pixel.centre() == 1)
+        return rest < small_share_; // nothing tells what is behind
+    side of_own, of_rest;
+    of_own.first = of_own.second = here_word;
+    if (!find_cut_off(pixel, rest, of_rest))
+        return false;
+    word = mixed(of_own, own, of_rest);
+    return true;
 }
 
 bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
-    const std::int32_t x = pixel.x, y = pixel.y;
-    step to{};
-    const std::int32_t centre = pixel.centre();
-    if (centre != 0 && centre != 1)
+    const std::int32_t side_of_centre = pixel.centre();
+    if (side_of_centre != 0 && side_of_centre != 1)
         return false;
-    // Beside a fold, neighbours of the same surface may be unlike.
-    const bool is_plain = find_other(pixel, to);
-    if (!is_plain && !find_fold(pixel, to))
-        return false;
+    const bool is_right = side_of_centre == 1;
     const float right = static_cast<float>(pixel.share()) / contour_pixel::whole;
-    const float own = centre == 1 ? right : 1 - right, rest = 1 - own;
-    const std::uint32_t here = word_at(x, y), there = word_at(x + to.x, y + to.y);
-    if (is_plain && here == there) {
-        word = here;
+    const float own = is_right ? right : 1 - right, rest = 1 - own;
+    const surroundings here = around(pixel.x, pixel.y);
+    const std::uint32_t here_word = word_at(pixel.x, pixel.y);
+
+    // Which neighbour shows the other side. Beside a fold, those of one surface may be unlike.
+    step to{};
+    const others other = find_other(here, to);
+    if (other == others::none)
+        return mix_corner(pixel, here, own, word);
+    if (other == others::unlike) {
+        to = to_right_of(pixel);
+        if (is_right || pixel.crossings != 2 || !pixel.folds || !is_divided(here, to))
+            return false;
+    }
+    const std::uint32_t there_word = word_at(pixel.x + to.x, pixel.y + to.y);
+    if (other == others::one && here_word == there_word) {
+        word = here_word;
         return true;
     }
+
     // A straight contour across the way to the neighbour lies own - 1/2 from the centre. The middle
     // of the own share lies rest / 2 before it, that of the other share (1 + rest) / 2 nearer than
     // the neighbour's.
-    side of_own, of_rest;
-    if (!find_steady(x, y, -to, 0.5f * rest, of_own) &&
-        !find_steep(pixel, -to, true, centre == 1, own, of_own))
+    side of_own{here_word, here_word}, of_rest{there_word, there_word};
+    if (!find_steady(here, -to, 0.5f * rest, of_own) &&
+        !find_steep(pixel, -to, true, is_right, own, of_own) &&
+        !(is_right && find_own_surface(pixel, {0, 0}, of_own)) && !(own < 2 * small_share_))
         return false;
-    if (!(is_plain && find_steady(x + to.x, y + to.y, to, -0.5f * (1 + rest), of_rest)) &&
-        !find_steep(pixel, to, false, centre == 0, rest, of_rest))
+    const surroundings there = around(pixel.x + to.x, pixel.y + to.y);
+    if (!(other == others::one && find_steady(there, to, -0.5f * (1 + rest), of_rest)) &&
+        !find_steep(pixel, to, false, !is_right, rest, of_rest) &&
+        !(!is_right && find_own_surface(pixel, to, of_rest)) &&
+        !(other == others::one && (is_right ? 0 < small_share_ : rest < small_share_)))
         return false;
-    if (here == l3d_pixels::transparent || there == l3d_pixels::transparent) {
-        const bool is_there = here == l3d_pixels::transparent;
+
+    if (here_word == l3d_pixels::transparent || there_word == l3d_pixels::transparent) {
+        const bool is_there = here_word == l3d_pixels::transparent;
         const side& seen = is_there ? of_rest : of_own;
-        const auto level = [&](int shift) {
-            return tables_.level(tables_.light_at_level(seen.level(shift)));
-        };
-        word =
-            l3d_transparency_of(is_there ? own : rest) | level(16) << 16 | level(8) << 8 | level(0);
+        word = l3d_transparency_of(is_there ? own : rest) | mixed(seen, 1, seen);
         return true;
     }
-    const auto mixed = [&](int shift) {
-        return tables_.level(own * tables_.light_at_level(of_own.level(shift)) +
-                             rest * tables_.light_at_level(of_rest.level(shift)));
+    word = mixed(of_own, own, of_rest);
+    return true;
+}
+
+/// The levels of the light of both sides, the first of which has that share.
+std::uint32_t contour_mixer::mixed(const side& own, float share, const side& rest) const {
+    const auto channel = [&](int shift) {
+        return tables_.level(share * tables_.light_at_level(own.level(shift)) +
+                             (1 - share) * tables_.light_at_level(rest.level(shift)));
     };
     constexpr std::uint32_t all_channels = 0x010101;
-    word = is_grey_ ? all_channels * mixed(0) : mixed(16) << 16 | mixed(8) << 8 | mixed(0);
-    return true;
+    if (picture_.is_grey)
+        return all_channels * channel(0);
+    return channel(16) << 16 | channel(8) << 8 | channel(0);
 }
 
 } // namespace l3d_detail

@@ -13,20 +13,32 @@
 
 namespace l3d_detail {
 
-/// Mixes what is on both sides of a contour by their exact shares of the square. One side's level
-/// is that of the pixel, drawn at its centre; the other's is that of a neighbour whose centre the
-/// contour divides from it. Each is brought from where it was drawn to the middle of its share, as
-/// steadily as it changes beyond.
+/// A picture as it was drawn, before any of its pixels is mixed. Lives: borrows all.
+struct drawn_picture {
+    const l3d_pixels& words;
+    l3d_pixel_box window; ///< what is drawn of it
+    const float* depth;   ///< inv_w of the pixels that show a surface
+    std::ptrdiff_t pitch; ///< of depths
+    bool is_grey;         ///< the channels of all pixels are equal
+    bool has_levels;      ///< vertices have levels of greys, which pixels show without fog
+    float place_error;    ///< pixels that vertices may be off; less matters at no edge
+};
+
+/// Mixes what is on both sides of a contour by their exact shares of the square.
+///
+/// A side's level is taken from the first of these that tells it:
+/// - drawn pixels of that side, if their levels change steadily: the pixel itself or a neighbour
+///   whose centre the contour divides from it, and the next one;
+/// - the polygons on the right of the contour, which are its own surface's;
+/// - drawn pixels of that side on a curve, also up to a contour at which the surface folds over;
+/// - the drawn pixel alone, where the side has a small share or is behind the contour.
 ///
 /// Lives: borrows all for a call. None of it changes meanwhile.
 class contour_mixer {
 public:
-    contour_mixer(const l3d_pixels& picture, const l3d_pixel_box& window, const contour_cuts& cuts,
-                  bool is_grey, bool has_levels)
-        : picture_(picture), window_(window), cuts_(cuts), is_grey_(is_grey),
-          has_levels_(has_levels), tables_(linear_light_tables()) {}
+    contour_mixer(const drawn_picture& picture, const contour_cuts& cuts);
 
-    /// The pixel's word. False if neighbours show nothing of the other side, or several surfaces.
+    /// The pixel's word. False if what is drawn does not tell enough.
     /// Expects: a simple pixel.
     bool mix(const contour_pixel& pixel, std::uint32_t& word) const;
 
@@ -36,42 +48,62 @@ private:
 
         step operator-() const { return {-x, -y}; }
     };
-    /// A side's level in the middle of its share, as a sum of drawn ones.
+    /// A side's level in the middle of its share: the drawn ones of two pixels, `way` of the
+    /// difference beyond the first; or a level of all channels.
     struct side {
-        std::array<std::uint32_t, 3> words{};
-        std::array<float, 3> weights{};
-        float constant = 0;
+        std::uint32_t first = 0, second = 0;
+        float way = 0, all = -1;
 
         float level(int shift) const {
-            float sum = constant;
-            for (std::size_t i = 0; i < words.size(); ++i)
-                sum += weights[i] * static_cast<float>(words[i] >> shift & 255);
-            return sum;
+            if (all >= 0)
+                return all;
+            const auto a = static_cast<float>(first >> shift & 255);
+            return a + way * (static_cast<float>(second >> shift & 255) - a);
         }
     };
-    static constexpr step beside[] = {{0, -1}, {0, 1}, {-1, 0}, {1, 0}};
+    /// A pixel, and which of the four beside it are in the window: those of the same side, and
+    /// those that a contour divides from it. Shape: bits in the order of `beside`.
+    struct surroundings {
+        std::int32_t x, y;
+        unsigned joined, divided;
+    };
+    static constexpr std::array<step, 4> beside{{{0, -1}, {0, 1}, {-1, 0}, {1, 0}}};
 
-    bool inside(std::int32_t x, std::int32_t y) const {
-        return x >= window_.left && x < window_.right && y >= window_.top && y < window_.bottom;
-    }
     std::uint32_t word_at(std::int32_t x, std::int32_t y) const {
-        return picture_.row(y)[static_cast<std::size_t>(x)];
+        return picture_.words.row(y)[static_cast<std::size_t>(x)];
     }
-    bool divided(std::int32_t x, std::int32_t y, step to) const;
-    bool find_other(const contour_pixel& pixel, step& to) const;
-    bool is_odd(std::int32_t x, std::int32_t y) const;
+    float grey_at(std::int32_t x, std::int32_t y) const {
+        return static_cast<float>(word_at(x, y) & 255);
+    }
+    bool inside(std::int32_t x, std::int32_t y) const {
+        const l3d_pixel_box& w = picture_.window;
+        return x >= w.left && x < w.right && y >= w.top && y < w.bottom;
+    }
+    bool alike(std::uint32_t a, std::uint32_t b) const;
+    surroundings around(std::int32_t x, std::int32_t y) const;
+    /// What neighbours show of the other side: nothing, one surface, or several.
+    enum class others { none, one, unlike };
+    others find_other(const surroundings& here, step& to) const;
+    static step to_right_of(const contour_pixel& pixel);
+    static bool is_divided(const surroundings& here, step to);
     bool goes_on(std::int32_t x, std::int32_t y, step to) const;
-    bool find_fold(const contour_pixel& pixel, step& to) const;
-    bool find_steady(std::int32_t x, std::int32_t y, step away, float way, side& found) const;
+    bool is_odd(const surroundings& here) const;
+    bool find_steady(const surroundings& here, step away, float way, side& found) const;
     bool find_steep(const contour_pixel& pixel, step away, bool is_own, bool is_right, float share,
                     side& found) const;
+    bool find_own_surface(const contour_pixel& pixel, step to, side& found) const;
+    bool find_cut_off(const contour_pixel& pixel, float share, side& found) const;
+    bool mix_corner(const contour_pixel& pixel, const surroundings& here, float own,
+                    std::uint32_t& word) const;
+    bool is_near(const surroundings& here, float level) const;
+    bool has_own_surface(const contour_pixel& pixel) const;
+    std::uint32_t mixed(const side& own, float share, const side& rest) const;
 
-    const l3d_pixels& picture_;
-    l3d_pixel_box window_;
+    const drawn_picture& picture_;
     const contour_cuts& cuts_;
-    bool is_grey_;    ///< the channels of all pixels are equal
-    bool has_levels_; ///< contours have levels, too
     const linear_light& tables_;
+    float small_share_; ///< what a side may have that is taken for as bright as a single place
+    float doubt_;       ///< levels that a curve through drawn ones may be wrong by
 };
 
 } // namespace l3d_detail

@@ -120,12 +120,13 @@ void contour_pixels::pass(std::int32_t x, std::int32_t y, place from, place to, 
         std::lrint(length_units * (std::abs(along_x) + std::abs(along_y))));
     const auto levels = static_cast<std::int32_t>(
         std::isfinite(edge.level) ? std::lrint(length * double{edge.level}) : 0);
-    pairs_.push_back({{x, y, units(area), turns, crossings, loose, false, units(along_x),
-                       units(along_y), units(to_centre), length, levels, edge.fold},
-                      cuts,
-                      enters ? along(from) : -1,
-                      leaves ? along(to) : -1,
-                      0});
+    pairs_.push_back(
+        {{x, y, units(area), turns, crossings, loose, false, units(along_x), units(along_y),
+          units(to_centre), length, levels, edge.beside, edge.also, edge.fold},
+         cuts,
+         enters ? along(from) : -1,
+         leaves ? along(to) : -1,
+         0});
 }
 
 void contour_pixels::finish(contour_cuts& cuts, pixel_bits& seen) {
@@ -163,6 +164,8 @@ void contour_pixels::finish(contour_cuts& cuts, pixel_bits& seen) {
               to.to_centre + p.of.to_centre,
               to.length + p.of.length,
               to.levels + p.of.levels,
+              p.of.beside,
+              p.of.also,
               to.folds && p.of.folds};
         const auto flip = [&](pixel_bits& of, std::uint32_t which) {
             if ((p.cuts & which) != 0)

@@ -59,6 +59,8 @@ struct contour_pixel {
     /// The sums of the pieces' lengths, and of these times contour_edge::level.
     std::int32_t length, levels;
 
+    contour_edge::quad_place beside, also; ///< of one of its contours
+
     bool folds = true; ///< at all of its contours, the surface on the right folds over
 
     static constexpr std::int32_t whole = 1 << 20;

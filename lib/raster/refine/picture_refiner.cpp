@@ -41,6 +41,10 @@ bool is_smooth(const drawn_frame& frame) {
            (is_diced && shading.mode != l3d_shade::flat && shading.is_lit(frame.materials));
 }
 
+/// Where vertices are off by less than this, in pixels, jumps beside contours are looked into. Then
+/// most of an edge's error is that of its light.
+constexpr float least_steep = 1.0f / 16;
+
 } // namespace
 
 std::int64_t picture_refiner::refine(const drawn_frame& frame, l3d_workers& workers) {
@@ -108,9 +112,14 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
     const l3d_pixel_box box = box_of_band(frame, band);
     mark_others(frame, box);
     band_space& space = each_band_[static_cast<std::size_t>(band)];
-    const contour_mixer mixer(frame.target, frame.window, cuts_, is_grey(frame),
-                              frame.shading.mode == l3d_shade::levels &&
-                                  !frame.shading.fog.is_on());
+    const drawn_picture drawn{frame.target,
+                              frame.window,
+                              frame.depth.data(),
+                              frame.depth.pitch(),
+                              is_grey(frame),
+                              frame.shading.mode == l3d_shade::levels && !frame.shading.fog.is_on(),
+                              frame.shading.place_error};
+    const contour_mixer mixer(drawn, cuts_);
     for (const contour_pixel& pixel : space.contours.pixels()) {
         if (others_.has(pixel.x, pixel.y))
             continue;
@@ -122,38 +131,67 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
     }
 }
 
-/// Marks both sides of jumps between pixels that no contour divides. Beside a fold, the shading of
-/// a surface that bends away is steep: jumps at a pixel of one contour are its own.
+/// Where jumps need no other reason, in a word of row y: at pixels that contours pass, and beside
+/// them where vertices may be off by as much. A surface that bends away there is steep.
+std::uint64_t picture_refiner::steep(const drawn_frame& frame, std::int32_t y,
+                                     std::size_t w) const {
+    constexpr int last = pixel_bits::word_pixels - 1;
+    const std::uint64_t* const row = contour_bits_.row(y);
+    std::uint64_t result = row[w];
+    if (frame.shading.place_error <= least_steep)
+        return result;
+    result |= result << 1 | result >> 1;
+    if (w > 0)
+        result |= row[w - 1] >> last;
+    if (w + 1 < contour_bits_.row_words())
+        result |= row[w + 1] << last;
+    if (y > frame.window.top)
+        result |= contour_bits_.row(y - 1)[w];
+    if (y + 1 < frame.window.bottom)
+        result |= contour_bits_.row(y + 1)[w];
+    return result;
+}
+
+/// Marks both sides of jumps between pixels that no contour divides.
 void picture_refiner::mark_others(const drawn_frame& frame, const l3d_pixel_box& box) {
     const std::size_t words = others_.row_words();
     constexpr int last = pixel_bits::word_pixels - 1;
     const bool smooth = is_smooth(frame);
-    const auto steep = [&](std::int32_t y, std::size_t w) -> std::uint64_t {
-        return smooth ? contour_bits_.row(y)[w] : 0;
+    const auto steep_at = [&](std::int32_t y, std::size_t w) -> std::uint64_t {
+        return smooth ? steep(frame, y, w) : 0;
     };
     /// The jumps of row y to the next one that nothing explains.
     const auto down_from = [&](std::int32_t y, std::size_t w) -> std::uint64_t {
         const std::uint64_t jumps = jumps_.down.row(y)[w];
         if (jumps == 0 || y + 1 >= frame.window.bottom)
             return 0;
-        return jumps & ~(cuts_.down.row(y)[w] ^ cuts_.up.row(y + 1)[w]) & ~steep(y, w) &
-               ~steep(y + 1, w);
+        return jumps & ~(cuts_.down.row(y)[w] ^ cuts_.up.row(y + 1)[w]) & ~steep_at(y, w) &
+               ~steep_at(y + 1, w);
+    };
+    /// Those to the next column.
+    const auto right_from = [&](std::int32_t y, std::size_t w) -> std::uint64_t {
+        const std::uint64_t jumps = jumps_.right.row(y)[w] & ~cuts_.right.row(y)[w];
+        if (jumps == 0)
+            return 0;
+        const std::uint64_t here = steep_at(y, w);
+        const std::uint64_t beyond = w + 1 < words ? steep_at(y, w + 1) << last : 0;
+        return jumps & ~here & ~(here >> 1 | beyond);
     };
     for (std::int32_t y = box.top; y < box.bottom; ++y) {
         std::uint64_t* const to = others_.row(y);
         for (std::size_t w = 0; w < words; ++w) {
-            const std::uint64_t above = y > frame.window.top ? down_from(y - 1, w) : 0;
-            std::uint64_t right = jumps_.right.row(y)[w];
-            if (right != 0) {
-                const bool ends = w + 1 == words;
-                const std::uint64_t next_steep =
-                    steep(y, w) >> 1 | (ends ? 0 : steep(y, w + 1) << last);
-                right &= ~cuts_.right.row(y)[w] & ~steep(y, w) & ~next_steep;
-            }
+            const bool has_above = y > frame.window.top;
+            if ((jumps_.right.row(y)[w] | jumps_.down.row(y)[w] |
+                 (has_above ? jumps_.down.row(y - 1)[w] : 0)) == 0)
+                continue;
+            const std::uint64_t above = has_above ? down_from(y - 1, w) : 0;
+            const std::uint64_t right = right_from(y, w);
+            const std::uint64_t all = down_from(y, w) | above | right;
+            if (all == 0)
+                continue;
             // The last words of rows go on beyond the picture with its last column.
-            const auto first = static_cast<std::int32_t>(w);
-            to[w] |= (down_from(y, w) | above | right | right << 1) &
-                     pixel_bits::within(first, 0, frame.target.width);
+            to[w] |= (all | right << 1) &
+                     pixel_bits::within(static_cast<std::int32_t>(w), 0, frame.target.width);
             if (w + 1 < words)
                 to[w + 1] |= right >> last; // a pixel of the picture: none jumps to beyond its end
         }

@@ -46,16 +46,20 @@ public:
     std::uint64_t* row(std::int32_t y) { return words_.data() + place(y); }
     const std::uint64_t* row(std::int32_t y) const { return words_.data() + place(y); }
 
+    /// Where a column's bit is in the words of a row. Expects: x >= 0.
+    static std::size_t word_of(std::int32_t x) { return static_cast<std::uint32_t>(x) / word_bits; }
+    static unsigned bit_of(std::int32_t x) { return static_cast<std::uint32_t>(x) % word_bits; }
+
     void set(std::int32_t x, std::int32_t y) {
-        row(y)[x / word_pixels] |= std::uint64_t{1} << (x % word_pixels);
+        row(y)[word_of(x)] |= std::uint64_t{1} << bit_of(x);
     }
 
     void flip(std::int32_t x, std::int32_t y) {
-        row(y)[x / word_pixels] ^= std::uint64_t{1} << (x % word_pixels);
+        row(y)[word_of(x)] ^= std::uint64_t{1} << bit_of(x);
     }
 
     bool has(std::int32_t x, std::int32_t y) const {
-        return (row(y)[x / word_pixels] >> (x % word_pixels) & 1) != 0;
+        return (row(y)[word_of(x)] >> bit_of(x) & 1) != 0;
     }
 
     /// The bits of columns [left, right) that are in the word with index `word`.
@@ -89,6 +93,8 @@ public:
     }
 
 private:
+    static constexpr std::uint32_t word_bits = word_pixels;
+
     std::size_t place(std::int32_t y) const { return static_cast<std::size_t>(y) * row_words_; }
 
     std::size_t row_words_ = 0;

@@ -10,8 +10,10 @@ namespace l3d_detail {
 
 namespace {
 
-/// Light that may be shared out by samples: 3 of 64 samples wrong are then less than a level.
-constexpr float harmless_contrast = 1.0f / 256;
+/// Light that may be shared out by samples: what is the same but for 1/256 of white, or for an
+/// eighth of the brightest. If 3 of 64 samples are wrong, that is 3/512 of the light. A level goes
+/// as the 2.4th root, so it is a quarter of that off: by 0.6 levels at most.
+constexpr float harmless_contrast = 1.0f / 256, harmless_part = 1.0f / 8;
 
 /// Slivers, which no sample meets, may be missing up to this area in all.
 constexpr float harmless_area = 1.0f / 64;
@@ -33,6 +35,12 @@ struct light_range {
         for (std::size_t i = 1; i < most.of.size(); ++i)
             result = std::max(result, most.of[i] - least.of[i]);
         return result;
+    }
+
+    /// Whether they may be shared out by samples.
+    bool harmless() const {
+        const float brightest = *std::ranges::max_element(most.of);
+        return contrast() <= std::max(harmless_contrast, harmless_part * brightest);
     }
 };
 
@@ -212,7 +220,7 @@ bool pixel_mixer::add_rest(Shader& shader, const band_fragments& band, scan_poin
         return true;
     }
     const bool is_mixed = samples > empty && empty > 0;
-    if (range.contrast() > harmless_contrast || (is_mixed && behind.is_none()))
+    if (!range.harmless() || (is_mixed && behind.is_none()))
         return false;
     if (rest > 0) {
         const float share = rest / static_cast<float>(samples);
