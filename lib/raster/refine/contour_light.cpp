@@ -28,30 +28,27 @@ struct polygon_bends {
 
 using four = std::array<float, 4>;
 
-/// How the ways from a place to the next corners turn: all to one side if the polygon holds it.
-struct turns_round {
-    bool right = false, left = false;
+float cross_of(const four& x, const four& y, std::size_t i, std::size_t k) {
+    return x[i] * y[k] - y[i] * x[k];
+}
 
-    turns_round(const four& x, const four& y) {
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            const std::size_t next = (i + 1) % x.size();
-            const float turn = x[i] * y[next] - y[i] * x[next];
-            right = right || turn > 0;
-            left = left || turn < 0;
-        }
-    }
-    bool both() const { return right && left; }
-};
+bool of_both_signs(const four& numbers) {
+    const auto [least, most] =
+        std::pair(std::min(std::min(numbers[0], numbers[1]), std::min(numbers[2], numbers[3])),
+                  std::max(std::max(numbers[0], numbers[1]), std::max(numbers[2], numbers[3])));
+    return least < 0 && most > 0;
+}
 
-/// Whether a quad's own corners turn both ways, wherever it is.
-bool is_folded(const four& x, const four& y) {
-    four along_x, along_y;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const std::size_t next = (i + 1) % x.size();
-        along_x[i] = x[next] - x[i];
-        along_y[i] = y[next] - y[i];
-    }
-    return turns_round(along_x, along_y).both();
+/// Twice the areas between the origin and the sides: of one sign if a convex polygon holds it.
+four areas_at_sides(const four& x, const four& y) {
+    return {cross_of(x, y, 0, 1), cross_of(x, y, 1, 2), cross_of(x, y, 2, 3), cross_of(x, y, 3, 0)};
+}
+
+/// Whether a quad's corners turn both ways; `side` has its areas_at_sides.
+bool is_folded(const four& x, const four& y, const four& side) {
+    const float first = cross_of(x, y, 0, 2), second = cross_of(x, y, 1, 3);
+    return of_both_signs({side[3] + side[0] + second, side[0] + side[1] - first,
+                          side[1] + side[2] - second, side[2] + side[3] + first});
 }
 
 /// Keeps the nearest of the polygons that hold a place.
@@ -67,8 +64,9 @@ public:
             x[i] = static_cast<float>(grid.x[at[i]]) - x_;
             y[i] = static_cast<float>(grid.y[at[i]]) - y_;
         }
-        if (turns_round(x, y).both()) {
-            if (is_folded(x, y))
+        const four side = areas_at_sides(x, y);
+        if (of_both_signs(side)) {
+            if (is_folded(x, y, side))
                 add_folded(grid, at);
             return;
         }
@@ -93,7 +91,7 @@ private:
             };
             const four x = of([&](const auto& c) { return static_cast<float>(c.x) - x_; });
             const four y = of([&](const auto& c) { return static_cast<float>(c.y) - y_; });
-            if (turns_round(x, y).both())
+            if (of_both_signs(areas_at_sides(x, y)))
                 return;
             add(x, y, of([](const auto& c) { return c.inv_w; }), [&](float s, float t) {
                 const polygon_bends bends{piece[0].normal[1], piece[0].normal[2],
@@ -149,20 +147,20 @@ void add_quads(const contour_edge::quad_place& around, std::int32_t x, std::int3
     const int first_column = std::max(around.column - reach, 0);
     const int last_column = std::min(around.column + reach, grid.columns - 1);
     // A box holds the place if it has corners on all four sides of it.
-    enum side : unsigned { on_right = 1, on_left = 2, below = 4, above = 8, all = 15 };
-    std::array<unsigned, 2 * reach> row_above{};
+    enum side : int { on_right = 1, on_left = 2, below = 4, above = 8, all = 15 };
+    std::array<int, 2 * reach> row_above{};
     for (int row = first_row; row <= last_row; ++row) {
         const std::size_t at = grid.index(row, first_column);
-        const auto sides_of = [&](int column) -> unsigned {
-            const std::size_t i = at + static_cast<std::size_t>(column - first_column);
-            return (grid.x[i] > x ? on_right : on_left) | (grid.y[i] > y ? below : above);
+        const std::int32_t *const row_x = grid.x.data() + at, *const row_y = grid.y.data() + at;
+        const auto sides_of = [&](int i) {
+            return (row_x[i] > x ? on_right : on_left) | (row_y[i] > y ? below : above);
         };
-        unsigned before = sides_of(first_column);
-        for (int column = first_column; column < last_column; ++column) {
-            const unsigned next = sides_of(column + 1), both = before | next;
-            unsigned& up = row_above[static_cast<std::size_t>(column - first_column)];
+        int before = sides_of(0);
+        for (int i = 0; i < last_column - first_column; ++i) {
+            const int next = sides_of(i + 1), both = before | next;
+            int& up = row_above[static_cast<std::size_t>(i)];
             if (row > first_row && (both | up) == all)
-                nearest.add_quad(grid, grid.index(row - 1, column));
+                nearest.add_quad(grid, grid.index(row - 1, first_column + i));
             up = both;
             before = next;
         }

@@ -187,43 +187,6 @@ bool contour_mixer::find_own_surface(const contour_pixel& pixel, step to, side& 
     return true;
 }
 
-/// The same where no neighbour shows that surface, as the contour only cuts a corner off. What is
-/// seen beside the contour is seen in the middle of the share, too.
-bool contour_mixer::find_cut_off(const contour_pixel& pixel, float share, side& found) const {
-    if (!has_own_surface(pixel))
-        return false;
-    const step inward = to_right_of(pixel);
-    const std::int32_t x = pixel.x + inward.x, y = pixel.y + inward.y;
-    surface_light edge, light;
-    if (inside(x, y) && find_light(pixel, place_on_right(pixel), edge) &&
-        find_light(pixel, middle_on_right(pixel), light) && light.turns_right == edge.turns_right &&
-        std::abs(light.level - edge.level) <= most_change &&
-        std::abs(light.level - grey_at(x, y)) <= most_change) {
-        found.all = light.level;
-        return true;
-    }
-    found.all = linear_light::level_of(pixel.level());
-    return share < small_share_;
-}
-
-/// A pixel of which a contour cuts so little off that no neighbour's centre lies there.
-bool contour_mixer::mix_corner(const contour_pixel& pixel, const surroundings& here, float own,
-                               std::uint32_t& word) const {
-    const std::uint32_t here_word = word_at(here.x, here.y);
-    const float rest = 1 - own;
-    if (here_word == l3d_pixels::transparent || is_odd(here))
-        return false;
-    word = here_word;
-    if (pixel.centre() == 1)
-        return rest < small_share_; // nothing tells what is behind
-    side of_own, of_rest;
-    of_own.first = of_own.second = here_word;
-    if (!find_cut_off(pixel, rest, of_rest))
-        return false;
-    word = mixed(of_own, own, of_rest);
-    return true;
-}
-
 bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     const std::int32_t side_of_centre = pixel.centre();
     if (side_of_centre != 0 && side_of_centre != 1)
@@ -237,8 +200,10 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     // Which neighbour shows the other side. Beside a fold, those of one surface may be unlike.
     step to{};
     const others other = find_other(here, to);
-    if (other == others::none)
-        return mix_corner(pixel, here, own, word);
+    if (other == others::none) { // the contour cuts a corner off
+        word = here_word;
+        return rest < small_share_ && word != l3d_pixels::transparent && !is_odd(here);
+    }
     if (other == others::unlike) {
         to = to_right_of(pixel);
         if (is_right || pixel.crossings != 2 || !pixel.folds || !is_divided(here, to))

@@ -92,9 +92,6 @@ private:
     bool find_steep(const contour_pixel& pixel, step away, bool is_own, bool is_right, float share,
                     side& found) const;
     bool find_own_surface(const contour_pixel& pixel, step to, side& found) const;
-    bool find_cut_off(const contour_pixel& pixel, float share, side& found) const;
-    bool mix_corner(const contour_pixel& pixel, const surroundings& here, float own,
-                    std::uint32_t& word) const;
     bool is_near(const surroundings& here, float level) const;
     bool has_own_surface(const contour_pixel& pixel) const;
     std::uint32_t mixed(const side& own, float share, const side& rest) const;
