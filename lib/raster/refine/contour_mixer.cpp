@@ -197,7 +197,8 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     const surroundings here = around(pixel.x, pixel.y);
     const std::uint32_t here_word = word_at(pixel.x, pixel.y);
 
-    // Which neighbour shows the other side. Beside a fold, those of one surface may be unlike.
+    // Which neighbour shows the other side. Beside a fold, those of one surface may be unlike, and
+    // behind it there may be several surfaces: the one across the contour stands for them.
     step to{};
     const others other = find_other(here, to);
     if (other == others::none) { // the contour cuts a corner off
@@ -205,9 +206,11 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
         return rest < small_share_ && word != l3d_pixels::transparent && !is_odd(here);
     }
     if (other == others::unlike) {
-        to = to_right_of(pixel);
-        if (is_right || pixel.crossings != 2 || !pixel.folds || !is_divided(here, to))
+        if (pixel.crossings != 2)
             return false;
+        const step across = is_right ? -to_right_of(pixel) : to_right_of(pixel);
+        if (is_divided(here, across))
+            to = across;
     }
     const std::uint32_t there_word = word_at(pixel.x + to.x, pixel.y + to.y);
     if (other == others::one && here_word == there_word) {
@@ -223,11 +226,13 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
         !find_steep(pixel, -to, true, is_right, own, of_own) &&
         !(is_right && find_own_surface(pixel, {0, 0}, of_own)) && !(own < 2 * small_share_))
         return false;
+    // What is behind the contour is known from that neighbour alone, if vertices are off at all.
+    const float behind_limit = is_right && small_share_ > 0 ? 1 : small_share_;
     const surroundings there = around(pixel.x + to.x, pixel.y + to.y);
     if (!(other == others::one && find_steady(there, to, -0.5f * (1 + rest), of_rest)) &&
         !find_steep(pixel, to, false, !is_right, rest, of_rest) &&
         !(!is_right && find_own_surface(pixel, to, of_rest)) &&
-        !(other == others::one && (is_right ? 0 < small_share_ : rest < small_share_)))
+        !((other == others::one || is_right) && rest < behind_limit))
         return false;
 
     if (here_word == l3d_pixels::transparent || there_word == l3d_pixels::transparent) {
