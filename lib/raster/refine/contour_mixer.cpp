@@ -27,9 +27,9 @@ constexpr float most_change = 48;
 /// The same surface has the same depth where it was drawn, but for rounding.
 constexpr float same_depth = 1.0f / 1024;
 
-/// A part of the square that no vertex decides: an edge is off by as much as vertices are. Beyond a
-/// quarter of a pixel, one level no longer stands for all of a side.
-constexpr float largest_small_share = 0.25f;
+/// A part of the square that no vertex decides: an edge is off by as much as vertices are. But an
+/// eighth is seen: bright lines that are nearly level break where they go on in the next row.
+constexpr float largest_small_share = 1.0f / 16;
 
 /// Levels of the mixed pixel that a parabola may be wrong by, as a fourth level tells: 3/4, which
 /// rounding nearly makes; or a thirtieth of what white beside black is off by if the edge is, which

@@ -41,10 +41,6 @@ bool is_smooth(const drawn_frame& frame) {
            (is_diced && shading.mode != l3d_shade::flat && shading.is_lit(frame.materials));
 }
 
-/// Where vertices are off by less than this, in pixels, jumps beside contours are looked into. Then
-/// most of an edge's error is that of its light.
-constexpr float least_steep = 1.0f / 16;
-
 } // namespace
 
 std::int64_t picture_refiner::refine(const drawn_frame& frame, l3d_workers& workers) {
@@ -131,50 +127,30 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
     }
 }
 
-/// Where jumps need no other reason, in a word of row y: at pixels that contours pass, and beside
-/// them where vertices may be off by as much. A surface that bends away there is steep.
-std::uint64_t picture_refiner::steep(const drawn_frame& frame, std::int32_t y,
-                                     std::size_t w) const {
-    constexpr int last = pixel_bits::word_pixels - 1;
-    const std::uint64_t* const row = contour_bits_.row(y);
-    std::uint64_t result = row[w];
-    if (frame.shading.place_error <= least_steep)
-        return result;
-    result |= result << 1 | result >> 1;
-    if (w > 0)
-        result |= row[w - 1] >> last;
-    if (w + 1 < contour_bits_.row_words())
-        result |= row[w + 1] << last;
-    if (y > frame.window.top)
-        result |= contour_bits_.row(y - 1)[w];
-    if (y + 1 < frame.window.bottom)
-        result |= contour_bits_.row(y + 1)[w];
-    return result;
-}
-
-/// Marks both sides of jumps between pixels that no contour divides.
+/// Marks both sides of jumps between pixels that no contour divides. Beside a fold, the shading of
+/// a surface that bends away is steep: jumps at a pixel of one contour are its own.
 void picture_refiner::mark_others(const drawn_frame& frame, const l3d_pixel_box& box) {
     const std::size_t words = others_.row_words();
     constexpr int last = pixel_bits::word_pixels - 1;
     const bool smooth = is_smooth(frame);
-    const auto steep_at = [&](std::int32_t y, std::size_t w) -> std::uint64_t {
-        return smooth ? steep(frame, y, w) : 0;
+    const auto steep = [&](std::int32_t y, std::size_t w) -> std::uint64_t {
+        return smooth ? contour_bits_.row(y)[w] : 0;
     };
     /// The jumps of row y to the next one that nothing explains.
     const auto down_from = [&](std::int32_t y, std::size_t w) -> std::uint64_t {
         const std::uint64_t jumps = jumps_.down.row(y)[w];
         if (jumps == 0 || y + 1 >= frame.window.bottom)
             return 0;
-        return jumps & ~(cuts_.down.row(y)[w] ^ cuts_.up.row(y + 1)[w]) & ~steep_at(y, w) &
-               ~steep_at(y + 1, w);
+        return jumps & ~(cuts_.down.row(y)[w] ^ cuts_.up.row(y + 1)[w]) & ~steep(y, w) &
+               ~steep(y + 1, w);
     };
     /// Those to the next column.
     const auto right_from = [&](std::int32_t y, std::size_t w) -> std::uint64_t {
         const std::uint64_t jumps = jumps_.right.row(y)[w] & ~cuts_.right.row(y)[w];
         if (jumps == 0)
             return 0;
-        const std::uint64_t here = steep_at(y, w);
-        const std::uint64_t beyond = w + 1 < words ? steep_at(y, w + 1) << last : 0;
+        const std::uint64_t here = steep(y, w);
+        const std::uint64_t beyond = w + 1 < words ? steep(y, w + 1) << last : 0;
         return jumps & ~here & ~(here >> 1 | beyond);
     };
     for (std::int32_t y = box.top; y < box.bottom; ++y) {

@@ -69,7 +69,6 @@ private:
 
     void find_contours(const drawn_frame& frame, int band, worker_space& space);
     void mix_contours(const drawn_frame& frame, int band);
-    std::uint64_t steep(const drawn_frame& frame, std::int32_t y, std::size_t w) const;
     void mark_others(const drawn_frame& frame, const l3d_pixel_box& box);
     void resolve(const drawn_frame& frame, int band, worker_space& space);
 
