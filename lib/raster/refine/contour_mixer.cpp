@@ -31,9 +31,10 @@ constexpr float same_depth = 1.0f / 1024;
 /// eighth is seen: bright lines that are nearly level break where they go on in the next row.
 constexpr float largest_small_share = 1.0f / 16;
 
-/// Levels of the mixed pixel that a parabola may be wrong by, as a fourth level tells: 3/4, which
-/// rounding nearly makes; or a thirtieth of what white beside black is off by if the edge is, which
-/// is 255 levels a pixel. But no more than the twos of l3d_dice_view::shade_tolerance.
+/// Levels of the mixed pixel that a parabola may be wrong by, as a fourth level tells. Rounding
+/// nearly makes 3/4. An edge between white and black that is off makes 255 levels a pixel, and a
+/// thirtieth of that is not seen beside it. Nor is it to be more than the two levels that shades
+/// are allowed.
 float most_doubt(float place_error) {
     return std::clamp(255 * place_error / 30, 0.75f, 2.0f);
 }
