@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The one place that knows Xlib's buffer.
+#include "tool_2d/x11/x11_room_p.h"
+
+#include <X11/Xlibint.h> // after all others: it has macros of common names
+
+namespace l3d_detail {
+
+void make_x11_room(Display* display) {
+    display->bufptr = display->buffer;
+    display->bufmax = display->buffer + BUFSIZE; // Xlib's buffers are at least so large.
+}
+
+} // namespace l3d_detail
