@@ -8,7 +8,9 @@ namespace l3d_detail {
 
 void make_x11_room(Display* display) {
     display->bufptr = display->buffer;
-    display->bufmax = display->buffer + BUFSIZE; // Xlib's buffers are at least so large.
+    // Without the connection, Xlib takes its buffer for empty. It has at least this size.
+    if (display->bufmax == display->buffer)
+        display->bufmax = display->buffer + BUFSIZE;
 }
 
 } // namespace l3d_detail
