@@ -29,7 +29,7 @@ SHAREDIR   ?= $(PREFIX)/share
 # Where programs look, from their own place: ../lib/l3d, whatever LIBDIR is.
 PLUGINDIR  := $(PREFIX)/lib/l3d
 
-.PHONY: install install-programs install-library uninstall installcheck dist package
+.PHONY: install install-programs install-library uninstall installcheck exported export-list dist package
 
 libraries: $(STATIC) $(SHARED)
 
@@ -77,6 +77,12 @@ uninstall: ## remove what install has put there, given the same PREFIX and DESTD
 
 installcheck: packages-install ## install into an empty place; build and run the examples with nothing else
 	@$(call judge,$(OUT)/log/installcheck.log)
+
+exported: ## list the names that the shared libraries export, as make installcheck compares them, in packaging/exported
+	+@set -e; for real in $(REALS); do $(again) REAL=$$real export-list; done
+
+export-list: $(SHARED)
+	$(Q)packaging/exported_names.sh $(SHARED) > packaging/exported/$(NAME)
 
 dist: ## build/l3d-VERSION.tar.gz: what git holds, the same bytes every time
 	@packaging/dist.sh $(VERSION) $(BUILD)

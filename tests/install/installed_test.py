@@ -124,6 +124,15 @@ def library_exports_ours_only(name):
     expect_equal([name for name in names if "10l3d_detail" in name[:20]], [])
 
 
+def library_exports_the_listed_names(name):
+    """Programs may use each: one that is gone breaks them, and one that came shall stay."""
+    library = MOVED / "lib" / ("lib%s.so" % name)
+    found = run([str(ROOT / "packaging" / "exported_names.sh"), str(library)], MOVED).stdout.splitlines()
+    listed = (ROOT / "packaging" / "exported" / name).read_text().splitlines()
+    gone, come = sorted(set(listed) - set(found)), sorted(set(found) - set(listed))
+    expect(not gone and not come, "gone:", gone, "come:", come, "- `make exported` lists them anew")
+
+
 def public_headers():
     listed = [line for line in (ROOT / "packaging" / "public_headers").read_text().split("\n")
               if line and not line.startswith("#")]
@@ -359,6 +368,7 @@ def main():
     checks = Checks()
     for name in REALS.values():
         checks.run("install.%s.exports" % name, library_exports_ours_only, name)
+        checks.run("install.%s.exports_the_list" % name, library_exports_the_listed_names, name)
     for check in (headers_are_the_listed_ones, needs_cxx20, nothing_names_the_source_tree, overview_fits,
                   programs_find_their_files, programs_share_the_library, shells_complete_options):
         checks.run("install." + check.__name__, check)

@@ -3,8 +3,12 @@
 #include "cut_wire.h"
 #include "onlooker_x11.h"
 
+#include "tool_2d/x11/x11_connection_p.h"
+
 #include <thread>
 
+#include <X11/Xlib-xcb.h>
+#include <X11/extensions/XShm.h>
 #include <X11/keysym.h>
 
 namespace {
@@ -106,6 +110,22 @@ TEST(screen_x11_loss, a_server_may_die_at_any_byte) {
     EXPECT_GT(declined, 2); // within the 12 bytes that connecting takes
     EXPECT_GT(lost, 10);
     EXPECT_GT(well, 0);
+}
+
+/// XCB knows that the server is gone, but Xlib does not yet, and wants the connection back.
+TEST(screen_x11_loss, a_server_may_die_between_two_libraries) {
+    xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    std::string why;
+    const auto connection = l3d_detail::x11_connection::open(why);
+    ASSERT_NE(connection, nullptr) << why;
+    ASSERT_TRUE(XShmQueryExtension(connection->display()));
+    server.end(SIGKILL);
+    xcb_get_input_focus(XGetXCBConnection(connection->display()));
+    // A request of an extension: those are the ones that do not look whether there is room.
+    XShmSegmentInfo segment{};
+    XShmDetach(connection->display(), &segment);
+    EXPECT_TRUE(connection->lost());
 }
 
 int foreign_errors = 0;

@@ -2,14 +2,17 @@
 # SPDX-License-Identifier: MIT
 """Every X server with every window manager that is installed: what a window must do in each.
 
-    displays.py [--server NAME] [--manager NAME] [--repeat N] [--write FILE]
+    displays.py [--server NAME] [--manager NAME] [--repeat N] [--record FILE] [--write FILE]
 
 Events and pixels judge, never time. The result is a table; --write puts it into a document. With
---repeat a cell is ok if it was so each time.
+--repeat a cell is ok if it was so each time. What a --record has counts as well: a run that was
+stopped goes on there, and several at a time, of other servers each, may add to one.
 """
 
 import argparse
 import contextlib
+import json
+import os
 import subprocess
 import sys
 import time
@@ -263,7 +266,31 @@ def worse(one, other):
     return max(one, other, key=lambda word: ("o(F").index(word[0]))
 
 
-def table(rows):
+class Results:
+    """The worst words of each pair of a server and a manager, and how many runs said them."""
+
+    def __init__(self, record):
+        self.rows, self.times, self.record = {}, {}, record
+        if record and os.path.exists(record):
+            with open(record) as file:
+                for line in file:
+                    self.take(*json.loads(line))
+
+    def take(self, server, manager, found):
+        pair = server, manager
+        row = self.rows.setdefault(pair, {})
+        self.times[pair] = self.times.get(pair, 0) + 1
+        for title, word in found.items():
+            row[title] = worse(row.get(title, "ok"), word)
+
+    def add(self, server, manager, found):
+        self.take(server, manager, found)
+        if self.record:
+            with open(self.record, "a") as file:
+                file.write(json.dumps([server, manager, found]) + "\n")
+
+
+def table(results):
     titles = [check.__name__ for check in (*CHECKS, outlives_managers, outlives_the_server)]
     notes = []
 
@@ -274,13 +301,26 @@ def table(rows):
             notes.append(word)
         return ("FAILED " if word.startswith("FAILED") else "-") + "[%d]" % (1 + notes.index(word))
 
-    lines = ["| server | manager | " + " | ".join(title.replace("_", " ") for title in titles) + " |",
-             "|---|---|" + len(titles) * "---|"]
-    for (server, manager), row in rows.items():
-        words = [short(row.get(title, row.get("starts", "-"))) for title in titles]
-        lines.append("| %s | %s | %s |" % (server, manager, " | ".join(words)))
+    heads = ["server", "manager", "runs", *(title.replace("_", " ") for title in titles)]
+    lines = ["| " + " | ".join(heads) + " |", "|---|---|--:|" + len(titles) * "---|"]
+    for server in SERVERS:
+        for manager in MANAGERS:
+            row = results.rows.get((server, manager))
+            if row:
+                words = [short(row.get(title, row.get("starts", "-"))) for title in titles]
+                cells = [server, manager, "%d" % results.times[server, manager], *words]
+                lines.append("| " + " | ".join(cells) + " |")
     lines += [""] + ["%d. %s" % (i, note.strip("()")) for i, note in enumerate(notes, 1)]
     return "\n".join(lines) + "\n"
+
+
+def write(text, path):
+    with open(path) as file:
+        document = file.read()
+    begin, end = "<!-- displays -->\n", "<!-- end of displays -->\n"
+    head, rest = document.split(begin)
+    with open(path, "w") as file:
+        file.write(head + begin + "\n" + text + "\n" + end + rest.split(end)[1])
 
 
 def main():
@@ -288,28 +328,26 @@ def main():
     parser.add_argument("--server", action="append", choices=SERVERS)
     parser.add_argument("--manager", action="append", choices=MANAGERS)
     parser.add_argument("--repeat", type=int, default=1, metavar="N")
+    parser.add_argument("--record", metavar="FILE")
     parser.add_argument("--write", metavar="FILE")
     asked = parser.parse_args()
-    rows = {}
-    for server in asked.server or SERVERS:
-        for name in asked.manager or MANAGERS:
-            row = rows[server, name] = {}
-            for _ in range(asked.repeat):
-                for title, word in run_cell(server, name).items():
-                    row[title] = worse(row.get(title, "ok"), word)
-            for title, word in row.items():
+    results = Results(asked.record)
+    pairs = [(server, name) for server in asked.server or SERVERS
+             for name in asked.manager or MANAGERS]
+    for runs in range(1, 1 + asked.repeat):
+        for pair in pairs:
+            if results.times.get(pair, 0) >= runs:
+                continue
+            found = run_cell(*pair)
+            results.add(*pair, found)
+            for title, word in found.items():
                 start = {"o": "ok", "(": "not tested:", "F": "not ok"}[word[0]]
-                print(start, "displays.%s.%s.%s" % (server, name, title),
-                      "" if word == "ok" else word, flush=True)
-    print(table(rows))
+                print(start, "displays.%s.%s.%s" % (*pair, title), "" if word == "ok" else word,
+                      flush=True)
+    print(table(results))
     if asked.write:
-        with open(asked.write) as file:
-            text = file.read()
-        begin, end = "<!-- displays -->\n", "<!-- end of displays -->\n"
-        head, rest = text.split(begin)
-        with open(asked.write, "w") as file:
-            file.write(head + begin + "\n" + table(rows) + "\n" + end + rest.split(end)[1])
-    sys.exit(any(word.startswith("F") for row in rows.values() for word in row.values()))
+        write(table(results), asked.write)
+    sys.exit(any(word.startswith("F") for row in results.rows.values() for word in row.values()))
 
 
 if __name__ == "__main__":

@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Every program under apps/: its pictures are the stored ones; keys, close and resize in a window.
 
+Pictures that are not the stored ones are left in the folder `different` beside L3D_BIN. So is the
+difference, if memory had the stored ones and a window has others.
+
 With --write the hashes in tests/golden/programs.txt become those of the programs in L3D_BIN."""
 
 import hashlib
@@ -15,6 +18,7 @@ from harness import Checks, Session, environment, expect, expect_equal, run, x_s
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TABLE = ROOT / "tests" / "golden" / "programs.txt"
 FRAMES = 100
+DIFFERENT = pathlib.Path(harness.BIN).parent / "different"
 
 
 class Row:
@@ -31,7 +35,8 @@ class Row:
         self.keys = keys.split()
         self.title = ".".join([self.name, *self.arguments])
 
-    def measured_hash(self, env=None, *more):
+    def output(self, env=None, *more):
+        """What the hash is of: FRAMES pictures as a PPM stream, or what a console program prints."""
         command = self.program.command(*self.arguments)
         if not self.is_console:
             command += ["--backend", "memory", "--frames", str(FRAMES), "--output", "-", *more]
@@ -39,9 +44,42 @@ class Row:
         status, out, messages = run(command, {**(env or environment()), "L3D_FONT": "built-in"})
         expect_equal((status, messages), (0, ""))
         if not self.is_console:
-            header = b"P6\n%d %d\n255\n" % self.program.size
-            expect_equal(out.count(header), FRAMES, "pictures:")
-        return hashlib.sha256(out).hexdigest()[:16]
+            expect_equal(out.count(self.header()), FRAMES, "pictures:")
+        return out
+
+    def header(self):
+        return b"P6\n%d %d\n255\n" % self.program.size
+
+    def file_of(self, what):
+        """Where a failure leaves something."""
+        DIFFERENT.mkdir(exist_ok=True)
+        title = "".join(letter if letter.isalnum() else "_" for letter in self.title)
+        return DIFFERENT / (title + what)
+
+    def expect_stored(self, out, what, memory=None):
+        """That the output has the stored hash; else it is left, and how it differs from `memory`."""
+        found = hash_of(out)
+        if found == self.hash:
+            return
+        left = [self.file_of(".txt" if self.is_console else ".ppm")]
+        left[0].write_bytes(out)
+        if memory and hash_of(memory) == self.hash:
+            left.append(self.file_of("_difference.ppm"))
+            left[1].write_bytes(self.difference(out, memory))
+        expect_equal(found, self.hash, "%s; see %s:" % (what, " and ".join(map(str, left))))
+
+    def difference(self, out, memory):
+        """The first picture that differs: how much each channel does."""
+        size = len(self.header()) + 3 * self.program.size[0] * self.program.size[1]
+        start = next(at for at in range(0, FRAMES * size, size)
+                     if out[at:at + size] != memory[at:at + size]) + len(self.header())
+        end = start + size - len(self.header())
+        return self.header() + bytes(abs(one - other) for one, other in
+                                     zip(out[start:end], memory[start:end]))
+
+
+def hash_of(output):
+    return hashlib.sha256(output).hexdigest()[:16]
 
 
 def table():
@@ -67,14 +105,14 @@ def has_a_row(name, rows):
 
 
 def makes_the_stored_pictures(row):
-    expect_equal(row.measured_hash(), row.hash, "the hash of %d frames" % FRAMES)
+    row.expect_stored(row.output(), "the hash of %d frames" % FRAMES)
 
 
 def shows_the_stored_pictures(row, server):
     """On every kind of window, too; frames that are counted go by fixed steps of time."""
     for backend in ("ximage", "xshm"):
-        found = row.measured_hash(environment(server.display), "--backend", backend, "--fps", "0")
-        expect_equal(found, row.hash, "the hash of %d frames by %s" % (FRAMES, backend))
+        out = row.output(environment(server.display), "--backend", backend, "--fps", "0")
+        row.expect_stored(out, "the hash of %d frames by %s" % (FRAMES, backend), row.output())
 
 
 def is_the_five_steps(name):
@@ -177,7 +215,7 @@ def write():
             row = Row(line)
             if row.real in ("any", real_of(row.name)):
                 before, _, after = line.rsplit("|", 2)
-                lines[i] = "%s| %s |%s" % (before, row.measured_hash(), after)
+                lines[i] = "%s| %s |%s" % (before, hash_of(row.output()), after)
     TABLE.write_text("\n".join(lines) + "\n")
 
 

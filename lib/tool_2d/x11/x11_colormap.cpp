@@ -63,8 +63,9 @@ std::vector<XColor> query_cells(Display* display, Colormap map, int count) {
 /// Takes cells of a map that others use too.
 class cell_sharer {
 public:
-    cell_sharer(Display* display, Colormap map, int cells)
-        : display_(display), map_(map), found_(query_cells(display, map, cells)) {}
+    cell_sharer(const x11_connection& connection, Colormap map, int cells)
+        : connection_(connection), map_(map),
+          found_(query_cells(connection.display(), map, cells)) {}
 
     /// The palette of a shape in cells of its very colours.
     /// Errors:  nothing; then no cell stays taken.
@@ -85,7 +86,7 @@ private:
     bool allocate(XColor& color);
     bool allocate_nearest(const palette_shape& shape, std::uint32_t wanted, XColor& color);
 
-    Display* display_;
+    const x11_connection& connection_;
     Colormap map_;
     std::vector<XColor> found_; ///< how the map was, without cells that turned out to be private
     std::vector<unsigned long> allocated_;
@@ -106,10 +107,10 @@ bool cell_sharer::has_room_for(const palette_shape& shape) const {
     const int count = static_cast<int>(room.size());
     if (count == 0)
         return true;
-    if (XAllocColorCells(display_, map_, False, nullptr, 0, room.data(),
+    if (XAllocColorCells(connection_.display(), map_, False, nullptr, 0, room.data(),
                          static_cast<unsigned>(count)) == 0)
         return false;
-    XFreeColors(display_, map_, room.data(), count, 0);
+    XFreeColors(connection_.display(), map_, room.data(), count, 0);
     return true;
 }
 
@@ -122,7 +123,8 @@ std::optional<l3d_palette> cell_sharer::share(const palette_shape& shape, bool e
         auto color = x11_color_of(wanted);
         is_full = is_full || !allocate(color);
         if (is_full && (exactly || !allocate_nearest(shape, wanted, color))) {
-            XFreeColors(display_, map_, allocated_.data(), static_cast<int>(allocated_.size()), 0);
+            XFreeColors(connection_.display(), map_, allocated_.data(),
+                        static_cast<int>(allocated_.size()), 0);
             allocated_.clear();
             return std::nullopt;
         }
@@ -133,7 +135,7 @@ std::optional<l3d_palette> cell_sharer::share(const palette_shape& shape, bool e
 }
 
 bool cell_sharer::allocate(XColor& color) {
-    if (XAllocColor(display_, map_, &color) == 0)
+    if (connection_.lost() || XAllocColor(connection_.display(), map_, &color) == 0)
         return false;
     allocated_.push_back(color.pixel);
     return true;
@@ -254,7 +256,7 @@ bool x11_colormap::share_cells() {
     if (owned_)
         return false;
     const auto shapes = shared_shapes(largest_shape(visual_));
-    cell_sharer sharer(connection_.display(), id_, visual_.cells);
+    cell_sharer sharer(connection_, id_, visual_.cells);
     std::optional<l3d_palette> palette;
     for (std::size_t i = 0; i < shapes.size() && !palette; ++i)
         palette = sharer.share_exactly(shapes[i]);

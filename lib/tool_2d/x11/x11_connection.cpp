@@ -5,6 +5,7 @@
 #include "tool_2d/x11/x11_reach_p.h"
 #include "tool_2d/x11/x11_refusal_p.h"
 #include "tool_2d/x11/x11_reply_p.h"
+#include "tool_2d/x11/x11_room_p.h"
 
 #include <algorithm>
 #include <cassert>
@@ -59,8 +60,9 @@ struct x11_handlers {
     static int on_error(Display* display, XErrorEvent* error);
     static int on_io_error(Display* display);
     static void on_pipe(int) {} // Writing then fails; and programs that we start do not inherit it.
-    static void on_io_exit(Display*, void* connection) {
+    static void on_io_exit(Display* display, void* connection) {
         static_cast<x11_connection*>(connection)->lost_ = true;
+        make_x11_room(display); // for the request that found it out
     }
 };
 
