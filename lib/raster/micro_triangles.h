@@ -6,6 +6,7 @@
 #include "base/public.h"
 #include "raster/micro_grid.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -41,7 +42,7 @@ struct L3D_PUBLIC l3d_micro_triangles {
     /// Adds a triangle.
     void add(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c) {
         if (count == corners[0].x.size())
-            grow();
+            grow(count + 1);
         set(corners[0], a);
         set(corners[1], b);
         set(corners[2], c);
@@ -55,6 +56,12 @@ struct L3D_PUBLIC l3d_micro_triangles {
         materials.push_back(material);
     }
 
+    /// Makes room in the arrays for so many more, to be written there and counted by the caller.
+    void make_room(std::size_t more) {
+        if (count + more > corners[0].x.size())
+            grow(count + more);
+    }
+
     /// One corner of one triangle. Expects: triangle < count, at < 3.
     l3d_micro_vertex vertex(std::size_t triangle, std::size_t at) const {
         const corner& c = corners[at];
@@ -65,8 +72,9 @@ struct L3D_PUBLIC l3d_micro_triangles {
     }
 
 private:
-    void grow() {
-        const std::size_t size = count + count / lanes / 2 * lanes + lanes;
+    void grow(std::size_t least) {
+        const std::size_t wanted = std::max(least, count + count / 2);
+        const std::size_t size = (wanted + lanes - 1) / lanes * lanes;
         for (corner& c : corners) {
             c.x.resize(size);
             c.y.resize(size);

@@ -3,7 +3,6 @@
 #include "pipeline/polygons/polygon_frame.h"
 
 #include "dice/near_clip.h"
-#include "dice/snap.h"
 #include "raster/parallel/chunks_p.h"
 #include "raster/shapes/scan_edge_p.h"
 
@@ -15,9 +14,7 @@ namespace {
 
 using vector = l3d_polygon_view::vector;
 using point = l3d_vector<double, 4>;
-using l3d_detail::chunks_of;
-using l3d_detail::first_centre;
-using l3d_detail::for_each_chunk;
+using namespace l3d_detail;
 
 point placed(const l3d_matrix<double>& m, const vector& v) {
     point result = m.column(3);
@@ -27,19 +24,19 @@ point placed(const l3d_matrix<double>& m, const vector& v) {
 }
 
 /// A direction turned by a placement.
-void turn(const l3d_matrix<double>& placement, const l3d_polygon_model::direction& v,
-          float (&out)[3]) {
+std::array<float, 3> turned(const l3d_matrix<double>& placement,
+                            const l3d_polygon_model::direction& v) {
+    std::array<float, 3> result;
     for (int i = 0; i < 3; ++i)
-        out[i] = static_cast<float>(placement(i, 0) * v[0] + placement(i, 1) * v[1] +
-                                    placement(i, 2) * v[2]);
+        result[static_cast<std::size_t>(i)] = static_cast<float>(
+            placement(i, 0) * v[0] + placement(i, 1) * v[1] + placement(i, 2) * v[2]);
+    return result;
 }
 
-enum class reach { outside, subpixel, seen };
-
 /// Whether the box of a triangle holds a pixel centre of the window or, if `squares`, reaches into
-/// the window at all.
-reach reach_of(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c,
-               l3d_size size, bool squares) {
+/// the window at all: for the pieces of clipped ones what choose_triangles finds for whole ones.
+bool may_be_seen(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c,
+                 l3d_size size, bool squares) {
     const auto first = [squares](std::int32_t least) {
         return squares ? least >> l3d_subpixel_bits : first_centre(least);
     };
@@ -50,9 +47,8 @@ reach reach_of(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_m
     const std::int32_t right = end(std::max({a.x, b.x, c.x}));
     const std::int32_t top = first(std::min({a.y, b.y, c.y}));
     const std::int32_t bottom = end(std::max({a.y, b.y, c.y}));
-    if (right <= 0 || bottom <= 0 || left >= size.width || top >= size.height)
-        return reach::outside;
-    return left >= right || top >= bottom ? reach::subpixel : reach::seen;
+    return std::max(left, 0) < std::min(right, size.width) &&
+           std::max(top, 0) < std::min(bottom, size.height);
 }
 
 /// In a parallel projection w is 1 everywhere, so near and far cut nothing.
@@ -77,10 +73,18 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
 
     const std::size_t vertices = model.mesh().vertices.size();
     const std::size_t triangles = model.triangles().size();
-    vertices_.resize(vertices);
-    for_each_chunk(
-        workers, vertices, chunk_triangles,
-        [&](std::size_t begin, std::size_t end, std::size_t) { place_vertices(in, begin, end); });
+    const bool of_vertices = how.smooth && !model.has_creases();
+    const vertex_placing placing{view, in.window, depth_base_, depth_step_};
+    vertices_.places.resize(vertices);
+    if (of_vertices)
+        vertices_.normals.resize(vertices);
+    for_each_chunk(workers, vertices, chunk_triangles,
+                   [&](std::size_t begin, std::size_t end, std::size_t) {
+                       place_vertices(placing, model.mesh().vertices,
+                                      of_vertices ? model.vertex_normals()
+                                                  : std::span<const l3d_polygon_model::direction>(),
+                                      begin, end, vertices_);
+                   });
     const std::size_t count = ends.empty() ? chunks_of(triangles, chunk_triangles) : ends.size();
     if (chunks_.size() < count)
         chunks_.resize(count);
@@ -91,23 +95,6 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
     for (std::size_t i = 0; i < count; ++i) {
         parts_.push_back(&chunks_[i].part);
         counts_.add(chunks_[i].counts);
-    }
-}
-
-void l3d_polygon_frame::place_vertices(const frame_input& in, std::size_t begin, std::size_t end) {
-    const bool parallel = in.view.is_parallel();
-    for (std::size_t i = begin; i < end; ++i) {
-        const point h = placed(in.view.matrix(), in.model.mesh().vertices[i]);
-        l3d_micro_vertex& v = vertices_[i];
-        v.inv_w = 0;
-        if (!l3d_drawable({h[0], h[1], h[3]}, in.window))
-            continue;
-        const l3d_snapped s = l3d_snap(h[0], h[1], h[3]);
-        v.x = s.x + in.window.centre_x();
-        v.y = s.y + in.window.centre_y();
-        v.inv_w = parallel ? static_cast<float>(depth_value(h[2])) : s.inv_w;
-        if (in.how.smooth)
-            turn(in.view.placement(), in.model.vertex_normals()[i], v.normal);
     }
 }
 
@@ -123,53 +110,52 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
         begin = index > 0 ? in.ends[index - 1] : 0;
         end = in.ends[index];
     }
-    for (std::size_t t = begin; t < end; ++t) {
-        const l3d_model_triangle& triangle = all[t];
-        const auto& face = in.model.face_normals()[triangle.face];
-        const bool from_behind =
-            !(in.view.faces_eye(l3d_converted<double>(face),
-                                in.model.mesh().vertices[triangle.corners[0]]) > 0);
-        if (in.how.cull && from_behind) {
-            ++to.counts.back;
+    const triangle_choice choice{in.model, in.view, vertices_.places, in.how.cull, in.how.squares};
+    chosen_triangles chosen;
+    for (std::size_t t = begin; t < end;) {
+        t = choose_triangles(choice, t, end, chosen, to.counts);
+        add_whole(in, chosen, to);
+        if (chosen.clipped)
+            add_clipped(in, chosen.triangle[chosen.count - 1], chosen.sign[chosen.count - 1], to);
+    }
+}
+
+/// All that are chosen but the last one, if that must be clipped.
+void l3d_polygon_frame::add_whole(const frame_input& in, const chosen_triangles& chosen,
+                                  chunk& to) const {
+    const std::size_t count = chosen.count - (chosen.clipped ? 1 : 0);
+    if (count == 0)
+        return;
+    const bool of_vertices = in.how.smooth && !in.model.has_creases();
+    l3d_micro_triangles& triangles = to.part.triangles;
+    const std::size_t first = triangles.count;
+    add_triangles(in.model.triangles(), vertices_, of_vertices, chosen, count, triangles);
+    to.counts.drawn += static_cast<std::int64_t>(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const l3d_model_triangle& triangle = in.model.triangles()[chosen.triangle[i]];
+        to.sides.push_back(static_cast<std::uint8_t>(triangle.sides));
+        if (!in.model.materials().empty())
+            triangles.materials.push_back(in.model.material_of(triangle.face));
+        if (of_vertices)
             continue;
-        }
-        std::array<l3d_micro_vertex, 3> v;
-        for (std::size_t k = 0; k < 3; ++k)
-            v[k] = vertices_[triangle.corners[k]];
-        const bool whole = v[0].inv_w > 0 && v[1].inv_w > 0 && v[2].inv_w > 0;
-        if (whole) {
-            const reach seen = reach_of(v[0], v[1], v[2], in.view.size(), in.how.squares);
-            if (seen != reach::seen) {
-                ++(seen == reach::outside ? to.counts.offscreen : to.counts.subpixel);
-                continue;
-            }
-        }
-        set_normals(in, t, from_behind, whole, v);
-        if (whole) {
-            ++to.counts.drawn;
-            add(in, triangle, v, to);
-            to.sides.push_back(static_cast<std::uint8_t>(triangle.sides));
-        } else {
-            add_clipped(in, triangle, v, to);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const normal n = normal_of(in, chosen.triangle[i], k, chosen.sign[i] != 0);
+            for (std::size_t c = 0; c < n.size(); ++c)
+                triangles.corners[k].normal[c][first + i] = n[c];
         }
     }
 }
 
-/// Those of the face or of its corners (`placed` has those of vertices already if it could be
-/// drawn), turned round on the face's other side.
-void l3d_polygon_frame::set_normals(const frame_input& in, std::size_t triangle, bool from_behind,
-                                    bool placed, std::array<l3d_micro_vertex, 3>& v) const {
-    const std::size_t face = in.model.triangles()[triangle].face;
-    const bool at_hand = placed && !in.model.has_creases();
-    for (std::size_t k = 0; k < v.size(); ++k) {
-        if (!in.how.smooth)
-            turn(in.view.placement(), in.model.face_normals()[face], v[k].normal);
-        else if (!at_hand)
-            turn(in.view.placement(), in.model.corner_normal(triangle, k), v[k].normal);
-        if (from_behind)
-            for (float& component : v[k].normal)
-                component = -component;
-    }
+/// That of the face or of its corner, turned round on the face's other side.
+l3d_polygon_frame::normal l3d_polygon_frame::normal_of(const frame_input& in, std::size_t triangle,
+                                                       std::size_t corner, bool from_behind) {
+    const auto& of = in.how.smooth ? in.model.corner_normal(triangle, corner)
+                                   : in.model.face_normals()[in.model.triangles()[triangle].face];
+    normal result = turned(in.view.placement(), of);
+    if (from_behind)
+        for (float& component : result)
+            component = -component;
+    return result;
 }
 
 void l3d_polygon_frame::add(const frame_input& in, const l3d_model_triangle& triangle,
@@ -181,14 +167,15 @@ void l3d_polygon_frame::add(const frame_input& in, const l3d_model_triangle& tri
 }
 
 /// In a parallel projection, a clipped corner carries its depth as its parameter u.
-void l3d_polygon_frame::add_clipped(const frame_input& in, const l3d_model_triangle& triangle,
-                                    const std::array<l3d_micro_vertex, 3>& v, chunk& to) const {
+void l3d_polygon_frame::add_clipped(const frame_input& in, std::size_t number, bool from_behind,
+                                    chunk& to) const {
+    const l3d_model_triangle& triangle = in.model.triangles()[number];
     std::array<l3d_clip_vertex, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
         const point h = placed(in.view.matrix(), in.model.mesh().vertices[triangle.corners[k]]);
         corners[k] = l3d_canonical_vertex({h[0], h[1], h[3]}, in.window);
         corners[k].dice.u = depth_value(h[2]);
-        std::ranges::copy(v[k].normal, corners[k].dice.vertex.normal);
+        std::ranges::copy(normal_of(in, number, k, from_behind), corners[k].dice.vertex.normal);
     }
     to.clipped.clear();
     to.clipped.keep_parameters = true;
@@ -202,7 +189,7 @@ void l3d_polygon_frame::add_clipped(const frame_input& in, const l3d_model_trian
             if (in.view.is_parallel())
                 p[k].inv_w = static_cast<float>(to.clipped.triangle_uv[k][i].u);
         }
-        if (reach_of(p[0], p[1], p[2], in.view.size(), in.how.squares) != reach::seen)
+        if (!may_be_seen(p[0], p[1], p[2], in.view.size(), in.how.squares))
             continue;
         add(in, triangle, p, to);
         // The pieces are a fan: the first side of the first and the last of the last are outside.

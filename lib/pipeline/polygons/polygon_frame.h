@@ -8,6 +8,7 @@
 #include "pipeline/polygons/polygon_model.h"
 #include "pipeline/polygons/polygon_report.h"
 #include "pipeline/polygons/polygon_view.h"
+#include "pipeline/polygons/vertex_lanes_p.h"
 #include "raster/shapes/painter.h"
 #include "raster/rasterizer_2d.h"
 #include "raster/surface_part.h"
@@ -24,7 +25,7 @@
 /// Projection is in double for every number type, then rounded to 1/256 pixel: l3d_real is for what
 /// is stepped. In a parallel projection, inv_w is not 1 / distance. It is 2 at the nearest and 1 at
 /// the farthest end of the model's sphere, linear in between, as rasterizers need it. Expects:
-/// workers, model and view outlive each make(). Cost:    keeps its memory: 24 bytes per vertex and
+/// workers, model and view outlive each make(). Cost:    keeps its memory: 32 bytes per vertex and
 /// 72 per triangle drawn.
 class l3d_polygon_frame {
 public:
@@ -74,17 +75,19 @@ private:
         std::span<const std::size_t> ends;
     };
 
-    void place_vertices(const frame_input& in, std::size_t begin, std::size_t end);
+    using normal = std::array<float, 3>;
+
     void place_chunk(const frame_input& in, std::size_t index);
-    void set_normals(const frame_input& in, std::size_t triangle, bool from_behind, bool placed,
-                     std::array<l3d_micro_vertex, 3>& v) const;
+    void add_whole(const frame_input& in, const l3d_detail::chosen_triangles& chosen,
+                   chunk& to) const;
+    static normal normal_of(const frame_input& in, std::size_t triangle, std::size_t corner,
+                            bool from_behind);
     static void add(const frame_input& in, const l3d_model_triangle& triangle,
                     const std::array<l3d_micro_vertex, 3>& v, chunk& to);
-    void add_clipped(const frame_input& in, const l3d_model_triangle& triangle,
-                     const std::array<l3d_micro_vertex, 3>& v, chunk& to) const;
+    void add_clipped(const frame_input& in, std::size_t number, bool from_behind, chunk& to) const;
     double depth_value(double distance) const { return depth_base_ + depth_step_ * distance; }
 
-    std::vector<l3d_micro_vertex> vertices_; ///< inv_w is 0 where a vertex cannot be drawn
+    l3d_detail::placed_vertices vertices_;
     std::vector<chunk> chunks_;
     std::vector<const l3d_surface_part*> parts_;
     l3d_polygon_counts counts_;

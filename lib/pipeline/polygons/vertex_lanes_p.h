@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// vertex_lanes: vertices of a model to the picture, and the triangles that may be seen there.
+#ifndef L3D_PIPELINE_POLYGONS_VERTEX_LANES_P_H
+#define L3D_PIPELINE_POLYGONS_VERTEX_LANES_P_H
+
+#include "pipeline/polygons/polygon_model.h"
+#include "pipeline/polygons/polygon_report.h"
+#include "pipeline/polygons/polygon_view.h"
+#include "raster/micro_triangles.h"
+#include "scene/dice_view.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// The vertices of a model, each once.
+///
+/// Shape: a place is x, y (1/256 pixel), the bits of inv_w, and 0. inv_w is 0 where the vertex
+///        cannot be drawn. A normal is three numbers in world space and 0. So one vector of 16
+///        bytes has either, and four vectors are turned into arrays of their components.
+struct placed_vertices {
+    using place = std::array<std::int32_t, 4>;
+    using normal = std::array<float, 4>;
+
+    std::vector<place> places;
+    std::vector<normal> normals; ///< as many, or none that mean anything
+};
+
+/// How places of the model become places of the picture.
+struct vertex_placing {
+    const l3d_polygon_view& view;
+    const l3d_dice_view& window;
+    double depth_base = 0, depth_step = 0; ///< of a parallel projection
+};
+
+/// Places vertices [begin, end), and turns their normals if there are any. The places and depths
+/// are those of l3d_canonical_vertex, bit for bit, on every processor.
+/// Expects: room in `to` for all vertices.
+void place_vertices(const vertex_placing& how, std::span<const l3d_polygon_model::vector> vertices,
+                    std::span<const l3d_polygon_model::direction> normals, std::size_t begin,
+                    std::size_t end, placed_vertices& to);
+
+/// The triangles of a model that are asked for.
+struct triangle_choice {
+    const l3d_polygon_model& model;
+    const l3d_polygon_view& view;
+    std::span<const placed_vertices::place> places;
+    bool cull = true;     ///< not those seen from behind
+    bool squares = false; ///< also those that hold no pixel's centre
+};
+
+/// Some triangles that may be seen, in the model's order.
+struct chosen_triangles {
+    static constexpr std::size_t room = 256; ///< 2 KB: beside what they name in the nearest cache
+
+    std::array<std::uint32_t, room> triangle;
+    std::array<std::uint32_t, room> sign; ///< a float's sign bit if it is seen from behind, else 0
+    std::size_t count = 0;
+    bool clipped = false; ///< the last one has a corner that cannot be drawn
+};
+
+/// Lists triangles from `begin` on, until all up to `end` were looked at, there is no more room, or
+/// one must be clipped. Others are counted by the reason why they are left out.
+/// Returns: the first that was not looked at.
+std::size_t choose_triangles(const triangle_choice& of, std::size_t begin, std::size_t end,
+                             chosen_triangles& to, l3d_polygon_counts& counts);
+
+/// Adds the first `count` of the chosen triangles, with the vertices' normals unless there are
+/// none, turned round by `sign`.
+void add_triangles(std::span<const l3d_model_triangle> triangles, const placed_vertices& vertices,
+                   bool with_normals, const chosen_triangles& chosen, std::size_t count,
+                   l3d_micro_triangles& to);
+
+} // namespace l3d_detail
+
+#endif
