@@ -196,12 +196,16 @@ windings path_scan::add_run(std::int32_t row, std::span<const place> places, boo
         return right;
     }
     std::array<double, 2> risen{};
+    windings low = left, high = left; // anywhere in the run
     for (const place& p : places) {
         const row_piece& piece = piece_of(p);
         risen[piece.layer] += piece.direction * piece.height();
+        (piece.direction < 0 ? low : high).cross(piece);
     }
     for (std::size_t layer = 0; layer < 2; ++layer) // whole but for rounding
         right.turns[layer] += static_cast<int>(std::lround(risen[layer]));
+    if (rules_.same_between(low, high))
+        return right;
     if (!overlap && add_meeting(places, left))
         return right;
     edges_.clear();

@@ -42,7 +42,21 @@ struct fill_rules {
         return layer_inside(w, 0) && (!clips || layer_inside(w, 1));
     }
 
+    /// Whether inside and outside are surely the same wherever windings lie between two bounds.
+    bool same_between(const windings& low, const windings& high) const {
+        const bool first = layer_same(low, high, 0);
+        if (!clips)
+            return first;
+        const bool second = layer_same(low, high, 1);
+        return (first && second) || (first && !layer_inside(low, 0)) ||
+               (second && !layer_inside(low, 1));
+    }
+
 private:
+    bool layer_same(const windings& low, const windings& high, std::size_t layer) const {
+        const int least = low.turns[layer], most = high.turns[layer];
+        return least == most || (rule[layer] == l3d_winding::nonzero && (least > 0 || most < 0));
+    }
     bool layer_inside(const windings& w, std::size_t layer) const {
         const int turns = w.turns[layer];
         return rule[layer] == l3d_winding::even_odd ? (turns & 1) != 0 : turns != 0;
