@@ -8,64 +8,62 @@
 
 namespace l3d_detail {
 
-chain::chain(std::span<const l3d_point_2d> all, std::size_t first, std::size_t last,
-             std::int32_t height, std::int8_t direction, std::uint8_t layer)
-    : next_(first + 1), last_(last) {
+chain::chain(const l3d_point_2d* all, std::size_t first, std::size_t last, std::int32_t height,
+             std::uint8_t layer)
+    : last_(static_cast<std::ptrdiff_t>(last)), step_(first < last ? 1 : -1) {
     top_ = static_cast<std::int32_t>(std::max(all[first].y, 0.0));
     bottom_ = static_cast<std::int32_t>(std::ceil(std::min<double>(all[last].y, height)));
+    next_ = static_cast<std::ptrdiff_t>(first) + step_;
     while (all[next_].y <= 0)
-        ++next_;
-    piece_.direction = direction;
+        next_ += step_;
+    piece_.direction = static_cast<std::int8_t>(-step_);
     piece_.layer = layer;
-    const l3d_point_2d from = all[next_ - 1];
-    piece_.leaves = from.y < 0 ? l3d_point_2d{x_at(0, all), 0} : from;
-}
-
-/// On the edge that leads to the next corner. It never leaves the edge's ends.
-double chain::x_at(double y, std::span<const l3d_point_2d> all) {
-    const l3d_point_2d from = all[next_ - 1], to = all[next_];
-    if (sloped_ != next_) {
-        sloped_ = next_;
-        slope_ = (to.x - from.x) / (to.y - from.y);
+    piece_.corners.step = step_;
+    piece_.leaves = all[next_ - step_];
+    end_ = 0;
+    if (piece_.leaves.y < 0) {
+        take_edge(piece_.leaves, all[next_]);
+        piece_.leaves = {x_at(0), 0};
     }
-    return std::clamp(from.x + (y - from.y) * slope_, std::min(from.x, to.x),
-                      std::max(from.x, to.x));
 }
 
-void chain::enter(std::int32_t row, std::span<const l3d_point_2d> all) {
+void chain::take_edge(l3d_point_2d from, l3d_point_2d to) {
+    x0_ = from.x;
+    y0_ = from.y;
+    end_ = to.y;
+    slope_ = (to.x - from.x) / (to.y - from.y);
+    least_ = std::min(from.x, to.x);
+    most_ = std::max(from.x, to.x);
+}
+
+void chain::enter_at_corners(std::int32_t row, const l3d_point_2d* all) {
     const double row_end = row + 1;
+    const std::ptrdiff_t behind = last_ + step_;
     l3d_point_2d at = piece_.leaves;
-    if (sloped_ == next_ && all[next_].y > row_end) { // along one edge
-        piece_.enters = at;
-        piece_.leaves = {x_at(row_end, all), row_end};
-        piece_.left = std::min(at.x, piece_.leaves.x);
-        piece_.right = std::max(at.x, piece_.leaves.x);
-        piece_.corners = {};
-        return;
-    }
     // A level edge between two rows ties nothing together in either.
     if (at.y == row)
-        for (; next_ <= last_ && all[next_].y == at.y; ++next_)
+        for (; next_ != behind && all[next_].y == at.y; next_ += step_)
             at = all[next_];
     piece_.enters = at;
     double left = at.x, right = at.x;
-    const auto reach = [&](double x) {
-        left = std::min(left, x);
-        right = std::max(right, x);
-    };
-    const std::size_t begin = next_;
-    for (; next_ <= last_ && all[next_].y < row_end; ++next_)
-        reach(all[next_].x);
-    const bool ends = next_ > last_;
-    const std::size_t inside = next_ - begin - (ends ? 1 : 0);
-    if (ends)
+    const std::ptrdiff_t begin = next_;
+    for (; next_ != behind && all[next_].y < row_end; next_ += step_) {
+        left = std::min(left, all[next_].x);
+        right = std::max(right, all[next_].x);
+    }
+    piece_.corners.first = all + begin;
+    piece_.corners.count = static_cast<std::size_t>((next_ - begin) * step_);
+    if (next_ == behind) {
         piece_.leaves = all[last_];
-    else
-        piece_.leaves = {all[next_].y == row_end ? all[next_].x : x_at(row_end, all), row_end};
-    reach(piece_.leaves.x);
-    piece_.left = left;
-    piece_.right = right;
-    piece_.corners = all.subspan(begin, inside);
+        --piece_.corners.count;
+    } else if (all[next_].y == row_end) {
+        piece_.leaves = all[next_];
+    } else {
+        take_edge(all[next_ - step_], all[next_]);
+        piece_.leaves = {x_at(row_end), row_end};
+    }
+    piece_.left = std::min(left, piece_.leaves.x);
+    piece_.right = std::max(right, piece_.leaves.x);
 }
 
 void path_chains::clear(std::int32_t width, std::int32_t height) {
@@ -77,84 +75,69 @@ void path_chains::clear(std::int32_t width, std::int32_t height) {
 
 void path_chains::begin(l3d_point_2d corner) {
     first_ = last_ = corner;
-    outline_.assign(1, {std::clamp<double>(corner.x, 0, width_), corner.y});
-}
-
-void path_chains::line(l3d_point_2d corner) {
-    go(corner, true);
+    outline_ = corners_.size();
+    corners_.push_back({std::clamp(corner.x, 0.0, width_), corner.y});
 }
 
 void path_chains::go(l3d_point_2d to, bool keep_end) {
     const l3d_point_2d from = last_;
-    const double left = std::min(from.x, to.x), right = std::max(from.x, to.x), width = width_;
+    const double left = std::min(from.x, to.x), right = std::max(from.x, to.x);
     const auto cross = [&](double side) {
         if (left < side && side < right) {
             const double y = from.y + (side - from.x) * ((to.y - from.y) / (to.x - from.x));
-            outline_.push_back(
+            corners_.push_back(
                 {side, std::clamp(y, std::min(from.y, to.y), std::max(from.y, to.y))});
         }
     };
-    if (left < 0 || right > width) {
-        cross(from.x < to.x ? 0 : width);
-        cross(from.x < to.x ? width : 0);
+    if (left < 0 || right > width_) {
+        cross(from.x < to.x ? 0 : width_);
+        cross(from.x < to.x ? width_ : 0);
     }
     if (keep_end)
-        outline_.push_back({std::clamp(to.x, 0.0, width), to.y});
+        corners_.push_back({std::clamp(to.x, 0.0, width_), to.y});
     last_ = to;
 }
 
 /// Chains begin at an edge that is not level, where the last one that was not led the other way.
+/// The outline's first corners are there again behind its last one, up to the first turn: so each
+/// chain's corners are beside each other.
 void path_chains::end(std::uint8_t layer) {
     go(first_, false);
-    const std::size_t count = outline_.size();
-    const auto next_of = [count](std::size_t i) { return i + 1 < count ? i + 1 : 0; };
-    const auto rise = [&](std::size_t i) { return outline_[next_of(i)].y - outline_[i].y; };
-    int before = 0;
-    std::size_t begin = 0, edge = 0;
-    bool found = false;
-    for (; edge < count && !found; ++edge) {
-        const double dy = rise(edge);
-        const int way = (dy > 0) - (dy < 0);
-        if (way != 0) {
-            found = before == -way;
-            before = way;
-            begin = edge;
-        }
+    corners_.push_back(corners_[outline_]);
+    const std::size_t last = corners_.size() - 1;
+    const auto way_of = [this](std::size_t edge) {
+        const double dy = corners_[edge + 1].y - corners_[edge].y;
+        return (dy > 0) - (dy < 0);
+    };
+    int way = 0;
+    std::size_t begin = outline_;
+    for (; begin < last; ++begin) {
+        const int next = way_of(begin);
+        if (next * way < 0)
+            break;
+        way = next != 0 ? next : way;
     }
-    if (!found)
+    if (begin == last)
         return; // it is level, or has one edge
-    std::size_t edges = 0, at = begin;
-    bool down = before > 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double dy = rise(at);
+    for (std::size_t i = outline_ + 1; i <= begin; ++i)
+        corners_.push_back(corners_[i]);
+    bool down = way < 0;
+    for (std::size_t edge = begin + 1; edge < corners_.size() - 1; ++edge) {
+        const double dy = corners_[edge + 1].y - corners_[edge].y;
         if (down ? dy < 0 : dy > 0) {
-            add_chain(begin, edges, down, layer);
-            begin = at;
-            edges = 0;
+            add_chain(begin, edge, down, layer);
+            begin = edge;
             down = !down;
         }
-        ++edges;
-        at = next_of(at);
     }
-    add_chain(begin, edges, down, layer);
+    add_chain(begin, corners_.size() - 1, down, layer);
 }
 
-void path_chains::add_chain(std::size_t first, std::size_t edges, bool down, std::uint8_t layer) {
-    const std::size_t begin = corners_.size(), count = outline_.size();
-    const std::size_t last = (first + edges) % count;
-    const l3d_point_2d& upper = outline_[down ? first : last];
-    const l3d_point_2d& lower = outline_[down ? last : first];
-    if (lower.y <= 0 || upper.y >= height_)
-        return;
-    std::size_t at = first;
-    for (std::size_t i = 0; i <= edges; ++i) {
-        corners_.push_back(outline_[at]);
-        at = at + 1 < count ? at + 1 : 0;
-    }
+void path_chains::add_chain(std::size_t first, std::size_t last, bool down, std::uint8_t layer) {
     if (!down)
-        std::reverse(corners_.begin() + static_cast<std::ptrdiff_t>(begin), corners_.end());
-    chains_.push_back(
-        {corners_, begin, begin + edges, height_, static_cast<std::int8_t>(down ? -1 : 1), layer});
+        std::swap(first, last);
+    if (corners_[last].y > 0 && corners_[first].y < height_)
+        chains_.emplace_back(corners_.data(), first, last, height_, layer);
 }
 
 /// Counts the chains of each row, then puts them where their row begins.

@@ -5,6 +5,7 @@
 
 #include "raster/paths/path.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,13 +13,25 @@
 
 namespace l3d_detail {
 
+/// Corners of an outline, from top to bottom.
+struct corner_run {
+    const l3d_point_2d* first = nullptr;
+    std::ptrdiff_t step = 1; ///< to the next one: 1, or -1 where the outline leads up
+    std::size_t count = 0;
+
+    bool empty() const { return count == 0; }
+    const l3d_point_2d& operator[](std::size_t i) const {
+        return first[static_cast<std::ptrdiff_t>(i) * step];
+    }
+};
+
 /// The part of a chain in one row of pixels: from where it enters, by its corners, to where it
 /// leaves.
 /// Units:   pixels of the box, row r from y = r to r + 1.
 struct row_piece {
     double left, right; ///< all of it lies between
     l3d_point_2d enters, leaves;
-    std::span<const l3d_point_2d> corners; ///< in between, from top to bottom
+    corner_run corners;    ///< in between
     std::int8_t direction; ///< 1 if it leads upwards, and adds 1 to the winding right of it
     std::uint8_t layer;    ///< 0: of what is filled; 1: of what clips it
 
@@ -27,9 +40,9 @@ struct row_piece {
     /// Calls edge(from, to) for each of its edges from top to bottom; some are level.
     template <class Edge> void visit(const Edge& edge) const {
         l3d_point_2d from = enters;
-        for (const l3d_point_2d& to : corners) {
-            edge(from, to);
-            from = to;
+        for (std::size_t i = 0; i < corners.count; ++i) {
+            edge(from, corners[i]);
+            from = corners[i];
         }
         edge(from, leaves);
     }
@@ -40,8 +53,8 @@ class chain {
 public:
     /// The corners are from `first` to `last` among all, from top to bottom.
     /// Expects: rows of the picture from 0 to height - 1; it reaches one of them.
-    chain(std::span<const l3d_point_2d> all, std::size_t first, std::size_t last,
-          std::int32_t height, std::int8_t direction, std::uint8_t layer);
+    chain(const l3d_point_2d* all, std::size_t first, std::size_t last, std::int32_t height,
+          std::uint8_t layer);
 
     /// The first row that it reaches, and the one behind the last.
     std::int32_t top() const { return top_; }
@@ -49,20 +62,34 @@ public:
 
     /// Goes to the next row.
     /// Expects: the same corners as before; rows from top() to bottom() - 1, in order.
-    void enter(std::int32_t row, std::span<const l3d_point_2d> all);
+    void enter(std::int32_t row, const l3d_point_2d* all);
 
     const row_piece& piece() const { return piece_; }
 
 private:
-    double x_at(double y, std::span<const l3d_point_2d> all);
+    double x_at(double y) const { return std::clamp(x0_ + (y - y0_) * slope_, least_, most_); }
+    void take_edge(l3d_point_2d from, l3d_point_2d to);
+    void enter_at_corners(std::int32_t row, const l3d_point_2d* all);
 
-    std::size_t next_; ///< the corner that it leads to
-    std::size_t last_;
-    std::size_t sloped_ = 0; ///< the corner that the slope's edge leads to
-    double slope_ = 0;       ///< x per y
+    std::ptrdiff_t next_; ///< the corner that it leads to
+    std::ptrdiff_t last_, step_;
     std::int32_t top_ = 0, bottom_ = 0;
+    /// The edge that it leaves the row by, if that goes on to `end_`: where it is at a height.
+    double x0_ = 0, y0_ = 0, slope_ = 0, least_ = 0, most_ = 0;
+    double end_;
     row_piece piece_{};
 };
+
+inline void chain::enter(std::int32_t row, const l3d_point_2d* all) {
+    const double row_end = row + 1;
+    if (end_ <= row_end)
+        return enter_at_corners(row, all);
+    piece_.enters = piece_.leaves;
+    piece_.leaves = {x_at(row_end), row_end};
+    piece_.left = std::min(piece_.enters.x, piece_.leaves.x);
+    piece_.right = std::max(piece_.enters.x, piece_.leaves.x);
+    piece_.corners.count = 0;
+}
 
 /// Takes outlines, and cuts them at the sides of a picture and where they turn up or down.
 ///
@@ -76,12 +103,19 @@ public:
 
     /// Begins an outline, goes on with it, and closes it.
     void begin(l3d_point_2d corner);
-    void line(l3d_point_2d corner);
+    void line(l3d_point_2d corner) {
+        if (is_between_sides(corner) && is_between_sides(last_)) {
+            corners_.push_back(corner);
+            last_ = corner;
+        } else {
+            go(corner, true);
+        }
+    }
     void end(std::uint8_t layer);
 
     /// The chains, and the corners that they are made of.
     std::span<chain> chains() { return chains_; }
-    std::span<const l3d_point_2d> corners() const { return corners_; }
+    const l3d_point_2d* corners() const { return corners_.data(); }
 
     /// Sorts the chains by their top rows. Gives the row behind the last.
     std::int32_t sort();
@@ -91,14 +125,16 @@ public:
     std::span<const std::uint32_t> begun_in(std::int32_t row) const;
 
 private:
+    bool is_between_sides(l3d_point_2d p) const { return p.x >= 0 && p.x <= width_; }
     void go(l3d_point_2d to, bool keep_end);
-    void add_chain(std::size_t first, std::size_t edges, bool down, std::uint8_t layer);
+    void add_chain(std::size_t first, std::size_t last, bool down, std::uint8_t layer);
 
-    std::int32_t width_ = 0, height_ = 0;
+    double width_ = 0;
+    std::int32_t height_ = 0;
     std::int32_t top_ = 0;
     l3d_point_2d first_, last_;         ///< of the outline, not moved to the sides
-    std::vector<l3d_point_2d> outline_; ///< moved
-    std::vector<l3d_point_2d> corners_;
+    std::size_t outline_ = 0;           ///< the place of its first corner
+    std::vector<l3d_point_2d> corners_; ///< moved
     std::vector<chain> chains_;
     std::vector<std::uint32_t> order_;
     std::vector<std::size_t> begins_; ///< of each row, the first place in order_

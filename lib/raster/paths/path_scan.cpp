@@ -144,20 +144,25 @@ void path_scan::add_row(std::int32_t row) {
         std::int32_t last = column(places_[i].right);
         for (++i; i < places_.size() && column(places_[i].left) <= last; ++i)
             last = std::max(last, column(places_[i].right));
-        if (rules_.inside(w))
+        const bool was_inside = rules_.inside(w);
+        bordered_ = false;
+        if (i - begin == 1)
+            add_through(piece_of(places_[begin]), w);
+        else
+            add_cluster(row, std::span(places_).subspan(begin, i - begin), w);
+        if (!bordered_)
+            continue; // what is left of it goes on
+        if (was_inside)
             add_solid(row, done, first, full_value_);
-        w = add_cluster(row, std::span(places_).subspan(begin, i - begin), last, w);
+        add_values(row, {first, last}, was_inside ? 1 : 0);
         done = last + 1;
     }
     if (rules_.inside(w))
         add_solid(row, done, width_, full_value_);
 }
 
-/// Gives the windings right of it.
-windings path_scan::add_cluster(std::int32_t row, std::span<const place> places, std::int32_t last,
-                                const windings& left) {
-    bordered_ = false;
-    windings w = left;
+/// Goes on to the windings right of it.
+void path_scan::add_cluster(std::int32_t row, std::span<const place> places, windings& w) {
     for (std::size_t i = 0; i < places.size();) {
         const std::size_t begin = i;
         double right = places[i].right;
@@ -166,44 +171,47 @@ windings path_scan::add_cluster(std::int32_t row, std::span<const place> places,
             overlap |= places[i].left < right;
             right = std::max(right, places[i].right);
         }
-        w = add_run(row, places.subspan(begin, i - begin), overlap, w);
+        if (i - begin == 1)
+            add_through(piece_of(places[begin]), w);
+        else
+            add_run(row, places.subspan(begin, i - begin), overlap, w);
     }
-    const bool was_inside = rules_.inside(left);
-    const auto first = static_cast<std::int32_t>(places[0].left);
-    if (bordered_)
-        add_values(row, {first, last}, was_inside ? 1 : 0);
-    else if (was_inside)
-        add_solid(row, first, std::min(last + 1, width_), full_value_);
-    return w;
+}
+
+/// A piece that leads through the whole row.
+void path_scan::add_through(const row_piece& piece, windings& w) {
+    const bool was_inside = rules_.inside(w);
+    w.cross(piece);
+    if (const int sign = rules_.inside(w) - was_inside; sign != 0)
+        add_border(piece, sign);
 }
 
 void path_scan::add_border(const row_piece& piece, int sign) {
     bordered_ = true;
+    if (piece.corners.empty())
+        return areas_.add_border(piece.enters.x, piece.leaves.x,
+                                 sign * (piece.leaves.y - piece.enters.y));
+    pixel_sum sum(areas_, piece.enters.x);
     piece.visit([&](const l3d_point_2d& from, const l3d_point_2d& to) {
-        areas_.add_border(from.x, to.x, sign * (to.y - from.y));
+        sum.add_border(from.x, to.x, sign * (to.y - from.y));
     });
 }
 
-/// Gives the windings right of it.
-windings path_scan::add_run(std::int32_t row, std::span<const place> places, bool overlap,
-                            const windings& left) {
-    windings right = left;
-    if (places.size() == 1) { // it leads through the whole row
-        const row_piece& p = piece_of(places[0]);
-        right.cross(p);
-        if (const int sign = rules_.inside(right) - rules_.inside(left); sign != 0)
-            add_border(p, sign);
-        return right;
-    }
+/// Goes on to the windings right of it.
+void path_scan::add_run(std::int32_t row, std::span<const place> places, bool overlap,
+                        windings& w) {
+    const windings left = w;
     std::array<double, 2> risen{};
+    windings low = left, high = left; // anywhere in the run
     for (const place& p : places) {
         const row_piece& piece = piece_of(p);
         risen[piece.layer] += piece.direction * piece.height();
+        (piece.direction < 0 ? low : high).cross(piece);
     }
     for (std::size_t layer = 0; layer < 2; ++layer) // whole but for rounding
-        right.turns[layer] += static_cast<int>(std::lround(risen[layer]));
-    if (!overlap && add_meeting(places, left))
-        return right;
+        w.turns[layer] += static_cast<int>(std::floor(risen[layer] + 0.5));
+    if (rules_.same_between(low, high) || (!overlap && add_meeting(places, left)))
+        return;
     edges_.clear();
     for (const place& p : places) {
         const row_piece& piece = piece_of(p);
@@ -215,7 +223,6 @@ windings path_scan::add_run(std::int32_t row, std::span<const place> places, boo
     }
     areas_.add_cluster(edges_, left, rules_);
     bordered_ = true;
-    return right;
 }
 
 /// Pieces that lie side by side and only meet. False, and nothing is done, if they are many, or if

@@ -80,10 +80,9 @@ private:
     void add_all();
     void begin_row(std::int32_t row);
     void add_row(std::int32_t row);
-    windings add_cluster(std::int32_t row, std::span<const place> places, std::int32_t last,
-                         const windings& left);
-    windings add_run(std::int32_t row, std::span<const place> places, bool overlap,
-                     const windings& left);
+    void add_cluster(std::int32_t row, std::span<const place> places, windings& w);
+    void add_through(const row_piece& piece, windings& w);
+    void add_run(std::int32_t row, std::span<const place> places, bool overlap, windings& w);
     bool add_meeting(std::span<const place> places, const windings& left);
     void add_border(const row_piece& piece, int sign);
     place place_of(std::uint32_t index) {

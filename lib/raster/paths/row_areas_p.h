@@ -42,7 +42,21 @@ struct fill_rules {
         return layer_inside(w, 0) && (!clips || layer_inside(w, 1));
     }
 
+    /// Whether inside and outside are surely the same wherever windings lie between two bounds.
+    bool same_between(const windings& low, const windings& high) const {
+        const bool first = layer_same(low, high, 0);
+        if (!clips)
+            return first;
+        const bool second = layer_same(low, high, 1);
+        return (first && second) || (first && !layer_inside(low, 0)) ||
+               (second && !layer_inside(low, 1));
+    }
+
 private:
+    bool layer_same(const windings& low, const windings& high, std::size_t layer) const {
+        const int least = low.turns[layer], most = high.turns[layer];
+        return least == most || (rule[layer] == l3d_winding::nonzero && (least > 0 || most < 0));
+    }
     bool layer_inside(const windings& w, std::size_t layer) const {
         const int turns = w.turns[layer];
         return rule[layer] == l3d_winding::even_odd ? (turns & 1) != 0 : turns != 0;
@@ -140,6 +154,41 @@ inline void row_areas::add_border(double x0, double x1, double height) {
         from = to;
     }
 }
+
+/// Puts borders that follow each other together as long as they stay in one pixel.
+class pixel_sum {
+public:
+    /// The first of them begins at x.
+    pixel_sum(row_areas& areas, double x) : areas_(areas), column_(static_cast<std::int32_t>(x)) {}
+    ~pixel_sum() { end(); }
+    pixel_sum(const pixel_sum&) = delete;
+    pixel_sum& operator=(const pixel_sum&) = delete;
+
+    /// As row_areas::add_border, but for the order of sums.
+    void add_border(double x0, double x1, double height) {
+        const auto column = static_cast<std::int32_t>(x1);
+        if (column == column_) {
+            height_ += height;
+            beyond_ += height * ((x0 + x1) / 2 - column);
+        } else {
+            end();
+            column_ = column;
+            areas_.add_border(x0, x1, height);
+        }
+    }
+
+private:
+    void end() {
+        double* const sum = areas_.sums() + column_;
+        sum[0] += height_ - beyond_;
+        sum[1] += beyond_;
+        height_ = beyond_ = 0;
+    }
+
+    row_areas& areas_;
+    std::int32_t column_;
+    double height_ = 0, beyond_ = 0;
+};
 
 } // namespace l3d_detail
 
