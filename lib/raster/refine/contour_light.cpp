@@ -56,6 +56,9 @@ class nearest_polygon {
 public:
     nearest_polygon(float x, float y) : x_(x), y_(y) {}
 
+    /// The part of the quads that are added from now on.
+    void use_material(std::uint32_t material) { material_ = material; }
+
     void add_quad(const l3d_micro_grid& grid, std::size_t p00) {
         const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
         const std::array<std::size_t, 4> at{p00, p00 + 1, p01 + 1, p01};
@@ -116,7 +119,7 @@ private:
         const float t = (mean_x * along1_y - mean_y * along1_x) * inverse;
         const float depth = mean(inv_w) + s * (inv_w[2] - inv_w[0]) + t * (inv_w[3] - inv_w[1]);
         if (depth > found_.inv_w)
-            found_ = {linear_light::level_of(level_at(s, t)), depth, area2 > 0};
+            found_ = {linear_light::level_of(level_at(s, t)), depth, area2 > 0, material_};
     }
 
     static float mean(const four& of) { return 0.25f * ((of[0] + of[2]) + (of[1] + of[3])); }
@@ -135,6 +138,7 @@ private:
     }
 
     float x_, y_; ///< units: 1/256 pixel
+    std::uint32_t material_ = 0;
     surface_light found_;
 };
 
@@ -142,6 +146,7 @@ private:
 void add_quads(const contour_edge::quad_place& around, std::int32_t x, std::int32_t y,
                nearest_polygon& nearest) {
     const l3d_micro_grid& grid = around.part->grid;
+    nearest.use_material(around.part->material);
     const int first_row = std::max(around.row - reach, 0);
     const int last_row = std::min(around.row + reach, grid.rows - 1);
     const int first_column = std::max(around.column - reach, 0);

@@ -5,6 +5,8 @@
 
 #include "raster/refine/contour_pixels_p.h"
 
+#include <cstdint>
+
 namespace l3d_detail {
 
 /// A place in the picture. Units: pixels.
@@ -16,7 +18,8 @@ struct picture_place {
 struct surface_light {
     float level = 0; ///< of a grey: the ambient level and what is above it
     float inv_w = 0;
-    bool turns_right = false; ///< the polygon's corners do, seen in the picture
+    bool turns_right = false;   ///< the polygon's corners do, seen in the picture
+    std::uint32_t material = 0; ///< of its part
 };
 
 /// Looks for the nearest polygon at a place through the quads around those that a contour lies

@@ -152,15 +152,23 @@ bool contour_mixer::find_steady(const surroundings& here, step away, float way, 
 
 /// Whether the surface that a contour belongs to can be asked for its light.
 bool contour_mixer::has_own_surface(const contour_pixel& pixel) const {
-    return picture_.has_levels && picture_.is_grey && pixel.crossings == 2 &&
-           pixel.beside.part != nullptr;
+    return picture_.has_levels && pixel.crossings == 2 && pixel.beside.part != nullptr;
+}
+
+/// How far a word's channels are from those of a level in a colour, at most.
+float contour_mixer::apart(std::uint32_t word, float level, std::uint32_t color) {
+    float most = 0;
+    for (const int shift : {0, 8, 16})
+        most = std::max(most, std::abs(static_cast<float>(word >> shift & 255) -
+                                       in_color(level, color, shift)));
+    return most;
 }
 
 /// Whether a neighbour of the same side is nearly as bright.
-bool contour_mixer::is_near(const surroundings& here, float level) const {
+bool contour_mixer::is_near(const surroundings& here, float level, std::uint32_t color) const {
     for (std::size_t i = 0; i < beside.size(); ++i)
         if ((here.joined >> i & 1) != 0 &&
-            std::abs(level - grey_at(here.x + beside[i].x, here.y + beside[i].y)) <= most_change)
+            apart(word_at(here.x + beside[i].x, here.y + beside[i].y), level, color) <= most_change)
             return true;
     return false;
 }
@@ -172,19 +180,24 @@ bool contour_mixer::find_own_surface(const contour_pixel& pixel, step to, side& 
         return false;
     const std::int32_t x = pixel.x + to.x, y = pixel.y + to.y;
     constexpr float centre = 0.5f;
+    const auto color_of = [&](const surface_light& of) -> std::uint32_t {
+        constexpr std::uint32_t white = 0xffffff;
+        return picture_.colors.empty() ? white : picture_.colors[of.material] & white;
+    };
     const bool is_own = to.x == 0 && to.y == 0;
     surface_light drawn, light;
     if (!find_light(pixel, {static_cast<float>(x) + centre, static_cast<float>(y) + centre}, drawn))
         return false;
     const float depth = picture_.depth[y * picture_.pitch + x];
     if (std::abs(drawn.inv_w - depth) > same_depth * depth ||
-        std::abs(drawn.level - grey_at(x, y)) > steady ||
+        apart(word_at(x, y), drawn.level, color_of(drawn)) > steady ||
         !find_light(pixel, middle_on_right(pixel), light) ||
         light.turns_right != drawn.turns_right ||
         std::abs(light.level - drawn.level) > most_change ||
-        (is_own && !is_near(around(x, y), light.level)))
+        (is_own && !is_near(around(x, y), light.level, color_of(light))))
         return false;
     found.all = light.level;
+    found.color = color_of(light);
     return true;
 }
 

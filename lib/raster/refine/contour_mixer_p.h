@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace l3d_detail {
 
@@ -21,7 +22,8 @@ struct drawn_picture {
     std::ptrdiff_t pitch; ///< of depths
     bool is_grey;         ///< the channels of all pixels are equal
     bool has_levels;      ///< vertices have levels of greys, which pixels show without fog
-    float place_error;    ///< pixels that vertices may be off; less matters at no edge
+    std::span<const std::uint32_t> colors; ///< of the materials, if there are any
+    float place_error; ///< pixels that vertices may be off; less matters at no edge
 };
 
 /// Mixes what is on both sides of a contour by their exact shares of the square.
@@ -53,10 +55,11 @@ private:
     struct side {
         std::uint32_t first = 0, second = 0;
         float way = 0, all = -1;
+        std::uint32_t color = 0xffffff; ///< of the surface with the level `all`
 
         float level(int shift) const {
             if (all >= 0)
-                return all;
+                return in_color(all, color, shift);
             const auto a = static_cast<float>(first >> shift & 255);
             return a + way * (static_cast<float>(second >> shift & 255) - a);
         }
@@ -72,8 +75,9 @@ private:
     std::uint32_t word_at(std::int32_t x, std::int32_t y) const {
         return picture_.words.row(y)[static_cast<std::size_t>(x)];
     }
-    float grey_at(std::int32_t x, std::int32_t y) const {
-        return static_cast<float>(word_at(x, y) & 255);
+    /// A channel of a grey's level in a material's colour.
+    static float in_color(float level, std::uint32_t color, int shift) {
+        return level * (static_cast<float>(color >> shift & 255) * (1.0f / 255));
     }
     bool inside(std::int32_t x, std::int32_t y) const {
         const l3d_pixel_box& w = picture_.window;
@@ -92,7 +96,8 @@ private:
     bool find_steep(const contour_pixel& pixel, step away, bool is_own, bool is_right, float share,
                     side& found) const;
     bool find_own_surface(const contour_pixel& pixel, step to, side& found) const;
-    bool is_near(const surroundings& here, float level) const;
+    bool is_near(const surroundings& here, float level, std::uint32_t color) const;
+    static float apart(std::uint32_t word, float level, std::uint32_t color);
     bool has_own_surface(const contour_pixel& pixel) const;
     std::uint32_t mixed(const side& own, float share, const side& rest) const;
 
