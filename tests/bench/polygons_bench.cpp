@@ -128,7 +128,7 @@ double sorted_only_ms(const l3d_polygon_model& model, bool cull, int frames, int
     for (int i = 0; i < frames; ++i) {
         const auto start = std::chrono::steady_clock::now();
         frame.list(triangles, workers);
-        order.make(triangles, size, false);
+        order.make(triangles, size, {.resolve = false, .sides = false});
         times.push_back(
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
                 .count());

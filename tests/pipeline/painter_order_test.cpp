@@ -41,12 +41,13 @@ private:
 
 class painting {
 public:
-    explicit painting(int threads = 1) : workers_(threads) {}
+    explicit painting(int threads = 1, bool with_sides = true)
+        : workers_(threads), with_sides_(with_sides) {}
 
     std::vector<std::uint32_t> paint(const std::vector<l3d_painter_triangle>& triangles,
                                      l3d_shade shade, bool resolve = true) {
         canvas on;
-        order_.make(triangles, window, resolve);
+        order_.make(triangles, window, {.resolve = resolve, .sides = with_sides_});
         painter_.paint(on.pixels(), {shade, {0.6f, 0, 0.8f}, {0, 0, -1}, {}, {}}, {},
                        order_.triangles(), order_.pieces(), order_.cuts());
         return on.picture();
@@ -64,6 +65,7 @@ public:
 
 private:
     l3d_workers workers_;
+    bool with_sides_;
     l3d_painter_order order_{workers_};
     l3d_painter painter_{workers_};
 };
@@ -96,7 +98,7 @@ int differences(const std::vector<std::uint32_t>& a, const std::vector<std::uint
 }
 
 TEST(painter_order, ten_thousand_scenes_are_right_in_every_pixel) {
-    painting painted;
+    painting painted(1, false);
     std::int64_t tied = 0, covered = 0, knots = 0, cuts = 0, wrong_unresolved = 0;
     for (unsigned seed = 1; seed <= 10000; ++seed) {
         std::mt19937 random(seed);
@@ -227,9 +229,10 @@ TEST(painter_order, any_number_of_threads_gives_the_same_order_and_the_same_bits
     EXPECT_GT(out_of_turn, 1000); // so both ways to find what a triangle needs are taken
 }
 
-std::vector<std::uint32_t> all_of(std::span<const l3d_painter_triangle> triangles) {
-    std::vector<std::uint32_t> members(triangles.size());
-    std::iota(members.begin(), members.end(), 0u);
+std::vector<std::uint32_t> members_of(std::span<const l3d_painter_piece> pieces) {
+    std::vector<std::uint32_t> members;
+    for (const l3d_painter_piece& piece : pieces)
+        members.push_back(piece.triangle);
     return members;
 }
 
@@ -246,14 +249,14 @@ TEST(painter_order, what_a_knot_leaves_out_would_not_show) {
     for (const auto& scene : scenes) {
         l3d_workers worker(1);
         l3d_painter_order order(worker); // sorts, and drops what has no area
-        order.make(scene, window, false);
+        order.make(scene, window, {.resolve = false});
         const nearest_triangles exact = find_nearest(scene, window);
         std::array<std::vector<l3d_painter_piece>, 2> pieces;
         std::array<std::vector<std::uint32_t>, 2> pictures;
         for (const std::size_t i : {0u, 1u}) {
             l3d_detail::painter_knot knot(i == 0 ? 0 : scene.size());
             std::vector<l3d_painter_cut> cuts;
-            knot.untie(window, order.triangles(), all_of(order.triangles()), pieces[i], cuts);
+            knot.untie(window, order.triangles(), members_of(order.pieces()), pieces[i], cuts);
             canvas on;
             l3d_painter painter(worker);
             painter.paint(on.pixels(), own_colors, {}, order.triangles(), pieces[i], cuts);
@@ -273,8 +276,8 @@ TEST(painter_order, a_piece_is_hidden_if_its_area_and_its_sides_are_covered) {
         std::mt19937 random(seed);
         l3d_workers worker(1);
         l3d_painter_order order(worker);
-        order.make(random_triangles(random, window), window);
-        const auto triangles = order.triangles();
+        const auto triangles = random_triangles(random, window);
+        order.make(triangles, window);
         const std::vector<l3d_painter_cut> cuts(order.cuts().begin(), order.cuts().end());
         const auto pieces = order.pieces();
         l3d_detail::painter_cover cover;

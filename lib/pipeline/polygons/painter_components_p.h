@@ -31,6 +31,10 @@ public:
             if (marks_[root].index != unseen)
                 continue;
             enter(root, true, needed);
+            if (edges_.empty()) { // most need nothing: each is a component by itself
+                leave_alone(root, emit);
+                continue;
+            }
             while (!calls_.empty())
                 advance(needed, emit);
         }
@@ -57,6 +61,14 @@ private:
         open_.push_back(node);
         calls_.push_back({node, edges_.size(), edges_.size()});
         needed(node, in_turn, edges_);
+    }
+
+    /// The end of a root that needs nothing.
+    template <class Emit> void leave_alone(std::uint32_t root, const Emit& emit) {
+        calls_.pop_back();
+        open_.pop_back();
+        marks_[root].index = finished;
+        emit(std::span<const std::uint32_t>(&root, 1));
     }
 
     /// One step of the walk: the next edge of the node at hand, or its end.

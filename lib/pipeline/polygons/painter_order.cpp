@@ -20,6 +20,55 @@ using namespace l3d_detail;
 /// So many triangles are one item of a worker's work: some 10^4 cycles at the least.
 constexpr std::size_t chunk_triangles = 1024;
 
+/// Half-planes of a triangle, as the fill rule has them: what is on an edge counts as if it lay a
+/// little to the right and, less so, below.
+class inside_test {
+public:
+    /// Expects: area2 is not 0.
+    inside_test(const std::array<l3d_micro_vertex, 3>& v, std::int64_t area2) {
+        const std::int64_t sign = area2 > 0 ? 1 : -1;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const l3d_micro_vertex &a = v[i], &b = v[(i + 1) % 3];
+            edge& of = edges_[i];
+            of = {sign * (std::int64_t{b.x} - a.x), sign * (std::int64_t{b.y} - a.y), a.x, a.y, 0};
+            of.least = of.dy < 0 || (of.dy == 0 && of.dx > 0) ? 0 : 1;
+        }
+    }
+
+    bool has(std::int32_t column, std::int32_t row) const {
+        constexpr std::int32_t half = l3d_subpixel_one / 2;
+        const std::int64_t x = column * l3d_subpixel_one + half, y = row * l3d_subpixel_one + half;
+        for (const edge& e : edges_)
+            if (e.dx * (y - e.y) - e.dy * (x - e.x) < e.least)
+                return false;
+        return true;
+    }
+
+private:
+    struct edge {
+        std::int64_t dx, dy, x, y, least;
+    };
+    std::array<edge, 3> edges_;
+};
+
+/// Whether a triangle has an area and, if it can have few pixels, any of them. More are looked at
+/// by who paints them.
+bool may_have_pixels(const std::array<l3d_micro_vertex, 3>& v, const pixel_range& range) {
+    constexpr std::int32_t few = 4;
+    const std::int64_t area2 = (std::int64_t{v[1].x} - v[0].x) * (std::int64_t{v[2].y} - v[0].y) -
+                               (std::int64_t{v[1].y} - v[0].y) * (std::int64_t{v[2].x} - v[0].x);
+    if (area2 == 0)
+        return false;
+    if (range.right - range.left > few || range.bottom - range.top > few)
+        return true;
+    const inside_test inside(v, area2);
+    for (std::int32_t row = range.top; row < range.bottom; ++row)
+        for (std::int32_t column = range.left; column < range.right; ++column)
+            if (inside.has(column, row))
+                return true;
+    return false;
+}
+
 bool has_area(const std::array<l3d_micro_vertex, 3>& v) {
     return (std::int64_t{v[1].x} - v[0].x) * (std::int64_t{v[2].y} - v[0].y) !=
            (std::int64_t{v[1].y} - v[0].y) * (std::int64_t{v[2].x} - v[0].x);
@@ -44,8 +93,9 @@ struct l3d_painter_order::work_space {
     l3d_workers& workers;
     std::vector<l3d_sort_item> keys, other_keys;
     std::vector<std::size_t> kept; ///< of each chunk's keys
-    std::vector<l3d_painter_triangle> sorted;
-    std::vector<pixel_range> ranges;
+    std::span<const l3d_painter_triangle> given;
+    std::vector<pixel_range> ranges;    ///< of those that are sorted, in their order
+    std::vector<std::uint32_t> knot_members;
     painter_tiles tiles;
     std::vector<row_of_needs> rows;
     std::vector<std::uint32_t> late, late_begins; ///< what each triangle needs of the later ones
@@ -55,15 +105,17 @@ struct l3d_painter_order::work_space {
     std::vector<l3d_painter_cut> cuts;
 
     /// By the farthest corner, as positive floats are ordered like their bits.
-    void sort(std::span<const l3d_painter_triangle> triangles, l3d_size size) {
-        keys.resize(triangles.size());
-        kept.resize(chunks_of(triangles.size(), chunk_triangles));
-        for_each_chunk(workers, triangles.size(), chunk_triangles,
+    void sort(l3d_size size, bool with_sides) {
+        keys.resize(given.size());
+        kept.resize(chunks_of(given.size(), chunk_triangles));
+        for_each_chunk(workers, given.size(), chunk_triangles,
                        [&](std::size_t begin, std::size_t end, std::size_t chunk) {
                            std::size_t to = begin;
                            for (std::size_t i = begin; i < end; ++i) {
-                               const pixel_range range = range_of(triangles[i].v, size);
-                               if (!range.empty() && has_area(triangles[i].v))
+                               const auto& v = given[i].v;
+                               const pixel_range range = range_of(v, size);
+                               if (!range.empty() &&
+                                   (with_sides ? has_area(v) : may_have_pixels(v, range)))
                                    keys[to++] = {std::bit_cast<std::uint32_t>(range.farthest),
                                                  static_cast<std::uint32_t>(i)};
                            }
@@ -76,23 +128,28 @@ struct l3d_painter_order::work_space {
         }
         keys.erase(end, keys.end());
         l3d_radix_sort(keys, other_keys);
-        sorted.resize(keys.size());
+    }
+
+    void find_ranges(l3d_size size) {
         ranges.resize(keys.size());
         for_each_chunk(workers, keys.size(), chunk_triangles,
                        [&](std::size_t begin, std::size_t end_of, std::size_t) {
-                           for (std::size_t i = begin; i < end_of; ++i) {
-                               sorted[i] = triangles[keys[i].index];
-                               ranges[i] = range_of(sorted[i].v, size);
-                           }
+                           for (std::size_t i = begin; i < end_of; ++i)
+                               ranges[i] = range_of(at(static_cast<std::uint32_t>(i)), size);
                        });
+    }
+
+    /// The corners of a triangle, by its place in the sorted order.
+    const std::array<l3d_micro_vertex, 3>& at(std::uint32_t sorted) const {
+        return given[keys[sorted].index].v;
     }
 
     /// Whether a triangle must be painted after another, whose box it meets: it is in front of it
     /// somewhere.
     bool needs(std::uint32_t triangle, std::uint32_t other) const {
-        return insides_meet(sorted[triangle].v, sorted[other].v) &&
+        return insides_meet(at(triangle), at(other)) &&
                (ranges[other].nearest <= ranges[triangle].farthest ||
-                front_of(sorted[triangle].v, sorted[other].v).first);
+                front_of(at(triangle), at(other)).first);
     }
 
     /// Finds what each triangle needs of those that are sorted after it.
@@ -100,7 +157,7 @@ struct l3d_painter_order::work_space {
         rows.resize(static_cast<std::size_t>(tiles.rows()));
         workers.for_each(tiles.rows(), [&](int row, int) { find_late(row); });
         // A stable sort by counting, so the order does not depend on who found what.
-        late_begins.assign(sorted.size() + 2, 0);
+        late_begins.assign(keys.size() + 2, 0);
         for (const row_of_needs& row : rows)
             for (const late_need& need : row.found)
                 ++late_begins[need.triangle + 2];
@@ -169,19 +226,21 @@ l3d_painter_order::l3d_painter_order(l3d_workers& workers)
 l3d_painter_order::~l3d_painter_order() = default;
 
 void l3d_painter_order::make(std::span<const l3d_painter_triangle> triangles, l3d_size size,
-                             bool resolve) {
+                             const way& how) {
     work_space& w = *work_;
     counts_ = {};
     counts_.triangles = static_cast<std::int64_t>(triangles.size());
     w.pieces.clear();
     w.cuts.clear();
-    w.sort(triangles, size);
-    const auto count = static_cast<std::uint32_t>(w.sorted.size());
-    if (!resolve) {
-        for (std::uint32_t i = 0; i < count; ++i)
-            w.pieces.push_back({i});
+    w.given = triangles;
+    w.sort(size, how.sides);
+    const auto count = static_cast<std::uint32_t>(w.keys.size());
+    if (!how.resolve) {
+        for (const l3d_sort_item& key : w.keys)
+            w.pieces.push_back({key.index});
         return;
     }
+    w.find_ranges(size);
     w.tiles.make(w.ranges, size, w.workers);
     w.find_late();
     for (const row_of_needs& row : w.rows)
@@ -193,18 +252,21 @@ void l3d_painter_order::make(std::span<const l3d_painter_triangle> triangles, l3
         },
         [&](std::span<const std::uint32_t> component) {
             if (component.size() == 1) {
-                w.pieces.push_back({component.front()});
+                w.pieces.push_back({w.keys[component.front()].index});
                 return;
             }
             ++counts_.knots;
             counts_.knotted += static_cast<std::int64_t>(component.size());
-            w.knot.untie(size, w.sorted, component, w.pieces, w.cuts);
+            w.knot_members.clear();
+            for (const std::uint32_t member : component)
+                w.knot_members.push_back(w.keys[member].index);
+            w.knot.untie(size, w.given, w.knot_members, w.pieces, w.cuts);
         });
     counts_.cuts = static_cast<std::int64_t>(w.cuts.size()) / 2;
 }
 
 std::span<const l3d_painter_triangle> l3d_painter_order::triangles() const {
-    return work_->sorted;
+    return work_->given;
 }
 
 std::span<const l3d_painter_piece> l3d_painter_order::pieces() const {

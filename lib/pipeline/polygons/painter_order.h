@@ -35,12 +35,21 @@ public:
     l3d_painter_order(const l3d_painter_order&) = delete;
     l3d_painter_order& operator=(const l3d_painter_order&) = delete;
 
-    /// Orders triangles of a picture of a size.
-    ///
-    /// Without `resolve` it is the painter's algorithm of old: sorted, and nothing compared.
-    void make(std::span<const l3d_painter_triangle> triangles, l3d_size size, bool resolve = true);
+    /// What is ordered, and how.
+    struct way {
+        bool resolve = true; ///< else the painter's algorithm of old: sorted, and nothing compared
+        bool sides = true;   ///< their sides are drawn; else what covers no pixel is left out
+    };
 
-    /// The triangles, sorted: what pieces and cuts name. Those that cover no area are left out.
+    /// Orders triangles of a picture of a size. Those that cover no area are left out.
+    /// Lives: borrows the triangles until the next make.
+    void make(std::span<const l3d_painter_triangle> triangles, l3d_size size, const way& how);
+    /// Orders all that may have pixels or sides.
+    void make(std::span<const l3d_painter_triangle> triangles, l3d_size size) {
+        make(triangles, size, way());
+    }
+
+    /// The triangles that were given: what pieces and cuts name.
     std::span<const l3d_painter_triangle> triangles() const;
 
     /// In the order in which they are to be painted.

@@ -28,16 +28,17 @@ l3d_pipeline_zsort::l3d_pipeline_zsort(l3d_canvas canvas, l3d_polygon_model mode
 
 l3d_pipeline_zsort::~l3d_pipeline_zsort() = default;
 
-void l3d_pipeline_zsort::make_order(const scene& what, l3d_polygon_report& report) {
+void l3d_pipeline_zsort::make_order(const scene& what, bool with_sides,
+                                    l3d_polygon_report& report) {
     const stopwatch ordering;
     what.frame.list(stages_->triangles, workers());
-    stages_->order.make(stages_->triangles, what.target.size());
+    stages_->order.make(stages_->triangles, what.target.size(), {.sides = with_sides});
     report.order = stages_->order.counts();
     report.time_ms.order = ordering.milliseconds();
 }
 
 void l3d_pipeline_zsort::draw_solid(const scene& what, l3d_polygon_report& report) {
-    make_order(what, report);
+    make_order(what, false, report);
     const stopwatch painting;
     stages_->painter.paint(what.target, what.shading, what.materials, stages_->order.triangles(),
                            stages_->order.pieces(), stages_->order.cuts());
@@ -46,7 +47,7 @@ void l3d_pipeline_zsort::draw_solid(const scene& what, l3d_polygon_report& repor
 }
 
 void l3d_pipeline_zsort::draw_hidden_lines(const scene& what, l3d_polygon_report& report) {
-    make_order(what, report);
+    make_order(what, true, report);
     const stopwatch painting;
     stages_->painter.paint_lines(what.target, what.shading.background, stages_->order.triangles(),
                                  stages_->order.pieces(), stages_->order.cuts(), wire_color);

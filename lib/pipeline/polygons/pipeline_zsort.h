@@ -21,7 +21,7 @@ private:
     void draw_hidden_lines(const scene& what, l3d_polygon_report& report) override;
     const char* name() const override { return "zsort"; }
 
-    void make_order(const scene& what, l3d_polygon_report& report);
+    void make_order(const scene& what, bool with_sides, l3d_polygon_report& report);
 
     struct stages;
     std::unique_ptr<stages> stages_;

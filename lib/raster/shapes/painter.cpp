@@ -4,6 +4,8 @@
 
 #include "raster/parallel/chunks_p.h"
 #include "raster/shapes/attribute_plane_p.h"
+#include "raster/shapes/open_pixels_p.h"
+#include "raster/shapes/overdraw_p.h"
 #include "raster/shapes/piece_pixels_p.h"
 #include "raster/shaders/lit_shader_p.h"
 #include "raster/shaders/shader_choice_p.h"
@@ -57,12 +59,14 @@ struct alignas(64) painting {
     l3d_pixels target;
     scan_rows rows;
     scan_polygon scan;
+    open_pixels open; ///< if it is painted from front to back
     std::vector<placed_cut> cuts;
     std::uint32_t color = white; ///< of the material
     std::int64_t written = 0;
     std::vector<wide_row> waiting;      ///< of one triangle
     const l3d_shading* foggy = nullptr; ///< whose fog is before all, if it has any
 
+    bool from_front = false; ///< what is painted first stays
     static constexpr std::uint32_t white = wide_polygon::white;
 };
 
@@ -75,65 +79,119 @@ wide_polygon painted_by(const Shader& shader, const Planes& plane, const paintin
     return of;
 }
 
-template <class Shader>
-void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_vertex, 3>& v) {
-    constexpr std::size_t count = 1 + Shader::components;
-    using planes = attribute_planes<count>;
-    std::optional<planes> plane;
-    const auto range = std::minmax({v[0].inv_w, v[1].inv_w, v[2].inv_w});
-    const auto begin = [&](const std::array<scan_point, 3>& points, std::int64_t area2) {
-        shader.begin_polygon(v);
+/// The plane of a triangle's numbers, made when the first row of it is painted.
+template <class Shader> class late_plane {
+public:
+    using planes = attribute_planes<1 + Shader::components>;
+
+    late_plane(Shader& shader, const std::array<l3d_micro_vertex, 3>& v) : shader_(shader), v_(v) {}
+
+    void begin(const std::array<scan_point, 3>& points, std::int64_t area2) {
+        points_ = points;
+        area2_ = area2;
+    }
+
+    const planes& get() {
+        if (plane_)
+            return *plane_;
+        shader_.begin_polygon(v_);
         std::array<typename planes::numbers, 3> values;
         for (std::size_t i = 0; i < 3; ++i) {
-            values[i][0] = v[i].inv_w;
-            shader.corner(v[i], values[i].data() + 1);
+            values[i][0] = v_[i].inv_w;
+            shader_.corner(v_[i], values[i].data() + 1);
         }
-        plane.emplace(points, values, area2);
+        return plane_.emplace(points_, values, area2_);
+    }
+
+private:
+    Shader& shader_;
+    const std::array<l3d_micro_vertex, 3>& v_;
+    std::array<scan_point, 3> points_{};
+    std::int64_t area2_ = 0;
+    std::optional<planes> plane_;
+};
+
+/// Paints some columns of a row, pixel by pixel.
+template <class Shader>
+void paint_row(painting& to, Shader& shader, const attribute_planes<1 + Shader::components>& plane,
+               const std::array<l3d_micro_vertex, 3>& v, std::int32_t row, std::int32_t start,
+               columns span) {
+    constexpr std::size_t count = 1 + Shader::components;
+    if constexpr (requires { shader.begin_row(row); })
+        shader.begin_row(row);
+    const auto step = plane.per_column(), value = plane.at(start, row);
+    std::uint32_t* const words = to.target.row(row).data();
+    const auto range = std::minmax({v[0].inv_w, v[1].inv_w, v[2].inv_w});
+    const std::uint32_t fog =
+        to.foggy ? to.foggy->fog.in_row(to.foggy->background, row, to.target.height) : 0;
+    for (std::int32_t x = span.begin; x < span.end; ++x) {
+        const auto k = static_cast<float>(x - start);
+        std::array<float, count> here;
+        for (std::size_t i = 1; i < count; ++i)
+            here[i] = value[i] + step[i] * k;
+        const std::uint32_t word = shader.word(here.data() + 1);
+        if constexpr (std::is_same_v<Shader, ground_shader>)
+            words[x] = word; // no material changes it
+        else
+            words[x] = l3d_product_of_colors(to.color, word);
+        if (to.foggy) {
+            const float inv_w = std::clamp(value[0] + step[0] * k, range.first, range.second);
+            words[x] = l3d_fog::word(words[x], fog, to.foggy->fog.amount(inv_w));
+        }
+    }
+}
+
+/// Calls visit(row, start, columns) for the pixels of a triangle that are to be painted: all, or
+/// those that are open, and then taken.
+template <class Plane, class Visit>
+void visit_painted(painting& to, const std::array<l3d_micro_vertex, 3>& v, Plane& plane,
+                   const Visit& visit) {
+    const auto begin = [&](const std::array<scan_point, 3>& points, std::int64_t area2) {
+        plane.begin(points, area2);
     };
+    visit_rows(to.scan, v, to.cuts, to.target.width, begin,
+               [&](std::int32_t row, std::int32_t start, columns span) {
+                   if (to.from_front)
+                       to.open.take(row, span, [&](columns of) { visit(row, start, of); });
+                   else
+                       visit(row, start, span);
+                   return true;
+               });
+}
+
+/// Whether something was painted in all of a triangle's box already.
+bool is_hidden(const painting& to, const std::array<l3d_micro_vertex, 3>& v) {
+    const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+    const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
+    return !to.open.any(
+        {std::max(first_centre(top), to.rows.top), std::min(first_centre(bottom), to.rows.bottom)},
+        {std::max(first_centre(left), 0), std::min(first_centre(right), to.target.width)});
+}
+
+template <class Shader>
+void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_vertex, 3>& v) {
+    if (to.from_front && is_hidden(to, v))
+        return;
+    late_plane<Shader> plane(shader, v);
     if constexpr (has_lanes<Shader>)
         if (to.target.width >= fill_least_width && !to.foggy) { // pixel by pixel the same bits
             to.waiting.clear();
-            const auto keep_row = [&](std::int32_t row, std::int32_t start, columns span) {
+            visit_painted(to, v, plane, [&](std::int32_t row, std::int32_t start, columns span) {
                 wide_row& next = to.waiting.emplace_back();
                 next.words = to.target.row(row).data();
                 next.start = start;
                 next.begin = span.begin;
                 next.end = span.end;
-                std::ranges::copy(plane->at(start, row), next.value.begin());
-                return true;
-            };
-            visit_rows(to.scan, v, to.cuts, to.target.width, begin, keep_row);
+                std::ranges::copy(plane.get().at(start, row), next.value.begin());
+            });
             if (!to.waiting.empty())
-                to.written += fill_wide_rows(painted_by(shader, *plane, to), to.waiting);
+                to.written += fill_wide_rows(painted_by(shader, plane.get(), to), to.waiting);
             return;
         }
-    const auto paint_row = [&](std::int32_t row, std::int32_t start, columns span) {
-        if constexpr (requires { shader.begin_row(row); })
-            shader.begin_row(row);
-        const typename planes::numbers step = plane->per_column();
-        const typename planes::numbers value = plane->at(start, row);
-        std::uint32_t* const words = to.target.row(row).data();
-        const std::uint32_t fog =
-            to.foggy ? to.foggy->fog.in_row(to.foggy->background, row, to.target.height) : 0;
-        for (std::int32_t x = span.begin; x < span.end; ++x) {
-            const auto k = static_cast<float>(x - start);
-            std::array<float, count> here;
-            for (std::size_t i = 1; i < count; ++i)
-                here[i] = value[i] + step[i] * k;
-            const std::uint32_t word = shader.word(here.data() + 1);
-            if constexpr (std::is_same_v<Shader, ground_shader>)
-                words[x] = word; // no material changes it
-            else
-                words[x] = l3d_product_of_colors(to.color, word);
-            if (to.foggy) {
-                const float inv_w = std::clamp(value[0] + step[0] * k, range.first, range.second);
-                words[x] = l3d_fog::word(words[x], fog, to.foggy->fog.amount(inv_w));
-            }
-        }
+    visit_painted(to, v, plane, [&](std::int32_t row, std::int32_t start, columns span) {
+        paint_row(to, shader, plane.get(), v, row, start, span);
         to.written += span.end - span.begin;
-        return true;
-    };
-    visit_rows(to.scan, v, to.cuts, to.target.width, begin, paint_row);
+    });
 }
 
 /// All rows in which a triangle may have pixels, or its sides: those may lie half a pixel outside.
@@ -157,9 +215,10 @@ struct l3d_painter::work_space {
     std::vector<painting> of_worker;
     std::vector<scan_rows> reach; ///< of each piece; only if there is more than one band
 
-    void begin(l3d_pixels target) {
+    void begin(l3d_pixels target, bool from_front) {
         for (painting& to : of_worker) {
             to.target = target;
+            to.from_front = from_front;
             to.written = 0;
             to.foggy = nullptr;
             to.color = painting::white;
@@ -167,16 +226,17 @@ struct l3d_painter::work_space {
     }
 
     /// Clears each band and calls paint(piece, to) for the pieces that reach it, where `paint` is a
-    /// copy of what is given.
+    /// copy of what is given. From front to back, what is left open is cleared afterwards.
     template <class Paint>
     void paint_bands(const painted_things& what, const l3d_background& background,
                      const Paint& prototype) {
         const int height = of_worker.front().target.height;
         const int bands =
             workers.count() > 1 ? std::min(bands_per_worker * workers.count(), height) : 1;
+        const std::size_t count = what.pieces.size();
         if (bands > 1) {
-            reach.resize(what.pieces.size());
-            for_each_chunk(workers, reach.size(), chunk_pieces,
+            reach.resize(count);
+            for_each_chunk(workers, count, chunk_pieces,
                            [&](std::size_t begin, std::size_t end, std::size_t) {
                                for (std::size_t i = begin; i < end; ++i)
                                    reach[i] = reach_of(what.triangles[what.pieces[i].triangle]);
@@ -186,15 +246,28 @@ struct l3d_painter::work_space {
             painting& to = of_worker[static_cast<std::size_t>(worker)];
             to.rows = {band * height / bands, (band + 1) * height / bands};
             to.scan.set_rows(to.rows);
-            background.fill(to.target, {0, to.rows.top, to.target.width, to.rows.bottom});
+            if (to.from_front)
+                to.open.open(to.rows, to.target.width);
+            else
+                background.fill(to.target, {0, to.rows.top, to.target.width, to.rows.bottom});
             Paint paint = prototype;
-            for (std::size_t i = 0; i < what.pieces.size(); ++i) {
+            for (std::size_t k = 0; k < count; ++k) {
+                const std::size_t i = to.from_front ? count - 1 - k : k;
                 if (bands > 1 && (reach[i].top >= to.rows.bottom || reach[i].bottom <= to.rows.top))
                     continue;
                 place_cuts(what.pieces[i], what.triangles, what.cuts, to.cuts);
                 paint(what.triangles[what.pieces[i].triangle], to);
             }
+            if (to.from_front)
+                clear_open(to, background);
         });
+    }
+
+    static void clear_open(painting& to, const l3d_background& background) {
+        for (std::int32_t row = to.rows.top; row < to.rows.bottom; ++row)
+            to.open.take(row, {0, to.target.width}, [&](columns of) {
+                background.fill(to.target, {of.begin, row, of.end, row + 1});
+            });
     }
 
     std::int64_t written() const {
@@ -270,7 +343,7 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
                         std::span<const l3d_painter_triangle> triangles,
                         std::span<const l3d_painter_piece> pieces,
                         std::span<const l3d_painter_cut> cuts) {
-    work_->begin(target);
+    work_->begin(target, has_overdraw(triangles, pieces));
     if (shading.fog.is_on())
         for (painting& to : work_->of_worker)
             to.foggy = &shading;
@@ -288,7 +361,7 @@ void l3d_painter::paint_lines(l3d_pixels target, const l3d_background& backgroun
                               std::span<const l3d_painter_triangle> triangles,
                               std::span<const l3d_painter_piece> pieces,
                               std::span<const l3d_painter_cut> cuts, std::uint32_t line_color) {
-    work_->begin(target);
+    work_->begin(target, false);
     work_->paint_bands({triangles, pieces, cuts}, background,
                        sides_paint{{background, target.height}, line_color});
     count(pieces.size());

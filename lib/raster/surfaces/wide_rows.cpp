@@ -195,18 +195,29 @@ private:
     std::uint32_t color_;
 };
 
-/// Short rows leave fewer lanes idle in short vectors.
+/// Short rows leave fewer lanes idle in short vectors. Small polygons have no others, so the longer
+/// vectors are not even made ready for them.
 template <row_kind Kind>
 HWY_INLINE std::int64_t fill_rows_of(const wide_polygon& of, std::span<const wide_row> rows) {
     using all = hn::CappedTag<float, 16>;
     using some = hn::CappedTag<float, 8>;
-    const wide_filler<all, Kind> wide(of);
+    const auto is_short = [](const wide_row& row) {
+        return row.end - row.begin <= static_cast<std::int32_t>(hn::MaxLanes(some()));
+    };
     const wide_filler<some, Kind> narrow(of);
     std::int64_t written = 0;
+    bool any_long = false;
     for (const wide_row& row : rows)
-        written += row.end - row.begin <= static_cast<std::int32_t>(hn::MaxLanes(some()))
-                       ? narrow.fill(row)
-                       : wide.fill(row);
+        if (is_short(row))
+            written += narrow.fill(row);
+        else
+            any_long = true;
+    if (!any_long)
+        return written;
+    const wide_filler<all, Kind> wide(of);
+    for (const wide_row& row : rows)
+        if (!is_short(row))
+            written += wide.fill(row);
     return written;
 }
 
