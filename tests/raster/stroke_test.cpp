@@ -92,6 +92,31 @@ TEST(stroke, with_round_joins_covers_what_is_within_half_its_width_of_the_path) 
     EXPECT_GT(outside, 20000u);
 }
 
+/// The outline of a segment's round pen runs half a width from the segment, but for 1/1024.
+TEST(stroke, has_round_caps_within_a_thousandth_of_a_pixel) {
+    std::mt19937 random(3);
+    for (int n = 0; n < 300; ++n) {
+        const double radius = std::pow(2, uniform(random, -9, 12));
+        l3d_path line;
+        line.move_to({uniform(random, -50, 50), uniform(random, -50, 50)});
+        line.line_to({uniform(random, -50, 50), uniform(random, -50, 50)});
+        const std::vector<chord> segment = chords_of(line);
+        ASSERT_EQ(segment.size(), 1u);
+        const std::vector<chord> outline =
+            chords_of(l3d_stroked(line, {.width = 2 * radius, .cap = l3d_cap::round}));
+        ASSERT_GE(outline.size(), 4u);
+        constexpr int places = 8;
+        constexpr double allowed = (1 + 1e-6) / 1024;
+        for (const chord& e : outline)
+            for (int i = 0; i <= places; ++i) {
+                const double part = double(i) / places;
+                const l3d_point_2d at{e.a.x + part * (e.b.x - e.a.x),
+                                      e.a.y + part * (e.b.y - e.a.y)};
+                ASSERT_NEAR(segment[0].distance(at), radius, allowed) << n << ": " << radius;
+            }
+    }
+}
+
 /// The area that is covered, from coverage.
 double area(const l3d_path& path, const l3d_stroke& pen) {
     canvas c(width, height);

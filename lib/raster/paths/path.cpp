@@ -5,11 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-l3d_point_2d l3d_path::within_reach(l3d_point_2d p) {
-    constexpr double most = 1 << 30;
-    return {std::clamp(p.x, -most, most), std::clamp(p.y, -most, most)};
-}
-
 void l3d_path::move_to(l3d_point_2d to) {
     kinds_.push_back(kind::move);
     points_.push_back(to);
@@ -100,8 +95,8 @@ void l3d_path::add_polygon(l3d_outline_2d corners) {
     if (corners.empty())
         return;
     move_to(corners[0]);
-    for (const l3d_point_2d& corner : corners.subspan(1))
-        line_to(corner);
+    kinds_.insert(kinds_.end(), corners.size() - 1, kind::line);
+    points_.insert(points_.end(), corners.begin() + 1, corners.end());
     close();
 }
 

@@ -8,6 +8,7 @@
 #include "raster/placement_2d.h"
 #include "raster/rasterizer_2d.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -92,7 +93,10 @@ public:
     template <class Visitor> void visit(Visitor& visitor) const;
 
 private:
-    static l3d_point_2d within_reach(l3d_point_2d p);
+    static l3d_point_2d within_reach(l3d_point_2d p) {
+        constexpr double most = 1 << 30;
+        return {std::clamp(p.x, -most, most), std::clamp(p.y, -most, most)};
+    }
     static l3d_curve_2d::point weighted(l3d_point_2d p, double weight) {
         return {p.x * weight, p.y * weight, weight};
     }

@@ -20,24 +20,28 @@ void pen_outline::add(const std::vector<pen_point>& points, bool closed) {
     find_chords(points, closed);
     if (chords_.empty())
         return add_dot(points[0].at);
-    for (int side = 0; side < 2; ++side) {
-        if (side == 0 || closed)
-            begun_ = false;
-        add_side(closed);
-        if (closed)
-            result_.close();
-        else
-            add_cap(chords_.back());
-        reverse();
-    }
+    add_side(closed);
+    if (closed)
+        end_outline();
+    else
+        add_cap(chords_.back());
+    reverse();
+    add_side(closed);
     if (!closed)
-        result_.close();
+        add_cap(chords_.back());
+    end_outline();
+}
+
+void pen_outline::end_outline() {
+    result_.add_polygon(outline_);
+    outline_.clear();
 }
 
 void pen_outline::find_chords(const std::vector<pen_point>& points, bool closed) {
     chords_.clear();
     const auto go = [this](const pen_point& from, l3d_point_2d to) {
-        const double dx = to.x - from.at.x, dy = to.y - from.at.y, length = std::hypot(dx, dy);
+        const double dx = to.x - from.at.x, dy = to.y - from.at.y;
+        const double length = std::sqrt(dx * dx + dy * dy); // of numbers below 2^32
         if (!(length > 0))
             return false;
         chords_.push_back({from.at, to, dx / length, dy / length, length, from.smooth});
@@ -132,41 +136,40 @@ void pen_outline::add_cap(const chord& last) {
     }
 }
 
+/// Equal turns u lead from one point to the next, on a circle that is larger by r tan^2(u / 4). So
+/// its chords are as far inside of the arc, in their middle, as their ends are outside. The arc
+/// itself begins and ends on the circle: there the turn is by (1 + sqrt 2) / sqrt 8 of u.
+/// NUMERICS.md, section 20.
 void pen_outline::add_arc(l3d_point_2d center, double x, double y, double angle) {
-    const int pieces = static_cast<int>(std::ceil(angle / most_angle_));
-    const double cosine = std::cos(angle / pieces), sine = std::sin(angle / pieces);
+    constexpr double at_ends = (1 + std::numbers::sqrt2) / (2 * std::numbers::sqrt2);
+    constexpr double missing = 2 - 2 * at_ends; // turns by u that both ends together fall short of
+    // tan^2(u / 4) = a^2 / 8, for which an arc of angle a is no farther from its chord, either.
+    const double most_turn = 4 * std::atan(most_angle_ / std::sqrt(8.0));
+    const int pieces = static_cast<int>(std::ceil(angle / most_turn + missing));
+    const double turn = angle / (pieces - missing), quarter = std::tan(turn / 4);
+    const double radius = radius_ * (1 + quarter * quarter);
+    double cosine = std::cos(turn * at_ends), sine = std::sin(turn * at_ends);
     for (int i = 1; i < pieces; ++i) { // a few hundred turns at most: rounding stays below 2^-40
         const double turned = x * cosine - y * sine;
         y = y * cosine + x * sine;
         x = turned;
-        add_point({center.x + radius_ * x, center.y + radius_ * y});
+        add_point({center.x + radius * x, center.y + radius * y});
+        if (i == 1) {
+            cosine = std::cos(turn);
+            sine = std::sin(turn);
+        }
     }
-}
-
-void pen_outline::add_point(l3d_point_2d p) {
-    if (begun_)
-        result_.line_to(p);
-    else
-        result_.move_to(p);
-    begun_ = true;
 }
 
 /// The other side is the left one on the way back.
 void pen_outline::reverse() {
     std::ranges::reverse(chords_);
-    for (std::size_t i = 0; i < chords_.size(); ++i) {
-        chord& c = chords_[i];
+    bool mark = chords_.back().smooth; // a joint's mark goes to the chord that begins there now
+    for (chord& c : chords_) {
         std::swap(c.from, c.to);
         c.x = -c.x;
         c.y = -c.y;
-    }
-    // A joint's mark goes to the chord that begins there now.
-    if (!chords_.empty()) {
-        std::vector<bool> marks;
-        for (const chord& c : chords_)
-            marks.push_back(c.smooth);
-        for (std::size_t i = 0; i < chords_.size(); ++i)
-            chords_[i].smooth = marks[(i + chords_.size() - 1) % chords_.size()];
+        std::swap(c.smooth, mark);
     }
 }
 

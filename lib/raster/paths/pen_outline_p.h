@@ -44,9 +44,10 @@ private:
     bool add_smooth_joint(const chord& before, const chord& after, double sine, double cosine);
     void add_outer_joint(const chord& before, const chord& after, double sine, double cosine);
     void add_cap(const chord& last);
-    /// Points on the circle about a place, from the angle of a direction on.
+    /// Points near the circle about a place, from the angle of a direction on.
     void add_arc(l3d_point_2d center, double x, double y, double angle);
-    void add_point(l3d_point_2d p);
+    void add_point(l3d_point_2d p) { outline_.push_back(p); }
+    void end_outline();
     void reverse();
 
     l3d_point_2d beside(l3d_point_2d p, const chord& c) const {
@@ -58,7 +59,7 @@ private:
     double radius_, most_angle_;
     double least_cosine_; ///< of a turn by that
     std::vector<chord> chords_;
-    bool begun_ = false;
+    std::vector<l3d_point_2d> outline_; ///< that is being made
 };
 
 } // namespace l3d_detail

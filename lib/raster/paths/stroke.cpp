@@ -50,7 +50,8 @@ private:
     double length() const { return pen_.dashes[turn_ % pen_.dashes.size()]; }
 
     void go(const pen_point& from, const pen_point& to) {
-        const double whole = std::hypot(to.at.x - from.at.x, to.at.y - from.at.y);
+        const double dx = to.at.x - from.at.x, dy = to.at.y - from.at.y;
+        const double whole = std::sqrt(dx * dx + dy * dy);
         double done = 0;
         while (whole - done > left_ && dashes_ < most_dashes) {
             done += left_;
