@@ -94,7 +94,7 @@ struct l3d_painter_order::work_space {
     std::vector<l3d_sort_item> keys, other_keys;
     std::vector<std::size_t> kept; ///< of each chunk's keys
     std::span<const l3d_painter_triangle> given;
-    std::vector<pixel_range> ranges;    ///< of those that are sorted, in their order
+    std::vector<pixel_range> ranges; ///< of those that are sorted, in their order
     std::vector<std::uint32_t> knot_members;
     painter_tiles tiles;
     std::vector<row_of_needs> rows;
