@@ -230,7 +230,7 @@ protected:
     /// The materials of the frame that was begun last; none if its mode shows no light.
     std::span<const l3d_material> materials() const { return materials_of_frame_; }
 
-private:
+    /// What each kind of begin does first: takes what was said of the next frame.
     void begin_frame(const l3d_shading& shading) {
         counts_pixels_ = counting_wanted_;
         materials_of_frame_ =
@@ -238,6 +238,7 @@ private:
         materials_ = {};
     }
 
+private:
     virtual void do_begin(l3d_pixels, l3d_depth_buffer*, const l3d_shading&, bool untouched) = 0;
     virtual bool do_takes_levels() const { return false; }
     virtual bool do_draws_parts() const { return false; }

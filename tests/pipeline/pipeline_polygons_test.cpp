@@ -131,6 +131,33 @@ TEST(pipeline_polygons, zsort_and_zbuffer_show_the_same) {
             }
 }
 
+/// Edges are where bodies go through each other, too. Without the second step of zsort, some
+/// thousand pixels would be stairs.
+TEST(pipeline_polygons, zsort_and_zbuffer_smooth_the_same_edges) {
+    const l3d_polygon_model model(linked_tori());
+    for (const bool cull : {true, false})
+        for (const auto projection : {l3d_projection::perspective, l3d_projection::parallel})
+            for (const auto shade :
+                 {l3d_shade::flat, l3d_shade::gouraud, l3d_shade::lambert, l3d_shade::normals}) {
+                l3d_polygon_settings settings;
+                settings.shade = shade;
+                settings.projection = projection;
+                settings.cull = cull;
+                settings.rotation = {17, -23, 40};
+                settings.background = l3d_background::gradient();
+                const picture stairs = by_zsort(model, camera(), settings);
+                settings.antialias = true;
+                l3d_polygon_report report;
+                const picture a = by_zsort(model, camera(), settings, &report);
+                const picture b = by_zbuffer(model, camera(), settings);
+                // A level by which lambert is off may decide whether two pixels jump.
+                EXPECT_EQ(differing(a, b, shade == l3d_shade::lambert ? 2 : 0), 0)
+                    << "cull " << cull << " shade " << static_cast<int>(shade);
+                EXPECT_GT(differing(a, stairs, 1), 1000);
+                EXPECT_GT(report.surface.refined, 1000);
+            }
+}
+
 /// Inside a torus, with faces behind the eye, near it, and far outside of the window.
 TEST(pipeline_polygons, clipped_at_the_near_plane_both_show_the_same) {
     const l3d_polygon_model model(l3d_torus_mesh(40, 20, 2, 0.8));

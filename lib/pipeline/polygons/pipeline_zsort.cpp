@@ -6,6 +6,7 @@
 #include "pipeline/polygons/polygon_frame.h"
 #include "pipeline/stopwatch_p.h"
 #include "raster/shapes/painter.h"
+#include "raster/surfaces/surface_rasterizer_sw.h"
 
 #include <utility>
 #include <vector>
@@ -13,11 +14,12 @@
 using l3d_detail::stopwatch;
 
 struct l3d_pipeline_zsort::stages {
-    explicit stages(l3d_workers& workers) : order(workers), painter(workers) {}
+    explicit stages(l3d_workers& workers) : order(workers), painter(workers), edges(workers) {}
 
     std::vector<l3d_painter_triangle> triangles;
     l3d_painter_order order;
     l3d_painter painter;
+    l3d_surface_rasterizer_sw edges; ///< of what is painted
 };
 
 l3d_pipeline_zsort::l3d_pipeline_zsort(l3d_canvas canvas, l3d_polygon_model model,
@@ -43,7 +45,21 @@ void l3d_pipeline_zsort::draw_solid(const scene& what, l3d_polygon_report& repor
     stages_->painter.paint(what.target, what.shading, what.materials, stages_->order.triangles(),
                            stages_->order.pieces(), stages_->order.cuts());
     report.surface = stages_->painter.counts();
+    if (what.shading.antialias)
+        report.surface.refined = smooth_edges(what);
     report.time_ms.raster = painting.milliseconds();
+}
+
+/// The order and its cuts say what is in front at the centres of pixels. Inside of a pixel, depth
+/// says it. Returns how many pixels are at edges.
+std::int64_t l3d_pipeline_zsort::smooth_edges(const scene& what) {
+    l3d_surface_rasterizer_sw& edges = stages_->edges;
+    edges.count_pixels(false);
+    edges.use_materials(what.materials);
+    edges.begin_edges(what.target, what.shading);
+    edges.draw(what.frame.parts());
+    edges.finish();
+    return edges.counts().refined;
 }
 
 void l3d_pipeline_zsort::draw_hidden_lines(const scene& what, l3d_polygon_report& report) {

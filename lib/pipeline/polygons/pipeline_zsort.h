@@ -6,9 +6,12 @@
 #include "base/public.h"
 #include "pipeline/polygons/pipeline_polygons.h"
 
+#include <cstdint>
 #include <memory>
 
 /// The painter's algorithm: no depth buffer, only an order, mended where no order is right.
+///
+/// With anti-aliasing, a depth buffer tells afterwards which of the painted pixels are at edges.
 class L3D_PUBLIC l3d_pipeline_zsort : public l3d_pipeline_polygons {
 public:
     /// Errors:  as l3d_rasterizer_factory::create_2d.
@@ -21,6 +24,7 @@ private:
     void draw_hidden_lines(const scene& what, l3d_polygon_report& report) override;
     const char* name() const override { return "zsort"; }
 
+    std::int64_t smooth_edges(const scene& what);
     void make_order(const scene& what, bool with_sides, l3d_polygon_report& report);
 
     struct stages;

@@ -60,8 +60,8 @@ struct l3d_surface_rasterizer_sw::work_space {
     std::vector<band_painter> painters; ///< one for each worker
     std::vector<l3d_depth_buffer> worker_depths; ///< of a band, if nobody wants it afterwards
     l3d_depth_buffer kept_depth; ///< of a picture, if nobody but anti-aliasing wants it afterwards
-    std::vector<std::int64_t> covered;          ///< in each band, if that is counted
-    l3d_image picture;                          ///< in which parts of pictures are drawn
+    std::vector<std::int64_t> covered; ///< in each band, if that is counted
+    l3d_image picture;                 ///< what is filled where that is not yet the picture
     std::vector<const l3d_surface_part*> parts; ///< of all draws, for anti-aliasing
     picture_refiner refiner;
 };
@@ -82,10 +82,29 @@ void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer* de
     untouched_ = untouched && finished_ && target.words == target_.words &&
                  target.size() == target_.size() && target.stride == target_.stride &&
                  shading.background == work_->frame.shading.background;
-    target_ = target;
+    target_ = refined_ = target;
     window_ = l3d_whole(target.size());
     part_ = {};
     start(depth, shading);
+}
+
+/// What is filled gives the depths; its words are of no use.
+void l3d_surface_rasterizer_sw::begin_edges(l3d_pixels picture, const l3d_shading& shading) {
+    assert(shading.antialias);
+    begin_frame(shading);
+    draw_into_own(picture.size());
+    refined_ = picture;
+    window_ = l3d_whole(picture.size());
+    part_ = {};
+    start(nullptr, shading);
+}
+
+void l3d_surface_rasterizer_sw::draw_into_own(l3d_size size) {
+    l3d_image& picture = work_->picture;
+    if (picture.pixels().size() != size)
+        picture = l3d_image(size, l3d_padded_stride(size.width));
+    untouched_ = false;
+    target_ = refined_ = picture.pixels();
 }
 
 /// Polygons are drawn whole into a picture of their own, so that no number in them depends on where
@@ -95,11 +114,7 @@ void l3d_surface_rasterizer_sw::do_begin_part(l3d_pixels target, l3d_depth_buffe
                                               const l3d_pixel_box& part) {
     assert(!depth || target.size() == depth->size());
     assert(!part.empty() && part.intersected(l3d_whole(target.size())) == part);
-    l3d_image& picture = work_->picture;
-    if (picture.pixels().size() != target.size())
-        picture = l3d_image(target.size(), l3d_padded_stride(target.width));
-    untouched_ = false;
-    target_ = picture.pixels();
+    draw_into_own(target.size());
     window_ = in_whole_tiles(part.grown(shading.reach()).intersected(l3d_whole(target.size())),
                              target.size());
     part_ = part;
@@ -271,7 +286,7 @@ bool l3d_surface_rasterizer_sw::do_hidden(const l3d_subpixel_box& box, float nea
 void l3d_surface_rasterizer_sw::do_finish() {
     if (!drawn_)
         do_draw({});
-    if (depth_ && changes_words())
+    if (depth_ && changes_words() && refined_.words == target_.words)
         color_bands();
     if (work_->frame.shading.antialias)
         refine();
@@ -289,7 +304,7 @@ void l3d_surface_rasterizer_sw::refine() {
     band_list& list = work_->list;
     if (work_->parts.size() > last_parts_)
         list.make(work_->parts, {window_, rows_, true}, nullptr, workers_);
-    counts_.refined = work_->refiner.refine({.target = target_,
+    counts_.refined = work_->refiner.refine({.target = refined_,
                                              .depth = *depth_,
                                              .shading = work_->frame.shading,
                                              .materials = work_->frame.materials,

@@ -33,6 +33,12 @@ public:
     explicit l3d_surface_rasterizer_sw(l3d_workers& workers, l3d_band_settings settings = {});
     ~l3d_surface_rasterizer_sw() override;
 
+    /// Starts a frame whose picture is drawn already, in another way, from what will be given to
+    /// draw. finish draws its pixels at edges again, as means over their squares, and leaves all
+    /// others as they are.
+    /// Expects: shading.antialias; the picture outlives the frame, and nobody else writes to it.
+    void begin_edges(l3d_pixels picture, const l3d_shading& shading);
+
 private:
     void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
                   bool untouched) override;
@@ -49,6 +55,7 @@ private:
 
     struct work_space;
 
+    void draw_into_own(l3d_size size);
     void start(l3d_depth_buffer* depth, const l3d_shading& shading);
     void make_room_for_normals();
     void clear_words(const l3d_detail::fill_band& band);
@@ -62,7 +69,8 @@ private:
     l3d_workers& workers_;
     l3d_band_settings settings_;
     std::unique_ptr<work_space> work_;
-    l3d_pixels target_;
+    l3d_pixels target_;    ///< what is filled
+    l3d_pixels refined_;   ///< whose edges are refined: the target, or a picture drawn already
     l3d_pixel_box window_; ///< what is drawn of the target, in whole tiles
     l3d_pixel_box part_;   ///< what of it goes from the work space to part_target_; may be empty
     l3d_pixels part_target_;
