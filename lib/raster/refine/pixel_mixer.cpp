@@ -2,6 +2,8 @@
 // pixel_mixer: samples tell what is seen, areas how much of it.
 #include "raster/refine/pixel_mixer_p.h"
 
+#include "raster/refine/pixel_centroid_p.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -154,14 +156,15 @@ template <class Shader>
 light_sum pixel_mixer::light_of(Shader& shader, const band_fragments& band, const fragment& of,
                                 scan_point corner) const {
     const fragment_polygon& polygon = band.polygons()[of.polygon];
-    const double x = corner.x + double{l3d_subpixel_one * measures_.x[of.pair]};
-    const double y = corner.y + double{l3d_subpixel_one * measures_.y[of.pair]};
     if constexpr (has_bends<Shader>) {
         constexpr std::uint32_t white = 0xffffff;
+        const double x = corner.x + double{l3d_subpixel_one * measures_.x[of.pair]};
+        const double y = corner.y + double{l3d_subpixel_one * measures_.y[of.pair]};
         const light_sum light = light_sum::of_level(
             measures_.level[of.pair], has_color_ ? polygon.color : white, linear_light_tables());
         return fog_->over(light, polygon, x, y);
     } else {
+        const auto [x, y] = centroid_in_pixel(polygon, corner);
         return fog_->over(light_at(shader, polygon, has_color_, x, y), polygon, x, y);
     }
 }

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Anti-aliased polygons: both pipelines against pictures of 16 x 16 times the pixels.
+#include "pipeline/polygons/pipeline_zbuffer.h"
+#include "pipeline/polygons/pipeline_zsort.h"
+
+#include "geom/polygon_shapes.h"
+#include "raster/rasterizer_factory_sw.h"
+#include "raster/srgb_light.h"
+#include "tool_2d/screen_memory.h"
+#include "words_of.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace {
+
+constexpr l3d_size window{96, 72};
+constexpr int fine = 16; ///< samples of a pixel along x and along y
+
+using words = std::vector<std::uint32_t>;
+
+/// A torus that is seen so flat that many of its long facets are thinner than a pixel.
+l3d_camera flat_view(int turn) {
+    const double angle = 0.37 * turn;
+    l3d_camera result;
+    result.eye = {6 * std::cos(angle), 6 * std::sin(angle), 0.2 * turn};
+    result.up = {0, 0, 1};
+    return result;
+}
+
+template <class Pipeline, class... More>
+words drawn(l3d_size size, const l3d_polygon_model& model, int turn,
+            const l3d_polygon_settings& settings, More&&... more) {
+    Pipeline pipeline(l3d_memory_canvas(size), model, flat_view(turn), settings, more...);
+    pipeline.draw_event();
+    return words_of(pipeline.screen().pixels());
+}
+
+/// How far pixels are from the mean light of their 256 samples.
+struct judged {
+    int edges = 0;  ///< pixels whose samples are 24 levels apart and more
+    double sum = 0; ///< of the squares of the edges' errors. Units: levels
+
+    double rms() const { return std::sqrt(sum / std::max(edges, 1)); }
+};
+
+judged judge(const words& picture, const words& samples) {
+    judged result;
+    for (int y = 0; y < window.height; ++y)
+        for (int x = 0; x < window.width; ++x) {
+            int darkest = 255, brightest = 0;
+            double light = 0;
+            for (int row = y * fine; row < (y + 1) * fine; ++row)
+                for (int column = x * fine; column < (x + 1) * fine; ++column) {
+                    const auto at = static_cast<std::size_t>(row * window.width * fine + column);
+                    const int level = static_cast<int>(samples[at] & 255);
+                    darkest = std::min(darkest, level);
+                    brightest = std::max(brightest, level);
+                    light += l3d_light_of_level(level) / (fine * fine);
+                }
+            const auto at = static_cast<std::size_t>(y * window.width + x);
+            const int level = static_cast<int>(picture[at] & 255);
+            if (brightest - darkest < 24)
+                continue;
+            const double error = level - l3d_level_of_light(light);
+            ++result.edges;
+            result.sum += error * error;
+        }
+    return result;
+}
+
+TEST(smooth_polygons, show_the_mean_of_what_their_pixels_show) {
+    const l3d_rasterizer_factory_sw sw;
+    const l3d_polygon_model model(l3d_torus_mesh(24, 24, 1.6, 0.55));
+    for (const l3d_shade shade : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat})
+        for (int turn = 0; turn < 4; ++turn) {
+            l3d_polygon_settings settings;
+            settings.shade = shade;
+            settings.cull = turn % 2 == 0;
+            const words samples = drawn<l3d_pipeline_zbuffer>(
+                {window.width * fine, window.height * fine}, model, turn, settings, sw);
+            const judged stairs =
+                judge(drawn<l3d_pipeline_zbuffer>(window, model, turn, settings, sw), samples);
+            settings.antialias = true;
+            const judged zbuffer =
+                judge(drawn<l3d_pipeline_zbuffer>(window, model, turn, settings, sw), samples);
+            const judged zsort =
+                judge(drawn<l3d_pipeline_zsort>(window, model, turn, settings), samples);
+            // What was measured: 0.6 to 1.1 levels, where stairs are 20 to 36 off. Light that is
+            // taken beside a facet instead of on it makes it 2.1 to 3.1.
+            SCOPED_TRACE(testing::Message() << "shade " << int(shade) << ", turn " << turn);
+            ASSERT_GT(stairs.edges, 200);
+            EXPECT_GT(stairs.rms(), 15);
+            EXPECT_LT(zbuffer.rms(), 1.3);
+            EXPECT_LT(zsort.rms(), 1.3);
+        }
+}
+
+} // namespace
