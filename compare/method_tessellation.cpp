@@ -132,7 +132,7 @@ void l3d_method_tessellation::do_draw(const l3d_method_frame& frame, l3d_stage_t
     polygons_.make(model_, view,
                    {.cull = cull,
                     .smooth = frame.shading.mode != l3d_shade::flat,
-                    .squares = frame.shading.antialias},
+                    .antialias = frame.shading.antialias},
                    workers_, ends);
     count_patches(frame);
     times.dice += placing.milliseconds();

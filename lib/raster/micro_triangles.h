@@ -71,6 +71,17 @@ struct L3D_PUBLIC l3d_micro_triangles {
                 {c.normal[0][triangle], c.normal[1][triangle], c.normal[2][triangle]}};
     }
 
+    /// Twice the area of a triangle in the picture, positive if its corners turn to the right
+    /// there. Units: 1/65536 square pixel. Expects: triangle < count.
+    std::int64_t double_area(std::size_t triangle) const {
+        const auto way = [&](const std::vector<std::int32_t>& from,
+                             const std::vector<std::int32_t>& to) {
+            return std::int64_t{to[triangle]} - from[triangle];
+        };
+        const auto& [a, b, c] = corners;
+        return way(a.x, b.x) * way(a.y, c.y) - way(a.y, b.y) * way(a.x, c.x);
+    }
+
 private:
     void grow(std::size_t least) {
         const std::size_t wanted = std::max(least, count + count / 2);

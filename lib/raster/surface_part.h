@@ -22,10 +22,11 @@ struct L3D_PUBLIC l3d_block_starts {
     std::array<int, most_blocks + 1> first{};
 };
 
-/// A straight piece of the line at which a grid of a surface ends.
+/// A straight piece of the line at which a grid of a surface ends, or a side of a loose triangle.
 ///
 /// Units: as l3d_micro_vertex. It goes so that the quad beside it is on the right, seen in the
-/// picture, if that quad's corners p00 p10 p11 p01 turn to the right there.
+/// picture, if that quad's corners p00 p10 p11 p01 turn to the right there. So does that of a
+/// triangle, from corner to corner.
 struct L3D_PUBLIC l3d_border_edge {
     /// The column at which it begins.
     std::int32_t from_x = 0;
@@ -39,11 +40,12 @@ struct L3D_PUBLIC l3d_border_edge {
     float nearest = 0;
     /// The level of the light beside it in mode l3d_shade::levels; not a number in others.
     float level = 0;
-    /// The grid's row of the quad that it lies beside.
+    /// The grid's row of the quad that it lies beside; 0 if it is a triangle's.
     int row = 0;
-    /// The grid's column of that quad.
+    /// The grid's column of that quad, or the place of the triangle.
     int column = 0;
-    /// Which of the quad's sides it is: p00 to p10, p10 to p11, p11 to p01, p01 to p00.
+    /// Which of the quad's sides it is: p00 to p10, p10 to p11, p11 to p01, p01 to p00. Or the
+    /// corner at which the triangle's side begins.
     int side = 0;
 };
 
@@ -62,7 +64,8 @@ struct L3D_PUBLIC l3d_surface_part {
     /// What belongs to no grid.
     l3d_micro_triangles triangles;
     /// Where the surface ends or goes on in another part, for anti-aliasing. It may be known in
-    /// part or not at all: then pixels there are drawn in a slower way.
+    /// part or not at all: then pixels there are drawn in a slower way, and what is thinner than a
+    /// pixel may be missed. A part without a grid has the sides of its triangles, in their order.
     std::vector<l3d_border_edge> border;
     /// Bit 4 * row + column is set for a block of the grid that nobody need draw.
     unsigned unseen = 0;

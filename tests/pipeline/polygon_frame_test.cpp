@@ -97,12 +97,12 @@ private:
         }
         const auto [left, right] = std::minmax({made.v[0].x, made.v[1].x, made.v[2].x});
         const auto [top, bottom] = std::minmax({made.v[0].y, made.v[1].y, made.v[2].y});
-        const double at = how_.squares ? 0 : 0.5; // of the place in a pixel that counts
+        const double at = how_.antialias ? 0 : 0.5; // of the place in a pixel that counts
         const auto first = [&](int of) {
-            return how_.squares ? std::floor(of / 256.0) : std::ceil(of / 256.0 - at);
+            return how_.antialias ? std::floor(of / 256.0) : std::ceil(of / 256.0 - at);
         };
         const auto end = [&](int of) {
-            return how_.squares ? std::floor(of / 256.0) + 1 : std::ceil(of / 256.0 - at);
+            return how_.antialias ? std::floor(of / 256.0) + 1 : std::ceil(of / 256.0 - at);
         };
         if (end(right) <= 0 || end(bottom) <= 0 || first(left) >= size.width ||
             first(top) >= size.height) {

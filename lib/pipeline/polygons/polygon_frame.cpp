@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace {
 
@@ -88,8 +89,15 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
     const std::size_t count = ends.empty() ? chunks_of(triangles, chunk_triangles) : ends.size();
     if (chunks_.size() < count)
         chunks_.resize(count);
+    if (how.antialias) {
+        neighbours_.make(model);
+        turns_.assign(triangles, turn::not_drawn);
+    }
     workers.for_each(static_cast<int>(count),
                      [&](int i, int) { place_chunk(in, static_cast<std::size_t>(i)); });
+    if (how.antialias)
+        workers.for_each(static_cast<int>(count),
+                         [&](int i, int) { make_border(chunks_[static_cast<std::size_t>(i)]); });
     parts_.clear();
     counts_ = {};
     for (std::size_t i = 0; i < count; ++i) {
@@ -101,7 +109,9 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
 void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
     chunk& to = chunks_[index];
     to.part.triangles.clear();
+    to.part.border.clear();
     to.sides.clear();
+    to.names.clear();
     to.counts = {};
     const auto all = in.model.triangles();
     std::size_t begin = index * chunk_triangles;
@@ -110,7 +120,8 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
         begin = index > 0 ? in.ends[index - 1] : 0;
         end = in.ends[index];
     }
-    const triangle_choice choice{in.model, in.view, vertices_.places, in.how.cull, in.how.squares};
+    const triangle_choice choice{in.model, in.view, vertices_.places, in.how.cull,
+                                 in.how.antialias};
     chosen_triangles chosen;
     for (std::size_t t = begin; t < end;) {
         t = choose_triangles(choice, t, end, chosen, to.counts);
@@ -122,7 +133,7 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
 
 /// All that are chosen but the last one, if that must be clipped.
 void l3d_polygon_frame::add_whole(const frame_input& in, const chosen_triangles& chosen,
-                                  chunk& to) const {
+                                  chunk& to) {
     const std::size_t count = chosen.count - (chosen.clipped ? 1 : 0);
     if (count == 0)
         return;
@@ -131,6 +142,8 @@ void l3d_polygon_frame::add_whole(const frame_input& in, const chosen_triangles&
     const std::size_t first = triangles.count;
     add_triangles(in.model.triangles(), vertices_, of_vertices, chosen, count, triangles);
     to.counts.drawn += static_cast<std::int64_t>(count);
+    if (in.how.antialias)
+        note_turns(chosen, count, to);
     for (std::size_t i = 0; i < count; ++i) {
         const l3d_model_triangle& triangle = in.model.triangles()[chosen.triangle[i]];
         to.sides.push_back(static_cast<std::uint8_t>(triangle.sides));
@@ -142,6 +155,46 @@ void l3d_polygon_frame::add_whole(const frame_input& in, const chosen_triangles&
             const normal n = normal_of(in, chosen.triangle[i], k, chosen.sign[i] != 0);
             for (std::size_t c = 0; c < n.size(); ++c)
                 triangles.corners[k].normal[c][first + i] = n[c];
+        }
+    }
+}
+
+/// Those of the last `count` triangles of the part.
+void l3d_polygon_frame::note_turns(const chosen_triangles& chosen, std::size_t count, chunk& to) {
+    const l3d_micro_triangles& all = to.part.triangles;
+    const std::size_t first = all.count - count;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::int64_t twice_area = all.double_area(first + i);
+        to.names.push_back(chosen.triangle[i]);
+        turns_[chosen.triangle[i]] = twice_area > 0   ? turn::right
+                                     : twice_area < 0 ? turn::left
+                                                      : turn::none;
+    }
+}
+
+/// The sides beyond which no triangle goes on that turns alike: there the surface may end or fold
+/// over. A triangle that covers nothing has no sides: those beside it do.
+void l3d_polygon_frame::make_border(chunk& of) const {
+    const l3d_micro_triangles& all = of.part.triangles;
+    for (std::size_t i = 0; i < all.count; ++i) {
+        const std::uint32_t name = of.names[i];
+        const turn here = turns_[name];
+        if (here == turn::none)
+            continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t other = neighbours_.across(name, k);
+            if (here != turn::clipped && other != triangle_neighbours::none &&
+                turns_[other] == here)
+                continue;
+            const l3d_micro_vertex from = all.vertex(i, k), to = all.vertex(i, (k + 1) % 3);
+            of.part.border.push_back({.from_x = from.x,
+                                      .from_y = from.y,
+                                      .to_x = to.x,
+                                      .to_y = to.y,
+                                      .nearest = std::max(from.inv_w, to.inv_w),
+                                      .level = std::numeric_limits<float>::quiet_NaN(),
+                                      .column = static_cast<int>(i),
+                                      .side = static_cast<int>(k)});
         }
     }
 }
@@ -168,7 +221,7 @@ void l3d_polygon_frame::add(const frame_input& in, const l3d_model_triangle& tri
 
 /// In a parallel projection, a clipped corner carries its depth as its parameter u.
 void l3d_polygon_frame::add_clipped(const frame_input& in, std::size_t number, bool from_behind,
-                                    chunk& to) const {
+                                    chunk& to) {
     const l3d_model_triangle& triangle = in.model.triangles()[number];
     std::array<l3d_clip_vertex, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -189,14 +242,18 @@ void l3d_polygon_frame::add_clipped(const frame_input& in, std::size_t number, b
             if (in.view.is_parallel())
                 p[k].inv_w = static_cast<float>(to.clipped.triangle_uv[k][i].u);
         }
-        if (!may_be_seen(p[0], p[1], p[2], in.view.size(), in.how.squares))
+        if (!may_be_seen(p[0], p[1], p[2], in.view.size(), in.how.antialias))
             continue;
         add(in, triangle, p, to);
         // The pieces are a fan: the first side of the first and the last of the last are outside.
         const bool first = i == 0, last = i + 1 == pieces.count;
         to.sides.push_back(static_cast<std::uint8_t>(first | 2 | last << 2));
+        if (in.how.antialias)
+            to.names.push_back(static_cast<std::uint32_t>(number));
         seen = true;
     }
+    if (seen && in.how.antialias)
+        turns_[number] = turn::clipped;
     ++(seen ? to.counts.drawn : to.counts.offscreen);
     to.counts.clipped += seen;
 }

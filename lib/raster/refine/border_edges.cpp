@@ -32,6 +32,12 @@ int turn_at(const l3d_micro_grid& grid, const l3d_border_edge& edge) {
                : -1;
 }
 
+/// The same of a triangle.
+int turn_of(const l3d_micro_triangles& all, int triangle) {
+    const std::int64_t area = all.double_area(static_cast<std::size_t>(triangle));
+    return (area > 0 ? 1 : 0) - (area < 0 ? 1 : 0);
+}
+
 /// The same for both directions.
 std::uint32_t hash_of(const contour_edge& edge) {
     const auto of = [](scan_point p) {
@@ -49,30 +55,42 @@ bool equal(scan_point a, scan_point b) {
 } // namespace
 
 void border_edges::add(const band_item& item) {
+    const l3d_surface_part& part = *item.part;
     const grid_cells& cells = item.cells;
-    for (const l3d_border_edge& e : item.part->border) {
-        if (e.row < cells.row_begin || e.row >= cells.row_end || e.column < cells.column_begin ||
-            e.column >= cells.column_end)
-            continue;
-        const auto [high, low] = std::minmax(e.from_y, e.to_y);
-        // A vertex on a pixel's border belongs to the pixel above.
-        if ((high - 1) >> l3d_subpixel_bits >= bottom_ || low >> l3d_subpixel_bits < top_ ||
-            (e.from_x == e.to_x && e.from_y == e.to_y))
-            continue;
-        const int turn = turn_at(item.part->grid, e);
-        if (turn == 0)
-            continue;
-        contour_edge edge{{e.from_x, e.from_y},
-                          {e.to_x, e.to_y},
-                          e.nearest,
-                          std::abs(e.level),
-                          false,
-                          {item.part, e.row, e.column},
-                          {}};
-        if (turn < 0)
-            std::swap(edge.from, edge.to);
-        edges_.push_back({edge, e.level, kind::end});
+    if (part.grid.rows < 2) {
+        const auto begin = std::ranges::lower_bound(
+            part.border, static_cast<int>(item.triangle_begin), {}, &l3d_border_edge::column);
+        for (auto e = begin; e != part.border.end() && e->column < int(item.triangle_end); ++e)
+            if (reaches_rows(*e))
+                add_edge(part, *e, turn_of(part.triangles, e->column));
+        return;
     }
+    for (const l3d_border_edge& e : part.border)
+        if (e.row >= cells.row_begin && e.row < cells.row_end && e.column >= cells.column_begin &&
+            e.column < cells.column_end && reaches_rows(e))
+            add_edge(part, e, turn_at(part.grid, e));
+}
+
+/// A vertex on a pixel's border belongs to the pixel above.
+bool border_edges::reaches_rows(const l3d_border_edge& edge) const {
+    const auto [high, low] = std::minmax(edge.from_y, edge.to_y);
+    return (high - 1) >> l3d_subpixel_bits < bottom_ && low >> l3d_subpixel_bits >= top_ &&
+           (edge.from_x != edge.to_x || edge.from_y != edge.to_y);
+}
+
+void border_edges::add_edge(const l3d_surface_part& part, const l3d_border_edge& e, int turn) {
+    if (turn == 0)
+        return;
+    contour_edge edge{{e.from_x, e.from_y},
+                      {e.to_x, e.to_y},
+                      e.nearest,
+                      std::abs(e.level),
+                      false,
+                      {&part, e.row, e.column},
+                      {}};
+    if (turn < 0)
+        std::swap(edge.from, edge.to);
+    edges_.push_back({edge, e.level, kind::end});
 }
 
 std::span<const contour_edge> border_edges::match() {

@@ -26,7 +26,7 @@ public:
         edges_.clear();
     }
 
-    /// Adds the border beside an item's quads.
+    /// Adds the border beside an item's quads, or beside its triangles.
     void add(const band_item& item);
 
     /// The contours among all that was added. Returns: valid until the next call.
@@ -39,6 +39,9 @@ private:
         float level;
         kind is;
     };
+
+    bool reaches_rows(const l3d_border_edge& edge) const;
+    void add_edge(const l3d_surface_part& part, const l3d_border_edge& edge, int turn);
 
     std::int32_t top_ = 0, bottom_ = 0;
     std::vector<border> edges_;

@@ -41,6 +41,12 @@ bool is_smooth(const drawn_frame& frame) {
            (is_diced && shading.mode != l3d_shade::flat && shading.is_lit(frame.materials));
 }
 
+/// Whether contours are sides of loose triangles, such as a model's: large, and each of a level of
+/// its own. A frame has contours of these or of grids.
+bool is_of_facets(const contour_pixel& pixel) {
+    return pixel.beside.part->grid.rows < 2;
+}
+
 } // namespace
 
 std::int64_t picture_refiner::refine(const drawn_frame& frame, l3d_workers& workers) {
@@ -101,9 +107,12 @@ void picture_refiner::find_contours(const drawn_frame& frame, int band, worker_s
     for (const contour_edge& edge : space.borders.match())
         contours.add(edge, depth);
     contours.finish(cuts_, contour_bits_);
+    if (!contours.pixels().empty() && is_of_facets(contours.pixels().front()))
+        cuts_.clear(box.top, box.bottom); // beside a contour of facets, others may be told by jumps
 }
 
-/// Pixels of one contour are mixed here, those of several are marked.
+/// Pixels of one contour are mixed here, those of several are marked. So are all contours of large
+/// facets: what a pixel beside one shows may be of another.
 void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
     const l3d_pixel_box box = box_of_band(frame, band);
     mark_others(frame, box);
@@ -118,7 +127,7 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
         if (others_.has(pixel.x, pixel.y))
             continue;
         std::uint32_t word = 0;
-        if (!pixel.simple() || !mixer.mix(pixel, word))
+        if (is_of_facets(pixel) || !pixel.simple() || !mixer.mix(pixel, word))
             others_.set(pixel.x, pixel.y);
         else
             space.refined.push_back({pixel.x, pixel.y, word});

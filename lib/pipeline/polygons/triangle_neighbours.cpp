@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// triangle_neighbours: a table of sides by their ends.
+#include "pipeline/polygons/triangle_neighbours_p.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+#include <tuple>
+
+namespace l3d_detail {
+
+namespace {
+
+std::uint64_t mixed(std::uint64_t key) {
+    key *= 0x9e3779b97f4a7c15u;
+    return key ^ key >> 32;
+}
+
+/// Numbers that are the same for vertices at the same place: of the first one there.
+std::vector<std::uint32_t> names_of_places(std::span<const l3d_polygon_model::vector> vertices) {
+    std::vector<std::uint32_t> order(vertices.size()), names(vertices.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto place = [&](std::uint32_t i) {
+        return std::tuple(vertices[i][0], vertices[i][1], vertices[i][2]);
+    };
+    std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
+        return std::tuple_cat(place(a), std::tuple(a)) < std::tuple_cat(place(b), std::tuple(b));
+    });
+    for (std::size_t i = 0; i < order.size(); ++i)
+        names[order[i]] =
+            i > 0 && place(order[i - 1]) == place(order[i]) ? names[order[i - 1]] : order[i];
+    return names;
+}
+
+} // namespace
+
+/// Most models have each place once, and then their vertices' own numbers do.
+void triangle_neighbours::make(const l3d_polygon_model& model) {
+    if (model.triangles().data() == model_.triangles().data() &&
+        across_.size() == model.triangles().size())
+        return;
+    model_ = model;
+    std::vector<std::uint32_t> names(model.mesh().vertices.size());
+    std::iota(names.begin(), names.end(), 0u);
+    if (!match(names))
+        match(names_of_places(model.mesh().vertices));
+}
+
+/// Returns whether each side has a neighbour.
+bool triangle_neighbours::match(std::span<const std::uint32_t> names) {
+    const auto triangles = model_.triangles();
+    across_.assign(triangles.size(), {none, none, none});
+    std::vector<std::uint32_t> table(std::bit_ceil(6 * triangles.size() + 2), 0);
+    const auto ends = [&](std::uint32_t side) {
+        const auto& corners = triangles[side / 3].corners;
+        return std::pair(names[corners[side % 3]], names[corners[(side + 1) % 3]]);
+    };
+    std::size_t alone = 0;
+    for (std::uint32_t side = 0; side < 3 * triangles.size(); ++side) {
+        const auto [from, to] = ends(side);
+        std::uint32_t& here = across_[side / 3][side % 3];
+        std::size_t at = mixed(std::uint64_t{std::min(from, to)} << 32 | std::max(from, to));
+        for (++alone;; ++at) {
+            std::uint32_t& entry = table[at & (table.size() - 1)];
+            if (entry == 0) {
+                entry = side + 1;
+                break;
+            }
+            const std::uint32_t before = entry - 1;
+            const auto [first, second] = ends(before);
+            if (std::minmax(first, second) != std::minmax(from, to))
+                continue;
+            std::uint32_t& there = across_[before / 3][before % 3];
+            if (first == to && there == none) {
+                here = before / 3;
+                there = side / 3;
+                alone -= 2;
+            }
+            break;
+        }
+    }
+    return alone == 0;
+}
+
+} // namespace l3d_detail

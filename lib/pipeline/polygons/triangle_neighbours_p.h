@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// triangle_neighbours: which triangles of a model share a side.
+#ifndef L3D_PIPELINE_POLYGONS_TRIANGLE_NEIGHBOURS_P_H
+#define L3D_PIPELINE_POLYGONS_TRIANGLE_NEIGHBOURS_P_H
+
+#include "pipeline/polygons/polygon_model.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Of each side of each triangle of a model, the triangle on its other side.
+///
+/// Vertices at the same place are the same, whatever their numbers.
+/// Cost:    12 bytes per triangle, and linear time when a model comes for the first time.
+class triangle_neighbours {
+public:
+    /// There is no other triangle, or one whose corners go round the other way. Where more than two
+    /// meet, the first two may be neighbours, and further ones have none.
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    /// Finds those of a model, unless it is that of the last call.
+    void make(const l3d_polygon_model& model);
+
+    /// The triangle across the side from corner `side` to the next one; or none.
+    std::uint32_t across(std::size_t triangle, std::size_t side) const {
+        return across_[triangle][side];
+    }
+
+private:
+    bool match(std::span<const std::uint32_t> names);
+
+    l3d_polygon_model model_; ///< kept, so that no other one has its address
+    std::vector<std::array<std::uint32_t, 3>> across_;
+};
+
+} // namespace l3d_detail
+
+#endif
