@@ -71,21 +71,26 @@ compiler := $(notdir $(lastword $(CXX)))
 OUT      := $(BUILD)/$(REAL)-$(MODE)$(if $(filter-out g++,$(compiler)),-$(compiler))
 
 # -ffp-contract=off: float results must not depend on whether the machine has fused operations.
-# -Wno-restrict: g++ 12 at -O3 sees overlap in "text" + std::string (GCC bug 105651).
+# -Wno-...: g++ 12 sees overlaps and endless copies in std::string's own code (GCC bug 105651).
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(WERROR) \
-            $(if $(findstring clang,$(compiler)),,-Wno-restrict)
+            $(if $(findstring clang,$(compiler)),,-Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
 FLAGS     = -std=c++20 $(WARNINGS) -ffp-contract=off -fno-math-errno -pthread \
             $(flags_$(REAL)) $(flags_$(MODE)) -I$(OUT) -isystem $(FREETYPE) $(CPPFLAGS) $(CXXFLAGS)
+# A source is of the library, a test, or of the rest, and so are its flags.
+kind = $(if $(filter lib/%,$(1)),lib,$(if $(filter %_test.cpp,$(1)),test,rest))
 # What the shared library is made of serves the static one, too: without interposition the code is
 # that of -fPIE, which programs get anyway, and one compilation is enough.
 # L3D_PUBLIC marks what the shared library exports.
-FLAGS_lib := -fPIC -fno-semantic-interposition -fvisibility=hidden
-# Tests take longer to compile than to run: they are optimised less and share a precompiled header.
-# The files beside them that do the work, such as judges of pictures, get neither.
-# -Wno-...: in a precompiled header g++ 12 warns of std::string's own code (GCC bug 105651).
-FLAGS_tests := $(if $(filter release,$(MODE)),-O1) \
-               $(if $(findstring clang,$(compiler)),,-Wno-array-bounds -Wno-stringop-overflow)
-PRECOMPILED := $(OUT)/tests/precompiled.h
+FLAGS_lib  := -fPIC -fno-semantic-interposition -fvisibility=hidden
+# Tests take longer to compile than to run: they are optimised less. The files beside them that do
+# the work, such as judges of pictures, are not.
+FLAGS_test := $(if $(filter release,$(MODE)),-O1)
+# The standard library's headers are half of what a source takes to compile: each kind has them
+# precompiled. A source includes what it uses all the same, as `make tidy` sees.
+headers_lib  := lib/base/precompiled.h
+headers_test := tests/precompiled.h
+headers_rest := lib/base/precompiled.h
+precompiled   = $(OUT)/precompiled/$(call kind,$(1)).h
 LINK      = $(CXX) $(FLAGS) -Wl,--as-needed $(link_$(MODE)) $(LDFLAGS)
 
 # ---- what there is ------------------------------------------------------------------------------
@@ -147,7 +152,6 @@ SOURCES   := $(sort $(wildcard lib/*/*.cpp lib/*/*/*.cpp compare/*.cpp compare/*
 FORMATTED := $(SOURCES) $(HEADERS) $(plugins) $(sort $(wildcard apps/*/*.h tests/*.h tests/*/*.h))
 OBJECTS   := $(call objects,$(filter-out tests/fail/% tests/bench/% tests/fuzz/%,$(SOURCES)))
 LONE      := $(HEADERS:%=$(OUT)/%.ok)
-INCLUDES  := $(HEADERS:%=$(OUT)/%.d)
 
 # A check writes a log; summary.awk judges any set of logs.
 CHECKS    := format-check headers front-door layers errors-doc sentences fail
@@ -158,7 +162,7 @@ STRESS_LOGS := $(SERVER_LOGS) $(OUT)/log/raster-stress.log $(OUT)/log/pipeline-s
 SLOW_FIRST := $(patsubst %,$(OUT)/lib/%.o,raster/surfaces/fill_kernel system/options scene/bends/surface_bends_lanes)
 # What is tested is made before anything is run, and what runs longest is begun first.
 MADE_FIRST = $(TESTERS) $(STABILITY) $(APPS) $(PLUGINS) $(DATA) \
-             $(if $(filter install,$(WITH)),$(PAGES) $(STATIC) $(SHARED))
+             $(if $(filter install,$(WITH)),$(PAGES) $(STATIC) $(SHARED) $(OUT)/$(NAME).pc)
 TEST_LOGS := $(if $(filter install,$(WITH)),$(OUT)/log/installcheck.log) \
              $(if $(filter stress,$(WITH)),$(STRESS_LOGS)) \
              $(if $(filter servers,$(WITH)),$(SERVER_LOGS)) $(tested:%=$(OUT)/log/%.log) \
@@ -305,19 +309,18 @@ help: ## this list
 dry_run  = $(findstring n,$(firstword -$(MAKEFLAGS)))
 is_new   = $(subst x$(strip $(2))x,,x$(if $(wildcard $(1)),$(file <$(1)),none)x)
 remember = $(if $(and $(dry_run),$(wildcard $(1))),,$(if $(is_new),$(shell mkdir -p $(dir $(1)))$(file >$(1),$(strip $(2)))))
-$(call remember,$(OUT)/flags,$(filter-out ccache $(WERROR),$(LINK) $(FLAGS_lib) $(FLAGS_tests)))
+$(call remember,$(OUT)/flags,$(filter-out ccache $(WERROR),$(LINK) $(FLAGS_lib) $(FLAGS_test)))
 
-$(OUT)/%.o: %.cpp $(OUT)/flags | packages-build
+$(OUT)/%.o: %.cpp $(OUT)/flags $$(call precompiled,$$*.cpp).gch | packages-build
 	$(call say,C++,$@)
-	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(if $(filter lib/%,$<),$(FLAGS_lib)) $(call include_paths,$<) \
-	    $(if $(filter %_test.cpp,$<),$(FLAGS_tests) -include $(PRECOMPILED)) \
-	    -MD -MP -c $< -o $@
-$(filter %_test.o,$(OBJECTS)): $(PRECOMPILED).gch
+	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(FLAGS_$(call kind,$<)) $(call include_paths,$<) \
+	    -include $(call precompiled,$<) -MD -MP -c $< -o $@
 
 # Compilers find NAME.gch beside NAME.
-$(PRECOMPILED).gch: tests/precompiled.h $(OUT)/flags | packages-test
+$(OUT)/precompiled/%.h.gch: $$(headers_$$*) $(OUT)/flags | packages-build
 	$(call say,C++,$@)
-	$(Q)mkdir -p $(@D); cp $< $(PRECOMPILED); $(CXX) $(FLAGS) $(FLAGS_tests) -x c++-header $(PRECOMPILED) -o $@
+	$(Q)mkdir -p $(@D); cp $< $(@:.gch=); $(CXX) $(FLAGS) $(FLAGS_$*) -Ilib -x c++-header $(@:.gch=) -o $@
+$(OUT)/precompiled/test.h.gch: | packages-test
 
 $(foreach h,$(PUBLIC),$(eval $(OUT)/include/l3d/$(notdir $(h)): lib/$(h)))
 $(filter-out %/l3d.h,$(DOOR)):
@@ -330,7 +333,7 @@ $(PLUGINS): | $(DOOR)
 # One source knows HarfBuzz, and it alone is compiled anew when that comes or goes.
 $(call remember,$(OUT)/harfbuzz,$(HARFBUZZ))
 $(OUT)/lib/raster/shapes/text_shaper.o: $(OUT)/harfbuzz
-$(OUT)/lib/raster/shapes/text_shaper.o: FLAGS_lib += $(if $(HARFBUZZ),-DL3D_HARFBUZZ -isystem $(HARFBUZZ))
+$(OUT)/lib/raster/shapes/text_shaper.o: private FLAGS_lib += $(if $(HARFBUZZ),-DL3D_HARFBUZZ -isystem $(HARFBUZZ))
 
 # A text file as a C++ string literal, to be included.
 $(OUT)/%.inc: %
@@ -432,19 +435,16 @@ $(OUT)/%.h.ok: %.h $(OUT)/flags | packages-build
 include_law = awk -f tests/lint/layers.awk -v out=$(OUT)/ \
     -v law="$(foreach l,$(LAYERS) compare reference stability models apps,$(l): $(uses_$(l));)" \
     -v with_compare="$(tests_with_compare:%=tests/%) $(apps_with_compare:%=apps/%)" \
-    -v with_reference="$(tests_with_reference:%=tests/%) $(apps_with_reference:%=apps/%)" $(OBJECTS:.o=.d) $(INCLUDES)
+    -v with_reference="$(tests_with_reference:%=tests/%) $(apps_with_reference:%=apps/%)" $(HEADERS) $(OBJECTS:.o=.d)
 # Archives are lazy, so a whole one is linked: a call that climbs is an undefined symbol.
 link_law = echo 'int main() {}' | $(LINK) -x c++ - -x none -o $(OUT)/link_law \
     -Wl,--whole-archive $(OUT)/libl3d_$(1).a -Wl,--no-whole-archive \
     $(call archives,$(uses_$(1))) $(call links,$(1) $(uses_$(1))) && \
     echo ok link $(1) || { echo not ok link $(1); worst=1; }
-$(OUT)/log/layers.log: $(OBJECTS) $(INCLUDES) $(call archives,$(TOP_DOWN)) FORCE
+$(OUT)/log/layers.log: $(OBJECTS) $(call archives,$(TOP_DOWN)) FORCE
 	$(call say,LAW,layers)
 	$(call logged,worst=0; $(include_law) || worst=1; \
 	    $(foreach l,$(LAYERS) compare reference,$(call link_law,$(l));) (exit $$worst))
-
-$(OUT)/%.h.d: %.h $(OUT)/flags | packages-build
-	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(call include_paths,$<) -MM -MP -MF $@ -MT $@ -x c++ $<
 
 $(OUT)/log/errors-doc.log: FORCE
 	$(call logged,awk -f tests/lint/errors_doc.awk $(HEADERS) && echo ok errors-doc)
@@ -469,4 +469,4 @@ include packaging/install.mk
 
 $(foreach list,$(filter objects_%,$(.VARIABLES)),$(call remember,$(OUT)/list/$(list:objects_%=%),$($(list))))
 
--include $(wildcard $(OBJECTS:.o=.d) $(INCLUDES) $(PLUGINS:.so=.d) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))
+-include $(wildcard $(OBJECTS:.o=.d) $(PLUGINS:.so=.d) $(BENCHES:=.d) $(objects_bench:.o=.d) $(LONE:=.d))

@@ -135,6 +135,52 @@ void bench_triangles(benchmark::State& state, double area, bool slow) {
         area * static_cast<double>(state.iterations()) * count, benchmark::Counter::kIsRate);
 }
 
+/// Columns first <= x < last of a row.
+struct row_span {
+    int row, first, last;
+};
+
+/// The pixels of a triangle, as its slow twin finds them.
+std::vector<row_span> spans_of(const triangle& t) {
+    canvas one;
+    draw_triangle_slowly(one, t, 1);
+    std::vector<row_span> spans;
+    for (int y = 0; y < size.height; ++y) {
+        const auto row = one.screen.pixels().row(y);
+        const auto begin = std::ranges::find(row, 1u), end = std::find(begin, row.end(), 0u);
+        if (begin != end)
+            spans.push_back({y, int(begin - row.begin()), int(end - row.begin())});
+    }
+    return spans;
+}
+
+/// A plain loop, which the compiler makes one of vector stores, as wide as the processor has.
+[[gnu::target_clones("default", "avx2", "avx512f")]] void
+store_spans(std::uint32_t* words, std::ptrdiff_t stride, const row_span* span, const row_span* end,
+            std::uint32_t color) {
+    for (; span != end; ++span) {
+        std::uint32_t* const row = words + span->row * stride;
+        for (std::int64_t x = span->first; x < span->last; ++x)
+            row[x] = color;
+    }
+}
+
+/// What the pixels of triangles cost if nothing but storing is left: their spans are known before.
+void bench_stores(benchmark::State& state, double area) {
+    std::vector<std::vector<row_span>> all;
+    for (const triangle& t : triangles(area))
+        all.push_back(spans_of(t));
+    canvas c;
+    const l3d_pixels pixels = c.screen.pixels();
+    for (auto _ : state)
+        for (std::size_t i = 0; i < all.size(); ++i)
+            store_spans(pixels.words, pixels.stride, all[i].data(), all[i].data() + all[i].size(),
+                        color_of(i));
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
+    if (lit(c) == 0)
+        state.SkipWithError("nothing was drawn");
+}
+
 void draw_line(l3d_rasterizer_2d& draw, const l3d_line_2d& l, std::uint32_t color) {
     draw.draw_line(l.x0, l.y0, l.x1, l.y1, color);
 }
@@ -251,6 +297,9 @@ void bench_clear(benchmark::State& state, bool by_memset) {
 BENCHMARK_CAPTURE(bench_triangles, 10px, 10.0, false);
 BENCHMARK_CAPTURE(bench_triangles, 100px, 100.0, false);
 BENCHMARK_CAPTURE(bench_triangles, 10000px, 10000.0, false);
+BENCHMARK_CAPTURE(bench_stores, 10px, 10.0);
+BENCHMARK_CAPTURE(bench_stores, 100px, 100.0);
+BENCHMARK_CAPTURE(bench_stores, 10000px, 10000.0);
 BENCHMARK_CAPTURE(bench_gouraud, 10px, 10.0);
 BENCHMARK_CAPTURE(bench_gouraud, 100px, 100.0);
 BENCHMARK_CAPTURE(bench_gouraud, 10000px, 10000.0);

@@ -173,7 +173,7 @@ template <class T> void check_random_patches(std::uint64_t first, std::uint64_t 
 }
 
 TYPED_TEST(surface_bound_of, random_patches_of_every_kind_hold) {
-    check_random_patches<TypeParam>(1, 3, sanitized ? 5 : 20);
+    check_random_patches<TypeParam>(1, 3, sanitized ? 5 : 10);
     // Beside a piece that is cut, an edge's step reaches beyond the row's end.
     check_random_patches<TypeParam>(1565, 1566, 1);
 }
@@ -186,7 +186,7 @@ TYPED_TEST(surface_bound_of, DISABLED_a_hundred_thousand_random_patches_hold) {
 TYPED_TEST(surface_bound_of, patches_around_the_eye_and_far_from_the_window_hold) {
     for (const auto& [kind, name] : nasty_kinds) {
         surface_scenes<TypeParam> all(name);
-        for (std::uint64_t seed = 1; seed <= (sanitized ? 2 : 4); ++seed)
+        for (std::uint64_t seed = 1; seed <= 2; ++seed)
             check_each(all, seed, nasty_patches(seed, kind, 5, oblique, {odd.width, odd.height}));
     }
 }

@@ -145,12 +145,16 @@ def headers_are_the_listed_ones():
     expect_equal(sorted(installed), ["l3d/" + name for name in public_headers()])
 
 
-def header_is_alone(name, folder):
-    """Beside a user's own headers of the names that ours have inside."""
-    source = folder / (name + ".cpp")
-    source.write_text("#include <l3d/%s>\n" % name)
+def headers_stand(folder, ordered):
+    """In either order, beside a user's own headers of the names that ours have inside. `make headers`
+    compiles each alone."""
+    source = folder / "all.cpp"
+    source.write_text("".join("#include <l3d/%s>\n" % name for name in ordered))
     run("c++ -std=c++20 -Wall -Wextra -Werror -fsyntax-only -I. %s $(pkg-config --cflags l3d)" % source.name,
         folder)
+
+
+def includes_public_headers_only(name):
     included = re.findall(r"^#include ([<\"].*[>\"])", (MOVED / "include" / "l3d" / name).read_text(), re.M)
     inside = [file for file in included if file.startswith('"')
               or file.startswith("<l3d/") and file[5:-1] not in public_headers()]
@@ -377,10 +381,10 @@ def main():
     alone = MOVED / "alone"
     alone.mkdir()
     users_own_headers(alone)
-    with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
-        compiled = {name: pool.submit(header_is_alone, name, alone) for name in public_headers()}
-    for name, made in compiled.items():
-        checks.run("install.header." + name, made.result)
+    checks.run("install.headers.upwards", headers_stand, alone, public_headers())
+    checks.run("install.headers.downwards", headers_stand, alone, public_headers()[::-1])
+    for name in public_headers():
+        checks.run("install.header." + name, includes_public_headers_only, name)
     for program in sorted((MOVED / "bin").iterdir()):
         checks.run("install.page." + program.name, page_fits, program)
     for name in MOST_LINES:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# layers.awk: reads the compiler's dependency files and names every include that breaks the law.
+# layers.awk: reads the headers, and the compiler's dependency files of sources, and names every
+# include that breaks the law.
 # Given: out, the variant's folder; law, "layer: layers it may use; ..."; with_compare and
 # with_reference, the folders under tests and apps that may use these layers beside the library.
 
@@ -60,16 +61,25 @@ function check(unit, path,    other, name) {
         complain(unit, "a window system", path " (only files named x11, shm or mesa may)")
 }
 
+FNR == 1 && FILENAME ~ /\.h$/ { ++units }
+FILENAME ~ /\.h$/ {
+    if ($1 == "#include") {
+        path = $2
+        gsub(/["<>]/, "", path)
+        check(FILENAME, $2 !~ /^"/ ? "/usr/include/" path : path ~ /^compare\// ? path : "lib/" path)
+    }
+    next
+}
+
 # The target of a rule names the unit: build/<variant>/lib/geom/real.o is lib/geom/real.cpp.
-index($1, out) == 1 && $1 ~ /\.(o|h\.d):$/ {
+index($1, out) == 1 && $1 ~ /\.o:$/ {
     unit = substr($1, length(out) + 1)
     sub(/\.o:$/, ".cpp", unit)
-    sub(/\.d:$/, "", unit)
     ++units
 }
 
 # Rules without prerequisites come from -MP.
-$1 ~ /:$/ && $1 !~ /\.(o|h\.d):$/ { next }
+$1 ~ /:$/ && $1 !~ /\.o:$/ { next }
 
 {
     for (i = 1; i <= NF; ++i)

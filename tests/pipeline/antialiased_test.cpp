@@ -73,7 +73,7 @@ void expect_all_within_bounds(l3d_size size, std::size_t step) {
 
 /// View 0 of each model.
 TEST(antialiased, pictures_are_within_their_bounds) {
-    expect_all_within_bounds({80, 60}, 12);
+    expect_all_within_bounds({56, 42}, 12);
 }
 
 /// Two minutes: twelve views of four models.

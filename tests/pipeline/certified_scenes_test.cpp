@@ -159,7 +159,7 @@ void expect_within_bounds(int first, int scenes) {
 }
 
 TEST(certified_scenes, random_ones_are_within_their_bounds) {
-    expect_within_bounds(0, sanitized ? 18 : 108);
+    expect_within_bounds(0, sanitized ? 18 : 72);
 }
 
 /// Normals vanish along such folds, and whatever is drawn there, the map must doubt it.

@@ -127,15 +127,22 @@ reference::patch random_sheet(reference::random_numbers& random, double slope) {
     return result;
 }
 
-constexpr l3d_size small{sanitized ? 48 : 80, sanitized ? 36 : 60};
+constexpr l3d_size small{sanitized ? 48 : 56, sanitized ? 36 : 42};
 
-/// In every third view with sanitizers, which need minutes for all of them.
-TEST(error_map, holds_for_the_teapot_in_every_view) {
+void compare_views_of_the_teapot(l3d_size size, std::size_t step) {
     const auto views = reference::project_views();
-    for (std::size_t i = 0; i < views.size(); i += sanitized ? 3 : 1) {
-        const reference::view& view = views[i];
-        compare("teapot, " + std::string(view.name), dice_tests::teapot(view, small), {0.25, 0.02});
-    }
+    for (std::size_t i = 0; i < views.size(); i += step)
+        compare("teapot, " + std::string(views[i].name), dice_tests::teapot(views[i], size),
+                {0.25, 0.02});
+}
+
+TEST(error_map, holds_for_the_teapot) {
+    compare_views_of_the_teapot(small, sanitized ? 3 : 2);
+}
+
+/// Half a minute.
+TEST(error_map, DISABLED_holds_for_the_teapot_in_every_view) {
+    compare_views_of_the_teapot({80, 60}, 1);
 }
 
 TEST(error_map, holds_for_bumps_and_domes) {
@@ -170,12 +177,12 @@ void compare_patches_of_every_kind(std::uint64_t first_seed, std::uint64_t last_
 }
 
 TEST(error_map, holds_for_patches_of_every_kind) {
-    compare_patches_of_every_kind(1, sanitized ? 1 : 2);
+    compare_patches_of_every_kind(1, 1);
 }
 
 /// A minute.
 TEST(error_map, DISABLED_holds_for_more_scenes_of_patches) {
-    compare_patches_of_every_kind(4, 7);
+    compare_patches_of_every_kind(2, 7);
 }
 
 TEST(error_map, holds_for_sheets_that_cross) {

@@ -173,7 +173,7 @@ found beside_exact(const std::vector<named_scene>& scenes, int sharpness,
 }
 
 TEST(lit_doubts, hold_for_highlights_of_two_lights_on_four_models) {
-    const std::vector<named_scene> scenes = four_models({36, 27});
+    const std::vector<named_scene> scenes = four_models({28, 21});
     beside_exact({scenes[0], scenes[3]}, 5, {blue});
     beside_exact({scenes[1], scenes[5]}, 50, {red});
     beside_exact({scenes[1], scenes[4]}, 500, {red});
@@ -234,7 +234,7 @@ TEST(lit_doubts, enclose_the_exact_light_from_both_sides) {
 }
 
 TEST(lit_doubts, hold_for_fog) {
-    const scene s = dice_tests::teapot(reference::project_view("full"), {40, 30});
+    const scene s = dice_tests::teapot(reference::project_view("full"), {32, 24});
     const double eye = std::hypot(s.eye.eye.x - s.eye.target.x, s.eye.eye.y - s.eye.target.y,
                                   s.eye.eye.z - s.eye.target.z);
     l3d_afd_settings settings;

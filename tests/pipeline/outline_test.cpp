@@ -149,7 +149,7 @@ void expect_few_are_close(const agreement& sum) {
 }
 
 constexpr double tolerances[] = {1, 0.25, 0.05};
-constexpr l3d_size small{sanitized ? 64 : 104, sanitized ? 48 : 78};
+constexpr l3d_size small{sanitized ? 64 : 80, sanitized ? 48 : 60};
 
 /// In every fourth view with sanitizers, which need minutes for all of them.
 TEST(outlines, of_the_teapot_lie_in_the_mask_in_every_view) {

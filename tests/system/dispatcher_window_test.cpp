@@ -314,6 +314,7 @@ TEST(dispatcher_window, measured_steps_add_up_to_the_time_that_passed) {
 
 /// A program that raises a signal while it runs; says so on stderr when its loop is over.
 void run_with_signal(int signal) {
+    std::signal(signal, SIG_DFL); // shells let background jobs ignore SIGINT
     l3d_frame_settings settings;
     call_log log;
     l3d_dispatcher_window dispatcher(settings);
@@ -336,6 +337,7 @@ TEST(dispatcher_window_death_test, signals_end_the_loop_and_then_the_program) {
 
 /// The first signal in vain, as in a program that hangs in a frame.
 void insist_with_signal(int signal) {
+    std::signal(signal, SIG_DFL);
     call_log log;
     l3d_dispatcher_window dispatcher{l3d_frame_settings{}};
     fake_screen screen(log);
