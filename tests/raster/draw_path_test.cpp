@@ -225,11 +225,54 @@ TEST(draw_path, shows_of_a_curve_what_lies_in_the_picture_however_far_it_goes) {
     }
 }
 
+/// Two straight sides are filled many rows at once, unless there is another outline, here a square
+/// in the last corner.
+TEST(draw_path, fills_between_two_straight_sides_as_it_fills_anything) {
+    constexpr int columns = 90, rows = 70;
+    constexpr std::array<l3d_point_2d, 4> square{{{86, 66}, {88, 66}, {88, 68}, {86, 68}}};
+    std::mt19937 random(11);
+    for (int n = 0; n < 4000; ++n) {
+        canvas at_once(columns, rows), one_by_one(columns, rows);
+        const double beyond = n % 3 == 0 ? 200 : 0, thin = n % 5 == 0 ? 0.02 : 1;
+        const double x = uniform(random, 0, 60);
+        const auto corner = [&]() {
+            l3d_point_2d p{x + thin * uniform(random, -beyond - x, 85 + beyond - x),
+                           uniform(random, -beyond, 65 + beyond)};
+            return n % 4 == 0 ? l3d_point_2d{std::round(p.x), std::round(p.y)} : p;
+        };
+        l3d_path path;
+        for (int k = 0; k < 3 + n % 2; ++k)
+            k == 0 ? path.move_to(corner()) : path.line_to(corner());
+        path.close();
+        l3d_path more = path;
+        for (std::size_t k = 0; k < square.size(); ++k)
+            k == 0 ? more.move_to(square[k]) : more.line_to(square[k]);
+        more.close();
+        const l3d_fill fill{.color = 0x00ffffff, .alpha = n % 7 == 0 ? 0.5 : 1};
+        at_once.draw.draw_path(path, fill);
+        one_by_one.draw.draw_path(more, fill);
+        for (int y = 0; y < rows; ++y)
+            for (int column = 0; column < columns; ++column)
+                if (column < 85 || y < 65) {
+                    ASSERT_NEAR(at_once.at(column, y) & 255, one_by_one.at(column, y) & 255, 1)
+                        << n << ": " << column << ", " << y;
+                }
+        ASSERT_TRUE(at_once.guards_intact());
+    }
+}
+
 TEST(draw_path, mixes_colours_alike_with_all_vector_instructions) {
     std::mt19937 random(7);
     for (int n = 0; n < 100; ++n) {
         l3d_path path;
-        path.add_circle({uniform(random, 0, 60), uniform(random, 0, 40)}, uniform(random, 0, 40));
+        if (n % 4 < 2) {
+            path.add_circle({uniform(random, 0, 60), uniform(random, 0, 40)},
+                            uniform(random, 0, 40));
+        } else {
+            path.move_to({uniform(random, 0, 60), uniform(random, 0, 40)});
+            for (int corner = 0; corner < 3; ++corner)
+                path.line_to({uniform(random, 0, 60), uniform(random, 0, 40)});
+        }
         const l3d_fill fill{.color = static_cast<std::uint32_t>(random()) & 0x00ffffff,
                             .alpha = n % 2 == 0 ? 1 : uniform(random, 0, 1)};
         std::vector<std::uint32_t> before(60 * 40), first;

@@ -4,8 +4,10 @@
 #define L3D_RASTER_PATHS_PATH_CHAINS_P_H
 
 #include "raster/paths/path.h"
+#include "raster/paths/side_rows_p.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -65,6 +67,17 @@ public:
     void enter(std::int32_t row, const l3d_point_2d* all);
 
     const row_piece& piece() const { return piece_; }
+
+    /// In how many rows, from the next one on, it is a side that side_rows can find.
+    std::int32_t straight_rows(std::int32_t next) const {
+        if (end_ <= next + 1 || std::abs(slope_) > most_side_slope)
+            return 0;
+        return static_cast<std::int32_t>(std::ceil(end_)) - 1 - next;
+    }
+    /// The side. Expects: straight_rows() > 0.
+    straight_side side(bool is_left) const { return {x0_, y0_, slope_, least_, most_, is_left}; }
+    /// Goes past rows in which it is one, so that `next` is the next to be entered.
+    void skip_to(std::int32_t next) { piece_.leaves = {x_at(next), static_cast<double>(next)}; }
 
 private:
     double x_at(double y) const { return std::clamp(x0_ + (y - y0_) * slope_, least_, most_); }

@@ -63,21 +63,83 @@ void path_scan::add_all() {
 
 /// A single outline that only turns at its top and its bottom, as all convex ones do.
 void path_scan::add_pair() {
+    // Less than a vector of rows is not worth it.
+    constexpr std::int32_t few = 4;
     chain& a = chains_.chains()[0];
     chain& b = chains_.chains()[1];
-    for (std::int32_t row = a.top(); row < a.bottom(); ++row) {
-        a.enter(row, chains_.corners());
-        b.enter(row, chains_.corners());
-        if (a.piece().right <= b.piece().left) {
-            add_borders(row, a.piece(), b.piece());
-        } else if (b.piece().right <= a.piece().left) {
-            add_borders(row, b.piece(), a.piece());
+    for (std::int32_t row = a.top(); row < a.bottom();) {
+        const std::int32_t straight =
+            std::min({a.straight_rows(row), b.straight_rows(row), a.bottom() - row});
+        if (straight >= few) {
+            const bool a_is_left =
+                a.piece().leaves.x + a.side(true).slope <= b.piece().leaves.x + b.side(true).slope;
+            add_straight_rows(row, straight, a_is_left ? a : b, a_is_left ? b : a);
+            row += straight;
         } else {
-            places_ = {place_of(0), place_of(1)};
-            std::ranges::sort(places_, std::less<>());
-            add_row(row);
+            add_pair_row(row++, a, b);
         }
     }
+}
+
+void path_scan::add_pair_row(std::int32_t row, chain& a, chain& b) {
+    a.enter(row, chains_.corners());
+    b.enter(row, chains_.corners());
+    if (a.piece().right <= b.piece().left) {
+        add_borders(row, a.piece(), b.piece());
+    } else if (b.piece().right <= a.piece().left) {
+        add_borders(row, b.piece(), a.piece());
+    } else {
+        places_ = {place_of(0), place_of(1)};
+        std::ranges::sort(places_, std::less<>());
+        add_row(row);
+    }
+}
+
+/// Rows in which both sides are straight. Where they are close together, they are left to others.
+void path_scan::add_straight_rows(std::int32_t row, std::int32_t count, chain& left, chain& right) {
+    // A span costs what some columns of values do.
+    constexpr std::int32_t few = 32, columns = side_row::columns;
+    const auto full = static_cast<std::uint8_t>(full_value_);
+    const auto rows = static_cast<std::size_t>(count);
+    left_rows_.resize(rows + side_row::at_once);
+    right_rows_.resize(rows + side_row::at_once);
+    find_side_rows(left.side(true), row, rows, full_, left_rows_.data());
+    find_side_rows(right.side(false), row, rows, full_, right_rows_.data());
+    std::size_t used = values_.size();
+    const auto put = [&](std::int32_t y, std::int32_t first, std::int32_t end) {
+        constexpr std::size_t row_values = few, rows_at_once = 64;
+        if (values_.size() < used + row_values)
+            values_.resize(used + rows_at_once * row_values);
+        spans_.push_back({y + box_.top, first + box_.left, end + box_.left, -1, used});
+        std::uint8_t* const value = values_.data() + used;
+        used += static_cast<std::size_t>(end - first);
+        return value;
+    };
+    for (std::size_t i = 0; i < rows; ++i) {
+        const side_row &l = left_rows_[i], &r = right_rows_[i];
+        const std::int32_t y = row + static_cast<std::int32_t>(i);
+        const std::int32_t between = l.first + columns, end = r.first + columns;
+        if (between > r.first || end > width_) {
+            values_.resize(used);
+            left.skip_to(y);
+            right.skip_to(y);
+            add_pair_row(y, left, right);
+            used = values_.size();
+        } else if (end - l.first <= few) {
+            std::uint8_t* const value = put(y, l.first, end);
+            std::uint8_t* const at_right = value + (r.first - l.first);
+            std::fill(std::ranges::copy(l.values, value).out, at_right, full);
+            std::ranges::copy(r.values, at_right);
+        } else {
+            std::ranges::copy(l.values, put(y, l.first, between));
+            spans_.push_back(
+                {y + box_.top, between + box_.left, r.first + box_.left, full_value_, 0});
+            std::ranges::copy(r.values, put(y, r.first, end));
+        }
+    }
+    values_.resize(used);
+    left.skip_to(row + count);
+    right.skip_to(row + count);
 }
 
 void path_scan::add_borders(std::int32_t row, const row_piece& left_piece,
@@ -208,8 +270,8 @@ void path_scan::add_run(std::int32_t row, std::span<const place> places, bool ov
         risen[piece.layer] += piece.direction * piece.height();
         (piece.direction < 0 ? low : high).cross(piece);
     }
-    for (std::size_t layer = 0; layer < 2; ++layer) // whole but for rounding
-        w.turns[layer] += static_cast<int>(std::floor(risen[layer] + 0.5));
+    for (std::size_t layer = 0; layer < (rules_.clips ? 2U : 1U); ++layer)
+        w.turns[layer] += static_cast<int>(std::lrint(risen[layer])); // whole but for rounding
     if (rules_.same_between(low, high) || (!overlap && add_meeting(places, left)))
         return;
     edges_.clear();

@@ -6,6 +6,7 @@
 #include "raster/paths/path.h"
 #include "raster/paths/path_chains_p.h"
 #include "raster/paths/row_areas_p.h"
+#include "raster/paths/side_rows_p.h"
 #include "tool_2d/pixels.h"
 
 #include <algorithm>
@@ -76,6 +77,8 @@ private:
 
     void take_outlines(const l3d_path& path, std::uint8_t layer);
     void add_pair();
+    void add_straight_rows(std::int32_t row, std::int32_t count, chain& left, chain& right);
+    void add_pair_row(std::int32_t row, chain& a, chain& b);
     void add_borders(std::int32_t row, const row_piece& left_piece, const row_piece& right_piece);
     void add_all();
     void begin_row(std::int32_t row);
@@ -107,6 +110,7 @@ private:
     std::vector<place> places_; ///< of the row, from left to right
     std::vector<place> begun_, merged_;
     std::vector<row_edge> edges_;
+    std::vector<side_row> left_rows_, right_rows_;
     bool bordered_ = false; ///< the cluster has a border
     row_areas areas_;
     std::vector<covered_span> spans_;

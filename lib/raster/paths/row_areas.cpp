@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace l3d_detail {
@@ -18,6 +19,20 @@ double x_at(const row_edge& p, double y) {
         return p.x1;
     const double x = p.x0 + (p.x1 - p.x0) * ((y - p.y0) / (p.y1 - p.y0));
     return std::clamp(x, std::min(p.x0, p.x1), std::max(p.x0, p.x1));
+}
+
+/// Sorts what mostly is a handful.
+template <class T, class Less> void sort_few(std::vector<T>& of, const Less& less) {
+    constexpr std::size_t few = 16; // insertion takes up to n^2 / 4 moves
+    if (of.size() > few)
+        return std::sort(of.begin(), of.end(), less);
+    for (std::size_t i = 1; i < of.size(); ++i) {
+        const T moving = of[i];
+        std::size_t hole = i;
+        for (; hole > 0 && less(moving, of[hole - 1]); --hole)
+            of[hole] = of[hole - 1];
+        of[hole] = moving;
+    }
 }
 
 } // namespace
@@ -39,9 +54,9 @@ void row_areas::add_cluster(std::span<const row_edge> edges, const windings& lef
         ends_.push_back(p.y1);
         sorted_.push_back(&p);
     }
-    std::ranges::sort(ends_);
+    sort_few(ends_, std::less<>());
     ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
-    std::ranges::sort(sorted_, {}, &row_edge::y0);
+    sort_few(sorted_, [](const row_edge* a, const row_edge* b) { return a->y0 < b->y0; });
     chords_.clear();
     std::size_t next = 0;
     for (std::size_t i = 1; i < ends_.size(); ++i) {

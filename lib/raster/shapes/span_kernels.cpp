@@ -74,19 +74,30 @@ void fill_spans_in_lanes(const l3d_pixels& target, std::span<const pixel_span> s
 
 /// Words towards a colour by shares of 255, each channel to nearest. Two channels share a lane, 16
 /// bits each: sums stay below 2^16. Then t / 255 = (t + 1 + t / 256) / 256, rounded down each time.
-HWY_INLINE word_lanes blended_lanes(word_lanes word, word_lanes color, word_lanes share) {
-    const word_lanes low = hn::Set(words, 0x00ff00ff), rest = hn::Sub(hn::Set(words, 255), share);
-    const auto mix = [&](word_lanes from, word_lanes to) {
-        const word_lanes sum =
-            hn::Add(hn::Add(hn::Mul(from, rest), hn::Mul(to, share)), hn::Set(words, 0x007f007f));
-        const word_lanes more =
-            hn::Add(hn::And(hn::ShiftRight<8>(sum), low), hn::Set(words, 0x00010001));
+template <class D>
+HWY_INLINE hn::Vec<D> blended_lanes(D d, hn::Vec<D> word, hn::Vec<D> color, hn::Vec<D> share) {
+    const auto low = hn::Set(d, 0x00ff00ff), rest = hn::Sub(hn::Set(d, 255), share);
+    const auto mix = [&](hn::Vec<D> from, hn::Vec<D> to) {
+        const auto sum =
+            hn::Add(hn::Add(hn::Mul(from, rest), hn::Mul(to, share)), hn::Set(d, 0x007f007f));
+        const auto more = hn::Add(hn::And(hn::ShiftRight<8>(sum), low), hn::Set(d, 0x00010001));
         return hn::Add(sum, more);
     };
-    const word_lanes even = mix(hn::And(word, low), hn::And(color, low));
-    const word_lanes odd = mix(hn::And(hn::ShiftRight<8>(word), hn::Set(words, 255)),
-                               hn::And(hn::ShiftRight<8>(color), hn::Set(words, 255)));
-    return hn::Or(hn::And(hn::ShiftRight<8>(even), low), hn::And(odd, hn::Set(words, 0x0000ff00)));
+    const auto even = mix(hn::And(word, low), hn::And(color, low));
+    const auto odd = mix(hn::And(hn::ShiftRight<8>(word), hn::Set(d, 255)),
+                         hn::And(hn::ShiftRight<8>(color), hn::Set(d, 255)));
+    return hn::Or(hn::And(hn::ShiftRight<8>(even), low), hn::And(odd, hn::Set(d, 0x0000ff00)));
+}
+
+/// Blends a vector of neighbours. False, and nothing is done, if one may be transparent.
+template <class D, class Shares>
+HWY_INLINE bool cover_vector(D d, std::uint32_t* at, std::uint32_t color, const Shares& shares,
+                             std::size_t i) {
+    const auto word = hn::LoadU(d, at + i);
+    if (!hn::AllTrue(d, hn::Lt(word, hn::Set(d, 0x01000000))))
+        return false;
+    hn::StoreU(blended_lanes(d, word, hn::Set(d, color), shares.lanes(d, i)), d, at + i);
+    return true;
 }
 
 /// The same of neighbours. Words that may be transparent are done one by one.
@@ -94,19 +105,20 @@ template <class Shares>
 void cover_run(std::uint32_t* at, std::size_t count, std::uint32_t color, const Shares& shares) {
     const std::size_t lanes = hn::Lanes(words);
     std::size_t i = 0;
-    for (; i + lanes <= count; i += lanes) {
-        const word_lanes word = hn::LoadU(words, at + i);
-        if (!hn::AllTrue(words, hn::Lt(word, hn::Set(words, 0x01000000))))
-            break;
-        hn::StoreU(blended_lanes(word, hn::Set(words, color), shares.lanes(i)), words, at + i);
-    }
+    while (i + lanes <= count && cover_vector(words, at, color, shares, i))
+        i += lanes;
+    // As many as a straight side of a path has.
+    if (constexpr hn::CappedTag<std::uint32_t, 4> four;
+        count - i == hn::MaxLanes(four) && cover_vector(four, at, color, shares, i))
+        return;
     // A mask is worth it for more than three words, and lets nothing beyond them be read.
     if (const std::size_t left = count - i; left > 3 && left < lanes) {
         const auto mask = hn::FirstN(words, left);
         const word_lanes word = hn::MaskedLoad(mask, words, at + i);
         if (hn::AllTrue(words, hn::Lt(word, hn::Set(words, 0x01000000)))) {
-            hn::BlendedStore(blended_lanes(word, hn::Set(words, color), shares.lanes(i)), mask,
-                             words, at + i);
+            hn::BlendedStore(
+                blended_lanes(words, word, hn::Set(words, color), shares.lanes(words, i)), mask,
+                words, at + i);
             return;
         }
     }
@@ -117,15 +129,16 @@ void cover_run(std::uint32_t* at, std::size_t count, std::uint32_t color, const 
 
 struct equal_shares {
     std::uint8_t value;
-    HWY_INLINE word_lanes lanes(std::size_t) const { return hn::Set(words, value); }
+    template <class D> HWY_INLINE hn::Vec<D> lanes(D d, std::size_t) const {
+        return hn::Set(d, value);
+    }
     int one(std::size_t) const { return value; }
 };
 
 struct listed_shares {
     const std::uint8_t* values;
-    HWY_INLINE word_lanes lanes(std::size_t i) const {
-        return hn::PromoteTo(words,
-                             hn::LoadU(hn::Rebind<std::uint8_t, decltype(words)>(), values + i));
+    template <class D> HWY_INLINE hn::Vec<D> lanes(D d, std::size_t i) const {
+        return hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint8_t, D>(), values + i));
     }
     int one(std::size_t i) const { return values[i]; }
 };
