@@ -159,8 +159,9 @@ std::vector<row_span> spans_of(const triangle& t) {
 store_spans(std::uint32_t* words, std::ptrdiff_t stride, const row_span* span, const row_span* end,
             std::uint32_t color) {
     for (; span != end; ++span) {
-        std::uint32_t* const row = words + span->row * stride;
-        for (std::int64_t x = span->first; x < span->last; ++x)
+        const row_span s = *span; // which the stores might change, for all that the compiler knows
+        std::uint32_t* const row = words + s.row * stride;
+        for (std::int64_t x = s.first; x < s.last; ++x)
             row[x] = color;
     }
 }

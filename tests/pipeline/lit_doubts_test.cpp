@@ -173,7 +173,7 @@ found beside_exact(const std::vector<named_scene>& scenes, int sharpness,
 }
 
 TEST(lit_doubts, hold_for_highlights_of_two_lights_on_four_models) {
-    const std::vector<named_scene> scenes = four_models({28, 21});
+    const std::vector<named_scene> scenes = four_models({36, 27});
     beside_exact({scenes[0], scenes[3]}, 5, {blue});
     beside_exact({scenes[1], scenes[5]}, 50, {red});
     beside_exact({scenes[1], scenes[4]}, 500, {red});
