@@ -41,9 +41,9 @@ constexpr int shift_of(int i) {
     return std::endian::native == std::endian::little ? 8 * i : 24 - 8 * i;
 }
 
-/// Left of a place x, an edge from l to r leaves the area G(x) on its right: 0 up to l, half the
-/// square of x - l over r - l up to r, and from there on one more for each pixel. A pixel has the
-/// difference of both its ends.
+/// G(x) is the area right of an edge from l to r and left of x. It is 0 up to l, and (x - l)^2 /
+/// 2 (r - l) up to r. From there on it grows by one a pixel. A pixel has the difference of its
+/// ends.
 HWY_ATTR HWY_INLINE void find_lanes(const straight_side& side, double row, double full,
                                     side_row* rows) {
     const eight_doubles d;
