@@ -56,7 +56,7 @@ public:
     std::vector<std::uint32_t> paint_lines() {
         canvas on;
         painter_.paint_lines(on.pixels(), {0x102030, 0x405060}, order_.triangles(), order_.pieces(),
-                             order_.cuts(), 0xffffff);
+                             order_.cuts(), {.smooth = true});
         return on.picture();
     }
 
@@ -290,16 +290,20 @@ TEST(painter_order, a_piece_is_hidden_if_its_area_and_its_sides_are_covered) {
             const auto covered = on.picture();
             painter.paint(on.pixels(), own_colors, {}, triangles, piece, cuts);
             const auto area = on.picture();
-            painter.paint_lines(on.pixels(), {}, triangles, piece, cuts, 0xffffff);
+            painter.paint_lines(on.pixels(), {}, triangles, piece, cuts, {});
             const auto lines = on.picture();
+            painter.paint_lines(on.pixels(), {}, triangles, piece, cuts, {.smooth = true});
+            const auto smooth_lines = on.picture();
             const auto hides = [&](const std::vector<std::uint32_t>& picture) {
                 for (std::size_t p = 0; p < picture.size(); ++p)
                     if (picture[p] != 0 && covered[p] == 0)
                         return false;
                 return true;
             };
-            ASSERT_EQ(cover.hides(piece.front()), hides(area) && hides(lines)) << "seed " << seed;
-            hidden += hides(area) && hides(lines);
+            ASSERT_EQ(cover.hides(piece.front()),
+                      hides(area) && hides(lines) && hides(smooth_lines))
+                << "seed " << seed;
+            hidden += hides(area) && hides(lines) && hides(smooth_lines);
             shown_by_sides += hides(area) && !hides(lines);
             cover.add(piece.front());
         }

@@ -6,14 +6,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <numeric>
 #include <vector>
 
 namespace {
 
 constexpr l3d_size size{64, 64};
 
-/// Pixels lit by a triangle's sides over a surface whose 1/w is `at(x, y)` at pixel centres.
-template <class At> std::int64_t lit_over(At at, const l3d_painter_triangle& triangle) {
+/// The light of a triangle's sides over a surface whose 1/w is `at(x, y)` at pixel centres.
+template <class At>
+std::int64_t lit_over(At at, const l3d_painter_triangle& triangle, bool smooth) {
     l3d_depth_buffer depth;
     depth.resize(size);
     for (int y = 0; y < size.height; ++y)
@@ -21,8 +26,8 @@ template <class At> std::int64_t lit_over(At at, const l3d_painter_triangle& tri
             depth.row(y)[static_cast<std::size_t>(x)] = static_cast<float>(at(x + 0.5, y + 0.5));
     std::vector<std::uint32_t> words(std::size_t(size.width) * std::size_t(size.height));
     l3d_draw_seen_sides({words.data(), size.width, size.height, size.width}, depth,
-                        std::array{triangle}, 1);
-    return std::ranges::count(words, 1u);
+                        std::array{triangle}, {}, {.color = 255, .smooth = smooth});
+    return std::accumulate(words.begin(), words.end(), std::int64_t{0}) / 255;
 }
 
 /// A triangle of the picture, on the plane 1/w = at(x, y).
@@ -46,25 +51,45 @@ double slope(double x, double y) {
 }
 constexpr double rise = 0.004 + 0.002; // of the slope, over a pixel in x and in y
 
+constexpr auto nothing = [](double, double) { return 0; };
+constexpr auto both_kinds = {false, true};
+
 TEST(HiddenLines, OfASurfaceAreSeenOnIt) {
-    const std::int64_t all = lit_over([](double, double) { return 0; }, triangle_on(level));
-    EXPECT_GT(all, 100);
-    EXPECT_EQ(lit_over(level, triangle_on(level)), all);
-    EXPECT_EQ(lit_over(slope, triangle_on(slope)), all);
+    for (const bool smooth : both_kinds) {
+        const std::int64_t all = lit_over(nothing, triangle_on(level), smooth);
+        EXPECT_GT(all, 100);
+        EXPECT_EQ(lit_over(level, triangle_on(level), smooth), all);
+        EXPECT_EQ(lit_over(slope, triangle_on(slope), smooth), all);
+    }
 }
 
 TEST(HiddenLines, AreHiddenByWhatIsALittleInFront) {
     const auto in_front_of = [](auto of, double by) {
         return [=](double x, double y) { return of(x, y) + by; };
     };
-    EXPECT_EQ(lit_over(in_front_of(level, 1e-5), triangle_on(level)), 0);
-    EXPECT_EQ(lit_over(in_front_of(slope, 2.1 * rise), triangle_on(slope)), 0);
+    for (const bool smooth : both_kinds) {
+        EXPECT_EQ(lit_over(in_front_of(level, 1e-5), triangle_on(level), smooth), 0);
+        EXPECT_EQ(lit_over(in_front_of(slope, 2.1 * rise), triangle_on(slope), smooth), 0);
+    }
 }
 
 TEST(HiddenLines, AreSeenBeforeWhatIsBehind) {
-    const std::int64_t all = lit_over([](double, double) { return 0; }, triangle_on(level));
-    EXPECT_EQ(lit_over([](double x, double y) { return slope(x, y) - 1e-4; }, triangle_on(slope)),
-              all);
+    for (const bool smooth : both_kinds) {
+        const std::int64_t all = lit_over(nothing, triangle_on(level), smooth);
+        const auto behind = [](double x, double y) { return slope(x, y) - 1e-4; };
+        EXPECT_EQ(lit_over(behind, triangle_on(slope), smooth), all);
+    }
+}
+
+/// A line has the light of its length, wherever it lies, and twice the same line is the line.
+TEST(HiddenLines, ThatAreSmoothCoverTheirLength) {
+    const l3d_painter_triangle t = triangle_on(level);
+    double length = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const l3d_micro_vertex &a = t.v[k], &b = t.v[(k + 1) % 3];
+        length += std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) / double(l3d_subpixel_one);
+    }
+    EXPECT_NEAR(static_cast<double>(lit_over(nothing, t, true)), length, 4);
 }
 
 } // namespace

@@ -112,10 +112,13 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
     const std::vector<l3d_material> repainted(settings_.material ? model_.materials().size() + 1
                                                                  : 0,
                                               settings_.material.value_or(l3d_material()));
-    const scene what{target, *frame_,
+    const scene what{target,
+                     *frame_,
                      settings_.material ? std::span<const l3d_material>(repainted)
                                         : model_.materials(),
-                     shading, settings_.count_pixels};
+                     shading,
+                     settings_.count_pixels,
+                     settings_.antialias};
     report.time_ms.place = placing.milliseconds();
     if (is_solid)
         draw_solid(what, report);

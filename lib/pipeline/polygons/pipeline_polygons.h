@@ -154,6 +154,7 @@ protected:
         std::span<const l3d_material> materials; ///< theirs; none if all are plain
         l3d_shading shading;                     ///< light, and the way to shade
         bool count_pixels;                       ///< as in the settings
+        bool smooth_lines;                       ///< sides that are drawn as lines are
     };
 
     /// Errors:  as l3d_rasterizer_factory::create_2d.

@@ -52,8 +52,8 @@ void l3d_pipeline_zbuffer::draw_hidden_lines(const scene& what, l3d_polygon_repo
     const stopwatch filling;
     depth_.resize(what.target.size());
     fill(what, &depth_, report);
-    what.shading.background.fill(what.target);
     what.frame.list(triangles_, workers());
-    l3d_draw_seen_sides(what.target, depth_, triangles_, wire_color);
+    l3d_draw_seen_sides(what.target, depth_, triangles_, what.shading.background,
+                        {wire_color, what.smooth_lines});
     report.time_ms.raster = filling.milliseconds();
 }

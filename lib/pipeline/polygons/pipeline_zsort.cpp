@@ -66,7 +66,8 @@ void l3d_pipeline_zsort::draw_hidden_lines(const scene& what, l3d_polygon_report
     make_order(what, true, report);
     const stopwatch painting;
     stages_->painter.paint_lines(what.target, what.shading.background, stages_->order.triangles(),
-                                 stages_->order.pieces(), stages_->order.cuts(), wire_color);
+                                 stages_->order.pieces(), stages_->order.cuts(),
+                                 {wire_color, what.smooth_lines});
     report.surface = stages_->painter.counts();
     report.time_ms.raster = painting.milliseconds();
 }

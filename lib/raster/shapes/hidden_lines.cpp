@@ -2,7 +2,7 @@
 // l3d_draw_seen_sides: a depth test along lines.
 #include "raster/shapes/hidden_lines.h"
 
-#include "raster/shapes/line_pixels_p.h"
+#include "raster/shapes/line_cover_p.h"
 #include "raster/shapes/picture_plane.h"
 
 #include <cassert>
@@ -10,9 +10,11 @@
 #include <cstddef>
 
 void l3d_draw_seen_sides(l3d_pixels target, const l3d_depth_buffer& depth,
-                         std::span<const l3d_painter_triangle> triangles, std::uint32_t color) {
+                         std::span<const l3d_painter_triangle> triangles,
+                         const l3d_background& background, const l3d_line_look& look) {
     assert(target.size() == depth.size());
     constexpr double rounding = 0x1p-20; // of a float, some steps of it
+    l3d_background().fill(target);
     for (const l3d_painter_triangle& t : triangles) {
         const l3d_picture_plane plane(t.v);
         const double rise = l3d_subpixel_one * (std::abs(plane.along_x) + std::abs(plane.along_y));
@@ -23,13 +25,14 @@ void l3d_draw_seen_sides(l3d_pixels target, const l3d_depth_buffer& depth,
                 continue;
             const l3d_micro_vertex &a = t.v[k], &b = t.v[(k + 1) % 3];
             const double from = a.inv_w, change = double(b.inv_w) - a.inv_w;
-            l3d_detail::visit_line(l3d_detail::side_of(a, b), target.size(),
-                                   [&](int x, int y, double along) {
-                                       const double inv_w = from + along * change;
-                                       const auto column = static_cast<std::size_t>(x);
-                                       if (inv_w * (1 + rounding) + rise >= depth.row(y)[column])
-                                           target.row(y)[column] = color;
-                                   });
+            const auto draw = [&](int x, int y, double along, int coverage) {
+                const double inv_w = from + along * change;
+                const auto column = static_cast<std::size_t>(x);
+                if (inv_w * (1 + rounding) + rise >= depth.row(y)[column])
+                    l3d_detail::cover_pixel(target.row(y)[column], coverage);
+            };
+            l3d_detail::visit_side(a, b, target.size(), look.smooth, draw);
         }
     }
+    l3d_detail::color_cover(target, {0, target.height}, background, look.color);
 }

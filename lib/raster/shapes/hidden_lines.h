@@ -3,20 +3,22 @@
 #ifndef L3D_RASTER_SHAPES_HIDDEN_LINES_H
 #define L3D_RASTER_SHAPES_HIDDEN_LINES_H
 
+#include "raster/background.h"
 #include "raster/depth_buffer.h"
 #include "raster/shapes/painter.h"
 #include "tool_2d/pixels.h"
 
-#include <cstdint>
 #include <span>
 
-/// Draws the sides of triangles whose surface has been filled into a depth buffer.
+/// Clears the picture and draws the sides of triangles whose surface has been filled into a depth
+/// buffer.
 ///
 /// A line's pixel is up to a pixel away from where its depth is meant. Therefore the depth that
 /// hides it is lessened by the rise of the triangle's own plane over a pixel in x and in y. A thing
 /// nearer than that in front of a line does not hide it.
 /// Expects: target and depth of equal size; the depth has been filled by the same triangles.
 void l3d_draw_seen_sides(l3d_pixels target, const l3d_depth_buffer& depth,
-                         std::span<const l3d_painter_triangle> triangles, std::uint32_t color);
+                         std::span<const l3d_painter_triangle> triangles,
+                         const l3d_background& background, const l3d_line_look& look);
 
 #endif

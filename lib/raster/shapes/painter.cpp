@@ -4,6 +4,7 @@
 
 #include "raster/parallel/chunks_p.h"
 #include "raster/shapes/attribute_plane_p.h"
+#include "raster/shapes/line_cover_p.h"
 #include "raster/shapes/open_pixels_p.h"
 #include "raster/shapes/overdraw_p.h"
 #include "raster/shapes/piece_pixels_p.h"
@@ -31,19 +32,6 @@ struct own_color_shader {
     void begin_polygon(std::span<const l3d_micro_vertex>) {}
     void corner(const l3d_micro_vertex&, float*) const {}
     std::uint32_t word(const float*) const { return color; }
-};
-
-/// The background, where it is seen through the faces that hide lines.
-struct ground_shader {
-    static constexpr std::size_t components = 0;
-    l3d_background background;
-    int height;
-    std::uint32_t of_row = 0;
-
-    void begin_polygon(std::span<const l3d_micro_vertex>) {}
-    void begin_row(std::int32_t row) { of_row = background.word(row, height); }
-    void corner(const l3d_micro_vertex&, float*) const {}
-    std::uint32_t word(const float*) const { return of_row; }
 };
 
 /// What there is to paint.
@@ -117,8 +105,6 @@ void paint_row(painting& to, Shader& shader, const attribute_planes<1 + Shader::
                const std::array<l3d_micro_vertex, 3>& v, std::int32_t row, std::int32_t start,
                columns span) {
     constexpr std::size_t count = 1 + Shader::components;
-    if constexpr (requires { shader.begin_row(row); })
-        shader.begin_row(row);
     const auto step = plane.per_column(), value = plane.at(start, row);
     std::uint32_t* const words = to.target.row(row).data();
     const auto range = std::minmax({v[0].inv_w, v[1].inv_w, v[2].inv_w});
@@ -130,10 +116,7 @@ void paint_row(painting& to, Shader& shader, const attribute_planes<1 + Shader::
         for (std::size_t i = 1; i < count; ++i)
             here[i] = value[i] + step[i] * k;
         const std::uint32_t word = shader.word(here.data() + 1);
-        if constexpr (std::is_same_v<Shader, ground_shader>)
-            words[x] = word; // no material changes it
-        else
-            words[x] = l3d_product_of_colors(to.color, word);
+        words[x] = l3d_product_of_colors(to.color, word);
         if (to.foggy) {
             const float inv_w = std::clamp(value[0] + step[0] * k, range.first, range.second);
             words[x] = l3d_fog::word(words[x], fog, to.foggy->fog.amount(inv_w));
@@ -194,10 +177,11 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
     });
 }
 
-/// All rows in which a triangle may have pixels, or its sides: those may lie half a pixel outside.
+/// All rows in which a triangle may have pixels, or its sides. Smooth ones have two pixels side by
+/// side in each step, and a step may begin a pixel before the end of a side.
 scan_rows reach_of(const l3d_painter_triangle& of) {
     const auto [top, bottom] = std::minmax({of.v[0].y, of.v[1].y, of.v[2].y});
-    return {first_centre(top) - 1, first_centre(bottom) + 1};
+    return {first_centre(top) - 2, first_centre(bottom) + 2};
 }
 
 } // namespace
@@ -260,6 +244,8 @@ struct l3d_painter::work_space {
             }
             if (to.from_front)
                 clear_open(to, background);
+            if constexpr (requires { paint.finish(to); })
+                paint.finish(to);
         });
     }
 
@@ -296,18 +282,21 @@ template <class Shader> struct shaded_paint {
     }
 };
 
-/// Hides by the background what is behind a triangle, and draws its sides.
+/// Hides what is behind a triangle, and covers what its sides cover.
 struct sides_paint {
-    ground_shader ground;
-    std::uint32_t line_color;
+    l3d_background background;
+    l3d_line_look look;
+    own_color_shader nothing{};
 
     void operator()(const l3d_painter_triangle& triangle, painting& to) {
-        paint_triangle(to, ground, triangle.v);
-        visit_sides(triangle, to.cuts, to.target.size(), [&](int x, int y) {
-            if (y >= to.rows.top && y < to.rows.bottom)
-                to.target.row(y)[static_cast<std::size_t>(x)] = line_color;
-        });
+        paint_triangle(to, nothing, triangle.v);
+        visit_sides(triangle, to.cuts, to.target.size(), look.smooth,
+                    [&](int x, int y, int coverage) {
+                        if (y >= to.rows.top && y < to.rows.bottom)
+                            cover_pixel(to.target.row(y)[static_cast<std::size_t>(x)], coverage);
+                    });
     }
+    void finish(painting& to) const { color_cover(to.target, to.rows, background, look.color); }
 };
 
 /// Calls visit(shader) with that of a mode.
@@ -360,10 +349,9 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
 void l3d_painter::paint_lines(l3d_pixels target, const l3d_background& background,
                               std::span<const l3d_painter_triangle> triangles,
                               std::span<const l3d_painter_piece> pieces,
-                              std::span<const l3d_painter_cut> cuts, std::uint32_t line_color) {
+                              std::span<const l3d_painter_cut> cuts, const l3d_line_look& look) {
     work_->begin(target, false);
-    work_->paint_bands({triangles, pieces, cuts}, background,
-                       sides_paint{{background, target.height}, line_color});
+    work_->paint_bands({triangles, pieces, cuts}, l3d_background(), sides_paint{background, look});
     count(pieces.size());
 }
 

@@ -41,6 +41,12 @@ struct l3d_painter_piece {
     std::uint32_t cut = l3d_painter_cut::last; ///< the first of its cuts
 };
 
+/// What sides look like that are drawn as lines.
+struct l3d_line_look {
+    std::uint32_t color = 0x00ffffff;
+    bool smooth = false; ///< anti-aliased
+};
+
 /// Fills by the coverage, the planes and the shaders of the surface rasterizers, so that a pixel of
 /// a triangle has the same colour as there.
 ///
@@ -63,11 +69,11 @@ public:
                std::span<const l3d_painter_piece> pieces, std::span<const l3d_painter_cut> cuts);
 
     /// Clears the picture and draws the visible sides of the pieces as lines. Each piece is painted
-    /// in the background's colours before its own sides.
+    /// as background before its own sides.
     void paint_lines(l3d_pixels target, const l3d_background& background,
                      std::span<const l3d_painter_triangle> triangles,
                      std::span<const l3d_painter_piece> pieces,
-                     std::span<const l3d_painter_cut> cuts, std::uint32_t line_color);
+                     std::span<const l3d_painter_cut> cuts, const l3d_line_look& look);
 
     /// The counts of the last call; samples are all pixels painted.
     const l3d_surface_counts& counts() const { return counts_; }

@@ -4,7 +4,7 @@
 #define L3D_RASTER_SHAPES_PIECE_PIXELS_P_H
 
 #include "raster/shapes/attribute_plane_p.h"
-#include "raster/shapes/line_pixels_p.h"
+#include "raster/shapes/line_cover_p.h"
 #include "raster/shapes/painter.h"
 #include "raster/shapes/picture_plane.h"
 #include "raster/shapes/scan_polygon_p.h"
@@ -87,18 +87,18 @@ void visit_rows(scan_polygon& scan, const std::array<l3d_micro_vertex, 3>& v,
     }
 }
 
-/// Calls visit(x, y) for the pixels of those sides of a triangle that are drawn as lines, as far
-/// as cuts keep them.
+/// Calls visit(x, y, coverage) for the pixels of those sides of a triangle that are drawn as lines,
+/// as far as cuts keep them.
 template <class Visit>
 void visit_sides(const l3d_painter_triangle& of, std::span<const placed_cut> cuts, l3d_size size,
-                 const Visit& visit) {
+                 bool smooth, const Visit& visit) {
+    const auto keep = [&](int x, int y, double, int coverage) {
+        if (std::ranges::all_of(cuts, [&](const placed_cut& cut) { return cut.keeps(x, y); }))
+            visit(x, y, coverage);
+    };
     for (std::size_t k = 0; k < of.v.size(); ++k)
         if (of.sides >> k & 1)
-            visit_line(side_of(of.v[k], of.v[(k + 1) % 3]), size, [&](int x, int y, double) {
-                if (std::ranges::all_of(cuts,
-                                        [&](const placed_cut& cut) { return cut.keeps(x, y); }))
-                    visit(x, y);
-            });
+            visit_side(of.v[k], of.v[(k + 1) % 3], size, smooth, keep);
 }
 
 } // namespace l3d_detail
