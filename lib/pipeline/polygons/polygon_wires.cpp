@@ -82,21 +82,35 @@ std::span<const l3d_detail::wire> l3d_polygon_wires::make(const l3d_polygon_mode
         const auto h = view.matrix() * l3d_vector<double, 4>(v[0], v[1], v[2], 1.0);
         places_.push_back({h[0], h[1], h[3], outcode(planes, {h[0], h[1], h[3]})});
     }
+    neighbours_.make(model);
+    const std::span<const l3d_model_triangle> triangles = model.triangles();
+    seen_.clear();
+    for (const l3d_model_triangle& triangle : triangles)
+        seen_.push_back(!cull ||
+                        view.faces_eye(l3d_converted<double>(model.face_normals()[triangle.face]),
+                                       model.mesh().vertices[triangle.corners[0]]) > 0);
     lines_.clear();
-    for (const l3d_model_triangle& triangle : model.triangles()) {
-        if (cull && !(view.faces_eye(l3d_converted<double>(model.face_normals()[triangle.face]),
-                                     model.mesh().vertices[triangle.corners[0]]) > 0))
-            continue;
+    for (std::size_t i = 0; i < triangles.size(); ++i)
         for (std::size_t k = 0; k < 3; ++k) {
-            if (!(triangle.sides >> k & 1))
+            if (!seen_[i] || !(triangles[i].sides >> k & 1) || is_of_one_before(model, i, k))
                 continue;
-            const place &from = places_[triangle.corners[k]],
-                        &to = places_[triangle.corners[(k + 1) % 3]];
+            const place &from = places_[triangles[i].corners[k]],
+                        &to = places_[triangles[i].corners[(k + 1) % 3]];
             homogeneous a{from.x, from.y, from.w}, b{to.x, to.y, to.w};
-            if (!clip(planes, a, b, from.outside, to.outside))
-                continue;
-            lines_.push_back(line_of(a, b, view.size()));
+            if (clip(planes, a, b, from.outside, to.outside))
+                lines_.push_back(line_of(a, b, view.size()));
         }
-    }
     return lines_;
+}
+
+/// Whether a triangle that comes earlier has drawn this side.
+bool l3d_polygon_wires::is_of_one_before(const l3d_polygon_model& model, std::size_t triangle,
+                                         std::size_t side) const {
+    const std::uint32_t other = neighbours_.across(triangle, side);
+    if (other == l3d_detail::triangle_neighbours::none || other >= triangle || !seen_[other])
+        return false;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (neighbours_.across(other, k) == triangle && (model.triangles()[other].sides >> k & 1))
+            return true;
+    return false;
 }

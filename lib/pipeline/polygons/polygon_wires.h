@@ -5,30 +5,37 @@
 
 #include "pipeline/polygons/polygon_model.h"
 #include "pipeline/polygons/polygon_view.h"
+#include "pipeline/polygons/triangle_neighbours_p.h"
 #include "pipeline/wire_p.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 /// Finds the lines of a frame.
 ///
-/// Cost:    keeps its memory: 33 bytes per vertex, 16 per line.
+/// Cost:    keeps its memory: 33 bytes per vertex, 13 per triangle, 16 per line.
 class l3d_polygon_wires {
 public:
     /// One line for each side of a face that is not culled. It is cut where it reaches behind the
-    /// near plane, beyond the far one, or out of the guard band. A side of two faces is there
-    /// twice.
+    /// near plane, beyond the far one, or out of the guard band. A side that two faces share is
+    /// there once: twice as much of a smooth line would look thicker.
     /// Lives:   the lines until the next call.
     std::span<const l3d_detail::wire> make(const l3d_polygon_model& model,
                                            const l3d_polygon_view& view, bool cull);
 
 private:
+    bool is_of_one_before(const l3d_polygon_model& model, std::size_t triangle,
+                          std::size_t side) const;
+
     struct place {
         double x, y, w;
         std::uint8_t outside; ///< a bit for each plane that it is beyond
     };
     std::vector<place> places_;
+    std::vector<std::uint8_t> seen_; ///< of each triangle: 1 if it is not culled
+    l3d_detail::triangle_neighbours neighbours_;
     std::vector<l3d_detail::wire> lines_;
 };
 
