@@ -26,14 +26,17 @@
 /// Projection is in double for every number type, then rounded to 1/256 pixel: l3d_real is for what
 /// is stepped. In a parallel projection, inv_w is not 1 / distance. It is 2 at the nearest and 1 at
 /// the farthest end of the model's sphere, linear in between, as rasterizers need it. Expects:
-/// workers, model and view outlive each make(). Cost:    keeps its memory: 32 bytes per vertex and
-/// 72 per triangle drawn. For anti-aliasing, 13 more per triangle of the model, 4 per one drawn.
+/// workers, model and view outlive each make().
+/// Cost:    keeps its memory: 32 bytes per vertex and 72 per triangle drawn. For anti-aliasing, 13
+///          more per triangle of the model, 4 per one drawn.
 class l3d_polygon_frame {
 public:
     /// Which triangles are made, and how.
     struct way {
-        bool cull = true;    ///< faces seen from behind are left out
-        bool smooth = false; ///< the vertices' normals; else all of a face have its own
+        /// Faces seen from behind are left out.
+        bool cull = true;
+        /// Vertices have their own normals; else all of a face have the face's.
+        bool smooth = false;
         /// Also triangles that hold no pixel's centre, and the borders of parts.
         bool antialias = false;
     };

@@ -63,7 +63,7 @@ void path_scan::add_all() {
 
 /// A single outline that only turns at its top and its bottom, as all convex ones do.
 void path_scan::add_pair() {
-    // Less than a vector of rows is not worth it.
+    // As many rows as the narrower of the usual vectors, that of AVX2, has lanes.
     constexpr std::int32_t few = 4;
     chain& a = chains_.chains()[0];
     chain& b = chains_.chains()[1];
@@ -106,6 +106,8 @@ void path_scan::add_straight_rows(std::int32_t row, std::int32_t count, chain& l
     find_side_rows(left.side(true), row, rows, full_, left_rows_.data());
     find_side_rows(right.side(false), row, rows, full_, right_rows_.data());
     std::size_t used = values_.size();
+    // Room for values comes for many rows at once, since new values are set to 0 first; not for
+    // all, since it is given back before a row that is left to others.
     const auto put = [&](std::int32_t y, std::int32_t first, std::int32_t end) {
         constexpr std::size_t row_values = few, rows_at_once = 64;
         if (values_.size() < used + row_values)
