@@ -6,6 +6,7 @@
 #include "raster/micro_grid.h"
 #include "raster/paths/path.h"
 #include "raster/rasterizer_2d.h"
+#include "raster/shapes/line_pixels_p.h"
 
 #include <array>
 #include <cmath>
@@ -41,7 +42,8 @@ public:
             return draw_wide(wires);
         if (smooth_) {
             for (const wire& w : wires)
-                rasterizer_.draw_line_antialiased(place(w.x0, w.y0), place(w.x1, w.y1), color_);
+                rasterizer_.draw_line_antialiased(line_place(w.x0, w.y0), line_place(w.x1, w.y1),
+                                                  color_);
             return;
         }
         lines_.clear();
@@ -56,7 +58,7 @@ private:
     void draw_wide(std::span<const wire> wires) {
         path_.clear();
         for (const wire& w : wires) {
-            const l3d_point_2d from = place(w.x0, w.y0), to = place(w.x1, w.y1);
+            const l3d_point_2d from = line_place(w.x0, w.y0), to = line_place(w.x1, w.y1);
             const double length = std::hypot(to.x - from.x, to.y - from.y);
             const double x = length > 0 ? (to.x - from.x) / length * width_ / 2 : width_ / 2;
             const double y = length > 0 ? (to.y - from.y) / length * width_ / 2 : 0;
@@ -71,11 +73,6 @@ private:
         }
         if (smooth_)
             rasterizer_.draw_path(path_, {.color = color_});
-    }
-
-    /// Lines name pixels by their centres.
-    static l3d_point_2d place(std::int32_t x, std::int32_t y) {
-        return {double(x) / l3d_subpixel_one - 0.5, double(y) / l3d_subpixel_one - 0.5};
     }
 
     l3d_rasterizer_2d& rasterizer_;

@@ -25,8 +25,8 @@
 ///
 /// Projection is in double for every number type, then rounded to 1/256 pixel: l3d_real is for what
 /// is stepped. In a parallel projection, inv_w is not 1 / distance. It is 2 at the nearest and 1 at
-/// the farthest end of the model's sphere, linear in between, as rasterizers need it. Expects:
-/// workers, model and view outlive each make().
+/// the farthest end of the model's sphere, linear in between, as rasterizers need it.
+/// Expects: workers, model and view outlive each make().
 /// Cost:    keeps its memory: 32 bytes per vertex and 72 per triangle drawn. For anti-aliasing, 13
 ///          more per triangle of the model, 4 per one drawn.
 class l3d_polygon_frame {

@@ -28,12 +28,7 @@ void visit_side(const l3d_micro_vertex& a, const l3d_micro_vertex& b, l3d_size s
     if (!smooth)
         return visit_line(side_of(a, b), size,
                           [&](int x, int y, double along) { visit(x, y, along, 255); });
-    // Lines name pixels by their centres.
-    const auto place = [](const l3d_micro_vertex& v) {
-        return l3d_point_2d{double(v.x) / l3d_subpixel_one - 0.5,
-                            double(v.y) / l3d_subpixel_one - 0.5};
-    };
-    const l3d_point_2d from = place(a), to = place(b);
+    const l3d_point_2d from = line_place(a.x, a.y), to = line_place(b.x, b.y);
     const double dx = to.x - from.x, dy = to.y - from.y, square = dx * dx + dy * dy;
     smooth_line(from, to, size).for_each_pixel([&](int x, int y, int coverage) {
         const double part = square > 0 ? ((x - from.x) * dx + (y - from.y) * dy) / square : 0;

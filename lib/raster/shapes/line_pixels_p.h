@@ -6,6 +6,9 @@
 
 #include "raster/shapes/line_steps_p.h"
 #include "raster/micro_grid.h"
+#include "raster/rasterizer_2d.h"
+
+#include <cstdint>
 
 namespace l3d_detail {
 
@@ -13,6 +16,12 @@ namespace l3d_detail {
 inline l3d_line_2d side_of(const l3d_micro_vertex& a, const l3d_micro_vertex& b) {
     return {a.x >> l3d_subpixel_bits, a.y >> l3d_subpixel_bits, b.x >> l3d_subpixel_bits,
             b.y >> l3d_subpixel_bits};
+}
+
+/// A place as smooth lines name it: pixels' centres have whole numbers.
+/// Units:   x, y in 1/256 pixel from the picture's top left corner.
+inline l3d_point_2d line_place(std::int32_t x, std::int32_t y) {
+    return {double(x) / l3d_subpixel_one - 0.5, double(y) / l3d_subpixel_one - 0.5};
 }
 
 /// Calls visit(x, y, along) for those pixels of a line that are in a target; `along` is 0 at its
