@@ -186,30 +186,31 @@ say   = $(if $(V),,@$(progress) printf '  %-5s %s\n' $(1) $(2:$(OUT)/%=%))
 # As many processes as processors, unless the user said how many; one more for checks, many of which
 # wait for somebody.
 jobs  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell expr $$(nproc 2>/dev/null || echo 2) + $(1)))
-# Silent of what is up to date.
+# Silent of what is up to date. A recipe of these begins with +, or make -jN keeps its N to itself.
 again = $(MAKE) $(if $(V),,-s) $(call jobs,0)
 count = rm -f $(OUT)/steps; steps=$$($(MAKE) -n STEPS=1 $(1) 2>/dev/null | grep -c '^echo >> $(OUT)/steps')
-build = $(call count,$(1)); $(again) STEPS=$$steps $(1)
-judge = rm -f $(1); $(MAKE) $(call jobs,1) -k $(1) || true; awk -f tests/lint/summary.awk $(1)
+build = $(if $(dry_run),$(again) $(1),$(call count,$(1)); $(again) STEPS=$$steps $(1))
+judge = $(if $(dry_run),$(MAKE) -k $(1),\
+        rm -f $(1); $(MAKE) $(call jobs,1) -k $(1) || true; awk -f tests/lint/summary.awk $(1))
 
 all: ## build the library and the programs (the default)
-	@$(call build,$(SLOW_FIRST) $(APPS) $(PLUGINS) $(DATA) $(ARCHIVES))
+	+@$(call build,$(SLOW_FIRST) $(APPS) $(PLUGINS) $(DATA) $(ARCHIVES))
 
 run: ## build, then show the teapot: in a window, or as a PNG where there is no display
-	@$(call build,$(SLOW_FIRST) $(OUT)/bin/teapot_afd)
+	+@$(call build,$(SLOW_FIRST) $(OUT)/bin/teapot_afd)
 	@if [ -n "$$DISPLAY" ]; then $(OUT)/bin/teapot_afd --no-input --backend auto; else \
 	    $(OUT)/bin/teapot_afd --no-input --backend memory --output $(OUT)/teapot.png && \
 	    echo $(OUT)/teapot.png; fi
 
 test: packages-test $(if $(filter install,$(WITH)),packages-install) ## build and run every test; ends with "N passed, N failed"
-	@$(call build,-k $(SLOW_FIRST) $(MADE_FIRST)) || true
-	@$(call judge,$(TEST_LOGS))
+	+@$(call build,-k $(SLOW_FIRST) $(MADE_FIRST)) || true
+	+@$(call judge,$(TEST_LOGS))
 
 stress: packages-test ## what takes minutes: servers dying at every request, a million shapes (make test WITH=stress adds all)
-	@$(call judge,$(STRESS_LOGS))
+	+@$(call judge,$(STRESS_LOGS))
 
 test-%: packages-test ## the tests of one layer: make test-geom
-	@$(call judge,$(OUT)/log/$*.log)
+	+@$(call judge,$(OUT)/log/$*.log)
 
 faults: packages-faults $(OUT)/bin/teapot_afd ## batches killed, out of disk or without power at each call that writes
 	L3D_BIN=$(abspath $(OUT)/bin) tests/faults/batch_faults.py
@@ -221,22 +222,22 @@ displays: packages-displays $(OUT)/bin/teapot_afd ## every X server with every w
 	L3D_BIN=$(abspath $(OUT)/bin) PYTHONDONTWRITEBYTECODE=1 tests/x11/displays.py $(ARGS)
 
 stability: packages-stability ## cases made to break it, random ones, polygons and curves; goes on where it was stopped; REAL=double as well
-	@$(again) $(STABILITY)
+	+@$(again) $(STABILITY)
 	@mkdir -p docs/report
 	$(STABILITY) --folder docs/report $(ARGS)
 	tests/stability/stability_pages.py docs/report
 
 matrix: packages-test packages-matrix ## every test: each scalar, plain and sanitized, both compilers
-	@MAKE="$(again)" tests/lint/matrix.sh $(BUILD)/matrix
+	+@$(if $(dry_run),:,MAKE="$(again)" tests/lint/matrix.sh $(BUILD)/matrix)
 
 lint: packages-lint packages-test packages-tidy ## the documents' commands, clang-tidy, and:
-	@$(call judge,$(LINT_LOGS))
+	+@$(call judge,$(LINT_LOGS))
 
 $(CHECKS): packages-lint packages-test ## one check alone
-	@$(call judge,$(OUT)/log/$@.log)
+	+@$(call judge,$(OUT)/log/$@.log)
 
 tidy: packages-tidy ## clang-tidy, warnings are errors
-	@$(again) -k $(patsubst %.o,%.tidy,$(OBJECTS))
+	+@$(again) -k $(patsubst %.o,%.tidy,$(OBJECTS))
 
 format: packages-lint ## clang-format every file in place
 	$(Q)$(CLANG_FORMAT) -i $(FORMATTED)
@@ -265,7 +266,7 @@ docs: packages-docs $(DOOR) ## the reference of all public headers; a public thi
 	@echo $(BUILD)/docs/html/index.html
 
 bench: packages-bench ## build and run the benchmarks
-	@$(again) $(BENCHES) $(APPS)
+	+@$(again) $(BENCHES) $(APPS)
 	@set -e; for bench in $(BENCHES); do $$bench $(ARGS); done
 	@L3D_BIN=$(abspath $(OUT)/bin) tests/bench/start_up.py
 
@@ -277,7 +278,7 @@ report-pages: packages-report ## the pages and diagrams of the report's numbers 
 	@PYTHONDONTWRITEBYTECODE=1 python3 apps/teapot_afd/report_pages.py docs/report
 
 fuzz: packages-fuzz ## fuzz every reader of model files: make fuzz FUZZ_SECONDS=600
-	@$(again) MODE=fuzz CXX="$(FUZZ_CXX)" fuzz-each
+	+@$(again) MODE=fuzz CXX="$(FUZZ_CXX)" fuzz-each
 
 fuzz-each: $(FUZZERS)
 	@set -e; for fuzzer in $(FUZZERS); do mkdir -p $$fuzzer.corpus; \
