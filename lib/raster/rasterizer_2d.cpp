@@ -86,16 +86,13 @@ void l3d_rasterizer_2d_imp::do_draw_mesh(std::span<const l3d_mesh_patch> patches
         };
         return l3d_colored_point_2d{c.at.x, c.at.y, level(0) << 16 | level(1) << 8 | level(2)};
     };
-    l3d_detail::mesh_dicer dicer(patches);
-    for (const l3d_mesh_patch& patch : patches) {
-        if (!l3d_detail::is_finite(patch))
-            continue;
-        dicer.visit(patch, [&](const l3d_detail::mesh_strip& strip) {
-            for (std::size_t i = 0; i < strip.triangles(); ++i) {
-                const auto corners = strip.triangle(i);
-                do_draw_polygon_gouraudshaded(
-                    std::array{rounded(corners[0]), rounded(corners[1]), rounded(corners[2])});
-            }
-        });
-    }
+    l3d_detail::mesh_dicer dicer(patches, l3d_detail::mesh_colors::linear);
+    dicer.visit([&](const l3d_detail::mesh_strip& strip) {
+        for (std::size_t i = 0; i < strip.cells(); ++i) {
+            const l3d_detail::mesh_cell cell = strip.cell(i);
+            for (const auto& [p, q, r] : cell.triangles())
+                do_draw_polygon_gouraudshaded(std::array{
+                    rounded(cell.corners[p]), rounded(cell.corners[q]), rounded(cell.corners[r])});
+        }
+    });
 }

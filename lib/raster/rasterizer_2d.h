@@ -261,10 +261,12 @@ public:
     ///
     /// Where a patch lies upon itself, the PDF standard tells what is seen: the larger v, with one
     /// v the larger u. A pixel gets a colour that the patch has at most 1/16 pixel from its sample,
-    /// within 1/2 + 1/16 levels, and corners are rounded to 1/256 pixel. Patches of one call that
-    /// share a border leave no crack and no double hit there. Patches with coordinates that are not
-    /// finite are left out.
-    /// Cost:    all patches are diced as finely as the one that needs most; into 512 x 512 at most.
+    /// within 1/2 + 1/32 levels, and corners are rounded to 1/256 pixel. (A kind of output that has
+    /// only Gouraud-shaded triangles rounds their corners' colours as well.) Patches of one call
+    /// that share a border leave no crack and no double hit there. Patches with coordinates that
+    /// are not finite are left out.
+    /// Cost:    a quarter of a patch, along u or v, is diced as finely as its worst place needs, and
+    /// so are its neighbours across common borders; a patch into 512 x 512 at most.
     void draw_mesh(std::span<const l3d_mesh_patch> patches) { imp_.do_draw_mesh(patches); }
 
     /// Afterwards, everything drawn so far is in the target's pixels. Call it before anybody else

@@ -4,6 +4,7 @@
 #define L3D_RASTER_PATHS_MESH_DICER_P_H
 
 #include "raster/paths/gradient.h"
+#include "raster/paths/mesh_steps_p.h"
 
 #include <array>
 #include <cstddef>
@@ -19,10 +20,10 @@ struct mesh_corner {
     std::array<double, 3> color; ///< red, green, blue; 0 to 255
 };
 
-/// A row of corners. Shape: `size` of them, and room for so many more that lanes may read past the
-/// last.
+/// A row of corners.
+/// Shape:   `size` of them, and room for so many more that lanes may read past the last.
 struct mesh_row {
-    static constexpr std::size_t room = 8;
+    static constexpr std::size_t room = mesh_knots::room;
 
     std::size_t size = 0;
     std::vector<double> x, y;
@@ -34,50 +35,79 @@ struct mesh_row {
     }
 };
 
-/// The triangles between two rows, in the order of the standard. Each step has two, that above the
-/// diagonal first.
-struct mesh_strip {
-    const mesh_row &above, &below;
+/// The patch at one v: the control points of a curve along u, and the colours at its ends.
+struct mesh_curve {
+    std::array<double, 4> x, y;
+    std::array<std::array<double, 3>, 2> ends;
+};
 
-    std::size_t triangles() const { return 2 * (above.size - 1); }
-    std::array<mesh_corner, 3> triangle(std::size_t i) const {
-        const std::size_t u = i / 2 + 1;
-        if (i % 2 == 0)
-            return {above.corner(u - 1), above.corner(u), below.corner(u)};
-        return {above.corner(u - 1), below.corner(u), below.corner(u - 1)};
+/// What is between two steps along u and two along v.
+struct mesh_cell {
+    std::array<mesh_corner, 4> corners; ///< at (0, 0), (1, 0), (0, 1), (1, 1) of it
+    bool rises;                         ///< its diagonal, from (0, 1) to (1, 0)
+
+    /// The corners of its triangles, that above the diagonal first. The first and the last corner
+    /// of each are on the diagonal.
+    std::array<std::array<std::size_t, 3>, 2> triangles() const {
+        if (rises)
+            return {{{2, 0, 1}, {1, 3, 2}}};
+        return {{{0, 1, 3}, {3, 2, 0}}};
     }
 };
 
-/// Whether all coordinates are finite numbers.
-bool is_finite(const l3d_mesh_patch& patch);
+/// The cells between two rows. Their triangles have the order of the standard.
+struct mesh_strip {
+    const mesh_row &above, &below;
+    const std::vector<double>& rises; ///< of each cell, 1 or 0
 
-/// Dices all patches of a mesh into as many steps, so that neighbours meet without cracks.
+    std::size_t cells() const { return above.size - 1; }
+    mesh_cell cell(std::size_t i) const {
+        return {{above.corner(i), above.corner(i + 1), below.corner(i), below.corner(i + 1)},
+                rises[i] != 0};
+    }
+};
+
+/// Dices the patches of a mesh, so that neighbours meet without cracks.
 ///
-/// A border depends on its four control points alone, and on no direction: i / n and (n - i) / n
-/// are both rounded once, and terms are added in pairs.
+/// A border depends on its four control points and its steps alone, and on no direction: i / n and
+/// (n - i) / n are both rounded once, and terms are added in pairs.
+/// Lives:   no longer than the patches.
 class mesh_dicer {
 public:
-    explicit mesh_dicer(std::span<const l3d_mesh_patch> patches);
+    mesh_dicer(std::span<const l3d_mesh_patch> patches, mesh_colors colors)
+        : patches_(patches), dicings_(dicings_of(patches, colors)) {}
 
-    /// Steps along each side of each patch.
-    int steps() const { return steps_; }
+    /// Of the patch that is visited: its parameters at corners.
+    const mesh_knots& along() const { return along_; }
+    const mesh_knots& down() const { return down_; }
 
-    /// Calls shade(mesh_strip) in the order of the standard: what has the larger v comes later and
-    /// stays; with one v, what has the larger u.
-    template <class Shade> void visit(const l3d_mesh_patch& patch, const Shade& shade) {
-        set_row(patch, 0);
-        for (int v = 1; v <= steps_; ++v) {
-            std::swap(above_, below_);
-            set_row(patch, v);
-            shade(mesh_strip{above_, below_});
+    /// Calls shade(mesh_strip) for each patch of finite numbers, in the order of the standard: what
+    /// has the larger v comes later and stays; with one v, what has the larger u.
+    template <class Shade> void visit(const Shade& shade) {
+        for (std::size_t i = 0; i < patches_.size(); ++i) {
+            if (!is_finite(patches_[i]))
+                continue;
+            begin(i);
+            set_row(patches_[i], 0);
+            for (std::size_t v = 1; v < down_.size; ++v) {
+                std::swap(above_, below_);
+                set_row(patches_[i], v);
+                if (v == 1 || down_.quarter[v] != down_.quarter[v - 1])
+                    set_diagonals(dicings_[i], down_.quarter[v]);
+                shade(mesh_strip{above_, below_, rises_});
+            }
         }
     }
 
 private:
-    void set_row(const l3d_mesh_patch& patch, int v);
+    void begin(std::size_t patch);
+    void set_diagonals(const mesh_dicing& dicing, std::size_t row_of_quarters);
+    void set_row(const l3d_mesh_patch& patch, std::size_t v);
 
-    int steps_ = 1;
-    std::vector<std::array<double, 4>> weights_; ///< of control points, at each step
+    std::span<const l3d_mesh_patch> patches_;
+    std::vector<mesh_dicing> dicings_;
+    mesh_knots along_, down_;
+    std::vector<double> rises_; ///< with room for lanes, as rows have
     mesh_row above_, below_;
 };
 

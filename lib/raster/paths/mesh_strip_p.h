@@ -4,15 +4,17 @@
 #define L3D_RASTER_PATHS_MESH_STRIP_P_H
 
 #include "raster/paths/mesh_dicer_p.h"
+#include "raster/shapes/shaded_triangle_p.h"
 #include "tool_2d/pixels.h"
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 namespace l3d_detail {
 
 /// Shades the triangles of a strip from `first` on, in their order. A colour is the nearest to the
-/// linear one, within 2^-8.
+/// bilinear one of its cell, within 2^-8.
 ///
 /// Triangles are set up together, a lane each, and then filled one by one. Returns the first that
 /// it does not take, or the number of all triangles. It takes what is small, lies wholly in the
@@ -20,6 +22,12 @@ namespace l3d_detail {
 /// Expects: `ends` = {width, height} of the picture, or less, and at most 2^15.
 std::size_t shade_strip(const l3d_pixels& target, const mesh_strip& strip,
                         const std::array<double, 2>& ends, std::size_t first);
+
+/// Shades spans of a triangle of a cell; a colour is the nearest to the bilinear one, within 2^-8.
+/// Shape:   the first two colours of the spans are the place in the cell, 0 to 1.
+/// Expects: they are in the picture.
+void shade_bilinear(const l3d_pixels& target, const mesh_cell& cell,
+                    std::span<const shaded_span> spans);
 
 } // namespace l3d_detail
 

@@ -224,20 +224,18 @@ void l3d_rasterizer_2d_sw_imp::do_draw_curves(const l3d_path& path, std::uint32_
 }
 
 void l3d_rasterizer_2d_sw_imp::do_draw_mesh(std::span<const l3d_mesh_patch> patches) {
-    mesh_dicer dicer(patches);
-    const auto corner = [](const mesh_corner& c) {
-        return shaded_corner{lattice_point(c.at), c.color};
-    };
-    for (const l3d_mesh_patch& patch : patches) {
-        if (!is_finite(patch))
-            continue;
-        dicer.visit(patch, [&](const mesh_strip& strip) {
-            for (std::size_t i = 0; (i = shade_strip(target_, strip, ends_, i)) < strip.triangles();
-                 ++i) {
-                const auto t = strip.triangle(i);
-                shade_spans(target_, triangle_.convert({corner(t[0]), corner(t[1]), corner(t[2])},
-                                                       target_.size()));
-            }
-        });
-    }
+    mesh_dicer dicer(patches, mesh_colors::bilinear);
+    dicer.visit([&](const mesh_strip& strip) {
+        for (std::size_t i = 0; (i = shade_strip(target_, strip, ends_, i)) < 2 * strip.cells();
+             ++i) {
+            const mesh_cell cell = strip.cell(i / 2);
+            const auto corner = [&cell](std::size_t k) {
+                return shaded_corner{lattice_point(cell.corners[k].at),
+                                     {static_cast<double>(k % 2), static_cast<double>(k / 2), 0}};
+            };
+            const auto [p, q, r] = cell.triangles()[i % 2];
+            shade_bilinear(target_, cell,
+                           triangle_.convert({corner(p), corner(q), corner(r)}, target_.size()));
+        }
+    });
 }

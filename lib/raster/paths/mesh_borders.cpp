@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// mesh_borders: sets of parameters that run along common borders, the same way or the other way.
+#include "raster/paths/mesh_borders_p.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace l3d_detail {
+
+namespace {
+
+/// The coordinates of four control points.
+using border = std::array<double, 8>;
+
+struct border_hash {
+    std::size_t operator()(const border& of) const {
+        std::uint64_t result = 0;
+        for (const double x : of) // + 0 makes one zero of both
+            result = std::rotl((result ^ std::bit_cast<std::uint64_t>(x + 0.0)) *
+                                   0x9e3779b97f4a7c15U, // 2^64 by the golden ratio, odd: it mixes
+                               29);
+        return static_cast<std::size_t>(result);
+    }
+};
+
+border backwards(const border& of) {
+    return {of[6], of[7], of[4], of[5], of[2], of[3], of[0], of[1]};
+}
+
+/// Disjoint sets of parameters. Each member runs as the set does, or backwards.
+class parameter_sets {
+public:
+    struct place {
+        std::size_t set;
+        bool is_backwards;
+    };
+
+    explicit parameter_sets(std::size_t count) : parents_(count), runs_both_ways_(count, false) {
+        for (std::size_t i = 0; i < count; ++i)
+            parents_[i] = {i, false};
+    }
+
+    place find(std::size_t parameter) {
+        place result{parameter, false};
+        while (parents_[result.set].set != result.set) {
+            place& parent = parents_[result.set];
+            const place above = parents_[parent.set];
+            parent = {above.set, parent.is_backwards != above.is_backwards}; // halves the way
+            result = {parent.set, result.is_backwards != parent.is_backwards};
+        }
+        return result;
+    }
+
+    void join(const place& a, const place& b) {
+        const place of_a = find(a.set), of_b = find(b.set);
+        const bool other_way =
+            (a.is_backwards != of_a.is_backwards) != (b.is_backwards != of_b.is_backwards);
+        if (of_a.set == of_b.set) {
+            if (other_way)
+                runs_both_ways_[of_a.set] = true;
+            return;
+        }
+        parents_[of_b.set] = {of_a.set, other_way};
+        if (runs_both_ways_[of_b.set])
+            runs_both_ways_[of_a.set] = true;
+    }
+
+    bool runs_both_ways(std::size_t set) const { return runs_both_ways_[set]; }
+
+private:
+    std::vector<place> parents_;
+    std::vector<bool> runs_both_ways_;
+};
+
+} // namespace
+
+void agree_on_borders(std::span<const l3d_mesh_patch> patches, std::span<mesh_dicing> dicings) {
+    // Parameter 2 i is u of patch i, and 2 i + 1 is its v.
+    parameter_sets sets(2 * patches.size());
+    std::unordered_map<border, parameter_sets::place, border_hash> first_with;
+    first_with.reserve(4 * patches.size());
+    const auto add = [&](std::size_t parameter, const border& of) {
+        const border other = backwards(of);
+        if (std::ranges::all_of(std::array{2, 4, 6}, [&](int i) {
+                const auto k = static_cast<std::size_t>(i);
+                return of[k] == of[0] && of[k + 1] == of[1];
+            }))
+            return; // one point, which needs no steps
+        const bool is_backwards = other < of;
+        const parameter_sets::place here{parameter, is_backwards};
+        sets.join(first_with.try_emplace(is_backwards ? other : of, here).first->second, here);
+        if (other == of)
+            sets.join(here, {parameter, !is_backwards});
+    };
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        const auto& p = patches[i].points;
+        for (const std::size_t r : {0, 3}) {
+            add(2 * i, {p[r][0].x, p[r][0].y, p[r][1].x, p[r][1].y, p[r][2].x, p[r][2].y, p[r][3].x,
+                        p[r][3].y});
+            add(2 * i + 1, {p[0][r].x, p[0][r].y, p[1][r].x, p[1][r].y, p[2][r].x, p[2][r].y,
+                            p[3][r].x, p[3][r].y});
+        }
+    }
+    const auto steps_of = [&](std::size_t parameter) -> mesh_steps& {
+        mesh_dicing& of = dicings[parameter / 2];
+        return parameter % 2 == 0 ? of.along : of.down;
+    };
+    std::vector<mesh_steps> needed(2 * patches.size());
+    for (std::size_t i = 0; i < needed.size(); ++i) {
+        const auto [set, is_backwards] = sets.find(i);
+        needed[set].cover(is_backwards ? steps_of(i).backwards() : steps_of(i));
+    }
+    for (std::size_t i = 0; i < needed.size(); ++i)
+        if (sets.find(i).set == i && sets.runs_both_ways(i))
+            needed[i].cover(needed[i].backwards());
+    for (std::size_t i = 0; i < needed.size(); ++i) {
+        const auto [set, is_backwards] = sets.find(i);
+        steps_of(i) = is_backwards ? needed[set].backwards() : needed[set];
+    }
+}
+
+} // namespace l3d_detail
