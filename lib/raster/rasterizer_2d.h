@@ -265,8 +265,8 @@ public:
     /// only Gouraud-shaded triangles rounds their corners' colours as well.) Patches of one call
     /// that share a border leave no crack and no double hit there. Patches with coordinates that
     /// are not finite are left out.
-    /// Cost:    a quarter of a patch, along u or v, is diced as finely as its worst place needs, and
-    /// so are its neighbours across common borders; a patch into 512 x 512 at most.
+    /// Cost:    a quarter of a patch, along u or v, is diced as finely as its worst place needs,
+    /// and so are its neighbours across common borders; a patch into 512 x 512 at most.
     void draw_mesh(std::span<const l3d_mesh_patch> patches) { imp_.do_draw_mesh(patches); }
 
     /// Afterwards, everything drawn so far is in the target's pixels. Call it before anybody else
