@@ -361,15 +361,19 @@ void l3d_pipeline_afd::draw_wireframe() {
     report_.pixels_kept = 0;
 }
 
-/// The 24 edges of every control net. An edge that reaches behind the near plane is left out.
+/// The 24 edges of every control net, those of common borders once. An edge that reaches behind the
+/// near plane is left out.
 void l3d_pipeline_afd::draw_nets() {
     untouched_ = false;
     std::vector<l3d_detail::wire> lines;
+    l3d_detail::shared_wires shared;
     const auto add = [&](const l3d_image_point& from, const l3d_image_point& to) {
         const l3d_clip_vertex a = l3d_canonical_vertex(from, stages_->view);
         const l3d_clip_vertex b = l3d_canonical_vertex(to, stages_->view);
-        if (a.drawable && b.drawable)
-            lines.push_back({a.dice.vertex.x, a.dice.vertex.y, b.dice.vertex.x, b.dice.vertex.y});
+        const l3d_detail::wire line{a.dice.vertex.x, a.dice.vertex.y, b.dice.vertex.x,
+                                    b.dice.vertex.y};
+        if (a.drawable && b.drawable && shared.add(line))
+            lines.push_back(line);
     };
     for (const l3d_patch_instance& instance : scene_.instances()) {
         const l3d_matrix<double> to_image = stages_->transform.matrix() * instance.placement();

@@ -8,10 +8,14 @@
 #include "raster/rasterizer_2d.h"
 #include "raster/shapes/line_pixels_p.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <unordered_set>
 #include <vector>
 
 namespace l3d_detail {
@@ -25,6 +29,34 @@ struct wire {
         return {x0 >> l3d_subpixel_bits, y0 >> l3d_subpixel_bits, x1 >> l3d_subpixel_bits,
                 y1 >> l3d_subpixel_bits};
     }
+};
+
+/// Lines that several neighbours may have, whichever way each of them runs.
+class shared_wires {
+public:
+    /// Whether this line is new.
+    bool add(const wire& w) {
+        const std::uint64_t from = place(w.x0, w.y0), to = place(w.x1, w.y1);
+        return seen_.insert({std::min(from, to), std::max(from, to)}).second;
+    }
+
+private:
+    using ends = std::array<std::uint64_t, 2>;
+
+    struct hash {
+        std::size_t operator()(const ends& of) const {
+            // 2^64 by the golden ratio, odd: every bit of the ends reaches the upper half
+            const std::uint64_t mixed = (of[0] ^ std::rotl(of[1], 32)) * 0x9e3779b97f4a7c15U;
+            return static_cast<std::size_t>(mixed ^ mixed >> 32);
+        }
+    };
+
+    static std::uint64_t place(std::int32_t x, std::int32_t y) {
+        return std::uint64_t{std::bit_cast<std::uint32_t>(x)} << 32 |
+               std::bit_cast<std::uint32_t>(y);
+    }
+
+    std::unordered_set<ends, hash> seen_;
 };
 
 inline constexpr std::uint32_t white = 0x00ffffff;
