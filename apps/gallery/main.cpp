@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
     const l3d_afd_options afd(program.options());
     bool glossy = false;
     program.options().add("--glossy", glossy,
-                          "highlights, whose colours only --error-output bounds");
+                          "highlights; --error-output bounds each of their pixels most closely");
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         l3d_camera camera = afd.camera();

@@ -59,7 +59,8 @@ struct L3D_PUBLIC l3d_afd_settings {
     l3d_vector<double, 3> light = l3d_usual_light;
 
     /// The colours of lights, and further lights. If it is not the usual one, or if a material has
-    /// highlights, only the map of doubt bounds shades; the report's bound of them is infinite.
+    /// highlights, the report's bound of shades holds for each channel, and is larger. The map of
+    /// doubt bounds each pixel more closely.
     l3d_lighting lighting{};
 
     /// Edges are means over pixels, not stairs; see l3d_shading.
@@ -133,8 +134,8 @@ public:
                      const l3d_afd_settings& settings);
     ~l3d_pipeline_afd() override;
 
-    /// Expects: its pixels are written to in draw_overlay only, since what is empty in two frames
-    ///          on end is not cleared twice.
+    /// Expects: nobody writes to its pixels. To draw on top, use pixels() or rasterizer() in
+    ///          draw_overlay: they tell that the picture is changed, so the next frame clears it.
     l3d_screen& screen() { return *screen_; }
 
     /// The scene, the camera and the settings; the next draw_event draws what they say then. A
@@ -181,9 +182,9 @@ public:
     /// the method does not find them, or if a part of the picture was drawn alone.
     const l3d_outline_mask* outlines() const;
 
-    /// How far each pixel of the last frame's surfaces may be from the exact picture, which is lit
-    /// by Lambert's rule. It is null if nobody asked for it, for a wireframe, for shades that are
-    /// not light, and without a background.
+    /// How far each pixel of the last frame's surfaces may be from the exact picture with the
+    /// lights and the fog of the settings. It is null if nobody asked for it, for a wireframe, for
+    /// shades that are not light, and without a background.
     const l3d_error_map* error_map() const;
 
     /// The last frame drawn; the hash is counted when asked for.

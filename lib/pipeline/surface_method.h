@@ -27,8 +27,8 @@ struct L3D_PUBLIC l3d_method_frame {
     /// The scene's materials, whose places are l3d_patch_scene::material_of; none if all is white.
     std::span<const l3d_material> materials;
     const l3d_camera& camera;           ///< from where
-    const l3d_matrix<double>& to_image; ///< world to (x, y, -, w) in the view's units
-    const l3d_dice_view& view;          ///< the same view as dicing wants it
+    const l3d_matrix<double>& to_image; ///< for the library's own methods, as is `view`
+    const l3d_dice_view& view;          ///< others ask the camera for its image_matrix
     const l3d_shading& shading;         ///< light, and the way to shade
     l3d_pixels target;                  ///< the picture, to be drawn into
     l3d_depth_buffer& depth;            ///< 1 / distance for each pixel of the target

@@ -86,7 +86,8 @@ bool l3d_factory_manager::choose(l3d_options& options, std::istream& in, std::os
     const l3d_common_options& common = options.common();
     l3d_detail::backend_survey survey(rows_);
     if (common.diagnose) {
-        for (const char* const variable : {"DISPLAY", "L3D_BACKEND", "L3D_NO_SHM", "L3D_MESA"})
+        for (const char* const variable :
+             {"DISPLAY", "L3D_BACKEND", "L3D_NO_SHM", "L3D_MESA", "L3D_FONT"})
             out << variable << "='" << l3d_detail::printable(environment(variable)) << "' ";
         out << "terminal=" << (may_ask ? "yes" : "no") << '\n';
         survey.diagnose(out);

@@ -121,7 +121,7 @@ l3d_options::l3d_options(std::string program, const std::string& purpose, l3d_si
     parser_->app.footer(
         "Environment: DISPLAY; L3D_BACKEND, as --backend; L3D_NO_SHM, if not empty: "
         "share no memory\nwith the display; L3D_MESA=auto|egl|osmesa, where to look "
-        "for software GL.");
+        "for software GL;\nL3D_FONT=FILE|built-in, for text on panels.");
     parser_->app.allow_extras();
     parser_->app.formatter(std::make_shared<help_formatter>());
     parser_->app.get_formatter()->column_width(34);

@@ -54,7 +54,7 @@ def diagnosis(display, **more):
 
 
 def head(display="", no_shm="", mesa="nothing"):
-    wanted = "DISPLAY='%s' L3D_BACKEND='' L3D_NO_SHM='%s' L3D_MESA='%s' terminal=no"
+    wanted = "DISPLAY='%s' L3D_BACKEND='' L3D_NO_SHM='%s' L3D_MESA='%s' L3D_FONT='' terminal=no"
     return wanted % (display, no_shm, mesa)
 
 

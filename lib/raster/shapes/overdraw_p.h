@@ -12,10 +12,10 @@
 
 namespace l3d_detail {
 
-/// Whether triangles have more area than the box around them, so that many of their pixels are
-/// hidden. Then painting from front to back pays: what it leaves out costs more than the bits that
-/// tell it. Triangles beyond the picture count as they are. They may lead to the slower of both
-/// ways, but not to another picture.
+/// Whether the areas of all triangles add up to more than the box around all, so that many of their
+/// pixels are hidden. Then painting from front to back pays: what it leaves out costs more than the
+/// bits that tell it. Triangles beyond the picture count as they are. They may lead to the slower
+/// of both ways, but not to another picture.
 ///
 /// Cost: looks at some thousand pieces at most, evenly among all.
 inline bool has_overdraw(std::span<const l3d_painter_triangle> triangles,
