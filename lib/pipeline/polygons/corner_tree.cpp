@@ -59,9 +59,8 @@ void corner_tree::remove(std::size_t corner) {
     }
 }
 
-/// False only if no point of the box is in the triangle. Rounding keeps the order of sums and
-/// products, so turn() at the corner of the box that lies farthest to the left of a side is no less
-/// than at any point in it.
+/// False only if no point of the box is in the triangle: turn() is largest at the corner of the box
+/// that lies farthest to the left of a side.
 bool corner_tree::may_meet(const bounds& box, const std::array<flat_place, 3>& triangle) const {
     for (std::size_t i = 0; i < 3; ++i) {
         const flat_place &a = triangle[i], &b = triangle[(i + 1) % 3];
@@ -74,41 +73,6 @@ bool corner_tree::may_meet(const bounds& box, const std::array<flat_place, 3>& t
     const auto [bottom, top] = std::ranges::minmax(triangle, {}, &flat_place::v);
     return box.least.u <= right.u && box.most.u >= left.u && box.least.v <= top.v &&
            box.most.v >= bottom.v;
-}
-
-bool corner_tree::any_in_leaf(const half& of, const std::array<std::size_t, 3>& triangle) const {
-    const auto [a, b, c] = triangle;
-    for (std::size_t i = of.begin; i < of.end; ++i) {
-        const std::size_t p = order_[i];
-        if (!removed_[p] && p != a && p != b && p != c &&
-            turn(places_[a], places_[b], places_[p]) >= 0 &&
-            turn(places_[b], places_[c], places_[p]) >= 0 &&
-            turn(places_[c], places_[a], places_[p]) >= 0)
-            return true;
-    }
-    return false;
-}
-
-bool corner_tree::any_in(const std::array<std::size_t, 3>& triangle) const {
-    const std::array<flat_place, 3> corners{places_[triangle[0]], places_[triangle[1]],
-                                            places_[triangle[2]]};
-    // A node and its pending siblings: one for each level of at most 64.
-    std::array<half, 65> open;
-    std::size_t count = 0;
-    open[count++] = whole();
-    while (count > 0) {
-        const half next = open[--count];
-        const bounds& box = boxes_[next.node];
-        if (box.left == 0 || !may_meet(box, corners))
-            continue;
-        if (!is_leaf(next)) {
-            open[count++] = second(next);
-            open[count++] = first(next);
-        } else if (any_in_leaf(next, triangle)) {
-            return true;
-        }
-    }
-    return false;
 }
 
 } // namespace l3d_detail

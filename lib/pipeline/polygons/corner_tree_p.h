@@ -3,21 +3,25 @@
 #ifndef L3D_PIPELINE_POLYGONS_CORNER_TREE_P_H
 #define L3D_PIPELINE_POLYGONS_CORNER_TREE_P_H
 
+#include "raster/shapes/exact_steps_p.h"
+
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace l3d_detail {
 
-/// A corner's place in the plane of its polygon.
+/// A corner's place in the plane of its polygon, in whole steps of a grid. Below 2^52: areas of
+/// triangles are exact.
 struct flat_place {
-    double u = 0, v = 0;
+    std::int64_t u = 0, v = 0;
 };
 
 /// Twice the area of a triangle, positive if it is counterclockwise.
-inline double turn(const flat_place& a, const flat_place& b, const flat_place& p) {
-    return (b.u - a.u) * (p.v - a.v) - (b.v - a.v) * (p.u - a.u);
+inline wide_integer turn(const flat_place& a, const flat_place& b, const flat_place& p) {
+    return wide_integer{b.u - a.u} * (p.v - a.v) - wide_integer{b.v - a.v} * (p.u - a.u);
 }
 
 /// A tree of halves of the corners, by the wider side of their box, with the number that is left in
@@ -35,9 +39,32 @@ public:
     /// Forgets a corner. Expects: it was left.
     void remove(std::size_t corner);
 
-    /// Whether a corner that is left, other than these three, is in their triangle or on its sides.
+    /// Whether blocks(p, {ab, bc, ca}) is true for a corner p that is left, other than these three,
+    /// and in their triangle or on its sides. The numbers are turn() of p and each side, and not
+    /// negative.
     /// Expects: the triangle is counterclockwise.
-    bool any_in(const std::array<std::size_t, 3>& triangle) const;
+    template <class Blocks>
+    bool any_in(const std::array<std::size_t, 3>& triangle, const Blocks& blocks) const {
+        const std::array<flat_place, 3> corners{places_[triangle[0]], places_[triangle[1]],
+                                                places_[triangle[2]]};
+        // A node and its pending siblings: one for each level of at most 64.
+        std::array<half, 65> open;
+        std::size_t count = 0;
+        open[count++] = whole();
+        while (count > 0) {
+            const half next = open[--count];
+            const bounds& box = boxes_[next.node];
+            if (box.left == 0 || !may_meet(box, corners))
+                continue;
+            if (!is_leaf(next)) {
+                open[count++] = second(next);
+                open[count++] = first(next);
+            } else if (any_in_leaf(next, triangle, blocks)) {
+                return true;
+            }
+        }
+        return false;
+    }
 
 private:
     struct bounds {
@@ -58,7 +85,22 @@ private:
     bool is_leaf(const half& of) const { return of.end - of.begin <= leaf; }
     half whole() const { return {1, 0, order_.size()}; }
     bool may_meet(const bounds& box, const std::array<flat_place, 3>& triangle) const;
-    bool any_in_leaf(const half& of, const std::array<std::size_t, 3>& triangle) const;
+    template <class Blocks>
+    bool any_in_leaf(const half& of, const std::array<std::size_t, 3>& triangle,
+                     const Blocks& blocks) const {
+        const auto [a, b, c] = triangle;
+        for (std::size_t i = of.begin; i < of.end; ++i) {
+            const std::size_t p = order_[i];
+            if (removed_[p] || p == a || p == b || p == c)
+                continue;
+            const std::array turns{turn(places_[a], places_[b], places_[p]),
+                                   turn(places_[b], places_[c], places_[p]),
+                                   turn(places_[c], places_[a], places_[p])};
+            if (turns[0] >= 0 && turns[1] >= 0 && turns[2] >= 0 && blocks(p, turns))
+                return true;
+        }
+        return false;
+    }
 
     std::span<const flat_place> places_;
     std::vector<std::size_t> order_;    ///< corners, halves side by side

@@ -16,7 +16,7 @@ class ear_clipper {
 public:
     explicit ear_clipper(std::span<const flat_place> places)
         : places_(places), tree_(places), next_(places.size()), previous_(places.size()),
-          left_(places.size()), is_ear_(places.size()) {
+          left_(places.size()), is_ear_(places.size()), is_cut_(places.size()) {
         for (std::size_t i = 0; i < left_; ++i) {
             next_[i] = (i + 1) % left_;
             previous_[i] = (i + left_ - 1) % left_;
@@ -39,18 +39,63 @@ private:
 
     void judge(std::size_t corner) {
         const auto [a, b, c] = at(corner);
-        is_ear_[corner] = turn(places_[a], places_[b], places_[c]) > 0 && !tree_.any_in({a, b, c});
+        const wide_integer area = turn(places_[a], places_[b], places_[c]);
+        is_ear_[corner] =
+            area > 0 && !tree_.any_in({a, b, c}, [&](std::size_t p, const auto& turns) {
+                return blocks({a, b, c}, p, turns);
+            });
         if (is_ear_[corner])
             ears_.push(corner);
+        else if (area == 0)
+            flat_.push(corner);
     }
 
-    /// The ear that comes first; the corner after corner 0 of a face that crosses itself and may
-    /// have none. Corner 0 is never cut off.
+    /// Whether the face's border enters the inside of a triangle at a corner that is in it or on
+    /// it. From the diagonal between a and c, it could leave only by a corner that is inside, or at
+    /// b, and these are asked, too.
+    bool blocks(const flat_face::triangle& triangle, std::size_t p,
+                const std::array<wide_integer, 3>& turns) const {
+        const auto [ab, bc, ca] = turns;
+        if (ca == 0)
+            return false;
+        const auto enters = [&](std::size_t q) {
+            const auto& [a, b, c] = triangle;
+            return (ab > 0 || turn(places_[a], places_[b], places_[q]) > 0) &&
+                   (bc > 0 || turn(places_[b], places_[c], places_[q]) > 0);
+        };
+        return (ab > 0 && bc > 0) || enters(previous_[p]) || enters(next_[p]);
+    }
+
+    /// The first of a queue that is still one of its kind, or none: corner 0 is never cut off.
+    template <class Queue, class Still>
+    static std::size_t first_of(Queue& queue, const Still& still) {
+        while (!queue.empty()) {
+            const std::size_t corner = queue.top();
+            queue.pop();
+            if (still(corner))
+                return corner;
+        }
+        return 0;
+    }
+
+    /// The ear that comes first. If there is none, a corner between two others on a line, or at the
+    /// tip of a spike: its triangle covers nothing. A face that crosses itself may have neither.
     std::size_t next_ear() {
-        while (!ears_.empty()) {
-            const std::size_t ear = ears_.top();
-            ears_.pop();
-            if (is_ear_[ear])
+        const auto is_ear = [&](std::size_t corner) { return bool(is_ear_[corner]); };
+        if (const std::size_t ear = first_of(ears_, is_ear))
+            return ear;
+        const auto is_flat = [&](std::size_t corner) {
+            const auto [a, b, c] = at(corner);
+            return !is_cut_[corner] && turn(places_[a], places_[b], places_[c]) == 0;
+        };
+        if (const std::size_t flat = first_of(flat_, is_flat))
+            return flat;
+        // Where corners coincide, an ear may have come up that is no neighbour of what was cut off.
+        if (surveys_ < most_surveys) {
+            ++surveys_;
+            for (std::size_t i = next_[0]; i != 0; i = next_[i])
+                judge(i);
+            if (const std::size_t ear = first_of(ears_, is_ear))
                 return ear;
         }
         return next_[0];
@@ -60,6 +105,7 @@ private:
         triangles_.push_back(at(corner));
         const auto [before, cut_off, after] = at(corner);
         is_ear_[cut_off] = false;
+        is_cut_[cut_off] = true;
         next_[before] = after;
         previous_[after] = before;
         --left_;
@@ -73,9 +119,14 @@ private:
     corner_tree tree_;
     std::vector<std::size_t> next_, previous_;
     std::size_t left_;
-    std::vector<bool> is_ear_;
-    /// Those that were ears when they were judged, the first on top.
-    std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> ears_;
+    std::vector<bool> is_ear_, is_cut_;
+    /// Those that were ears, or flat, when they were judged, the first on top.
+    using queue =
+        std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<std::size_t>>;
+    queue ears_, flat_;
+    /// Faces that cross themselves run out of ears again and again; a survey asks for each corner.
+    static constexpr int most_surveys = 16;
+    int surveys_ = 0;
     std::vector<flat_face::triangle> triangles_;
 };
 
@@ -98,8 +149,30 @@ flat_face::flat_face(const l3d_polygon_mesh& mesh, std::span<const std::uint32_t
             axis = i;
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const double sign = normal[axis] < 0 ? -1 : 1;
+    std::vector<std::array<double, 2>> places;
     for (const std::uint32_t corner : face)
-        places_.push_back({sign * mesh.vertices[corner][u], mesh.vertices[corner][v]});
+        places.push_back({sign * mesh.vertices[corner][u], mesh.vertices[corner][v]});
+    places_ = on_grid(places);
+}
+
+std::vector<flat_place> on_grid(std::span<const std::array<double, 2>> places) {
+    std::array<double, 2> least = places[0];
+    double extent = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        double most = least[i];
+        for (const auto& place : places) {
+            least[i] = std::min(least[i], place[i]);
+            most = std::max(most, place[i]);
+        }
+        extent = std::max(extent, most - least[i]);
+    }
+    int exponent = 0;
+    std::frexp(extent, &exponent); // extent < 2^exponent
+    const auto steps = [&](double x) { return std::llround(std::ldexp(x, 52 - exponent)); };
+    std::vector<flat_place> result;
+    for (const auto& [u, v] : places)
+        result.push_back({steps(u - least[0]), steps(v - least[1])});
+    return result;
 }
 
 std::vector<flat_face::triangle> flat_face::triangles() const {
@@ -111,15 +184,18 @@ std::vector<flat_face::triangle> flat_face::triangles() const {
     return fan;
 }
 
-/// Turns left everywhere, and goes round once: right, then left along u.
+/// Turns left everywhere, never back, and goes round once: right, then left along u.
 bool flat_face::is_convex() const {
     const std::size_t n = places_.size();
     int reversals = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t j = (i + 1) % n, k = (i + 2) % n;
-        if (turn(places_[i], places_[j], places_[k]) < 0)
+        const flat_place &a = places_[i], &b = places_[(i + 1) % n], &c = places_[(i + 2) % n];
+        const wide_integer turned = turn(a, b, c);
+        const wide_integer onward =
+            wide_integer{b.u - a.u} * (c.u - b.u) + wide_integer{b.v - a.v} * (c.v - b.v);
+        if (turned < 0 || (turned == 0 && onward < 0))
             return false;
-        reversals += (places_[j].u < places_[i].u) != (places_[k].u < places_[j].u);
+        reversals += (b.u < a.u) != (c.u < b.u);
     }
     return reversals <= 2;
 }

@@ -19,6 +19,10 @@ namespace l3d_detail {
 l3d_polygon_mesh::vector area_vector(const l3d_polygon_mesh& mesh,
                                      std::span<const std::uint32_t> face);
 
+/// Places in steps of 2^-52 of the larger side of their box, or a little more.
+/// Expects: one place at least, all finite.
+std::vector<flat_place> on_grid(std::span<const std::array<double, 2>> places);
+
 /// A face seen along the axis its normal is nearest to, counterclockwise.
 class flat_face {
 public:
@@ -26,11 +30,12 @@ public:
 
     flat_face(const l3d_polygon_mesh& mesh, std::span<const std::uint32_t> face);
 
-    /// The triangles that the face consists of, two fewer than its corners. A simple polygon is
-    /// covered once. One that crosses itself becomes some triangles or other.
+    /// The triangles that the face consists of, two fewer than its corners. A polygon is covered
+    /// once, if it does not cross itself; corners and sides of it may touch, as where a way leads
+    /// to the border of a hole and back. One that crosses itself becomes some triangles or other.
     ///
-    /// The first corner that makes a triangle with its neighbours which holds no other corner is
-    /// cut off, again and again.
+    /// The first corner that makes a triangle with its neighbours which the border does not enter
+    /// is cut off, again and again.
     /// Cost:    linear for a convex face. Else n log n, and three questions to a corner_tree for
     ///          each corner: cutting one off changes the triangles of its neighbours alone.
     /// Source:  Meisters: Polygons have ears (American Mathematical Monthly 82, 1975).
