@@ -173,6 +173,30 @@ TEST(polygon_model, with_creases_keeps_those_of_the_parts_that_are_shown) {
     EXPECT_EQ(i, half.triangles().size());
 }
 
+/// The mesh turns over between its first and its second triangle, and its normals turn with it. A
+/// file whose normals all point inwards keeps them.
+TEST(polygon_model, normals_at_a_fold_are_those_of_the_triangle_s_own_side) {
+    l3d_polygon_mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 1}};
+    mesh.vertex_normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, -1}, {0, 0, -1}};
+    mesh.corners = {0, 1, 2, 2, 1, 3};
+    mesh.face_ends = {3, 6};
+    const l3d_polygon_model model(mesh);
+    ASSERT_EQ(model.triangles().size(), 2u);
+    EXPECT_TRUE(model.has_creases());
+    for (std::size_t t = 0; t < 2; ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_GT(l3d_dot(model.corner_normal(t, k), model.face_normals()[t]), 0)
+                << t << ' ' << k;
+    for (auto& normal : mesh.vertex_normals)
+        normal = {0, 0, -1};
+    mesh.corners.resize(3);
+    mesh.face_ends.resize(1);
+    const l3d_polygon_model inwards(mesh);
+    EXPECT_FALSE(inwards.has_creases());
+    EXPECT_EQ(inwards.corner_normal(0, 0)[2], -1);
+}
+
 TEST(polygon_model, tessellated_patches_share_their_boundaries) {
     std::string why;
     const auto teapot = l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);

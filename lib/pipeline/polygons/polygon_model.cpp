@@ -141,7 +141,7 @@ void l3d_polygon_model::contents::make_normals(double crease_angle) {
     for (const vector& v : mesh.vertex_normals.empty() ? sums : mesh.vertex_normals)
         vertex_normals.push_back(unit(v));
     if (!mesh.vertex_normals.empty())
-        return;
+        return turn_normals_at_folds();
     const l3d_detail::crease_normals creases(mesh, areas, face_normals, vertex_normals,
                                              crease_angle);
     if (creases.empty())
@@ -152,6 +152,33 @@ void l3d_polygon_model::contents::make_normals(double crease_angle) {
         crease_corners.push_back({creases.at(t.corners[0], t.face),
                                   creases.at(t.corners[1], t.face),
                                   creases.at(t.corners[2], t.face)});
+}
+
+/// Where a surface folds over, a vertex' normal points to one side of it for some faces, and to the
+/// other side for others. Between two opposite normals there would be darkness.
+void l3d_polygon_model::contents::turn_normals_at_folds() {
+    std::vector<std::uint32_t> turned(vertex_normals.size(), no_crease);
+    crease_corners.assign(triangles.size(), {no_crease, no_crease, no_crease});
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const l3d_model_triangle& t = triangles[i];
+        const auto side_of = [&](std::size_t k) {
+            return l3d_dot(face_normals[t.face], vertex_normals[t.corners[k]]);
+        };
+        if (side_of(0) <= 0 && side_of(1) <= 0 && side_of(2) <= 0)
+            continue; // a file's own idea of inside and outside
+        for (std::size_t k = 0; k < 3; ++k) {
+            std::uint32_t& normal = turned[t.corners[k]];
+            if (side_of(k) >= 0)
+                continue;
+            if (normal == no_crease) {
+                normal = static_cast<std::uint32_t>(crease_normals.size());
+                crease_normals.push_back(vertex_normals[t.corners[k]] * -1.0F);
+            }
+            crease_corners[i][k] = normal;
+        }
+    }
+    if (crease_normals.empty())
+        crease_corners.clear();
 }
 
 l3d_polygon_model l3d_polygon_model::part_painted(std::size_t part,

@@ -77,7 +77,8 @@ public:
     std::span<const direction> vertex_normals() const { return contents_->vertex_normals; }
 
     /// The normal that a triangle is lit with at a corner: its vertex's, or another one where the
-    /// vertex is on a crease. Expects: triangle < triangles().size(), corner < 3.
+    /// vertex is on a crease, or the opposite one where the mesh folds over. Expects: triangle <
+    /// triangles().size(), corner < 3.
     const direction& corner_normal(std::size_t triangle, std::size_t corner) const {
         const std::uint32_t of = contents_->crease_corners.empty()
                                      ? no_crease
@@ -134,6 +135,7 @@ private:
         vector centre() const { return (least + most) * 0.5; }
         void make_triangles();
         void make_normals(double crease_angle);
+        void turn_normals_at_folds();
         void make_materials(std::span<const l3d_material> looks);
         void keep_triangles(const std::vector<bool>& of_faces);
 
