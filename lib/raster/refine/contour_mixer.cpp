@@ -164,6 +164,20 @@ float contour_mixer::apart(std::uint32_t word, float level, std::uint32_t color)
     return most;
 }
 
+/// Whether a drawn pixel on the right may be of the surface at the contour: a rim that is thinner
+/// than a pixel may lie between both, beyond a crease. Beside a fold, levels tell nothing, as they
+/// are steep.
+bool contour_mixer::is_of_contour(const contour_pixel& pixel, std::uint32_t word) const {
+    return !picture_.has_levels || pixel.folds || pixel.beside.part == nullptr ||
+           apart(word, pixel.level(), color_of(pixel.beside.part->material)) <= 2 * steady;
+}
+
+/// The colour of a material.
+std::uint32_t contour_mixer::color_of(std::uint32_t material) const {
+    constexpr std::uint32_t white = 0xffffff;
+    return picture_.colors.empty() ? white : picture_.colors[material] & white;
+}
+
 /// Whether a neighbour of the same side is nearly as bright.
 bool contour_mixer::is_near(const surroundings& here, float level, std::uint32_t color) const {
     for (std::size_t i = 0; i < beside.size(); ++i)
@@ -180,24 +194,20 @@ bool contour_mixer::find_own_surface(const contour_pixel& pixel, step to, side& 
         return false;
     const std::int32_t x = pixel.x + to.x, y = pixel.y + to.y;
     constexpr float centre = 0.5f;
-    const auto color_of = [&](const surface_light& of) -> std::uint32_t {
-        constexpr std::uint32_t white = 0xffffff;
-        return picture_.colors.empty() ? white : picture_.colors[of.material] & white;
-    };
     const bool is_own = to.x == 0 && to.y == 0;
     surface_light drawn, light;
     if (!find_light(pixel, {static_cast<float>(x) + centre, static_cast<float>(y) + centre}, drawn))
         return false;
     const float depth = picture_.depth[y * picture_.pitch + x];
     if (std::abs(drawn.inv_w - depth) > same_depth * depth ||
-        apart(word_at(x, y), drawn.level, color_of(drawn)) > steady ||
+        apart(word_at(x, y), drawn.level, color_of(drawn.material)) > steady ||
         !find_light(pixel, middle_on_right(pixel), light) ||
         light.turns_right != drawn.turns_right ||
         std::abs(light.level - drawn.level) > most_change ||
-        (is_own && !is_near(around(x, y), light.level, color_of(light))))
+        (is_own && !is_near(around(x, y), light.level, color_of(light.material))))
         return false;
     found.all = light.level;
-    found.color = color_of(light);
+    found.color = color_of(light.material);
     return true;
 }
 
@@ -227,6 +237,8 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
             to = across;
     }
     const std::uint32_t there_word = word_at(pixel.x + to.x, pixel.y + to.y);
+    if (!is_of_contour(pixel, is_right ? here_word : there_word))
+        return false;
     if (other == others::one && here_word == there_word) {
         word = here_word;
         return true;

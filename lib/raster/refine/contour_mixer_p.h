@@ -96,6 +96,8 @@ private:
     bool find_steep(const contour_pixel& pixel, step away, bool is_own, bool is_right, float share,
                     side& found) const;
     bool find_own_surface(const contour_pixel& pixel, step to, side& found) const;
+    bool is_of_contour(const contour_pixel& pixel, std::uint32_t word) const;
+    std::uint32_t color_of(std::uint32_t material) const;
     bool is_near(const surroundings& here, float level, std::uint32_t color) const;
     static float apart(std::uint32_t word, float level, std::uint32_t color);
     bool has_own_surface(const contour_pixel& pixel) const;
