@@ -83,7 +83,8 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// Work that is done although it could be left out.
     l3d_kept_work keep{};
 
-    /// Whatever turns its back is left out: dS/du x dS/dv points away from the eye. That is decided
+    /// A patch, or a sixteenth of a large one, is left out if all of it turns its back: dS/du x
+    /// dS/dv points away from the eye. Backs in the same piece as a front stay. That is decided
     /// before it is placed, so a mirrored model shows the same side.
     bool one_sided = false;
 
