@@ -40,7 +40,7 @@ l3d_exit l3d_dispatcher_script::do_start(l3d_pipeline& pipeline, l3d_screen& scr
         if (pipeline.done || result != l3d_exit::well)
             break;
         pipeline.update_event(settings_.step());
-        if (l3d_detail::only_passes(frame, settings_, writer_)) {
+        if (l3d_detail::only_passes(frame, settings_, writer_, screen.pixels().size())) {
             stale = l3d_detail::skip(pipeline, writer_, stale);
             continue;
         }

@@ -128,7 +128,7 @@ void l3d_dispatcher_window::loop::make_frame(steady_clock::time_point now) {
     pipeline_.update_event(settings_.fixed_step ? settings_.step()
                                                 : seconds_between(last_update_, now));
     last_update_ = now;
-    if (l3d_detail::only_passes(frames_, settings_, writer_)) {
+    if (l3d_detail::only_passes(frames_, settings_, writer_, screen_.pixels().size())) {
         stale_ = l3d_detail::skip(pipeline_, writer_, stale_);
         ++frames_;
         return;

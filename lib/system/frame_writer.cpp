@@ -84,8 +84,8 @@ std::string l3d_frame_writer::numbered_name() const {
     return before_ + number + after_;
 }
 
-bool l3d_frame_writer::has_frame() const {
-    return is_numbered() && l3d_is_whole_image(numbered_name());
+bool l3d_frame_writer::has_frame(l3d_size size) const {
+    return is_numbered() && l3d_is_whole_image(numbered_name(), size);
 }
 
 void l3d_frame_writer::frame(const l3d_pixels& pixels) {

@@ -30,8 +30,9 @@ public:
     /// Whether each frame has a file of its own.
     bool is_numbered() const { return kind_ == kind::numbered; }
 
-    /// Whether this frame's file is there and whole. A disk may have lost a part of it.
-    bool has_frame() const;
+    /// Whether this frame's file is there, whole and of that size. A disk may have lost a part of
+    /// it, and a picture of another size is no frame of this sequence.
+    bool has_frame(l3d_size size) const;
 
     /// Takes the last picture once more, when no other will follow. Errors: as frame().
     void finish(const l3d_pixels& pixels);

@@ -180,7 +180,7 @@ void l3d_options::add_batch() {
              "A:B: only those from number A to B - 1, each as it is in the whole sequence",
              "N|A:B", "0", read);
     add("--resume", common_.resume,
-        "leave out frames whose file is there and whole; with a numbered --output");
+        "leave out frames whose file is there, whole and of this size; with a numbered --output");
 }
 
 void l3d_options::add(const std::string& name, double& value, const std::string& help, double least,

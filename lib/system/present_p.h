@@ -37,10 +37,10 @@ inline bool present(l3d_pipeline& pipeline, l3d_screen& screen, l3d_frame_writer
     return drawn;
 }
 
-/// Whether frame number `frame`, which the writer comes to now, only passes.
+/// Whether frame number `frame`, of that size, which the writer comes to now, only passes.
 inline bool only_passes(int frame, const l3d_frame_settings& settings,
-                        const l3d_frame_writer& writer) {
-    return frame < settings.first_frame || (settings.resume && writer.has_frame());
+                        const l3d_frame_writer& writer, l3d_size size) {
+    return frame < settings.first_frame || (settings.resume && writer.has_frame(size));
 }
 
 /// Lets a frame pass whose picture is not wanted. Returns whether the pixels are stale now.

@@ -60,11 +60,11 @@ bool ends_with(std::string_view path, std::string_view lower_case_end) {
 }
 
 /// As l3d_write_ppm makes it: no comments, 255 levels.
-bool is_whole_ppm(std::FILE* file) {
+bool is_whole_ppm(std::FILE* file, l3d_size size) {
     int width = 0, height = 0;
     char after = 0;
-    if (std::fscanf(file, "P6 %9d %9d 255%c", &width, &height, &after) != 3 || width < 1 ||
-        height < 1 || after != '\n')
+    if (std::fscanf(file, "P6 %9d %9d 255%c", &width, &height, &after) != 3 || after != '\n' ||
+        l3d_size{width, height} != size)
         return false;
     const long begin = std::ftell(file);
     const auto bytes = static_cast<long>(rgb_bytes) * width * height;
@@ -197,14 +197,15 @@ l3d_image l3d_read_png(const std::string& path, l3d_alpha alpha) {
     return image;
 }
 
-bool l3d_is_whole_image(const std::string& path) {
+bool l3d_is_whole_image(const std::string& path, l3d_size size) {
     const l3d_detail::unique_file file(std::fopen(path.c_str(), "rb"));
     if (!file)
         return false;
     if (!ends_with(path, ".png"))
-        return is_whole_ppm(file.get());
+        return is_whole_ppm(file.get(), size);
     try {
-        l3d_read_png(path);
+        if (l3d_read_png(path).pixels().size() != size)
+            return false;
     } catch (const l3d_error&) {
         return false;
     }

@@ -57,9 +57,10 @@ L3D_PUBLIC void l3d_write_image(const std::string& path, const l3d_pixels& pixel
 /// Errors:  l3d_error(bad_input) that names the path and the reason.
 L3D_PUBLIC l3d_image l3d_read_png(const std::string& path, l3d_alpha alpha = l3d_alpha::none);
 
-/// Whether a file holds a whole PNG or PPM, whose kind its name says as for l3d_write_image. False,
-/// without a reason, if there is no file, or one that was cut off or damaged on the disk.
+/// Whether a file holds a whole PNG or PPM of that size, whose kind its name says as for
+/// l3d_write_image. False, without a reason, if there is no file, or one that was cut off or
+/// damaged on the disk.
 /// Cost:    reads and unpacks the file.
-L3D_PUBLIC bool l3d_is_whole_image(const std::string& path);
+L3D_PUBLIC bool l3d_is_whole_image(const std::string& path, l3d_size size);
 
 #endif

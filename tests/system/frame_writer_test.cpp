@@ -10,8 +10,10 @@
 
 namespace {
 
+constexpr l3d_size size{7, 5};
+
 l3d_image picture(std::uint32_t corner) {
-    l3d_image image({7, 5}, 11);
+    l3d_image image(size, 11);
     image.pixels().row(4)[6] = corner;
     return image;
 }
@@ -66,25 +68,26 @@ TEST(frame_writer, skipped_frames_have_their_numbers) {
     const temporary_folder folder;
     l3d_frame_writer writer(folder.file("f%d.png"));
     writer.skip_frame();
-    EXPECT_FALSE(writer.has_frame());
+    EXPECT_FALSE(writer.has_frame(size));
     writer.frame(picture(0x010203).pixels());
     EXPECT_EQ(corner_of(folder.file("f1.png")), 0x010203u);
     l3d_frame_writer again(folder.file("f%d.png"));
-    EXPECT_FALSE(again.has_frame());
+    EXPECT_FALSE(again.has_frame(size));
     again.skip_frame();
-    EXPECT_TRUE(again.has_frame());
-    EXPECT_FALSE(l3d_frame_writer(folder.file("f1.png")).has_frame()) << "not numbered";
+    EXPECT_TRUE(again.has_frame(size));
+    EXPECT_FALSE(l3d_frame_writer(folder.file("f1.png")).has_frame(size)) << "not numbered";
 }
 
 TEST(frame_writer, a_frame_that_is_not_whole_is_missing) {
     const temporary_folder folder;
     l3d_frame_writer(folder.file("f%d.png")).frame(picture(0x010203).pixels());
     const l3d_frame_writer writer(folder.file("f%d.png"));
-    EXPECT_TRUE(writer.has_frame());
+    EXPECT_TRUE(writer.has_frame(size));
+    EXPECT_FALSE(writer.has_frame({size.height, size.width + 1})) << "of another size";
     std::filesystem::resize_file(folder.file("f0.png"), 40);
-    EXPECT_FALSE(writer.has_frame());
+    EXPECT_FALSE(writer.has_frame(size));
     std::filesystem::resize_file(folder.file("f0.png"), 0);
-    EXPECT_FALSE(writer.has_frame());
+    EXPECT_FALSE(writer.has_frame(size));
 }
 
 TEST(frame_writer, number_wider_than_its_field) {

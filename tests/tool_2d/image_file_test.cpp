@@ -209,24 +209,25 @@ TEST_F(image_file, a_link_is_followed_not_replaced) {
 TEST_F(image_file, a_cut_or_damaged_picture_is_not_whole) {
     auto image = random_image({37, 11});
     for (const std::string name : {"a.png", "a.ppm"}) {
-        EXPECT_FALSE(l3d_is_whole_image(path(name)));
+        EXPECT_FALSE(l3d_is_whole_image(path(name), {37, 11}));
         l3d_write_image(path(name), image.pixels());
         const std::string whole = contents(path(name));
-        EXPECT_TRUE(l3d_is_whole_image(path(name)));
+        EXPECT_TRUE(l3d_is_whole_image(path(name), {37, 11}));
+        EXPECT_FALSE(l3d_is_whole_image(path(name), {11, 37}));
         for (std::size_t size = 0; size < whole.size(); ++size) {
             fs::resize_file(path(name), size);
-            ASSERT_FALSE(l3d_is_whole_image(path(name))) << name << " of " << size;
+            ASSERT_FALSE(l3d_is_whole_image(path(name), {37, 11})) << name << " of " << size;
             std::ofstream(path(name), std::ios::binary) << whole;
         }
         std::ofstream(path(name), std::ios::binary | std::ios::app) << 'x';
-        EXPECT_FALSE(l3d_is_whole_image(path(name))) << "longer";
+        EXPECT_FALSE(l3d_is_whole_image(path(name), {37, 11})) << "longer";
     }
     // A disk that lost a block has zeros there.
     l3d_write_png(path("a.png"), image.pixels());
     std::string zeros = contents(path("a.png"));
     zeros.replace(zeros.size() / 2, 64, 64, '\0');
     std::ofstream(path("a.png"), std::ios::binary) << zeros;
-    EXPECT_FALSE(l3d_is_whole_image(path("a.png")));
+    EXPECT_FALSE(l3d_is_whole_image(path("a.png"), {37, 11}));
 }
 
 TEST_F(image_file, a_stream_of_floats_has_the_bytes_of_a_file) {
