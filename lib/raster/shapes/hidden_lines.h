@@ -16,6 +16,9 @@
 /// A line's pixel is up to a pixel away from where its depth is meant. Therefore the depth that
 /// hides it is lessened by the rise of the triangle's own plane over a pixel in x and in y. A thing
 /// nearer than that in front of a line does not hide it.
+///
+/// A plane seen nearly from its edge rises without limit. But no point of a triangle is nearer than
+/// its nearest corner, so whatever is nearer than that corner hides the line.
 /// Expects: target and depth of equal size; the depth has been filled by the same triangles.
 void l3d_draw_seen_sides(l3d_pixels target, const l3d_depth_buffer& depth,
                          std::span<const l3d_painter_triangle> triangles,
