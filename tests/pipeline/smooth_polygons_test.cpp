@@ -102,16 +102,22 @@ TEST(smooth_polygons, show_the_mean_of_what_their_pixels_show) {
 }
 
 /// Two needles, a fifth of a pixel wide, and a spike: no centre of a pixel sees most of them.
-TEST(smooth_polygons, show_what_is_thinner_than_a_pixel) {
-    const l3d_rasterizer_factory_sw sw;
+/// Each is there so many times.
+l3d_polygon_mesh needles(int times = 1) {
     l3d_polygon_mesh mesh;
     mesh.vertices = {{0, -1.5, 0},     {0, 1.5, 0.31}, {0, 1.5, 0.32},  {0, -1.5, 0.01},
                      {0, -1.2, -0.4},  {0, 1.3, -0.8}, {0, 1.3, -0.81}, {0, -1.3, 0.9},
                      {0.1, 1.4, 0.95}, {0, 1.4, 1.0},  {-0.1, 1.4, 0.9}};
-    for (const std::vector<std::uint32_t>& face :
-         {std::vector<std::uint32_t>{0, 1, 2, 3}, {4, 6, 5}, {7, 8, 9}, {7, 9, 10}, {7, 10, 8}})
-        mesh.add_face(face);
-    const l3d_polygon_model model(mesh);
+    for (int i = 0; i < times; ++i)
+        for (const std::vector<std::uint32_t>& face :
+             {std::vector<std::uint32_t>{0, 1, 2, 3}, {4, 6, 5}, {7, 8, 9}, {7, 9, 10}, {7, 10, 8}})
+            mesh.add_face(face);
+    return mesh;
+}
+
+TEST(smooth_polygons, show_what_is_thinner_than_a_pixel) {
+    const l3d_rasterizer_factory_sw sw;
+    const l3d_polygon_model model(needles());
     l3d_polygon_settings settings;
     settings.cull = false;
     const words samples = drawn<l3d_pipeline_zbuffer>({window.width * fine, window.height * fine},
@@ -127,6 +133,20 @@ TEST(smooth_polygons, show_what_is_thinner_than_a_pixel) {
     EXPECT_GT(stairs.rms(), 30);
     EXPECT_LT(zbuffer.rms(), 3);
     EXPECT_LT(zsort.rms(), 3);
+}
+
+TEST(smooth_polygons, that_coincide_are_as_one) {
+    const l3d_rasterizer_factory_sw sw;
+    const l3d_polygon_model once(needles()), thrice(needles(3));
+    l3d_polygon_settings settings;
+    settings.cull = false;
+    settings.antialias = true;
+    // One light for each place, whichever faces share a vertex.
+    settings.shade = l3d_shade::flat;
+    EXPECT_EQ(drawn<l3d_pipeline_zbuffer>(window, once, 0, settings, sw),
+              drawn<l3d_pipeline_zbuffer>(window, thrice, 0, settings, sw));
+    EXPECT_EQ(drawn<l3d_pipeline_zsort>(window, once, 0, settings),
+              drawn<l3d_pipeline_zsort>(window, thrice, 0, settings));
 }
 
 } // namespace

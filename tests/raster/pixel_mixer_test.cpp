@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -98,6 +99,44 @@ TEST(PixelMixer, MixesWhatItsSlowTwinSamples) {
             EXPECT_LT(largest, 0.07);
             EXPECT_LT(rms, 0.0034);
         }
+}
+
+/// The same surface without a grid.
+l3d_surface_part facets_of(const l3d_surface_part& part) {
+    l3d_surface_part result;
+    result.triangles = part.triangles;
+    for (int row = 0; row + 1 < part.grid.rows; ++row)
+        for (int column = 0; column + 1 < part.grid.columns; ++column) {
+            const auto at = [&](int down, int right) {
+                return part.grid.vertex(part.grid.index(row + down, column + right));
+            };
+            result.triangles.add(at(0, 0), at(0, 1), at(1, 1));
+            result.triangles.add(at(0, 0), at(1, 1), at(1, 0));
+        }
+    return result;
+}
+
+/// Of facets in one place the first is seen, whichever way the others turn.
+TEST(PixelMixer, ShowsFacetsInOnePlaceOnce) {
+    const l3d_shading shading = scene_shading(l3d_shade::gouraud);
+    const auto words_of = [&](const surface_parts& scene) {
+        const all_fragments all(scene, shading);
+        pixel_mixer mixer;
+        mixer.draw(all.fragments, shading, {}, false, size.height);
+        return std::vector(mixer.words().begin(), mixer.words().end());
+    };
+    for (unsigned n = 0; n < 4; ++n) {
+        surface_parts once;
+        for (const l3d_surface_part& part : random_scene(scene_seed + n, size, 6))
+            once.push_back(facets_of(part));
+        surface_parts thrice = once;
+        thrice.insert(thrice.end(), once.begin(), once.end());
+        for (l3d_surface_part part : once) {
+            std::swap(part.triangles.corners[0], part.triangles.corners[1]);
+            thrice.push_back(part);
+        }
+        EXPECT_EQ(words_of(thrice), words_of(once)) << n;
+    }
 }
 
 } // namespace

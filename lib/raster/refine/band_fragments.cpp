@@ -137,7 +137,8 @@ void band_fragments::add_triangles(const l3d_surface_part& part, std::size_t fir
     for (std::size_t i = first; i < last; ++i) {
         const std::array corners{part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
                                  part.triangles.vertex(i, 2)};
-        add_convex(corners, color_of(part, part.material_of(i)), reached(corners));
+        add_convex(corners, color_of(part, part.material_of(i)), reached(corners),
+                   part.grid.rows < 2);
     }
 }
 
@@ -153,7 +154,7 @@ l3d_pixel_box band_fragments::reached(std::span<const l3d_micro_vertex> corners)
 }
 
 void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t color,
-                                const l3d_pixel_box& box) {
+                                const l3d_pixel_box& box, bool is_facet) {
     if (box.empty())
         return;
     fragment_polygon polygon;
@@ -172,6 +173,7 @@ void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners, std::
         return;
     polygon.corners = static_cast<std::int32_t>(corners.size());
     polygon.color = color;
+    polygon.is_facet = is_facet;
     const auto name = static_cast<std::uint32_t>(polygons_.size());
     const std::size_t pairs = pairs_.size();
     const auto last = static_cast<std::int32_t>(pixel_bits::word_of(box.right - 1));

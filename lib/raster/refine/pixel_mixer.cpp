@@ -54,6 +54,23 @@ std::uint64_t sample_at(float x, float y) {
     return std::uint64_t{1} << (cell(y) * mask_side + cell(x));
 }
 
+/// Whether two polygons have the same corners, in any order.
+bool coincide(const fragment_polygon& one, const fragment_polygon& other) {
+    const auto is_one_of = [](const fragment_polygon& from, int i, const fragment_polygon& in) {
+        for (int k = 0; k < in.corners; ++k)
+            if (from.x[i] == in.x[k] && from.y[i] == in.y[k] && from.inv_w[i] == in.inv_w[k])
+                return true;
+        return false;
+    };
+    for (int i = 0; i < one.corners; ++i)
+        if (!is_one_of(one, i, other))
+            return false;
+    for (int i = 0; i < other.corners; ++i)
+        if (!is_one_of(other, i, one))
+            return false;
+    return true;
+}
+
 } // namespace
 
 void pixel_mixer::draw(const band_fragments& band, const l3d_shading& shading,
@@ -94,6 +111,9 @@ void pixel_mixer::draw_by(Shader shader, const band_fragments& band,
     }
 }
 
+/// Of facets in the same place, the first is seen: slivers that no sample meets would else add up.
+/// Patches close a slit from both sides, by the same triangles. These stay, as their area tells how
+/// much is uncertain there.
 void pixel_mixer::collect(const band_fragments& band, std::size_t pixel) {
     fragments_.clear();
     const std::size_t end = band.begin_of(pixel + 1);
@@ -104,6 +124,12 @@ void pixel_mixer::collect(const band_fragments& band, std::size_t pixel) {
             continue;
         const std::uint32_t name = band.pairs()[pair].polygon;
         const fragment_polygon& polygon = band.polygons()[name];
+        const auto hides = [&](const fragment& before) {
+            return before.farthest == polygon.farthest && before.nearest == polygon.nearest &&
+                   coincide(band.polygons()[before.polygon], polygon);
+        };
+        if (polygon.is_facet && std::ranges::any_of(fragments_, hides))
+            continue;
         fragments_.push_back({static_cast<std::uint32_t>(pair), name, area, mask, mask,
                               polygon.farthest, polygon.nearest, polygon.area2() > 0});
     }
