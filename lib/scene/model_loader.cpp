@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -50,20 +51,39 @@ void note_unknown(std::span<const l3d_named_material> known, const std::string& 
                               "; such materials are white");
 }
 
+/// A file of materials that was looked for.
+struct material_text {
+    std::string place, why, text;
+
+    material_text(const std::string& path, const std::string& named)
+        : place(beside(path, named)), text(text_of(place, why)) {}
+};
+
+/// One statement may name several files, and a file's name may have spaces. So the whole is one
+/// name if there is such a file, or if none of its words is a file either.
+std::vector<material_text> texts_of(const std::string& path, const std::string& named) {
+    const material_text whole(path, named);
+    std::vector<material_text> each;
+    std::istringstream words(named);
+    for (std::string word; !whole.why.empty() && words >> word;)
+        each.emplace_back(path, word);
+    if (std::ranges::all_of(each, [](const auto& file) { return !file.why.empty(); }))
+        return {whole};
+    return each;
+}
+
 void read_materials(const std::string& path, const std::string& name, l3d_model_file& model) {
     std::vector<l3d_named_material> materials;
     bool is_complete = true;
-    for (const l3d_material_file& file : model.material_files) {
-        const std::string place = beside(path, file.name);
-        std::string why;
-        const std::string text = text_of(place, why);
-        is_complete = is_complete && why.empty();
-        if (!why.empty())
-            model.notes.push_back(name + ':' + std::to_string(file.line) + ": " + why +
-                                  "; its materials are white");
-        for (l3d_named_material& material : l3d_read_mtl(text, place, model.notes))
-            materials.push_back(std::move(material));
-    }
+    for (const l3d_material_file& named : model.material_files)
+        for (const material_text& file : texts_of(path, named.name)) {
+            is_complete = is_complete && file.why.empty();
+            if (!file.why.empty())
+                model.notes.push_back(name + ':' + std::to_string(named.line) + ": " + file.why +
+                                      "; its materials are white");
+            for (l3d_named_material& material : l3d_read_mtl(file.text, file.place, model.notes))
+                materials.push_back(std::move(material));
+        }
     if (!materials.empty())
         l3d_give_looks(model.mesh, materials);
     if (is_complete)

@@ -51,6 +51,30 @@ TEST(model_loader, notes_a_file_of_materials_that_is_not_there) {
     EXPECT_THROW(l3d_load_model(folder.file("b.obj"), "b.obj"), l3d_error);
 }
 
+TEST(model_loader, reads_all_files_of_materials_that_one_statement_names) {
+    const temporary_folder folder;
+    const std::string model = folder.file("a.obj");
+    write(model, "mtllib a.mtl b.mtl\n" + std::string(triangle) + "usemtl green\nf 1 2 3\n");
+    const auto color = [&](std::size_t face) {
+        return l3d_load_model(model, "a.obj").mesh.look_of(face).color;
+    };
+    ASSERT_EQ(l3d_load_model(model, "a.obj").notes.size(), 1u);
+    EXPECT_NE(l3d_load_model(model, "a.obj").notes[0].find("a.mtl b.mtl: "), std::string::npos);
+    write(folder.file("b.mtl"), "newmtl green\nKd 0 1 0\n");
+    EXPECT_EQ(color(1), 0x00ff00u);
+    ASSERT_EQ(l3d_load_model(model, "a.obj").notes.size(), 1u);
+    const std::string note = l3d_load_model(model, "a.obj").notes[0];
+    EXPECT_TRUE(note.starts_with("a.obj:1: ")) << note;
+    EXPECT_NE(note.find("a.mtl: "), std::string::npos) << note;
+    write(folder.file("a.mtl"), "newmtl red\nKd 1 0 0\n");
+    EXPECT_EQ(color(0), 0xff0000u);
+    EXPECT_EQ(color(1), 0x00ff00u);
+    EXPECT_TRUE(l3d_load_model(model, "a.obj").notes.empty());
+    write(folder.file("a.mtl b.mtl"), "newmtl red\nKd 0 0 1\nnewmtl green\nKd 0 0 1\n");
+    EXPECT_EQ(color(0), 0x0000ffu) << "the whole is a name if there is such a file";
+    EXPECT_EQ(color(1), 0x0000ffu);
+}
+
 TEST(model_loader, names_materials_that_no_file_describes) {
     const temporary_folder folder;
     const std::string model = folder.file("a.obj");
