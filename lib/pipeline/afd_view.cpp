@@ -1,8 +1,35 @@
 // SPDX-License-Identifier: MIT
 // l3d_pipeline_afd: what its camera shows, and where, and what it tells of that.
 #include "pipeline/pipeline_afd.h"
+
+#include "pipeline/empty_picture_p.h"
+#include "geom/normal_net.h"
 #include "scene/framing.h"
 #include "scene/inspected_scene.h"
+
+#include <cstddef>
+
+namespace {
+
+/// Whether there are patches to see, and the normals of all of them vanish everywhere.
+bool is_without_area(const l3d_patch_scene& scene) {
+    bool has_patches = false;
+    for (const l3d_patch_instance& instance : scene.instances()) {
+        if (instance.opacity() == 0)
+            continue;
+        const l3d_patch_model& model = instance.model();
+        for (std::size_t i = 0; i < model.patches().size(); ++i) {
+            has_patches = true;
+            for (int row = 0; row < 6; ++row)
+                for (int column = 0; column < 6; ++column)
+                    if (model.normals(i).at(row, column) != l3d_normal_net::vector(0))
+                        return false;
+        }
+    }
+    return has_patches;
+}
+
+} // namespace
 
 void l3d_pipeline_afd::frame_all() {
     camera_ = l3d_framed(camera_, screen_->pixels().size(), l3d_reach_of(scene_));
@@ -18,7 +45,14 @@ std::optional<l3d_pick> l3d_pipeline_afd::pick(double x, double y) const {
 }
 
 std::string l3d_pipeline_afd::why_empty() const {
+    const auto is_empty = [&] {
+        return l3d_detail::is_empty(screen_->pixels(), settings_.background);
+    };
+    if (is_without_area(scene_) && is_empty()) // its lines may be seen
+        return l3d_without_area;
     std::string why = l3d_why_unseen(camera_, screen_->pixels().size(), l3d_reach_of(scene_));
+    if (why == l3d_smaller_than_a_pixel && !is_empty())
+        return "";
     const l3d_dice_counts& dice = report_.dice;
     // Some methods draw without counting.
     const bool left_all_out = dice.drawn == 0 && dice.offscreen + dice.subpixel + dice.behind +

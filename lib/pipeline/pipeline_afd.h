@@ -157,7 +157,8 @@ public:
     /// That camera, or the one given if it shows the scene well: l3d_framed_unless_well.
     l3d_camera framed_unless_well(const l3d_camera& usual) const;
 
-    /// Why the last picture shows nothing, as l3d_why_unseen tells it; "" if it may show something.
+    /// Why the last picture shows nothing, as l3d_why_unseen tells it, or l3d_without_area; "" if
+    /// it may show something.
     std::string why_empty() const;
 
     /// What a shade that inspects the surface shows in the next frame: the settings', with a scale

@@ -99,10 +99,11 @@ public:
     const std::string& message() const { return message_; }
 
     /// Why the picture is empty, as l3d_why_unseen tells it; "" if it is not. It is shown as long
-    /// as it is so, with the key that mends it.
+    /// as it is so, with the key that mends it; 0 if none does.
     void set_empty(const std::string& reason, char key = 'f') {
-        empty_line_ =
-            reason.empty() ? "" : "The model is " + reason + ": press " + key + " to see it.";
+        empty_line_ = reason.empty() ? "" : "The model is " + reason;
+        if (!reason.empty())
+            empty_line_ += key == 0 ? "." : std::string(": press ") + key + " to see it.";
     }
 
     /// Whether draw() draws anything.

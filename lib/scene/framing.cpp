@@ -292,6 +292,6 @@ std::string l3d_why_unseen(const l3d_camera& camera, l3d_size size, const l3d_re
     if (across.is_beside || along.is_beside)
         return "outside of the picture";
     if (across.is_within_a_pixel && along.is_within_a_pixel)
-        return "smaller than a pixel";
+        return l3d_smaller_than_a_pixel;
     return "";
 }

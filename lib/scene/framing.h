@@ -49,6 +49,12 @@ L3D_PUBLIC bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3
 L3D_PUBLIC std::string l3d_why_unseen(const l3d_camera& camera, l3d_size size,
                                       const l3d_reach& reach, bool is_parallel = false);
 
+/// What l3d_why_unseen says of a model that is. It may cover the middle of a pixel even so.
+inline constexpr const char* l3d_smaller_than_a_pixel = "smaller than a pixel";
+
+/// What pipelines say of a model whose faces or patches are all points or lines.
+inline constexpr const char* l3d_without_area = "without any area";
+
 /// The camera itself if it l3d_shows_well, else l3d_framed. Expects, Errors: as these.
 L3D_PUBLIC l3d_camera l3d_framed_unless_well(const l3d_camera& camera, l3d_size size,
                                              const l3d_reach& reach);

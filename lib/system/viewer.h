@@ -11,6 +11,7 @@
 #include "system/screenshot.h"
 #include "raster/error_map.h"
 #include "raster/shapes/font.h"
+#include "scene/framing.h"
 #include "tool_2d/image_file.h"
 
 #include <cmath>
@@ -91,7 +92,7 @@ public:
                       << " polygons a second\n";
         // A window said so itself.
         if (const std::string why = this->why_empty(); !why.empty() && !in_window_)
-            std::cerr << command_ << ": the picture is empty, as the model is " << why << "; "
+            std::cerr << command_ << ": the picture is empty, as the model is " << why
                       << way_to_mend(why) << '\n';
         tell_pick();
     }
@@ -125,14 +126,16 @@ private:
             l3d_write_pfm(file, size.width, size.height, values);
     }
 
-    /// What the options did, and what undoes it.
+    /// What the options did, and what undoes it; nothing makes an area.
     std::string way_to_mend(const std::string& reason) const {
+        if (reason == l3d_without_area)
+            return "";
         if (reason == l3d_turning_its_back)
-            return "give --all-faces, or press b in a window";
+            return "; give --all-faces, or press b in a window";
         if (reason.ends_with("plane"))
-            return "leave out --near and --far, or press f in a window";
-        return asked_.places_camera() ? "leave out --eye and --target, or press f in a window"
-                                      : "press f in a window";
+            return "; leave out --near and --far, or press f in a window";
+        return asked_.places_camera() ? "; leave out --eye and --target, or press f in a window"
+                                      : "; press f in a window";
     }
 
     /// Errors:  l3d_error(failure) if the standard output cannot be written to.

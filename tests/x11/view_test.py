@@ -131,6 +131,45 @@ def says_why_a_picture_is_empty():
                 expect(said.startswith(wanted), said)
 
 
+def flat_model(path, name):
+    """A model that has something to draw, and no area: a patch or faces on one line. Its name."""
+    texts = {
+        "line.bpt": "1\n3 3\n" + "0 0 0\n0.3333333333333333 0.1 0\n0.6666666666666666 0.2 0\n1 0.3 0\n" * 4,
+        "point.bpt": "1\n3 3\n" + "1 2 3\n" * 16,
+        "faces.obj": "v 0 0 0\nv 1 0 0\nv 0 0 0\nf 1 1 1\nf 1 2 3\n",
+    }
+    with open(os.path.join(path, name), "w", encoding="ascii") as file:
+        file.write(texts[name])
+    return name
+
+
+def says_that_a_model_has_no_area():
+    """No view and no option shows it, so none is recommended."""
+    empty = ": the picture is empty, as the model is without any area\n"
+    with folder() as path:
+        for viewer, name, *more in (
+            ("teapot_afd", "line.bpt"), ("teapot_afd", "point.bpt"), ("modelview", "line.bpt", "--pipeline", "afd"),
+            ("modelview", "faces.obj"), ("modelview", "faces.obj", "--all-faces"),
+        ):
+            said = draw(viewer, (80, 60), flat_model(path, name), *more, "--output", "o.png", cwd=path)
+            expect_equal(said, (0, b"", viewer + empty), " ".join((name, *more)))
+        for name in ("line.bpt", "point.bpt"):
+            said = draw("modelview", (80, 60), "--pipeline", "zbuffer", name, "--output", "o.png", cwd=path)
+            expect_equal(said, (5, b"", "modelview: " + name + ": no polygons, and patches without any area\n"))
+        said = draw("teapot_afd", (80, 60), "line.bpt", "--wireframe", "--output", "o.png", cwd=path)
+        expect_equal(said, (0, b"", ""), "its lines are seen")
+        said = draw("modelview", (80, 60), "faces.obj", "--explain", "--output", "o.png", cwd=path)[2]
+        expect("2 of 2 triangles (back): the eye lies behind the planes of their faces, or these have no area" in said,
+               said)
+
+
+def says_nothing_of_a_small_model_that_is_seen():
+    with folder() as path:
+        for viewer in VIEWERS:
+            expect_equal(draw(viewer, (1, 1), "--output", "o.png", cwd=path), (0, b"", ""), viewer)
+            expect(harness.read_png(os.path.join(path, "o.png"))[0][0] & 0xFFFFFF, "a black pixel")
+
+
 def shows_a_sheet_that_turns_its_back():
     """Its back, as --all-faces does: nobody wants a black picture. The same from the front is as ever."""
     with folder() as path:
@@ -278,7 +317,8 @@ def main():
     checks = Checks()
     for check in (
         frames_any_model, frames_the_teapot_where_it_was_cut, keeps_the_teapots_own_view,
-        says_why_a_picture_is_empty, shows_a_sheet_that_turns_its_back, picks_from_the_command_line, obeys_every_key_of_the_view,
+        says_why_a_picture_is_empty, says_that_a_model_has_no_area, says_nothing_of_a_small_model_that_is_seen,
+        shows_a_sheet_that_turns_its_back, picks_from_the_command_line, obeys_every_key_of_the_view,
         obeys_every_gesture, keeps_the_model_in_a_window_of_another_size,
         says_in_the_window_that_it_is_empty,
     ):

@@ -160,6 +160,7 @@ l3d_polygon_mesh l3d_mesh_of(const l3d_model_file& file, const std::string& name
         mesh.append(l3d_tessellated(*patches, n).mesh);
     }
     if (mesh.faces() == 0)
-        refuse(name + ": no polygons and no patches");
+        refuse(name + (file.patches.empty() ? ": no polygons and no patches"
+                                            : ": no polygons, and patches without any area"));
     return mesh;
 }

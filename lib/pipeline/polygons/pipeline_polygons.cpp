@@ -8,6 +8,7 @@
 #include "base/formatted_p.h"
 #include "pipeline/stopwatch_p.h"
 #include "raster/parallel/simd_target.h"
+#include "scene/framing.h"
 
 #include <array>
 #include <cassert>
@@ -187,7 +188,9 @@ void l3d_pipeline_polygons::update_event(double seconds) {
 
 void l3d_pipeline_polygons::tell_empty() {
     const std::string why = report_.polygons.drawn == 0 ? why_empty() : "";
-    controls_.set_empty(why, why == l3d_turning_its_back ? 'b' : 'f');
+    controls_.set_empty(why, why == l3d_without_area       ? '\0'
+                             : why == l3d_turning_its_back ? 'b'
+                                                           : 'f');
 }
 
 void l3d_pipeline_polygons::draw_overlay() {

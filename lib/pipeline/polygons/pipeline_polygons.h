@@ -113,8 +113,8 @@ public:
     /// That camera, or the one given if it shows the model well: l3d_shows_well.
     l3d_camera framed_unless_well(const l3d_camera& usual) const;
 
-    /// Why the last picture shows nothing, as l3d_why_unseen tells it, or l3d_turning_its_back; ""
-    /// if it may show something.
+    /// Why the last picture shows nothing, as l3d_why_unseen tells it, or l3d_turning_its_back or
+    /// l3d_without_area; "" if it may show something.
     std::string why_empty() const;
 
     /// Whether more than two thirds of what one might see of the model is seen from behind, as an

@@ -10,7 +10,8 @@ namespace {
 
 std::array<l3d_detail::left_out, 3> reasons_of(const l3d_polygon_counts& polygons) {
     return {{
-        {"back", "the eye lies behind the planes of their faces", polygons.back},
+        {"back", "the eye lies behind the planes of their faces, or these have no area",
+         polygons.back},
         {"offscreen", "their corners lie beyond one side of the window", polygons.offscreen},
         {"subpixel", "the boxes of their corners hold no pixel centre", polygons.subpixel},
     }};

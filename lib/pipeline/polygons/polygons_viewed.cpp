@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // l3d_pipeline_polygons: what its camera shows, and where.
 #include "pipeline/polygons/pipeline_polygons.h"
+
+#include "pipeline/empty_picture_p.h"
 #include "scene/framing.h"
 
 #include <algorithm>
@@ -26,6 +28,13 @@ l3d_reach reach_of(const l3d_polygon_model& model, const l3d_matrix<double>& pla
                 most = std::max(most, l3d_dot(in_model, model.mesh().vertices[corner]));
         return most + moved;
     };
+}
+
+bool is_without_area(const l3d_polygon_model& model) {
+    return !model.triangles().empty() &&
+           std::ranges::all_of(model.triangles(), [&](const l3d_model_triangle& triangle) {
+               return model.face_normals()[triangle.face] == l3d_polygon_model::direction(0);
+           });
 }
 
 } // namespace
@@ -57,12 +66,19 @@ void l3d_pipeline_polygons::frame_all() {
 
 std::string l3d_pipeline_polygons::why_empty() const {
     const l3d_polygon_view now = view();
+    const auto is_empty = [&] {
+        return l3d_detail::is_empty(screen_->pixels(), settings_.background);
+    };
+    if (is_without_area(model_) && is_empty()) // its lines may be seen
+        return l3d_without_area;
     std::string why =
         l3d_why_unseen(camera_, now.size(), reach_of(model_, now.placement()), now.is_parallel());
     const l3d_polygon_counts& polygons = report_.polygons;
     const bool left_all_out =
         polygons.drawn == 0 && // lines are not counted
         polygons.back + polygons.offscreen + polygons.subpixel >= report_.triangles;
+    if (why == l3d_smaller_than_a_pixel && !is_empty())
+        return "";
     if (!why.empty() || !left_all_out)
         return why;
     return polygons.back == report_.triangles ? l3d_turning_its_back : "not where a pixel shows it";
