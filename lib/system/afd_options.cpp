@@ -13,6 +13,7 @@
 #include <iostream>
 #include <limits>
 #include <thread>
+#include <utility>
 
 namespace {
 
@@ -207,6 +208,17 @@ l3d_afd_options::camera(const std::function<l3d_camera(const l3d_camera&)>& fram
         result = framed(seen_from_above(asked));
     result.near = near_.value_or(result.near);
     return result;
+}
+
+void l3d_afd_options::check_pick(l3d_size size) const {
+    if (!pick_)
+        return;
+    const auto [x, y] = std::pair{(*pick_)[0], (*pick_)[1]};
+    if (!(x >= 0 && x <= size.width && y >= 0 && y <= size.height))
+        throw l3d_error(l3d_exit::usage, "--pick: '" + l3d_number_text(x) + ',' +
+                                             l3d_number_text(y) + "' is outside of the picture, " +
+                                             std::to_string(size.width) + 'x' +
+                                             std::to_string(size.height));
 }
 
 /// The first one replaces the usual light.

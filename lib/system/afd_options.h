@@ -80,6 +80,10 @@ public:
     /// if it was not given.
     const std::optional<l3d_vector<double, 2>>& pick() const { return pick_; }
 
+    /// Refuses the place of --pick if a picture of that size has none.
+    /// Errors:  l3d_error(usage).
+    void check_pick(l3d_size size) const;
+
     /// Neither a model nor a camera was asked for.
     bool shows_the_usual() const;
 

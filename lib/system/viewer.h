@@ -103,6 +103,8 @@ private:
     void suit_onlooker(l3d_program& program) {
         const l3d_frame_settings frames = program.options().frame_settings();
         in_window_ = this->screen().is_window();
+        if (!in_window_) // a window may have got another size than it was given
+            asked_.check_pick(program.options().common().size);
         if (this->settings().background.is_none())
             program.check_transparency(in_window_);
         if (!in_window_ || frames.frames != 0)

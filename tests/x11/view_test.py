@@ -206,6 +206,9 @@ def picks_from_the_command_line():
                 status, out, said = draw(viewer, (64, 48), "--pick", wrong, cwd=path)
                 expect_equal((status, out), (2, b""), wrong)
                 expect(said.startswith(viewer + ": --pick: '" + wrong + "' is not two numbers X,Y"), said)
+            for outside in ("999,999", "65,1", "1,48.5", "-1,1"):
+                said = draw(viewer, (64, 48), "--pick=" + outside, cwd=path)
+                expect_equal(said, (2, b"", viewer + ": --pick: '" + outside + "' is outside of the picture, 64x48\n"))
 
 
 # ---- keys and gestures --------------------------------------------------------------------------
