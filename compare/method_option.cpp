@@ -29,6 +29,9 @@ l3d_afd_settings l3d_method_option::settings(const l3d_afd_options& afd) const {
     if (result.wireframe && method.method != l3d_method::afd)
         throw l3d_error(l3d_exit::usage,
                         "--wireframe: shows the steps of afd, not of --method " + method.name());
+    if (result.fog.is_on() && method.method != l3d_method::afd)
+        throw l3d_error(l3d_exit::usage,
+                        "--fog: --method " + method.name() + " draws without; afd has it");
     if (result.shade == l3d_shade::error && !method.has_bound())
         throw l3d_error(l3d_exit::usage,
                         "--shade: error shows a bound of the error, and --method " + method.name() +

@@ -231,10 +231,13 @@ void l3d_afd_options::add_light(const std::string& text) {
     else if (!l3d_read_numbers(text, ',', numbers))
         throw l3d_error(l3d_exit::usage,
                         "--light: '" + text + "' is neither X,Y,Z nor X,Y,Z,R,G,B");
-    const l3d_camera::vector towards{numbers[0], numbers[1], numbers[2]};
-    const double length = l3d_length(towards);
-    if (!(length > 0 && length < largest))
+    l3d_camera::vector towards{numbers[0], numbers[1], numbers[2]};
+    const double most =
+        std::max({std::abs(towards[0]), std::abs(towards[1]), std::abs(towards[2])});
+    if (most == 0)
         throw l3d_error(l3d_exit::usage, "--light: '" + text + "' has no direction");
+    if (!(most > 1e-100 && most < 1e100)) // squares would be infinite, or zero
+        towards = towards / most;
     const l3d_light_color color = color_of("--light", {numbers[3], numbers[4], numbers[5]});
     l3d_lighting& lighting = settings_.lighting;
     if (!gives_light_) {

@@ -256,6 +256,23 @@ def refuses_wrong_values():
             expect_equal(said.count("\n"), 1, said)
 
 
+def takes_lights_of_any_length():
+    with folder() as path:
+        pictures = []
+        for light in ("1,2,0", "1e300,2e300,0", "1e-300,2e-300,0"):
+            expect_equal(memory("--light", light, "--output", "o.png", cwd=path), (0, b"", ""), light)
+            with open(os.path.join(path, "o.png"), "rb") as file:
+                pictures.append(file.read())
+        expect_equal(len(set(pictures)), 1, "different pictures")
+
+
+def refuses_fog_that_a_method_draws_without():
+    with folder() as path:
+        for method in ("fd", "fd:8", "subdivision"):
+            said = memory("--method", method, "--fog", "1,9", cwd=path)
+            expect_equal(said, (2, b"", "teapot_afd: --fog: --method " + method + " draws without; afd has it\n"))
+
+
 def refuses_a_tolerance_that_nobody_keeps():
     """Where a method's steps are its own, and the tolerance is not the scale of the error's colours."""
     with folder() as path:
@@ -387,6 +404,7 @@ def main():
         reports_to_the_standard_output, reports_into_an_open_file,
         modelview_reports_as_well, tells_polygons_a_second, writes_distances, writes_the_map_of_errors,
         repeats_itself, explains_what_it_left_out, refuses_wrong_values,
+        takes_lights_of_any_length, refuses_fog_that_a_method_draws_without,
         refuses_a_tolerance_that_nobody_keeps, keeps_all_frames,
         shows_the_error_where_it_is_bounded, greets_a_person, obeys_its_keys,
         obeys_the_mouse,
