@@ -152,6 +152,6 @@ l3d_patch_model l3d_part_options::applied(const l3d_patch_model& model) const {
 
 l3d_polygon_model l3d_part_options::applied(const l3d_polygon_model& model) const {
     if (!opacities_.empty())
-        refuse("--opacity: polygons are opaque; it is for models of patches");
+        refuse("--opacity: polygons are opaque; only --pipeline afd, which draws patches, has it");
     return applied_to(model);
 }
