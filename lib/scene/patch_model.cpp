@@ -2,6 +2,7 @@
 // l3d_patch_model: bounds and normal nets, once per model.
 #include "scene/patch_model.h"
 
+#include "base/counted_p.h"
 #include "base/formatted_p.h"
 #include "geom/files/model_file.h"
 #include "geom/files/patch_file.h"
@@ -250,7 +251,7 @@ l3d_patch_model l3d_patch_model::teapot() {
 l3d_patch_model l3d_patch_model::load(const std::string& file) {
     const l3d_model_file read = l3d_load_model(file, file);
     std::string why =
-        file + ": holds " + std::to_string(read.mesh.faces()) + " polygons and no patches";
+        file + ": holds " + l3d_detail::counted(read.mesh.faces(), "polygons") + " and no patches";
     if (!read.patches.empty())
         if (const auto model = from_file(read, file, why))
             return *model;

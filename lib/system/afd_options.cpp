@@ -2,6 +2,7 @@
 // l3d_afd_options: declarations and what the values must be.
 #include "system/afd_options.h"
 
+#include "base/counted_p.h"
 #include "base/printable_p.h"
 #include "scene/model_loader.h"
 #include "system/number_text.h"
@@ -313,7 +314,7 @@ l3d_patch_model l3d_afd_options::model() const {
     if (model_file_.empty())
         return l3d_patch_model::teapot();
     const l3d_model_file file = l3d_load_model(l3d_data_file(model_file_), model_file_);
-    const std::string polygons = std::to_string(file.mesh.faces()) + " polygons";
+    const std::string polygons = l3d_detail::counted(file.mesh.faces(), "polygons");
     if (file.patches.empty())
         throw l3d_error(l3d_exit::bad_input,
                         model_file_ + ": holds " + polygons +
@@ -326,6 +327,7 @@ l3d_patch_model l3d_afd_options::model() const {
         std::cerr << note << '\n';
     if (file.mesh.faces() > 0)
         std::cerr << l3d_detail::printable(model_file_) << ": " << polygons
-                  << " are skipped; modelview --pipeline zbuffer shows them\n";
+                  << (file.mesh.faces() == 1 ? " is" : " are")
+                  << " skipped; modelview --pipeline zbuffer shows them\n";
     return *std::move(model);
 }

@@ -2,6 +2,7 @@
 // l3d_part_options: declarations, and models made of parts.
 #include "system/part_options.h"
 
+#include "base/counted_p.h"
 #include "base/printable_p.h"
 #include "system/number_text.h"
 
@@ -92,8 +93,8 @@ void l3d_part_options::list(const l3d_parts& parts, std::string_view things) {
     if (parts.names().empty())
         std::cout << "no parts\n";
     for (std::size_t i = 0; i < parts.names().size(); ++i)
-        std::cout << l3d_detail::printable(parts.names()[i]) << ": " << parts.size_of(i) << ' '
-                  << things << '\n';
+        std::cout << l3d_detail::printable(parts.names()[i]) << ": "
+                  << l3d_detail::counted(parts.size_of(i), things) << '\n';
     if (!std::cout.flush())
         throw l3d_error(l3d_exit::failure, "cannot write to the standard output");
 }

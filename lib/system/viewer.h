@@ -86,7 +86,8 @@ public:
         if (asked_.explain())
             std::cerr << this->report().explanation();
         if (asked_.statistics())
-            std::cerr << frames_ << " frames, " << seconds_ << " s, " << polygons_ << " polygons, "
+            std::cerr << frames_ << (frames_ == 1 ? " frame, " : " frames, ") << seconds_ << " s, "
+                      << polygons_ << (polygons_ == 1 ? " polygon, " : " polygons, ")
                       << (seconds_ > 0 ? std::llround(static_cast<double>(polygons_) / seconds_)
                                        : 0)
                       << " polygons a second\n";

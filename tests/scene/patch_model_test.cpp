@@ -84,7 +84,7 @@ TEST(patch_model, says_why_a_file_has_none) {
     EXPECT_EQ(refusal_of("nowhere/at all.bpt"), "nowhere/at all.bpt: No such file or directory");
     {
         const text_file polygon("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-        EXPECT_EQ(refusal_of(polygon.path), polygon.path + ": holds 1 polygons and no patches");
+        EXPECT_EQ(refusal_of(polygon.path), polygon.path + ": holds 1 polygon and no patches");
     }
     std::string text = "1\n3 3\n0 0 zero\n";
     for (int i = 1; i < 16; ++i)

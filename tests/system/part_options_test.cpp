@@ -71,6 +71,16 @@ TEST(part_options, make_parts_with_an_opacity_instances_of_their_own) {
     EXPECT_THROW(program({"--opacity", "leg=1"}).parts.scene(l3d_patch_model::teapot()), l3d_error);
 }
 
+TEST(part_options, are_listed_with_how_much_they_have) {
+    const std::vector<l3d_part_run> runs{{"one", 0}, {"two", 1}};
+    const l3d_parts parts(runs, 3);
+    testing::internal::CaptureStdout();
+    l3d_part_options::list(parts, "patches");
+    l3d_part_options::list(parts, "faces");
+    EXPECT_EQ(testing::internal::GetCapturedStdout(),
+              "one: 1 patch\ntwo: 2 patches\none: 1 face\ntwo: 2 faces\n");
+}
+
 TEST(part_options, refuse_what_is_no_opacity) {
     for (const char* const wrong :
          {"lid", "=0.5", "lid=", "lid=half", "lid=1.5", "lid=-0.1", "lid=nan", "lid=0.5,0.5"})

@@ -36,7 +36,7 @@ def wrong_models():
         ("trailing.bpt", "1\n" + patch + "7\n", "trailing.bpt:19: "),
         ("words.bpt", "Hello, world\n", "words.bpt:1: 'Hello,' begins none of "),
         ("mesh.bpt", "OFF 3 1 0\n1 2 3\n4 5 7\n7 8 9\n3 0 1 2\n",
-         "mesh.bpt: holds 1 polygons and no patches; modelview "),
+         "mesh.bpt: holds 1 polygon and no patches; modelview "),
         ("rational.bez", "BEZ114\n" + "1 2 3 1\n" * 3 + "1 2 3 0.5\n", "rational.bez:5: "),
         ("quartic.bez", "BEZ143\n" + "1 2 3\n" * 9 + "1 2 4\n",
          "quartic.bez: patch 1 has degree 1 by 4 "),
@@ -179,6 +179,11 @@ def tells_polygons_a_second():
             expect(status == 0 and found, said)
             seconds, polygons, rate = map(float, found.groups())
             expect(polygons >= 3 * least and abs(rate * seconds / polygons - 1) < 0.01, said)
+        with open(os.path.join(path, "one.off"), "w", encoding="ascii") as file:
+            file.write("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        command = modelview.command("--backend", "memory", "--frames", "1", "--output", "f.png", "--statistics", "one.off")
+        said = run(command, environment(), cwd=path)[2]
+        expect(said.startswith("1 frame, ") and " s, 1 polygon, " in said, said)
 
 
 def writes_the_map_of_errors():

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// counted: a number and what it counts, as "1 patch" and "2 patches".
+#ifndef L3D_BASE_COUNTED_P_H
+#define L3D_BASE_COUNTED_P_H
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace l3d_detail {
+
+/// Expects: the plural, which ends with s: patches, faces, polygons.
+inline std::string counted(std::size_t count, std::string_view things) {
+    if (count == 1)
+        things.remove_suffix(things.ends_with("ches") ? 2 : 1);
+    return std::to_string(count).append(" ").append(things);
+}
+
+} // namespace l3d_detail
+
+#endif
