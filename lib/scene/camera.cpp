@@ -55,11 +55,11 @@ double l3d_camera::up_sine() const {
 }
 
 std::string l3d_camera::complaint() const {
-    for (const auto& [name, place] : {std::pair{"eye", eye}, {"target", target}}) {
-        for (int i = 0; i < 3; ++i)
-            if (!(std::abs(place[i]) <= l3d_bpt_largest_coordinate))
-                return std::string("camera: ") + name + ' ' + text_of(place) +
-                       " is not within 1e12 of the origin";
+    for (int i = 0; i < 3; ++i) {
+        if (!(std::abs(eye[i]) <= l3d_farthest_eye))
+            return "camera: eye " + text_of(eye) + " is not within 1e15 of the origin";
+        if (!(std::abs(target[i]) <= l3d_bpt_largest_coordinate))
+            return "camera: target " + text_of(target) + " is not within 1e12 of the origin";
     }
     if (!(l3d_length(target - eye) >= l3d_least_distance))
         return "camera: target " + text_of(target) + " is within 1e-32 of the eye";

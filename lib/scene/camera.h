@@ -14,6 +14,10 @@
 /// which goes up to 3e38.
 inline constexpr double l3d_least_distance = 1e-32;
 
+/// How far from the origin an eye may be in x, y and z. The largest models reach to 1e12 there, and
+/// are seen from outside, also with a narrow field of view.
+inline constexpr double l3d_farthest_eye = 1e15;
+
 /// Least sine of the angle between `up` and the line of sight: below, rounding alone would turn the
 /// picture by a part in 10^9 and more.
 inline constexpr double l3d_least_up_sine = 1e-6;
@@ -51,7 +55,7 @@ struct L3D_PUBLIC l3d_camera {
     vector up{0.0, 1.0, 0.0};     ///< the direction that is upright in the picture, any length
     double fov = 38;              ///< full vertical angle of view, in degrees
     double near = 0.1; ///< least distance along the view axis that is drawn, in world units
-    double far = 1e13; ///< farther than any two points that are allowed, 2 sqrt(3) 1e12
+    double far = 1e16; ///< farther than any point from any eye, sqrt(3) 1.001e15
 
     friend bool operator==(const l3d_camera&, const l3d_camera&) = default;
 
@@ -67,8 +71,8 @@ struct L3D_PUBLIC l3d_camera {
     double up_sine() const;
 
     /// Why no picture is defined, naming the value at fault; "" if one is. It asks for finite
-    /// numbers, eye and target within 1e12 and not in one place, up_sine() at least
-    /// l3d_least_up_sine, 0 < fov < 180, l3d_least_distance <= near < far.
+    /// numbers, the eye within l3d_farthest_eye, the target within 1e12, the two not in one place,
+    /// up_sine() at least l3d_least_up_sine, 0 < fov < 180, l3d_least_distance <= near < far.
     std::string complaint() const;
 
     /// Whether complaint() has nothing to say.

@@ -2,8 +2,6 @@
 // l3d_framed: four planes through the eye that touch the model, and what they bound.
 #include "scene/framing.h"
 
-#include "geom/files/patch_file.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -186,10 +184,9 @@ l3d_camera placed(const l3d_camera& camera, const vector& line, double eye, doub
     const vector arm = result.eye - result.target;
     double part = 1;
     for (int i = 0; i < 3; ++i)
-        if (std::abs(result.eye[i]) > l3d_bpt_largest_coordinate)
+        if (std::abs(result.eye[i]) > l3d_farthest_eye)
             part = std::min(part,
-                            (std::copysign(l3d_bpt_largest_coordinate, arm[i]) - result.target[i]) /
-                                arm[i]);
+                            (std::copysign(l3d_farthest_eye, arm[i]) - result.target[i]) / arm[i]);
     if (part < 1) // a little less, so that rounding leads inside
         result.eye = result.target + arm * (part * (1 - 0x1p-40));
     // Depth is kept as 1 / distance in floats, which are as exact near the eye as far from it.

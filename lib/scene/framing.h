@@ -31,7 +31,7 @@ inline constexpr double l3d_framed_share = 0.85;
 ///
 /// Expects: a valid camera.
 /// Errors:  none: the camera stays as it is if there is nothing to show, and an eye
-///          that would be farther than 1e12 from the origin stays within.
+///          that would be farther than l3d_farthest_eye from the origin stays within.
 L3D_PUBLIC l3d_camera l3d_framed(const l3d_camera& camera, l3d_size size, const l3d_reach& reach);
 
 /// The same for parallel projection, where the distance of the target decides on sizes.

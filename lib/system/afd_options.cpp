@@ -30,11 +30,14 @@ std::string text_of(const l3d_camera::vector& v) {
     return l3d_number_text(v[0]) + ',' + l3d_number_text(v[1]) + ',' + l3d_number_text(v[2]);
 }
 
-void check_place(const char* option, const l3d_camera::vector& place) {
+void check_place(const char* option, const l3d_camera::vector& place,
+                 double farthest = l3d_bpt_largest_coordinate) {
     for (int i = 0; i < 3; ++i)
-        if (!(std::abs(place[i]) <= l3d_bpt_largest_coordinate))
+        if (!(std::abs(place[i]) <= farthest))
             throw l3d_error(l3d_exit::usage, std::string(option) + ": '" + text_of(place) +
-                                                 "' is farther than 1e12 from the origin");
+                                                 "' is farther than " +
+                                                 (farthest == l3d_farthest_eye ? "1e15" : "1e12") +
+                                                 " from the origin");
 }
 
 constexpr double white = 255;
@@ -187,7 +190,7 @@ l3d_camera l3d_afd_options::camera() const {
     result.eye = eye_.value_or(places_camera() ? camera_.eye : upright(camera_.eye));
     result.target = target_.value_or(places_camera() ? camera_.target : upright(camera_.target));
     result.near = near_.value_or(camera_.near);
-    check_place("--eye", result.eye);
+    check_place("--eye", result.eye, l3d_farthest_eye);
     check_place("--target", result.target);
     if (result.eye == result.target)
         refuse("--target: '" + text_of(result.target) + "' is the eye's place");

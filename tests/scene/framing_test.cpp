@@ -172,10 +172,28 @@ TEST(framing, of_nothing_and_of_a_point_leaves_a_camera) {
     }
 }
 
+TEST(framing, shows_the_whole_of_the_largest_models) {
+    l3d_patch_scene scene;
+    scene.add(teapot_model(), l3d_scaling<double>(2.8e11, 2.8e11, 2.8e11));
+    for (const l3d_size size : sizes)
+        for (const double fov : {2.0, 38.0, 90.0}) {
+            l3d_camera usual = oblique_camera();
+            usual.fov = fov;
+            const l3d_camera camera = l3d_framed(usual, size, l3d_reach_of(scene));
+            ASSERT_TRUE(camera.is_valid()) << camera.complaint();
+            const seen_box box = seen(scene, camera, size);
+            EXPECT_TRUE(box.is_inside()) << fov;
+            EXPECT_NEAR(box.share(), l3d_framed_share, 0.01) << fov;
+            EXPECT_EQ(l3d_why_unseen(camera, size, l3d_reach_of(scene)), "") << fov;
+        }
+}
+
 TEST(framing, never_leaves_the_world) {
     l3d_patch_scene scene;
     scene.add(teapot_model(), l3d_scaling<double>(2e11, 2e11, 2e11));
-    const l3d_camera camera = l3d_framed(oblique_camera(), {64, 48}, l3d_reach_of(scene));
+    l3d_camera usual = oblique_camera();
+    usual.fov = 1e-3;
+    const l3d_camera camera = l3d_framed(usual, {64, 48}, l3d_reach_of(scene));
     EXPECT_TRUE(camera.is_valid()) << camera.complaint();
 }
 

@@ -22,8 +22,8 @@ struct test_case {
     double far = 1e13;
 };
 
-/// Whether nothing can be drawn: a number that is none, a place beyond 1e12, a picture without a
-/// direction, an angle or a depth, or of impossible size.
+/// Whether nothing can be drawn: a number that is none, a place beyond 1e12, an eye beyond 1e15, a
+/// picture without a direction, an angle or a depth, or of impossible size.
 bool is_malformed(const test_case& c);
 
 /// Curves and surfaces whose parameters, shapes or weights are out of proportion.

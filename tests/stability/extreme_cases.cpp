@@ -238,7 +238,7 @@ std::vector<test_case> malformed_cases() {
             reference::vec3& point = add_one(text).patches[0].points[index];
             (index == 0 ? point.x : index == 6 ? point.y : point.z) = value;
         }
-    for (const double value : {nan, infinity, 1e13}) {
+    for (const double value : {nan, infinity, 1e16}) {
         std::snprintf(text, sizeof text, "%g", value);
         add_one(std::string("eye ") + text).eye.eye.y = value;
         add_one(std::string("target ") + text).eye.target.z = value;
@@ -273,14 +273,15 @@ std::vector<test_case> malformed_cases() {
 }
 
 bool is_malformed(const test_case& c) {
-    const auto is_place = [](const reference::vec3& v) {
-        return std::abs(v.x) <= 1e12 && std::abs(v.y) <= 1e12 && std::abs(v.z) <= 1e12;
+    const auto is_within = [](const reference::vec3& v, double most) {
+        return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;
     };
+    const auto is_place = [&](const reference::vec3& v) { return is_within(v, 1e12); };
     for (const reference::patch& p : c.patches)
         if (!std::all_of(p.points.begin(), p.points.end(), is_place))
             return true;
     const reference::vec3 &eye = c.eye.eye, &target = c.eye.target, &up = c.eye.up;
-    if (!is_place(eye) || !is_place(target))
+    if (!is_within(eye, 1e15) || !is_place(target))
         return true;
     const long double x = static_cast<long double>(target.x) - eye.x,
                       y = static_cast<long double>(target.y) - eye.y,

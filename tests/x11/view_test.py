@@ -48,6 +48,7 @@ MODELS = {
     "small": scaled(0.01, 0.01, 0.01),
     "large": scaled(300, 300, 300),
     "huge": scaled(1e9, 1e9, 1e9),
+    "largest": scaled(2.8e11, 2.8e11, 2.8e11),
     "wide": scaled(20, 1, 1),
     "tall": scaled(1, 15, 1),
     "flat": scaled(1, 1, 0.001),
