@@ -65,15 +65,13 @@ public:
     }
 
 private:
-    void draw_overlay() override {
+    l3d_standing_panel standing_panel() override {
         l3d_panel panel;
         panel.add("patches", std::to_string(scene().patch_count()));
         panel.add("error", rounded(bound()) + " pixels at most");
         if (screen().is_window()) // files are the same each time
             panel.add("frame", rounded(last_report().time_ms.total) + " ms");
-        l3d_pixel_box free = l3d_whole(screen().pixels().size());
-        panel.draw(rasterizer(), free, l3d_corner::bottom_right, controls().panel_style());
-        l3d_pipeline_afd_viewer::draw_overlay();
+        return {panel, l3d_corner::bottom_right};
     }
 
     static std::string rounded(double number) {

@@ -46,8 +46,7 @@ void caption::add_time(double frame_milliseconds) {
                                      : memory * milliseconds + (1 - memory) * frame_milliseconds;
 }
 
-void caption::draw(l3d_rasterizer_2d& rasterizer, l3d_size size,
-                   const l3d_panel_style& style) const {
+l3d_panel caption::panel() const {
     l3d_panel panel;
     panel.add("method", method);
     if (shows_time && milliseconds > 0)
@@ -63,13 +62,13 @@ void caption::draw(l3d_rasterizer_2d& rasterizer, l3d_size size,
         panel.add("depth", formatted("%.3f px off (%.0f %% of pixels judged)", measured->depth_px,
                                      std::floor(100 * measured->judged)));
     }
-    l3d_pixel_box free = l3d_whole(size);
-    panel.draw(rasterizer, free, l3d_corner::top_right, style);
+    return panel;
 }
 
 void other_half::draw_overlay() {
     text.bound_px = bound();
-    text.draw(rasterizer(), screen().pixels().size(), style);
+    l3d_pixel_box free = l3d_whole(screen().pixels().size());
+    text.panel().draw(rasterizer(), free, l3d_corner::top_right, style);
 }
 
 comparison::comparison(l3d_canvas canvas, const l3d_patch_model& model, const l3d_camera& camera,
@@ -178,10 +177,9 @@ void comparison::follow_left() {
     text_.shows_time = other_.text.shows_time = screen().is_window();
 }
 
-void comparison::draw_overlay() {
+l3d_standing_panel comparison::standing_panel() {
     text_.bound_px = bound();
-    text_.draw(rasterizer(), screen().pixels().size(), controls().panel_style());
-    l3d_pipeline_afd_viewer::draw_overlay();
+    return {text_.panel(), l3d_corner::top_right};
 }
 
 void comparison::draw_line() {

@@ -26,8 +26,8 @@ struct caption {
     /// Takes a frame's time into the mean.
     void add_time(double frame_milliseconds);
 
-    /// In the half's upper right corner.
-    void draw(l3d_rasterizer_2d& rasterizer, l3d_size size, const l3d_panel_style& style) const;
+    /// For the half's upper right corner.
+    l3d_panel panel() const;
 };
 
 /// The right half: the other method's pictures, and a caption.
@@ -82,7 +82,7 @@ private:
                std::shared_ptr<const l3d_rasterizer_factory> rasterizers,
                const l3d_patch_model& model, const l3d_camera& camera,
                const l3d_afd_settings& settings, const l3d_method_choice& other);
-    void draw_overlay() override;
+    l3d_standing_panel standing_panel() override;
     void take_next_method();
     void switch_budget();
     void draw_both();

@@ -119,13 +119,14 @@ void l3d_pipeline_afd_viewer::draw_overlay() {
         controls_.set_empty(
             last_report().dice.drawn == 0 && last_report().pixels_kept == 0 ? why_empty() : "");
     const l3d_panel key = legend();
-    if (!controls_.shows_text() && key.empty())
+    const l3d_standing_panel standing = standing_panel();
+    if (!controls_.shows_text() && key.empty() && standing.panel.empty())
         return; // asking for the rasterizer makes the next frame clear the picture
     const std::array lines{
         std::isfinite(bound())
             ? formatted("error at most %.3f pixels, of %.3g allowed", bound(), settings().tolerance)
             : "no bound of the error with " + settings().method.name()};
-    controls_.draw(rasterizer(), last_report().time_ms.total, lines, key);
+    controls_.draw(rasterizer(), last_report().time_ms.total, lines, key, standing);
 }
 
 /// What colours mean, for people: pictures in files have what was asked for, and nothing else. A

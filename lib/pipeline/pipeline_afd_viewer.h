@@ -36,6 +36,9 @@ protected:
     /// What the scale of mode `error` is of. A subclass that knows more than bounds says so.
     virtual std::string error_scale_title() const { return "bound of the error, in pixels"; }
 
+    /// What a subclass tells in every picture. The viewer's panels come beside it.
+    virtual l3d_standing_panel standing_panel() { return {}; }
+
 private:
     std::vector<l3d_viewer_row> own_rows();
     l3d_viewed viewed();

@@ -3,8 +3,10 @@
 #include "pipeline/viewer_controls.h"
 
 #include "base/formatted_p.h"
+#include "pipeline/panel_places_p.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstddef>
 #include <iterator>
@@ -199,31 +201,55 @@ std::vector<l3d_panel> l3d_viewer_controls::help_pages() const {
     return all.pages(screen_.pixels().size(), "h", panel_style());
 }
 
-/// What a key was answered with has room first, help what is left.
-void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, double milliseconds,
-                               std::span<const std::string> lines, const l3d_panel& legend) const {
-    l3d_panel status, help, message;
-    if (status_shown_) {
-        constexpr double least_seconds = 1e-4; // that are told apart from none
-        status.add(formatted("%.0f pictures a second, %.1f milliseconds each",
-                             1 / std::max(smoothed_seconds_, least_seconds), milliseconds));
-        for (const std::string& line : lines)
-            status.add(line);
-    }
-    if (help_page_ > 0) {
-        const std::vector<l3d_panel> pages = help_pages();
-        help = pages[std::min(help_page_, pages.size()) - 1];
-    }
+l3d_panel l3d_viewer_controls::message_panel() const {
+    l3d_panel message;
     if (!empty_line_.empty())
         message.add(empty_line_);
     if (!message_.empty())
         message.add(message_);
     else if (hint_seconds_ > 0)
         message.add("h", "shows all keys");
-    const l3d_panel_style style = panel_style();
-    l3d_pixel_box free = l3d_whole(screen_.pixels().size());
-    message.draw(rasterizer, free, l3d_corner::bottom_left, style);
-    legend.draw(rasterizer, free, l3d_corner::bottom_right, style);
-    status.draw(rasterizer, free, l3d_corner::top_left, style);
-    help.draw(rasterizer, free, l3d_corner::top_left, style);
+    return message;
+}
+
+l3d_panel l3d_viewer_controls::status_panel(double milliseconds,
+                                            std::span<const std::string> lines) const {
+    l3d_panel status;
+    if (!status_shown_)
+        return status;
+    constexpr double least_seconds = 1e-4; // that are told apart from none
+    status.add(formatted("%.0f pictures a second, %.1f milliseconds each",
+                         1 / std::max(smoothed_seconds_, least_seconds), milliseconds));
+    for (const std::string& line : lines)
+        status.add(line);
+    return status;
+}
+
+/// What a key was answered with has room first, help what is left.
+void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, double milliseconds,
+                               std::span<const std::string> lines, const l3d_panel& legend,
+                               const l3d_standing_panel& standing) const {
+    l3d_detail::panel_places places(screen_.pixels().size(), panel_style());
+    const std::array first{
+        l3d_standing_panel{message_panel(), l3d_corner::bottom_left}, standing,
+        l3d_standing_panel{legend, l3d_corner::bottom_right},
+        l3d_standing_panel{status_panel(milliseconds, lines), l3d_corner::top_left}};
+    l3d_panel help;
+    if (help_page_ > 0) {
+        const std::vector<l3d_panel> pages = help_pages();
+        help = pages[std::min(help_page_, pages.size()) - 1];
+    }
+    l3d_detail::panel_places beside = places;
+    for (const auto& [panel, corner] : first)
+        beside.take(panel, corner);
+    const bool help_has_room = beside.take(help, l3d_corner::top_left);
+    for (const auto& [panel, corner] : first) {
+        const bool is_message = &panel == &first[0].panel;
+        if (is_message || help_has_room || l3d_detail::panel_places(places).take(panel, corner))
+            places.draw(rasterizer, panel, corner);
+        if (is_message && !help_has_room)
+            places.draw(rasterizer, help, l3d_corner::top_left);
+    }
+    if (help_has_room)
+        places.draw(rasterizer, help, l3d_corner::top_left);
 }

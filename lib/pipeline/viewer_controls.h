@@ -28,6 +28,12 @@ struct L3D_PUBLIC l3d_viewer_row {
     std::vector<std::pair<int, std::function<void()>>> actions{};
 };
 
+/// A panel that a viewer has in its picture all the time, and where.
+struct L3D_PUBLIC l3d_standing_panel {
+    l3d_panel panel{};                            ///< empty for none
+    l3d_corner corner = l3d_corner::bottom_right; ///< that it wants
+};
+
 /// The controls of all viewers: the eye turns about its target and comes nearer, turntable, pause,
 /// status, help, screenshot, the end. A viewer has one, hands events on to it, and adds rows of
 /// keys of its own to the one table that help and keys both come from.
@@ -112,15 +118,20 @@ public:
                hint_seconds_ > 0;
     }
 
-    /// Panels on top of a finished picture: status, help and message, as they are switched on, and
-    /// the viewer's own legend, if it is not empty. They fit into every window.
+    /// Panels on top of a finished picture: status, help and message, as they are switched on, the
+    /// viewer's own legend and its standing panel, if they are not empty. They fit into every
+    /// window, and none covers another. Help that has no room beside them is drawn instead of
+    /// those that are in its way, but for the message.
     /// Units: what the picture took, in milliseconds. `lines` are the viewer's own of the status.
     void draw(l3d_rasterizer_2d& rasterizer, double milliseconds,
-              std::span<const std::string> lines, const l3d_panel& legend = {}) const;
+              std::span<const std::string> lines, const l3d_panel& legend = {},
+              const l3d_standing_panel& standing = {}) const;
 
 private:
     bool passes_hint(double seconds);
     std::vector<l3d_panel> help_pages() const;
+    l3d_panel message_panel() const;
+    l3d_panel status_panel(double milliseconds, std::span<const std::string> lines) const;
     std::vector<l3d_viewer_row> first_rows();
     std::vector<l3d_viewer_row> side_rows();
     void measure(double x, double y);

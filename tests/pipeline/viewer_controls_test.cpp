@@ -4,13 +4,17 @@
 
 #include "raster/rasterizer_factory_sw.h"
 #include "tool_2d/screen_memory.h"
+#include "words_of.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -164,6 +168,89 @@ TEST(viewer_controls, fit_into_every_window) {
             }
         }
     }
+}
+
+/// All that a viewer can have at a time, on white.
+struct crowd {
+    nothing_viewer viewer;
+    l3d_panel legend;
+    l3d_standing_panel standing;
+
+    explicit crowd(l3d_size size) : viewer(size) {
+        legend.add("angle to the light, in stripes of 10 degrees");
+        legend.add_scale({white, white}, "0", "180");
+        standing.panel.add("patches", "80");
+        standing.panel.add("error", "0.25 pixels at most");
+        standing.panel.add("frame", "1.25 ms");
+    }
+
+    static constexpr std::uint32_t white = 0x00ffffff;
+
+    void draw(bool with_all = true) {
+        const l3d_rasterizer_factory_sw factory;
+        const auto imp = factory.create_2d(viewer.screen.pixels());
+        l3d_rasterizer_2d rasterizer(*imp);
+        for (int y = 0; y < viewer.screen.pixels().height; ++y)
+            std::ranges::fill(viewer.screen.pixels().row(y), white);
+        const std::string line = "error at most 0.250 pixels, of 0.25 allowed";
+        if (with_all)
+            viewer.controls.draw(rasterizer, 1.5, {&line, 1}, legend, standing);
+        else
+            viewer.controls.draw(rasterizer, 1.5, {&line, 1});
+    }
+
+    /// Where a panel's ground is on another panel's. One ground leaves a fifth of white.
+    int covered_twice() {
+        int pixels = 0;
+        for (const std::uint32_t word : words_of(viewer.screen.pixels()))
+            pixels += (word >> 16) < 60;
+        return pixels;
+    }
+};
+
+TEST(viewer_controls, draw_no_panel_on_another) {
+    for (const l3d_size size :
+         {l3d_size{320, 240}, {480, 360}, {642, 480}, {1024, 640}, {160, 240}, {97, 73}})
+        for (const std::string keys : {"o", "h", "oh", "op", "ohp", "s"})
+            for (const l3d_corner corner : {l3d_corner::bottom_right, l3d_corner::top_right}) {
+                crowd it(size);
+                it.standing.corner = corner;
+                for (const char key : keys)
+                    it.viewer.controls.key(key);
+                it.draw();
+                EXPECT_EQ(it.covered_twice(), 0) << size.width << ", keys " << keys;
+            }
+}
+
+/// In each page of a small window, too, where the others do not leave room for it.
+TEST(viewer_controls, show_help_as_if_it_were_alone) {
+    for (const l3d_size size : {l3d_size{320, 240}, {160, 240}, {480, 360}}) {
+        crowd it(size);
+        for (it.viewer.controls.key('h'); it.viewer.controls.shows_text();
+             it.viewer.controls.key('h')) {
+            it.draw(false);
+            const std::vector<std::uint32_t> alone = words_of(it.viewer.screen.pixels());
+            it.draw();
+            const std::vector<std::uint32_t> beside = words_of(it.viewer.screen.pixels());
+            int differing = 0;
+            for (std::size_t i = 0; i < alone.size(); ++i)
+                differing += alone[i] != crowd::white && alone[i] != beside[i];
+            ASSERT_EQ(differing, 0) << size.width;
+        }
+    }
+}
+
+/// Two short panels of one row: that on the right need not go up for that on the left.
+TEST(viewer_controls, leave_a_panel_in_its_corner_beside_a_message) {
+    crowd it({640, 480});
+    const auto corner = [&] { return it.viewer.screen.pixels().row(470)[620]; };
+    it.draw();
+    const std::uint32_t ground = corner();
+    EXPECT_NE(ground, crowd::white);
+    it.viewer.controls.key('p');
+    it.draw();
+    EXPECT_EQ(corner(), ground);
+    EXPECT_NE(it.viewer.screen.pixels().row(470)[20], crowd::white) << "the message";
 }
 
 /// At 320 x 240 a page of the help leaves half of the picture free; the key goes through all.

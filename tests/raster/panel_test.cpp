@@ -207,6 +207,21 @@ TEST(panel, pages_of_a_long_help_leave_half_of_the_picture_free) {
     }
 }
 
+/// Half of a window of 320 x 240.
+TEST(panel, pages_of_a_narrow_picture_leave_no_line_out) {
+    l3d_panel panel;
+    for (int i = 0; i < 24; ++i)
+        panel.add("arrows, drag", "turn it as the mouse moves");
+    constexpr l3d_size size{159, 240};
+    l3d_panel_style style;
+    style.size = l3d_panel_style::size_for(size);
+    const auto pages = panel.pages(size, "h", style);
+    EXPECT_GT(pages.size(), 1u);
+    style.size = 8; // the smallest letters
+    for (const l3d_panel& page : pages)
+        EXPECT_FALSE(page.box_in(l3d_whole(size), l3d_corner::top_left, style).empty());
+}
+
 TEST(panel, pages_hold_every_row_once) {
     l3d_panel panel;
     for (const auto& [key, text] : help)
@@ -226,7 +241,7 @@ TEST(panel, a_tiny_picture_has_one_page_rather_than_many_of_a_line_or_two) {
     l3d_panel panel;
     for (int i = 0; i < 20; ++i)
         panel.add("k", "word");
-    for (const l3d_size size : {l3d_size{60, 40}, {160, 90}})
+    for (const l3d_size size : {l3d_size{60, 40}, {160, 30}})
         EXPECT_EQ(panel.pages(size, "h", {}).size(), 1u);
 }
 

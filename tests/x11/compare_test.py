@@ -83,9 +83,29 @@ def shows_both_in_a_window():
         expect_equal(harness.ended(it.process), (0, b"", ""))
 
 
+def shows_the_status_below_the_caption():
+    """The method's name, in the first line of the left caption, can be read with the status."""
+    with contextlib.ExitStack() as stack:
+        it = Window(stack, stack.enter_context(folder()), "--compare", "fd:3", "--background", "0,0,0",
+                    program=BOTH)
+
+        def first_line():
+            return [row[160:320] for row in it.picture()[12:20]]
+
+        it.changes("j")
+        method = first_line()
+        before = [row[:160] for row in it.picture()[:LOWER.stop]]
+        xdotool(it.display, "key", "o")
+        wait_for(lambda: [row[:160] for row in it.picture()[:LOWER.stop]] != before, "the status")
+        expect(first_line() == method, "the status covers the caption")
+        xdotool(it.display, "key", "q")
+        expect_equal(harness.ended(it.process), (0, b"", ""))
+
+
 def main():
     checks = Checks()
-    for check in (compares_two_methods, steps_through_the_methods, shows_both_in_a_window):
+    for check in (compares_two_methods, steps_through_the_methods, shows_both_in_a_window,
+                  shows_the_status_below_the_caption):
         checks.run("compare " + check.__name__, check)
     checks.finish()
 

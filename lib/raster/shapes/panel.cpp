@@ -95,13 +95,25 @@ int l3d_panel_style::size_for(l3d_size picture, double text_scale) {
 std::vector<l3d_panel> l3d_panel::pages(l3d_size picture, const std::string& key,
                                         const l3d_panel_style& style) const {
     constexpr std::size_t fewest_rows = 4; // of a page that is worth a press of a key
-    for (std::size_t count = 1; count * fewest_rows <= rows_.size(); ++count) {
-        auto result = divided(count, key);
-        if (std::ranges::all_of(
-                result, [&](const l3d_panel& page) { return page.leaves_half(picture, style); }))
-            return result;
-    }
-    return {*this};
+    const auto fewest_that = [&](const auto& suit) {
+        std::vector<l3d_panel> result;
+        for (std::size_t count = 1; count * fewest_rows <= rows_.size(); ++count)
+            if (result = divided(count, key); std::ranges::all_of(result, suit))
+                return result;
+        return std::vector<l3d_panel>();
+    };
+    auto result =
+        fewest_that([&](const l3d_panel& page) { return page.leaves_half(picture, style); });
+    l3d_panel_style looks = style;
+    const auto has_room = [&](const l3d_panel& page) {
+        return !page.box_in(l3d_whole(picture), l3d_corner::top_left, looks).empty();
+    };
+    looks.size = std::min(style.size, smallest_size);
+    if (result.empty() && has_room(*this))
+        return {*this};
+    for (looks.size = style.size; result.empty() && looks.size >= smallest_size; --looks.size)
+        result = fewest_that(has_room);
+    return result.empty() ? std::vector{*this} : result;
 }
 
 /// Panels of as many rows each, and with the line that tells of the key.
@@ -125,15 +137,22 @@ std::vector<l3d_panel> l3d_panel::divided(std::size_t count, const std::string& 
 
 /// Whether the panel takes at most half of an empty picture with letters of the style's size.
 bool l3d_panel::leaves_half(l3d_size picture, const l3d_panel_style& style) const {
-    const l3d_pixel_box whole = l3d_whole(picture), room = whole.grown(-style.size / 2);
-    if (room.empty())
-        return false;
+    const l3d_pixel_box whole = l3d_whole(picture);
+    const l3d_pixel_box box = box_in(whole, l3d_corner::top_left, style);
+    return !box.empty() && 2 * box.area() <= whole.area();
+}
+
+l3d_pixel_box l3d_panel::box_in(const l3d_pixel_box& free, l3d_corner corner,
+                                const l3d_panel_style& style) const {
+    const l3d_pixel_box room = free.grown(-style.size / 2);
+    if (empty() || room.empty())
+        return {};
     const std::vector<panel_row> rows = laid_out(rows_);
     panel_layout layout(style.font, rows);
     for (int columns = 1; columns <= most_columns; ++columns)
         if (layout.make(style.size, columns, {room.right - room.left, room.bottom - room.top}))
-            return 2 * l3d_whole(layout.size()).area() <= whole.area();
-    return false;
+            return place_of(layout.size(), room, corner);
+    return {};
 }
 
 l3d_pixel_box l3d_panel::draw(l3d_rasterizer_2d& rasterizer, l3d_pixel_box& free, l3d_corner corner,

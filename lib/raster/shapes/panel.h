@@ -74,10 +74,16 @@ public:
     bool empty() const { return rows_.empty(); }
 
     /// Divides the lines among as few panels as leave half of a picture free, each for itself. If
-    /// there are several, each says that this key shows the next. One panel that covers more is
-    /// the answer for pictures so small that others would have hardly any line.
+    /// there are several, each says that this key shows the next. One panel that covers more
+    /// is the answer for pictures so small that others would have hardly any line. If even its
+    /// smallest letters would leave lines out, pages cover more, too.
     std::vector<l3d_panel> pages(l3d_size picture, const std::string& key,
                                  const l3d_panel_style& style) const;
+
+    /// What draw() would cover of a free part of a picture; nothing if the panel has no room there
+    /// with letters of the style's size.
+    l3d_pixel_box box_in(const l3d_pixel_box& free, l3d_corner corner,
+                         const l3d_panel_style& style) const;
 
     /// Draws the panel in a corner of a free part of the picture, and takes what it needs off that
     /// part: the next panel is drawn above or below. Returns what was covered; an empty panel

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// panel_places: where panels of one picture lie, so that none covers another.
+#ifndef L3D_PIPELINE_PANEL_PLACES_P_H
+#define L3D_PIPELINE_PANEL_PLACES_P_H
+
+#include "raster/rasterizer_2d.h"
+#include "raster/shapes/panel.h"
+#include "tool_2d/pixels.h"
+
+#include <vector>
+
+namespace l3d_detail {
+
+/// What is left of a picture, as its largest free rectangles, which overlap. A panel comes into the
+/// one that holds it as it wants to be, nearest to its corner: first along its edge of the picture,
+/// then farther from that. Where none does, it is wrapped more narrowly, and if that is not enough
+/// it takes the largest with smaller letters.
+class panel_places {
+public:
+    panel_places(l3d_size picture, const l3d_panel_style& style)
+        : style_(style), picture_(l3d_whole(picture)), free_{picture_} {}
+
+    /// Keeps a place for a panel. Returns whether there is one for letters of the style's size.
+    bool take(const l3d_panel& panel, l3d_corner corner);
+
+    /// Draws a panel in its place, if there is any, and keeps that.
+    void draw(l3d_rasterizer_2d& rasterizer, const l3d_panel& panel, l3d_corner corner);
+
+private:
+    l3d_pixel_box place_for(const l3d_panel& panel, l3d_corner corner) const;
+    void remove(const l3d_pixel_box& box);
+
+    l3d_panel_style style_;
+    l3d_pixel_box picture_;
+    std::vector<l3d_pixel_box> free_; ///< none lies in another
+};
+
+} // namespace l3d_detail
+
+#endif
