@@ -114,6 +114,24 @@ void comparison::pointer_event(const l3d_event& event) {
     l3d_pipeline_afd_viewer::pointer_event(moved);
 }
 
+l3d_frame_report comparison::report() const {
+    l3d_frame_report result = l3d_pipeline_afd_viewer::report();
+    result.frame = frame_;
+    return result;
+}
+
+bool comparison::skip_event() {
+    ++frame_;
+    return true;
+}
+
+std::optional<l3d_pick> comparison::pick(double x, double y) const {
+    const halves parts(whole_->pixels().width);
+    if (x >= parts.right_start)
+        return other_.pick(x - parts.right_start, y);
+    return x < parts.width ? l3d_pipeline_afd_viewer::pick(x, y) : std::nullopt;
+}
+
 void comparison::resize_event(l3d_size size) {
     l3d_pipeline_afd_viewer::resize_event(size);
     other_.resize_event(size);
@@ -137,11 +155,13 @@ l3d_pixel_box comparison::changed() const {
 /// Nobody waits for a window's errors: they are shown when they are known. Pictures in files have
 /// them at once.
 void comparison::draw_event() {
+    ++frame_;
     draw_both();
     measure();
     if (!screen().is_window()) {
         live_.wait();
-        draw_both();
+        if (live_.has_results())
+            draw_both();
     } else if (!changed().empty()) {
         text_.add_time(report().time_ms.total);
         other_.text.add_time(other_.report().time_ms.total);

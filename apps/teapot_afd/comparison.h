@@ -60,9 +60,16 @@ public:
     /// Both halves: what a dispatcher shows.
     l3d_screen& whole() { return *whole_; }
 
+    /// Of the left half, with the number of the whole picture.
+    l3d_frame_report report() const;
+
+    /// What is seen at (x, y) of the whole picture, in the half that the place is in.
+    std::optional<l3d_pick> pick(double x, double y) const;
+
     void pointer_event(const l3d_event& event) override;
     void resize_event(l3d_size size) override;
     void draw_event() override;
+    bool skip_event() override;
     l3d_pixel_box changed() const override;
     bool needs_redraw() const override;
     bool is_at_rest() const override;
@@ -100,6 +107,7 @@ private:
     double other_tolerance_;
     /// How many frames are still drawn although nothing moves.
     int frames_to_settle_ = 0;
+    int frame_ = -1; ///< the last one; the halves may be drawn twice for it
     caption text_;
     live_error live_;
     /// What was begun last.

@@ -33,7 +33,8 @@ int main(int argc, char** argv) {
     const l3d_method_option method(program.options(), "--method", "afd",
                                    "how surfaces are drawn: ");
     const l3d_method_option compared(program.options(), "--compare", "",
-                                     "draw the right half by this method, the left as without: ");
+                                     "draw the right half by this method, and the left, which "
+                                     "--report, --explain and --statistics tell of, as without: ");
     const l3d_part_options parts(program.options());
     std::string folder;
     bool quick = false;
@@ -54,6 +55,12 @@ int main(int argc, char** argv) {
             return false;
         }
         other = compared.choice();
+        for (const auto& [option, file] : {std::pair("--depth-output", &afd.depth_output()),
+                                           {"--error-output", &afd.error_output()}})
+            if (other && !file->empty())
+                throw l3d_error(l3d_exit::usage, std::string(option) +
+                                                     ": not with --compare, whose halves are two "
+                                                     "pictures");
         if (folder.empty())
             return true;
         const l3d_patch_scene scene(parts.applied(afd.model()));

@@ -30,6 +30,7 @@ method_viewer::subject method_viewer::now() {
 
 /// A window goes on, and shows errors when they are known. Pictures in files have them at once.
 void method_viewer::draw_event() {
+    ++frame_;
     if (!measures_error())
         return l3d_pipeline_afd_viewer::draw_event();
     settings().depth = true;
@@ -38,9 +39,23 @@ void method_viewer::draw_event() {
     measure();
     if (!screen().is_window()) {
         live_->wait();
+        if (!live_->has_results())
+            return;
         take_errors();
+        static_cast<void>(pixels()); // drawn whole again: a report is of no picture that was kept
         l3d_pipeline_afd_viewer::draw_event();
     }
+}
+
+l3d_frame_report method_viewer::report() const {
+    l3d_frame_report result = l3d_pipeline_afd_viewer::report();
+    result.frame = frame_;
+    return result;
+}
+
+bool method_viewer::skip_event() {
+    ++frame_;
+    return true;
 }
 
 bool method_viewer::needs_redraw() const {

@@ -23,7 +23,11 @@ public:
     method_viewer(l3d_canvas canvas, const l3d_patch_scene& scene, const l3d_camera& camera,
                   const l3d_afd_settings& settings, const l3d_method_choice& first);
 
+    /// With the number of the picture.
+    l3d_frame_report report() const;
+
     void draw_event() override;
+    bool skip_event() override;
     bool needs_redraw() const override;
     bool is_at_rest() const override;
 
@@ -49,6 +53,7 @@ private:
     void take_errors();
     void paint_errors();
 
+    int frame_ = -1; ///< the last one, which may be drawn twice
     l3d_method_choice method_;
     std::optional<l3d_patch_model> model_; ///< of a scene that has an exact picture
     std::optional<live_error> live_;       ///< begun when it is first needed

@@ -3,6 +3,7 @@
 """teapot_afd --compare, which shows two methods side by side, and the key m, which changes one."""
 
 import contextlib
+import json
 import os
 
 import harness
@@ -102,10 +103,56 @@ def shows_the_status_below_the_caption():
         expect_equal(harness.ended(it.process), (0, b"", ""))
 
 
+def frames_of(path, *arguments, program=BOTH):
+    command = program.command("--backend", "memory", "--turntable", "5", *arguments, "--output", "q%d.ppm",
+                              "--report", "r.json")
+    expect_equal(run(command, environment(), cwd=path), (0, b"", ""), arguments)
+    with open(os.path.join(path, "r.json"), encoding="utf-8") as file:
+        return [json.loads(line) for line in file]
+
+
+def reports_the_left_half_of_each_frame():
+    """A frame is one, however often it was drawn to be measured. So it is of the measured error."""
+    with folder() as path:
+        for options in (("--compare", "fd:3"), ("--shade", "error")):
+            lines = frames_of(path, "--frames", "3", *options)
+            expect_equal([line["frame"] for line in lines], [0, 1, 2], options)
+            expect(all(line["patches"]["left_out"]["unchanged"] == 0 for line in lines), options, lines)
+            lines = frames_of(path, "--frames", "2:4", *options)
+            expect_equal([line["frame"] for line in lines], [2, 3], options)
+        lines = frames_of(path, "--frames", "1", "--compare", "fd:3", "--wireframe")
+        expect_equal([(line["frame"], line["pixels_kept"], line["size"]) for line in lines], [(0, 0, "320x260")])
+
+
+def refuses_maps_of_half_a_picture():
+    with folder() as path:
+        for option in ("--depth-output", "--error-output"):
+            command = BOTH.command("--backend", "memory", "--compare", "fd", option, "m.pfm", "--output", "o.png")
+            said = "teapot_afd: %s: not with --compare, whose halves are two pictures\n" % option
+            expect_equal(run(command, environment(), cwd=path), (2, b"", said))
+        expect_equal(os.listdir(path), [])
+
+
+def picks_in_the_half_of_the_place():
+    def picked(x):
+        command = BOTH.command("--backend", "memory", "--compare", "fd", "--pick", "%d,150" % x, "--output", "o.png")
+        status, out, said = run(command, environment(), cwd=path)
+        expect_equal((status, said), (0, ""))
+        return out
+
+    with folder() as path:
+        expect(picked(160) != b"nothing there\n", "the left teapot")
+        expect_equal(picked(322 + 160), picked(160), "the right teapot")
+        for x in (5, 320, 321, 322 + 5):
+            expect_equal(picked(x), b"nothing there\n", x)
+
+
 def main():
     checks = Checks()
     for check in (compares_two_methods, steps_through_the_methods, shows_both_in_a_window,
-                  shows_the_status_below_the_caption):
+                  shows_the_status_below_the_caption,
+                  reports_the_left_half_of_each_frame, refuses_maps_of_half_a_picture,
+                  picks_in_the_half_of_the_place):
         checks.run("compare " + check.__name__, check)
     checks.finish()
 
