@@ -84,8 +84,7 @@ comparison::comparison(std::shared_ptr<l3d_screen> whole,
                               settings),
       whole_(std::move(whole)), other_(half_of(whole_, rasterizers, half_screen::side::right),
                                        model, camera, with_method(settings, other)),
-      other_method_(other), other_tolerance_(settings.tolerance),
-      live_(model, screen().is_window()) {
+      other_method_(other), other_tolerance_(settings.tolerance), live_(screen().is_window()) {
     controls().add({"m", "another method on the right", {{'m', [this] { take_next_method(); }}}});
     controls().add({"b", "the same time, or the same error", {{'b', [this] { switch_budget(); }}}});
 }
@@ -177,10 +176,18 @@ void comparison::draw_both() {
     draw_line();
 }
 
+/// The key d puts another model in the place of the left one.
+void comparison::show_same_parts() {
+    const l3d_patch_instance& right = other_.scene().instances()[0];
+    if (right.model().identity() != shown().identity())
+        other_.scene().place(0, shown(), right.placement());
+}
+
 /// The right half shows what the left one does, as far as its method can.
 void comparison::follow_left() {
     if (l3d_pipeline_afd_viewer::needs_redraw())
         other_.redraw();
+    show_same_parts();
     const l3d_method_factory method = other_.settings().method;
     l3d_afd_settings now = settings();
     now.method = method;
@@ -227,12 +234,17 @@ void comparison::seek_equal_time() {
 
 /// Begins to, unless an older picture is still being measured or this one was.
 void comparison::measure() {
-    const subject now{camera(), screen().pixels().size(), settings().tolerance,
-                      other_.settings().tolerance, other_method_.name()};
+    const subject now{{shown()},
+                      camera(),
+                      screen().pixels().size(),
+                      settings().tolerance,
+                      other_.settings().tolerance,
+                      other_method_.name()};
     if (settings().wireframe || now == measured_ || !live_.is_idle())
         return;
     measured_ = now;
-    live_.begin({now.camera, now.size, {l3d_distances(depth()), l3d_distances(other_.depth())}});
+    live_.begin(
+        {shown(), now.camera, now.size, {l3d_distances(depth()), l3d_distances(other_.depth())}});
 }
 
 void comparison::take_results() {

@@ -46,6 +46,8 @@ private:
 /// method, from the same place with the same settings. Under each name stand its time, its bound
 /// and its error, which is measured in the background.
 ///
+/// Parts that are hidden on the left are hidden on the right, and in the exact picture.
+///
 /// Edges are stairs at first, as only AFD has others. The key m takes the next method on the right.
 /// The key b gives it the time of the left one instead of its tolerance: it then draws as exactly
 /// as it can in that time.
@@ -77,6 +79,7 @@ public:
 private:
     /// What errors are those of.
     struct subject {
+        shown_model model;
         l3d_camera camera;
         l3d_size size;
         double tolerance = 0, other_tolerance = 0;
@@ -94,6 +97,8 @@ private:
     void switch_budget();
     void draw_both();
     void follow_left();
+    void show_same_parts();
+    const l3d_patch_model& shown() { return scene().instances()[0].model(); }
     void draw_line();
     void seek_equal_time();
     void measure();

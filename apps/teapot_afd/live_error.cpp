@@ -24,8 +24,7 @@ double largest_of(const std::vector<float>& values) {
 
 } // namespace
 
-live_error::live_error(const l3d_patch_model& model, bool is_modest)
-    : model_(model), thread_([this, is_modest] { run(is_modest); }) {}
+live_error::live_error(bool is_modest) : thread_([this, is_modest] { run(is_modest); }) {}
 
 live_error::~live_error() {
     {
@@ -76,8 +75,11 @@ void live_error::run(bool is_modest) {
             return;
         const live_task task = *task_;
         lock.unlock();
-        if (!view_ || view_->camera() != task.camera || view_->size() != task.size)
-            view_.emplace("", model_, task.camera, task.size);
+        const shown_model model{task.model};
+        if (!view_ || view_->camera() != task.camera || view_->size() != task.size ||
+            viewed_ != model)
+            view_.emplace("", task.model, task.camera, task.size);
+        viewed_ = model;
         std::vector<live_result> results;
         for (const auto& distances : task.distances) {
             auto errors = view_->errors(distances, most_distances);

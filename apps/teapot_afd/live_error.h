@@ -23,8 +23,21 @@ struct live_result {
     reference::error_map map;
 };
 
+/// A model, which is equal to none but itself and its copies.
+struct shown_model {
+    std::optional<l3d_patch_model> model;
+
+    friend bool operator==(const shown_model& a, const shown_model& b) {
+        return a.identity() == b.identity();
+    }
+
+private:
+    const void* identity() const { return model ? model->identity() : nullptr; }
+};
+
 /// Pictures of one view, drawn in several ways.
 struct live_task {
+    l3d_patch_model model;
     l3d_camera camera;
     l3d_size size;
     /// Those of each picture, row by row.
@@ -33,12 +46,12 @@ struct live_task {
 
 /// Compares pictures with the exact one, on a thread of its own.
 ///
-/// Lives: shares the model's data. Its end waits for the comparison that is being made.
+/// Lives: shares the data of a task's model. Its end waits for the comparison that is being made.
 class live_error {
 public:
     /// A modest one leaves most of a busy processor to others, so frames take as long as without
     /// it. One that is not has its results soon, for those who wait for them.
-    live_error(const l3d_patch_model& model, bool is_modest);
+    explicit live_error(bool is_modest);
     live_error(const live_error&) = delete;
     live_error& operator=(const live_error&) = delete;
     ~live_error();
@@ -57,9 +70,9 @@ public:
 private:
     void run(bool is_modest);
 
-    l3d_patch_model model_;
-    /// The thread's own.
+    /// The thread's own, and what it is of.
     std::optional<measured_view> view_;
+    shown_model viewed_;
     mutable std::mutex mutex_;
     mutable std::condition_variable changed_;
     /// The task until it is done.

@@ -14,18 +14,21 @@
 method_viewer::method_viewer(l3d_canvas canvas, const l3d_patch_scene& scene,
                              const l3d_camera& camera, const l3d_afd_settings& settings,
                              const l3d_method_choice& first)
-    : l3d_pipeline_afd_viewer(std::move(canvas), scene, camera, settings), method_(first) {
-    if (scene.instances().size() == 1 && scene.transparent_count() == 0)
-        model_ = scene.instances()[0].model();
+    : l3d_pipeline_afd_viewer(std::move(canvas), scene, camera, settings), method_(first),
+      has_exact_(scene.instances().size() == 1 && scene.transparent_count() == 0) {
     controls().add({"m", "another method", {{'m', [this] { take_next_method(); }}}});
 }
 
 bool method_viewer::measures_error() const {
-    return settings().shade == l3d_shade::error && !settings().wireframe && model_;
+    return settings().shade == l3d_shade::error && !settings().wireframe && has_exact_;
 }
 
 method_viewer::subject method_viewer::now() {
-    return {camera(), screen().pixels().size(), settings().tolerance, method_.name()};
+    return {{scene().instances()[0].model()},
+            camera(),
+            screen().pixels().size(),
+            settings().tolerance,
+            method_.name()};
 }
 
 /// A window goes on, and shows errors when they are known. Pictures in files have them at once.
@@ -70,11 +73,11 @@ bool method_viewer::is_at_rest() const {
 /// Begins to, unless an older picture is still being measured or this one was.
 void method_viewer::measure() {
     if (!live_)
-        live_.emplace(*model_, screen().is_window());
+        live_.emplace(screen().is_window());
     if (begun_ == now() || !live_->is_idle())
         return;
     begun_ = now();
-    live_->begin({begun_.camera, begun_.size, {l3d_distances(depth())}});
+    live_->begin({*begun_.model.model, begun_.camera, begun_.size, {l3d_distances(depth())}});
 }
 
 void method_viewer::take_errors() {

@@ -38,6 +38,7 @@ protected:
 private:
     /// What a measurement is of.
     struct subject {
+        shown_model model;
         l3d_camera camera;
         l3d_size size;
         double tolerance = 0;
@@ -55,9 +56,9 @@ private:
 
     int frame_ = -1; ///< the last one, which may be drawn twice
     l3d_method_choice method_;
-    std::optional<l3d_patch_model> model_; ///< of a scene that has an exact picture
-    std::optional<live_error> live_;       ///< begun when it is first needed
-    subject begun_;                        ///< measured last, or being measured
+    bool has_exact_;                 ///< the scene has an exact picture
+    std::optional<live_error> live_; ///< begun when it is first needed
+    subject begun_;                  ///< measured last, or being measured
     std::optional<reference::error_map> errors_;
     subject measured_; ///< what errors_ are of
 };

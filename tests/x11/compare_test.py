@@ -147,12 +147,32 @@ def picks_in_the_half_of_the_place():
             expect_equal(picked(x), b"nothing there\n", x)
 
 
+def hides_a_part_in_both_halves():
+    """The body of the left teapot, and of the right one, and of the exact one that errors are measured by."""
+    with contextlib.ExitStack() as stack:
+        path = stack.enter_context(folder())
+        it = Window(stack, path, "--compare", "afd", "--background", "0,0,0", program=BOTH)
+
+        def halves():
+            rows = it.picture()[LOWER]
+            return [row[:320] for row in rows], [row[322:] for row in rows]
+
+        it.changes("j")
+        whole = wait_for(lambda: halves()[0] == halves()[1] and halves()[0], "two whole teapots")
+        xdotool(it.display, "key", "e", "d", "j")
+        wait_for(lambda: whole not in halves() and halves()[0] == halves()[1], "two teapots without a part")
+        xdotool(it.display, "key", "r")
+        wait_for(lambda: halves() == (whole, whole), "two whole teapots again")
+        xdotool(it.display, "key", "q")
+        expect_equal(harness.ended(it.process), (0, b"", ""))
+
+
 def main():
     checks = Checks()
     for check in (compares_two_methods, steps_through_the_methods, shows_both_in_a_window,
                   shows_the_status_below_the_caption,
                   reports_the_left_half_of_each_frame, refuses_maps_of_half_a_picture,
-                  picks_in_the_half_of_the_place):
+                  picks_in_the_half_of_the_place, hides_a_part_in_both_halves):
         checks.run("compare " + check.__name__, check)
     checks.finish()
 
