@@ -31,6 +31,7 @@ public:
         });
         return program_.run(argc, argv, [this] { // step 1: choose factories
             if (polygons_.pipeline() == l3d_pipeline_kind::afd) {
+                polygons_.refuse_for_patches();
                 const l3d_afd_settings settings = afd_.settings();
                 const l3d_camera camera = afd_.camera();
                 return show<l3d_pipeline_afd_viewer>(parts_.scene(afd_.model()), camera, settings);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <string>
 #include <utility>
 
 l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared)
@@ -55,6 +56,24 @@ l3d_polygon_model l3d_polygon_options::model() const {
     return l3d_polygon_model(l3d_mesh_of(file, name, facets_), to_origin_, crease_angle_);
 }
 
+void l3d_polygon_options::refuse_for_patches() const {
+    const l3d_polygon_settings usual;
+    const std::pair<const char*, bool> of_polygons[] = {
+        {"--parallel", parallel_},
+        {"--hidden-lines", hidden_lines_},
+        {"--all-faces", all_faces_},
+        {"--rotate", rotation_ != usual.rotation},
+        {"--rotate-order", rotation_order_ != usual.rotation_order},
+        {"--to-origin", to_origin_},
+        {"--crease-angle", crease_angle_ != l3d_usual_crease_angle},
+        {"--facets", facets_ != l3d_usual_facets}};
+    for (const auto& [option, is_given] : of_polygons)
+        if (is_given)
+            throw l3d_error(l3d_exit::usage, std::string(option) +
+                                                 ": only polygons have it, and --pipeline afd "
+                                                 "draws patches");
+}
+
 l3d_polygon_settings l3d_polygon_options::settings() const {
     const l3d_afd_settings shared = shared_.settings();
     if (shared.depth)
@@ -70,6 +89,16 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
         throw l3d_error(l3d_exit::usage,
                         "--shade: only --pipeline afd has the exact patches that zebra, isophotes, "
                         "gaussian, mean and draft look at");
+    const std::pair<const char*, bool> of_patches[] = {{"--net", shared.net},
+                                                       {"--one-sided", shared.one_sided},
+                                                       {"--tolerance", shared_.gives_tolerance()},
+                                                       {"--lateral-only", shared.lateral_only},
+                                                       {"--keep-all", shared.keep.drawing}};
+    for (const auto& [option, is_given] : of_patches)
+        if (is_given)
+            throw l3d_error(l3d_exit::usage, std::string(option) +
+                                                 ": polygons are drawn as they are; only "
+                                                 "--pipeline afd has it");
     if (shared.fog.is_on() && (parallel_ || hidden_lines_ || shared.wireframe))
         throw l3d_error(l3d_exit::usage, "--fog: only surfaces in perspective have it");
     l3d_polygon_settings settings;

@@ -36,8 +36,13 @@ public:
     /// Errors: l3d_error(bad_input) with file and line.
     l3d_polygon_model model() const;
 
-    /// Errors: as l3d_afd_options::settings; l3d_error(usage) for --depth-output.
+    /// Errors: as l3d_afd_options::settings; l3d_error(usage) for what only patches have, such as
+    ///         --depth-output and --net.
     l3d_polygon_settings settings() const;
+
+    /// For a program that draws patches, as --pipeline afd asks.
+    /// Errors: l3d_error(usage) if an option of polygons says anything else than its default.
+    void refuse_for_patches() const;
 
 private:
     const l3d_afd_options& shared_;

@@ -325,6 +325,24 @@ def shows_the_error_where_it_is_bounded():
             expect(said.startswith("modelview: --shade: only --pipeline afd "), said)
 
 
+def modelview_refuses_what_its_pipeline_has_not():
+    """What is given as its default is no wish."""
+    viewer = Program("modelview", (97, 73))
+    of_patches = (("--net",), ("--one-sided",), ("--tolerance", "50"), ("--lateral-only",), ("--keep-all",))
+    of_polygons = (("--rotate", "30,0,0"), ("--parallel",), ("--hidden-lines",), ("--to-origin",), ("--all-faces",),
+                   ("--facets", "4"), ("--rotate-order", "zyx"), ("--crease-angle", "10"))
+    usual = ("--rotate", "0,0,0")
+    with folder() as path:
+        for pipeline, refused, taken in (("zbuffer", of_patches, of_polygons), ("zsort", of_patches, of_polygons),
+                                         ("afd", of_polygons, (*of_patches, usual))):
+            for words in (*refused, *taken):
+                command = viewer.command("--backend", "memory", "--pipeline", pipeline, *words, "--output", "o.png")
+                status, out, said = run(command, environment(), cwd=path)
+                expect_equal((status, out), (2 if words in refused else 0, b""), (pipeline, words, said))
+                if words in refused:
+                    expect(said.startswith("modelview: %s: " % words[0]) and said.count("\n") == 1, said)
+
+
 class Window:
     """The program in a window, and what is in it."""
 
@@ -411,7 +429,8 @@ def main():
         repeats_itself, explains_what_it_left_out, refuses_wrong_values,
         takes_lights_of_any_length, refuses_fog_that_a_method_draws_without,
         refuses_a_tolerance_that_nobody_keeps, keeps_all_frames,
-        shows_the_error_where_it_is_bounded, greets_a_person, obeys_its_keys,
+        shows_the_error_where_it_is_bounded,
+        modelview_refuses_what_its_pipeline_has_not, greets_a_person, obeys_its_keys,
         obeys_the_mouse,
     ):
         checks.run("teapot " + check.__name__, check)
