@@ -189,8 +189,8 @@ jobs  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell expr $$(nproc 2>/dev/null 
 # Silent of what is up to date. A recipe of these begins with +, or make -jN keeps its N to itself.
 again = $(MAKE) $(if $(V),,-s) $(call jobs,0)
 count = rm -f $(OUT)/steps; steps=$$($(MAKE) -n STEPS=1 $(1) 2>/dev/null | grep -c '^echo >> $(OUT)/steps')
-build = $(if $(dry_run),$(again) $(1),$(call count,$(1)); $(again) STEPS=$$steps $(1))
-judge = $(if $(dry_run),$(MAKE) -k $(1),\
+build = $(if $(dry_run),: $(1),$(call count,$(1)); $(again) STEPS=$$steps $(1))
+judge = $(if $(dry_run),: $(1),\
         rm -f $(1); $(MAKE) $(call jobs,1) -k $(1) || true; awk -f tests/lint/summary.awk $(1))
 
 all: ## build the library and the programs (the default)

@@ -167,15 +167,19 @@ TEST(dispatcher_script, resuming_makes_what_is_missing) {
     l3d_frame_settings settings = frames(4);
     settings.output = folder.file("f%d.png");
     settings.resume = true;
+    script_run run(settings);
+    const l3d_size size = run.screen.pixels().size();
     for (const char* present : {"f1.png", "f3.png"}) {
-        l3d_image stranger({3, 2}, 3);
+        l3d_image stranger(size, size.width);
         l3d_write_png(folder.file(present), stranger.pixels());
     }
-    script_run run(settings);
+    l3d_image of_another_size({3, 2}, 3);
+    l3d_write_png(folder.file("f0.png"), of_another_size.pixels());
     run.pipeline.skips = true;
     run.dispatcher.start();
     EXPECT_EQ(folder.count(), 4);
-    EXPECT_EQ(l3d_read_png(folder.file("f1.png")).pixels().width, 3) << "not written again";
+    EXPECT_EQ(l3d_read_png(folder.file("f0.png")).pixels().width, size.width) << "written again";
+    EXPECT_EQ(l3d_read_png(folder.file("f1.png")).pixels().row(3)[5], 0u) << "not written again";
     EXPECT_EQ(l3d_read_png(folder.file("f2.png")).pixels().row(3)[5], 2u);
     EXPECT_EQ(count_of(run.log, "update"), 4);
 }
