@@ -112,7 +112,8 @@ private:
     double other_tolerance_;
     /// How many frames are still drawn although nothing moves.
     int frames_to_settle_ = 0;
-    int frame_ = -1; ///< the last one; the halves may be drawn twice for it
+    /// The last one. The halves may be drawn twice for it.
+    int frame_ = -1;
     caption text_;
     live_error live_;
     /// What was begun last.

@@ -54,7 +54,8 @@ private:
     void take_errors();
     void paint_errors();
 
-    int frame_ = -1; ///< the last one, which may be drawn twice
+    /// The last one. It may be drawn twice.
+    int frame_ = -1;
     l3d_method_choice method_;
     bool has_exact_;                 ///< the scene has an exact picture
     std::optional<live_error> live_; ///< begun when it is first needed

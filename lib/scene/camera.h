@@ -55,7 +55,8 @@ struct L3D_PUBLIC l3d_camera {
     vector up{0.0, 1.0, 0.0};     ///< the direction that is upright in the picture, any length
     double fov = 38;              ///< full vertical angle of view, in degrees
     double near = 0.1; ///< least distance along the view axis that is drawn, in world units
-    double far = 1e16; ///< farther than any point from any eye, sqrt(3) 1.001e15
+    /// No point is farther from any eye: at most sqrt(3) 1.001e15.
+    double far = 1e16;
 
     friend bool operator==(const l3d_camera&, const l3d_camera&) = default;
 

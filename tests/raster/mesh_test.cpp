@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Meshes of patches: colours, steps, cracks and folds.
 #include "raster/canvas_2d.h"
+#include "raster/mesh_patches.h"
 #include "raster/parallel/simd_target.h"
 #include "raster/paths/gradient.h"
 #include "raster/paths/mesh_dicer_p.h"
@@ -15,10 +16,6 @@
 #include <vector>
 
 namespace {
-
-double uniform(std::mt19937& random, double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-}
 
 double level(std::uint32_t word, int shift) {
     return word >> shift & 255;
@@ -170,152 +167,24 @@ TEST(mesh, triangles_are_a_sixteenth_of_a_pixel_from_the_patch) {
     std::printf("  largest distance: %.2f of the bound in the mean\n", sum / count);
 }
 
-TEST(mesh, has_no_cracks_between_patches_whichever_way_their_borders_run) {
-    constexpr int size = 60, across = 4;
+/// Whether a square of patches covers every pixel, again and again.
+template <class Wild>
+void expect_no_cracks(std::size_t across, int size, int count, const Wild& wild) {
     std::mt19937 random(3);
-    for (int n = 0; n < 40; ++n) {
-        std::array<std::array<l3d_point_2d, 3 * across + 1>, 3 * across + 1> net;
-        for (int r = 0; r <= 3 * across; ++r)
-            for (int k = 0; k <= 3 * across; ++k) {
-                const bool rim = r == 0 || k == 0 || r == 3 * across || k == 3 * across;
-                const double wild = rim ? 0 : 1.2;
-                net[std::size_t(r)][std::size_t(k)] = {
-                    -1 + k * (size + 1.0) / (3 * across) + uniform(random, -wild, wild),
-                    -1 + r * (size + 1.0) / (3 * across) + uniform(random, -wild, wild)};
-            }
-        std::vector<l3d_mesh_patch> patches;
-        for (std::size_t r = 0; r < across; ++r)
-            for (std::size_t k = 0; k < across; ++k) {
-                l3d_mesh_patch patch;
-                // turned by half, or mirrored, so that borders run either way
-                const bool flip = random() % 2 == 0, mirror = random() % 2 == 0;
-                for (std::size_t i = 0; i < 4; ++i)
-                    for (std::size_t j = 0; j < 4; ++j)
-                        patch.points[i][j] =
-                            net[3 * r + (flip ? 3 - i : i)][3 * k + (mirror ? 3 - j : j)];
-                patch.colors.fill(canvas::color);
-                patches.push_back(patch);
-            }
+    for (int n = 0; n < count; ++n) {
         canvas c(size, size);
-        c.draw.draw_mesh(patches);
-        EXPECT_EQ(c.lit().size(), std::size_t{size} * size) << n;
+        c.draw.draw_mesh(square_of_patches(across, size, wild, random));
+        EXPECT_EQ(c.lit().size(), std::size_t(size) * std::size_t(size)) << n;
     }
 }
 
-l3d_mesh_patch turned(const l3d_mesh_patch& patch) {
-    l3d_mesh_patch result = patch;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j)
-            result.points[i][j] = patch.points[j][i];
-    return result;
+TEST(mesh, has_no_cracks_between_patches_whichever_way_their_borders_run) {
+    expect_no_cracks(4, 60, 40, [](std::size_t, std::size_t) { return 1.2; });
 }
 
-/// A square of patches, each of which bends elsewhere, and so needs other steps than its
-/// neighbours. They run either way, along rows or columns.
+/// They need other steps than their neighbours: a corner of the square is the wildest.
 TEST(mesh, has_no_cracks_between_patches_that_bend_more_and_less) {
-    constexpr int size = 120, across = 3;
-    constexpr std::size_t side = 3 * across + 1;
-    std::mt19937 random(4);
-    for (int n = 0; n < 30; ++n) {
-        std::array<std::array<l3d_point_2d, side>, side> net;
-        for (std::size_t r = 0; r < side; ++r)
-            for (std::size_t k = 0; k < side; ++k) {
-                const bool rim = r == 0 || k == 0 || r == side - 1 || k == side - 1;
-                // as wild as a corner of the square is near
-                const double wild = rim ? 0 : 5.0 * double(r * k) / double(side * side);
-                net[r][k] = {
-                    -1 + double(k) * (size + 1.0) / (side - 1) + uniform(random, -wild, wild),
-                    -1 + double(r) * (size + 1.0) / (side - 1) + uniform(random, -wild, wild)};
-            }
-        std::vector<l3d_mesh_patch> patches;
-        for (std::size_t r = 0; r < across; ++r)
-            for (std::size_t k = 0; k < across; ++k) {
-                l3d_mesh_patch patch;
-                const bool flip = random() % 2 == 0, mirror = random() % 2 == 0;
-                for (std::size_t i = 0; i < 4; ++i)
-                    for (std::size_t j = 0; j < 4; ++j)
-                        patch.points[i][j] =
-                            net[3 * r + (flip ? 3 - i : i)][3 * k + (mirror ? 3 - j : j)];
-                patch.colors.fill(canvas::color);
-                patches.push_back(random() % 2 == 0 ? patch : turned(patch));
-            }
-        canvas c(size, size);
-        c.draw.draw_mesh(patches);
-        EXPECT_EQ(c.lit().size(), std::size_t{size} * size) << n;
-    }
-}
-
-std::array<int, 4> quarters_along(const l3d_detail::mesh_dicing& dicing) {
-    return dicing.along.of_quarter;
-}
-
-/// A patch whose upper border bends in its last quarter most.
-l3d_mesh_patch bent_in_a_corner() {
-    l3d_mesh_patch result;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j)
-            result.points[i][j] = {100 * double(j), 100 * double(i)};
-    result.points[0][3] = {330, 60};
-    return result;
-}
-
-TEST(mesh, takes_more_steps_where_it_bends_more) {
-    const l3d_mesh_patch patch = bent_in_a_corner();
-    const auto dicing =
-        l3d_detail::dicings_of({&patch, 1}, l3d_detail::mesh_colors::bilinear).front();
-    ASSERT_TRUE(dicing.along.is_quartered());
-    const std::array<int, 4> steps = quarters_along(dicing);
-    EXPECT_LT(steps[0], steps[3]);
-    EXPECT_LT(dicing.down.of_quarter[3], dicing.down.of_quarter[0]);
-}
-
-TEST(mesh, has_the_same_steps_on_both_sides_of_a_border) {
-    const l3d_mesh_patch patch = bent_in_a_corner();
-    const auto dicings = [](std::span<const l3d_mesh_patch> patches) {
-        return l3d_detail::dicings_of(patches, l3d_detail::mesh_colors::bilinear);
-    };
-    const std::array<int, 4> alone = quarters_along(dicings({&patch, 1}).front());
-    // a straight patch below, whose upper border runs the other way
-    l3d_mesh_patch below;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j)
-            below.points[i][j] = {300 - 100 * double(j), 300 + 100 * double(i)};
-    const auto both = dicings(std::array{patch, below});
-    EXPECT_EQ(quarters_along(both[0]), alone);
-    EXPECT_EQ(quarters_along(both[1]), (std::array{alone[3], alone[2], alone[1], alone[0]}));
-    // and one to its right, whose columns are rows
-    const auto turned_too = dicings(std::array{turned(patch), turned(below)});
-    EXPECT_EQ(turned_too[1].down.of_quarter, quarters_along(both[1]));
-    const auto other_order = dicings(std::array{below, patch});
-    EXPECT_EQ(quarters_along(other_order[0]), quarters_along(both[1]));
-    EXPECT_EQ(quarters_along(other_order[1]), alone);
-    // a strip that bends in one place is glued to itself the other way round
-    l3d_mesh_patch twisted = patch;
-    for (std::size_t j = 0; j < 4; ++j) {
-        twisted.points[0][j] = {100 * double(j), 0};
-        twisted.points[3][j] = {100 * double(j), 300};
-    }
-    twisted.points[1][2].x += 80;
-    const std::array<int, 4> one_way = quarters_along(dicings({&twisted, 1}).front());
-    EXPECT_NE(one_way[0], one_way[3]);
-    for (std::size_t j = 0; j < 4; ++j)
-        twisted.points[3][j] = twisted.points[0][3 - j];
-    const std::array<int, 4> both_ways = quarters_along(dicings({&twisted, 1}).front());
-    EXPECT_EQ(both_ways[0], both_ways[3]);
-    EXPECT_EQ(both_ways[1], both_ways[2]);
-}
-
-/// Patches that share no more than a point need not agree.
-TEST(mesh, has_its_own_steps_about_a_pole) {
-    l3d_mesh_patch pole = bent_in_a_corner(), other;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j)
-            other.points[i][j] = {-100 * double(j), 10 * double(i)};
-    for (std::size_t i = 0; i < 4; ++i)
-        pole.points[i][0] = other.points[i][0] = {0, 0};
-    const auto dicings =
-        l3d_detail::dicings_of(std::array{pole, other}, l3d_detail::mesh_colors::bilinear);
-    EXPECT_GT(dicings[0].down.whole, dicings[1].down.whole);
+    expect_no_cracks(3, 120, 30, [](std::size_t r, std::size_t k) { return 0.05 * double(r * k); });
 }
 
 /// Implements triangles, and no meshes.

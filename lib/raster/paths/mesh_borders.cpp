@@ -20,11 +20,14 @@ using border = std::array<double, 8>;
 
 struct border_hash {
     std::size_t operator()(const border& of) const {
+        // 2^64 by the golden ratio, odd. Products mix upwards only, so they are turned by about
+        // half of their bits, an odd number.
+        constexpr std::uint64_t factor = 0x9e3779b97f4a7c15U;
+        constexpr int about_half = 29;
         std::uint64_t result = 0;
         for (const double x : of) // + 0 makes one zero of both
-            result = std::rotl((result ^ std::bit_cast<std::uint64_t>(x + 0.0)) *
-                                   0x9e3779b97f4a7c15U, // 2^64 by the golden ratio, odd: it mixes
-                               29);
+            result =
+                std::rotl((result ^ std::bit_cast<std::uint64_t>(x + 0.0)) * factor, about_half);
         return static_cast<std::size_t>(result);
     }
 };

@@ -33,8 +33,9 @@ struct mesh_steps {
 };
 
 /// Parameters where steps begin or end, from 0 to 1. Those of backwards() are 1 less these, with
-/// the same bits in their weights. Shape:   `size` of each, and so many more that lanes may read
-/// past the last.
+/// the same bits in their weights.
+///
+/// Shape:   `size` of each, and so many more that lanes may read past the last.
 struct mesh_knots {
     static constexpr std::size_t room = 8;
 
