@@ -98,9 +98,7 @@ int main(int argc, char** argv) {
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         l3d_camera camera = afd.camera();
-        l3d_afd_settings settings = afd.settings();
-        if (!afd.background())
-            settings.background = l3d_background::gradient();
+        const l3d_afd_settings settings = afd.settings();
         const l3d_patch_model first =
             afd.model_file().empty() ? colored_teapot() : in_teapots_place(afd.model());
         l3d_viewer<gallery_pipeline> pipeline(program, afd, program.create_canvas("gallery"),

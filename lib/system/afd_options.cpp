@@ -127,9 +127,8 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                              "whether pixels at edges show the mean of all that is seen in them",
                              {{"on", true}, {"off", false}});
     options.add("--background", background_,
-                "what is seen where no surface is: a quiet gradient, as in windows unless told "
-                "otherwise; nothing, which needs a .png; or a colour from 0 to 255 each, as black "
-                "elsewhere");
+                "what is seen where no surface is: a quiet gradient, as unless told otherwise; "
+                "nothing, which needs a .png; or a colour from 0 to 255 each");
     options.add_each("--fog",
                      "where surfaces begin to fade and where they are gone, and into which colour: "
                      "NEAR,FAR or NEAR,FAR,R,G,B, distances along the view axis, colours from 0 to "
@@ -301,7 +300,7 @@ l3d_afd_settings l3d_afd_options::settings() const {
         throw l3d_error(l3d_exit::usage, "--error-output: only surfaces that show light have an "
                                          "exact picture, and neither --wireframe nor --shade "
                                          "normals, error or an inspection does");
-    result.background = background_.value_or(l3d_background());
+    result.background = background_.value_or(l3d_background::gradient());
     if (result.error_map && result.background.is_none())
         throw l3d_error(l3d_exit::usage, "--error-output: pixels have bounds on a background, and "
                                          "--background none has none");

@@ -59,9 +59,6 @@ public:
     /// Whether --tolerance was given.
     bool gives_tolerance() const { return tolerance_.has_value(); }
 
-    /// What --background asks for, if it was given.
-    const std::optional<l3d_background>& background() const { return background_; }
-
     /// The angle of --turntable: degrees from frame to frame, 0 for none.
     double turntable() const { return turntable_; }
     /// The file that the last frame's distances go to; empty for none.

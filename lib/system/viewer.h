@@ -99,8 +99,8 @@ public:
     }
 
 private:
-    /// What a person who looks at a window likes better: a gradient, letters of this machine, and a
-    /// word about the help. Pictures that are counted are the same in windows and files.
+    /// What a person who looks at a window likes better: letters of this machine, and a word about
+    /// the help. Pictures that are counted are the same in windows and files.
     void suit_onlooker(l3d_program& program) {
         const l3d_frame_settings frames = program.options().frame_settings();
         in_window_ = this->screen().is_window();
@@ -110,8 +110,6 @@ private:
             program.check_transparency(in_window_);
         if (!in_window_ || frames.frames != 0)
             return;
-        if (!asked_.background() && asked_.error_output().empty())
-            this->settings().background = l3d_background::gradient();
         std::string why;
         this->controls().set_font(l3d_font::of_system(why));
         if (!why.empty())

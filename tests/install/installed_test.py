@@ -20,7 +20,7 @@ os.environ["L3D_BIN"] = str(MOVED / "bin")
 sys.path.insert(0, str(ROOT / "tests" / "x11"))
 
 import pty_screen
-from harness import (Checks, Onlooker, expect, expect_equal, has_picture, read_png, wait_for, x_server,
+from harness import (Checks, Onlooker, covered, expect, expect_equal, has_picture, read_png, wait_for, x_server,
                      xdotool)
 
 TUTORIAL = (ROOT / "docs" / "TUTORIAL.md").read_text()
@@ -290,7 +290,7 @@ def runs_as_told(made):
     expect(8000 < grey < 50000, "a teapot of", grey, "pixels")
     for name, least in (("three", 20000), ("arrow", 10000), ("orbit", 10000)):
         picture = read_png(made / (name + ".png"))
-        expect(sum(color != 0 for row in picture for color in row) > least, name)
+        expect(sum(map(sum, covered(picture))) > least, name)
     three = {color for row in read_png(made / "three.png") for color in row}
     for channel in (16, 0): # the first is red, the last blue
         expect(any(color >> channel & 255 > 2 * (color >> (16 - channel) & 255) + 40 for color in three), "colours")

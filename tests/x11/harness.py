@@ -360,5 +360,10 @@ def unfiltered(data, width, height):
 
 
 def has_picture(rows):
-    """Whether there is more than one colour."""
-    return rows is not None and len({pixel for row in rows for pixel in row}) > 1
+    """Whether a row has more than one colour: a background alone has one for each."""
+    return rows is not None and any(len(set(row)) > 1 for row in rows)
+
+
+def covered(rows):
+    """Where something is drawn, if the background is seen at the left side of each row."""
+    return [[pixel != row[0] for pixel in row] for row in rows]

@@ -175,9 +175,8 @@ def is_a_second_opinion(program):
         some, few = (0.05, 0.01) if shade == "error" else (0.02, 0.001)
         expect(above(levels, 1) <= some, shade, above(levels, 1))
         expect(above(levels, 16) <= few, shade, above(levels, 16), max(levels))
-        covered = lambda rows: [[pixel != 0 for pixel in row] for row in rows]
         if shade == "lambert":  # where ambient light makes no surface black
-            expect(covered(by_gl) == covered(by_cpu), "not the same outline")
+            expect(harness.covered(by_gl) == harness.covered(by_cpu), "not the same outline")
 
 
 def depths(program, backend):

@@ -167,8 +167,22 @@ def says_that_a_model_has_no_area():
 def says_nothing_of_a_small_model_that_is_seen():
     with folder() as path:
         for viewer in VIEWERS:
-            expect_equal(draw(viewer, (1, 1), "--output", "o.png", cwd=path), (0, b"", ""), viewer)
+            said = draw(viewer, (1, 1), "--background", "0,0,0", "--output", "o.png", cwd=path)
+            expect_equal(said, (0, b"", ""), viewer)
             expect(harness.read_png(os.path.join(path, "o.png"))[0][0] & 0xFFFFFF, "a black pixel")
+
+
+def shows_models_on_a_gradient():
+    """Files and windows alike, from dark above to light below; a colour of the user's is in its place."""
+    top, bottom = 0x333B46, 0x707A86
+    with folder() as path:
+        for viewer in VIEWERS:
+            for more, ends in (((), (top, bottom)), (("--background", "0,0,255"), (255, 255))):
+                said = draw(viewer, (80, 60), *more, "--output", "o.png", cwd=path)
+                expect_equal(said, (0, b"", ""), (viewer, *more))
+                rows = harness.read_png(os.path.join(path, "o.png"))
+                expect_equal((rows[0][0], rows[-1][0]), ends, (viewer, *more))
+                expect(harness.has_picture(rows), "no model", viewer, more)
 
 
 def shows_a_sheet_that_turns_its_back():
@@ -322,6 +336,7 @@ def main():
     for check in (
         frames_any_model, frames_the_teapot_where_it_was_cut, keeps_the_teapots_own_view,
         says_why_a_picture_is_empty, says_that_a_model_has_no_area, says_nothing_of_a_small_model_that_is_seen,
+        shows_models_on_a_gradient,
         shows_a_sheet_that_turns_its_back, picks_from_the_command_line, obeys_every_key_of_the_view,
         obeys_every_gesture, keeps_the_model_in_a_window_of_another_size,
         says_in_the_window_that_it_is_empty,

@@ -10,7 +10,8 @@ from x_proxy import Proxy
 
 BACKENDS = ("ximage", "xshm")
 TEAPOT = harness.PROGRAMS[-1]
-COLOURED = ("--shade", "normals")  # tells red from blue
+# Tells red from blue. A dither of nearly one level, as a gradient has, is less close than of many.
+COLOURED = ("--shade", "normals", "--background", "0,0,0")
 
 
 def threshold(x, y):
