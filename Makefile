@@ -183,7 +183,7 @@ Q    := $(if $(V),,@)
 # STEPS, counted by a dry run, makes each step say how far the build is.
 progress = $(if $(STEPS),echo >> $(OUT)/steps; printf '[%d/%d]' $$(wc -l < $(OUT)/steps) $(STEPS);)
 say   = $(if $(V),,@$(progress) printf '  %-5s %s\n' $(1) $(2:$(OUT)/%=%))
-# As many processes as processors, unless the user said how many; one more for checks, many of which
+# As many processes as processors, unless the user said how many; two more for checks, many of which
 # wait for somebody.
 jobs  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell expr $$(nproc 2>/dev/null || echo 2) + $(1)))
 # Silent of what is up to date. A recipe of these begins with +, or make -jN keeps its N to itself.
@@ -191,7 +191,7 @@ again = $(MAKE) $(if $(V),,-s) $(call jobs,0)
 count = rm -f $(OUT)/steps; steps=$$($(MAKE) -n STEPS=1 $(1) 2>/dev/null | grep -c '^echo >> $(OUT)/steps')
 build = $(if $(dry_run),: $(1),$(call count,$(1)); $(again) STEPS=$$steps $(1))
 judge = $(if $(dry_run),: $(1),\
-        rm -f $(1); $(MAKE) $(call jobs,1) -k $(1) || true; awk -f tests/lint/summary.awk $(1))
+        rm -f $(1); $(MAKE) $(call jobs,2) -k $(1) || true; awk -f tests/lint/summary.awk $(1))
 
 all: ## build the library and the programs (the default)
 	+@$(call build,$(SLOW_FIRST) $(APPS) $(PLUGINS) $(DATA) $(ARCHIVES))
