@@ -206,7 +206,7 @@ test: packages-test $(if $(filter install,$(WITH)),packages-install) ## build an
 	+@$(call build,-k $(SLOW_FIRST) $(MADE_FIRST)) || true
 	+@$(call judge,$(TEST_LOGS))
 
-stress: packages-test ## what takes minutes: servers dying at every request, a million shapes (make test WITH=stress adds all)
+stress: packages-test ## what takes minutes: servers that die, a million shapes (make test WITH=stress adds all)
 	+@$(call judge,$(STRESS_LOGS))
 
 test-%: packages-test ## the tests of one layer: make test-geom
