@@ -178,4 +178,74 @@ TEST(stroke, cuts_dashes_by_length_along_lines_and_curves) {
     EXPECT_TRUE(l3d_stroked(line, {.width = 0}).empty());
 }
 
+/// What is drawn of dashes on both sides of where an outline is closed is one dash with a corner.
+TEST(stroke, joins_the_first_and_the_last_dash_of_a_closed_outline) {
+    l3d_path square; // 70 pixels around
+    square.add_polygon(
+        std::array<l3d_point_2d, 4>{{{10.5, 10.5}, {30.5, 10.5}, {30.5, 25.5}, {10.5, 25.5}}});
+    EXPECT_NEAR(area(square, {.width = 4, .dashes = {10, 10}}), 4 * 40, 0.05);
+    EXPECT_NEAR(area(square, {.width = 4, .join = l3d_join::bevel, .dashes = {10, 10}}), 4 * 40 - 2,
+                0.05);
+    EXPECT_NEAR(area(square, {.width = 4, .dashes = {10, 12, 48}}), 4 * 58, 0.05);
+    EXPECT_NEAR(area(square, {.width = 4, .dashes = {100, 1}}), area(square, {.width = 4}), 0.01);
+    // it begins in the middle of a gap: nothing is joined
+    EXPECT_NEAR(area(square, {.width = 4, .dashes = {5, 5}, .dash_begin = 7.5}), 4 * 35, 0.2);
+}
+
+TEST(stroke, turns_the_squares_of_dashes_without_length_along_the_path) {
+    l3d_path line, square;
+    line.move_to({8, 4});
+    line.line_to({23, 24}); // 25 pixels long: one dash in the middle, and one at the beginning
+    for (const l3d_point_2d at : {l3d_point_2d{8, 4}, {15.5, 14}})
+        square.add_polygon(std::array<l3d_point_2d, 4>{{{at.x + 1, at.y - 7},
+                                                        {at.x + 7, at.y + 1},
+                                                        {at.x - 1, at.y + 7},
+                                                        {at.x - 7, at.y - 1}}});
+    canvas dashes(width, height), squares(width, height);
+    dashes.draw.draw_path(
+        l3d_stroked(line, {.width = 10, .cap = l3d_cap::square, .dashes = {0, 12.5}}), {});
+    squares.draw.draw_path(square, {});
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            EXPECT_NEAR(double(dashes.at(x, y) & 255), double(squares.at(x, y) & 255), 1)
+                << x << ' ' << y;
+    line.move_to({30.5, 20.5}); // a point alone has no direction
+    line.close();
+    canvas both(width, height);
+    both.draw.draw_path(
+        l3d_stroked(line, {.width = 10, .cap = l3d_cap::square, .dashes = {0, 12.5}}), {});
+    EXPECT_EQ(both.at(26, 16) & 255, 255u);
+}
+
+TEST(stroke, leaves_out_all_that_follows_a_million_dashes) {
+    l3d_path path;
+    path.move_to({0, -100});
+    path.line_to({3e6, -100});
+    path.move_to({2.5, 10.5});
+    path.line_to({38.5, 10.5});
+    EXPECT_EQ(area(path, {.width = 2, .dashes = {1, 1}}), 0);
+    path.close();
+    EXPECT_EQ(area(path, {.width = 2, .dashes = {1, 1}}), 0);
+}
+
+TEST(stroke, begins_dashes_as_far_along_as_numbers_reach) {
+    l3d_path line;
+    line.move_to({2.5, 10.5});
+    line.line_to({38.5, 10.5});
+    const double period = 7, rest = std::fmod(1e300, period);
+    const double expected = area(line, {.width = 2, .dashes = {5, 2}, .dash_begin = rest});
+    EXPECT_EQ(area(line, {.width = 2, .dashes = {5, 2}, .dash_begin = 1e300}), expected);
+    EXPECT_EQ(area(line, {.width = 2, .dashes = {5, 2}, .dash_begin = rest - period}), expected);
+    EXPECT_TRUE(l3d_stroked(line, {.dashes = {1e308, 1e308}, .dash_begin = -1}).empty());
+}
+
+TEST(stroke, of_any_width_covers_what_is_beside_the_path) {
+    l3d_path line;
+    line.move_to({10.5, 10.5});
+    line.line_to({30.5, 14.5});
+    for (const double pen_width : {1e4, 1e9, 1e12, 1e300})
+        EXPECT_EQ(area(line, {.width = pen_width, .cap = l3d_cap::round}), width * height)
+            << pen_width;
+}
+
 } // namespace

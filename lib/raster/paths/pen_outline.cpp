@@ -9,17 +9,24 @@
 #include <utility>
 
 namespace l3d_detail {
+namespace {
+
+/// As far as paths reach: such a pen covers every picture. Arcs of wider ones have ever more
+/// pieces.
+constexpr double widest_pen = 1 << 30;
+
+} // namespace
 
 /// An arc of angle a is r (1 - cos(a / 2)) away from its chord, at most r a^2 / 8.
 pen_outline::pen_outline(const l3d_stroke& pen, l3d_path& result)
-    : pen_(pen), result_(result), radius_(pen.width / 2),
+    : pen_(pen), result_(result), radius_(std::min(pen.width, widest_pen) / 2),
       most_angle_(std::min(std::sqrt(8 * l3d_flat_enough / radius_), std::numbers::pi / 4)),
       least_cosine_(std::cos(most_angle_)) {}
 
-void pen_outline::add(const std::vector<pen_point>& points, bool closed) {
+void pen_outline::add(const std::vector<pen_point>& points, bool closed, l3d_point_2d along) {
     find_chords(points, closed);
     if (chords_.empty())
-        return add_dot(points[0].at);
+        return add_dot(points[0].at, along);
     add_side(closed);
     if (closed)
         end_outline();
@@ -55,15 +62,15 @@ void pen_outline::find_chords(const std::vector<pen_point>& points, bool closed)
         go(last, points[0].at);
 }
 
-void pen_outline::add_dot(l3d_point_2d at) {
+void pen_outline::add_dot(l3d_point_2d at, l3d_point_2d along) {
     if (pen_.cap == l3d_cap::round) {
         result_.add_circle(at, radius_);
     } else if (pen_.cap == l3d_cap::square) {
-        const double r = radius_;
-        const std::array<l3d_point_2d, 4> corners{{{at.x - r, at.y - r},
-                                                   {at.x + r, at.y - r},
-                                                   {at.x + r, at.y + r},
-                                                   {at.x - r, at.y + r}}};
+        const double x = radius_ * along.x, y = radius_ * along.y;
+        const std::array<l3d_point_2d, 4> corners{{{at.x - x + y, at.y - y - x},
+                                                   {at.x + x + y, at.y + y - x},
+                                                   {at.x + x - y, at.y + y + x},
+                                                   {at.x - x - y, at.y - y + x}}};
         result_.add_polygon(corners);
     }
 }

@@ -25,7 +25,8 @@ class pen_outline {
 public:
     pen_outline(const l3d_stroke& pen, l3d_path& result);
 
-    void add(const std::vector<pen_point>& points, bool closed);
+    /// Where all points are one, a square cap has sides along a direction.
+    void add(const std::vector<pen_point>& points, bool closed, l3d_point_2d along = {1, 0});
 
 private:
     /// From a point to the next one that is elsewhere.
@@ -36,7 +37,7 @@ private:
     };
 
     void find_chords(const std::vector<pen_point>& points, bool closed);
-    void add_dot(l3d_point_2d at);
+    void add_dot(l3d_point_2d at, l3d_point_2d along);
     /// The side left of the direction of travel, from the first chord's beginning to the last one's
     /// end.
     void add_side(bool closed);

@@ -24,7 +24,7 @@ enum class L3D_PUBLIC l3d_join {
 
 /// A pen.
 struct L3D_PUBLIC l3d_stroke {
-    double width = 1;                ///< in pixels
+    double width = 1;                ///< in pixels; more than 2^30 counts as 2^30
     l3d_cap cap = l3d_cap::butt;     ///< of ends
     l3d_join join = l3d_join::miter; ///< of corners
     /// The longest miter, from the inner corner to the outer one, in widths of the pen.
@@ -40,8 +40,10 @@ struct L3D_PUBLIC l3d_stroke {
 /// Curves become chords within l3d_flat_enough; round joins and caps are within it, too. Inside of
 /// a curve the chords meet in round joins, so all that is covered is within twice that distance. An
 /// outline of a single point shows a round or a square cap. Where the lines of a very short outline
-/// turn by half a turn, nothing is missing.
-/// Expects: numbers; width at least 0; lengths of dashes at least 0, not all 0, and sum over 1e-3.
+/// turn by half a turn, nothing is missing. Where a closed outline begins within a dash, its first
+/// and last dash are one. A dash without length shows a cap as a single point does; a square one is
+/// turned along the path. Expects: numbers; width at least 0; lengths of dashes at least 0, with a
+/// sum of 1e-3 or more.
 ///          Otherwise the result is empty.
 /// Cost:    linear in chords and dashes; at most 10^6 dashes, the rest is left out.
 L3D_PUBLIC l3d_path l3d_stroked(const l3d_path& path, const l3d_stroke& pen);
