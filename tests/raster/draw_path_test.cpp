@@ -195,6 +195,18 @@ TEST(flatten, keeps_curves_within_the_distance_of_their_chords) {
     EXPECT_GT(worst, l3d_flat_enough / 2); // no more steps than needed
 }
 
+/// The steps of the whole curve would be as small everywhere as its smallest weight needs them.
+TEST(flatten, takes_no_more_chords_the_more_weights_differ) {
+    const l3d_detail::seen_box everything{-1e9, -1e9, 1e9, 1e9};
+    for (const double k : {1.0, 10.0, 1e3, 1e6}) {
+        l3d_curve_2d curve;
+        curve.points = {{{0, 0, 1}, {200 * k, 0, k}, {200 / k, 200 / k, 1 / k}, {0, 200, 1}}};
+        std::size_t chords = 0;
+        l3d_detail::flatten(curve, l3d_flat_enough, everything, [&](l3d_point_2d) { ++chords; });
+        EXPECT_LT(chords, 1000u) << k;
+    }
+}
+
 TEST(draw_path, shows_of_a_curve_what_lies_in_the_picture_however_far_it_goes) {
     // the same curve, seen whole and from its middle
     std::mt19937 random(5);

@@ -52,18 +52,25 @@ double flat_steps(const l3d_curve_2d& curve, double distance);
 /// keep rounding below 2^-40 of the coordinates.
 inline constexpr int most_flat_steps = 16;
 
-/// Calls line(point) for the end of each chord of so many equal steps, a whole number but for being
-/// a double. What is not seen becomes one chord.
+/// Calls line(point) for the end of each chord. What is not seen becomes one chord.
 ///
-/// A half needs half the steps: about the same origin, its second differences are a quarter.
+/// A half needs at most half the steps: about the same origin, its second differences are a
+/// quarter. Where weights differ, a half may need far less: the bound has their smallest.
+/// Expects: steps that keep the distance, a whole number but for being a double.
 template <class Line>
-void flatten_in(double steps, const l3d_curve_2d& curve, const seen_box& seen, const Line& line) {
+void flatten_in(double steps, const l3d_curve_2d& curve, double distance, const seen_box& seen,
+                const Line& line) {
     if (steps > 1 && !seen.misses(curve)) {
+        const bool plain = is_plain(curve);
         if (steps > most_flat_steps) {
-            const auto [first, second] = curve.split();
             const double half = std::ceil(steps / 2);
-            flatten_in(half, first, seen, line);
-            return flatten_in(half, second, seen, line);
+            const auto go = [&](const l3d_curve_2d& part) {
+                flatten_in(plain ? half : std::min(half, flat_steps(part, distance)), part,
+                           distance, seen, line);
+            };
+            const auto [first, second] = curve.split();
+            go(first);
+            return go(second);
         }
         const int count = static_cast<int>(steps);
         std::array<l3d_forward_difference<double, 3>, 3> walk;
@@ -73,7 +80,6 @@ void flatten_in(double steps, const l3d_curve_2d& curve, const seen_box& seen, c
                 {curve.points[0][i], curve.points[1][i], curve.points[2][i], curve.points[3][i]},
                 count);
         }
-        const bool plain = is_plain(curve);
         for (int step = 1; step < count; ++step) {
             walk[0].step();
             walk[1].step();
@@ -88,10 +94,10 @@ void flatten_in(double steps, const l3d_curve_2d& curve, const seen_box& seen, c
     line(projected(curve.points[3]));
 }
 
-/// Calls line(point) for the end of each chord. What is not seen becomes one chord.
+/// The same for a whole curve.
 template <class Line>
 void flatten(const l3d_curve_2d& curve, double distance, const seen_box& seen, const Line& line) {
-    flatten_in(flat_steps(curve, distance), curve, seen, line);
+    flatten_in(flat_steps(curve, distance), curve, distance, seen, line);
 }
 
 /// Calls begin(point), line(point) and end(closed) for each outline of a path.
