@@ -6,6 +6,7 @@
 #include "base/printable_p.h"
 #include "scene/model_loader.h"
 #include "system/number_text.h"
+#include "system/output_file_p.h"
 #include "system/places.h"
 
 #include <algorithm>
@@ -163,8 +164,9 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                 "tell what the last frame shows at this place, in pixels from the left upper "
                 "corner: patch, parameters, point, normal and curvature, each with its error");
     for (const char* const name :
-         {"--depth-output", "--error-output", "--report", "--explain", "--statistics", "--pick"})
+         {"--depth-output", "--error-output", "--report", "--explain", "--statistics"})
         options.has_result(name);
+    options.prints_result("--pick");
 }
 
 std::string l3d_afd_options::model_title() const {
@@ -289,6 +291,8 @@ l3d_afd_settings l3d_afd_options::settings() const {
     result.outlines = !report_.empty() || explain_;
     const int processors = static_cast<int>(std::thread::hardware_concurrency());
     result.threads = threads_.value_or(std::clamp(processors, 1, most_threads_unasked));
+    l3d_detail::check_pfm("--depth-output", depth_output_);
+    l3d_detail::check_pfm("--error-output", error_output_);
     result.depth = !depth_output_.empty();
     result.error_map = !error_output_.empty();
     for (std::size_t i = 0; i < result.inspection.direction.size(); ++i)

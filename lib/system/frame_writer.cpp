@@ -2,13 +2,11 @@
 // l3d_frame_writer: names, numbers and streams.
 #include "system/frame_writer.h"
 
+#include "system/output_file_p.h"
 #include "tool_2d/error.h"
 #include "tool_2d/image_file.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cstdio>
-#include <filesystem>
 
 namespace {
 
@@ -24,22 +22,11 @@ bool is_digit(char c) {
 }
 
 void check_ending(const std::string& name, l3d_alpha alpha) {
-    std::string ending = std::filesystem::path(name).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string ending = l3d_detail::ending_of(name);
     if (ending != ".png" && ending != ".ppm")
         refuse(name, "ends neither in .png nor in .ppm, nor is it - for a stream");
     if (ending != ".png" && alpha == l3d_alpha::transparency)
         refuse(name, no_transparency);
-}
-
-/// A run of frames should not end with the news that its folder never was there.
-void check_folder(const std::string& name, const std::string& first_file) {
-    const auto folder = std::filesystem::path(first_file).parent_path();
-    std::error_code ignored;
-    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
-        throw l3d_error(l3d_exit::failure,
-                        "--output: '" + name + "': there is no folder '" + folder.string() + "'");
 }
 
 } // namespace
@@ -59,7 +46,7 @@ l3d_frame_writer::l3d_frame_writer(const std::string& name, l3d_alpha alpha)
     kind_ = percent == std::string::npos ? kind::single : kind::numbered;
     if (kind_ == kind::numbered)
         read_number_field(percent);
-    check_folder(name, kind_ == kind::numbered ? numbered_name() : name);
+    l3d_detail::check_folder("--output", name, kind_ == kind::numbered ? numbered_name() : name);
 }
 
 void l3d_frame_writer::read_number_field(std::size_t percent) {

@@ -8,6 +8,7 @@
 #include "geom/real.h"
 #include "system/frame_writer.h"
 #include "system/number_text.h"
+#include "system/output_file_p.h"
 #include "system/reason_p.h"
 #include "system/standard_output_p.h"
 
@@ -17,7 +18,6 @@
 #include <array>
 #include <cassert>
 #include <fcntl.h>
-#include <filesystem>
 #include <iostream>
 #include <limits>
 
@@ -83,21 +83,6 @@ void print(std::ostream& out, const std::string& text) {
 void refuse_empty_value(const std::string& argument) {
     if (argument.rfind("--", 0) == 0 && argument.find('=') == argument.size() - 1)
         throw l3d_error(l3d_exit::usage, argument.substr(0, argument.size() - 1) + ": '' is empty");
-}
-
-/// Whether two names lead to one place that can hold only one thing. A device, such as /dev/null,
-/// takes anything.
-bool mean_one_file(const std::string& a, const std::string& b) {
-    namespace fs = std::filesystem;
-    if (a.empty() || b.empty() || a == "-" || b == "-")
-        return a == "-" && b == "-";
-    std::error_code unknown;
-    if (fs::exists(a, unknown))
-        return fs::is_regular_file(a, unknown) && fs::equivalent(a, b, unknown);
-    const auto place = [&unknown](const std::string& name) {
-        return fs::weakly_canonical(fs::absolute(name, unknown), unknown);
-    };
-    return place(a) == place(b);
 }
 
 /// Opens the closed ones among descriptors 0, 1 and 2, for reading only: so that writing to a
@@ -355,9 +340,16 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
 void l3d_options::refuse_one_file_for_two() const {
     for (auto second = files_.begin(); second != files_.end(); ++second)
         for (auto first = files_.begin(); first != second; ++first)
-            if (mean_one_file(*first->value, *second->value))
+            if (l3d_detail::mean_one_file(*first->value, *second->value))
                 throw l3d_error(l3d_exit::usage, second->option + ": '" + *second->value +
                                                      "' is the file of " + first->option + ", too");
+    for (const std::string& name : printed_)
+        for (const named_file& file : files_)
+            if (parser_->app.count(name) > 0 && *file.value == "-")
+                throw l3d_error(l3d_exit::usage, name +
+                                                     ": its text goes to the standard output, "
+                                                     "as that of " +
+                                                     file.option + " does");
 }
 
 l3d_screen_request l3d_options::screen_request() const {

@@ -114,7 +114,7 @@ public:
     /// next socket would get its number, and with it all that is printed.
     ///
     /// Errors: l3d_error(usage) that names the option and the value; also if two options name one
-    ///         file.
+    ///         file, or the standard output.
     bool parse(int argc, const char* const* argv);
     /// The same with the stream named that --help and --version are printed on.
     bool parse(int argc, const char* const* argv, std::ostream& out);
@@ -122,6 +122,13 @@ public:
     /// Marks an option that has a result of its own beside pictures, such as a report.
     /// Expects: it was added.
     void has_result(const std::string& name) { with_results_.push_back(name); }
+
+    /// The same for a result that is printed on the standard output, where no file may go then.
+    /// Expects: it was added.
+    void prints_result(const std::string& name) {
+        has_result(name);
+        printed_.push_back(name);
+    }
 
     /// Whether the command line asked for such a result.
     bool wants_result() const;
@@ -165,7 +172,7 @@ private:
 
     std::string program_, command_;
     l3d_common_options common_;
-    std::vector<std::string> with_results_;
+    std::vector<std::string> with_results_, printed_;
     std::vector<named_file> files_;
     std::unique_ptr<parser> parser_;
 };

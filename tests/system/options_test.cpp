@@ -323,9 +323,38 @@ TEST(options, one_file_for_two_options_is_refused) {
     std::filesystem::create_symlink("c.png", folder.file("e.png"));
     EXPECT_TRUE(fails(folder.file("c.png"), folder.file("d.png")));
     EXPECT_TRUE(fails(folder.file("e.png"), folder.file("c.png")));
+    // links may lead to what is not there yet, by way of each other
+    std::filesystem::create_symlink("new.png", folder.file("f.png"));
+    std::filesystem::create_symlink(folder.file("f.png"), folder.file("g.png"));
+    std::filesystem::create_symlink("h.png", folder.file("i.png"));
+    std::filesystem::create_symlink("i.png", folder.file("h.png"));
+    EXPECT_TRUE(fails(folder.file("f.png"), folder.file("new.png")));
+    EXPECT_TRUE(fails(folder.file("f.png"), folder.file("g.png")));
+    EXPECT_FALSE(fails(folder.file("g.png"), folder.file("a.png")));
+    EXPECT_FALSE(fails(folder.file("h.png"), folder.file("a.png")));
     EXPECT_FALSE(fails(folder.file("a.png"), folder.file("b.png")));
     EXPECT_FALSE(fails("/dev/null", "/dev/null"));
     EXPECT_FALSE(fails("a.png", "-"));
+}
+
+TEST(options, the_standard_output_takes_one_text) {
+    program tester;
+    std::string file;
+    bool tells = false;
+    tester.options.add("--file", file, "a file", "FILE");
+    tester.options.add("--tell", tells, "print something");
+    tester.options.prints_result("--tell");
+    tester.parse({"--file", "a.png", "--tell"});
+    EXPECT_TRUE(tester.options.wants_result());
+    tester.parse({"--file", "-"});
+    try {
+        tester.parse({"--file", "-", "--tell"});
+        FAIL();
+    } catch (const l3d_error& error) {
+        EXPECT_EQ(error.code(), l3d_exit::usage);
+        EXPECT_STREQ(error.what(),
+                     "--tell: its text goes to the standard output, as that of --file does");
+    }
 }
 
 TEST(report, texts_of_the_libraries_become_words) {

@@ -197,6 +197,24 @@ def one_file_is_not_written_twice():
             expect_equal(os.listdir(path), [])
 
 
+def what_no_file_can_hold_is_refused_before_it_is_drawn():
+    cases = (
+        (("--depth-output", "a.png"), "--depth-output: 'a.png' does not end in .pfm"),
+        (("--error-output", "a"), "--error-output: 'a' does not end in .pfm"),
+        (("--depth-output", "no/a.pfm"), "--depth-output: 'no/a.pfm': there is no folder 'no'"),
+        (("--pick", "9,9", "--output", "-"), "--pick: its text goes to the standard output, as that of --output"),
+        (("--pick", "9,9", "--report", "-"), "--pick: its text goes to the standard output, as that of --report"),
+        (("--output", "b.png", "--depth-output", "link.pfm"), "'link.pfm' is the file of --output, too"))
+    with folder() as path:
+        os.symlink("b.png", os.path.join(path, "link.pfm"))
+        for arguments, reason in cases:
+            status, out, messages = teapot(*arguments, cwd=path)
+            expect_equal((status in (1, 2), out), (True, b""), arguments)
+            expect(reason in messages, arguments, messages)
+            expect_equal(os.listdir(path), ["link.pfm"], arguments)
+        expect_equal(teapot("--depth-output", "/dev/null", cwd=path), (0, b"", ""))
+
+
 def models_come_through_pipes():
     torus = os.path.join(harness.BIN, "..", "share", "l3d", "torus.off")
     patches = os.path.join(harness.BIN, "..", "share", "l3d", "teapot.bpt")
@@ -218,6 +236,7 @@ if __name__ == "__main__":
         for check in CHECKS:
             checks.run("headless.%s.%s" % (program.name, check.__name__), check, program)
     for check in (drawdot_leaves_a_trail, distances_go_to_the_standard_output,
-                  one_file_is_not_written_twice, models_come_through_pipes):
+                  one_file_is_not_written_twice,
+                  what_no_file_can_hold_is_refused_before_it_is_drawn, models_come_through_pipes):
         checks.run("headless." + check.__name__, check)
     checks.finish()
