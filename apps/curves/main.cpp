@@ -80,7 +80,8 @@ public:
         if (event.type == l3d_event_type::button_release)
             held_ = none;
         if (held_ != none)
-            handles_[held_] = {at.x / size().width, at.y / size().height};
+            handles_[held_] = {std::clamp(at.x / size().width, 0.0, 1.0),
+                               std::clamp(at.y / size().height, 0.0, 1.0)};
         fresh_ = false;
     }
 
@@ -206,9 +207,11 @@ private:
     void draw_magnified(l3d_rasterizer_2d& r, l3d_image copy) {
         const l3d_size all = size();
         const int wide = copy.pixels().width, high = copy.pixels().height;
-        const double width = all.width / 3.0, height = width * high / wide;
-        const l3d_point_2d corner{all.width - width - 6 * unit(),
-                                  all.height * 7 / 8.0 - height - 12 * unit()};
+        const double above_bars = all.height * 7 / 8.0 - 12 * unit();
+        const double room = std::max(above_bars - 6 * unit(), 0.0);
+        const double width = std::min(all.width / 3.0, room * wide / high);
+        const double height = width * high / wide;
+        const l3d_point_2d corner{all.width - width - 6 * unit(), above_bars - height};
         r.draw_image(
             {copy.pixels(),
              l3d_placement_2d::image_in_box({wide, high}, corner.x, corner.y, width, height),
@@ -249,27 +252,42 @@ private:
                         {.color = 0, .alpha = 0.7});
             r.draw_path(path, {.color = color});
         };
-        const auto number = [&](std::uint32_t color, double end, double value) {
+        const auto width = [&](const std::string& text) {
             l3d_path nowhere;
-            const std::string text = with_four_digits(value);
-            write(color, end - font_.outline(nowhere, {}, text, letters), text);
+            return font_.outline(nowhere, {}, text, letters);
         };
         const auto next_line = [&] { base.y += 1.35 * letters; };
-        write(step_color, 0, std::to_string(steps_) + " steps");
+        write(step_color, 0, counted_steps(steps_));
         const numbers dx = differences(x, steps_), dy = differences(y, steps_);
+        const double gap = letters / 2;
+        double widest_x = 0, widest_y = 0;
+        for (std::size_t k = 1; k < 4; ++k) {
+            widest_x = std::max(widest_x, width(with_four_digits(dx[k])));
+            widest_y = std::max(widest_y, width(with_four_digits(dy[k])));
+        }
+        const double end_x = std::max(7 * letters, width("d1") + gap + widest_x);
+        const double end_y = std::max(13 * letters, end_x + gap + widest_y);
+        const auto number = [&](double end, double value) {
+            const std::string text = with_four_digits(value);
+            write(quiet_color, end - width(text), text);
+        };
         for (std::size_t k = 1; k < 4; ++k) {
             next_line();
             write(quiet_color, 0, "d" + std::to_string(k));
-            number(quiet_color, 7 * letters, dx[k]);
-            number(quiet_color, 13 * letters, dy[k]);
+            number(end_x, dx[k]);
+            number(end_y, dy[k]);
         }
         next_line();
         write(fixed_color, 0, "16.16 off by " + with_four_digits(worst) + " px");
         next_line();
         const int doublings = doublings_for(steps_);
         write(whole_color, 0,
-              "whole numbers, " + std::to_string(1 << doublings) + " steps, off by " +
+              "whole numbers, " + counted_steps(1 << doublings) + ", off by " +
                   with_four_digits(whole_error(x, y, doublings)) + " px");
+    }
+
+    static std::string counted_steps(int steps) {
+        return std::to_string(steps) + (steps == 1 ? " step" : " steps");
     }
 
     static std::string with_four_digits(double value) {

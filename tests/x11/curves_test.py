@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The program curves: handles that are dragged out of the window, a magnifier and numbers in windows
+that have little room for them."""
+
+import harness
+from harness import Checks, Session, await_rest, expect, xdotool
+
+CURVES = harness.Program("curves", (480, 320))
+FIRST, SECOND, THIRD, LAST = (38, 198), (144, 6), (298, 272), (442, 38)
+
+
+def drag(it, start, end):
+    """To a place in the window, or beside it."""
+    for place, button in ((start, "mousedown"), (end, "mouseup")):
+        xdotool(it.display, "mousemove", "--window", it.window, *place)
+        xdotool(it.display, button, "1")
+    await_rest(it)
+
+
+def handles_stay_where_they_can_be_held():
+    with Session(CURVES, counted=True, L3D_FONT="built-in") as it:
+        drag(it, SECOND, (240, 160))
+        wanted = it.picture()
+        drag(it, (240, 160), (700, 500))
+        expect(it.picture() != wanted, "nothing was dragged")
+        drag(it, (479, 319), (240, 160))
+        expect(it.picture() == wanted, "the handle is lost")
+        it.press("q")
+        it.expect_end(0)
+
+
+def the_magnifier_stays_in_a_low_window():
+    with Session(harness.Program("curves", (600, 100)), counted=True, L3D_FONT="built-in") as it:
+        await_rest(it)
+        before = it.picture()
+        it.press("z")
+        it.await_picture(lambda rows: rows != before, what="the magnifier")
+        expect(it.picture()[0] == before[0], "it reaches the top")
+        it.press("q")
+        it.expect_end(0)
+
+
+def wide_numbers_leave_their_labels_free():
+    """One step from border to border has the largest differences."""
+    with Session(CURVES, counted=True, L3D_FONT="built-in") as it:
+        for start, end in ((FIRST, (1, 319)), (SECOND, (479, 319)), (THIRD, (1, 300)), (LAST, (479, 300))):
+            drag(it, start, end)
+        it.press(*12 * "l")
+        await_rest(it)
+        rows = it.picture()
+        letters = range(48, 53)  # of the line that begins with d3
+        empty = [not any(rows[y][x] & 0xFF for y in letters) for x in range(480)]
+        label = empty.index(False)
+        expect(empty[label + 12:label + 15] == 3 * [True], "no gap behind d3:", "".join(".#"[not e] for e in empty[:90]))
+        it.press("q")
+        it.expect_end(0)
+
+
+if __name__ == "__main__":
+    checks = Checks()
+    for check in (handles_stay_where_they_can_be_held, the_magnifier_stays_in_a_low_window,
+                  wide_numbers_leave_their_labels_free):
+        checks.run("curves." + check.__name__, check)
+    checks.finish()
