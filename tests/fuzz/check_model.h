@@ -3,6 +3,7 @@
 #ifndef L3D_TESTS_FUZZ_CHECK_MODEL_H
 #define L3D_TESTS_FUZZ_CHECK_MODEL_H
 
+#include "base/printable_p.h"
 #include "geom/files/model_file.h"
 
 #include <algorithm>
@@ -45,10 +46,9 @@ inline constexpr std::array<named_model_reader, 9> model_readers{
      {"stl", l3d_read_stl, false},
      {"videoscape", l3d_read_videoscape}}};
 
-/// Printable ASCII of bounded length that begins with the file's name.
+/// Printable text of bounded length that begins with the file's name.
 inline bool is_message(const std::string& text) {
-    return text.starts_with("name:") && text.size() < 250 &&
-           std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c < 127; });
+    return text.starts_with("name:") && text.size() < 250 && l3d_detail::printable(text) == text;
 }
 
 inline bool is_within_limits(const l3d_model_file& model) {

@@ -112,7 +112,13 @@ TEST(dialects, obj_faces_of_two_corners_are_skipped_with_a_note) {
     EXPECT_EQ(model.mesh.corners, (numbers{0, 1, 2}));
     EXPECT_EQ(model.mesh.face_ends, numbers{3});
     EXPECT_EQ(model.notes, (std::vector<std::string>{"name:4: a face of 2 corners is skipped",
-                                                     "name:6: a face of 1 corners is skipped"}));
+                                                     "name:6: a face of 1 corner is skipped"}));
+}
+
+TEST(dialects, obj_materials_without_a_file_are_noted) {
+    const auto model = read("mtllib\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_TRUE(model.material_files.empty());
+    EXPECT_EQ(model.notes, std::vector<std::string>{"name:1: mtllib names no file"});
 }
 
 // ---- .off

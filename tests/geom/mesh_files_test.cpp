@@ -78,23 +78,27 @@ TEST(asc_file, skips_lights_and_cameras_with_a_note) {
     const std::string text = std::string(asc_text) + "Named object: \"Lamp\"\nDirect light\n"
                                                      "Position: X:1 Y:2 Z:3\nUnheard of: 5\n";
     const std::vector<std::string> notes{"name:17: the light or camera 'Lamp' is skipped",
-                                         "name:19: the line 'Unheard\\x20of:\\x205' is skipped"};
+                                         "name:19: the line 'Unheard of: 5' is skipped"};
     EXPECT_EQ(read(text).notes, notes);
 }
 
 TEST(asc_file, says_where_and_what_is_wrong) {
     EXPECT_EQ(complaint(with(asc_text, "Y: 5", "Y: five")),
               "name:7: 'five', a coordinate, is not a number");
+    EXPECT_EQ(complaint(with(asc_text, "Y: 5", "Y: inf")),
+              "name:7: 'inf', a coordinate, is not finite");
+    EXPECT_EQ(complaint(with(asc_text, "Y: 5", "Y: 1e13")),
+              "name:7: '1e13', a coordinate, is beyond 1e12");
     EXPECT_EQ(complaint(with(asc_text, "Z:3", "3")), "name:6: Z: is missing");
     EXPECT_EQ(complaint(with(asc_text, "Vertex 2:", "Vertex 3:")),
               "name:8: the number of a vertex is 3, not 2");
     EXPECT_EQ(complaint(with(asc_text, "A:3", "A:4")), "name:13: '4', a corner, is not in 0 to 3");
     EXPECT_EQ(complaint(with(asc_text, "Face 1:", "Edge 1:")),
-              "name:13: 'The\\x20box' has 1 of 2 faces");
+              "name:13: 'The box' has 1 of 2 faces");
     EXPECT_EQ(complaint(with(asc_text, "Vertices: 4", "Vertices: 400")),
               "name:4: the text is too short for 400 vertices");
     EXPECT_EQ(complaint(with(asc_text, "Vertices: 4", "Vertices: 5")),
-              "name:16: 'The\\x20box' has 4 of 5 vertices");
+              "name:16: 'The box' has 4 of 5 vertices");
     EXPECT_EQ(complaint("Named object: \"x\"\n"), "name:2: the text ends without a triangle");
 }
 

@@ -85,7 +85,7 @@ TEST(stl_file, says_where_and_what_is_wrong) {
     EXPECT_EQ(complaint("solid a\nfacet normal 0 0\n1 inner"),
               "name:3: 'inner' where 'outer' should be");
     EXPECT_EQ(complaint("solid a\nfacet normal 0 0 1 outer loop\nvertex 0 0 0\nendloop"),
-              "name:4: a facet of 1 corners");
+              "name:4: a facet of 1 corner");
     EXPECT_NE(complaint("solid a\nfacet normal 0 0 1 outer loop\nvertex 0 0 inf").find("name:3: "),
               std::string::npos);
     EXPECT_NE(complaint("solid a\nfacet normal 0 0 1 outer loop\nvertex 0 0 2e12").find("name:3: "),

@@ -221,7 +221,8 @@ private:
         for (int i = 0; i < 3; ++i) {
             std::string_view digits;
             if (!labelled(line, axes[i], digits) ||
-                !text_.number_in(digits, v[i], "a coordinate") || !text_.is_coordinate(v[i]))
+                !text_.number_in(digits, v[i], "a coordinate") ||
+                !text_.is_coordinate(v[i], digits))
                 return false;
         }
         mesh_.vertices.push_back(v);

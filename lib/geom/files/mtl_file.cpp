@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_read_mtl: the colours and highlights of Wavefront's materials.
+#include "base/counted_p.h"
 #include "geom/files/model_reader_p.h"
 
 #include <cmath>
@@ -8,6 +9,7 @@
 
 namespace {
 
+using l3d_detail::counted;
 using l3d_detail::quoted;
 using l3d_detail::text_cursor;
 
@@ -123,7 +125,7 @@ private:
                 return;
             }
         if (count == 0 || count == 2) {
-            text_.note("a colour of " + std::to_string(count) + " components is skipped");
+            text_.note("a colour of " + counted(count, "components") + " is skipped");
             return;
         }
         if (count == 1)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reader of Wavefront's .obj: polygons here, free-form surfaces in obj_surfaces.
+#include "base/counted_p.h"
 #include "geom/files/model_reader_p.h"
 #include "geom/files/obj_surfaces_p.h"
 
@@ -7,6 +8,7 @@
 
 namespace {
 
+using l3d_detail::counted;
 using l3d_detail::quoted;
 using l3d_detail::text_cursor;
 
@@ -60,7 +62,11 @@ private:
         }
         if (word == "mtllib") {
             const std::size_t line = text_.line();
-            model_.material_files.push_back({rest_of_line(), line});
+            std::string name = rest_of_line();
+            if (name.empty())
+                text_.note("mtllib names no file");
+            else
+                model_.material_files.push_back({std::move(name), line});
             return true;
         }
         if (word == "w")
@@ -210,7 +216,7 @@ private:
             if (!read_corner(text_.token()))
                 return false;
         if (const std::size_t corners = mesh().corners.size() - begin; corners < 3) {
-            text_.note("a face of " + std::to_string(corners) + " corners is skipped");
+            text_.note("a face of " + counted(corners, "corners") + " is skipped");
             mesh().corners.resize(begin);
             return true;
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reader and writer of geomview's .off: polygons with colours, text or binary.
+#include "base/counted_p.h"
 #include "geom/files/model_reader_p.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 
 namespace {
 
+using l3d_detail::counted;
 using l3d_detail::text_cursor;
 
 /// The header that the first word gives: [ST][C][N][4][n]OFF.
@@ -169,7 +171,8 @@ private:
             mesh_.end_face();
         } else {
             mesh_.corners.resize(begin);
-            text_.note("a face of " + std::to_string(corners) + " corners is skipped");
+            text_.note("a face of " + counted(static_cast<std::size_t>(corners), "corners") +
+                       " is skipped");
         }
         std::size_t numbers = 0;
         std::array<double, 4> color{};

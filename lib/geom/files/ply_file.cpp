@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reader of Stanford's .ply: text, and binary of either byte order.
+#include "base/counted_p.h"
 #include "geom/files/model_reader_p.h"
 #include "geom/files/ply_header_p.h"
 
@@ -7,6 +8,7 @@
 
 namespace {
 
+using l3d_detail::counted;
 using l3d_detail::quoted;
 using l3d_detail::text_cursor;
 using l3d_detail::ply::element;
@@ -179,7 +181,7 @@ private:
 
     bool add_face() {
         if (face_.size() < 3) {
-            text_.note("a face of " + std::to_string(face_.size()) + " corners is skipped");
+            text_.note("a face of " + counted(face_.size(), "corners") + " is skipped");
             return true;
         }
         mesh_.add_face(face_);

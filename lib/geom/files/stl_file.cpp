@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reader of .stl, text or binary: triangles that share nothing, of which vertices are made again.
+#include "base/counted_p.h"
 #include "geom/files/model_reader_p.h"
 #include "geom/files/stl_file_p.h"
 
@@ -7,6 +8,7 @@
 
 namespace {
 
+using l3d_detail::counted;
 using l3d_detail::quoted;
 using l3d_detail::text_cursor;
 
@@ -140,7 +142,7 @@ private:
         if (!is_word("endloop"))
             return text_.fail(quoted(text_.token()) + " where 'vertex' or 'endloop' should be");
         if (const std::size_t corners = mesh_.corners.size() - begin; corners < 3)
-            return text_.fail("a facet of " + std::to_string(corners) + " corners");
+            return text_.fail("a facet of " + counted(corners, "corners"));
         mesh_.end_face();
         return take("endfacet");
     }

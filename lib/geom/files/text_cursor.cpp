@@ -23,14 +23,20 @@ std::string quoted(std::string_view token) {
     constexpr std::size_t longest = 24;
     constexpr std::string_view digits = "0123456789abcdef";
     std::string result = "'";
-    for (const char c : token.substr(0, longest)) {
-        const auto code = static_cast<unsigned char>(c);
-        if (code > ' ' && code < 127 && c != '\'' && c != '\\')
-            result += c;
-        else
+    std::size_t at = 0;
+    while (at < token.size() && at < longest) {
+        const std::string_view rest = token.substr(at);
+        const char c = rest.front();
+        const std::size_t size = c != '\'' && c != '\\' ? printable_size(rest) : 0;
+        if (size > 0) {
+            result += rest.substr(0, size);
+        } else {
+            const auto code = static_cast<unsigned char>(c);
             result.append("\\x").append(1, digits[code / 16]).append(1, digits[code % 16]);
+        }
+        at += std::max<std::size_t>(size, 1);
     }
-    return result + (token.size() > longest ? "...'" : "'");
+    return result + (at < token.size() ? "...'" : "'");
 }
 
 void append(std::string& text, double value, char after) {
@@ -77,9 +83,9 @@ std::string text_cursor::place() const {
                     : "";
 }
 
-std::string text_cursor::shown(double value) const {
+std::string text_cursor::shown(double value, std::string_view digits) const {
     if (!is_binary_)
-        return quoted(token_);
+        return quoted(digits.empty() ? token_ : digits);
     std::string text;
     append(text, value, '\0');
     text.pop_back();
@@ -177,7 +183,7 @@ bool text_cursor::parsed(std::string_view digits, Number& value, const char* wha
 }
 
 bool text_cursor::number_in(std::string_view digits, double& value, const char* what) {
-    return any_number_in(digits, value, what) && is_finite(value, what);
+    return any_number_in(digits, value, what) && is_finite(value, what, digits);
 }
 
 bool text_cursor::any_number_in(std::string_view digits, double& value, const char* what) {
@@ -209,15 +215,16 @@ bool text_cursor::coordinate(double& value) {
     return number(value, "a coordinate") && is_coordinate(value);
 }
 
-bool text_cursor::is_finite(double value, const char* what) {
-    return std::isfinite(value) || fail(shown(value) + ", " + what + place() + ", is not finite");
+bool text_cursor::is_finite(double value, const char* what, std::string_view digits) {
+    return std::isfinite(value) ||
+           fail(shown(value, digits) + ", " + what + place() + ", is not finite");
 }
 
-bool text_cursor::is_coordinate(double value) {
-    if (!is_finite(value, "a coordinate"))
+bool text_cursor::is_coordinate(double value, std::string_view digits) {
+    if (!is_finite(value, "a coordinate", digits))
         return false;
     return std::abs(value) <= l3d_bpt_largest_coordinate ||
-           fail(shown(value) + ", a coordinate" + place() + ", is beyond 1e12");
+           fail(shown(value, digits) + ", a coordinate" + place() + ", is beyond 1e12");
 }
 
 bool text_cursor::is_in(std::int64_t value, const char* what, std::int64_t least,

@@ -13,7 +13,9 @@
 
 namespace l3d_detail {
 
-/// A token fit for a message: quoted, of bounded length, nothing in it but printable ASCII.
+/// A token fit for a message: quoted, of bounded length, nothing in it that steers a terminal. A
+/// byte that is a control character or no UTF-8 is shown as \xNN, and so are quotes and
+/// backslashes.
 std::string quoted(std::string_view token);
 
 /// Appends the shortest form of `value` that is read as the same bits, then `after`.
@@ -83,8 +85,9 @@ public:
     bool coordinate(double& value);
 
     /// Checks a number that has been found in another way as the functions above do.
-    bool is_finite(double value, const char* what);
-    bool is_coordinate(double value);
+    /// `digits` is what it was read from, if that is not the current token.
+    bool is_finite(double value, const char* what, std::string_view digits = {});
+    bool is_coordinate(double value, std::string_view digits = {});
     bool is_in(std::int64_t value, const char* what, std::int64_t least, std::int64_t most);
 
     /// The current token as a number; `digits` is the part of it that must be one.
@@ -126,7 +129,7 @@ private:
     bool ends(const char* what);
     std::string place() const;
     /// The value that a message is about: the token, or the bytes' meaning in a binary file.
-    std::string shown(double value) const;
+    std::string shown(double value, std::string_view digits) const;
     template <class Number>
     bool parsed(std::string_view digits, Number& value, const char* what, const char* kind);
     void skip_blanks(bool over_lines);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Reader of Videoscape's 3DG1: polygons with a colour each.
+#include "base/counted_p.h"
 #include "geom/files/model_reader_p.h"
 
 #include <charconv>
 
 namespace {
 
+using l3d_detail::counted;
 using l3d_detail::quoted;
 using l3d_detail::text_cursor;
 
@@ -60,7 +62,8 @@ bool read_face(text_cursor& text, l3d_polygon_mesh& mesh, std::vector<std::uint3
     if (!read_color(text, color))
         return false;
     if (face.size() < 3) {
-        text.note("a face of " + std::to_string(corners) + " corners is skipped");
+        text.note("a face of " + counted(static_cast<std::size_t>(corners), "corners") +
+                  " is skipped");
         return true;
     }
     mesh.add_face(face);
