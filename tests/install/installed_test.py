@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """What `make install` has put into the folder that is named, moved elsewhere, is all one needs: the
-examples of README, docs/TUTORIAL.md and apps/drawdot are built with it, linked in every way, and run."""
+examples of README, docs/BOOK.md, docs/TUTORIAL.md and apps/drawdot are built with it, linked in every way, and run."""
 
 import concurrent.futures
 import os
@@ -25,6 +25,7 @@ from harness import (Checks, Onlooker, covered, expect, expect_equal, has_pictur
 
 TUTORIAL = (ROOT / "docs" / "TUTORIAL.md").read_text()
 README = (ROOT / "README.md").read_text()
+BOOK = (ROOT / "docs" / "BOOK.md").read_text()
 REALS = {"float": "l3d", "fixed": "l3d-fixed"}
 WAYS = ("shared", "static")
 MOST_LINES = {"teapot.cpp": 16, "dot.cpp": 25, "spin.cpp": 40, "even.cpp": 110, "terminal.h": 120,
@@ -57,8 +58,8 @@ def run(command, folder, status=0):
 
 
 def blocks():
-    """The files that README and the tutorial print, by the names in their first lines."""
-    found = re.findall(r"^```cpp\n(// ([\w.]+): .*?)^```", README + TUTORIAL, re.M | re.S)
+    """The files that README, BOOK and the tutorial print, by the names in their first lines."""
+    found = re.findall(r"^```cpp\n(// ([\w.]+): .*?)^```", README + BOOK + TUTORIAL, re.M | re.S)
     return {name: text for text, name in found}
 
 
