@@ -342,10 +342,13 @@ private:
 int main(int argc, char** argv) {
     l3d_program program(
         "curves",
-        "A curve walked by forward differences, exactly and in 16.16 (red), and how "
-        "far each step of the latter is off; beside them whole numbers (Klassen). Drag the "
-        "handles. Keys: m more steps, l less, d dashes, z magnifies where 16.16 is worst, r as "
-        "at first, F11, q. The wheel changes steps, too.",
+        l3d_caption{.what =
+                        "A curve walked by forward differences in 16.16 (red), and how far each "
+                        "step is off. Drag the handles.",
+                    .keys = {{"m, l, wheel", "more or less steps"},
+                             {"d", "dashes"},
+                             {"z", "magnify where 16.16 is worst"},
+                             {"r", "as at first"}}},
         {480, 320});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The program curves: handles that are dragged out of the window, a magnifier and numbers in windows
+"""The program curves: its help, handles that are dragged out of the window, a magnifier and numbers in windows
 that have little room for them."""
 
 import harness
@@ -8,6 +8,15 @@ from harness import Checks, Session, await_rest, expect, xdotool
 
 CURVES = harness.Program("curves", (480, 320))
 FIRST, SECOND, THIRD, LAST = (38, 198), (144, 6), (298, 272), (442, 38)
+
+
+def begin(it):
+    """Hides what tells about the keys at first: help takes its place, and goes."""
+    before = it.picture()
+    it.press("h")
+    it.await_picture(lambda rows: rows != before, what="the help")
+    it.press("h")
+    await_rest(it)
 
 
 def drag(it, start, end):
@@ -20,6 +29,7 @@ def drag(it, start, end):
 
 def handles_stay_where_they_can_be_held():
     with Session(CURVES, counted=True, L3D_FONT="built-in") as it:
+        begin(it)
         drag(it, SECOND, (240, 160))
         wanted = it.picture()
         drag(it, (240, 160), (700, 500))
@@ -32,7 +42,7 @@ def handles_stay_where_they_can_be_held():
 
 def the_magnifier_stays_in_a_low_window():
     with Session(harness.Program("curves", (600, 100)), counted=True, L3D_FONT="built-in") as it:
-        await_rest(it)
+        begin(it)
         before = it.picture()
         it.press("z")
         it.await_picture(lambda rows: rows != before, what="the magnifier")
@@ -44,6 +54,7 @@ def the_magnifier_stays_in_a_low_window():
 def wide_numbers_leave_their_labels_free():
     """One step from border to border has the largest differences."""
     with Session(CURVES, counted=True, L3D_FONT="built-in") as it:
+        begin(it)
         for start, end in ((FIRST, (1, 319)), (SECOND, (479, 319)), (THIRD, (1, 300)), (LAST, (479, 300))):
             drag(it, start, end)
         it.press(*12 * "l")
