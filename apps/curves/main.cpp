@@ -50,8 +50,8 @@ public:
     explicit curves_pipeline(l3d_canvas canvas) : l3d_pipeline_2d(std::move(canvas)) {
         std::string why;
         font_ = l3d_font::of_system(why);
-        if (!why.empty())
-            std::cerr << why << '\n';
+        if (!why.empty() && !screen().is_window()) // a window with a caption says so itself
+            std::cerr << "curves: " << why << '\n';
     }
 
     void key_event(int key) override {

@@ -58,11 +58,9 @@ public:
         if (lesson_ == lesson::event)
             std::cerr << screen().describe() << '\n';
         // Files have the built-in face, the same on every machine.
-        std::string why;
+        std::string told_beside_the_caption;
         if (screen().is_window())
-            font_ = l3d_font::of_system(why);
-        if (!why.empty())
-            std::cerr << why << '\n';
+            font_ = l3d_font::of_system(told_beside_the_caption);
     }
 
     void any_event(const l3d_event& event) override {

@@ -20,6 +20,7 @@
 #include <fcntl.h>
 #include <iostream>
 #include <limits>
+#include <type_traits>
 
 struct l3d_options::parser {
     CLI::App app;
@@ -61,7 +62,8 @@ void add_number(CLI::App& app, const std::string& name, Value& value, const std:
         T number{};
         if (!l3d_read_number(text, number) || !(number >= least && number <= most))
             refuse(name, text,
-                   "a number from " + l3d_number_text(least) + " to " + l3d_number_text(most));
+                   (std::is_integral_v<T> ? "a whole number from " : "a number from ") +
+                       l3d_number_text(least) + " to " + l3d_number_text(most));
         value = number;
     };
     add_text(app, name, help, kind, preset, read);

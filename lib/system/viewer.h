@@ -113,7 +113,7 @@ private:
         std::string why;
         this->controls().set_font(l3d_font::of_system(why));
         if (!why.empty())
-            std::cerr << program.options().command() << ": L3D_FONT: " << why << '\n';
+            std::cerr << program.options().command() << ": " << why << '\n';
         constexpr double seconds = 5; // one line is read in two
         if (frames.output.empty())
             this->controls().show_hint(seconds);

@@ -337,6 +337,24 @@ TEST(options, one_file_for_two_options_is_refused) {
     EXPECT_FALSE(fails("a.png", "-"));
 }
 
+TEST(options, numbers_that_must_be_whole_are_called_so) {
+    program tester;
+    int count = 1;
+    double share = 0;
+    tester.options.add("--count", count, "how many", 1, 8);
+    tester.options.add("--share", share, "how much", 0.0, 1.0);
+    const auto complaint = [&](const char* option, const char* value) -> std::string {
+        try {
+            tester.parse({option, value});
+        } catch (const l3d_error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(complaint("--count", "1.5"), "--count: '1.5' is not a whole number from 1 to 8");
+    EXPECT_EQ(complaint("--share", "2"), "--share: '2' is not a number from 0 to 1");
+}
+
 TEST(options, the_standard_output_takes_one_text) {
     program tester;
     std::string file;

@@ -34,7 +34,8 @@ public:
     /// The face that this machine has for people. The environment's L3D_FONT names a file, or is
     /// "built-in". Without it, the first one found in the usual places of DejaVu, Noto, Liberation
     /// and FreeFont is taken, else the built-in one.
-    /// Errors:  the built-in one for a file that cannot be read, and the reason in `why`.
+    /// Errors:  the built-in one for a file that cannot be read, and the reason in `why`, which
+    ///          names the variable and the file.
     static l3d_font of_system(std::string& why);
 
     /// The file, or "built-in".

@@ -204,8 +204,10 @@ l3d_font l3d_font::of_system(std::string& why) {
     if (const char* const named = std::getenv("L3D_FONT"); named != nullptr && *named != '\0') {
         if (std::string_view(named) == "built-in")
             return {};
-        auto font = load(named, why);
-        return font ? *std::move(font) : l3d_font();
+        if (auto font = load(named, why))
+            return *std::move(font);
+        why.insert(0, "L3D_FONT: ");
+        return {};
     }
     std::string ignored; // a place that has no font, or a bad one, is passed over
     for (const char* const place : places)
