@@ -11,9 +11,10 @@
 #include <cstddef>
 #include <span>
 
-/// l3d_most_steps_whole for pieces that need clipping: these are drawn slowly, so they are kept
-/// finer.
-inline constexpr int l3d_most_steps_clipped = 8;
+/// l3d_most_steps_whole for pieces that need clipping. These are drawn slowly, and their triangles
+/// have no contours that edges could be smoothed by. So they are cut until what is before the near
+/// plane goes to the lanes, and little else is left.
+inline constexpr int l3d_most_steps_clipped = 2;
 
 /// The net of a piece and of its blocks; how the piece is to be drawn, and how exact its vertices
 /// are then.

@@ -239,7 +239,8 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     const std::uint32_t there_word = word_at(pixel.x + to.x, pixel.y + to.y);
     if (!is_of_contour(pixel, is_right ? here_word : there_word))
         return false;
-    if (other == others::one && here_word == there_word) {
+    // A centre that met a sliver of the back may be as dark as what is behind: there is an edge.
+    if (other == others::one && here_word == there_word && !is_odd(here)) {
         word = here_word;
         return true;
     }
