@@ -124,8 +124,10 @@ void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
     if (turns.level())
         return;
     if (!turns.folded())
-        return add_convex(corners, color, box);
-    const auto add_piece = [&](const auto& piece) { add_convex(piece, color, reached(piece)); };
+        return add_convex(corners, color, box, true);
+    const auto add_piece = [&](const auto& piece) {
+        add_convex(piece, color, reached(piece), true);
+    };
     if (levels)
         cut_folded_levels(corners, add_piece);
     else
@@ -154,7 +156,7 @@ l3d_pixel_box band_fragments::reached(std::span<const l3d_micro_vertex> corners)
 }
 
 void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t color,
-                                const l3d_pixel_box& box, bool is_facet) {
+                                const l3d_pixel_box& box, bool counts_once) {
     if (box.empty())
         return;
     fragment_polygon polygon;
@@ -173,7 +175,7 @@ void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners, std::
         return;
     polygon.corners = static_cast<std::int32_t>(corners.size());
     polygon.color = color;
-    polygon.is_facet = is_facet;
+    polygon.counts_once = counts_once;
     const auto name = static_cast<std::uint32_t>(polygons_.size());
     const std::size_t pairs = pairs_.size();
     const auto last = static_cast<std::int32_t>(pixel_bits::word_of(box.right - 1));

@@ -26,7 +26,7 @@ struct fragment_polygon {
     /// material's place.
     std::uint32_t color;
     float farthest, nearest; ///< of the corners' inv_w
-    bool is_facet;           ///< of a part without a grid
+    bool counts_once; ///< of those with the same corners, one is seen: not a triangle of a slit
 
     std::int64_t area2() const; ///< twice its area, positive if its corners turn to the right
     l3d_micro_vertex corner(std::size_t i) const {
@@ -87,7 +87,7 @@ private:
     void add_quad(const l3d_surface_part& part, std::size_t p00, const l3d_pixel_box& box,
                   bool levels);
     void add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t color,
-                    const l3d_pixel_box& box, bool is_facet = false);
+                    const l3d_pixel_box& box, bool counts_once);
     std::uint32_t color_of(const l3d_surface_part& part, std::uint32_t material) const {
         return by_material_ ? material : colors_.empty() ? part.error_color : colors_[material];
     }

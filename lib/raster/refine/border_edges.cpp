@@ -38,7 +38,23 @@ int turn_of(const l3d_micro_triangles& all, int triangle) {
     return (area > 0 ? 1 : 0) - (area < 0 ? 1 : 0);
 }
 
-/// The same for both directions.
+/// Whether the quads beside two edges are the same: those of a surface that was given twice.
+bool coincide(const contour_edge& one, const contour_edge& other) {
+    const l3d_micro_grid &a = one.beside.part->grid, &b = other.beside.part->grid;
+    if (a.rows < 2 || b.rows < 2)
+        return false;
+    const auto corner = [](const l3d_micro_grid& grid, const contour_edge& edge, int i) {
+        return grid.vertex(edge.beside.row + i / 2, edge.beside.column + i % 2);
+    };
+    for (int i = 0; i < 4; ++i) {
+        const l3d_micro_vertex v = corner(a, one, i), w = corner(b, other, i);
+        if (v.x != w.x || v.y != w.y || v.inv_w != w.inv_w)
+            return false;
+    }
+    return true;
+}
+
+/// A number of an edge, the same for both directions.
 std::uint32_t hash_of(const contour_edge& edge) {
     const auto of = [](scan_point p) {
         const std::uint32_t mixed = static_cast<std::uint32_t>(p.x) * 0x9e3779b1u +
@@ -84,7 +100,7 @@ void border_edges::add_edge(const l3d_surface_part& part, const l3d_border_edge&
     contour_edge edge{{e.from_x, e.from_y},
                       {e.to_x, e.to_y},
                       e.nearest,
-                      std::abs(e.level),
+                      std::max(e.level, 0.0f),
                       false,
                       {&part, e.row, e.column},
                       {}};
@@ -116,8 +132,11 @@ std::span<const contour_edge> border_edges::match() {
             if (!along && !against)
                 continue;
             here.is = kind::inside; // the other one stands for both
+            if (along && coincide(other.edge, here.edge))
+                break;
             if (along) {
                 other.is = kind::fold;
+                other.edge.level = std::abs(other.level); // the sign may be that of the other side
                 other.edge.also = here.edge.beside;
             } else
                 other.is =

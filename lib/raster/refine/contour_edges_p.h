@@ -18,7 +18,8 @@ namespace l3d_detail {
 struct contour_edge {
     scan_point from, to; ///< units: 1/256 pixel
     float nearest = 0;   ///< of both vertices' inv_w
-    float level = 0; ///< mean of both vertices' levels less their signs, in mode l3d_shade::levels
+    float level = 0; ///< mean of both vertices' levels, in mode l3d_shade::levels: of folds without
+                     ///< their signs, of borders 0 if it is negative
     bool fold = false; ///< the surface on its right folds over here; it does not just end
     /// A quad beside it. Where two parts meet at a fold, one of each.
     struct quad_place {

@@ -15,7 +15,7 @@ namespace l3d_detail {
 namespace {
 
 /// How transparent a pixel is counts as a channel where pixels are compared.
-constexpr int channels_end = 32;
+constexpr int channels_end = 32, colors_end = 24;
 
 /// Neighbours of one surface differ by no more levels, where these change steadily.
 constexpr int steady = jump_levels;
@@ -39,11 +39,11 @@ float most_doubt(float place_error) {
     return std::clamp(255 * place_error / 30, 0.75f, 2.0f);
 }
 
-/// Whether two words' channels differ by more than `steady`.
-bool differ(std::uint32_t a, std::uint32_t b, int end) {
+/// Whether two words' channels differ by more than `most`.
+bool differ(std::uint32_t a, std::uint32_t b, int end, int most = steady) {
     for (int shift = 0; shift < end; shift += 8)
         if (std::abs(static_cast<int>(a >> shift & 255) - static_cast<int>(b >> shift & 255)) >
-            steady)
+            most)
             return true;
     return false;
 }
@@ -152,7 +152,7 @@ bool contour_mixer::find_steady(const surroundings& here, step away, float way, 
 
 /// Whether the surface that a contour belongs to can be asked for its light.
 bool contour_mixer::has_own_surface(const contour_pixel& pixel) const {
-    return picture_.has_levels && pixel.crossings == 2 && pixel.beside.part != nullptr;
+    return shows_levels() && pixel.crossings == 2 && pixel.beside.part != nullptr;
 }
 
 /// How far a word's channels are from those of a level in a colour, at most.
@@ -167,9 +167,24 @@ float contour_mixer::apart(std::uint32_t word, float level, std::uint32_t color)
 /// Whether a drawn pixel on the right may be of the surface at the contour: a rim that is thinner
 /// than a pixel may lie between both, beyond a crease. Beside a fold, levels tell nothing, as they
 /// are steep.
-bool contour_mixer::is_of_contour(const contour_pixel& pixel, std::uint32_t word) const {
-    return !picture_.has_levels || pixel.folds || pixel.beside.part == nullptr ||
-           apart(word, pixel.level(), color_of(pixel.beside.part->material)) <= 2 * steady;
+bool contour_mixer::is_of_contour(const contour_pixel& pixel, step to) const {
+    if (!picture_.has_levels || pixel.folds || pixel.beside.part == nullptr)
+        return true;
+    const std::int32_t x = pixel.x + to.x, y = pixel.y + to.y;
+    const std::uint32_t color = color_of(pixel.beside.part->material);
+    const float level = linear_light::level_of(pixel.level());
+    if (picture_.foggy == nullptr)
+        return apart(word_at(x, y), level, color) <= 2 * steady;
+    std::uint32_t clear = 0;
+    for (const int shift : {0, 8, 16})
+        clear |= static_cast<std::uint32_t>(std::lrint(in_color(level, color, shift))) << shift;
+    const l3d_fog& fog = picture_.foggy->fog;
+    const float depth = picture_.depth[y * picture_.pitch + x];
+    if (!(depth > 0))
+        return true; // what shows no surface has no fog
+    const std::uint32_t behind = fog.in_row(picture_.foggy->background, y, picture_.words.height);
+    return !differ(word_at(x, y), l3d_fog::word(clear, behind, fog.amount(depth)), colors_end,
+                   2 * steady);
 }
 
 /// The colour of a material.
@@ -237,7 +252,7 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
             to = across;
     }
     const std::uint32_t there_word = word_at(pixel.x + to.x, pixel.y + to.y);
-    if (!is_of_contour(pixel, is_right ? here_word : there_word))
+    if (!is_of_contour(pixel, is_right ? step{0, 0} : to))
         return false;
     // A centre that met a sliver of the back may be as dark as what is behind: there is an edge.
     if (other == others::one && here_word == there_word && !is_odd(here)) {

@@ -5,6 +5,7 @@
 
 #include "raster/refine/contour_pixels_p.h"
 #include "raster/refine/linear_light_p.h"
+#include "raster/surface_rasterizer.h"
 #include "tool_2d/pixels.h"
 
 #include <array>
@@ -17,11 +18,12 @@ namespace l3d_detail {
 /// A picture as it was drawn, before any of its pixels is mixed. Lives: borrows all.
 struct drawn_picture {
     const l3d_pixels& words;
-    l3d_pixel_box window; ///< what is drawn of it
-    const float* depth;   ///< inv_w of the pixels that show a surface
-    std::ptrdiff_t pitch; ///< of depths
-    bool is_grey;         ///< the channels of all pixels are equal
-    bool has_levels;      ///< vertices have levels of greys, which pixels show without fog
+    l3d_pixel_box window;     ///< what is drawn of it
+    const float* depth;       ///< inv_w of the pixels that show a surface
+    std::ptrdiff_t pitch;     ///< of depths
+    bool is_grey;             ///< the channels of all pixels are equal
+    bool has_levels;          ///< vertices have levels of greys
+    const l3d_shading* foggy; ///< whose fog is before all that is drawn; null: there is none
     std::span<const std::uint32_t> colors; ///< of the materials, if there are any
     float place_error; ///< pixels that vertices may be off; less matters at no edge
 };
@@ -79,6 +81,8 @@ private:
     static float in_color(float level, std::uint32_t color, int shift) {
         return level * (static_cast<float>(color >> shift & 255) * (1.0f / 255));
     }
+    /// Whether pixels show the levels of vertices as they are.
+    bool shows_levels() const { return picture_.has_levels && picture_.foggy == nullptr; }
     bool inside(std::int32_t x, std::int32_t y) const {
         const l3d_pixel_box& w = picture_.window;
         return x >= w.left && x < w.right && y >= w.top && y < w.bottom;
@@ -96,7 +100,7 @@ private:
     bool find_steep(const contour_pixel& pixel, step away, bool is_own, bool is_right, float share,
                     side& found) const;
     bool find_own_surface(const contour_pixel& pixel, step to, side& found) const;
-    bool is_of_contour(const contour_pixel& pixel, std::uint32_t word) const;
+    bool is_of_contour(const contour_pixel& pixel, step to) const;
     std::uint32_t color_of(std::uint32_t material) const;
     bool is_near(const surroundings& here, float level, std::uint32_t color) const;
     static float apart(std::uint32_t word, float level, std::uint32_t color);

@@ -126,7 +126,30 @@ void contour_pixels::pass(std::int32_t x, std::int32_t y, place from, place to, 
          cuts,
          enters ? along(from) : -1,
          leaves ? along(to) : -1,
+         0,
          0});
+}
+
+bool contour_pixels::pair::coincides(const pair& other) const {
+    return of.loose == other.of.loose && of.area == other.of.area &&
+           of.along_x == other.of.along_x && of.along_y == other.of.along_y &&
+           of.to_centre == other.of.to_centre && enters_at == other.enters_at &&
+           leaves_at == other.leaves_at;
+}
+
+/// Whether the same piece of a contour has been in the pixel: a surface may be given twice. Its
+/// contours count once, as two equal ones would tell nothing of what is on their sides.
+bool contour_pixels::is_again(pair& p) {
+    // Those of a whole far model would take the square of their number to compare.
+    constexpr std::uint32_t most_compared = 32;
+    if (count_[p.pixel] > most_compared)
+        return false;
+    for (std::uint32_t i = last_[p.pixel]; i != 0; i = pairs_[i - 1].before)
+        if (pairs_[i - 1].coincides(p))
+            return true;
+    p.before = last_[p.pixel];
+    last_[p.pixel] = static_cast<std::uint32_t>(&p - pairs_.data() + 1);
+    return false;
 }
 
 void contour_pixels::finish(contour_cuts& cuts, pixel_bits& seen) {
@@ -144,13 +167,23 @@ void contour_pixels::finish(contour_cuts& cuts, pixel_bits& seen) {
             count += static_cast<std::uint32_t>(bits_in(seen.row(y)[w]));
         }
     pixels_.assign(count, {});
+    last_.assign(count, 0);
+    count_.assign(count, 0);
     for (pair& p : pairs_) {
-        const auto word = static_cast<std::size_t>(p.of.x / pixel_bits::word_pixels);
-        const int bit = p.of.x % pixel_bits::word_pixels;
-        const std::uint64_t below = (std::uint64_t{1} << bit) - 1;
+        const std::size_t word = pixel_bits::word_of(p.of.x);
+        const std::uint64_t below = (std::uint64_t{1} << pixel_bits::bit_of(p.of.x)) - 1;
         const auto row = static_cast<std::size_t>(p.of.y - band_.top);
         p.pixel = before_[row * words + word] +
                   static_cast<std::uint32_t>(bits_in(seen.row(p.of.y)[word] & below));
+        ++count_[p.pixel];
+    }
+    for (pair& p : pairs_) {
+        const std::size_t word = pixel_bits::word_of(p.of.x);
+        const auto bit = pixel_bits::bit_of(p.of.x);
+        if (is_again(p)) {
+            p.enters_at = p.leaves_at = -1;
+            continue;
+        }
         contour_pixel& to = pixels_[p.pixel];
         to = {p.of.x,
               p.of.y,

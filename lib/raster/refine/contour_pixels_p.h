@@ -107,6 +107,9 @@ private:
         std::uint32_t cuts;         ///< up, down, left, right
         float enters_at, leaves_at; ///< the way along the border from corner (0, 0); -1: not there
         std::uint32_t pixel;        ///< which of pixels_
+        std::uint32_t before;       ///< 1 + index of another one in the pixel; 0: it is the first
+
+        bool coincides(const pair& other) const;
     };
     struct end {
         std::uint32_t pixel;
@@ -116,6 +119,7 @@ private:
         friend auto operator<=>(const end&, const end&) = default;
     };
 
+    bool is_again(pair& p);
     void find_turns();
 
     l3d_pixel_box band_;
@@ -123,6 +127,8 @@ private:
     std::vector<contour_pixel> pixels_;
     std::vector<end> ends_;
     std::vector<std::uint32_t> before_;
+    std::vector<std::uint32_t> last_;  ///< 1 + index of a pair in each of pixels_; 0: there is none
+    std::vector<std::uint32_t> count_; ///< of pairs in each of pixels_
 };
 
 } // namespace l3d_detail

@@ -59,7 +59,7 @@ bool is_grey(std::uint32_t word) {
 bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_own, bool is_right,
                                float share, side& found) const {
     // Where the curve runs. What is seen behind a contour would have to be carried on from too far.
-    if (!picture_.has_levels || pixel.crossings != 2 || (away.x != 0 && away.y != 0) ||
+    if (!shows_levels() || pixel.crossings != 2 || (away.x != 0 && away.y != 0) ||
         !(is_own || (is_right && pixel.folds)))
         return false;
     const auto across =

@@ -117,11 +117,15 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
     const l3d_pixel_box box = box_of_band(frame, band);
     mark_others(frame, box);
     band_space& space = each_band_[static_cast<std::size_t>(band)];
-    const drawn_picture drawn{
-        frame.target,       frame.window,
-        frame.depth.data(), frame.depth.pitch(),
-        is_grey(frame),     frame.shading.mode == l3d_shade::levels && !frame.shading.fog.is_on(),
-        frame.colors,       frame.shading.place_error};
+    const drawn_picture drawn{frame.target,
+                              frame.window,
+                              frame.depth.data(),
+                              frame.depth.pitch(),
+                              is_grey(frame),
+                              frame.shading.mode == l3d_shade::levels,
+                              frame.shading.fog.is_on() ? &frame.shading : nullptr,
+                              frame.colors,
+                              frame.shading.place_error};
     const contour_mixer mixer(drawn, cuts_);
     for (const contour_pixel& pixel : space.contours.pixels()) {
         if (others_.has(pixel.x, pixel.y))

@@ -111,9 +111,9 @@ void pixel_mixer::draw_by(Shader shader, const band_fragments& band,
     }
 }
 
-/// Of facets in the same place, the first is seen: slivers that no sample meets would else add up.
-/// Patches close a slit from both sides, by the same triangles. These stay, as their area tells how
-/// much is uncertain there.
+/// Of facets or quads in the same place, the first is seen: slivers that no sample meets would else
+/// add up. Patches close a slit from both sides, by the same triangles. These stay, as their area
+/// tells how much is uncertain there.
 void pixel_mixer::collect(const band_fragments& band, std::size_t pixel) {
     fragments_.clear();
     const std::size_t end = band.begin_of(pixel + 1);
@@ -128,7 +128,7 @@ void pixel_mixer::collect(const band_fragments& band, std::size_t pixel) {
             return before.farthest == polygon.farthest && before.nearest == polygon.nearest &&
                    coincide(band.polygons()[before.polygon], polygon);
         };
-        if (polygon.is_facet && std::ranges::any_of(fragments_, hides))
+        if (polygon.counts_once && std::ranges::any_of(fragments_, hides))
             continue;
         fragments_.push_back({static_cast<std::uint32_t>(pair), name, area, mask, mask,
                               polygon.farthest, polygon.nearest, polygon.area2() > 0});
