@@ -344,7 +344,9 @@ void l3d_pipeline_afd::draw_wireframe() {
         depth_.clear();
     }
     stages_->wire_culling.begin(scene_, stages_->transform.matrix(), stages_->view);
-    stages_->wire_dicer.begin(stages_->view);
+    l3d_dice_view view = stages_->view;
+    view.shading.antialias = settings_.antialias; // then borders are noted, which neighbours share
+    stages_->wire_dicer.begin(view);
     l3d_detail::wire_lines lines({rasterizer_, is_none ? l3d_detail::white : wire_color,
                                   settings_.antialias, screen_->text_scale()});
     for (auto batch = stages_->wire_culling.next(nothing_is_hidden); !batch.empty();

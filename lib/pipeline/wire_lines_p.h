@@ -6,6 +6,7 @@
 #include "pipeline/wire_p.h"
 #include "raster/surface_part.h"
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -13,43 +14,79 @@
 
 namespace l3d_detail {
 
-/// Draws the steps that were taken: the sides of all quads and triangles.
+/// Draws the steps that were taken: the sides of all quads, and of the triangles that clipping
+/// leaves. What neighbours share is one line.
 class wire_lines {
 public:
     explicit wire_lines(wire_drawer drawer) : drawer_(std::move(drawer)) {}
 
+    /// Expects: parts that note their borders, if lines are smooth.
     void draw(std::span<const l3d_surface_part* const> parts) {
         for (const l3d_surface_part* part : parts) {
             lines_.clear();
-            add_grid(part->grid);
-            add_triangles(part->triangles);
+            if (part->grid.rows > 1) {
+                add_inside(part->grid);
+                add_rim(*part);
+            } else {
+                add_triangles(part->triangles);
+            }
             drawer_.draw(lines_);
         }
     }
 
 private:
-    void add_grid(const l3d_micro_grid& g) {
+    void add_inside(const l3d_micro_grid& g) {
         for (int r = 0; r < g.rows; ++r)
             for (int c = 0; c < g.columns; ++c) {
-                if (c + 1 < g.columns)
-                    add(g.vertex(r, c), g.vertex(r, c + 1));
-                if (r + 1 < g.rows)
-                    add(g.vertex(r, c), g.vertex(r + 1, c));
+                if (c + 1 < g.columns && r > 0 && r + 1 < g.rows)
+                    lines_.push_back(between(g.vertex(r, c), g.vertex(r, c + 1)));
+                if (r + 1 < g.rows && c > 0 && c + 1 < g.columns)
+                    lines_.push_back(between(g.vertex(r, c), g.vertex(r + 1, c)));
             }
     }
 
-    /// Slits are empty to the eye; pieces that had to be clipped are triangles, too.
+    /// A side that notes its border has the line of that, which its neighbour has, too. The grid's
+    /// own is off that by a part of the tolerance, and two such lines would be one that is too
+    /// bright. Between them are the triangles of a slit, which is empty to the eye.
+    void add_rim(const l3d_surface_part& part) {
+        std::array<bool, 4> noted{};
+        for (const l3d_border_edge& e : part.border) {
+            noted[static_cast<std::size_t>(e.side)] = true;
+            add_shared({e.from_x, e.from_y, e.to_x, e.to_y});
+        }
+        const l3d_micro_grid& g = part.grid;
+        const std::array rows{0, g.columns - 1, g.rows - 1,
+                              0}; // of sides: above, right, below, left
+        for (int side = 0; side < 4; ++side) {
+            if (noted[static_cast<std::size_t>(side)])
+                continue;
+            const bool along_u = side % 2 == 0;
+            const int line = rows[static_cast<std::size_t>(side)];
+            const auto vertex = [&](int i) {
+                return along_u ? g.vertex(line, i) : g.vertex(i, line);
+            };
+            for (int i = 0; i + 1 < (along_u ? g.columns : g.rows); ++i)
+                add_shared(between(vertex(i), vertex(i + 1)));
+        }
+    }
+
     void add_triangles(const l3d_micro_triangles& t) {
         for (std::size_t i = 0; i < t.count; ++i)
             for (std::size_t k = 0; k < 3; ++k)
-                add(t.vertex(i, k), t.vertex(i, (k + 1) % 3));
+                add_shared(between(t.vertex(i, k), t.vertex(i, (k + 1) % 3)));
     }
 
-    void add(const l3d_micro_vertex& a, const l3d_micro_vertex& b) {
-        lines_.push_back({a.x, a.y, b.x, b.y});
+    static wire between(const l3d_micro_vertex& a, const l3d_micro_vertex& b) {
+        return {a.x, a.y, b.x, b.y};
+    }
+
+    void add_shared(const wire& line) {
+        if (shared_.add(line))
+            lines_.push_back(line);
     }
 
     wire_drawer drawer_;
+    shared_wires shared_;
     std::vector<wire> lines_;
 };
 

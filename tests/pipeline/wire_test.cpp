@@ -48,24 +48,35 @@ public:
 constexpr int width = 320, height = 240;
 
 /// Nets seen from behind, where one-sided surfaces are not drawn, so that nothing but lines is.
-std::vector<std::uint32_t> nets_of(std::vector<l3d_patch_model::patch> patches) {
-    l3d_camera camera;
-    camera.eye = {0.13, 0.07, -3};
+l3d_afd_settings as_nets() {
     l3d_afd_settings settings;
-    settings.threads = 1;
-    settings.antialias = true;
     settings.one_sided = true;
     settings.net = true;
+    return settings;
+}
+
+l3d_afd_settings as_steps() {
+    l3d_afd_settings settings;
+    settings.wireframe = true;
+    return settings;
+}
+
+std::vector<std::uint32_t> lines_of(std::vector<l3d_patch_model::patch> patches,
+                                    l3d_afd_settings settings) {
+    l3d_camera camera;
+    camera.eye = {0.13, 0.07, -3};
+    settings.threads = 1;
+    settings.antialias = true;
     return tester(l3d_memory_canvas({width, height}), l3d_patch_model(std::move(patches)), camera,
                   settings)
         .draw();
 }
 
 /// Where either neighbour alone shows the same line, both show it no brighter.
-TEST(wire, of_two_nets_is_drawn_once) {
+void expect_common_lines_once(const l3d_afd_settings& settings) {
     const auto left = bent_square(-1, 0.1), right = bent_square(0, -0.2);
-    const auto of_left = nets_of({left}), of_right = nets_of({right}),
-               of_both = nets_of({left, right}), of_none = nets_of({});
+    const auto of_left = lines_of({left}, settings), of_right = lines_of({right}, settings),
+               of_both = lines_of({left, right}, settings), of_none = lines_of({}, settings);
     std::size_t common = 0;
     for (std::size_t i = 0; i < of_both.size(); ++i)
         if (of_left[i] == of_right[i] && of_left[i] != of_none[i]) {
@@ -73,6 +84,14 @@ TEST(wire, of_two_nets_is_drawn_once) {
             EXPECT_EQ(of_both[i], of_left[i]) << i % width << ' ' << i / width;
         }
     EXPECT_GT(common, 50u);
+}
+
+TEST(wire, of_two_nets_is_drawn_once) {
+    expect_common_lines_once(as_nets());
+}
+
+TEST(wire, of_two_patches_is_drawn_once) {
+    expect_common_lines_once(as_steps());
 }
 
 } // namespace
