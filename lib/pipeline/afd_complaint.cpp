@@ -17,8 +17,8 @@ std::string fog_complaint(const l3d_afd_settings& settings) {
                " are not two distances, the nearer first";
     if (!settings.method.is_default())
         return "fog: " + settings.method.name() + " draws without";
-    if (!l3d_is_light(settings.shade))
-        return "fog: only shades of light have it";
+    if (l3d_has_scale(settings.shade))
+        return "fog: colours of a scale would no longer be those of the scale";
     if (!fog.color && settings.background.is_none())
         return "fog: without a background it needs a colour";
     return "";

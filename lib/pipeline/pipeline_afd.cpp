@@ -146,7 +146,8 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     shading.antialias = settings_.antialias;
     shading.place_error = static_cast<float>(settings_.tolerance);
     shading.background = settings_.background;
-    shading.fog = settings_.fog;
+    if (!l3d_has_scale(settings_.shade)) // viewers change shades while there is fog
+        shading.fog = settings_.fog;
     if (l3d_is_inspection(settings_.shade))
         shading.inspection = inspection();
     return {.target = target,

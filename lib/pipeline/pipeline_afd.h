@@ -66,9 +66,9 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// Edges are means over pixels, not stairs; see l3d_shading.
     bool antialias = false;
 
-    /// What far surfaces fade into. Only the library's own method has it, for shades of light. The
-    /// certificate of shades then counts what the bound of depth makes of it (NUMERICS, section
-    /// 23).
+    /// What far surfaces fade into. Only the library's own method has it, for shades of light and
+    /// normals. The certificate of shades then counts what the bound of depth makes of it
+    /// (NUMERICS, section 23).
     l3d_fog fog{};
 
     /// What is seen where nothing is drawn.

@@ -67,4 +67,9 @@ constexpr bool l3d_is_light(l3d_shade shade) {
     return shade != l3d_shade::normals && shade != l3d_shade::error && !l3d_is_inspection(shade);
 }
 
+/// Whether its colours are those of a scale, which fog would make others of.
+constexpr bool l3d_has_scale(l3d_shade shade) {
+    return shade == l3d_shade::error || l3d_is_inspection(shade);
+}
+
 #endif

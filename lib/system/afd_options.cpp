@@ -304,6 +304,15 @@ l3d_afd_settings l3d_afd_options::settings() const {
         throw l3d_error(l3d_exit::usage, "--error-output: only surfaces that show light have an "
                                          "exact picture, and neither --wireframe nor --shade "
                                          "normals, error or an inspection does");
+    const std::string shade = l3d_shade_names[static_cast<std::size_t>(result.shade)].first;
+    if (result.wireframe && !l3d_is_light(result.shade))
+        throw l3d_error(l3d_exit::usage,
+                        "--wireframe: lines have one colour, and show nothing of --shade " + shade);
+    if (result.fog.is_on() && result.wireframe)
+        throw l3d_error(l3d_exit::usage, "--fog: only surfaces have it, and no --wireframe");
+    if (result.fog.is_on() && l3d_has_scale(result.shade))
+        throw l3d_error(l3d_exit::usage,
+                        "--fog: the scale of --shade " + shade + " has no colours for it");
     result.background = background_.value_or(l3d_background::gradient());
     if (result.error_map && result.background.is_none())
         throw l3d_error(l3d_exit::usage, "--error-output: pixels have bounds on a background, and "

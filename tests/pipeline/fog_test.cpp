@@ -35,15 +35,21 @@ picture drawn(const l3d_patch_scene& scene, const l3d_afd_settings& settings, in
     return program.words();
 }
 
+struct surface_look {
+    l3d_material material;
+    l3d_shade shade = l3d_shade::lambert;
+};
+
 TEST(fog, fades_each_pixel_by_its_own_depth) {
     for (const std::optional<std::uint32_t> color :
          {std::optional<std::uint32_t>(), std::optional<std::uint32_t>(0x4060a0)})
-        for (const l3d_material& material :
-             {l3d_material(), l3d_material{.color = 0xc06020},
-              l3d_material{.color = 0xc06020, .highlight = 0xffffff}}) {
+        for (const surface_look& look : {surface_look{}, surface_look{{.color = 0xc06020}},
+                                         surface_look{{.color = 0xc06020, .highlight = 0xffffff}},
+                                         surface_look{{}, l3d_shade::normals}}) {
             l3d_patch_scene scene(teapot_model());
-            scene.paint(0, material);
+            scene.paint(0, look.material);
             l3d_afd_settings settings = with_fog(color);
+            settings.shade = look.shade;
             settings.depth = true;
             tester fogged(scene, before_the_teapot(), settings);
             fogged.draw_event();
@@ -67,6 +73,17 @@ TEST(fog, fades_each_pixel_by_its_own_depth) {
             }
             EXPECT_GT(faded, 3000);
         }
+}
+
+/// As when a user of a viewer looks for curvature in a foggy picture.
+TEST(fog, is_not_before_the_colors_of_a_scale) {
+    l3d_afd_settings settings = with_fog();
+    tester program(l3d_patch_scene(teapot_model()), before_the_teapot(), settings);
+    program.settings().shade = l3d_shade::gaussian;
+    program.draw_event();
+    settings.fog = {};
+    settings.shade = l3d_shade::gaussian;
+    EXPECT_EQ(program.words(), drawn(l3d_patch_scene(teapot_model()), settings));
 }
 
 /// The root mean square of what a smooth picture is off the mean of 8 x 8 samples a pixel.

@@ -279,6 +279,19 @@ def refuses_fog_that_a_method_draws_without():
             expect_equal(said, (2, b"", "teapot_afd: --fog: --method " + method + " draws without; afd has it\n"))
 
 
+def refuses_what_lines_and_scales_do_not_show():
+    with folder() as path:
+        for shade in ("normals", "error", "zebra", "mean"):
+            said = memory("--wireframe", "--shade", shade, cwd=path)
+            expect_equal(said, (2, b"", "teapot_afd: --wireframe: lines have one colour, and show nothing of --shade %s\n"
+                                % shade))
+        said = memory("--wireframe", "--fog", "1,9", cwd=path)
+        expect_equal(said, (2, b"", "teapot_afd: --fog: only surfaces have it, and no --wireframe\n"))
+        for shade in ("error", "zebra"):
+            said = memory("--shade", shade, "--fog", "1,9", cwd=path)
+            expect_equal(said, (2, b"", "teapot_afd: --fog: the scale of --shade %s has no colours for it\n" % shade))
+
+
 def refuses_a_tolerance_that_nobody_keeps():
     """Where a method's steps are its own, and the tolerance is not the scale of the error's colours."""
     with folder() as path:
@@ -430,6 +443,7 @@ def main():
         modelview_reports_as_well, tells_polygons_a_second, writes_distances, writes_the_map_of_errors,
         repeats_itself, explains_what_it_left_out, refuses_wrong_values,
         takes_lights_of_any_length, refuses_fog_that_a_method_draws_without,
+        refuses_what_lines_and_scales_do_not_show,
         refuses_a_tolerance_that_nobody_keeps, keeps_all_frames,
         shows_the_error_where_it_is_bounded,
         modelview_refuses_what_its_pipeline_has_not, greets_a_person, obeys_its_keys,
