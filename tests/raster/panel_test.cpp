@@ -159,6 +159,22 @@ TEST(panel, without_room_says_so_by_dots_or_not_at_all) {
     EXPECT_LE(layout.size().height, 70);
 }
 
+/// As the legend of a surface that is inspected.
+TEST(panel, a_scale_is_no_wider_than_its_room) {
+    std::vector<panel_row> rows(2);
+    rows[0] = {"", "Gaussian curvature per square unit, 0 is white", false};
+    rows[1] = {"-5", "5", true};
+    const l3d_font font;
+    panel_layout layout(font, rows);
+    for (int width = 70; width < 200; width += 3) {
+        EXPECT_TRUE(layout.make(10, 1, {width, 200})) << width;
+        for (const panel_line& line : layout.lines()) {
+            EXPECT_LE(line.x + line.scale_width, width) << width;
+            EXPECT_LE(line.x + font.width(line.text, 10), width) << line.text;
+        }
+    }
+}
+
 TEST(panel, breaks_lines_where_the_text_says_so) {
     const auto height = [](const std::string& text) {
         canvas it(200, 100);

@@ -66,8 +66,8 @@ int panel_layout::text_width_of(std::span<const panel_row> rows, int most) const
         if (r.is_scale) {
             const int names =
                 font_.width(r.key, letter_size_) + gap() + font_.width(r.text, letter_size_);
-            constexpr int least_letters = 12; // of a bar that can be read
-            width = std::max({width, names, least_letters * letter_size_});
+            constexpr int least_letters = 12; // of a bar that can be read, if there is room for it
+            width = std::max({width, names, std::min(least_letters * letter_size_, most)});
             continue;
         }
         for (const std::string& line : wrapped(font_, r.text, letter_size_, most))
