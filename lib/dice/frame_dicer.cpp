@@ -71,14 +71,14 @@ void put_parameters(l3d_diced_piece& piece) {
             grid.normal[2][at] = 0;
         }
     l3d_micro_triangles& triangles = piece.part.triangles;
-    for (std::size_t k = 0; k < triangles.corners.size(); ++k) {
-        auto& normal = triangles.corners[k].normal;
+    for (std::size_t k = 0; k < piece.triangle_uv.size(); ++k)
         for (std::size_t i = 0; i < triangles.count; ++i) {
-            normal[0][i] = static_cast<float>(piece.triangle_uv[k][i].u);
-            normal[1][i] = static_cast<float>(piece.triangle_uv[k][i].v);
-            normal[2][i] = 0;
+            auto& normal = triangles.corners(i, k).normal;
+            const std::size_t at = i % l3d_micro_triangles::lanes;
+            normal[0][at] = static_cast<float>(piece.triangle_uv[k][i].u);
+            normal[1][at] = static_cast<float>(piece.triangle_uv[k][i].v);
+            normal[2][at] = 0;
         }
-    }
 }
 
 } // namespace

@@ -14,22 +14,25 @@
 
 /// Triangles that belong to no grid: what closes the slits between pieces, and clipped pieces.
 ///
-/// Shape: one array per corner and component, triangle i in element i, so that triangles can be
-///        set up side by side in SIMD lanes. Arrays have room for a multiple of 16.
+/// Shape: blocks of 16 triangles. In a block, each component of each corner is an array, so that
+///        triangles can be set up side by side in SIMD lanes. A block is 18 cache lines in a row:
+///        who goes from block to block in any order finds each of them in one page of memory.
 /// Cost:  clear keeps the memory; add allocates only when there are more than ever before.
 struct L3D_PUBLIC l3d_micro_triangles {
-    static constexpr std::size_t lanes = 16; ///< the arrays have room for a multiple of this
+    static constexpr std::size_t lanes = 16; ///< triangles in a block
 
-    /// One corner of each triangle; components as of l3d_micro_vertex.
-    struct corner {
+    /// One corner of the triangles of a block; components as of l3d_micro_vertex.
+    struct alignas(64) corner {
         /// Places in the picture. Units: 1/256 pixel.
-        std::vector<std::int32_t> x, y;
-        std::vector<float> inv_w;                 ///< 1 / distance along the view axis
-        std::array<std::vector<float>, 3> normal; ///< normals, or levels
+        std::array<std::int32_t, lanes> x, y;
+        std::array<float, lanes> inv_w;                 ///< 1 / distance along the view axis
+        std::array<std::array<float, lanes>, 3> normal; ///< normals, or levels
     };
+    /// The corners of its triangles.
+    using block = std::array<corner, 3>;
 
-    std::array<corner, 3> corners; ///< of all triangles
-    std::size_t count = 0;         ///< the number of triangles
+    std::vector<block> blocks; ///< triangle i is in element i % lanes of block i / lanes
+    std::size_t count = 0;     ///< the number of triangles
     /// Of each triangle, if not all have the one of their l3d_surface_part; else empty.
     std::vector<std::uint32_t> materials;
 
@@ -41,11 +44,10 @@ struct L3D_PUBLIC l3d_micro_triangles {
 
     /// Adds a triangle.
     void add(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c) {
-        if (count == corners[0].x.size())
-            grow(count + 1);
-        set(corners[0], a);
-        set(corners[1], b);
-        set(corners[2], c);
+        make_room(1);
+        set(0, a);
+        set(1, b);
+        set(2, c);
         ++count;
     }
 
@@ -56,51 +58,49 @@ struct L3D_PUBLIC l3d_micro_triangles {
         materials.push_back(material);
     }
 
-    /// Makes room in the arrays for so many more, to be written there and counted by the caller.
+    /// Makes room in the blocks for so many more, to be written there and counted by the caller.
     void make_room(std::size_t more) {
-        if (count + more > corners[0].x.size())
+        if (count + more > blocks.size() * lanes)
             grow(count + more);
+    }
+
+    /// One corner of the triangles of a triangle's block. Expects: room for it; at < 3.
+    corner& corners(std::size_t triangle, std::size_t at) { return blocks[triangle / lanes][at]; }
+    /// The same to be read.
+    const corner& corners(std::size_t triangle, std::size_t at) const {
+        return blocks[triangle / lanes][at];
     }
 
     /// One corner of one triangle. Expects: triangle < count, at < 3.
     l3d_micro_vertex vertex(std::size_t triangle, std::size_t at) const {
-        const corner& c = corners[at];
-        return {c.x[triangle],
-                c.y[triangle],
-                c.inv_w[triangle],
-                {c.normal[0][triangle], c.normal[1][triangle], c.normal[2][triangle]}};
+        const corner& c = corners(triangle, at);
+        const std::size_t i = triangle % lanes;
+        return {c.x[i], c.y[i], c.inv_w[i], {c.normal[0][i], c.normal[1][i], c.normal[2][i]}};
     }
 
     /// Twice the area of a triangle in the picture, positive if its corners turn to the right
     /// there. Units: 1/65536 square pixel. Expects: triangle < count.
     std::int64_t double_area(std::size_t triangle) const {
-        const auto way = [&](const std::vector<std::int32_t>& from,
-                             const std::vector<std::int32_t>& to) {
-            return std::int64_t{to[triangle]} - from[triangle];
-        };
-        const auto& [a, b, c] = corners;
-        return way(a.x, b.x) * way(a.y, c.y) - way(a.y, b.y) * way(a.x, c.x);
+        const auto& [a, b, c] = blocks[triangle / lanes];
+        const std::size_t i = triangle % lanes;
+        return (std::int64_t{b.x[i]} - a.x[i]) * (std::int64_t{c.y[i]} - a.y[i]) -
+               (std::int64_t{b.y[i]} - a.y[i]) * (std::int64_t{c.x[i]} - a.x[i]);
     }
 
 private:
     void grow(std::size_t least) {
         const std::size_t wanted = std::max(least, count + count / 2);
-        const std::size_t size = (wanted + lanes - 1) / lanes * lanes;
-        for (corner& c : corners) {
-            c.x.resize(size);
-            c.y.resize(size);
-            c.inv_w.resize(size);
-            for (auto& component : c.normal)
-                component.resize(size);
-        }
+        blocks.resize((wanted + lanes - 1) / lanes);
     }
 
-    void set(corner& c, const l3d_micro_vertex& v) const {
-        c.x[count] = v.x;
-        c.y[count] = v.y;
-        c.inv_w[count] = v.inv_w;
+    void set(std::size_t at, const l3d_micro_vertex& v) {
+        corner& c = corners(count, at);
+        const std::size_t i = count % lanes;
+        c.x[i] = v.x;
+        c.y[i] = v.y;
+        c.inv_w[i] = v.inv_w;
         for (std::size_t k = 0; k < c.normal.size(); ++k)
-            c.normal[k][count] = v.normal[k];
+            c.normal[k][i] = v.normal[k];
     }
 };
 

@@ -77,10 +77,10 @@ void l3d_sheet_depths::add(const l3d_surface_part& part, const l3d_sheet_patch& 
         }
     // A piece that was clipped has nothing else.
     const std::uint32_t of_triangles = grid.rows > 0 ? slit : rim;
-    const auto& corners = part.triangles.corners;
     for (std::size_t i = 0; i < part.triangles.count; ++i) {
         const auto corner_of = [&](std::size_t k) -> corner {
-            return {corners[k].x[i], corners[k].y[i], corners[k].inv_w[i]};
+            const l3d_micro_vertex v = part.triangles.vertex(i, k);
+            return {v.x, v.y, v.inv_w};
         };
         add_triangle(corner_of(0), corner_of(1), corner_of(2), owner + of_triangles);
     }

@@ -291,12 +291,15 @@ TYPED_TEST(lane_dicer, keeps_the_memory_of_a_frame_like_the_last_one) {
     ordinary_patches<TypeParam> all;
     const auto memory_of = [](const l3d_diced_piece& piece) {
         const l3d_micro_grid& grid = piece.part.grid;
-        const auto& corner = piece.part.triangles.corners[2];
-        return std::array<const void*, 8>{
-            grid.x.data(),   grid.inv_w.data(),       piece.u.data(),        piece.v.data(),
-            corner.x.data(), corner.normal[2].data(), grid.normal[0].data(), grid.y.data()};
+        return std::array<const void*, 7>{grid.x.data(),
+                                          grid.inv_w.data(),
+                                          piece.u.data(),
+                                          piece.v.data(),
+                                          grid.normal[0].data(),
+                                          grid.y.data(),
+                                          piece.part.triangles.blocks.data()};
     };
-    std::array<const void*, 8> first{};
+    std::array<const void*, 7> first{};
     all.dice(s, 0.1, [&](std::size_t, const l3d_image_patch&, const l3d_diced_piece& piece) {
         first = memory_of(piece);
     });

@@ -104,8 +104,10 @@ TEST(polygon_model, normals_point_outwards_and_the_centroid_may_be_the_origin) {
     EXPECT_NEAR(l3d_length(model.centre() - centre), 0, 1e-9);
     const l3d_polygon_model moved(sphere, true);
     EXPECT_NEAR(l3d_length(moved.centre()), 0, 1e-9);
-    EXPECT_EQ(model.bytes(),
-              28 * sphere.faces() + 48 + 32 * sphere.faces() + 12 * sphere.vertices.size());
+    const std::size_t blocks = (model.triangles().size() + 31) / 32;
+    EXPECT_EQ(model.facing_blocks().size(), blocks);
+    EXPECT_EQ(model.bytes(), 28 * sphere.faces() + 48 + 32 * sphere.faces() + 64 * blocks +
+                                 12 * sphere.vertices.size());
 }
 
 TEST(polygon_model, of_a_file_is_that_of_its_polygons_and_patches) {

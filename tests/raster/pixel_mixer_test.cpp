@@ -132,7 +132,8 @@ TEST(PixelMixer, ShowsFacetsInOnePlaceOnce) {
         surface_parts thrice = once;
         thrice.insert(thrice.end(), once.begin(), once.end());
         for (l3d_surface_part part : once) {
-            std::swap(part.triangles.corners[0], part.triangles.corners[1]);
+            for (l3d_micro_triangles::block& block : part.triangles.blocks)
+                std::swap(block[0], block[1]);
             thrice.push_back(part);
         }
         EXPECT_EQ(words_of(thrice), words_of(once)) << n;

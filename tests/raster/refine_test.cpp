@@ -30,10 +30,11 @@ l3d_surface_part enlarged(l3d_surface_part part) {
     for (auto* const numbers : {&part.grid.x, &part.grid.y})
         for (std::int32_t& number : *numbers)
             number *= fine;
-    for (l3d_micro_triangles::corner& c : part.triangles.corners)
-        for (auto* const numbers : {&c.x, &c.y})
-            for (std::int32_t& number : *numbers)
-                number *= fine;
+    for (l3d_micro_triangles::block& block : part.triangles.blocks)
+        for (l3d_micro_triangles::corner& c : block)
+            for (auto* const numbers : {&c.x, &c.y})
+                for (std::int32_t& number : *numbers)
+                    number *= fine;
     return part;
 }
 

@@ -153,8 +153,9 @@ void l3d_polygon_frame::add_whole(const frame_input& in, const chosen_triangles&
             continue;
         for (std::size_t k = 0; k < 3; ++k) {
             const normal n = normal_of(in, chosen.triangle[i], k, chosen.sign[i] != 0);
+            l3d_micro_triangles::corner& corner = triangles.corners(first + i, k);
             for (std::size_t c = 0; c < n.size(); ++c)
-                triangles.corners[k].normal[c][first + i] = n[c];
+                corner.normal[c][(first + i) % l3d_micro_triangles::lanes] = n[c];
         }
     }
 }
@@ -258,19 +259,30 @@ void l3d_polygon_frame::add_clipped(const frame_input& in, std::size_t number, b
     to.counts.clipped += seen;
 }
 
-void l3d_polygon_frame::list(std::vector<l3d_painter_triangle>& out, l3d_workers& workers) const {
-    std::vector<std::size_t> begins{0};
+std::vector<std::size_t> l3d_polygon_frame::ends() const {
+    std::vector<std::size_t> ends;
+    std::size_t end = 0;
     for (const l3d_surface_part* part : parts_)
-        begins.push_back(begins.back() + part->triangles.count);
-    out.resize(begins.back());
+        ends.push_back(end += part->triangles.count);
+    return ends;
+}
+
+void l3d_polygon_frame::list(std::vector<l3d_painter_triangle>& out, l3d_workers& workers) const {
+    const std::vector<std::size_t> part_ends = ends();
+    out.resize(part_ends.empty() ? 0 : part_ends.back());
     workers.for_each(static_cast<int>(parts_.size()), [&](int number, int) {
-        const auto c = static_cast<std::size_t>(number);
-        const l3d_micro_triangles& triangles = parts_[c]->triangles;
-        for (std::size_t i = 0; i < triangles.count; ++i)
-            out[begins[c] + i] = {
-                {triangles.vertex(i, 0), triangles.vertex(i, 1), triangles.vertex(i, 2)},
-                0,
-                chunks_[c].sides[i],
-                parts_[c]->material_of(i)};
+        const auto part = static_cast<std::size_t>(number);
+        const std::size_t count = parts_[part]->triangles.count;
+        list_part(part, std::span(out).subspan(part_ends[part] - count, count));
     });
+}
+
+void l3d_polygon_frame::list_part(std::size_t part, std::span<l3d_painter_triangle> out) const {
+    const l3d_surface_part& from = *parts_[part];
+    const l3d_micro_triangles& triangles = from.triangles;
+    for (std::size_t i = 0; i < triangles.count; ++i)
+        out[i] = {{triangles.vertex(i, 0), triangles.vertex(i, 1), triangles.vertex(i, 2)},
+                  0,
+                  chunks_[part].sides[i],
+                  from.material_of(i)};
 }

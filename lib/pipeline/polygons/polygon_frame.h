@@ -59,6 +59,11 @@ public:
     /// rest of a clipped triangle.
     void list(std::vector<l3d_painter_triangle>& out, l3d_workers& workers) const;
 
+    /// Where the parts of that list end.
+    std::vector<std::size_t> ends() const;
+    /// Those of one part. Expects: `out` has as many elements as the part has triangles.
+    void list_part(std::size_t part, std::span<l3d_painter_triangle> out) const;
+
     const l3d_polygon_counts& counts() const { return counts_; }
 
 private:

@@ -64,6 +64,7 @@ l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin, doubl
         radius = std::max(radius, l3d_length(v - centre()));
     make_triangles();
     make_normals(crease_angle);
+    make_facing_blocks();
     std::vector<l3d_material> looks;
     if (!mesh.face_colors.empty() || (!mesh.face_materials.empty() && !mesh.looks.empty()))
         for (std::size_t f = 0; f < mesh.faces(); ++f)
@@ -107,6 +108,7 @@ void l3d_polygon_model::contents::keep_triangles(const std::vector<bool>& of_fac
     }
     triangles.resize(kept);
     crease_corners.resize(crease_corners.empty() ? 0 : kept);
+    make_facing_blocks();
 }
 
 void l3d_polygon_model::contents::make_triangles() {
@@ -152,6 +154,31 @@ void l3d_polygon_model::contents::make_normals(double crease_angle) {
         crease_corners.push_back({creases.at(t.corners[0], t.face),
                                   creases.at(t.corners[1], t.face),
                                   creases.at(t.corners[2], t.face)});
+}
+
+void l3d_polygon_model::contents::make_facing_blocks() {
+    constexpr std::size_t in_block = l3d_facing_block::triangles;
+    facing_blocks.assign((triangles.size() + in_block - 1) / in_block, l3d_facing_block());
+    for (std::size_t b = 0; b < facing_blocks.size(); ++b) {
+        l3d_facing_block& block = facing_blocks[b];
+        const auto of_block = std::span<const l3d_model_triangle>(triangles).subspan(
+            b * in_block, std::min(in_block, triangles.size() - b * in_block));
+        const auto normal = [&](const l3d_model_triangle& t) {
+            return l3d_converted<double>(face_normals[t.face]);
+        };
+        const auto corner = [&](const l3d_model_triangle& t) {
+            return mesh.vertices[t.corners[0]];
+        };
+        const double part = 1.0 / static_cast<double>(of_block.size());
+        for (const l3d_model_triangle& t : of_block) {
+            block.axis += normal(t) * part;
+            block.middle += corner(t) * part;
+        }
+        for (const l3d_model_triangle& t : of_block) {
+            block.spread = std::max(block.spread, l3d_length(normal(t) - block.axis));
+            block.reach = std::max(block.reach, l3d_length(corner(t) - block.middle));
+        }
+    }
 }
 
 /// Where a surface folds over, a vertex' normal points to one side of it for some faces, and to the
@@ -216,6 +243,7 @@ l3d_polygon_model l3d_polygon_model::without(std::span<const std::size_t> parts)
 
 std::size_t l3d_polygon_model::bytes() const {
     return mesh().bytes() + triangles().size() * sizeof(l3d_model_triangle) +
+           facing_blocks().size() * sizeof(l3d_facing_block) +
            materials().size() * sizeof(l3d_material) +
            contents_->materials_of_faces.size() * sizeof(std::uint32_t) +
            contents_->crease_corners.size() * sizeof(contents_->crease_corners[0]) +

@@ -22,6 +22,19 @@ struct L3D_PUBLIC l3d_model_triangle {
     std::uint32_t sides = 0;
 };
 
+/// What some triangles' faces have in common, side by side in the list of a model's triangles.
+///
+/// Each face's normal is at most `spread` away from `axis`, and its triangle's first corner at most
+/// `reach` from `middle`. So a view may show at once that all are seen from the same side.
+struct L3D_PUBLIC l3d_facing_block {
+    static constexpr std::size_t triangles = 32; ///< the last block may have fewer
+
+    l3d_vector<double, 3> axis{0.0, 0.0, 0.0};   ///< of the normals
+    l3d_vector<double, 3> middle{0.0, 0.0, 0.0}; ///< of the corners
+    double spread = 0;                           ///< of the normals
+    double reach = 0;                            ///< of the corners
+};
+
 /// Faces whose normals differ by more have a crease where they meet. Of 12 and more sides, a prism
 /// that stands for a round body is smooth. Units: degrees.
 inline constexpr double l3d_usual_crease_angle = 30;
@@ -32,8 +45,8 @@ inline constexpr double l3d_usual_crease_angle = 30;
 /// most parallel to. That takes n log n time for n corners. Faces that cross themselves become some
 /// triangles or other. A model never changes after it is made. Its copies share its contents.
 /// Lives:   the contents live as long as any copy does, such as the one in a pipeline.
-/// Cost:    memory per triangle 20 bytes and 12 for the face's normal, per vertex 12 for its
-///          normal, beside the mesh's own: 66 bytes per face of a closed mesh of triangles. A copy
+/// Cost:    memory per triangle 22 bytes and 12 for the face's normal, per vertex 12 for its
+///          normal, beside the mesh's own: 68 bytes per face of a closed mesh of triangles. A copy
 ///          counts a reference. A move is a copy, so no model is ever without contents.
 class L3D_PUBLIC l3d_polygon_model {
 public:
@@ -68,6 +81,9 @@ public:
     const l3d_polygon_mesh& mesh() const { return contents_->mesh; }
     /// The triangles of all faces that are shown, face after face.
     std::span<const l3d_model_triangle> triangles() const { return contents_->triangles; }
+
+    /// Triangle i is in block i / l3d_facing_block::triangles.
+    std::span<const l3d_facing_block> facing_blocks() const { return contents_->facing_blocks; }
 
     /// Unit vectors, counterclockwise corners seen from their tips; zero for a face of no area.
     std::span<const direction> face_normals() const { return contents_->face_normals; }
@@ -135,6 +151,7 @@ private:
         vector centre() const { return (least + most) * 0.5; }
         void make_triangles();
         void make_normals(double crease_angle);
+        void make_facing_blocks();
         void turn_normals_at_folds();
         void make_materials(std::span<const l3d_material> looks);
         void keep_triangles(const std::vector<bool>& of_faces);
@@ -142,6 +159,7 @@ private:
         l3d_polygon_mesh mesh;
         l3d_parts parts;
         std::vector<l3d_model_triangle> triangles;
+        std::vector<l3d_facing_block> facing_blocks;
         std::vector<direction> face_normals, vertex_normals;
         std::vector<direction> crease_normals;
         /// Of each triangle's corners, the place in these, or no_crease. Empty if there are none.

@@ -66,6 +66,20 @@ l3d_polygon_view::l3d_polygon_view(const l3d_camera& camera, l3d_size size,
     forward_ = turned_back(placement, camera.axes().forward);
 }
 
+/// With n and q for what a normal and a point differ by, N . (eye - p) = axis . (eye - middle) +
+/// n . (eye - middle) - N . q. The last two are at most spread |eye - middle| + reach. Rounding
+/// adds less than 2^-50 of these lengths, and as float a unit vector may be 2^-22 too long; what is
+/// added here is many times as much.
+bool l3d_polygon_view::all_face(const vector& axis, double spread, const vector& middle,
+                                double reach, bool front) const {
+    constexpr double added = 1e-6;
+    const double distance = is_parallel() ? 1 : l3d_length(eye_ - middle);
+    const double moved = is_parallel() ? 0 : reach;
+    const double most = (spread + added) * distance + moved * (1 + added);
+    const double facing = faces_eye(axis, middle);
+    return front ? facing > most : facing < -most;
+}
+
 l3d_shading l3d_polygon_view::shading(l3d_shade mode, const vector& light,
                                       const l3d_lighting& lighting) const {
     l3d_shading result = l3d_camera_shading(camera_, size_, mode, light, lighting);

@@ -56,6 +56,13 @@ public:
         return is_parallel() ? -l3d_dot(normal, forward_) : l3d_dot(normal, eye_ - point);
     }
 
+    /// Whether the fronts of all planes are seen whose normals are at most `spread` away from
+    /// `axis`, and points at most `reach` from `middle`. If `front` is false, whether all are seen
+    /// from behind. May say no where it is hard to tell.
+    /// Expects: normals of length 1 or 0.
+    bool all_face(const vector& axis, double spread, const vector& middle, double reach,
+                  bool front) const;
+
     /// For the rasterizers, the light in world space. The rays are zero, so that no pixel's normal
     /// is turned round. The plane of a face says which of its sides is seen. The smooth normals of
     /// a face at an outline point away from the eye in some of its pixels, and are right as they

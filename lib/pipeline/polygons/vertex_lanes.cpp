@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// vertex_lanes: vertices side by side, and triangles whose corners are vectors.
+// vertex_lanes: vertices side by side, and which triangles may be seen.
 #include "pipeline/polygons/vertex_lanes_p.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -7,13 +7,11 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "raster/parallel/chunks_p.h"
 #include "raster/parallel/lane_doubles-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
@@ -212,19 +210,45 @@ private:
 
 #endif
 
+/// Which side of some triangles is seen.
+enum class seen_side { front, back, either };
+
+HWY_INLINE seen_side side_of(const l3d_facing_block& block, const l3d_polygon_view& view) {
+    const auto all_face = [&](bool front) HWY_ATTR {
+        return view.all_face(block.axis, block.spread, block.middle, block.reach, front);
+    };
+    return all_face(true)    ? seen_side::front
+           : all_face(false) ? seen_side::back
+                             : seen_side::either;
+}
+
 std::size_t choose_triangles(const triangle_choice& of, std::size_t begin, std::size_t end,
                              chosen_triangles& to, l3d_polygon_counts& counts) {
     const std::span<const l3d_model_triangle> all = of.model.triangles();
     const std::span<const l3d_polygon_model::direction> faces = of.model.face_normals();
     const std::span<const l3d_polygon_model::vector> vertices = of.model.mesh().vertices;
+    constexpr std::size_t in_block = l3d_facing_block::triangles;
     const box_test box(of.view.size(), of.squares);
-    std::size_t count = 0, t = begin;
+    std::size_t count = 0, t = begin, end_of_block = begin;
+    seen_side side = seen_side::either;
     to.clipped = false;
     for (; t < end && count < to.room && !to.clipped; ++t) {
+        if (t >= end_of_block) {
+            side = side_of(of.model.facing_blocks()[t / in_block], of.view);
+            end_of_block = std::min((t / in_block + 1) * in_block, end);
+            if (of.cull && side == seen_side::back) {
+                counts.back += static_cast<std::int64_t>(end_of_block - t);
+                t = end_of_block - 1;
+                continue;
+            }
+        }
         const l3d_model_triangle& triangle = all[t];
         const auto& corners = triangle.corners;
-        const bool from_behind = !(of.view.faces_eye(l3d_converted<double>(faces[triangle.face]),
-                                                     vertices[corners[0]]) > 0);
+        const bool from_behind =
+            side == seen_side::either
+                ? !(of.view.faces_eye(l3d_converted<double>(faces[triangle.face]),
+                                      vertices[corners[0]]) > 0)
+                : side == seen_side::back;
         if (of.cull && from_behind) {
             ++counts.back;
             continue;
@@ -242,107 +266,6 @@ std::size_t choose_triangles(const triangle_choice& of, std::size_t begin, std::
     return t;
 }
 
-/// Triangles that are copied together.
-constexpr std::size_t together = 4;
-
-/// A corner of each of them, and how its normal is turned round.
-struct corner_records {
-    std::array<const placed_vertices::place*, together> places;
-    std::array<const placed_vertices::normal*, together> normals;
-    alignas(16) std::array<std::uint32_t, together> signs;
-};
-
-#if HWY_TARGET == HWY_SCALAR
-
-HWY_INLINE void put_places(const corner_records& from, l3d_micro_triangles::corner& to,
-                           std::size_t at) {
-    for (std::size_t k = 0; k < together; ++k) {
-        const placed_vertices::place& place = *from.places[k];
-        to.x[at + k] = place[0];
-        to.y[at + k] = place[1];
-        to.inv_w[at + k] = std::bit_cast<float>(place[2]);
-    }
-}
-
-HWY_INLINE void put_normals(const corner_records& from, l3d_micro_triangles::corner& to,
-                            std::size_t at) {
-    for (std::size_t k = 0; k < together; ++k)
-        for (std::size_t c = 0; c < to.normal.size(); ++c) {
-            const float component = (*from.normals[k])[c];
-            to.normal[c][at + k] = from.signs[k] != 0 ? -component : component;
-        }
-}
-
-#else
-
-/// The first three components of four records, a vector of each.
-template <class D> struct transposed {
-    hn::Vec<D> first, second, third;
-
-    HWY_INLINE transposed(D d, hn::Vec<D> v0, hn::Vec<D> v1, hn::Vec<D> v2, hn::Vec<D> v3) {
-        const auto low02 = hn::InterleaveLower(d, v0, v2), low13 = hn::InterleaveLower(d, v1, v3);
-        const auto high02 = hn::InterleaveUpper(d, v0, v2);
-        const auto high13 = hn::InterleaveUpper(d, v1, v3);
-        first = hn::InterleaveLower(d, low02, low13);
-        second = hn::InterleaveUpper(d, low02, low13);
-        third = hn::InterleaveLower(d, high02, high13);
-    }
-};
-
-HWY_INLINE void put_places(const corner_records& from, l3d_micro_triangles::corner& to,
-                           std::size_t at) {
-    const quad_integers d;
-    const hn::RebindToFloat<quad_integers> df;
-    const auto record = [&](std::size_t k)
-                            HWY_ATTR { return hn::LoadU(d, from.places[k]->data()); };
-    const transposed of(d, record(0), record(1), record(2), record(3));
-    hn::StoreU(of.first, d, to.x.data() + at);
-    hn::StoreU(of.second, d, to.y.data() + at);
-    hn::StoreU(hn::BitCast(df, of.third), df, to.inv_w.data() + at);
-}
-
-HWY_INLINE void put_normals(const corner_records& from, l3d_micro_triangles::corner& to,
-                            std::size_t at) {
-    const hn::RebindToFloat<quad_integers> d;
-    const auto record = [&](std::size_t k)
-                            HWY_ATTR { return hn::LoadU(d, from.normals[k]->data()); };
-    const transposed of(d, record(0), record(1), record(2), record(3));
-    const auto sign =
-        hn::BitCast(d, hn::Load(hn::RebindToUnsigned<quad_integers>(), from.signs.data()));
-    hn::StoreU(hn::Xor(of.first, sign), d, to.normal[0].data() + at);
-    hn::StoreU(hn::Xor(of.second, sign), d, to.normal[1].data() + at);
-    hn::StoreU(hn::Xor(of.third, sign), d, to.normal[2].data() + at);
-}
-
-#endif
-
-/// What is written after the last triangle is nothing, and will be overwritten.
-void add_triangles(std::span<const l3d_model_triangle> triangles, const placed_vertices& vertices,
-                   bool with_normals, const chosen_triangles& chosen, std::size_t count,
-                   l3d_micro_triangles& to) {
-    to.make_room(chunks_of(count, together) * together);
-    for (std::size_t i = 0; i < count; i += together) {
-        corner_records records;
-        std::array<const l3d_model_triangle*, together> of;
-        for (std::size_t k = 0; k < together; ++k) {
-            const std::size_t at = std::min(i + k, count - 1);
-            of[k] = &triangles[chosen.triangle[at]];
-            records.signs[k] = chosen.sign[at];
-        }
-        for (std::size_t c = 0; c < to.corners.size(); ++c) {
-            for (std::size_t k = 0; k < together; ++k)
-                records.places[k] = vertices.places.data() + of[k]->corners[c];
-            put_places(records, to.corners[c], to.count + i);
-            if (!with_normals)
-                continue;
-            for (std::size_t k = 0; k < together; ++k)
-                records.normals[k] = vertices.normals.data() + of[k]->corners[c];
-            put_normals(records, to.corners[c], to.count + i);
-        }
-    }
-    to.count += count;
-}
-
 } // namespace
 } // namespace HWY_NAMESPACE
 } // namespace l3d_detail
@@ -353,7 +276,6 @@ namespace l3d_detail {
 
 L3D_SIMD_TABLE(place_vertices);
 L3D_SIMD_TABLE(choose_triangles);
-L3D_SIMD_TABLE(add_triangles);
 
 void place_vertices(const vertex_placing& how, std::span<const l3d_polygon_model::vector> vertices,
                     std::span<const l3d_polygon_model::direction> normals, std::size_t begin,
@@ -364,12 +286,6 @@ void place_vertices(const vertex_placing& how, std::span<const l3d_polygon_model
 std::size_t choose_triangles(const triangle_choice& of, std::size_t begin, std::size_t end,
                              chosen_triangles& to, l3d_polygon_counts& counts) {
     return L3D_SIMD_CALL(choose_triangles)(of, begin, end, to, counts);
-}
-
-void add_triangles(std::span<const l3d_model_triangle> triangles, const placed_vertices& vertices,
-                   bool with_normals, const chosen_triangles& chosen, std::size_t count,
-                   l3d_micro_triangles& to) {
-    L3D_SIMD_CALL(add_triangles)(triangles, vertices, with_normals, chosen, count, to);
 }
 
 } // namespace l3d_detail

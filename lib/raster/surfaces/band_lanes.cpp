@@ -96,8 +96,12 @@ polygon_bounds bounds_of_cells(const l3d_micro_grid& grid, const grid_cells& cel
 polygon_bounds bounds_of_triangles(const l3d_micro_triangles& triangles, std::size_t first,
                                    std::size_t last) {
     lane_bounds all = nothing();
-    for (const l3d_micro_triangles::corner& c : triangles.corners)
-        take(all, c.x.data(), c.y.data(), c.inv_w.data(), first, last - first, c.x.size());
+    constexpr std::size_t in_block = l3d_micro_triangles::lanes;
+    for (std::size_t i = first; i < last; i = (i / in_block + 1) * in_block)
+        for (const l3d_micro_triangles::corner& c : triangles.blocks[i / in_block]) {
+            const std::size_t at = i % in_block, count = std::min(last - i, in_block - at);
+            take(all, c.x.data(), c.y.data(), c.inv_w.data(), at, count, in_block);
+        }
     return reduced(all);
 }
 

@@ -3,9 +3,18 @@
 #include "raster/surfaces/band_painter_p.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace l3d_detail {
+
+namespace {
+
+l3d_pixel_box box_in(const fill_band& band, const band_item& item) {
+    return item.box.intersected({0, band.top, band.width, band.bottom});
+}
+
+} // namespace
 
 void band_painter::reserve_as(const band_painter& other) {
     rest_.quads.reserve(other.rest_.quads.capacity());
@@ -13,22 +22,56 @@ void band_painter::reserve_as(const band_painter& other) {
     queue_.pieces.reserve(other.queue_.pieces.capacity());
 }
 
+/// Between being asked for and being drawn, an item waits for its memory. It may be hidden by then,
+/// but what is hidden before is hidden then, too.
 void band_painter::draw(const band_frame& frame, const fill_band& band, const band_list& list,
                         std::span<const std::uint32_t> items, coarse_depth& coarse) {
-    const l3d_pixel_box here{0, band.top, band.width, band.bottom};
     scalar_.begin(band, frame.shading, frame.materials, frame.words);
-    for (const std::uint32_t index : items) {
-        const band_item& item = list.item(index);
-        const l3d_pixel_box box = item.box.intersected(here);
-        if (frame.leaves_out_hidden && coarse.hidden(box, item.nearest, band))
+    std::array<const band_item*, items_waiting> waiting{};
+    std::size_t turn = 0;
+    const auto put = [&](const band_item* item) {
+        const band_item* const next = std::exchange(waiting[turn++ % waiting.size()], item);
+        if (next && !is_hidden(frame, band, *next, coarse))
+            draw_item(frame, band, list, *next, coarse);
+    };
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (i + items_ahead < items.size())
+            __builtin_prefetch(&list.item(items[i + items_ahead]));
+        const band_item& item = list.item(items[i]);
+        if (is_hidden(frame, band, item, coarse))
             continue;
-        coarse.open(box, band);
-        draw_triangles(frame, band, item);
-        draw_cells(frame, band, list, item);
+        fetch(item);
+        put(&item);
     }
+    for (std::size_t i = 0; i < waiting.size(); ++i)
+        put(nullptr);
     if (frame.by_lanes)
         draw_rest(frame, band);
     by_scalar_.add(scalar_.counts());
+}
+
+bool band_painter::is_hidden(const band_frame& frame, const fill_band& band, const band_item& item,
+                             coarse_depth& coarse) {
+    return frame.leaves_out_hidden && coarse.hidden(box_in(band, item), item.nearest, band);
+}
+
+void band_painter::draw_item(const band_frame& frame, const fill_band& band, const band_list& list,
+                             const band_item& item, coarse_depth& coarse) {
+    coarse.open(box_in(band, item), band);
+    draw_triangles(frame, band, item);
+    draw_cells(frame, band, list, item);
+}
+
+/// Front to back, triangles lie anywhere in memory.
+void band_painter::fetch(const band_item& item) {
+    constexpr std::size_t cache_line = 64;
+    if (item.triangle_begin >= item.triangle_end)
+        return;
+    const l3d_micro_triangles::block& block =
+        item.part->triangles.blocks[item.triangle_begin / l3d_micro_triangles::lanes];
+    const auto* const from = reinterpret_cast<const char*>(block.data());
+    for (std::size_t byte = 0; byte < sizeof(block); byte += cache_line)
+        __builtin_prefetch(from + byte);
 }
 
 void band_painter::draw_triangles(const band_frame& frame, const fill_band& band,

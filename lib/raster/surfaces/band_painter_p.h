@@ -41,6 +41,15 @@ public:
     fill_counts take_counts();
 
 private:
+    /// So many items are between that whose triangles are asked for and that which is drawn: some
+    /// thousand cycles, more than memory takes. What is known of items is asked for earlier.
+    static constexpr std::size_t items_waiting = 2, items_ahead = 8;
+
+    static bool is_hidden(const band_frame& frame, const fill_band& band, const band_item& item,
+                          coarse_depth& coarse);
+    void draw_item(const band_frame& frame, const fill_band& band, const band_list& list,
+                   const band_item& item, coarse_depth& coarse);
+    static void fetch(const band_item& item);
     void draw_triangles(const band_frame& frame, const fill_band& band, const band_item& item);
     void draw_cells(const band_frame& frame, const fill_band& band, const band_list& list,
                     const band_item& item);

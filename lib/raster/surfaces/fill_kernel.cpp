@@ -249,14 +249,15 @@ HWY_INLINE void quads_by(const fill_target& to, const fill_grid& of, int row_beg
 template <class Lights>
 HWY_INLINE void triangles_by(const fill_target& to, const l3d_micro_triangles& triangles,
                              std::uint32_t material, std::size_t first, std::size_t count) {
-    const vertex_arrays last(triangles.corners[2]);
-    const corner_arrays corners{vertex_arrays(triangles.corners[0]),
-                                vertex_arrays(triangles.corners[1]), last, last};
+    const std::size_t at = first % l3d_micro_triangles::lanes;
+    const auto arrays = [&](std::size_t k)
+                            HWY_ATTR { return vertex_arrays(triangles.corners(first, k)); };
+    const corner_arrays corners{arrays(0), arrays(1), arrays(2), arrays(2)};
     const Lights lights(to, nullptr);
     fill_stream<typename Lights::lanes_type>(to).take(
         {corners,
-         {first, first, first, first},
-         lights.triangles(corners, first, count),
+         {at, at, at, at},
+         lights.triangles(corners, at, count),
          count,
          &triangles,
          -1 - static_cast<std::int32_t>(first),
@@ -294,8 +295,11 @@ void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int
 
 void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles,
                     std::uint32_t material, std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; i += fill_queue::run) {
-        const std::size_t count = std::min(last - i, fill_queue::run);
+    constexpr std::size_t in_block = l3d_micro_triangles::lanes;
+    static_assert(in_block <= fill_queue::run);
+    std::size_t count = 0;
+    for (std::size_t i = first; i < last; i += count) {
+        count = std::min(last - i, in_block - i % in_block);
         if (to.words.has_normals)
             triangles_by<later_lights>(to, triangles, material, i, count);
         else if (to.shading.mode == l3d_shade::gouraud)

@@ -31,7 +31,7 @@ struct vertex_arrays {
     std::array<const float*, 3> normal;
     std::size_t size;
 
-    /// The arrays of an l3d_micro_grid or of a corner of l3d_micro_triangles.
+    /// The arrays of an l3d_micro_grid or of a corner of a block of l3d_micro_triangles.
     template <class Arrays>
     explicit vertex_arrays(const Arrays& of)
         : x(of.x.data()), y(of.y.data()),
