@@ -99,24 +99,28 @@ bool painter_knot::cut_where_they_meet(fragments& set) {
 
 /// Puts the strong components of a set on the list of tasks, the foremost at its end.
 void painter_knot::arrange(fragments&& set) {
-    std::vector<std::vector<std::uint32_t>> needs(set.size());
+    std::vector<std::vector<order_node>> needs(set.size());
+    std::vector<l3d_sort_item> nodes;
+    for (std::uint32_t i = 0; i < set.size(); ++i)
+        nodes.push_back({0, i});
     visit_pairs(set, [&](std::uint32_t a, std::uint32_t b) {
         const front_parts parts = front(set[a], set[b]);
         if (parts.first)
-            needs[a].push_back(b);
+            needs[a].push_back(order_node_of(0, b));
         if (parts.second)
-            needs[b].push_back(a);
+            needs[b].push_back(order_node_of(0, a));
     });
     components_.walk(
-        static_cast<std::uint32_t>(set.size()),
-        [&](std::uint32_t node, bool, std::vector<std::uint32_t>& out) {
-            out.insert(out.end(), needs[node].begin(), needs[node].end());
+        nodes, set.size(), [&](order_node node) { return needs[number_of(node)].empty(); },
+        [&](order_node node, bool, std::vector<order_node>& out) {
+            const std::vector<order_node>& of = needs[number_of(node)];
+            out.insert(out.end(), of.begin(), of.end());
         },
-        [&](std::span<const std::uint32_t> component) {
+        [&](std::span<const order_node> component) {
             task& next = tasks_.emplace_back();
             next.cyclic = component.size() > 1;
-            for (const std::uint32_t i : component)
-                next.set.push_back(std::move(set[i]));
+            for (const order_node node : component)
+                next.set.push_back(std::move(set[number_of(node)]));
         });
 }
 

@@ -4,6 +4,7 @@
 
 #include "geom/radix_sort.h"
 #include "pipeline/polygons/painter_components_p.h"
+#include "pipeline/polygons/painter_items_p.h"
 #include "pipeline/polygons/painter_knot_p.h"
 #include "pipeline/polygons/painter_overlap_p.h"
 #include "pipeline/polygons/painter_tiles_p.h"
@@ -17,66 +18,11 @@ namespace {
 
 using namespace l3d_detail;
 
-/// So many triangles are one item of a worker's work: some 10^4 cycles at the least.
-constexpr std::size_t chunk_triangles = 1024;
-
-/// Half-planes of a triangle, as the fill rule has them: what is on an edge counts as if it lay a
-/// little to the right and, less so, below.
-class inside_test {
-public:
-    /// Expects: area2 is not 0.
-    inside_test(const std::array<l3d_micro_vertex, 3>& v, std::int64_t area2) {
-        const std::int64_t sign = area2 > 0 ? 1 : -1;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const l3d_micro_vertex &a = v[i], &b = v[(i + 1) % 3];
-            edge& of = edges_[i];
-            of = {sign * (std::int64_t{b.x} - a.x), sign * (std::int64_t{b.y} - a.y), a.x, a.y, 0};
-            of.least = of.dy < 0 || (of.dy == 0 && of.dx > 0) ? 0 : 1;
-        }
-    }
-
-    bool has(std::int32_t column, std::int32_t row) const {
-        constexpr std::int32_t half = l3d_subpixel_one / 2;
-        const std::int64_t x = column * l3d_subpixel_one + half, y = row * l3d_subpixel_one + half;
-        for (const edge& e : edges_)
-            if (e.dx * (y - e.y) - e.dy * (x - e.x) < e.least)
-                return false;
-        return true;
-    }
-
-private:
-    struct edge {
-        std::int64_t dx, dy, x, y, least;
-    };
-    std::array<edge, 3> edges_;
-};
-
-/// Whether a triangle has an area and, if it can have few pixels, any of them. More are looked at
-/// by who paints them.
-bool may_have_pixels(const std::array<l3d_micro_vertex, 3>& v, const pixel_range& range) {
-    constexpr std::int32_t few = 4;
-    const std::int64_t area2 = (std::int64_t{v[1].x} - v[0].x) * (std::int64_t{v[2].y} - v[0].y) -
-                               (std::int64_t{v[1].y} - v[0].y) * (std::int64_t{v[2].x} - v[0].x);
-    if (area2 == 0)
-        return false;
-    if (range.right - range.left > few || range.bottom - range.top > few)
-        return true;
-    const inside_test inside(v, area2);
-    for (std::int32_t row = range.top; row < range.bottom; ++row)
-        for (std::int32_t column = range.left; column < range.right; ++column)
-            if (inside.has(column, row))
-                return true;
-    return false;
-}
-
-bool has_area(const std::array<l3d_micro_vertex, 3>& v) {
-    return (std::int64_t{v[1].x} - v[0].x) * (std::int64_t{v[2].y} - v[0].y) !=
-           (std::int64_t{v[1].y} - v[0].y) * (std::int64_t{v[2].x} - v[0].x);
-}
-
-/// `triangle` must be painted after `before`, which is later in the sorted order.
+/// An item must be painted after another one, which is later in the sorted order.
 struct late_need {
-    std::uint32_t triangle, before;
+    order_node item, before;
+
+    friend auto operator<=>(const late_need&, const late_need&) = default;
 };
 
 /// What a row of tiles found.
@@ -85,138 +31,188 @@ struct row_of_needs {
     std::int64_t pairs = 0; ///< compared
 };
 
+/// The members of a tile in the order of the sort, and what decides most often whether two of them
+/// are compared.
+class sorted_members {
+public:
+    void sort(std::span<const painter_entry> members) {
+        order_.clear();
+        for (std::size_t i = 0; i < members.size(); ++i) // by rising numbers, of equals too
+            order_.push_back(bits_of(members[i].farthest) << 32 | i);
+        std::ranges::sort(order_);
+        cells_.clear();
+        for (const std::uint64_t next : order_)
+            cells_.push_back(members[next & 0xffffffff].cells);
+        members_ = members;
+    }
+
+    /// Calls visit(member, later one) for those whose cells meet and whose ranges of depth do.
+    template <class Visit> void visit_pairs(const Visit& visit) const {
+        for (std::size_t i = 0; i < order_.size(); ++i) {
+            const painter_entry& own = members_[order_[i] & 0xffffffff];
+            const std::uint64_t end = bits_of(own.nearest) << 32; // wholly in front from there on
+            for (std::size_t k = i + 1; k < order_.size() && order_[k] < end; ++k)
+                if ((cells_[k] & own.cells) != 0)
+                    visit(own, members_[order_[k] & 0xffffffff]);
+        }
+    }
+
+private:
+    /// Positive floats are ordered like their bits.
+    static std::uint64_t bits_of(float number) { return std::bit_cast<std::uint32_t>(number); }
+
+    std::span<const painter_entry> members_;
+    std::vector<std::uint64_t> order_; ///< the farthest corner and, below, the place
+    std::vector<std::uint64_t> cells_; ///< in this order
+};
+
 } // namespace
 
 struct l3d_painter_order::work_space {
-    explicit work_space(l3d_workers& by) : workers(by) {}
+    /// Sorted items lie anywhere in memory. So many before its turn, one is asked for: some hundred
+    /// cycles.
+    static constexpr std::size_t ahead = 16;
+
+    explicit work_space(l3d_workers& by)
+        : workers(by), of_workers(static_cast<std::size_t>(by.count())) {}
 
     l3d_workers& workers;
-    std::vector<l3d_sort_item> keys, other_keys;
-    std::vector<std::size_t> kept; ///< of each chunk's keys
     std::span<const l3d_painter_triangle> given;
-    std::vector<pixel_range> ranges; ///< of those that are sorted, in their order
+    l3d_size size{};
+    way how;
+    painter_items items;
+    std::vector<l3d_sort_item> keys, other_keys; ///< of items, by their numbers
     std::vector<std::uint32_t> knot_members;
     painter_tiles tiles;
+    std::vector<sorted_members> of_workers;
     std::vector<row_of_needs> rows;
-    std::vector<std::uint32_t> late, late_begins; ///< what each triangle needs of the later ones
+    std::vector<late_need> late; ///< rising
     ordered_components components;
     painter_knot knot;
     std::vector<l3d_painter_piece> pieces;
     std::vector<l3d_painter_cut> cuts;
 
     /// By the farthest corner, as positive floats are ordered like their bits.
-    void sort(l3d_size size, bool with_sides) {
-        keys.resize(given.size());
-        kept.resize(chunks_of(given.size(), chunk_triangles));
-        for_each_chunk(workers, given.size(), chunk_triangles,
-                       [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-                           std::size_t to = begin;
-                           for (std::size_t i = begin; i < end; ++i) {
-                               const auto& v = given[i].v;
-                               const pixel_range range = range_of(v, size);
-                               if (!range.empty() &&
-                                   (with_sides ? has_area(v) : may_have_pixels(v, range)))
-                                   keys[to++] = {std::bit_cast<std::uint32_t>(range.farthest),
-                                                 static_cast<std::uint32_t>(i)};
-                           }
-                           kept[chunk] = to - begin;
-                       });
-        auto end = keys.begin();
-        for (std::size_t chunk = 0; chunk < kept.size(); ++chunk) {
-            const auto from = keys.begin() + static_cast<std::ptrdiff_t>(chunk * chunk_triangles);
-            end = std::copy(from, from + static_cast<std::ptrdiff_t>(kept[chunk]), end);
+    void sort() {
+        keys.clear();
+        for (std::size_t chunk = 0; chunk < items.chunks(); ++chunk) {
+            auto number = static_cast<std::uint32_t>(items.first(chunk));
+            for (const painter_item& item : items.of_chunk(chunk))
+                keys.push_back({std::bit_cast<std::uint32_t>(item.farthest), number++});
         }
-        keys.erase(end, keys.end());
         l3d_radix_sort(keys, other_keys);
     }
 
-    void find_ranges(l3d_size size) {
-        ranges.resize(keys.size());
-        for_each_chunk(workers, keys.size(), chunk_triangles,
-                       [&](std::size_t begin, std::size_t end_of, std::size_t) {
-                           for (std::size_t i = begin; i < end_of; ++i)
-                               ranges[i] = range_of(at(static_cast<std::uint32_t>(i)), size);
-                       });
+    /// The corners of an item.
+    const std::array<l3d_micro_vertex, 3>& at(std::uint32_t number) const {
+        return given[items[number].triangle].v;
     }
 
-    /// The corners of a triangle, by its place in the sorted order.
-    const std::array<l3d_micro_vertex, 3>& at(std::uint32_t sorted) const {
-        return given[keys[sorted].index].v;
+    /// Whether an item must be painted after another that it may meet: it is in front of it
+    /// somewhere. Two that have a pixel in common do meet.
+    bool needs(const painter_entry& item, const painter_entry& other) const {
+        return ((item.is_exact && other.is_exact) ||
+                insides_meet(at(item.number), at(other.number))) &&
+               (other.nearest <= item.farthest ||
+                front_of(at(item.number), at(other.number)).first);
     }
 
-    /// Whether a triangle must be painted after another, whose box it meets: it is in front of it
-    /// somewhere.
-    bool needs(std::uint32_t triangle, std::uint32_t other) const {
-        return insides_meet(at(triangle), at(other)) &&
-               (ranges[other].nearest <= ranges[triangle].farthest ||
-                front_of(at(triangle), at(other)).first);
-    }
-
-    /// Finds what each triangle needs of those that are sorted after it.
+    /// Finds what each item needs of those that are sorted after it.
     void find_late() {
         rows.resize(static_cast<std::size_t>(tiles.rows()));
-        workers.for_each(tiles.rows(), [&](int row, int) { find_late(row); });
-        // A stable sort by counting, so the order does not depend on who found what.
-        late_begins.assign(keys.size() + 2, 0);
+        workers.for_each(tiles.rows(), [&](int row, int worker) {
+            find_late(row, of_workers[static_cast<std::size_t>(worker)]);
+        });
+        late.clear();
         for (const row_of_needs& row : rows)
-            for (const late_need& need : row.found)
-                ++late_begins[need.triangle + 2];
-        for (std::size_t i = 2; i < late_begins.size(); ++i)
-            late_begins[i] += late_begins[i - 1];
-        late.resize(late_begins.back());
-        for (const row_of_needs& row : rows)
-            for (const late_need& need : row.found)
-                late[late_begins[need.triangle + 1]++] = need.before;
+            late.insert(late.end(), row.found.begin(), row.found.end());
+        std::ranges::sort(late); // a pair may be there more than once, from two tiles
     }
 
-    void find_late(int row) {
+    void find_late(int row, sorted_members& sorted) {
         row_of_needs& to = rows[static_cast<std::size_t>(row)];
         to.found.clear();
         to.pairs = 0;
         for (int column = 0; column < tiles.columns(); ++column) {
-            const painter_tile tile = tiles.tile(column, row);
-            const std::span<const std::uint32_t> members = tiles.members(tile);
-            for (std::size_t i = 0; i < members.size(); ++i) {
-                const pixel_range& own = ranges[members[i]];
-                for (const std::uint32_t other : members.subspan(i + 1)) {
-                    const pixel_range& range = ranges[other];
-                    if (range.farthest >= own.nearest)
-                        break; // wholly in front, and so are all that follow
-                    if (!tiles.first_meet(tile, own, range))
-                        continue;
-                    ++to.pairs;
-                    if (needs(members[i], other))
-                        to.found.push_back({members[i], other});
-                }
-            }
+            sorted.sort(tiles.members(tiles.at(column, row)));
+            sorted.visit_pairs([&](const painter_entry& own, const painter_entry& other) {
+                if (!own.may_meet(other))
+                    return;
+                ++to.pairs;
+                if (needs(own, other))
+                    to.found.push_back({own.node(), other.node()});
+            });
         }
     }
 
-    /// Adds what a triangle needs of those that are sorted before it and wait for something.
-    void find_early(std::uint32_t triangle, std::vector<std::uint32_t>& out,
+    /// Adds what an item needs of those that are sorted before it and wait for something.
+    void find_early(order_node node, std::vector<order_node>& out,
                     l3d_painter_order_counts& counts) {
-        const pixel_range& own = ranges[triangle];
-        const auto emitted = [&](std::uint32_t i) { return components.emitted(i); };
-        tiles.for_each(own, [&](const painter_tile& tile) {
-            for (const std::uint32_t i : tiles.rest(tile, emitted)) {
-                if (i >= triangle)
+        const auto is_emitted = [&](const painter_entry& entry) {
+            return components.emitted(entry.node());
+        };
+        const std::uint32_t number = number_of(node);
+        tiles.for_each(items[number], number, [&](std::size_t tile, const painter_entry& own) {
+            for (const painter_entry& other : tiles.rest(tile, is_emitted)) {
+                if (other.node() >= node)
                     break;
-                if (!tiles.first_meet(tile, own, ranges[i]) || emitted(i))
+                if (!own.may_meet(other) || is_emitted(other))
                     continue;
                 ++counts.pairs;
-                if (needs(triangle, i))
-                    out.push_back(i);
+                if (needs(own, other))
+                    out.push_back(other.node());
             }
         });
     }
 
-    /// Adds what must be painted before a triangle: those that it is in front of somewhere.
-    void find_needed(std::uint32_t triangle, bool in_turn, std::vector<std::uint32_t>& out,
+    /// Adds what must be painted before an item: those that it is in front of somewhere.
+    void find_needed(order_node node, bool in_turn, std::vector<order_node>& out,
                      l3d_painter_order_counts& counts) {
         if (!in_turn)
-            find_early(triangle, out, counts);
-        out.insert(out.end(), late.begin() + late_begins[triangle],
-                   late.begin() + late_begins[triangle + 1]);
+            find_early(node, out, counts);
+        for (const late_need& need : std::ranges::equal_range(late, node, {}, &late_need::item))
+            out.push_back(need.before);
+    }
+
+    void emit(order_node node) {
+        if (pieces.size() + ahead < keys.size()) // most often those that come then
+            __builtin_prefetch(&items[keys[pieces.size() + ahead].index]);
+        const painter_item& item = items[number_of(node)];
+        pieces.push_back({item.triangle, l3d_painter_cut::last, item.left, item.top, item.cover});
+    }
+
+    /// Emits all items as they are sorted.
+    void emit_sorted() {
+        for (const l3d_sort_item& key : keys)
+            emit(order_node_of(key.key, key.index));
+    }
+
+    void emit_component(std::span<const order_node> component, l3d_painter_order_counts& counts) {
+        if (component.size() == 1)
+            return emit(component.front());
+        ++counts.knots;
+        counts.knotted += static_cast<std::int64_t>(component.size());
+        knot_members.clear();
+        for (const order_node member : component)
+            knot_members.push_back(items[number_of(member)].triangle);
+        knot.untie(size, given, knot_members, pieces, cuts);
+    }
+
+    /// Emits the items as they need each other.
+    void emit_resolved(l3d_painter_order_counts& counts) {
+        auto next = late.begin();
+        components.walk(
+            keys, items.numbers(),
+            [&](order_node node) { // asked for rising nodes
+                while (next != late.end() && next->item < node)
+                    ++next;
+                return next == late.end() || next->item != node;
+            },
+            [&](order_node node, bool in_turn, std::vector<order_node>& out) {
+                find_needed(node, in_turn, out, counts);
+            },
+            [&](std::span<const order_node> component) { emit_component(component, counts); });
+        counts.cuts = static_cast<std::int64_t>(cuts.size()) / 2;
     }
 };
 
@@ -227,42 +223,48 @@ l3d_painter_order::~l3d_painter_order() = default;
 
 void l3d_painter_order::make(std::span<const l3d_painter_triangle> triangles, l3d_size size,
                              const way& how) {
+    const std::size_t chunks = chunks_of(triangles.size(), painter_items::usual_chunk);
+    std::vector<std::size_t> ends;
+    for (std::size_t i = 1; i <= chunks; ++i)
+        ends.push_back(std::min(i * painter_items::usual_chunk, triangles.size()));
+    begin(triangles, ends, size, how);
+    work_->workers.for_each(static_cast<int>(chunks),
+                            [&](int chunk, int) { note(static_cast<std::size_t>(chunk)); });
+    finish();
+}
+
+void l3d_painter_order::begin(std::span<const l3d_painter_triangle> triangles,
+                              std::span<const std::size_t> ends, l3d_size size, const way& how) {
     work_space& w = *work_;
     counts_ = {};
     counts_.triangles = static_cast<std::int64_t>(triangles.size());
     w.pieces.clear();
     w.cuts.clear();
     w.given = triangles;
-    w.sort(size, how.sides);
-    const auto count = static_cast<std::uint32_t>(w.keys.size());
-    if (!how.resolve) {
-        for (const l3d_sort_item& key : w.keys)
-            w.pieces.push_back({key.index});
-        return;
+    w.size = size;
+    w.how = how;
+    w.items.begin(triangles, ends, size, how.sides);
+}
+
+void l3d_painter_order::note(std::size_t chunk) {
+    work_->items.make(chunk);
+}
+
+void l3d_painter_order::finish() {
+    work_space& w = *work_;
+    w.items.finish();
+    w.sort();
+    w.late.clear();
+    if (w.how.resolve) {
+        w.tiles.make(w.items, w.size, w.workers);
+        w.find_late();
+        for (const row_of_needs& row : w.rows)
+            counts_.pairs += row.pairs;
     }
-    w.find_ranges(size);
-    w.tiles.make(w.ranges, size, w.workers);
-    w.find_late();
-    for (const row_of_needs& row : w.rows)
-        counts_.pairs += row.pairs;
-    w.components.walk(
-        count,
-        [&](std::uint32_t triangle, bool in_turn, std::vector<std::uint32_t>& out) {
-            w.find_needed(triangle, in_turn, out, counts_);
-        },
-        [&](std::span<const std::uint32_t> component) {
-            if (component.size() == 1) {
-                w.pieces.push_back({w.keys[component.front()].index});
-                return;
-            }
-            ++counts_.knots;
-            counts_.knotted += static_cast<std::int64_t>(component.size());
-            w.knot_members.clear();
-            for (const std::uint32_t member : component)
-                w.knot_members.push_back(w.keys[member].index);
-            w.knot.untie(size, w.given, w.knot_members, w.pieces, w.cuts);
-        });
-    counts_.cuts = static_cast<std::int64_t>(w.cuts.size()) / 2;
+    if (w.late.empty())
+        w.emit_sorted(); // no pair violates the sorted order
+    else
+        w.emit_resolved(counts_);
 }
 
 std::span<const l3d_painter_triangle> l3d_painter_order::triangles() const {

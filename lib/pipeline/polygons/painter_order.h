@@ -49,6 +49,15 @@ public:
         make(triangles, size, way());
     }
 
+    /// The same of triangles that come in chunks, which end there. They may be written until they
+    /// are noted.
+    void begin(std::span<const l3d_painter_triangle> triangles, std::span<const std::size_t> ends,
+               l3d_size size, const way& how);
+    /// The triangles of a chunk are there. Threads may note chunks side by side.
+    void note(std::size_t chunk);
+    /// Orders all. Expects: all chunks were noted.
+    void finish();
+
     /// The triangles that were given: what pieces and cuts name.
     std::span<const l3d_painter_triangle> triangles() const;
 

@@ -1,68 +1,88 @@
 // SPDX-License-Identifier: MIT
-// painter_tiles: counted and filled, by each worker for its share of the triangles.
+// painter_tiles: found by each worker for its share of the triangles, then put beside each other.
 #include "pipeline/polygons/painter_tiles_p.h"
 
 #include "raster/parallel/chunks_p.h"
-#include "raster/shapes/scan_edge_p.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace l3d_detail {
 
-pixel_range range_of(const std::array<l3d_micro_vertex, 3>& v, l3d_size size) {
-    const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
-    const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
-    const auto [farthest, nearest] = std::minmax({v[0].inv_w, v[1].inv_w, v[2].inv_w});
-    return {std::max(first_centre(left), 0),
-            std::max(first_centre(top), 0),
-            std::min(first_centre(right), size.width),
-            std::min(first_centre(bottom), size.height),
-            farthest,
-            nearest};
+/// The cells that the item's box meets.
+painter_entry painter_tiles::box_entry(const painter_item& item, std::uint32_t number, int column,
+                                       int row) const {
+    constexpr int side = 1 << cell_bits;
+    const int to_cell = shift_ - cell_bits;
+    const int left = item.left - (column << shift_), top = item.top - (row << shift_);
+    const auto first = [&](int begin) { return std::max(begin, 0) >> to_cell; };
+    const auto behind = [&](int end, int tile) {
+        return std::min((end - 1 - (tile << shift_)) >> to_cell, side - 1) + 1;
+    };
+    const int columns = behind(item.right, column) - first(left);
+    const int rows = behind(item.bottom, row) - first(top);
+    const std::uint64_t in_row = (0xffU >> (side - columns)) << first(left);
+    const std::uint64_t in_rows = ~std::uint64_t{0} >> side * (side - rows) << side * first(top);
+    return {item.farthest, item.nearest, in_row * first_column & in_rows, number,
+            static_cast<std::uint16_t>((left < 0 ? 1 : 0) | (top < 0 ? 2 : 0))};
 }
 
-void painter_tiles::make(std::span<const pixel_range> ranges, l3d_size size, l3d_workers& workers) {
-    double area = 0;
-    for (const pixel_range& r : ranges)
-        area += double(r.right - r.left) * (r.bottom - r.top);
-    const double side = 2 * std::sqrt(area / std::max<double>(1, double(ranges.size())));
-    constexpr int least = 2, most = 7; // 4 to 128 pixels
-    shift_ = std::clamp(static_cast<int>(std::lround(std::log2(std::max(side, 1.0)))), least, most);
+void painter_tiles::find_entries(const painter_items& items, std::size_t begin, std::size_t end,
+                                 share_entries& to) const {
+    to.entries.clear();
+    to.tiles.clear();
+    to.ends.assign(begins_.size() - 1, 0);
+    for (std::size_t chunk = begin; chunk < end; ++chunk) {
+        auto number = static_cast<std::uint32_t>(items.first(chunk));
+        for (const painter_item& item : items.of_chunk(chunk))
+            for_each(item, number++, [&](std::size_t tile, const painter_entry& entry) {
+                to.entries.push_back(entry);
+                to.tiles.push_back(static_cast<std::uint32_t>(tile));
+                ++to.ends[tile];
+            });
+    }
+}
+
+void painter_tiles::make(const painter_items& items, l3d_size size, l3d_workers& workers) {
+    const double side = 2 * std::sqrt(items.mean_box());
+    constexpr int most = 7; // 128 pixels
+    shift_ =
+        std::clamp(static_cast<int>(std::lround(std::log2(std::max(side, 1.0)))), cell_bits, most);
     columns_ = ((size.width - 1) >> shift_) + 1;
     rows_ = ((size.height - 1) >> shift_) + 1;
     const std::size_t tiles = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-
-    // As many shares as workers, each with counters of its own. A share's members of a tile follow
-    // those of the share before, so they rise.
-    const std::size_t share = std::max<std::size_t>(
-        1, chunks_of(ranges.size(), static_cast<std::size_t>(workers.count())));
-    ends_.resize(chunks_of(ranges.size(), share));
-    for_each_chunk(workers, ranges.size(), share,
-                   [&](std::size_t begin, std::size_t end, std::size_t number) {
-                       std::vector<std::uint32_t>& counts = ends_[number];
-                       counts.assign(tiles, 0);
-                       for (const pixel_range& r : ranges.subspan(begin, end - begin))
-                           for_each(r, [&](const painter_tile& tile) { ++counts[tile.index]; });
-                   });
     begins_.resize(tiles + 1);
+    is_sorted_.assign(tiles, false);
+
+    // As many shares as workers. A share's members of a tile follow those of the share before.
+    const std::size_t share = std::max<std::size_t>(
+        1, chunks_of(items.chunks(), static_cast<std::size_t>(workers.count())));
+    shares_.resize(chunks_of(items.chunks(), share));
+    for_each_chunk(workers, items.chunks(), share,
+                   [&](std::size_t begin, std::size_t end, std::size_t number) {
+                       find_entries(items, begin, end, shares_[number]);
+                   });
     std::uint32_t sum = 0;
     for (std::size_t t = 0; t < tiles; ++t) {
         begins_[t] = sum;
-        for (std::vector<std::uint32_t>& counts : ends_)
-            sum += std::exchange(counts[t], sum);
+        for (share_entries& of : shares_)
+            sum += std::exchange(of.ends[t], sum);
     }
     begins_[tiles] = sum;
     entries_.resize(sum);
-    for_each_chunk(workers, ranges.size(), share,
-                   [&](std::size_t begin, std::size_t end, std::size_t number) {
-                       std::vector<std::uint32_t>& ends = ends_[number];
-                       for (std::size_t i = begin; i < end; ++i)
-                           for_each(ranges[i], [&](const painter_tile& tile) {
-                               entries_[ends[tile.index]++] = static_cast<std::uint32_t>(i);
-                           });
-                   });
+    workers.for_each(static_cast<int>(shares_.size()), [&](int number, int) {
+        share_entries& of = shares_[static_cast<std::size_t>(number)];
+        for (std::size_t i = 0; i < of.entries.size(); ++i)
+            entries_[of.ends[of.tiles[i]]++] = of.entries[i];
+    });
     heads_.assign(begins_.begin(), begins_.end() - 1);
+}
+
+void painter_tiles::sort(std::size_t tile) {
+    std::sort(entries_.begin() + begins_[tile], entries_.begin() + begins_[tile + 1],
+              [](const painter_entry& a, const painter_entry& b) { return a.node() < b.node(); });
+    is_sorted_[tile] = true;
 }
 
 } // namespace l3d_detail

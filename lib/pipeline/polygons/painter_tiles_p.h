@@ -3,12 +3,12 @@
 #ifndef L3D_PIPELINE_POLYGONS_PAINTER_TILES_P_H
 #define L3D_PIPELINE_POLYGONS_PAINTER_TILES_P_H
 
-#include "raster/micro_grid.h"
+#include "pipeline/polygons/painter_components_p.h"
+#include "pipeline/polygons/painter_items_p.h"
 #include "raster/parallel/workers.h"
 #include "tool_2d/pixels.h"
 
-#include <algorithm>
-#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,73 +16,115 @@
 
 namespace l3d_detail {
 
-/// The pixels whose centres are in a triangle's box, ends excluded, and its range of 1/w.
-struct pixel_range {
-    std::int32_t left, top, right, bottom;
-    float farthest, nearest;
+/// A triangle in a tile.
+///
+/// Shape: a tile has eight rows of eight cells, a bit each. A cell is a pixel or a square of them.
+struct painter_entry {
+    float farthest, nearest; ///< of the triangle
+    std::uint64_t cells;     ///< those that it may have pixels in
+    std::uint32_t number;    ///< of its item
+    /// Its first column and its first row lie in tiles before this one: bits 0 and 1. Not noted if
+    /// the cells are the pixels that it covers.
+    std::uint16_t begins_before = 0;
+    std::uint16_t is_exact = 0; ///< the cells are those pixels
 
-    bool empty() const { return left >= right || top >= bottom; }
-    bool meets(const pixel_range& other) const {
-        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+    /// Whether two triangles may have a pixel of this tile in common, and it is the first tile of
+    /// those where they may. So each pair is found once, but for pairs of which one is exact.
+    bool may_meet(const painter_entry& other) const {
+        return (cells & other.cells) != 0 && (begins_before & other.begins_before) == 0;
+    }
+    /// Positive floats are ordered like their bits.
+    order_node node() const {
+        return order_node_of(std::bit_cast<std::uint32_t>(farthest), number);
     }
 };
 
-pixel_range range_of(const std::array<l3d_micro_vertex, 3>& v, l3d_size size);
-
-/// A tile of the picture, and where it lies among tiles.
-struct painter_tile {
-    std::size_t index;
-    int column, row;
-};
-
-/// For each tile of the picture the triangles whose boxes reach it, in rising order.
+/// For each tile of the picture the triangles that reach it.
 class painter_tiles {
 public:
-    /// Squares about twice as wide as the mean triangle: fewer would list each triangle often,
-    /// larger ones would list together what does not meet.
-    /// Expects: ranges that are not empty.
-    void make(std::span<const pixel_range> ranges, l3d_size size, l3d_workers& workers);
+    /// Tiles about twice as wide as the mean box, and of at least eight pixels: fewer would list
+    /// each triangle often, larger ones would list together what does not meet.
+    void make(const painter_items& items, l3d_size size, l3d_workers& workers);
 
     int rows() const { return rows_; }
     int columns() const { return columns_; }
-    painter_tile tile(int column, int row) const {
-        return {static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                    static_cast<std::size_t>(column),
-                column, row};
+    std::size_t at(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column);
     }
 
-    /// Calls visit(tile) for each that a range reaches.
-    template <class Visit> void for_each(const pixel_range& r, const Visit& visit) const {
-        for (int row = r.top >> shift_; row <= (r.bottom - 1) >> shift_; ++row)
-            for (int column = r.left >> shift_; column <= (r.right - 1) >> shift_; ++column)
-                visit(tile(column, row));
+    /// The members of a tile, by rising numbers until they are sorted.
+    std::span<const painter_entry> members(std::size_t tile) const {
+        return {entries_.data() + begins_[tile], entries_.data() + begins_[tile + 1]};
     }
 
-    std::span<const std::uint32_t> members(const painter_tile& of) const {
-        return {entries_.data() + begins_[of.index], entries_.data() + begins_[of.index + 1]};
-    }
-
-    /// The members of a tile. Those at its beginning for which `skip` is true are dropped for good.
-    template <class Skip>
-    std::span<const std::uint32_t> rest(const painter_tile& of, const Skip& skip) {
-        std::uint32_t& head = heads_[of.index];
-        const std::uint32_t end = begins_[of.index + 1];
+    /// The members of a tile in the order of the sort. Those at its beginning for which `skip` is
+    /// true are dropped for good.
+    template <class Skip> std::span<const painter_entry> rest(std::size_t tile, const Skip& skip) {
+        if (!is_sorted_[tile])
+            sort(tile);
+        std::uint32_t& head = heads_[tile];
+        const std::uint32_t end = begins_[tile + 1];
         while (head < end && skip(entries_[head]))
             ++head;
         return {entries_.data() + head, end - head};
     }
 
-    /// Whether two ranges meet, and this tile is the first of those that both reach. So each pair
-    /// is found once.
-    bool first_meet(const painter_tile& here, const pixel_range& a, const pixel_range& b) const {
-        return a.meets(b) && here.column == std::max(a.left, b.left) >> shift_ &&
-               here.row == std::max(a.top, b.top) >> shift_;
+    /// Calls visit(tile, entry) for each tile that an item reaches.
+    template <class Visit>
+    void for_each(const painter_item& item, std::uint32_t number, const Visit& visit) const {
+        if (item.cover != 0 && shift_ == cell_bits)
+            return for_each_of_four(item, number, visit);
+        for (int row = item.top >> shift_; row <= (item.bottom - 1) >> shift_; ++row)
+            for (int column = item.left >> shift_; column <= (item.right - 1) >> shift_; ++column)
+                visit(at(column, row), box_entry(item, number, column, row));
     }
 
 private:
-    int shift_ = 0, columns_ = 0, rows_ = 0;
-    std::vector<std::uint32_t> begins_, heads_, entries_;
-    std::vector<std::vector<std::uint32_t>> ends_; ///< of each share of triangles, by tile
+    static constexpr int cell_bits = 3;                               ///< eight cells in a row
+    static constexpr std::uint64_t first_column = 0x0101010101010101; ///< the first of each row
+
+    /// Entries of each share of the triangles, as they were found, and their tiles.
+    struct share_entries {
+        std::vector<painter_entry> entries;
+        std::vector<std::uint32_t> tiles;
+        std::vector<std::uint32_t> ends; ///< of the share in each tile
+    };
+
+    /// A small triangle's pixels lie in two tiles side by side at most, and so in columns.
+    template <class Visit>
+    void for_each_of_four(const painter_item& item, std::uint32_t number,
+                          const Visit& visit) const {
+        constexpr int side = 1 << cell_bits, cells = side * side;
+        const int right = item.left % side, down = item.top % side;
+        const std::uint64_t stay = ((0xffU << right) & 0xffU) * first_column;
+        // Moved to the right; what leaves the tile enters the next one at its left side.
+        const std::uint64_t here = item.cover << right & stay;
+        const std::uint64_t next = right == 0 ? 0 : item.cover >> (side - right) & ~stay;
+        const std::size_t tile = at(item.left >> cell_bits, item.top >> cell_bits);
+        const auto put = [&](std::size_t to, std::uint64_t pixels) {
+            if (pixels != 0)
+                visit(to, painter_entry{item.farthest, item.nearest, pixels, number, 0, 1});
+        };
+        put(tile, here << side * down);
+        put(tile + 1, next << side * down);
+        if (down == 0)
+            return;
+        put(tile + static_cast<std::size_t>(columns_), here >> (cells - side * down));
+        put(tile + static_cast<std::size_t>(columns_) + 1, next >> (cells - side * down));
+    }
+
+    painter_entry box_entry(const painter_item& item, std::uint32_t number, int column,
+                            int row) const;
+    void find_entries(const painter_items& items, std::size_t begin, std::size_t end,
+                      share_entries& to) const;
+    void sort(std::size_t tile);
+
+    int shift_ = cell_bits, columns_ = 0, rows_ = 0;
+    std::vector<std::uint32_t> begins_, heads_;
+    std::vector<painter_entry> entries_;
+    std::vector<bool> is_sorted_;
+    std::vector<share_entries> shares_;
 };
 
 } // namespace l3d_detail

@@ -33,8 +33,17 @@ l3d_pipeline_zsort::~l3d_pipeline_zsort() = default;
 void l3d_pipeline_zsort::make_order(const scene& what, bool with_sides,
                                     l3d_polygon_report& report) {
     const stopwatch ordering;
-    what.frame.list(stages_->triangles, workers());
-    stages_->order.make(stages_->triangles, what.target.size(), {.sides = with_sides});
+    const std::vector<std::size_t> ends = what.frame.ends();
+    std::vector<l3d_painter_triangle>& triangles = stages_->triangles;
+    triangles.resize(ends.empty() ? 0 : ends.back());
+    stages_->order.begin(triangles, ends, what.target.size(), {.sides = with_sides});
+    workers().for_each(static_cast<int>(ends.size()), [&](int number, int) {
+        const auto part = static_cast<std::size_t>(number);
+        const std::size_t begin = part > 0 ? ends[part - 1] : 0;
+        what.frame.list_part(part, std::span(triangles).subspan(begin, ends[part] - begin));
+        stages_->order.note(part); // while they are in the cache
+    });
+    stages_->order.finish();
     report.order = stages_->order.counts();
     report.time_ms.order = ordering.milliseconds();
 }

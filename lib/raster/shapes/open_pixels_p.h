@@ -68,6 +68,31 @@ public:
             visit(columns{run, of.end});
     }
 
+    /// Whether a pixel of a piece is open. Expects: its pixels are known.
+    bool any(const l3d_painter_piece& piece) const {
+        constexpr std::int32_t side = l3d_painter_piece::small_side;
+        std::int32_t row = piece.top;
+        for (std::uint64_t cover = piece.cover; cover != 0; cover >>= side, ++row) {
+            const std::uint64_t in_row = cover & ((1U << side) - 1);
+            if (row >= rows_.top && row < rows_.bottom && open_of(row, piece.left, in_row) != 0)
+                return true;
+        }
+        return false;
+    }
+
+    /// Takes columns of a row: bit k of `wanted` stands for column x + k.
+    /// Returns: those of them that were open.
+    /// Expects: eight bits, of columns that the picture has.
+    std::uint64_t take(std::int32_t row, std::int32_t x, std::uint64_t wanted) {
+        const std::uint64_t open = open_of(row, x, wanted);
+        std::uint64_t* const words = taken(row) + x / bits;
+        const int shift = x % bits;
+        words[0] |= open << shift;
+        if (const std::uint64_t next = open >> (bits - 1 - shift) >> 1; next != 0)
+            words[1] |= next;
+        return open;
+    }
+
 private:
     static constexpr std::int32_t bits = 64;
 
@@ -81,6 +106,16 @@ private:
             : word(static_cast<std::size_t>(x / bits)), end(std::min(x / bits * bits + bits, most)),
               mask(~std::uint64_t{0} >> (bits - (end - x)) << (x % bits)) {}
     };
+
+    /// Those of `wanted` that are open; bits as of take().
+    std::uint64_t open_of(std::int32_t row, std::int32_t x, std::uint64_t wanted) const {
+        const std::uint64_t* const words = taken(row) + x / bits;
+        const int shift = x % bits;
+        std::uint64_t there = words[0] >> shift;
+        if (wanted >> (bits - 1 - shift) >> 1 != 0) // some are in the next word
+            there |= words[1] << (bits - shift);
+        return wanted & ~there;
+    }
 
     const std::uint64_t* taken(std::int32_t row) const {
         return taken_.data() + static_cast<std::size_t>(row - rows_.top) * words_;

@@ -8,6 +8,7 @@
 #include "raster/shapes/open_pixels_p.h"
 #include "raster/shapes/overdraw_p.h"
 #include "raster/shapes/piece_pixels_p.h"
+#include "raster/shapes/small_painter_p.h"
 #include "raster/shaders/lit_shader_p.h"
 #include "raster/shaders/shader_choice_p.h"
 #include "raster/shaders/surface_shader_p.h"
@@ -53,6 +54,7 @@ struct alignas(64) painting {
     std::int64_t written = 0;
     std::vector<wide_row> waiting;      ///< of one triangle
     const l3d_shading* foggy = nullptr; ///< whose fog is before all, if it has any
+    small_painter small;                ///< where lanes light normals, else at rest
 
     bool from_front = false; ///< what is painted first stays
     static constexpr std::uint32_t white = wide_polygon::white;
@@ -153,6 +155,8 @@ bool is_hidden(const painting& to, const std::array<l3d_micro_vertex, 3>& v) {
 
 template <class Shader>
 void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_vertex, 3>& v) {
+    if (!to.from_front)
+        to.small.finish(); // what waits is behind the triangle
     if (to.from_front && is_hidden(to, v))
         return;
     late_plane<Shader> plane(shader, v);
@@ -177,10 +181,14 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
     });
 }
 
-/// All rows in which a triangle may have pixels, or its sides. Smooth ones have two pixels side by
-/// side in each step, and a step may begin a pixel before the end of a side.
-scan_rows reach_of(const l3d_painter_triangle& of) {
-    const auto [top, bottom] = std::minmax({of.v[0].y, of.v[1].y, of.v[2].y});
+/// All rows in which a piece may have pixels, or its sides if its pixels are not known. Smooth ones
+/// have two pixels side by side in each step, and a step may begin a pixel before the end of a
+/// side.
+scan_rows reach_of(const l3d_painter_piece& piece, const painted_things& what) {
+    if (piece.cover != 0)
+        return {piece.top, piece.top + l3d_painter_piece::small_side};
+    const auto& v = what.triangles[piece.triangle].v;
+    const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
     return {first_centre(top) - 2, first_centre(bottom) + 2};
 }
 
@@ -194,6 +202,9 @@ struct l3d_painter::work_space {
     static constexpr int bands_per_worker = 4;
     /// Of those, the reach is one item of work: some 10^4 cycles.
     static constexpr std::size_t chunk_pieces = 4096;
+    /// So many pieces before their turn, triangles are asked for: some hundred cycles each, more
+    /// than memory takes.
+    static constexpr std::size_t ahead = 8, cache_line = 64;
 
     l3d_workers& workers;
     std::vector<painting> of_worker;
@@ -205,6 +216,7 @@ struct l3d_painter::work_space {
             to.from_front = from_front;
             to.written = 0;
             to.foggy = nullptr;
+            to.small.rest();
             to.color = painting::white;
         }
     }
@@ -223,7 +235,7 @@ struct l3d_painter::work_space {
             for_each_chunk(workers, count, chunk_pieces,
                            [&](std::size_t begin, std::size_t end, std::size_t) {
                                for (std::size_t i = begin; i < end; ++i)
-                                   reach[i] = reach_of(what.triangles[what.pieces[i].triangle]);
+                                   reach[i] = reach_of(what.pieces[i], what);
                            });
         }
         workers.for_each(bands, [&](int band, int worker) {
@@ -237,16 +249,31 @@ struct l3d_painter::work_space {
             Paint paint = prototype;
             for (std::size_t k = 0; k < count; ++k) {
                 const std::size_t i = to.from_front ? count - 1 - k : k;
+                if (k + ahead < count)
+                    fetch(what, to.from_front ? i - ahead : i + ahead);
                 if (bands > 1 && (reach[i].top >= to.rows.bottom || reach[i].bottom <= to.rows.top))
                     continue;
-                place_cuts(what.pieces[i], what.triangles, what.cuts, to.cuts);
-                paint(what.triangles[what.pieces[i].triangle], to);
+                const l3d_painter_piece& piece = what.pieces[i];
+                if (to.from_front && piece.cover != 0 && !to.open.any(piece))
+                    continue;
+                place_cuts(piece, what.triangles, what.cuts, to.cuts);
+                paint(piece, what.triangles[piece.triangle], to);
             }
+            to.small.finish();
             if (to.from_front)
                 clear_open(to, background);
             if constexpr (requires { paint.finish(to); })
                 paint.finish(to);
         });
+    }
+
+    /// In their order, triangles lie anywhere in memory.
+    static void fetch(const painted_things& what, std::size_t piece) {
+        const auto* const from =
+            reinterpret_cast<const char*>(&what.triangles[what.pieces[piece].triangle]);
+        for (std::size_t byte = 0; byte < sizeof(l3d_painter_triangle); byte += cache_line)
+            __builtin_prefetch(from + byte);
+        __builtin_prefetch(from + sizeof(l3d_painter_triangle) - 1);
     }
 
     static void clear_open(painting& to, const l3d_background& background) {
@@ -271,13 +298,20 @@ template <class Shader> struct shaded_paint {
     Shader shader;
     std::span<const l3d_material> materials;
 
-    void operator()(const l3d_painter_triangle& triangle, painting& to) {
+    void operator()(const l3d_painter_piece& piece, const l3d_painter_triangle& triangle,
+                    painting& to) {
         if constexpr (std::is_same_v<Shader, own_color_shader>)
             shader.color = triangle.color;
         if constexpr (std::is_same_v<Shader, lit_shader>)
             shader.use_material(triangle.material);
         else if (!materials.empty())
             to.color = materials[triangle.material].color;
+        if constexpr (std::is_same_v<Shader, lambert_shader>)
+            if (to.small.takes(piece)) {
+                to.written += to.small.paint(piece, triangle, to.rows, to.color,
+                                             to.from_front ? &to.open : nullptr);
+                return;
+            }
         paint_triangle(to, shader, triangle.v);
     }
 };
@@ -288,7 +322,7 @@ struct sides_paint {
     l3d_line_look look;
     own_color_shader nothing{};
 
-    void operator()(const l3d_painter_triangle& triangle, painting& to) {
+    void operator()(const l3d_painter_piece&, const l3d_painter_triangle& triangle, painting& to) {
         paint_triangle(to, nothing, triangle.v);
         visit_sides(triangle, to.cuts, to.target.size(), look.smooth,
                     [&](int x, int y, int coverage) {
@@ -333,9 +367,12 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
                         std::span<const l3d_painter_piece> pieces,
                         std::span<const l3d_painter_cut> cuts) {
     work_->begin(target, has_overdraw(triangles, pieces));
-    if (shading.fog.is_on())
-        for (painting& to : work_->of_worker)
+    for (painting& to : work_->of_worker) {
+        if (shading.fog.is_on())
             to.foggy = &shading;
+        else if (target.width >= fill_least_width)
+            to.small.begin(target, shading);
+    }
     const std::span<const l3d_material> of_light =
         l3d_is_light(shading.mode) ? materials : std::span<const l3d_material>();
     with_shader(shading, materials, [&](const auto& shader) {

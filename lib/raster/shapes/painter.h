@@ -36,9 +36,16 @@ struct l3d_painter_cut {
 };
 
 /// A thing to paint: a triangle, or the part of it that cuts leave.
+///
+/// If it is known which pixels a small triangle covers, `cover` has a bit for each of them: bit
+/// 8 r + c for pixel (left + c, top + r). All bits stand for pixels of the picture.
 struct l3d_painter_piece {
+    static constexpr std::int32_t small_side = 8; ///< rows and columns of `cover`
+
     std::uint32_t triangle = 0;
     std::uint32_t cut = l3d_painter_cut::last; ///< the first of its cuts
+    std::int32_t left = 0, top = 0;
+    std::uint64_t cover = 0; ///< 0 if that is not known, or if there are cuts
 };
 
 /// What sides look like that are drawn as lines.

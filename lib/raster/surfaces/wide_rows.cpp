@@ -10,9 +10,9 @@
 #include "raster/parallel/simd_dispatch_p.h"
 #include "raster/parallel/store_where-inl.h"
 #include "raster/shaders/normal_code_p.h"
+#include "raster/shaders/normal_light-inl.h"
 
 #include <algorithm>
-#include <cfloat>
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
@@ -47,15 +47,11 @@ public:
     HWY_INLINE explicit wide_filler(const wide_polygon& of)
         : farthest_(hn::Set(D(), of.farthest)), nearest_(hn::Set(D(), of.nearest)),
           last_fit_(of.width - lanes), material_(hn::Set(word_tag(), of.material)),
-          unit_(hn::Set(word_tag(), of.unit)), color_(of.color) {
+          unit_(hn::Set(word_tag(), of.unit)), color_(of.color),
+          darkest_(hn::Set(D(), of.light.darkest)), brightest_(hn::Set(D(), of.light.brightest)),
+          light_(of.light.light) {
         for (std::size_t i = 0; i <= numbers; ++i)
             step_[i] = hn::Set(D(), of.step[i]);
-        for (std::size_t i = 0; i < 3; ++i)
-            light_[i] = hn::Set(D(), of.light.light[i]);
-        if constexpr (Kind == row_kind::held) {
-            light_[0] = hn::Set(D(), of.light.darkest);
-            light_[1] = hn::Set(D(), of.light.brightest);
-        }
         word_ = hn::Set(word_tag(), of.light.word);
     }
 
@@ -127,23 +123,22 @@ private:
     }
 
     HWY_INLINE word_vec word_at(const row_values& values, vec k) const {
-        const D d;
         if constexpr (Kind == row_kind::word) {
             return word_;
         } else {
-            const vec intensity = intensity_at(values, k);
-            const vec level = hn::Add(hn::Mul(hn::Set(d, 255.0f), intensity), hn::Set(d, 0.5f));
-            return word_of(hn::BitCast(word_tag(), hn::ConvertTo(int_tag(), level)));
+            return word_of(level_of_intensity(D(), intensity_at(values, k)));
         }
     }
 
     HWY_INLINE vec intensity_at(const row_values& values, vec k) const {
         if constexpr (Kind == row_kind::normal) {
-            return lit_at(values, k);
+            return light_.intensity(number(values, 1, k), number(values, 2, k),
+                                    number(values, 3, k),
+                                    hn::Gt(number(values, 4, k), hn::Zero(D())));
         } else {
-            const vec &value = number(values, 1, k), &darkest = light_[0], &brightest = light_[1];
-            const vec least = hn::IfThenElse(hn::Gt(value, darkest), value, darkest);
-            return hn::IfThenElse(hn::Lt(least, brightest), least, brightest);
+            const vec value = number(values, 1, k);
+            const vec least = hn::IfThenElse(hn::Gt(value, darkest_), value, darkest_);
+            return hn::IfThenElse(hn::Lt(least, brightest_), least, brightest_);
         }
     }
 
@@ -152,24 +147,6 @@ private:
         const vec sum = hn::Add(hn::Mul(number, hn::Set(d, normal_code::scale)),
                                 hn::Set(d, normal_code::whole_numbers));
         return hn::BitCast(word_tag(), sum);
-    }
-
-    /// That of lambert_shader.
-    HWY_INLINE vec lit_at(const row_values& values, vec k) const {
-        const D d;
-        const vec x = number(values, 1, k), y = number(values, 2, k), z = number(values, 3, k);
-        const vec square = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
-        const vec least = hn::Set(d, FLT_MIN);
-        const vec safe = hn::IfThenElse(hn::Gt(square, least), square, least);
-        const vec product =
-            hn::Add(hn::Add(hn::Mul(light_[0], x), hn::Mul(light_[1], y)), hn::Mul(light_[2], z));
-        const vec cosine = hn::Div(product, hn::Sqrt(safe));
-        const vec zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-        const auto away = hn::Gt(number(values, 4, k), zero);
-        const vec turned = hn::IfThenElse(away, hn::Neg(cosine), cosine);
-        const vec lit = hn::IfThenElse(hn::Gt(turned, zero), turned, zero);
-        return hn::Add(hn::Set(d, 0.1f),
-                       hn::Mul(hn::Set(d, 0.9f), hn::IfThenElse(hn::Lt(lit, one), lit, one)));
     }
 
     HWY_INLINE word_vec word_of(word_vec level) const {
@@ -189,10 +166,11 @@ private:
     }
 
     vec farthest_, nearest_, step_[numbers + 1];
-    vec light_[3];          ///< or the darkest and the brightest intensity
     std::int32_t last_fit_; ///< the last column where a vector fits the picture
     word_vec word_, material_, unit_;
     std::uint32_t color_;
+    vec darkest_, brightest_; ///< intensities
+    normal_light<D> light_;
 };
 
 /// Short rows leave fewer lanes idle in short vectors. Small polygons have no others, so the longer

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// Triangles of a few pixels: which pixels they cover, in which order they come, how they are lit.
+#include "pipeline/polygons/painter_items_p.h"
+#include "pipeline/polygons/painter_order.h"
+
+#include "painter_scenes.h"
+#include "raster/parallel/simd_target.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace pipeline_tests {
+namespace {
+
+using namespace l3d_detail;
+
+constexpr l3d_size window{75, 52};
+
+/// Triangles of at most `reach` pixels that lie anywhere in the picture and a little beyond,
+/// through each other. Some have no area, some corners on pixel centres. Colours are numbers
+/// from 1.
+std::vector<l3d_painter_triangle> small_triangles(unsigned count, int reach, unsigned seed) {
+    std::mt19937 random(seed);
+    const auto between = [&](int least, int most) {
+        return least + static_cast<int>(random() % static_cast<unsigned>(most - least));
+    };
+    std::vector<l3d_painter_triangle> triangles(count);
+    for (unsigned i = 0; i < count; ++i) {
+        l3d_painter_triangle& triangle = triangles[i];
+        triangle.color = i + 1;
+        triangle.material = i % 3;
+        const int x = between(-4, window.width + 2), y = between(-4, window.height + 2);
+        const auto inv_w = static_cast<float>(between(1 << 18, 1 << 20));
+        for (l3d_micro_vertex& v : triangle.v) {
+            v = {256 * x + between(0, 256 * reach),
+                 256 * y + between(0, 256 * reach),
+                 (inv_w + static_cast<float>(between(0, 1 << 16))) / (1 << 21),
+                 {static_cast<float>(between(-99, 99)) / 99,
+                  static_cast<float>(between(-99, 99)) / 99,
+                  static_cast<float>(between(1, 99)) / 99}};
+            if (i % 5 == 0) { // on a raster of half pixels
+                v.x = v.x / 128 * 128;
+                v.y = v.y / 128 * 128;
+            }
+        }
+        if (i % 17 == 0)
+            triangle.v[2] = triangle.v[1];
+    }
+    return triangles;
+}
+
+/// The fill rule, pixel by pixel: a centre on a left or top edge is inside.
+bool covers(const std::array<l3d_micro_vertex, 3>& v, int column, int row) {
+    const auto side = [](const l3d_micro_vertex& a, const l3d_micro_vertex& b, long x, long y) {
+        return (long(b.x) - a.x) * (y - a.y) - (long(b.y) - a.y) * (x - a.x);
+    };
+    const long area = side(v[0], v[1], v[2].x, v[2].y);
+    for (std::size_t k = 0; k < 3 && area != 0; ++k) {
+        const l3d_micro_vertex &a = v[area > 0 ? k : (k + 1) % 3],
+                               &b = v[area > 0 ? (k + 1) % 3 : k];
+        const bool is_left_or_top = b.y < a.y || (b.y == a.y && b.x > a.x);
+        if (side(a, b, 256L * column + 128, 256L * row + 128) < (is_left_or_top ? 0 : 1))
+            return false;
+    }
+    return area != 0;
+}
+
+/// Pixels of the picture that a triangle covers.
+int covered(const std::array<l3d_micro_vertex, 3>& v) {
+    int count = 0;
+    for (int row = 0; row < window.height; ++row)
+        for (int column = 0; column < window.width; ++column)
+            count += covers(v, column, row);
+    return count;
+}
+
+void expect_cover(const painter_item& item, const std::array<l3d_micro_vertex, 3>& v) {
+    constexpr int side = painter_item::small_side;
+    int count = 0;
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column) {
+            const bool bit = (item.cover >> (side * row + column) & 1) != 0;
+            ASSERT_EQ(bit, covers(v, item.left + column, item.top + row)) << column << ", " << row;
+            count += bit;
+        }
+    ASSERT_EQ(count, covered(v));
+}
+
+TEST(small_pieces, items_know_the_pixels_that_a_small_triangle_covers) {
+    for (const std::string& target : l3d_simd_targets()) {
+        ASSERT_TRUE(l3d_set_simd_target(target));
+        std::size_t known = 0, left_out = 0;
+        for (unsigned seed = 1; seed <= 12; ++seed) {
+            const auto triangles = small_triangles(200 + seed, 1 + static_cast<int>(seed), seed);
+            const std::array<std::size_t, 2> ends{77, triangles.size()};
+            painter_items items;
+            items.begin(triangles, ends, window, false);
+            items.make(1);
+            items.make(0);
+            items.finish();
+            std::vector<bool> is_there(triangles.size());
+            for (std::size_t chunk = 0; chunk < items.chunks(); ++chunk)
+                for (const painter_item& item : items.of_chunk(chunk)) {
+                    is_there[item.triangle] = true;
+                    if (item.cover == 0)
+                        continue;
+                    ++known;
+                    expect_cover(item, triangles[item.triangle].v);
+                }
+            for (std::size_t i = 0; i < triangles.size(); ++i) {
+                left_out += !is_there[i];
+                ASSERT_TRUE(is_there[i] || covered(triangles[i].v) == 0) << target << " " << i;
+            }
+        }
+        EXPECT_GT(known, 700u) << target;
+        EXPECT_GT(left_out, 300u) << target;
+    }
+    l3d_set_simd_target("");
+}
+
+/// Pieces painted by lambert's rule, and how many pixels that took.
+struct picture {
+    std::vector<std::uint32_t> words =
+        std::vector<std::uint32_t>(std::size_t{window.width} * std::size_t{window.height});
+    std::int64_t written = 0;
+
+    picture(const l3d_painter_order& order, std::span<const l3d_painter_piece> pieces,
+            const l3d_shading& shading, std::span<const l3d_material> materials, int threads) {
+        l3d_workers workers(threads);
+        l3d_painter painter(workers);
+        painter.paint({words.data(), window.width, window.height, window.width}, shading, materials,
+                      order.triangles(), pieces, order.cuts());
+        written = painter.counts().written;
+    }
+    bool operator==(const picture&) const = default;
+};
+
+TEST(small_pieces, are_lit_like_rows_with_any_instructions) {
+    const std::vector<l3d_material> colored{
+        {.color = 0xffffff}, {.color = 0x12cd80}, {.color = 0x0000ff}};
+    const l3d_shading plain{l3d_shade::lambert, {0.6f, 0, 0.8f}, {0, 0, 0}, {}, {}};
+    const l3d_shading tilted{l3d_shade::lambert,
+                             {0.36f, 0.48f, 0.8f},
+                             {-0.3f, 0.2f, -1},
+                             {0.01f, 0, 0},
+                             {0, -0.02f, 0.003f}};
+    l3d_workers worker(1);
+    std::size_t known = 0;
+    for (const unsigned count : {60u, 700u}) // without overdraw and with: from either end
+        for (unsigned seed = 1; seed <= 10; ++seed) {
+            const auto triangles = small_triangles(count, 2 + static_cast<int>(seed), seed);
+            l3d_painter_order order(worker);
+            order.make(triangles, window, {.sides = false});
+            std::vector<l3d_painter_piece> unknown(order.pieces().begin(), order.pieces().end());
+            for (l3d_painter_piece& piece : unknown) {
+                known += piece.cover != 0;
+                piece.cover = 0;
+            }
+            for (const l3d_shading& shading : {plain, tilted})
+                for (const auto& materials : {std::vector<l3d_material>(), colored}) {
+                    const picture slow(order, unknown, shading, materials, 1);
+                    for (const std::string& target : l3d_simd_targets()) {
+                        ASSERT_TRUE(l3d_set_simd_target(target));
+                        EXPECT_EQ(picture(order, order.pieces(), shading, materials, 1), slow)
+                            << target << ", seed " << seed;
+                    }
+                    l3d_set_simd_target("");
+                    EXPECT_EQ(picture(order, order.pieces(), shading, materials, 3).words,
+                              slow.words);
+                }
+        }
+    EXPECT_GT(known, 3000u);
+}
+
+/// Words that tell the triangle of each pixel.
+std::vector<std::uint32_t> numbers_of(const std::vector<l3d_painter_triangle>& triangles,
+                                      int threads, l3d_painter_order_counts& counts) {
+    l3d_workers workers(threads);
+    l3d_painter_order order(workers);
+    order.make(triangles, window, {.sides = false});
+    counts = order.counts();
+    return picture(order, order.pieces(), {l3d_shade::error, {0, 0, 1}, {0, 0, -1}, {}, {}}, {},
+                   threads)
+        .words;
+}
+
+TEST(small_pieces, come_in_an_order_that_is_right_in_every_pixel) {
+    std::int64_t pairs = 0, cuts = 0;
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        // Of the larger ones, tiles are larger than eight pixels.
+        const auto triangles = small_triangles(400, 1 + static_cast<int>(seed % 16), seed);
+        const nearest_triangles exact = find_nearest(triangles, window);
+        l3d_painter_order_counts counts;
+        const auto numbers = numbers_of(triangles, 1, counts);
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            ASSERT_TRUE(numbers[i] == exact.number[i] || exact.tied[i])
+                << seed << ": " << i % window.width << ", " << i / window.width;
+        pairs += counts.pairs;
+        cuts += counts.cuts;
+        EXPECT_EQ(numbers_of(triangles, 3, counts), numbers);
+    }
+    EXPECT_GT(pairs, 1000);
+    EXPECT_GT(cuts, 100);
+}
+
+} // namespace
+} // namespace pipeline_tests
