@@ -72,6 +72,10 @@ struct l3d_painter_order::work_space {
     /// Sorted items lie anywhere in memory. So many before its turn, one is asked for: some hundred
     /// cycles.
     static constexpr std::size_t ahead = 16;
+    /// So many pieces are one item of a worker's work: some 10^4 cycles at the least.
+    static constexpr std::size_t chunk_pieces = 4096;
+    /// Of a piece whose item is to be looked up: more cuts than there can ever be.
+    static constexpr std::uint32_t of_item = l3d_painter_cut::last - 1;
 
     explicit work_space(l3d_workers& by)
         : workers(by), of_workers(static_cast<std::size_t>(by.count())) {}
@@ -117,13 +121,15 @@ struct l3d_painter_order::work_space {
                 front_of(at(item.number), at(other.number)).first);
     }
 
-    /// Finds what each item needs of those that are sorted after it.
-    void find_late() {
+    /// Finds what each item needs of those that are sorted after it. Meanwhile one worker sorts.
+    void sort_and_find_late() {
         rows.resize(static_cast<std::size_t>(tiles.rows()));
-        workers.for_each(tiles.rows(), [&](int row, int worker) {
-            find_late(row, of_workers[static_cast<std::size_t>(worker)]);
+        workers.for_each(1 + tiles.rows(), [&](int task, int worker) {
+            if (task == 0)
+                sort();
+            else
+                find_late(task - 1, of_workers[static_cast<std::size_t>(worker)]);
         });
-        late.clear();
         for (const row_of_needs& row : rows)
             late.insert(late.end(), row.found.begin(), row.found.end());
         std::ranges::sort(late); // a pair may be there more than once, from two tiles
@@ -174,17 +180,30 @@ struct l3d_painter_order::work_space {
             out.push_back(need.before);
     }
 
-    void emit(order_node node) {
-        if (pieces.size() + ahead < keys.size()) // most often those that come then
-            __builtin_prefetch(&items[keys[pieces.size() + ahead].index]);
-        const painter_item& item = items[number_of(node)];
-        pieces.push_back({item.triangle, l3d_painter_cut::last, item.left, item.top, item.cover});
-    }
+    /// Adds a piece that names its item, for now.
+    void emit(order_node node) { pieces.push_back({number_of(node), of_item}); }
 
     /// Emits all items as they are sorted.
     void emit_sorted() {
         for (const l3d_sort_item& key : keys)
             emit(order_node_of(key.key, key.index));
+    }
+
+    /// From items to triangles, and what is known of them.
+    void place_pieces() {
+        for_each_chunk(
+            workers, pieces.size(), chunk_pieces,
+            [&](std::size_t begin, std::size_t end, std::size_t) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    if (i + ahead < end && pieces[i + ahead].cut == of_item)
+                        __builtin_prefetch(&items[pieces[i + ahead].triangle]);
+                    l3d_painter_piece& piece = pieces[i];
+                    if (piece.cut != of_item)
+                        continue;
+                    const painter_item& item = items[piece.triangle];
+                    piece = {item.triangle, l3d_painter_cut::last, item.left, item.top, item.cover};
+                }
+            });
     }
 
     void emit_component(std::span<const order_node> component, l3d_painter_order_counts& counts) {
@@ -253,18 +272,20 @@ void l3d_painter_order::note(std::size_t chunk) {
 void l3d_painter_order::finish() {
     work_space& w = *work_;
     w.items.finish();
-    w.sort();
     w.late.clear();
     if (w.how.resolve) {
         w.tiles.make(w.items, w.size, w.workers);
-        w.find_late();
+        w.sort_and_find_late();
         for (const row_of_needs& row : w.rows)
             counts_.pairs += row.pairs;
+    } else {
+        w.sort();
     }
     if (w.late.empty())
         w.emit_sorted(); // no pair violates the sorted order
     else
         w.emit_resolved(counts_);
+    w.place_pieces();
 }
 
 std::span<const l3d_painter_triangle> l3d_painter_order::triangles() const {
