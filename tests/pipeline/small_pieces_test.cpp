@@ -2,6 +2,7 @@
 // Triangles of a few pixels: which pixels they cover, in which order they come, how they are lit.
 #include "pipeline/polygons/painter_items_p.h"
 #include "pipeline/polygons/painter_order.h"
+#include "pipeline/polygons/tile_cover_p.h"
 
 #include "painter_scenes.h"
 #include "raster/parallel/simd_target.h"
@@ -54,7 +55,7 @@ std::vector<l3d_painter_triangle> small_triangles(unsigned count, int reach, uns
 }
 
 /// The fill rule, pixel by pixel: a centre on a left or top edge is inside.
-bool covers(const std::array<l3d_micro_vertex, 3>& v, int column, int row) {
+bool covers_pixel(const std::array<l3d_micro_vertex, 3>& v, int column, int row) {
     const auto side = [](const l3d_micro_vertex& a, const l3d_micro_vertex& b, long x, long y) {
         return (long(b.x) - a.x) * (y - a.y) - (long(b.y) - a.y) * (x - a.x);
     };
@@ -74,7 +75,7 @@ int covered(const std::array<l3d_micro_vertex, 3>& v) {
     int count = 0;
     for (int row = 0; row < window.height; ++row)
         for (int column = 0; column < window.width; ++column)
-            count += covers(v, column, row);
+            count += covers_pixel(v, column, row);
     return count;
 }
 
@@ -84,7 +85,8 @@ void expect_cover(const painter_item& item, const std::array<l3d_micro_vertex, 3
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column) {
             const bool bit = (item.cover >> (side * row + column) & 1) != 0;
-            ASSERT_EQ(bit, covers(v, item.left + column, item.top + row)) << column << ", " << row;
+            ASSERT_EQ(bit, covers_pixel(v, item.left + column, item.top + row))
+                << column << ", " << row;
             count += bit;
         }
     ASSERT_EQ(count, covered(v));
@@ -118,6 +120,35 @@ TEST(small_pieces, items_know_the_pixels_that_a_small_triangle_covers) {
         }
         EXPECT_GT(known, 700u) << target;
         EXPECT_GT(left_out, 300u) << target;
+    }
+    l3d_set_simd_target("");
+}
+
+TEST(small_pieces, tiles_know_the_pixels_that_a_triangle_covers) {
+    constexpr int side = 8;
+    for (const std::string& target : l3d_simd_targets()) {
+        ASSERT_TRUE(l3d_set_simd_target(target));
+        int count = 0, without = 0;
+        for (const int reach : {3, 9, 30, tile_cover_reach})
+            for (const l3d_painter_triangle& triangle : small_triangles(200, reach, 7)) {
+                const int left = (triangle.v[0].x >> 8) / side * side - 4 * side;
+                const int top = (triangle.v[0].y >> 8) / side * side - 3 * side;
+                const cover_tiles tiles{left, top, 7, 6};
+                std::array<std::uint64_t, 7 * 6> covers;
+                tile_cover(triangle.v, tiles, covers.data());
+                for (int row = 0; row < side * tiles.rows; ++row)
+                    for (int column = 0; column < side * tiles.columns; ++column) {
+                        const auto tile =
+                            static_cast<std::size_t>(row / side * tiles.columns + column / side);
+                        const int bit = side * (row % side) + column % side;
+                        const bool is_covered = (covers[tile] >> bit & 1) != 0;
+                        ASSERT_EQ(is_covered, covers_pixel(triangle.v, left + column, top + row))
+                            << target << ": " << column << ", " << row;
+                        ++(is_covered ? count : without);
+                    }
+            }
+        EXPECT_GT(count, 5000);
+        EXPECT_GT(without, 50000);
     }
     l3d_set_simd_target("");
 }
@@ -192,7 +223,7 @@ TEST(small_pieces, come_in_an_order_that_is_right_in_every_pixel) {
     std::int64_t pairs = 0, cuts = 0;
     for (unsigned seed = 1; seed <= 40; ++seed) {
         // Of the larger ones, tiles are larger than eight pixels.
-        const auto triangles = small_triangles(400, 1 + static_cast<int>(seed % 16), seed);
+        const auto triangles = small_triangles(400, 1 + static_cast<int>(seed % 24), seed);
         const nearest_triangles exact = find_nearest(triangles, window);
         l3d_painter_order_counts counts;
         const auto numbers = numbers_of(triangles, 1, counts);

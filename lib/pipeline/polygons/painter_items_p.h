@@ -6,7 +6,7 @@
 #include "raster/shapes/painter.h"
 #include "tool_2d/pixels.h"
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -51,6 +51,12 @@ public:
     std::size_t first(std::size_t chunk) const { return chunk > 0 ? ends_[chunk - 1] : 0; }
     std::span<const painter_item> of_chunk(std::size_t chunk) const {
         return {items_.data() + first(chunk), kept_[chunk]};
+    }
+
+    /// Whether nothing of an item shows beside the pixels that it covers.
+    bool are_pixels_all() const { return !with_sides_; }
+    const std::array<l3d_micro_vertex, 3>& corners(const painter_item& item) const {
+        return triangles_[item.triangle].v;
     }
 
     const painter_item& operator[](std::uint32_t number) const { return items_[number]; }

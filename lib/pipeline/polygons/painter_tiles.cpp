@@ -28,8 +28,18 @@ painter_entry painter_tiles::box_entry(const painter_item& item, std::uint32_t n
             static_cast<std::uint16_t>((left < 0 ? 1 : 0) | (top < 0 ? 2 : 0))};
 }
 
-void painter_tiles::find_entries(const painter_items& items, std::size_t begin, std::size_t end,
-                                 share_entries& to) const {
+bool painter_tiles::is_coverable(const painter_item& item) const {
+    if (shift_ != cell_bits || !items_->are_pixels_all())
+        return false;
+    const auto& v = items_->corners(item);
+    const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+    const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
+    constexpr std::int32_t reach = tile_cover_reach << l3d_subpixel_bits;
+    return right - left <= reach && bottom - top <= reach;
+}
+
+void painter_tiles::find_entries(std::size_t begin, std::size_t end, share_entries& to) const {
+    const painter_items& items = *items_;
     to.entries.clear();
     to.tiles.clear();
     to.ends.assign(begins_.size() - 1, 0);
@@ -49,6 +59,9 @@ void painter_tiles::make(const painter_items& items, l3d_size size, l3d_workers&
     constexpr int most = 7; // 128 pixels
     shift_ =
         std::clamp(static_cast<int>(std::lround(std::log2(std::max(side, 1.0)))), cell_bits, most);
+    if (items.are_pixels_all() && shift_ == cell_bits + 1)
+        shift_ = cell_bits;
+    items_ = &items;
     columns_ = ((size.width - 1) >> shift_) + 1;
     rows_ = ((size.height - 1) >> shift_) + 1;
     const std::size_t tiles = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
@@ -61,7 +74,7 @@ void painter_tiles::make(const painter_items& items, l3d_size size, l3d_workers&
     shares_.resize(chunks_of(items.chunks(), share));
     for_each_chunk(workers, items.chunks(), share,
                    [&](std::size_t begin, std::size_t end, std::size_t number) {
-                       find_entries(items, begin, end, shares_[number]);
+                       find_entries(begin, end, shares_[number]);
                    });
     std::uint32_t sum = 0;
     for (std::size_t t = 0; t < tiles; ++t) {

@@ -5,9 +5,11 @@
 
 #include "pipeline/polygons/painter_components_p.h"
 #include "pipeline/polygons/painter_items_p.h"
+#include "pipeline/polygons/tile_cover_p.h"
 #include "raster/parallel/workers.h"
 #include "tool_2d/pixels.h"
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -43,7 +45,10 @@ struct painter_entry {
 class painter_tiles {
 public:
     /// Tiles about twice as wide as the mean box, and of at least eight pixels: fewer would list
-    /// each triangle often, larger ones would list together what does not meet.
+    /// each triangle often, larger ones would list together what does not meet. Where they would
+    /// have 16, they have eight, if pixels are all that counts. Then most triangles are known by
+    /// those that they cover.
+    /// Lives: borrows the items until the next make.
     void make(const painter_items& items, l3d_size size, l3d_workers& workers);
 
     int rows() const { return rows_; }
@@ -75,6 +80,8 @@ public:
     void for_each(const painter_item& item, std::uint32_t number, const Visit& visit) const {
         if (item.cover != 0 && shift_ == cell_bits)
             return for_each_of_four(item, number, visit);
+        if (is_coverable(item))
+            return for_each_covered(item, number, visit);
         for (int row = item.top >> shift_; row <= (item.bottom - 1) >> shift_; ++row)
             for (int column = item.left >> shift_; column <= (item.right - 1) >> shift_; ++column)
                 visit(at(column, row), box_entry(item, number, column, row));
@@ -114,12 +121,34 @@ private:
         put(tile + static_cast<std::size_t>(columns_) + 1, next >> (cells - side * down));
     }
 
+    /// Whether the pixels that it covers can be found.
+    bool is_coverable(const painter_item& item) const;
+
+    template <class Visit>
+    void for_each_covered(const painter_item& item, std::uint32_t number,
+                          const Visit& visit) const {
+        // A box of 64 pixels meets nine tiles at the most.
+        constexpr std::size_t most = (tile_cover_reach >> cell_bits) + 1;
+        std::array<std::uint64_t, most * most> covers;
+        const int left = item.left >> cell_bits, top = item.top >> cell_bits;
+        const cover_tiles tiles{left << cell_bits, top << cell_bits,
+                                ((item.right - 1) >> cell_bits) - left + 1,
+                                ((item.bottom - 1) >> cell_bits) - top + 1};
+        tile_cover(items_->corners(item), tiles, covers.data());
+        const std::uint64_t* next = covers.data();
+        for (int row = top; row < top + tiles.rows; ++row)
+            for (int column = left; column < left + tiles.columns; ++column)
+                if (const std::uint64_t pixels = *next++; pixels != 0)
+                    visit(at(column, row),
+                          painter_entry{item.farthest, item.nearest, pixels, number, 0, 1});
+    }
+
     painter_entry box_entry(const painter_item& item, std::uint32_t number, int column,
                             int row) const;
-    void find_entries(const painter_items& items, std::size_t begin, std::size_t end,
-                      share_entries& to) const;
+    void find_entries(std::size_t begin, std::size_t end, share_entries& to) const;
     void sort(std::size_t tile);
 
+    const painter_items* items_ = nullptr;
     int shift_ = cell_bits, columns_ = 0, rows_ = 0;
     std::vector<std::uint32_t> begins_, heads_;
     std::vector<painter_entry> entries_;
