@@ -121,8 +121,10 @@ bool pen_outline::add_smooth_joint(const chord& before, const chord& after, doub
 void pen_outline::add_outer_joint(const chord& before, const chord& after, double sine,
                                   double cosine) {
     const l3d_join join = after.smooth ? l3d_join::round : pen_.join;
-    if (join == l3d_join::round)
-        return add_arc(after.from, before.y, -before.x, std::atan2(sine, cosine));
+    if (join == l3d_join::round) {
+        find_turns(std::atan2(sine, cosine), turns_);
+        return add_arc(after.from, before.y, -before.x, turns_);
+    }
     // From corner to corner a miter is 1 / sin(half the angle between the chords) widths long. The
     // sine is the cosine of half the turn.
     const double half_cosine = std::sqrt(std::max((1 + cosine) / 2, 0.0));
@@ -135,7 +137,9 @@ void pen_outline::add_outer_joint(const chord& before, const chord& after, doubl
 
 void pen_outline::add_cap(const chord& last) {
     if (pen_.cap == l3d_cap::round) {
-        add_arc(last.to, last.y, -last.x, std::numbers::pi);
+        if (half_turn_.empty())
+            find_turns(std::numbers::pi, half_turn_);
+        add_arc(last.to, last.y, -last.x, half_turn_);
     } else if (pen_.cap == l3d_cap::square) {
         const double x = radius_ * last.x, y = radius_ * last.y;
         add_point({last.to.x + x + y, last.to.y + y - x});
@@ -147,7 +151,7 @@ void pen_outline::add_cap(const chord& last) {
 /// its chords are as far inside of the arc, in their middle, as their ends are outside. The arc
 /// itself begins and ends on the circle: there the turn is by (1 + sqrt 2) / sqrt 8 of u.
 /// NUMERICS.md, section 20.
-void pen_outline::add_arc(l3d_point_2d center, double x, double y, double angle) {
+void pen_outline::find_turns(double angle, std::vector<l3d_point_2d>& turns) const {
     constexpr double at_ends = (1 + std::numbers::sqrt2) / (2 * std::numbers::sqrt2);
     constexpr double missing = 2 - 2 * at_ends; // turns by u that both ends together fall short of
     // tan^2(u / 4) = a^2 / 8, for which an arc of angle a is no farther from its chord, either.
@@ -155,17 +159,21 @@ void pen_outline::add_arc(l3d_point_2d center, double x, double y, double angle)
     const int pieces = static_cast<int>(std::ceil(angle / most_turn + missing));
     const double turn = angle / (pieces - missing), quarter = std::tan(turn / 4);
     const double radius = radius_ * (1 + quarter * quarter);
-    double cosine = std::cos(turn * at_ends), sine = std::sin(turn * at_ends);
+    const double cosine = std::cos(turn), sine = std::sin(turn);
+    double x = radius * std::cos(turn * at_ends), y = radius * std::sin(turn * at_ends);
+    turns.clear();
     for (int i = 1; i < pieces; ++i) { // a few hundred turns at most: rounding stays below 2^-40
+        turns.push_back({x, y});
         const double turned = x * cosine - y * sine;
         y = y * cosine + x * sine;
         x = turned;
-        add_point({center.x + radius * x, center.y + radius * y});
-        if (i == 1) {
-            cosine = std::cos(turn);
-            sine = std::sin(turn);
-        }
     }
+}
+
+void pen_outline::add_arc(l3d_point_2d center, double x, double y,
+                          const std::vector<l3d_point_2d>& turns) {
+    for (const l3d_point_2d& t : turns)
+        add_point({center.x + (x * t.x - y * t.y), center.y + (y * t.x + x * t.y)});
 }
 
 /// The other side is the left one on the way back.

@@ -45,8 +45,10 @@ private:
     bool add_smooth_joint(const chord& before, const chord& after, double sine, double cosine);
     void add_outer_joint(const chord& before, const chord& after, double sine, double cosine);
     void add_cap(const chord& last);
-    /// Points near the circle about a place, from the angle of a direction on.
-    void add_arc(l3d_point_2d center, double x, double y, double angle);
+    /// Finds points near the circle about (0, 0), from the direction (1, 0) on.
+    void find_turns(double angle, std::vector<l3d_point_2d>& turns) const;
+    /// The same about a place, from another direction on.
+    void add_arc(l3d_point_2d center, double x, double y, const std::vector<l3d_point_2d>& turns);
     void add_point(l3d_point_2d p) { outline_.push_back(p); }
     void end_outline();
     void reverse();
@@ -61,6 +63,8 @@ private:
     double least_cosine_; ///< of a turn by that
     std::vector<chord> chords_;
     std::vector<l3d_point_2d> outline_; ///< that is being made
+    std::vector<l3d_point_2d> turns_;
+    std::vector<l3d_point_2d> half_turn_; ///< of all round caps; empty before the first one
 };
 
 } // namespace l3d_detail
