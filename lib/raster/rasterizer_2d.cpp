@@ -39,23 +39,23 @@ void l3d_rasterizer_2d_imp::do_draw_coverage(const l3d_coverage_2d& shape, std::
 void l3d_rasterizer_2d_imp::do_draw_path(const l3d_path& path, const l3d_fill& fill) {
     l3d_detail::path_scan scan;
     const auto spans = scan.convert(l3d_detail::order_of(path, fill, l3d_whole(largest)));
-    std::vector<std::uint8_t> run;
+    std::vector<std::uint8_t> same;
     std::vector<std::uint32_t> colors;
-    for (const l3d_detail::covered_span& s : spans) {
-        const int count = s.last - s.first;
-        if (s.value >= 0)
-            run.assign(static_cast<std::size_t>(count), static_cast<std::uint8_t>(s.value));
-        const std::uint8_t* values = s.value >= 0 ? run.data() : scan.values_of(s);
-        if (fill.gradient == nullptr) {
-            do_draw_coverage({s.first, s.row, count, 1, values, 0}, fill.color);
-            continue;
-        }
+    const auto draw = [&](const l3d_detail::covered_run& run) {
+        const int count = run.last - run.first;
+        if (run.value >= 0)
+            same.assign(static_cast<std::size_t>(count), static_cast<std::uint8_t>(run.value));
+        const std::uint8_t* values = run.value >= 0 ? same.data() : scan.values() + run.values;
+        if (fill.gradient == nullptr)
+            return do_draw_coverage({run.first, run.row, count, 1, values, 0}, fill.color);
         colors.resize(static_cast<std::size_t>(count));
-        fill.gradient->colors(s.first, s.row, colors);
+        fill.gradient->colors(run.first, run.row, colors);
         for (int i = 0; i < count; ++i)
-            do_draw_coverage({s.first + i, s.row, 1, 1, values + i, 0},
+            do_draw_coverage({run.first + i, run.row, 1, 1, values + i, 0},
                              colors[static_cast<std::size_t>(i)]);
-    }
+    };
+    for (const l3d_detail::covered_span& s : spans)
+        s.visit_runs(draw);
 }
 
 void l3d_rasterizer_2d_imp::do_draw_image(const l3d_placed_image& image, const l3d_fill& fill) {
@@ -63,15 +63,19 @@ void l3d_rasterizer_2d_imp::do_draw_image(const l3d_placed_image& image, const l
     l3d_detail::image_sampler sampler(image, mixer);
     l3d_detail::path_scan scan;
     const l3d_path reach = sampler.reach();
-    for (const l3d_detail::covered_span& s :
-         scan.convert(l3d_detail::order_of(reach, fill, l3d_whole(largest))))
-        for (int x = s.first; x < s.last; ++x) {
-            const auto color = sampler.at(x, s.row);
-            const int share = s.value >= 0 ? s.value : scan.values_of(s)[x - s.first];
+    const auto draw = [&](const l3d_detail::covered_run& run) {
+        const std::uint8_t* const values = scan.values() + run.values;
+        for (int x = run.first; x < run.last; ++x) {
+            const auto color = sampler.at(x, run.row);
+            const int share = run.value >= 0 ? run.value : values[x - run.first];
             const auto covered = static_cast<std::uint8_t>(share * color.opacity + 0.5);
             if (covered > 0)
-                do_draw_coverage({x, s.row, 1, 1, &covered, 0}, mixer.word(color));
+                do_draw_coverage({x, run.row, 1, 1, &covered, 0}, mixer.word(color));
         }
+    };
+    for (const l3d_detail::covered_span& s :
+         scan.convert(l3d_detail::order_of(reach, fill, l3d_whole(largest))))
+        s.visit_runs(draw);
 }
 
 void l3d_rasterizer_2d_imp::do_draw_curves(const l3d_path& path, std::uint32_t color) {

@@ -11,6 +11,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <span>
 #include <string>
 
 namespace {
@@ -182,7 +183,9 @@ TEST(flatten, keeps_curves_within_the_distance_of_their_chords) {
         const l3d_curve_2d curve = random_curve(random, size, n % 2 == 1);
         std::vector<l3d_point_2d> points{l3d_detail::projected(curve.points[0])};
         l3d_detail::flatten(curve, l3d_flat_enough, everything,
-                            [&](l3d_point_2d p) { points.push_back(p); });
+                            [&](std::span<const l3d_point_2d> ends) {
+                                points.insert(points.end(), ends.begin(), ends.end());
+                            });
         for (int i = 0; i <= 300; ++i) {
             const l3d_point_2d at = l3d_detail::projected(curve.evaluate(i / 300.0));
             double nearest = 1e9;
@@ -202,8 +205,38 @@ TEST(flatten, takes_no_more_chords_the_more_weights_differ) {
         l3d_curve_2d curve;
         curve.points = {{{0, 0, 1}, {200 * k, 0, k}, {200 / k, 200 / k, 1 / k}, {0, 200, 1}}};
         std::size_t chords = 0;
-        l3d_detail::flatten(curve, l3d_flat_enough, everything, [&](l3d_point_2d) { ++chords; });
+        l3d_detail::flatten(curve, l3d_flat_enough, everything,
+                            [&](std::span<const l3d_point_2d> to) { chords += to.size(); });
         EXPECT_LT(chords, 1000u) << k;
+    }
+}
+
+/// Chords whose ends lie on a curve are only inside of it. Those of the library are as far outside,
+/// and so sqrt 2 times as long.
+TEST(flatten, takes_chords_that_err_to_both_sides_alike) {
+    for (const double radius : {5.0, 40.0, 300.0}) {
+        l3d_path path;
+        path.add_circle({0, 0}, radius);
+        std::size_t chords = 0;
+        double least = radius, most = 0;
+        l3d_point_2d from{radius, 0};
+        l3d_detail::visit_flat(
+            path, l3d_flat_enough, {-1e9, -1e9, 1e9, 1e9}, [](l3d_point_2d) {},
+            [&](std::span<const l3d_point_2d> ends) {
+                for (const l3d_point_2d& to : ends) {
+                    most = std::max(most, std::hypot(to.x, to.y));
+                    least = std::min(least, std::hypot((from.x + to.x) / 2, (from.y + to.y) / 2));
+                    from = to;
+                }
+                chords += ends.size();
+            },
+            [](bool) {});
+        const double longest = 2 * std::sqrt(2 * radius * 2 * l3d_flat_enough);
+        EXPECT_LT(double(chords), 1.25 * 2 * std::numbers::pi * radius / longest) << radius;
+        EXPECT_GT(most, radius + l3d_flat_enough / 2) << radius;
+        EXPECT_LE(most, radius + l3d_flat_enough * 1.0001) << radius;
+        EXPECT_LT(least, radius - l3d_flat_enough / 2) << radius;
+        EXPECT_GE(least, radius - l3d_flat_enough * 1.0001) << radius;
     }
 }
 
@@ -237,11 +270,10 @@ TEST(draw_path, shows_of_a_curve_what_lies_in_the_picture_however_far_it_goes) {
     }
 }
 
-/// Two straight sides are filled many rows at once, unless there is another outline, here a square
-/// in the last corner.
-TEST(draw_path, fills_between_two_straight_sides_as_it_fills_anything) {
+/// Outlines of two sides are filled many rows at once, unless another one is near. Here that leads
+/// across all of the picture and back, and has no area.
+TEST(draw_path, fills_between_two_sides_as_it_fills_anything) {
     constexpr int columns = 90, rows = 70;
-    constexpr std::array<l3d_point_2d, 4> square{{{86, 66}, {88, 66}, {88, 68}, {86, 68}}};
     std::mt19937 random(11);
     for (int n = 0; n < 4000; ++n) {
         canvas at_once(columns, rows), one_by_one(columns, rows);
@@ -253,24 +285,65 @@ TEST(draw_path, fills_between_two_straight_sides_as_it_fills_anything) {
             return n % 4 == 0 ? l3d_point_2d{std::round(p.x), std::round(p.y)} : p;
         };
         l3d_path path;
-        for (int k = 0; k < 3 + n % 2; ++k)
-            k == 0 ? path.move_to(corner()) : path.line_to(corner());
+        if (n % 8 < 4) {
+            for (int k = 0; k < 3 + n % 2; ++k)
+                k == 0 ? path.move_to(corner()) : path.line_to(corner());
+        } else {
+            const double radius = std::exp(uniform(random, -2, 4));
+            path.arc_to(corner(), {radius, n % 5 == 0 ? radius / 20 : radius},
+                        uniform(random, 0, 3), 0, n % 3 == 0 ? 3 : 2 * std::numbers::pi);
+        }
         path.close();
         l3d_path more = path;
-        for (std::size_t k = 0; k < square.size(); ++k)
-            k == 0 ? more.move_to(square[k]) : more.line_to(square[k]);
-        more.close();
+        more.add_polygon(std::array<l3d_point_2d, 2>{{{-1, -1}, {columns, rows}}});
         const l3d_fill fill{.color = 0x00ffffff, .alpha = n % 7 == 0 ? 0.5 : 1};
         at_once.draw.draw_path(path, fill);
         one_by_one.draw.draw_path(more, fill);
         for (int y = 0; y < rows; ++y)
             for (int column = 0; column < columns; ++column)
-                if (column < 85 || y < 65) {
-                    ASSERT_NEAR(at_once.at(column, y) & 255, one_by_one.at(column, y) & 255, 1)
-                        << n << ": " << column << ", " << y;
-                }
+                ASSERT_NEAR(at_once.at(column, y) & 255, one_by_one.at(column, y) & 255, 1)
+                    << n << ": " << column << ", " << y;
         ASSERT_TRUE(at_once.guards_intact());
     }
+}
+
+/// Those that meet no other are filled by themselves.
+TEST(draw_path, fills_many_outlines_as_it_fills_each) {
+    constexpr int columns = 60, rows = 40;
+    std::mt19937 random(13);
+    for (int n = 0; n < 400; ++n) {
+        canvas together(columns, rows), each(columns, rows);
+        const l3d_fill fill{.color = 0x00ffffff, .inside = l3d_winding::even_odd};
+        l3d_path all;
+        for (int y = 5; y < rows; y += 10)
+            for (int x = 5; x < columns; x += 10) {
+                l3d_path one;
+                const l3d_point_2d center{x + uniform(random, -1, 1), y + uniform(random, -1, 1)};
+                if (random() % 3 == 0) { // turns up or down twice
+                    one.arc_to(center, {3, 3}, uniform(random, 0, 6), 0, 4);
+                    one.line_to(center);
+                    one.close();
+                } else {
+                    one.add_circle(center, uniform(random, 0, 3));
+                }
+                all.add(one);
+                each.draw.draw_path(one, fill);
+            }
+        together.draw.draw_path(all, fill);
+        for (int y = 0; y < rows; ++y)
+            for (int x = 0; x < columns; ++x)
+                ASSERT_NEAR(together.at(x, y) & 255, each.at(x, y) & 255, 1) << n;
+    }
+}
+
+TEST(draw_path, shows_a_hole_where_outlines_overlap) {
+    canvas c(40, 40);
+    l3d_path path;
+    path.add_circle({20, 20}, 15);
+    path.add_circle({20, 20}, 5);
+    c.draw.draw_path(path, {.color = 0x00ffffff, .inside = l3d_winding::even_odd});
+    EXPECT_EQ(c.at(20, 20), 0u);
+    EXPECT_EQ(c.at(30, 20), 0x00ffffffu);
 }
 
 TEST(draw_path, mixes_colours_alike_with_all_vector_instructions) {
@@ -312,6 +385,9 @@ TEST(draw_path, draws_nothing_of_what_is_no_number_or_has_no_area) {
     path.move_to({2, 2});
     path.line_to({nan, 10});
     path.line_to({10, 4});
+    c.draw.draw_path(path, {});
+    path.clear();
+    path.add_polygon(std::array<l3d_point_2d, 3>{{{2, 2}, {10, nan}, {10, 4}}});
     c.draw.draw_path(path, {});
     path.clear();
     path.close();

@@ -13,6 +13,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace {
@@ -26,8 +27,7 @@ std::size_t chains_of(const corners& c) {
     l3d_detail::path_chains chains;
     chains.clear(width, height);
     chains.begin(c[0]);
-    for (std::size_t i = 1; i < c.size(); ++i)
-        chains.line(c[i]);
+    chains.lines(std::span(c).subspan(1));
     chains.end(0);
     return chains.chains().size();
 }
@@ -106,6 +106,40 @@ TEST(path_chains, begin_wherever_an_outline_turns) {
         star.push_back({7 + 5 * std::sin(i * 0.8 * std::numbers::pi),
                         5 - 5 * std::cos(i * 0.8 * std::numbers::pi)});
     EXPECT_EQ(chains_of(star), 4u);
+}
+
+/// How many outlines are apart from all others.
+std::size_t apart_of(const std::vector<corners>& outlines) {
+    l3d_detail::path_chains chains;
+    chains.clear(1000, 100);
+    for (const corners& c : outlines) {
+        chains.begin(c[0]);
+        chains.lines(std::span(c).subspan(1));
+        chains.end(0);
+    }
+    chains.find_apart();
+    return static_cast<std::size_t>(
+        std::ranges::count_if(chains.outlines(), [](const auto& o) { return o.apart; }));
+}
+
+TEST(path_chains, know_outlines_that_share_no_pixel_with_the_box_of_another) {
+    const auto square = [](double x, double y) {
+        return corners{{x, y}, {x + 2.5, y}, {x + 2.5, y + 2.5}, {x, y + 2.5}};
+    };
+    EXPECT_EQ(apart_of({square(3, 3)}), 1u);
+    EXPECT_EQ(apart_of({square(3, 3), square(6, 3), square(3, 6)}), 3u);
+    EXPECT_EQ(apart_of({square(3, 3), square(5.6, 3), square(30, 3)}), 1u);
+    EXPECT_EQ(apart_of({square(3, 3), square(3, 5.6), square(30, 3)}), 1u);
+    EXPECT_EQ(apart_of({square(3, 3), square(3, 3), square(3, 60)}), 1u);
+    EXPECT_EQ(apart_of({square(3, 3), square(-20, 3)}), 2u); // at the left side it has no area
+    // Very many beside each other are not looked at.
+    std::vector<corners> many;
+    for (int i = 0; i < 200; ++i)
+        many.push_back(square(4 * i, 3));
+    EXPECT_EQ(apart_of(many), 0u);
+    for (std::size_t i = 0; i < many.size(); ++i)
+        many[i] = square(4.0 * double(i % 20), 4.0 * double(i / 20));
+    EXPECT_EQ(apart_of(many), 200u);
 }
 
 TEST(path_chains, are_none_where_nothing_is_seen) {

@@ -4,10 +4,12 @@
 #include "raster/paths/flat_curve_p.h"
 #include "raster/paths/stroke.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <span>
 #include <utility>
 
 namespace {
@@ -35,7 +37,7 @@ std::vector<chord> chords_of(const l3d_path& path) {
     const auto go = [&](l3d_point_2d to) { result.push_back({std::exchange(last, to), to}); };
     l3d_detail::visit_flat(
         path, l3d_flat_enough, {-1e9, -1e9, 1e9, 1e9}, [&](l3d_point_2d p) { begin = last = p; },
-        go,
+        [&](std::span<const l3d_point_2d> ends) { std::ranges::for_each(ends, go); },
         [&](bool closed) {
             if (closed)
                 go(begin);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <span>
 
 namespace stability {
 namespace {
@@ -65,9 +66,9 @@ public:
     chord_judge(const l3d_curve_2d& c, std::int64_t every) : exact_(c), every_(every) {}
 
     void follow(const l3d_curve_2d& c, const digits& from, const digits& to) {
-        const double steps = flat_steps(c, l3d_flat_enough);
+        const l3d_detail::flat_plan plan = flat_steps(c, l3d_flat_enough);
         const bool is_seen = !seen.misses(c);
-        if (is_seen && steps > l3d_detail::most_flat_steps) {
+        if (is_seen && plan.halved) {
             const auto [first, second] = c.split();
             const digits middle = (from + to) / 2;
             follow(first, from, middle);
@@ -75,17 +76,22 @@ public:
             return;
         }
         std::vector<l3d_point_2d> ends{l3d_detail::projected(c.points[0])};
-        l3d_detail::flatten(c, l3d_flat_enough, seen,
-                            [&](l3d_point_2d to_here) { ends.push_back(to_here); });
-        const auto count = static_cast<std::int64_t>(ends.size()) - 1;
-        for (std::int64_t i = 0; i < count; ++i)
+        l3d_detail::flatten(c, l3d_flat_enough, seen, [&](std::span<const l3d_point_2d> some) {
+            ends.insert(ends.end(), some.begin(), some.end());
+        });
+        const std::size_t count = ends.size() - 1;
+        const auto place = [count](std::size_t step) { // what flat_step says
+            if (step == 0 || step == count)
+                return digits(step == 0 ? 0 : 1);
+            return (static_cast<double>(step - 1) + l3d_detail::flat_step_at_ends) *
+                   digits(l3d_detail::flat_step(count));
+        };
+        for (std::size_t i = 0; i < count; ++i)
             if (chords_++ % every_ == 0 && is_seen)
-                for (const double part : {0.25, 0.5, 0.75}) {
-                    const digits t =
-                        from + (to - from) * ((static_cast<double>(i) + part) / digits(count));
-                    measured_ = std::max(measured_,
-                                         distance(exact_.at(t), ends[static_cast<std::size_t>(i)],
-                                                  ends[static_cast<std::size_t>(i) + 1]));
+                for (const double part : {0.0, 0.25, 0.5, 0.75}) {
+                    const digits within = place(i) + (place(i + 1) - place(i)) * part;
+                    const digits t = from + (to - from) * within;
+                    measured_ = std::max(measured_, distance(exact_.at(t), ends[i], ends[i + 1]));
                 }
     }
 

@@ -3,13 +3,14 @@
 #ifndef L3D_RASTER_PATHS_FLAT_CURVE_P_H
 #define L3D_RASTER_PATHS_FLAT_CURVE_P_H
 
-#include "geom/forward_difference.h"
 #include "raster/paths/path.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <span>
 
 namespace l3d_detail {
 
@@ -40,75 +41,66 @@ inline bool is_plain(const l3d_curve_2d& curve) {
     return std::ranges::all_of(curve.points, [](const auto& p) { return p[2] == 1; });
 }
 
-/// How many equal steps of the parameter keep a curve within a distance of its chords; in double,
-/// as it may be too many.
-///
-/// A homogeneous chord over a step h errs by at most h^2 / 8 times the second derivative, which is
-/// at most 6 times the largest second difference. The place on the chord then errs by at most (dx +
-/// r dw) / w: seen from the middle of the curve's ends, no place is farther away than r.
-double flat_steps(const l3d_curve_2d& curve, double distance);
+/// Steps of the parameter that a curve goes from 0 to 1 in.
+struct flat_plan {
+    double steps; ///< a whole number, but it may be too many for an integer
+    bool halved;  ///< the curve is halved, and each half takes what it needs by itself
+};
 
-/// The steps that are walked by forward differences before a curve is begun exactly again. So few
-/// keep rounding below 2^-40 of the coordinates.
-inline constexpr int most_flat_steps = 16;
-
-/// Calls line(point) for the end of each chord. What is not seen becomes one chord.
+/// Finds how many steps keep the chords between their ends within a distance of the curve.
 ///
-/// A half needs at most half the steps: about the same origin, its second differences are a
-/// quarter. Where weights differ, a half may need far less: the bound has their smallest.
-/// Expects: steps that keep the distance, a whole number but for being a double.
-template <class Line>
-void flatten_in(double steps, const l3d_curve_2d& curve, double distance, const seen_box& seen,
-                const Line& line) {
-    if (steps > 1 && !seen.misses(curve)) {
-        const bool plain = is_plain(curve);
-        if (steps > most_flat_steps) {
-            const double half = std::ceil(steps / 2);
-            const auto go = [&](const l3d_curve_2d& part) {
-                flatten_in(plain ? half : std::min(half, flat_steps(part, distance)), part,
-                           distance, seen, line);
-            };
+/// The ends are moved off the curve, to the outer side of its bend, so that chords err to both
+/// sides alike. NUMERICS.md, section 20.
+flat_plan flat_steps(const l3d_curve_2d& curve, double distance);
+
+/// The first and the last step of several are this long, if the others are 1: the curve's own ends
+/// stay where they are. That is (1 + sqrt 2) / sqrt 8.
+inline constexpr double flat_step_at_ends = (1 + std::numbers::sqrt2) / (2 * std::numbers::sqrt2);
+
+/// How long a step of so many is that go from 0 to 1, but for those at the ends.
+/// Expects: at least 2.
+constexpr double flat_step(std::size_t steps) {
+    return 1 / (static_cast<double>(steps - 2) + 2 * flat_step_at_ends);
+}
+
+/// The steps of a curve that is not halved.
+inline constexpr std::size_t most_flat_steps = 64;
+
+/// So many points are found together.
+inline constexpr std::size_t flat_points_at_once = 8;
+
+/// Finds the points between steps, that is one less.
+/// Shape:   there is room for flat_points_at_once more.
+void find_flat_points(const l3d_curve_2d& curve, std::size_t steps, l3d_point_2d* points);
+
+/// Calls lines(points) for the ends of chords, some at a time. What is not seen becomes one chord.
+template <class Lines>
+void flatten(const l3d_curve_2d& curve, double distance, const seen_box& seen, const Lines& lines) {
+    std::array<l3d_point_2d, most_flat_steps + flat_points_at_once> points;
+    std::size_t count = 1;
+    const flat_plan plan = flat_steps(curve, distance);
+    if (plan.steps > 1 && !seen.misses(curve)) {
+        if (plan.halved) {
             const auto [first, second] = curve.split();
-            go(first);
-            return go(second);
+            flatten(first, distance, seen, lines);
+            return flatten(second, distance, seen, lines);
         }
-        const int count = static_cast<int>(steps);
-        std::array<l3d_forward_difference<double, 3>, 3> walk;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int i = static_cast<int>(k);
-            walk[k] = l3d_forward_difference<double, 3>::build(
-                {curve.points[0][i], curve.points[1][i], curve.points[2][i], curve.points[3][i]},
-                count);
-        }
-        for (int step = 1; step < count; ++step) {
-            walk[0].step();
-            walk[1].step();
-            walk[2].step();
-            if (plain)
-                line(l3d_point_2d{walk[0].value(), walk[1].value()});
-            else
-                line(l3d_point_2d{walk[0].value() / walk[2].value(),
-                                  walk[1].value() / walk[2].value()});
-        }
+        count = static_cast<std::size_t>(plan.steps);
+        find_flat_points(curve, count, points.data());
     }
-    line(projected(curve.points[3]));
+    points[count - 1] = projected(curve.points[3]);
+    lines(std::span<const l3d_point_2d>(points.data(), count));
 }
 
-/// The same for a whole curve.
-template <class Line>
-void flatten(const l3d_curve_2d& curve, double distance, const seen_box& seen, const Line& line) {
-    flatten_in(flat_steps(curve, distance), curve, distance, seen, line);
-}
-
-/// Calls begin(point), line(point) and end(closed) for each outline of a path.
-template <class Begin, class Line, class End>
+/// Calls begin(point), lines(points) and end(closed) for each outline of a path.
+template <class Begin, class Lines, class End>
 void visit_flat(const l3d_path& path, double distance, const seen_box& seen, const Begin& begin,
-                const Line& line, const End& end) {
+                const Lines& lines, const End& end) {
     struct {
         const double distance;
         const seen_box& seen;
         const Begin& begin_outline;
-        const Line& add_line;
+        const Lines& add_lines;
         const End& end_outline;
         bool open = false;
 
@@ -117,8 +109,8 @@ void visit_flat(const l3d_path& path, double distance, const seen_box& seen, con
             begin_outline(to);
             open = true;
         }
-        void line(l3d_point_2d to) { add_line(to); }
-        void curve(const l3d_curve_2d& c) { flatten(c, distance, seen, add_line); }
+        void lines(std::span<const l3d_point_2d> to) { add_lines(to); }
+        void curve(const l3d_curve_2d& c) { flatten(c, distance, seen, add_lines); }
         void close() {
             end_outline(true);
             open = false;
@@ -127,7 +119,7 @@ void visit_flat(const l3d_path& path, double distance, const seen_box& seen, con
             if (open)
                 end_outline(false);
         }
-    } visitor{distance, seen, begin, line, end};
+    } visitor{distance, seen, begin, lines, end};
     path.visit(visitor);
     visitor.finish();
 }

@@ -126,6 +126,6 @@ void l3d_path::clear() {
 
 bool l3d_path::is_number() const {
     const auto is_point = [](l3d_point_2d p) { return !std::isnan(p.x) && !std::isnan(p.y); };
-    return std::ranges::all_of(points_, is_point) &&
+    return (all_within_reach() || std::ranges::all_of(points_, is_point)) &&
            std::ranges::all_of(weights_, [](double w) { return w > 0 && std::isfinite(w); });
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -89,13 +90,20 @@ public:
     bool is_number() const;
 
     /// Calls visit.move(point), visit.line(point), visit.curve(l3d_curve_2d) and visit.close() for
-    /// each piece in order. Coordinates beyond +-2^30 are moved to that.
+    /// each piece in order. Coordinates beyond +-2^30 are moved to that. A visitor that has
+    /// lines(std::span<const l3d_point_2d>) gets many lines at once.
     template <class Visitor> void visit(Visitor& visitor) const;
 
 private:
+    static constexpr double most = 1 << 30;
     static l3d_point_2d within_reach(l3d_point_2d p) {
-        constexpr double most = 1 << 30;
         return {std::clamp(p.x, -most, most), std::clamp(p.y, -most, most)};
+    }
+    bool all_within_reach() const {
+        std::size_t within = 0; // counts to the end, as comparisons go in lanes
+        for (const l3d_point_2d& p : points_)
+            within += (std::abs(p.x) <= most ? 1U : 0U) + (std::abs(p.y) <= most ? 1U : 0U);
+        return within == 2 * points_.size();
     }
     static l3d_curve_2d::point weighted(l3d_point_2d p, double weight) {
         return {p.x * weight, p.y * weight, weight};
@@ -110,13 +118,26 @@ private:
 };
 
 template <class Visitor> void l3d_path::visit(Visitor& visitor) const {
+    constexpr bool takes_lines = requires {
+        visitor.lines(std::span<const l3d_point_2d>());
+    };
+    bool many = false;
+    if constexpr (takes_lines)
+        many = all_within_reach();
     const l3d_point_2d* point = points_.data();
     const double* weight = weights_.data();
     l3d_point_2d last{};
-    for (const kind k : kinds_) {
-        if (k == kind::close) {
+    const auto go = [&](std::span<const l3d_point_2d> to) {
+        if constexpr (takes_lines)
+            visitor.lines(to);
+        else
+            visitor.line(to.front());
+        last = to.back();
+    };
+    for (auto k = kinds_.begin(); k != kinds_.end(); ++k) {
+        if (*k == kind::close) {
             visitor.close();
-        } else if (k == kind::curve) {
+        } else if (*k == kind::curve) {
             visitor.curve(
                 l3d_curve_2d{{weighted(last, 1), weighted(within_reach(point[0]), weight[0]),
                               weighted(within_reach(point[1]), weight[1]),
@@ -124,12 +145,17 @@ template <class Visitor> void l3d_path::visit(Visitor& visitor) const {
             weight += 3;
             last = within_reach(point[2]);
             point += 3;
-        } else {
+        } else if (*k == kind::move) {
             last = within_reach(*point++);
-            if (k == kind::move)
-                visitor.move(last);
-            else
-                visitor.line(last);
+            visitor.move(last);
+        } else if (many) {
+            const auto end = std::find_if(k, kinds_.end(), [](kind c) { return c != kind::line; });
+            go({point, static_cast<std::size_t>(end - k)});
+            point += end - k;
+            k = end - 1;
+        } else {
+            const l3d_point_2d to = within_reach(*point++);
+            go({&to, 1});
         }
     }
 }

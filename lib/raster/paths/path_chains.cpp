@@ -22,18 +22,10 @@ chain::chain(const l3d_point_2d* all, std::size_t first, std::size_t last, std::
     piece_.leaves = all[next_ - step_];
     end_ = 0;
     if (piece_.leaves.y < 0) {
-        take_edge(piece_.leaves, all[next_]);
-        piece_.leaves = {x_at(0), 0};
+        edge_ = straight_edge(piece_.leaves, all[next_]);
+        end_ = all[next_].y;
+        piece_.leaves = {edge_.x_at(0), 0};
     }
-}
-
-void chain::take_edge(l3d_point_2d from, l3d_point_2d to) {
-    x0_ = from.x;
-    y0_ = from.y;
-    end_ = to.y;
-    slope_ = (to.x - from.x) / (to.y - from.y);
-    least_ = std::min(from.x, to.x);
-    most_ = std::max(from.x, to.x);
 }
 
 void chain::enter_at_corners(std::int32_t row, const l3d_point_2d* all) {
@@ -59,78 +51,121 @@ void chain::enter_at_corners(std::int32_t row, const l3d_point_2d* all) {
     } else if (all[next_].y == row_end) {
         piece_.leaves = all[next_];
     } else {
-        take_edge(all[next_ - step_], all[next_]);
-        piece_.leaves = {x_at(row_end), row_end};
+        edge_ = straight_edge(all[next_ - step_], all[next_]);
+        end_ = all[next_].y;
+        piece_.leaves = {edge_.x_at(row_end), row_end};
     }
     piece_.left = std::min(left, piece_.leaves.x);
     piece_.right = std::max(right, piece_.leaves.x);
 }
 
-void path_chains::clear(std::int32_t width, std::int32_t height) {
+void path_chains::clear(std::int32_t width, std::int32_t height, l3d_point_2d move) {
     width_ = width;
     height_ = height;
+    move_ = move;
     corners_.clear();
     chains_.clear();
+    outlines_.clear();
 }
 
 void path_chains::begin(l3d_point_2d corner) {
-    first_ = last_ = corner;
     outline_ = corners_.size();
-    corners_.push_back({std::clamp(corner.x, 0.0, width_), corner.y});
+    corners_.push_back(corner);
 }
 
-void path_chains::go(l3d_point_2d to, bool keep_end) {
-    const l3d_point_2d from = last_;
-    const double left = std::min(from.x, to.x), right = std::max(from.x, to.x);
-    const auto cross = [&](double side) {
-        if (left < side && side < right) {
-            const double y = from.y + (side - from.x) * ((to.y - from.y) / (to.x - from.x));
-            corners_.push_back(
-                {side, std::clamp(y, std::min(from.y, to.y), std::max(from.y, to.y))});
-        }
-    };
-    if (left < 0 || right > width_) {
+/// Moves the corners of the outline.
+path_chains::columns path_chains::move_corners() {
+    const auto corners = std::span(corners_).subspan(outline_);
+    const double dx = move_.x, dy = move_.y;
+    double least = corners[0].x + dx, most = least;
+    for (l3d_point_2d& c : corners) {
+        c = {c.x + dx, c.y + dy};
+        least = std::min(least, c.x);
+        most = std::max(most, c.x);
+    }
+    return {least, most};
+}
+
+void path_chains::cut_at_sides() {
+    uncut_.assign(corners_.begin() + static_cast<std::ptrdiff_t>(outline_), corners_.end());
+    corners_.resize(outline_);
+    l3d_point_2d from = uncut_[0];
+    for (const l3d_point_2d& to : uncut_) {
+        const double left = std::min(from.x, to.x), right = std::max(from.x, to.x);
+        const auto cross = [&](double side) {
+            if (left < side && side < right) {
+                const double y = from.y + (side - from.x) * ((to.y - from.y) / (to.x - from.x));
+                corners_.push_back(
+                    {side, std::clamp(y, std::min(from.y, to.y), std::max(from.y, to.y))});
+            }
+        };
         cross(from.x < to.x ? 0 : width_);
         cross(from.x < to.x ? width_ : 0);
-    }
-    if (keep_end)
         corners_.push_back({std::clamp(to.x, 0.0, width_), to.y});
-    last_ = to;
+        from = to;
+    }
 }
 
 /// Chains begin at an edge that is not level, where the last one that was not led the other way.
 /// The outline's first corners are there again behind its last one, up to the first turn: so each
 /// chain's corners are beside each other.
 void path_chains::end(std::uint8_t layer) {
-    go(first_, false);
-    corners_.push_back(corners_[outline_]);
-    const std::size_t last = corners_.size() - 1;
-    const auto way_of = [this](std::size_t edge) {
-        const double dy = corners_[edge + 1].y - corners_[edge].y;
-        return (dy > 0) - (dy < 0);
+    const l3d_point_2d closing = corners_[outline_];
+    corners_.push_back(closing);
+    const columns reached = move_corners();
+    if (reached.least < 0 || reached.most > width_)
+        cut_at_sides();
+    const std::size_t last = corners_.size() - 1, before = chains_.size();
+    // The next edge that leads the other way, or the last corner.
+    const auto turn_from = [](const l3d_point_2d* at, const l3d_point_2d* end, bool down) {
+        if (down)
+            while (at != end && at[1].y >= at[0].y)
+                ++at;
+        else
+            while (at != end && at[1].y <= at[0].y)
+                ++at;
+        return at;
     };
-    int way = 0;
+    const auto place_of_turn = [&](std::size_t from, std::size_t end, bool down) {
+        const l3d_point_2d* const all = corners_.data();
+        return static_cast<std::size_t>(turn_from(all + from, all + end, down) - all);
+    };
     std::size_t begin = outline_;
-    for (; begin < last; ++begin) {
-        const int next = way_of(begin);
-        if (next * way < 0)
-            break;
-        way = next != 0 ? next : way;
-    }
+    while (begin < last && corners_[begin].y == corners_[begin + 1].y)
+        ++begin;
     if (begin == last)
-        return; // it is level, or has one edge
-    for (std::size_t i = outline_ + 1; i <= begin; ++i)
-        corners_.push_back(corners_[i]);
-    bool down = way < 0;
-    for (std::size_t edge = begin + 1; edge < corners_.size() - 1; ++edge) {
-        const double dy = corners_[edge + 1].y - corners_[edge].y;
-        if (down ? dy < 0 : dy > 0) {
-            add_chain(begin, edge, down, layer);
-            begin = edge;
-            down = !down;
-        }
+        return; // it is level
+    bool down = corners_[begin].y < corners_[begin + 1].y;
+    begin = place_of_turn(begin, last, down);
+    const std::size_t again = begin - outline_;
+    corners_.resize(corners_.size() + again);
+    std::copy_n(corners_.begin() + static_cast<std::ptrdiff_t>(outline_ + 1), again,
+                corners_.end() - static_cast<std::ptrdiff_t>(again));
+    const std::size_t end = corners_.size() - 1;
+    while (begin != end) {
+        down = !down;
+        const std::size_t turn = place_of_turn(begin, end, down);
+        add_chain(begin, turn, down, layer);
+        begin = turn;
     }
-    add_chain(begin, corners_.size() - 1, down, layer);
+    if (chains_.size() > before)
+        add_outline(before, reached);
+}
+
+/// The columns that it reaches, and the rows.
+void path_chains::add_outline(std::size_t first, const columns& reached) {
+    std::int32_t top = height_, bottom = 0;
+    for (std::size_t i = first; i < chains_.size(); ++i) {
+        top = std::min(top, chains_[i].top());
+        bottom = std::max(bottom, chains_[i].bottom());
+    }
+    const auto column = [this](double x) {
+        return static_cast<std::int32_t>(std::clamp(x, 0.0, width_));
+    };
+    outlines_.push_back({{column(reached.least), top, column(reached.most) + 1, bottom},
+                         first,
+                         chains_.size() - first,
+                         false});
 }
 
 void path_chains::add_chain(std::size_t first, std::size_t last, bool down, std::uint8_t layer) {
@@ -140,22 +175,59 @@ void path_chains::add_chain(std::size_t first, std::size_t last, bool down, std:
         chains_.emplace_back(corners_.data(), first, last, height_, layer);
 }
 
+/// Goes down the outlines by their tops. Those that have begun and not ended are looked at.
+void path_chains::find_apart() {
+    const auto is_pair = [](const outline& o) { return o.chains == 2; };
+    if (std::ranges::none_of(outlines_, is_pair))
+        return;
+    std::ranges::sort(outlines_, {}, [](const outline& o) { return o.box.top; });
+    // Where very many are beside each other, looking at all costs more than it saves.
+    std::size_t looks = 64 * outlines_.size();
+    active_.clear();
+    for (outline& next : outlines_) {
+        next.apart = true;
+        std::size_t kept = 0;
+        for (outline* const other : active_) {
+            if (other->box.bottom <= next.box.top)
+                continue;
+            active_[kept++] = other;
+            if (!other->box.intersected(next.box).empty())
+                next.apart = other->apart = false;
+        }
+        if (looks < active_.size()) {
+            for (outline& o : outlines_)
+                o.apart = false;
+            return;
+        }
+        looks -= active_.size();
+        active_.resize(kept);
+        active_.push_back(&next);
+    }
+}
+
 /// Counts the chains of each row, then puts them where their row begins.
 std::int32_t path_chains::sort() {
-    top_ = 0;
-    if (chains_.empty())
-        return 0;
-    top_ = std::ranges::min_element(chains_, {}, &chain::top)->top();
-    const std::int32_t bottom = std::ranges::max_element(chains_, {}, &chain::bottom)->bottom();
+    const auto is_left_out = [](const chain& c) { return c.top() == c.bottom(); };
+    top_ = height_;
+    std::int32_t bottom = 0;
+    for (const chain& c : chains_)
+        if (!is_left_out(c)) {
+            top_ = std::min(top_, c.top());
+            bottom = std::max(bottom, c.bottom());
+        }
+    if (top_ >= bottom)
+        return top_;
     begins_.assign(static_cast<std::size_t>(bottom - top_) + 2, 0);
     for (const chain& c : chains_)
-        ++begins_[static_cast<std::size_t>(c.top() - top_) + 2];
+        if (!is_left_out(c))
+            ++begins_[static_cast<std::size_t>(c.top() - top_) + 2];
     for (std::size_t row = 2; row < begins_.size(); ++row)
         begins_[row] += begins_[row - 1];
-    order_.resize(chains_.size());
+    order_.resize(begins_.back());
     for (std::size_t i = 0; i < chains_.size(); ++i)
-        order_[begins_[static_cast<std::size_t>(chains_[i].top() - top_) + 1]++] =
-            static_cast<std::uint32_t>(i);
+        if (!is_left_out(chains_[i]))
+            order_[begins_[static_cast<std::size_t>(chains_[i].top() - top_) + 1]++] =
+                static_cast<std::uint32_t>(i);
     return bottom;
 }
 

@@ -4,7 +4,7 @@
 #define L3D_RASTER_PATHS_PATH_CHAINS_P_H
 
 #include "raster/paths/path.h"
-#include "raster/paths/side_rows_p.h"
+#include "tool_2d/pixels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +50,19 @@ struct row_piece {
     }
 };
 
+/// Where an edge is at a height within it. It never leaves its ends.
+struct straight_edge {
+    double x0 = 0, y0 = 0, slope = 0, least = 0, most = 0;
+
+    straight_edge() = default;
+    /// Expects: from.y < to.y.
+    straight_edge(l3d_point_2d from, l3d_point_2d to)
+        : x0(from.x), y0(from.y), slope((to.x - from.x) / (to.y - from.y)),
+          least(std::min(from.x, to.x)), most(std::max(from.x, to.x)) {}
+
+    double x_at(double y) const { return std::clamp(x0 + (y - y0) * slope, least, most); }
+};
+
 /// A run of edges of an outline that never turns back up. It is walked row by row.
 class chain {
 public:
@@ -68,27 +81,23 @@ public:
 
     const row_piece& piece() const { return piece_; }
 
-    /// In how many rows, from the next one on, it is a side that side_rows can find.
-    std::int32_t straight_rows(std::int32_t next) const {
-        if (end_ <= next + 1 || std::abs(slope_) > most_side_slope)
-            return 0;
-        return static_cast<std::int32_t>(std::ceil(end_)) - 1 - next;
-    }
-    /// The side. Expects: straight_rows() > 0.
-    straight_side side(bool is_left) const { return {x0_, y0_, slope_, least_, most_, is_left}; }
-    /// Goes past rows in which it is one, so that `next` is the next to be entered.
-    void skip_to(std::int32_t next) { piece_.leaves = {x_at(next), static_cast<double>(next)}; }
+    /// Goes to a row in which it is this. For those that walk it by themselves.
+    void take_piece(const row_piece& piece) { piece_ = piece; }
+    /// The next corner that it leads to, the place behind the last one, and the way there.
+    const l3d_point_2d* next_corner(const l3d_point_2d* all) const { return all + next_; }
+    const l3d_point_2d* behind(const l3d_point_2d* all) const { return all + last_ + step_; }
+    std::ptrdiff_t step() const { return step_; }
+    /// It reaches no row any more.
+    void leave_out() { bottom_ = top_; }
 
 private:
-    double x_at(double y) const { return std::clamp(x0_ + (y - y0_) * slope_, least_, most_); }
-    void take_edge(l3d_point_2d from, l3d_point_2d to);
     void enter_at_corners(std::int32_t row, const l3d_point_2d* all);
 
     std::ptrdiff_t next_; ///< the corner that it leads to
     std::ptrdiff_t last_, step_;
     std::int32_t top_ = 0, bottom_ = 0;
     /// The edge that it leaves the row by, if that goes on to `end_`: where it is at a height.
-    double x0_ = 0, y0_ = 0, slope_ = 0, least_ = 0, most_ = 0;
+    straight_edge edge_;
     double end_;
     row_piece piece_{};
 };
@@ -98,7 +107,7 @@ inline void chain::enter(std::int32_t row, const l3d_point_2d* all) {
     if (end_ <= row_end)
         return enter_at_corners(row, all);
     piece_.enters = piece_.leaves;
-    piece_.leaves = {x_at(row_end), row_end};
+    piece_.leaves = {edge_.x_at(row_end), row_end};
     piece_.left = std::min(piece_.enters.x, piece_.leaves.x);
     piece_.right = std::max(piece_.enters.x, piece_.leaves.x);
     piece_.corners.count = 0;
@@ -111,18 +120,13 @@ inline void chain::enter(std::int32_t row, const l3d_point_2d* all) {
 /// Cost:    linear in the corners; allocates when there are more than ever before.
 class path_chains {
 public:
-    /// No chain is left.
-    void clear(std::int32_t width, std::int32_t height);
+    /// No chain is left. All corners will be moved.
+    void clear(std::int32_t width, std::int32_t height, l3d_point_2d move = {});
 
     /// Begins an outline, goes on with it, and closes it.
     void begin(l3d_point_2d corner);
-    void line(l3d_point_2d corner) {
-        if (is_between_sides(corner) && is_between_sides(last_)) {
-            corners_.push_back(corner);
-            last_ = corner;
-        } else {
-            go(corner, true);
-        }
+    void lines(std::span<const l3d_point_2d> corners) {
+        corners_.insert(corners_.end(), corners.begin(), corners.end());
     }
     void end(std::uint8_t layer);
 
@@ -130,25 +134,43 @@ public:
     std::span<chain> chains() { return chains_; }
     const l3d_point_2d* corners() const { return corners_.data(); }
 
+    /// An outline that is seen.
+    struct outline {
+        l3d_pixel_box box;         ///< of all pixels that it reaches
+        std::size_t first, chains; ///< its chains, and how many
+        bool apart;                ///< by find_apart: its box meets no other's
+    };
+    std::span<const outline> outlines() const { return outlines_; }
+    /// Finds outlines that are apart from all others, if one of two chains may be among them.
+    void find_apart();
+
     /// Sorts the chains by their top rows. Gives the row behind the last.
     std::int32_t sort();
-    /// The first row of all; 0 without chains. Expects: sorted.
+    /// The first row of all. Expects: sorted.
     std::int32_t top() const { return top_; }
     /// The chains that begin in a row. Expects: sorted; top() or a later row.
     std::span<const std::uint32_t> begun_in(std::int32_t row) const;
 
 private:
-    bool is_between_sides(l3d_point_2d p) const { return p.x >= 0 && p.x <= width_; }
-    void go(l3d_point_2d to, bool keep_end);
+    /// How far an outline reaches.
+    struct columns {
+        double least, most;
+    };
+
+    columns move_corners();
+    void cut_at_sides();
     void add_chain(std::size_t first, std::size_t last, bool down, std::uint8_t layer);
+    void add_outline(std::size_t first, const columns& reached);
 
     double width_ = 0;
     std::int32_t height_ = 0;
     std::int32_t top_ = 0;
-    l3d_point_2d first_, last_;         ///< of the outline, not moved to the sides
-    std::size_t outline_ = 0;           ///< the place of its first corner
-    std::vector<l3d_point_2d> corners_; ///< moved
+    l3d_point_2d move_{};
+    std::size_t outline_ = 0; ///< the place of its first corner
+    std::vector<l3d_point_2d> corners_, uncut_;
     std::vector<chain> chains_;
+    std::vector<outline> outlines_;
+    std::vector<outline*> active_;
     std::vector<std::uint32_t> order_;
     std::vector<std::size_t> begins_; ///< of each row, the first place in order_
 };

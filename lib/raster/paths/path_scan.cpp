@@ -12,6 +12,31 @@
 
 namespace l3d_detail {
 
+namespace {
+
+/// Whether no point of one piece surely lies right of the other's at its height. Both lie between
+/// the same heights. Level edges give no answer.
+bool is_left_of(const row_piece& left, const row_piece& right) {
+    // Both are straight between their corners, so these tell.
+    const auto is_before = [](const row_piece& corners, const row_piece& edges, double way) {
+        bool before = true;
+        std::size_t i = 0;
+        edges.visit([&](const l3d_point_2d& from, const l3d_point_2d& to) {
+            before &= from.y < to.y || from.x == to.x;
+            for (; i < corners.corners.count && corners.corners[i].y <= to.y; ++i) {
+                const l3d_point_2d& corner = corners.corners[i];
+                const double x = from.y < to.y ? straight_edge(from, to).x_at(corner.y) : to.x;
+                before &= (x - corner.x) * way >= 0;
+            }
+        });
+        return before;
+    };
+    return left.enters.x <= right.enters.x && left.leaves.x <= right.leaves.x &&
+           is_before(left, right, 1) && is_before(right, left, -1);
+}
+
+} // namespace
+
 std::span<const covered_span> path_scan::convert(const order& wanted) {
     spans_.clear();
     values_.clear();
@@ -25,30 +50,23 @@ std::span<const covered_span> path_scan::convert(const order& wanted) {
         (wanted.clip != nullptr && !wanted.clip->is_number()))
         return {};
     areas_.set_width(width_);
-    chains_.clear(width_, height_);
+    chains_.clear(width_, height_, {0.5 - box_.left, 0.5 - box_.top});
     take_outlines(wanted.path, 0);
     if (wanted.clip != nullptr)
         take_outlines(*wanted.clip, 1);
-    if (chains_.chains().size() == 2 && wanted.clip == nullptr)
-        add_pair();
-    else
-        add_all();
-    values_.resize(values_.size() + most_lanes);
-    return spans_;
+    if (wanted.clip == nullptr)
+        add_pairs();
+    add_all();
+    values_.room(most_lanes);
+    return spans_.all();
 }
 
 /// Lattice: here pixel 0 is [0, 1), and its sample is its middle.
 void path_scan::take_outlines(const l3d_path& path, std::uint8_t layer) {
-    const double dx = 0.5 - box_.left, dy = 0.5 - box_.top;
-    const seen_box seen{-dx, -dy, width_ - dx, height_ - dy};
+    const seen_box seen{box_.left - 0.5, box_.top - 0.5, box_.right - 0.5, box_.bottom - 0.5};
     visit_flat(
-        path, l3d_flat_enough, seen,
-        [&](l3d_point_2d to) {
-            chains_.begin({to.x + dx, to.y + dy});
-        },
-        [&](l3d_point_2d to) {
-            chains_.line({to.x + dx, to.y + dy});
-        },
+        path, l3d_flat_enough, seen, [&](l3d_point_2d to) { chains_.begin(to); },
+        [&](std::span<const l3d_point_2d> to) { chains_.lines(to); },
         [&](bool) { chains_.end(layer); });
 }
 
@@ -61,92 +79,68 @@ void path_scan::add_all() {
     }
 }
 
-/// A single outline that only turns at its top and its bottom, as all convex ones do.
-void path_scan::add_pair() {
-    // As many rows as the narrower of the usual vectors, that of AVX2, has lanes.
-    constexpr std::int32_t few = 4;
-    chain& a = chains_.chains()[0];
-    chain& b = chains_.chains()[1];
-    for (std::int32_t row = a.top(); row < a.bottom();) {
-        const std::int32_t straight =
-            std::min({a.straight_rows(row), b.straight_rows(row), a.bottom() - row});
-        if (straight >= few) {
-            const bool a_is_left =
-                a.piece().leaves.x + a.side(true).slope <= b.piece().leaves.x + b.side(true).slope;
-            add_straight_rows(row, straight, a_is_left ? a : b, a_is_left ? b : a);
-            row += straight;
-        } else {
-            add_pair_row(row++, a, b);
-        }
-    }
+/// Outlines that no other is near, as far as they are of two chains.
+void path_scan::add_pairs() {
+    chains_.find_apart();
+    for (const path_chains::outline& o : chains_.outlines())
+        if (o.apart && o.chains == 2)
+            add_pair(chains_.chains()[o.first], chains_.chains()[o.first + 1]);
 }
 
-void path_scan::add_pair_row(std::int32_t row, chain& a, chain& b) {
-    a.enter(row, chains_.corners());
-    b.enter(row, chains_.corners());
-    if (a.piece().right <= b.piece().left) {
-        add_borders(row, a.piece(), b.piece());
-    } else if (b.piece().right <= a.piece().left) {
-        add_borders(row, b.piece(), a.piece());
+/// An outline that only turns at its top and its bottom, as all convex ones do.
+void path_scan::add_pair(chain& a, chain& b) {
+    std::array<side_walk, 2> walks{side_walk(a, chains_.corners()),
+                                   side_walk(b, chains_.corners())};
+    for (std::int32_t row = a.top(); row < a.bottom();) {
+        const auto count = std::min(side_block::rows, static_cast<std::size_t>(a.bottom() - row));
+        std::array<double, 2> places{walks[0].x(), walks[1].x()};
+        for (std::size_t i = 0; i < 2; ++i) {
+            walks[i].lay_out(row, count, blocks_[i]);
+            places[i] += walks[i].x();
+        }
+        const std::size_t left = places[0] <= places[1] ? 0 : 1;
+        const side_pair pair{{&blocks_[left], &blocks_[1 - left]},
+                             walks[0].begin(),
+                             walks[0].end(),
+                             row,
+                             count,
+                             width_,
+                             box_.left,
+                             box_.top,
+                             full_};
+        pair_spans result{spans_.room(count), values_.room(pair_spans::most_values * count),
+                          values_.size()};
+        const std::uint32_t others = cover_rows(pair, result);
+        spans_.use(result.span_count);
+        values_.use(result.value_count);
+        for (std::size_t lane = 0; lane < count; ++lane, ++row) {
+            if ((others >> lane & 1) == 0)
+                continue;
+            a.take_piece(walks[0].piece_of(blocks_[0], row, lane));
+            b.take_piece(walks[1].piece_of(blocks_[1], row, lane));
+            add_pair_row(row, a, b);
+        }
+    }
+    a.leave_out();
+    b.leave_out();
+}
+
+void path_scan::add_pair_row(std::int32_t row, const chain& a, const chain& b) {
+    const row_piece &one = a.piece(), &other = b.piece();
+    if (one.right <= other.left || is_left_of(one, other)) {
+        add_borders(row, one, other);
+    } else if (other.right <= one.left || is_left_of(other, one)) {
+        add_borders(row, other, one);
     } else {
-        places_ = {place_of(0), place_of(1)};
+        places_ = {place_of(a), place_of(b)};
         std::ranges::sort(places_, std::less<>());
         add_row(row);
     }
 }
 
-/// Rows in which both sides are straight. Where they are close together, they are left to others.
-void path_scan::add_straight_rows(std::int32_t row, std::int32_t count, chain& left, chain& right) {
-    // A span costs what some columns of values do.
-    constexpr std::int32_t few = 32, columns = side_row::columns;
-    const auto full = static_cast<std::uint8_t>(full_value_);
-    const auto rows = static_cast<std::size_t>(count);
-    left_rows_.resize(rows + side_row::at_once);
-    right_rows_.resize(rows + side_row::at_once);
-    find_side_rows(left.side(true), row, rows, full_, left_rows_.data());
-    find_side_rows(right.side(false), row, rows, full_, right_rows_.data());
-    std::size_t used = values_.size();
-    // Room for values comes for many rows at once, since new values are set to 0 first; not for
-    // all, since it is given back before a row that is left to others.
-    const auto put = [&](std::int32_t y, std::int32_t first, std::int32_t end) {
-        constexpr std::size_t row_values = few, rows_at_once = 64;
-        if (values_.size() < used + row_values)
-            values_.resize(used + rows_at_once * row_values);
-        spans_.push_back({y + box_.top, first + box_.left, end + box_.left, -1, used});
-        std::uint8_t* const value = values_.data() + used;
-        used += static_cast<std::size_t>(end - first);
-        return value;
-    };
-    for (std::size_t i = 0; i < rows; ++i) {
-        const side_row &l = left_rows_[i], &r = right_rows_[i];
-        const std::int32_t y = row + static_cast<std::int32_t>(i);
-        const std::int32_t between = l.first + columns, end = r.first + columns;
-        if (between > r.first || end > width_) {
-            values_.resize(used);
-            left.skip_to(y);
-            right.skip_to(y);
-            add_pair_row(y, left, right);
-            used = values_.size();
-        } else if (end - l.first <= few) {
-            std::uint8_t* const value = put(y, l.first, end);
-            std::uint8_t* const at_right = value + (r.first - l.first);
-            std::fill(std::ranges::copy(l.values, value).out, at_right, full);
-            std::ranges::copy(r.values, at_right);
-        } else {
-            std::ranges::copy(l.values, put(y, l.first, between));
-            spans_.push_back(
-                {y + box_.top, between + box_.left, r.first + box_.left, full_value_, 0});
-            std::ranges::copy(r.values, put(y, r.first, end));
-        }
-    }
-    values_.resize(used);
-    left.skip_to(row + count);
-    right.skip_to(row + count);
-}
-
 void path_scan::add_borders(std::int32_t row, const row_piece& left_piece,
                             const row_piece& right_piece) {
-    // A run of values costs a few nanoseconds, however short it is; so does a span beside it.
+    // A span costs what some columns of values do.
     constexpr std::int32_t few = 32;
     const auto reached = [](const row_piece& p) {
         return reached_columns{static_cast<std::int32_t>(p.left),
@@ -173,8 +167,9 @@ void path_scan::add_borders(std::int32_t row, const row_piece& left_piece,
 /// From one row to the next few pieces change places; new ones may be anywhere.
 void path_scan::begin_row(std::int32_t row) {
     const auto enter = [&](std::uint32_t index) {
-        chains_.chains()[index].enter(row, chains_.corners());
-        return place_of(index);
+        chain& entering = chains_.chains()[index];
+        entering.enter(row, chains_.corners());
+        return place_of(entering);
     };
     std::size_t kept = 0;
     for (const place& p : places_) {
@@ -328,13 +323,14 @@ bool path_scan::add_meeting(std::span<const place> places, const windings& left)
 
 /// A span of values that are still to be found.
 std::uint8_t* path_scan::add_values(std::int32_t row, const reached_columns& columns) {
-    const std::int32_t end = std::min(columns.last + 1, width_);
-    if (columns.first < end)
-        spans_.push_back(
-            {row + box_.top, columns.first + box_.left, end + box_.left, -1, values_.size()});
-    const std::size_t before = values_.size();
-    values_.resize(before + static_cast<std::size_t>(columns.last + 1 - columns.first));
-    return &values_[before];
+    const std::int32_t end = std::min(columns.last + 1, width_) + box_.left;
+    const std::int32_t first = columns.first + box_.left;
+    if (first < end)
+        spans_.push({row + box_.top, first, end, end, end, 0, values_.size()});
+    const auto count = static_cast<std::size_t>(columns.last + 1 - columns.first);
+    std::uint8_t* const values = values_.room(count);
+    values_.use(count);
+    return values;
 }
 
 /// Runs up the sums from what is covered on their left, and takes them back to 0. Gives what is
@@ -359,11 +355,11 @@ void path_scan::add_solid(std::int32_t row, std::int32_t first, std::int32_t end
     if (first >= end || value == 0)
         return;
     const std::int32_t y = row + box_.top, left = first + box_.left, right = end + box_.left;
-    if (!spans_.empty() && spans_.back().value == value && spans_.back().row == y &&
-        spans_.back().last == left)
-        spans_.back().last = right;
+    if (spans_.size() > 0 && spans_.back().value == value && spans_.back().row == y &&
+        spans_.back().beyond == left && spans_.back().last == left)
+        spans_.back().beyond = spans_.back().last = right;
     else
-        spans_.push_back({y, left, right, value, 0});
+        spans_.push({y, left, left, right, right, value, 0});
 }
 
 } // namespace l3d_detail

@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_PATHS_PATH_SCAN_P_H
 #define L3D_RASTER_PATHS_PATH_SCAN_P_H
 
+#include "raster/paths/covered_span_p.h"
 #include "raster/paths/path.h"
 #include "raster/paths/path_chains_p.h"
 #include "raster/paths/row_areas_p.h"
@@ -10,19 +11,13 @@
 #include "tool_2d/pixels.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace l3d_detail {
-
-/// Columns first <= column < last of a row, and how much of each is covered.
-struct covered_span {
-    std::int32_t row, first, last;
-    std::int32_t value; ///< of all columns; -1: values_of has one for each
-    std::size_t values; ///< where they begin
-};
 
 /// Turns paths into spans, exactly but for the distance of chords from curves and for rounding.
 ///
@@ -46,16 +41,14 @@ public:
         double full;       ///< the value of a pixel that is covered wholly: at most 255
     };
 
-    /// The spans from top to bottom and left to right, without overlap. Those that are not covered
+    /// The spans in any order, without overlap. Those that are not covered
     /// are left out.
     /// Lives:   until the next call.
     std::span<const covered_span> convert(const order& wanted);
 
-    /// The values of a span whose value is -1. As many may be read beyond its end as a vector has
-    /// lanes of 32 bits.
-    const std::uint8_t* values_of(const covered_span& span) const {
-        return values_.data() + span.values;
-    }
+    /// The values of columns that have their own. As many may be read beyond a span's as a vector
+    /// has lanes of 32 bits.
+    const std::uint8_t* values() const { return values_.data(); }
 
 private:
     static constexpr std::size_t most_lanes = 16; ///< of span_kernels' vectors
@@ -76,9 +69,9 @@ private:
     };
 
     void take_outlines(const l3d_path& path, std::uint8_t layer);
-    void add_pair();
-    void add_straight_rows(std::int32_t row, std::int32_t count, chain& left, chain& right);
-    void add_pair_row(std::int32_t row, chain& a, chain& b);
+    void add_pairs();
+    void add_pair(chain& a, chain& b);
+    void add_pair_row(std::int32_t row, const chain& a, const chain& b);
     void add_borders(std::int32_t row, const row_piece& left_piece, const row_piece& right_piece);
     void add_all();
     void begin_row(std::int32_t row);
@@ -88,9 +81,9 @@ private:
     void add_run(std::int32_t row, std::span<const place> places, bool overlap, windings& w);
     bool add_meeting(std::span<const place> places, const windings& left);
     void add_border(const row_piece& piece, int sign);
-    place place_of(std::uint32_t index) {
-        const row_piece& p = chains_.chains()[index].piece();
-        return {p.left, p.right, index};
+    place place_of(const chain& c) {
+        return {c.piece().left, c.piece().right,
+                static_cast<std::uint32_t>(&c - chains_.chains().data())};
     }
     const row_piece& piece_of(const place& p) { return chains_.chains()[p.chain].piece(); }
     std::uint8_t* add_values(std::int32_t row, const reached_columns& columns);
@@ -110,11 +103,11 @@ private:
     std::vector<place> places_; ///< of the row, from left to right
     std::vector<place> begun_, merged_;
     std::vector<row_edge> edges_;
-    std::vector<side_row> left_rows_, right_rows_;
     bool bordered_ = false; ///< the cluster has a border
     row_areas areas_;
-    std::vector<covered_span> spans_;
-    std::vector<std::uint8_t> values_;
+    std::array<side_block, 2> blocks_;
+    kept_list<covered_span> spans_;
+    kept_list<std::uint8_t> values_;
 };
 
 /// What l3d_rasterizer_2d::draw_path asks for, in a picture.

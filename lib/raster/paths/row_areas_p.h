@@ -142,6 +142,15 @@ inline void row_areas::add_border(double x0, double x1, double height) {
     }
     // From left to right: `passed` is how much of the height lies left of a column's right side.
     const double per_column = height / (right - left);
+    if (first + 1 == last) {
+        const double passed = (last - left) * per_column, rest = height - passed;
+        const double before = passed * ((left + last) / 2 - first);
+        const double beyond = rest * ((last + right) / 2 - last);
+        sum[0] += passed - before;
+        sum[1] += before + (rest - beyond);
+        sum[2] += beyond;
+        return;
+    }
     double from = left, before = 0;
     for (std::int32_t column = first; column <= last; ++column, ++sum) {
         const double to = std::min<double>(column + 1, right);

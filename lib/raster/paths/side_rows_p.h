@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// side_rows: how much of each pixel lies on the inner side of a straight side, many rows at once.
+// side_rows: what two chains of edges have between them, many rows at once.
 #ifndef L3D_RASTER_PATHS_SIDE_ROWS_P_H
 #define L3D_RASTER_PATHS_SIDE_ROWS_P_H
+
+#include "raster/paths/covered_span_p.h"
+#include "raster/paths/path_chains_p.h"
 
 #include <array>
 #include <cstddef>
@@ -9,33 +12,83 @@
 
 namespace l3d_detail {
 
-/// An edge in rows that it leads through from top to bottom.
+/// A chain in neighbouring rows of pixels, a lane a row.
 /// Units:   pixels; row r from y = r to r + 1.
-struct straight_side {
-    double x0, y0, slope; ///< x = x0 + (y - y0) slope,
-    double least, most;   ///< but between these
-    bool is_left;         ///< what is inside lies right of it
+struct side_block {
+    static constexpr std::size_t rows = 8;
+    static constexpr std::size_t most_corners = 24;
+    using lanes = std::array<double, rows>;
+
+    alignas(64) lanes enters;                    ///< x at the row's top, or where the chain begins
+    lanes leaves;                                ///< x at its bottom, or where the chain ends
+    lanes corners;                               ///< how many lie between
+    std::array<lanes, most_corners> x, y;        ///< of the corners, from top to bottom
+    std::array<const l3d_point_2d*, rows> first; ///< the first of them
+    /// Rows with more corners are left to others: all lanes wait for the one with the most.
+    double few_corners;
+    /// If `straight`, the chain is this edge in all rows, and nothing else counts.
+    straight_edge edge;
+    bool straight;
 };
 
-/// A side in a row, and the values of this and the next columns. In columns behind those that it
-/// reaches, all of a pixel is on one side.
-struct side_row {
-    static constexpr std::int32_t columns = 4;
-    static constexpr std::size_t at_once = 8; ///< are found together
+/// Goes down a chain, and lays it out in blocks.
+class side_walk {
+public:
+    /// Expects: the chain has not entered a row yet.
+    side_walk(const chain& of, const l3d_point_2d* corners);
 
-    std::int32_t first; ///< column
-    std::array<std::uint8_t, columns> values;
+    /// The heights where it begins and ends. Level edges at its ends are left out, for they bound
+    /// no area.
+    double begin() const { return begin_; }
+    double end() const { return (behind_ - step_)->y; }
+
+    /// Lays out so many rows from `row` on, and goes to their end.
+    /// Expects: where it has gone to; no more rows than a block has, nor than are left.
+    void lay_out(std::int32_t row, std::size_t count, side_block& block);
+
+    /// Where it is now.
+    double x() const { return x_; }
+
+    /// What it is in a row of a block.
+    row_piece piece_of(const side_block& block, std::int32_t row, std::size_t lane) const;
+
+private:
+    bool lay_out_straight(double end, side_block& block);
+    double edge_at(double y);
+
+    const chain& chain_;
+    std::ptrdiff_t step_;
+    const l3d_point_2d *next_, *behind_;
+    double x_, y_, begin_;
+    straight_edge edge_;
+    const l3d_point_2d* edge_end_ = nullptr;
 };
 
-/// A side with a larger slope may reach more columns of a row than side_row has.
-inline constexpr double most_side_slope = side_row::columns - 1;
+/// Two chains in the same rows, the left one first, what is between them, and how it is drawn.
+struct side_pair {
+    std::array<const side_block*, 2> blocks;
+    double begin, end;  ///< of both
+    std::int32_t row;   ///< of the first lane
+    std::size_t count;  ///< of rows
+    std::int32_t width; ///< columns from 0 to width - 1 are seen
+    std::int32_t x, y;  ///< to be added to columns and rows of spans
+    double full;        ///< the value of a pixel that is covered wholly
+};
 
-/// Finds `count` rows of a side from `row` on.
-/// Shape:   there is room for side_row::at_once more.
-/// Expects: |slope| <= most_side_slope; x >= 0.
-/// Units:   a pixel that is inside wholly has the value `full`; others are rounded to nearest.
-void find_side_rows(const straight_side& side, std::int32_t row, std::size_t count, double full,
-                    side_row* rows);
+/// Where spans go.
+struct pair_spans {
+    static constexpr std::size_t most_values = 64; ///< of a row
+
+    covered_span* spans;       ///< has room for one for each row
+    std::uint8_t* values;      ///< has room for most_values for each row
+    std::size_t values_before; ///< the place of the first value
+    std::size_t span_count = 0, value_count = 0;
+};
+
+/// Finds the spans of rows in which the chains do not cross, and neither goes across many columns
+/// nor has many corners. Gives the others, as bits.
+/// Expects: x >= 0.
+std::uint32_t cover_rows(const side_pair& pair, pair_spans& result);
 
 } // namespace l3d_detail
 

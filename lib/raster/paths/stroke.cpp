@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <span>
 
 namespace {
 
@@ -146,9 +147,11 @@ template <class Outline> struct chord_visitor {
     void curve(const l3d_curve_2d& c) {
         continue_outline();
         constexpr double far = std::numeric_limits<double>::max();
-        flatten(c, l3d_flat_enough, {-far, -far, far, far}, [this](l3d_point_2d p) {
-            points.push_back({p, true});
-        });
+        flatten(c, l3d_flat_enough, {-far, -far, far, far},
+                [this](std::span<const l3d_point_2d> ends) {
+                    for (const l3d_point_2d& p : ends)
+                        points.push_back({p, true});
+                });
         points.back().smooth = false;
     }
     void close() {

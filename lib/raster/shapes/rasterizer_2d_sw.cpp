@@ -151,15 +151,13 @@ void l3d_rasterizer_2d_sw_imp::do_draw_coverage(const l3d_coverage_2d& shape, st
 
 /// Gives paint(x, y, word, share of 255) each pixel that is covered; it returns what is stored.
 template <class Paint>
-void l3d_rasterizer_2d_sw_imp::paint_spans(std::span<const covered_span> spans,
-                                           const Paint& paint) const {
-    for (const covered_span& s : spans) {
-        std::uint32_t* const row = target_.row(s.row).data();
-        for (std::int32_t x = s.first; x < s.last; ++x) {
-            const int share = s.value >= 0 ? s.value : paths_.values_of(s)[x - s.first];
-            if (share > 0)
-                row[x] = paint(x, s.row, row[x], share);
-        }
+void l3d_rasterizer_2d_sw_imp::paint_run(const covered_run& run, const Paint& paint) const {
+    std::uint32_t* const row = target_.row(run.row).data();
+    const std::uint8_t* const values = paths_.values() + run.values;
+    for (std::int32_t x = run.first; x < run.last; ++x) {
+        const int share = run.value >= 0 ? run.value : values[x - run.first];
+        if (share > 0)
+            row[x] = paint(x, run.row, row[x], share);
     }
 }
 
@@ -167,23 +165,25 @@ void l3d_rasterizer_2d_sw_imp::do_draw_path(const l3d_path& path, const l3d_fill
     const auto spans = paths_.convert(order_of(path, fill, l3d_whole(target_.size())));
     const bool is_coded = fill.blending == l3d_blending::coded;
     if (is_coded && fill.gradient == nullptr)
-        return cover_spans(target_, spans, paths_, fill.color & 0x00ffffff);
+        return cover_spans(target_, spans, paths_.values(), fill.color & 0x00ffffff);
     const color_mixer mixer(fill.blending);
     mixed_color color = mixer.color(fill.color);
-    for (const covered_span& s : spans) {
+    const auto paint = [&](const covered_run& run) {
         if (fill.gradient != nullptr) {
-            colors_.resize(static_cast<std::size_t>(s.last - s.first));
-            fill.gradient->colors(s.first, s.row, colors_);
+            colors_.resize(static_cast<std::size_t>(run.last - run.first));
+            fill.gradient->colors(run.first, run.row, colors_);
         }
-        paint_spans({&s, 1}, [&](std::int32_t x, std::int32_t, std::uint32_t word, int share) {
-            const auto i = static_cast<std::size_t>(x - s.first);
+        paint_run(run, [&](std::int32_t x, std::int32_t, std::uint32_t word, int share) {
+            const auto i = static_cast<std::size_t>(x - run.first);
             if (is_coded)
                 return blended_over_gap(word, colors_[i], share);
             if (fill.gradient != nullptr)
                 color = mixer.color(colors_[i]);
             return mixer.over(word, color, share / 255.0);
         });
-    }
+    };
+    for (const covered_span& s : spans)
+        s.visit_runs(paint);
 }
 
 /// An opaque image that is only moved is copied where it covers pixels wholly.
@@ -200,22 +200,25 @@ void l3d_rasterizer_2d_sw_imp::do_draw_image(const l3d_placed_image& image, cons
     const l3d_pixel_box whole{sampler.moved_x(), sampler.moved_y(),
                               sampler.moved_x() + image.pixels.width,
                               sampler.moved_y() + image.pixels.height};
-    for (const covered_span& s : paths_.convert(order)) {
-        if (is_copied && s.value == 255) {
-            const std::uint32_t* const row =
-                image.pixels.words + (s.row - sampler.moved_y()) * image.pixels.stride;
-            const std::int32_t first = std::max(s.first, whole.left);
-            const std::int32_t last = std::min(s.last, whole.right);
-            if (s.row >= whole.top && s.row < whole.bottom && first < last)
-                std::transform(row + (first - whole.left), row + (last - whole.left),
-                               target_.row(s.row).data() + first,
-                               [](std::uint32_t word) { return word & 0x00ffffff; });
-            continue;
-        }
-        paint_spans({&s, 1}, [&](std::int32_t x, std::int32_t y, std::uint32_t word, int share) {
+    const auto copy = [&](const covered_run& run) {
+        const std::uint32_t* const row =
+            image.pixels.words + (run.row - sampler.moved_y()) * image.pixels.stride;
+        const std::int32_t first = std::max(run.first, whole.left);
+        const std::int32_t last = std::min(run.last, whole.right);
+        if (run.row >= whole.top && run.row < whole.bottom && first < last)
+            std::transform(row + (first - whole.left), row + (last - whole.left),
+                           target_.row(run.row).data() + first,
+                           [](std::uint32_t word) { return word & 0x00ffffff; });
+    };
+    const auto paint = [&](const covered_run& run) {
+        if (is_copied && run.value == 255)
+            return copy(run);
+        paint_run(run, [&](std::int32_t x, std::int32_t y, std::uint32_t word, int share) {
             return mixer.over(word, sampler.at(x, y), share / 255.0 * alpha);
         });
-    }
+    };
+    for (const covered_span& s : paths_.convert(order))
+        s.visit_runs(paint);
 }
 
 void l3d_rasterizer_2d_sw_imp::do_draw_curves(const l3d_path& path, std::uint32_t color) {

@@ -38,7 +38,7 @@ private:
 
     void draw_line(const l3d_line_2d& line, std::uint32_t color);
     template <class Paint>
-    void paint_spans(std::span<const l3d_detail::covered_span> spans, const Paint& paint) const;
+    void paint_run(const l3d_detail::covered_run& run, const Paint& paint) const;
     template <class Point> void fill_convex(std::span<const Point> corners, std::uint32_t color);
 
     l3d_pixels target_;

@@ -49,7 +49,10 @@ HWY_INLINE void fill_span(std::uint32_t* at, std::size_t count, std::uint32_t co
         else
             return fill_short_span<lanes>(at, count, color);
     }
-    for (std::size_t i = 0; i < count - lanes; i += lanes)
+    // A vector across two cache lines costs twice as much.
+    hn::StoreU(colors, words, at);
+    const std::size_t beyond = reinterpret_cast<std::uintptr_t>(at) / sizeof(std::uint32_t) % lanes;
+    for (std::size_t i = lanes - beyond; i < count - lanes; i += lanes)
         hn::StoreU(colors, words, at + i);
     hn::StoreU(colors, words, at + count - lanes);
 }
@@ -143,17 +146,51 @@ struct listed_shares {
     int one(std::size_t i) const { return values[i]; }
 };
 
+#if HWY_MAX_BYTES >= 32
+/// Four columns of values before the middle of a span and four behind it. False, and nothing is
+/// done, if a word may be transparent.
+HWY_INLINE bool cover_ends(std::uint32_t* first, std::uint32_t* second, const std::uint8_t* values,
+                           std::uint32_t color) {
+    constexpr hn::CappedTag<std::uint32_t, 4> four;
+    constexpr hn::CappedTag<std::uint32_t, 8> eight;
+    const auto word = hn::Combine(eight, hn::LoadU(four, second), hn::LoadU(four, first));
+    if (!hn::AllTrue(eight, hn::Lt(word, hn::Set(eight, 0x01000000))))
+        return false;
+    const auto shares = listed_shares{values}.lanes(eight, 0);
+    const auto result = blended_lanes(eight, word, hn::Set(eight, color), shares);
+    hn::StoreU(hn::LowerHalf(four, result), four, first);
+    hn::StoreU(hn::UpperHalf(four, result), four, second);
+    return true;
+}
+#else
+/// Both do not fit into a vector.
+bool cover_ends(std::uint32_t*, std::uint32_t*, const std::uint8_t*, std::uint32_t) {
+    return false;
+}
+#endif
+
 void cover_spans_in_lanes(const l3d_pixels& target, std::span<const covered_span> spans,
-                          const path_scan& scan, std::uint32_t color) {
+                          const std::uint8_t* all_values, std::uint32_t color) {
     for (const covered_span& s : spans) {
-        std::uint32_t* at = target.words + s.row * target.stride + s.first;
-        const auto count = static_cast<std::size_t>(s.last - s.first);
+        std::uint32_t* const row = target.words + s.row * target.stride;
+        const std::uint8_t* const values = all_values + s.values;
+        const auto before = static_cast<std::size_t>(s.between - s.first);
+        const auto behind = static_cast<std::size_t>(s.last - s.beyond);
+        if (before != 4 || behind != 4 ||
+            !cover_ends(row + s.first, row + s.beyond, values, color)) {
+            if (before > 0)
+                cover_run(row + s.first, before, color, listed_shares{values});
+            if (behind > 0)
+                cover_run(row + s.beyond, behind, color, listed_shares{values + before});
+        }
+        if (s.between == s.beyond)
+            continue;
+        std::uint32_t* const at = row + s.between;
+        const auto count = static_cast<std::size_t>(s.beyond - s.between);
         if (s.value == 255)
             fill_span(at, count, color);
-        else if (s.value >= 0)
-            cover_run(at, count, color, equal_shares{static_cast<std::uint8_t>(s.value)});
         else
-            cover_run(at, count, color, listed_shares{scan.values_of(s)});
+            cover_run(at, count, color, equal_shares{static_cast<std::uint8_t>(s.value)});
     }
 }
 
@@ -212,8 +249,8 @@ void fill_spans(const l3d_pixels& target, std::span<const pixel_span> spans, std
 }
 
 void cover_spans(const l3d_pixels& target, std::span<const covered_span> spans,
-                 const path_scan& scan, std::uint32_t color) {
-    L3D_SIMD_CALL(cover_spans_in_lanes)(target, spans, scan, color);
+                 const std::uint8_t* values, std::uint32_t color) {
+    L3D_SIMD_CALL(cover_spans_in_lanes)(target, spans, values, color);
 }
 
 void shade_spans(const l3d_pixels& target, std::span<const shaded_span> spans) {

@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_SHAPES_SPAN_KERNELS_P_H
 #define L3D_RASTER_SHAPES_SPAN_KERNELS_P_H
 
-#include "raster/paths/path_scan_p.h"
+#include "raster/paths/covered_span_p.h"
 #include "raster/rasterizer_2d.h"
 #include "raster/shapes/scan_polygon_p.h"
 #include "raster/shapes/shaded_triangle_p.h"
@@ -24,9 +24,11 @@ void fill_rows(const l3d_pixels& target, std::int32_t top, std::span<const scan_
 void fill_spans(const l3d_pixels& target, std::span<const pixel_span> spans, std::uint32_t color);
 
 /// Moves the words of spans towards a colour, by the rule of l3d_rasterizer_2d::draw_coverage.
-/// Expects: they are in the picture, and `scan` has their values.
+/// Expects: they are in the picture. As many values may be read beyond the last as a vector of
+/// words
+///          has lanes.
 void cover_spans(const l3d_pixels& target, std::span<const covered_span> spans,
-                 const path_scan& scan, std::uint32_t color);
+                 const std::uint8_t* values, std::uint32_t color);
 
 /// Fills spans, each pixel in its colour, to nearest. Expects: they are in the picture.
 void shade_spans(const l3d_pixels& target, std::span<const shaded_span> spans);

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// covered_span: what a path covers, run by run; kept_list, where such runs are collected.
+#ifndef L3D_RASTER_PATHS_COVERED_SPAN_P_H
+#define L3D_RASTER_PATHS_COVERED_SPAN_P_H
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Columns first <= column < last of a row, all of which have one value, or each its own.
+struct covered_run {
+    std::int32_t row, first, last;
+    std::int32_t value; ///< of all columns; -1: each has its own
+    std::size_t values; ///< the place of the first one's
+};
+
+/// Columns first <= column < last of a row, and how much of each is covered: a value for each one
+/// before `between` and from `beyond` on, and the same for all in the middle.
+struct covered_span {
+    std::int32_t row, first, between, beyond, last;
+    std::int32_t value; ///< of the middle
+    std::size_t values; ///< the place of the first one; those from `beyond` on follow
+
+    std::size_t values_before() const { return static_cast<std::size_t>(between - first); }
+
+    /// Calls take(covered_run) for its runs from left to right, as far as they have columns.
+    template <class Take> void visit_runs(const Take& take) const {
+        if (first < between)
+            take(covered_run{row, first, between, -1, values});
+        if (between < beyond)
+            take(covered_run{row, between, beyond, value, 0});
+        if (beyond < last)
+            take(covered_run{row, beyond, last, -1, values + values_before()});
+    }
+};
+
+/// A list that keeps its room, and does not set it to 0 before it is used.
+template <class T> class kept_list {
+public:
+    void clear() { used_ = 0; }
+    std::size_t size() const { return used_; }
+    /// Room for so many behind the last one. Lives: until the next call.
+    T* room(std::size_t more) {
+        if (room_.size() < used_ + more)
+            room_.resize(std::max(2 * room_.size(), used_ + more));
+        return room_.data() + used_;
+    }
+    /// So many of the room are part of the list now.
+    void use(std::size_t more) { used_ += more; }
+    void push(const T& last) {
+        *room(1) = last;
+        use(1);
+    }
+    T& back() { return room_[used_ - 1]; }
+    const T* data() const { return room_.data(); }
+    std::span<const T> all() const { return {room_.data(), used_}; }
+
+private:
+    std::vector<T> room_;
+    std::size_t used_ = 0;
+};
+
+} // namespace l3d_detail
+
+#endif
