@@ -198,6 +198,38 @@ TEST(flatten, keeps_curves_within_the_distance_of_their_chords) {
     EXPECT_GT(worst, l3d_flat_enough / 2); // no more steps than needed
 }
 
+/// Plots of many values: each row has hundreds of edges side by side, which are cut into strips.
+TEST(draw_path, has_exact_areas_where_a_row_has_hundreds_of_edges) {
+    std::mt19937 random(23);
+    for (int n = 0; n < 6; ++n) {
+        std::vector<slow_area::shape> shapes(n % 3 == 0 ? 2 : 1);
+        for (slow_area::shape& shape : shapes) {
+            shape.inside = random() % 2 == 0 ? l3d_winding::nonzero : l3d_winding::even_odd;
+            const int corners = 300 + static_cast<int>(random() % 100);
+            auto& outline = shape.outlines.emplace_back();
+            for (int i = 0; i < corners; ++i) {
+                const double x = double(width) * i / corners + uniform(random, -0.3, 0.3);
+                const double y = uniform(random, 0, height);
+                const double parts = n % 2 == 0 ? 4 : 1e6; // on sides of pixels, and anywhere
+                outline.push_back(
+                    {std::round(x * parts) / parts - 0.5, std::round(y * parts) / parts});
+            }
+        }
+        const l3d_path path = path_of(shapes[0]), clip = path_of(shapes.back());
+        canvas c(width, height);
+        c.draw.draw_path(path, {.inside = shapes[0].inside,
+                                .clip = shapes.size() > 1 ? &clip : nullptr,
+                                .clip_inside = shapes.back().inside});
+        ASSERT_TRUE(c.guards_intact()) << n;
+        const slow_area::picture exact(shapes);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                ASSERT_NEAR(c.at(x, y) & 255, 255 * static_cast<double>(exact.share(x, y)),
+                            0.5 + 1e-6)
+                    << n << ": " << x << ' ' << y;
+    }
+}
+
 /// The steps of the whole curve would be as small everywhere as its smallest weight needs them.
 TEST(flatten, takes_no_more_chords_the_more_weights_differ) {
     const l3d_detail::seen_box everything{-1e9, -1e9, 1e9, 1e9};

@@ -21,6 +21,26 @@ double x_at(const row_edge& p, double y) {
     return std::clamp(x, std::min(p.x0, p.x1), std::max(p.x0, p.x1));
 }
 
+/// The part of an edge between two columns. Its ends on them are the same in both strips beside.
+row_edge cut(const row_edge& e, double from, double to) {
+    const auto y_at = [&e](double x) {
+        return std::clamp(e.y0 + (e.y1 - e.y0) * ((x - e.x0) / (e.x1 - e.x0)), e.y0, e.y1);
+    };
+    row_edge part = e;
+    const auto hold = [&](double x, bool is_beyond0, bool is_beyond1) {
+        if (is_beyond0 && !is_beyond1) {
+            part.x0 = x;
+            part.y0 = y_at(x);
+        } else if (is_beyond1 && !is_beyond0) {
+            part.x1 = x;
+            part.y1 = y_at(x);
+        }
+    };
+    hold(from, e.x0 < from, e.x1 < from);
+    hold(to, e.x0 > to, e.x1 > to);
+    return part;
+}
+
 /// Sorts what mostly is a handful.
 template <class T, class Less> void sort_few(std::vector<T>& of, const Less& less) {
     constexpr std::size_t few = 16; // insertion takes up to n^2 / 4 moves
@@ -45,6 +65,68 @@ void row_areas::set_width(std::int32_t width) {
 
 void row_areas::add_cluster(std::span<const row_edge> edges, const windings& left,
                             const fill_rules& rules) {
+    constexpr std::size_t many = 128; // fewer take longer to be cut than slabs of all of them
+    changes_.clear();
+    if (edges.size() > many)
+        add_in_strips(edges, left, rules);
+    else
+        add_strip(edges, left, rules);
+}
+
+/// Where n edges lie side by side in a row, slabs of all of them would take n^2. A slab of a strip
+/// has those of its own columns alone.
+void row_areas::add_in_strips(std::span<const row_edge> edges, const windings& left,
+                              const fill_rules& rules) {
+    constexpr double width = 2; // wide enough that few edges are cut
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const row_edge& e : edges) {
+        least = std::min({least, e.x0, e.x1});
+        most = std::max({most, e.x0, e.x1});
+    }
+    const double begin = std::floor(least);
+    const auto strip_of = [&](double x) { return static_cast<std::size_t>((x - begin) / width); };
+    strips_.resize(std::max(strips_.size(), strip_of(most) + 1));
+    for (const row_edge& e : edges) {
+        const std::size_t first = strip_of(std::min(e.x0, e.x1));
+        const std::size_t last = strip_of(std::max(e.x0, e.x1));
+        for (std::size_t i = first; i <= last; ++i)
+            if (const row_edge part = cut(e, begin + width * static_cast<double>(i),
+                                          begin + width * static_cast<double>(i + 1));
+                part.y0 < part.y1)
+                strips_[i].push_back(part);
+    }
+    for (std::size_t i = 0; i <= strip_of(most); ++i) {
+        add_strip(strips_[i], left, rules);
+        add_changes(strips_[i]);
+        strips_[i].clear();
+    }
+}
+
+/// Right of a strip, windings are others down the row than left of it, by its edges. Where two of
+/// these meet, or one leads on into the next strip, nothing changes: so what is kept is few.
+void row_areas::add_changes(std::span<const row_edge> edges) {
+    for (const row_edge& e : edges) {
+        change begins{e.y0, {}}, ends{e.y1, {}};
+        begins.by.turns[e.layer] = e.direction;
+        ends.by.turns[e.layer] = -e.direction;
+        changes_.push_back(begins);
+        changes_.push_back(ends);
+    }
+    std::ranges::sort(changes_, {}, &change::y);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < changes_.size();) {
+        change sum = changes_[i];
+        for (++i; i < changes_.size() && changes_[i].y == sum.y; ++i)
+            for (std::size_t layer = 0; layer < sum.by.turns.size(); ++layer)
+                sum.by.turns[layer] += changes_[i].by.turns[layer];
+        if (sum.by.turns != windings().turns)
+            changes_[kept++] = sum;
+    }
+    changes_.resize(kept);
+}
+
+void row_areas::add_strip(std::span<const row_edge> edges, const windings& left,
+                          const fill_rules& rules) {
     ends_.clear();
     sorted_.clear();
     for (const row_edge& p : edges) {
@@ -54,11 +136,14 @@ void row_areas::add_cluster(std::span<const row_edge> edges, const windings& lef
         ends_.push_back(p.y1);
         sorted_.push_back(&p);
     }
+    for (const change& c : changes_)
+        ends_.push_back(c.y);
     sort_few(ends_, std::less<>());
     ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
     sort_few(sorted_, [](const row_edge* a, const row_edge* b) { return a->y0 < b->y0; });
     chords_.clear();
-    std::size_t next = 0;
+    windings w = left;
+    std::size_t next = 0, next_change = 0;
     for (std::size_t i = 1; i < ends_.size(); ++i) {
         const double top = ends_[i - 1], bottom = ends_[i];
         std::size_t kept = 0;
@@ -70,7 +155,11 @@ void row_areas::add_cluster(std::span<const row_edge> edges, const windings& lef
             chords_.push_back({sorted_[next]->x0, 0, sorted_[next]});
         for (chord& c : chords_)
             c.x1 = x_at(*c.edge, bottom);
-        add_slab(top, bottom, left, rules);
+        for (; next_change < changes_.size() && changes_[next_change].y <= top; ++next_change)
+            for (std::size_t layer = 0; layer < w.turns.size(); ++layer)
+                w.turns[layer] += changes_[next_change].by.turns[layer];
+        if (!chords_.empty())
+            add_slab(top, bottom, w, rules);
     }
 }
 

@@ -68,7 +68,7 @@ private:
 /// A border adds the area right of it in its own columns. So the running sum over columns is
 /// the area of each pixel, also behind the last column that a border reaches.
 /// Cost:    add: linear in the columns that are reached. add_cluster: n log n for n edges, times
-///          the number of their ends and crossings.
+///          the number of their ends and crossings; if they are many, for those of two columns.
 class row_areas {
 public:
     /// Columns from 0 to width - 1. Expects: all sums are 0, as users leave them.
@@ -99,6 +99,16 @@ private:
         }
     };
 
+    /// From this height on, the windings left of the strip are others.
+    struct change {
+        double y;
+        windings by;
+    };
+
+    void add_in_strips(std::span<const row_edge> edges, const windings& left,
+                       const fill_rules& rules);
+    void add_strip(std::span<const row_edge> edges, const windings& left, const fill_rules& rules);
+    void add_changes(std::span<const row_edge> edges);
     void add_slab(double top, double bottom, const windings& left, const fill_rules& rules);
     void find_crossings(std::span<const chord> chords, double top, double bottom);
     windings add_crossing(std::span<const chord> chords, double top, double bottom,
@@ -127,6 +137,8 @@ private:
     std::vector<std::size_t> by_lower_;
     std::vector<double> least_after_; ///< of the lower ends, from each chord on
     std::vector<const row_edge*> sorted_;
+    std::vector<std::vector<row_edge>> strips_;
+    std::vector<change> changes_; ///< from top to bottom
 };
 
 inline void row_areas::add_border(double x0, double x1, double height) {
