@@ -65,7 +65,7 @@ void row_areas::set_width(std::int32_t width) {
 
 void row_areas::add_cluster(std::span<const row_edge> edges, const windings& left,
                             const fill_rules& rules) {
-    constexpr std::size_t many = 128; // fewer take longer to be cut than slabs of all of them
+    constexpr std::size_t many = 256; // fewer take longer to be cut than slabs of all of them
     changes_.clear();
     if (edges.size() > many)
         add_in_strips(edges, left, rules);
