@@ -114,9 +114,10 @@ void measure(benchmark::State& state, const Things& things, const Fast& fast, co
         state.SkipWithError("nothing was drawn");
 }
 
-void draw_triangle(l3d_rasterizer_2d& draw, const triangle& t, std::uint32_t color) {
+/// What is measured is a closure, as for the book: the compiler would call a function by address.
+constexpr auto draw_triangle = [](l3d_rasterizer_2d& draw, const triangle& t, std::uint32_t color) {
     draw.draw_polygon_flatshaded(t, color);
-}
+};
 
 void draw_triangle_slowly(canvas& c, const triangle& t, std::uint32_t color) {
     const slow_2d::outline v = slow_2d::rounded(t);
@@ -182,9 +183,9 @@ void bench_stores(benchmark::State& state, double area) {
         state.SkipWithError("nothing was drawn");
 }
 
-void draw_line(l3d_rasterizer_2d& draw, const l3d_line_2d& l, std::uint32_t color) {
+constexpr auto draw_line = [](l3d_rasterizer_2d& draw, const l3d_line_2d& l, std::uint32_t color) {
     draw.draw_line(l.x0, l.y0, l.x1, l.y1, color);
-}
+};
 
 void draw_line_slowly(canvas& c, const l3d_line_2d& l, std::uint32_t color) {
     const int length = std::max(std::abs(l.x1 - l.x0), std::abs(l.y1 - l.y0));
@@ -203,9 +204,9 @@ void bench_lines(benchmark::State& state, double length, bool slow) {
     state.counters["pixels/line"] = pixels / static_cast<double>(count);
 }
 
-void draw_dot(l3d_rasterizer_2d& draw, const l3d_line_2d& l, std::uint32_t color) {
+constexpr auto draw_dot = [](l3d_rasterizer_2d& draw, const l3d_line_2d& l, std::uint32_t color) {
     draw.draw_point(l.x0, l.y0, color);
-}
+};
 
 void draw_dot_slowly(canvas& c, const l3d_line_2d& l, std::uint32_t color) {
     c.at(l.x0, l.y0) = color;
