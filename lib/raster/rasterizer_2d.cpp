@@ -20,6 +20,11 @@ constexpr l3d_size largest{l3d_largest_side, l3d_largest_side};
 
 } // namespace
 
+void l3d_rasterizer_2d_imp::do_draw_line(int x0, int y0, int x1, int y1, std::uint32_t color) {
+    const l3d_line_2d line{x0, y0, x1, y1};
+    do_draw_lines({&line, 1}, color);
+}
+
 void l3d_rasterizer_2d_imp::do_draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color) {
     constexpr int half = 128;
     const auto covers = [](std::uint8_t value) { return value >= half; };

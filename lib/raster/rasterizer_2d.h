@@ -116,6 +116,9 @@ private:
     virtual void do_draw_outlines(std::span<const l3d_outline_2d> outlines, l3d_winding inside,
                                   std::uint32_t color) = 0;
 
+    /// Unless a kind of output has a way of its own, a line is a batch of one.
+    virtual void do_draw_line(int x0, int y0, int x1, int y1, std::uint32_t color);
+
     /// Unless a kind of output can mix colours, what is covered by half or more gets the colour.
     virtual void do_draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color);
 
@@ -154,8 +157,7 @@ public:
     /// or left one. The same pixels in both directions; clipped, exactly those of them that are in
     /// the target.
     void draw_line(int x0, int y0, int x1, int y1, std::uint32_t color) {
-        const l3d_line_2d line{x0, y0, x1, y1};
-        imp_.do_draw_lines({&line, 1}, color);
+        imp_.do_draw_line(x0, y0, x1, y1, color);
     }
 
     /// Draws many lines with one call across the bridge.

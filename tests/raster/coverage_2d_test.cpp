@@ -107,6 +107,13 @@ TEST(coverage_2d, of_outputs_that_cannot_mix_is_what_is_covered_by_half) {
     EXPECT_EQ(it.lit(), (pixel_set{{4, 1}, {5, 1}, {2, 2}, {3, 2}, {6, 2}}));
 }
 
+TEST(coverage_2d, single_lines_of_outputs_with_batches_alone_are_batches_of_one) {
+    canvas it(9, 5);
+    lines_only imp(it.draw);
+    l3d_rasterizer_2d(imp).draw_line(2, 1, 4, 1, canvas::color);
+    EXPECT_EQ(it.lit(), (pixel_set{{2, 1}, {3, 1}, {4, 1}}));
+}
+
 TEST(coverage_2d, of_paths_is_drawn_by_outputs_that_cannot_mix_and_curves_are_points) {
     canvas it(60, 40), curves(60, 40), smooth(60, 40), thin(60, 40);
     l3d_path path;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Points, lines and polygons: the book's reference values, exact rules, and awkward coordinates.
+// Points and polygons: the book's reference values, exact rules, and awkward coordinates.
 #include "raster/rasterizer_factory_sw.h"
 #include "raster/parallel/simd_target.h"
 #include "raster/shapes/small_triangle_p.h"
 
 #include "raster/canvas_2d.h"
-#include "raster/slow_2d.h"
 
 #include <gtest/gtest.h>
 
@@ -38,120 +37,6 @@ TEST(Points, AreLitInsideOnly) {
     c.draw.clear_buffer();
     EXPECT_TRUE(c.lit().empty());
     EXPECT_TRUE(c.guards_intact());
-}
-
-using slow_2d::pixel_of_line;
-using wide = slow_2d::wide;
-
-/// All of a line's pixels that lie in a picture, step by step.
-pixel_set exact_line(const l3d_line_2d& l, int width, int height) {
-    const std::int64_t length =
-        std::max(std::abs(std::int64_t{l.x1} - l.x0), std::abs(std::int64_t{l.y1} - l.y0));
-    pixel_set result;
-    for (std::int64_t i = 0; i <= length; ++i) {
-        const auto [x, y] = pixel_of_line(l, i);
-        if (x >= 0 && x < width && y >= 0 && y < height)
-            result.insert({static_cast<int>(x), static_cast<int>(y)});
-    }
-    return result;
-}
-
-pixel_set drawn(const l3d_line_2d& l, int width, int height) {
-    canvas c(width, height);
-    c.draw.draw_line(l.x0, l.y0, l.x1, l.y1, color);
-    EXPECT_TRUE(c.guards_intact());
-    return c.lit();
-}
-
-TEST(Lines, BookValues) {
-    const pixel_set shallow = drawn({0, 0, 9, 3}, 13, 8);
-    EXPECT_EQ(shallow.size(), 10u);
-    for (int x = 0; x <= 9; ++x)
-        EXPECT_EQ(std::ranges::count_if(shallow, [&](auto p) { return p.first == x; }), 1) << x;
-    EXPECT_TRUE(shallow.contains({9, 3}));
-    EXPECT_EQ(drawn({5, 5, 5, 5}, 13, 8), (pixel_set{{5, 5}}));
-    EXPECT_EQ(drawn({2, 6, 9, 6}, 13, 8).size(), 8u);
-    EXPECT_EQ(drawn({4, 1, 4, 6}, 13, 8).size(), 6u);
-    EXPECT_EQ(drawn({3, 1, 8, 6}, 13, 8).size(), 6u);
-}
-
-TEST(Lines, TiesGoUpAndLeft) {
-    EXPECT_EQ(drawn({2, 3, 4, 4}, 9, 7), (pixel_set{{2, 3}, {3, 3}, {4, 4}}));
-    EXPECT_EQ(drawn({2, 4, 4, 3}, 9, 7), (pixel_set{{2, 4}, {3, 3}, {4, 3}}));
-    EXPECT_EQ(drawn({5, 2, 4, 4}, 9, 7), (pixel_set{{5, 2}, {4, 3}, {4, 4}}));
-}
-
-/// Near lines, half of them clipped, in both directions.
-void test_lines(int lines, unsigned first_seed) {
-    std::mt19937 random(first_seed);
-    std::uniform_int_distribution<int> near(-30, 60), size(1, 33);
-    std::size_t lit = 0;
-    for (int n = 0; n < lines; ++n) {
-        const l3d_line_2d l{near(random), near(random), near(random), near(random)};
-        const int width = size(random), height = size(random) + 2;
-        const pixel_set expected = exact_line(l, width, height);
-        ASSERT_EQ(drawn(l, width, height), expected)
-            << "seed " << first_seed << ", line " << n << ": " << l.x0 << " " << l.y0 << " " << l.x1
-            << " " << l.y1 << " in " << width << " x " << height;
-        if (n % 4 == 0) {
-            ASSERT_EQ(drawn({l.x1, l.y1, l.x0, l.y0}, width, height), expected);
-        }
-        lit += expected.size();
-    }
-    EXPECT_GT(lit, static_cast<std::size_t>(lines) * 3);
-}
-
-TEST(Lines, AreTheNearestPixelsInEitherDirection) {
-    test_lines(50000, seed);
-}
-
-/// Takes a minute: make stress.
-TEST(Lines, DISABLED_AMillionAreTheNearestPixels) {
-    test_lines(1000000, seed + 9);
-}
-
-TEST(Lines, FromFarAwayAreExactWhereTheyAreSeen) {
-    std::mt19937 random(seed + 1);
-    constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
-    std::uniform_int_distribution<int> any(least, most), jitter(-40, 60);
-    constexpr int width = 37, height = 23;
-    std::size_t lit = 0;
-    for (int n = 0; n < 20000; ++n) {
-        // ends opposite each other, so that the line comes near the picture
-        l3d_line_2d l{any(random), any(random), 0, 0};
-        l.x1 = static_cast<int>(
-            std::clamp<std::int64_t>(jitter(random) - std::int64_t{l.x0}, least, most));
-        l.y1 = static_cast<int>(
-            std::clamp<std::int64_t>(jitter(random) - std::int64_t{l.y0}, least, most));
-        const wide dx = wide{l.x1} - l.x0, dy = wide{l.y1} - l.y0;
-        const bool x_major = (dx < 0 ? -dx : dx) >= (dy < 0 ? -dy : dy);
-        pixel_set expected;
-        for (int major = 0; major < (x_major ? width : height); ++major) {
-            const wide from = x_major ? l.x0 : l.y0, delta = x_major ? dx : dy;
-            const wide i = delta < 0 ? from - major : major - from;
-            const auto [x, y] = pixel_of_line(l, i);
-            if (x >= 0 && x < width && y >= 0 && y < height)
-                expected.insert({static_cast<int>(x), static_cast<int>(y)});
-        }
-        ASSERT_EQ(drawn(l, width, height), expected)
-            << "seed " << seed + 1 << ", line " << n << ": " << l.x0 << " " << l.y0 << " " << l.x1
-            << " " << l.y1;
-        lit += expected.size();
-    }
-    EXPECT_GT(lit, 10000u);
-    EXPECT_EQ(drawn({least, 4, most, 4}, width, height).size(), 37u);
-    EXPECT_EQ(drawn({9, most, 9, least}, width, height).size(), 23u);
-    EXPECT_TRUE(drawn({least, least, most, least}, width, height).empty());
-}
-
-TEST(Lines, InABatchAreTheSameLines) {
-    canvas one(29, 17), batch(29, 17);
-    const std::array<l3d_line_2d, 3> lines{{{1, 2, 20, 9}, {-5, 14, 40, 3}, {7, 7, 7, 7}}};
-    for (const l3d_line_2d& l : lines)
-        one.draw.draw_line(l.x0, l.y0, l.x1, l.y1, color);
-    batch.draw.draw_lines(lines, color);
-    EXPECT_EQ(one.lit(), batch.lit());
-    EXPECT_GT(one.lit().size(), 40u);
 }
 
 pixel_set filled(const std::vector<l3d_point_2d>& corners, int width = 41, int height = 31) {

@@ -6,6 +6,8 @@
 #include "raster/shapes/exact_steps_p.h"
 #include "raster/rasterizer_2d.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 
@@ -27,40 +29,55 @@ struct line_steps {
     }
 };
 
-/// The same floors by an addition in fixed point for each step.
+/// The same floors by an addition in fixed point for each step, from step 0 on.
 ///
 /// Each is (2 i rise + length - 1) / (2 length), whose fraction is at most 1 - 1 / (2 length).
-/// Start and step have 40 fraction bits and are 1 to 3 units too large, whichever way double rounds
-/// and truncates. After n steps that is at most 3 (n + 1) 2^-40. `serves` keeps it below 1 / (2
-/// length), so no floor changes.
+/// (length - 1) / (2 length) is 1/2 less a half of 1 / length. Start and step have 40 fraction bits
+/// and are too large, by more than 0 and less than `excess` units, whichever way double rounds and
+/// truncates. At step i that is less than excess (i + 1) 2^-40. As i is at most `length`, it stays
+/// below 1 / (2 length), and so no floor changes.
 class swift_minors {
 public:
-    static bool serves(const line_steps& line) {
-        const std::int64_t steps = line.last - line.first;
-        return line.length < most && steps < most; // 3 * 2^18 * 2 * 2^18 < 2^40
+    /// Whether lines of this length have swift minors.
+    static bool serve(std::int64_t length) { return length > 0 && length < std::int64_t{1} << 18; }
+
+    /// The excess is below 4, and 4 * 2^18 * 2 * 2^18 < 2^40.
+    /// Expects: serve(length), |rise| <= length.
+    static swift_minors of(std::int64_t length, std::int64_t rise) {
+        const double unit = static_cast<double>(one) / static_cast<double>(length);
+        return {one / 2 + 2 - static_cast<std::int64_t>(unit / 2),
+                static_cast<std::int64_t>(unit * static_cast<double>(rise)) + 2};
     }
 
-    /// Expects: serves(line).
-    explicit swift_minors(const line_steps& line) {
-        const std::int64_t full = 2 * line.length;
-        std::int64_t whole = 0, rest = line.length - 1;
-        if (line.first != 0) {
-            const std::int64_t numerator = 2 * line.first * line.rise + rest;
-            whole = static_cast<std::int64_t>(floor_quotient(numerator, full));
-            rest = numerator - whole * full;
-        }
-        const double scale = static_cast<double>(one) / static_cast<double>(full);
-        value_ = whole * one + static_cast<std::int64_t>(static_cast<double>(rest) * scale) + 2;
-        step_ = static_cast<std::int64_t>(static_cast<double>(2 * line.rise) * scale) + 2;
+    /// Lines below this length need no division.
+    static constexpr std::int32_t short_length = 16;
+
+    /// The excess is below 32, and 32 * 2^4 * 2 * 2^4 < 2^40.
+    /// Expects: 0 <= length < short_length, |rise| <= length.
+    static swift_minors of_short(std::int32_t length, std::int32_t rise) {
+        const std::int64_t unit = units[static_cast<std::size_t>(length)];
+        return {one / 2 + short_length - (unit >> 1), unit * rise + short_length};
     }
 
     std::int64_t floor() const { return value_ >> fraction_bits; }
     std::int64_t floor_after(int steps) const { return (value_ + steps * step_) >> fraction_bits; }
     void step() { value_ += step_; }
+    /// Expects: it ends between step 0 and step `length`.
+    void skip(std::int64_t steps) { value_ += steps * step_; }
 
 private:
     static constexpr int fraction_bits = 40;
-    static constexpr std::int64_t one = std::int64_t{1} << fraction_bits, most = 1 << 18;
+    static constexpr std::int64_t one = std::int64_t{1} << fraction_bits;
+
+    /// floor(2^40 / length) of short lines. A line of length 0 has one pixel and no rise.
+    static constexpr auto units = [] {
+        std::array<std::int64_t, short_length> result{};
+        for (std::size_t length = 1; length < result.size(); ++length)
+            result[length] = one / static_cast<std::int64_t>(length);
+        return result;
+    }();
+
+    swift_minors(std::int64_t value, std::int64_t step) : value_(value), step_(step) {}
 
     std::int64_t value_, step_;
 };

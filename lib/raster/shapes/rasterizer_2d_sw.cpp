@@ -9,8 +9,7 @@
 #include "raster/paths/mesh_strip_p.h"
 #include "raster/shapes/blend_p.h"
 #include "raster/shapes/color_mixer_p.h"
-#include "raster/shapes/line_steps_p.h"
-#include "raster/shapes/short_line_p.h"
+#include "raster/shapes/plain_lines_p.h"
 #include "raster/shapes/smooth_line_p.h"
 #include "raster/shapes/visit_coverage_p.h"
 #include "raster/shapes/small_triangle_p.h"
@@ -23,29 +22,6 @@
 namespace {
 
 using namespace l3d_detail;
-
-/// Lights the pixels of the steps seen; strides are in words. Those so many steps `ahead` are asked
-/// for, if not 0.
-template <int ahead, class Minors>
-void light(const line_steps& line, Minors minors, const l3d_pixels& target, std::uint32_t color) {
-    const std::ptrdiff_t along = line.x_major ? 1 : target.stride;
-    const std::ptrdiff_t across = line.x_major ? target.stride : 1;
-    std::uint32_t* at = target.words + (line.major + line.first) * along + line.minor * across;
-    for (std::int64_t left = line.last - line.first + 1; left > 0; --left, at += along) {
-        if constexpr (ahead > 0)
-            __builtin_prefetch(at + minors.floor_after(ahead) * across + ahead * along, 1);
-        at[minors.floor() * across] = color;
-        minors.step();
-    }
-}
-
-/// How far ahead pixels are prefetched. Each pixel of a steep line is in a row, and so in a cache
-/// line, of its own. In a picture that the cache does not hold, prefetching makes such lines a
-/// third faster. Short lines end too soon.
-constexpr int pixels_ahead = 4;
-bool gains_ahead(const line_steps& line) {
-    return !line.x_major && line.last - line.first > 8 * pixels_ahead;
-}
 
 shaded_corner corner_of(const l3d_colored_point_2d& p) {
     const auto channel = [&p](int shift) { return static_cast<double>(p.color >> shift & 255); };
@@ -71,26 +47,14 @@ void l3d_rasterizer_2d_sw_imp::do_draw_point(int x, int y, std::uint32_t color) 
         target_.row(y)[static_cast<std::size_t>(x)] = color;
 }
 
+void l3d_rasterizer_2d_sw_imp::do_draw_line(int x0, int y0, int x1, int y1, std::uint32_t color) {
+    draw_plain_line(target_, x0, y0, x1, y1, color);
+}
+
 void l3d_rasterizer_2d_sw_imp::do_draw_lines(std::span<const l3d_line_2d> lines,
                                              std::uint32_t color) {
     for (const l3d_line_2d& line : lines)
-        draw_line(line, color);
-}
-
-void l3d_rasterizer_2d_sw_imp::draw_line(const l3d_line_2d& line, std::uint32_t color) {
-    if (line.x0 == line.x1 && line.y0 == line.y1)
-        return do_draw_point(line.x0, line.y0, color);
-    if (short_line::serves(line, target_.size()))
-        return short_line::draw(line, target_, color);
-    const line_steps steps = steps_of(line, target_.size());
-    if (steps.first > steps.last)
-        return;
-    if (!swift_minors::serves(steps))
-        light<0>(steps, steps.minors(), target_, color);
-    else if (gains_ahead(steps))
-        light<pixels_ahead>(steps, swift_minors(steps), target_, color);
-    else
-        light<0>(steps, swift_minors(steps), target_, color);
+        draw_plain_line(target_, line.x0, line.y0, line.x1, line.y1, color);
 }
 
 void l3d_rasterizer_2d_sw_imp::do_draw_line_antialiased(l3d_point_2d from, l3d_point_2d to,

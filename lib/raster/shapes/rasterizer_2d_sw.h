@@ -24,6 +24,7 @@ private:
     void do_set_target(l3d_pixels target) override;
     void do_clear_buffer() override;
     void do_draw_point(int x, int y, std::uint32_t color) override;
+    void do_draw_line(int x0, int y0, int x1, int y1, std::uint32_t color) override;
     void do_draw_lines(std::span<const l3d_line_2d> lines, std::uint32_t color) override;
     void do_draw_line_antialiased(l3d_point_2d from, l3d_point_2d to, std::uint32_t color) override;
     void do_draw_polygon_flatshaded(l3d_outline_2d corners, std::uint32_t color) override;
@@ -36,7 +37,6 @@ private:
     void do_draw_curves(const l3d_path& path, std::uint32_t color) override;
     void do_draw_mesh(std::span<const l3d_mesh_patch> patches) override;
 
-    void draw_line(const l3d_line_2d& line, std::uint32_t color);
     template <class Paint>
     void paint_run(const l3d_detail::covered_run& run, const Paint& paint) const;
     template <class Point> void fill_convex(std::span<const Point> corners, std::uint32_t color);
