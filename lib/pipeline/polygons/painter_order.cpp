@@ -176,8 +176,9 @@ struct l3d_painter_order::work_space {
                      l3d_painter_order_counts& counts) {
         if (!in_turn)
             find_early(node, out, counts);
-        for (const late_need& need : std::ranges::equal_range(late, node, {}, &late_need::item))
-            out.push_back(need.before);
+        auto need = std::ranges::lower_bound(late, node, {}, &late_need::item);
+        for (; need != late.end() && need->item == node; ++need)
+            out.push_back(need->before);
     }
 
     /// Adds a piece that names its item, for now.

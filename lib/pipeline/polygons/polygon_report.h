@@ -24,7 +24,7 @@ struct L3D_PUBLIC l3d_polygon_counts : l3d_seen_counts {
 /// Counts of the work that a frame's order took.
 struct L3D_PUBLIC l3d_painter_order_counts {
     std::int64_t triangles = 0; ///< handed in
-    std::int64_t pairs = 0;     ///< of triangles, compared exactly as their boxes meet
+    std::int64_t pairs = 0;     ///< of triangles, compared as they may have pixels in common
     std::int64_t knots = 0;     ///< sets that no order of whole triangles paints right
     std::int64_t knotted = 0;   ///< triangles in them
     std::int64_t cuts = 0;      ///< triangles and pieces cut in two
