@@ -110,7 +110,8 @@ void path_scan::add_pair(chain& a, chain& b) {
                              full_};
         pair_spans result{spans_.room(count), values_.room(pair_spans::most_values * count),
                           values_.size()};
-        const std::uint32_t others = cover_rows(pair, result);
+        // A single row is found sooner without lanes.
+        const std::uint32_t others = count > 1 ? cover_rows(pair, result) : 1;
         spans_.use(result.span_count);
         values_.use(result.value_count);
         for (std::size_t lane = 0; lane < count; ++lane, ++row) {
