@@ -45,10 +45,11 @@ def polygons():
 def window_of_8_bits(name):
     """What the window shows, in the colours that the display gives its pixels."""
     teapot = harness.Program("teapot_afd", (320, 200))
+    black = ("--background", "0,0,0")  # a dither of few levels is less close than of many
     with x_server("-screen", "0", "400x300x8", "-cc", str(CLASSES.index(name))) as server:
-        with Shown(teapot, server, "--backend", "ximage", *harness.COUNTED) as it:
+        with Shown(teapot, server, "--backend", "ximage", *harness.COUNTED, *black) as it:
             _, _, _, map_of = it.eyes.visual(it.window)
-            wanted = memory_picture(teapot)
+            wanted = memory_picture(teapot, *black)
             pixels = lambda: it.eyes.pixels(it.window, *teapot.size)
             wait_for(lambda: is_close(pixels(), map_of, wanted, FARTHEST[name]), "a picture")
             return [[map_of[pixel] for pixel in row] for row in pixels()]
