@@ -6,6 +6,7 @@
 
 #include "dice/snap.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -101,6 +102,11 @@ void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const
                        const l3d_dice_view& view, l3d_diced_piece& out) {
     if (a.drawable && b.drawable && c.drawable)
         return out.add_triangle(a.dice, b.dice, c.dice);
+    // What lies in the near or the far plane is not drawn. Slits in it would have long chords, as
+    // edges there are left out.
+    const auto [nearest, farthest] = std::minmax({a.h[2], b.h[2], c.h[2]});
+    if (farthest <= view.near || nearest >= view.far)
+        return;
     const double g = l3d_guard_band;
     const std::array<plane, 6> planes{{{{0, 0, 1}, view.near},
                                        {{0, 0, -1}, -view.far},
