@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Clipping makes corners whose normals are of length 1, as the shading takes for granted.
+// Clipping makes corners whose normals are of length 1, as the shading takes for granted, and
+// leaves nothing of what lies in a plane.
 #include "dice/near_clip.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@ l3d_dice_view view_of() {
     l3d_dice_view view;
     view.size = {100, 100};
     view.near = 1;
+    view.far = 9;
     return view;
 }
 
@@ -54,6 +56,22 @@ TEST(near_clip, makes_no_normal_where_there_is_none) {
         EXPECT_LE(length, 1 + 1e-6);
     for (const double length : lengths({0, -0.6F, -0.8F}, {0, 0.6F, 0.8F}))
         EXPECT_TRUE(std::isfinite(length));
+}
+
+std::size_t triangles_left(double w0, double w1, double w2) {
+    l3d_diced_piece out;
+    l3d_clip_triangle(vertex(0, 0, w0, 0, 0, 1), vertex(30, 0, w1, 0, 0, 1),
+                      vertex(0, 30, w2, 0, 0, 1), view_of(), out);
+    return out.part.triangles.count;
+}
+
+/// Edges in the near or the far plane are chords of any length: slits there would show them.
+TEST(near_clip, leaves_nothing_that_lies_in_a_plane) {
+    for (const double in : {1.0, 9.0}) {
+        EXPECT_EQ(triangles_left(in, in, in), 0u) << in;
+        EXPECT_EQ(triangles_left(in, in, in < 5 ? -3 : 12), 0u) << in;
+        EXPECT_GT(triangles_left(in, in, 5), 0u) << in;
+    }
 }
 
 } // namespace
