@@ -2,7 +2,7 @@
 // l3d_frame_writer: names, numbers and streams.
 #include "system/frame_writer.h"
 
-#include "system/output_file_p.h"
+#include "system/output_names_p.h"
 #include "tool_2d/error.h"
 #include "tool_2d/image_file.h"
 

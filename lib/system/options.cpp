@@ -8,7 +8,7 @@
 #include "geom/real.h"
 #include "system/frame_writer.h"
 #include "system/number_text.h"
-#include "system/output_file_p.h"
+#include "system/output_names_p.h"
 #include "system/reason_p.h"
 #include "system/standard_output_p.h"
 

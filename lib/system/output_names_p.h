@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is known of a file before it is written.
-#ifndef L3D_SYSTEM_OUTPUT_FILE_P_H
-#define L3D_SYSTEM_OUTPUT_FILE_P_H
+// output_names: what the name of an output tells before anything is drawn or written.
+#ifndef L3D_SYSTEM_OUTPUT_NAMES_P_H
+#define L3D_SYSTEM_OUTPUT_NAMES_P_H
 
 #include <string>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// output_file: endings, folders and links.
-#include "system/output_file_p.h"
+// output_names: endings, folders and links.
+#include "system/output_names_p.h"
 
 #include "tool_2d/error.h"
 
