@@ -6,7 +6,7 @@
 #include "base/printable_p.h"
 #include "scene/model_loader.h"
 #include "system/number_text.h"
-#include "system/output_file_p.h"
+#include "system/output_names_p.h"
 #include "system/places.h"
 
 #include <algorithm>
@@ -62,6 +62,30 @@ l3d_camera seen_from_above(l3d_camera camera) {
     const l3d_camera::vector direction = l3d_upright(camera.up).at(0.5, 0.5, 1);
     camera.eye = camera.target + l3d_normalized(direction) * l3d_length(camera.eye - camera.target);
     return camera;
+}
+
+/// Errors:  l3d_error(usage) for an option that would show nothing beside the others.
+void check_shown(const l3d_afd_settings& asked) {
+    const auto refuse_if = [](bool is_wrong, const std::string& why) {
+        if (is_wrong)
+            throw l3d_error(l3d_exit::usage, why);
+    };
+    const std::string shade = l3d_shade_names[static_cast<std::size_t>(asked.shade)].first;
+    const bool is_light = l3d_is_light(asked.shade), is_none = asked.background.is_none();
+    refuse_if(asked.error_map && (asked.wireframe || !is_light),
+              "--error-output: only surfaces that show light have an exact picture, and neither "
+              "--wireframe nor --shade normals, error or an inspection does");
+    refuse_if(asked.error_map && is_none, "--error-output: pixels have bounds on a background, and "
+                                          "--background none has none");
+    refuse_if(asked.wireframe && !is_light,
+              "--wireframe: lines have one colour, and show nothing of --shade " + shade);
+    if (!asked.fog.is_on())
+        return;
+    refuse_if(asked.wireframe, "--fog: only surfaces have it, and no --wireframe");
+    refuse_if(l3d_has_scale(asked.shade),
+              "--fog: the scale of --shade " + shade + " has no colours for it");
+    refuse_if(!asked.fog.color && is_none,
+              "--fog: it needs a colour, as --background none has none to fade into");
 }
 
 } // namespace
@@ -300,26 +324,8 @@ l3d_afd_settings l3d_afd_options::settings() const {
     if (shade_direction_ == l3d_camera::vector{0.0, 0.0, 0.0})
         throw l3d_error(l3d_exit::usage, "--shade-direction: '0,0,0' has no direction");
     check_place("--shade-direction", shade_direction_);
-    if (result.error_map && (result.wireframe || !l3d_is_light(result.shade)))
-        throw l3d_error(l3d_exit::usage, "--error-output: only surfaces that show light have an "
-                                         "exact picture, and neither --wireframe nor --shade "
-                                         "normals, error or an inspection does");
-    const std::string shade = l3d_shade_names[static_cast<std::size_t>(result.shade)].first;
-    if (result.wireframe && !l3d_is_light(result.shade))
-        throw l3d_error(l3d_exit::usage,
-                        "--wireframe: lines have one colour, and show nothing of --shade " + shade);
-    if (result.fog.is_on() && result.wireframe)
-        throw l3d_error(l3d_exit::usage, "--fog: only surfaces have it, and no --wireframe");
-    if (result.fog.is_on() && l3d_has_scale(result.shade))
-        throw l3d_error(l3d_exit::usage,
-                        "--fog: the scale of --shade " + shade + " has no colours for it");
     result.background = background_.value_or(l3d_background::gradient());
-    if (result.error_map && result.background.is_none())
-        throw l3d_error(l3d_exit::usage, "--error-output: pixels have bounds on a background, and "
-                                         "--background none has none");
-    if (result.fog.is_on() && !result.fog.color && result.background.is_none())
-        throw l3d_error(l3d_exit::usage,
-                        "--fog: it needs a colour, as --background none has none to fade into");
+    check_shown(result);
     if (keep_all_)
         result.keep = l3d_kept_work::all();
     return result;
