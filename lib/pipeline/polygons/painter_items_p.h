@@ -16,9 +16,10 @@ namespace l3d_detail {
 
 /// A triangle that is to be put into an order.
 struct painter_item {
-    std::int32_t left, top, right,
-        bottom;              ///< the pixels whose centres are in its box, ends excluded
-    float farthest, nearest; ///< its range of 1/w
+    /// The pixels whose centres are in its box, ends excluded.
+    std::int32_t left, top, right, bottom;
+    /// Its range of 1/w.
+    float farthest, nearest;
     /// If not 0, the box has at most eight rows and columns and lies in the picture. Bit 8 r + c is
     /// then set if pixel (left + c, top + r) is covered.
     std::uint64_t cover;

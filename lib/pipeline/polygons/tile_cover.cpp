@@ -21,7 +21,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using ints = hn::CappedTag<std::int32_t, 16>;
 using int_vec = hn::Vec<ints>;
-constexpr std::int32_t side = 8, lanes = static_cast<std::int32_t>(hn::MaxLanes(ints()));
+constexpr std::int32_t side = l3d_painter_piece::small_side;
+constexpr auto lanes = static_cast<std::int32_t>(hn::MaxLanes(ints()));
 
 /// Not negative where a centre is inside of an edge.
 ///

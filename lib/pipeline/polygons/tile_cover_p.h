@@ -4,6 +4,7 @@
 #define L3D_PIPELINE_POLYGONS_TILE_COVER_P_H
 
 #include "raster/micro_grid.h"
+#include "raster/shapes/painter.h"
 
 #include <array>
 #include <cstdint>
@@ -16,7 +17,9 @@ struct cover_tiles {
     std::int32_t columns, rows; ///< of tiles
 };
 
-/// The largest triangle for tile_cover. Units: pixels.
+/// The largest triangle for tile_cover: 64 pixels are 2^14 steps of a corner's place, whose
+/// products fit into 32 bits. Triangles of up to eight pixels have theirs in painter_item. Units:
+/// pixels.
 inline constexpr std::int32_t tile_cover_reach = 64;
 
 /// Bit 8 r + c of a tile's number is set if the pixel in its row r and column c is covered, by the

@@ -19,11 +19,16 @@ struct side_block {
     static constexpr std::size_t most_corners = 24;
     using lanes = std::array<double, rows>;
 
-    alignas(64) lanes enters;                    ///< x at the row's top, or where the chain begins
-    lanes leaves;                                ///< x at its bottom, or where the chain ends
-    lanes corners;                               ///< how many lie between
-    std::array<lanes, most_corners> x, y;        ///< of the corners, from top to bottom
-    std::array<const l3d_point_2d*, rows> first; ///< the first of them
+    /// x at the row's top, or where the chain begins.
+    alignas(64) lanes enters;
+    /// x at the row's bottom, or where the chain ends.
+    lanes leaves;
+    /// How many corners lie between these.
+    lanes corners;
+    /// The corners, from top to bottom.
+    std::array<lanes, most_corners> x, y;
+    /// The first corner of each row.
+    std::array<const l3d_point_2d*, rows> first;
     /// Rows with more corners are left to others: all lanes wait for the one with the most.
     double few_corners;
     /// If `straight`, the chain is this edge in all rows, and nothing else counts.
@@ -67,12 +72,17 @@ private:
 /// Two chains in the same rows, the left one first, what is between them, and how it is drawn.
 struct side_pair {
     std::array<const side_block*, 2> blocks;
-    double begin, end;  ///< of both
-    std::int32_t row;   ///< of the first lane
-    std::size_t count;  ///< of rows
-    std::int32_t width; ///< columns from 0 to width - 1 are seen
-    std::int32_t x, y;  ///< to be added to columns and rows of spans
-    double full;        ///< the value of a pixel that is covered wholly
+    /// The heights where both begin and end.
+    double begin, end;
+    /// The row of the first lane, and how many there are.
+    std::int32_t row;
+    std::size_t count;
+    /// Columns from 0 to width - 1 are seen.
+    std::int32_t width;
+    /// What is added to the columns and rows of spans.
+    std::int32_t x, y;
+    /// The value of a pixel that is covered wholly.
+    double full;
 };
 
 /// Where spans go.

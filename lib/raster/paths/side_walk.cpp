@@ -79,7 +79,8 @@ void side_walk::lay_out(std::int32_t row, std::size_t count, side_block& block) 
         block.corners[lane] = static_cast<double>(corners);
     }
     y_ = row + static_cast<double>(count);
-    // More than twice as many as the others.
+    // Twice the mean, so that a row with many does not hold up the others. Four more cost less than
+    // a row by itself.
     const auto all = static_cast<double>((next - first) * step_);
     block.few_corners =
         std::min<double>(side_block::most_corners, 2 * all / static_cast<double>(count) + 4);

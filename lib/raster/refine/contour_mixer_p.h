@@ -18,14 +18,21 @@ namespace l3d_detail {
 /// A picture as it was drawn, before any of its pixels is mixed. Lives: borrows all.
 struct drawn_picture {
     const l3d_pixels& words;
-    l3d_pixel_box window;     ///< what is drawn of it
-    const float* depth;       ///< inv_w of the pixels that show a surface
-    std::ptrdiff_t pitch;     ///< of depths
-    bool is_grey;             ///< the channels of all pixels are equal
-    bool has_levels;          ///< vertices have levels of greys
-    const l3d_shading* foggy; ///< whose fog is before all that is drawn; null: there is none
-    std::span<const std::uint32_t> colors; ///< of the materials, if there are any
-    float place_error; ///< pixels that vertices may be off; less matters at no edge
+    /// The part of it that is drawn.
+    l3d_pixel_box window;
+    /// inv_w of the pixels that show a surface, and the way from row to row.
+    const float* depth;
+    std::ptrdiff_t pitch;
+    /// Whether the channels of all pixels are equal.
+    bool is_grey;
+    /// Whether vertices have levels of greys.
+    bool has_levels;
+    /// Has the fog that is before all that is drawn. Null: there is none.
+    const l3d_shading* foggy;
+    /// Of the materials, if there are any.
+    std::span<const std::uint32_t> colors;
+    /// How far vertices may be off. Less matters at no edge. Units: pixels.
+    float place_error;
 };
 
 /// Mixes what is on both sides of a contour by their exact shares of the square.

@@ -54,7 +54,7 @@ struct alignas(64) painting {
     std::int64_t written = 0;
     std::vector<wide_row> waiting;      ///< of one triangle
     const l3d_shading* foggy = nullptr; ///< whose fog is before all, if it has any
-    small_painter small;                ///< where lanes light normals, else at rest
+    small_painter small;                ///< at rest unless lanes light normals.
 
     bool from_front = false; ///< what is painted first stays
     static constexpr std::uint32_t white = wide_polygon::white;
@@ -156,7 +156,7 @@ bool is_hidden(const painting& to, const std::array<l3d_micro_vertex, 3>& v) {
 template <class Shader>
 void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_vertex, 3>& v) {
     if (!to.from_front)
-        to.small.finish(); // what waits is behind the triangle
+        to.small.finish(); // The triangle lies before what waits.
     if (to.from_front && is_hidden(to, v))
         return;
     late_plane<Shader> plane(shader, v);

@@ -4,6 +4,7 @@
 #define L3D_RASTER_SHAPES_SMALL_PAINTER_P_H
 
 #include "raster/micro_grid.h"
+#include "raster/refine/pixel_bits_p.h"
 #include "raster/shapes/open_pixels_p.h"
 #include "raster/shapes/painter.h"
 #include "raster/surface_rasterizer.h"
@@ -45,10 +46,8 @@ public:
     /// Whether this is the way to paint a piece: its pixels are known, and few. Triangles of more
     /// pixels take less time row by row, where they share a plane.
     bool takes(const l3d_painter_piece& piece) const {
-        std::uint64_t more = piece.cover;
-        for (int pixel = 0; pixel < most_pixels; ++pixel)
-            more &= more - 1; // one less
-        return shading_ != nullptr && piece.cover != 0 && more == 0;
+        const int pixels = bits_in(piece.cover);
+        return shading_ != nullptr && pixels > 0 && pixels <= most_pixels;
     }
 
     /// Paints what a piece has in these rows now or, at the latest, in finish(). Of `open`, unless
