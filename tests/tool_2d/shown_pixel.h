@@ -23,6 +23,8 @@ inline int shown_level(int value, int levels, int x, int y) {
     const auto value_of = [&](int level) { return std::floor(level * 255.0 / (levels - 1) + 0.5); };
     if (levels == 1)
         return 0;
+    if (levels == 256)
+        return value; // each has a level of its own
     int below = 0;
     while (below + 2 < levels && value_of(below + 1) <= value)
         ++below;
