@@ -94,7 +94,7 @@ stretch zeros_of(const part& of, bool along_u, double slack) {
     const std::size_t across = along_u ? 12 : 3, along = along_u ? 3 : 12;
     double da = p[across].a - p[0].a + p[15].a - p[along].a;
     double db = p[across].b - p[0].b + p[15].b - p[along].b;
-    const double length = std::hypot(da, db);
+    const double length = std::sqrt(da * da + db * db);
     if (!(length > 0))
         return {0, 1};
     da /= length;
@@ -115,10 +115,12 @@ stretch zeros_of(const part& of, bool along_u, double slack) {
     for (std::size_t i = 0; i < 4; ++i) {
         if (low[i] <= 0 && high[i] >= 0)
             meets(third(i));
+        if (!(low[i] < 0))
+            continue;
         for (std::size_t k = 0; k < 4; ++k)
-            for (const double below : {low[i], high[i]})
-                for (const double above : {low[k], high[k]})
-                    if (below < 0 && above > 0)
+            for (const double above : {low[k], high[k]})
+                for (const double below : {low[i], high[i]})
+                    if (k != i && below < 0 && above > 0)
                         meets(third(i) + (third(k) - third(i)) * (below / (below - above)));
     }
     return result;
