@@ -3,6 +3,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/shapes/span_kernels.cpp"
 #include <hwy/foreach_target.h>
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include "raster/parallel/simd_dispatch_p.h"
@@ -171,7 +172,16 @@ bool cover_ends(std::uint32_t*, std::uint32_t*, const std::uint8_t*, std::uint32
 
 void cover_spans_in_lanes(const l3d_pixels& target, std::span<const covered_span> spans,
                           const std::uint8_t* all_values, std::uint32_t color) {
-    for (const covered_span& s : spans) {
+    // Each row is on another page of memory, which no processor fetches by itself.
+    constexpr std::size_t ahead = 8;
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+        if (i + ahead < spans.size()) {
+            const covered_span& later = spans[i + ahead];
+            const std::uint32_t* const row = target.words + later.row * target.stride;
+            hwy::Prefetch(row + later.first);
+            hwy::Prefetch(row + later.beyond);
+        }
+        const covered_span& s = spans[i];
         std::uint32_t* const row = target.words + s.row * target.stride;
         const std::uint8_t* const values = all_values + s.values;
         const auto before = static_cast<std::size_t>(s.between - s.first);
