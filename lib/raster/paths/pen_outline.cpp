@@ -15,13 +15,24 @@ namespace {
 /// pieces.
 constexpr double widest_pen = 1 << 30;
 
+/// From point to point of an arc, so that the area of a pixel is off by at most l3d_flat_enough.
+/// Chords of a turn u add up to r^2 u^3 / (81 sqrt 2) to one side before the other side makes up
+/// for it, and may do so four times in a pixel. Those of large circles are nearer than what
+/// sqrt 2 pixels of the rim allow. NUMERICS.md, section 20.
+double most_turn(double radius) {
+    constexpr double root = std::numbers::sqrt2;
+    const double by_area = std::cbrt(81 * root / 4 * l3d_flat_enough / (radius * radius));
+    const double by_distance = std::sqrt(12 * (l3d_flat_enough / root) / radius);
+    return std::min(std::max(by_area, by_distance), std::numbers::pi / 4);
+}
+
 } // namespace
 
 /// An arc of angle a is r (1 - cos(a / 2)) away from its chord, at most r a^2 / 8.
 pen_outline::pen_outline(const l3d_stroke& pen, l3d_path& result)
     : pen_(pen), result_(result), radius_(std::min(pen.width, widest_pen) / 2),
       most_angle_(std::min(std::sqrt(8 * l3d_flat_enough / radius_), std::numbers::pi / 4)),
-      least_cosine_(std::cos(most_angle_)) {}
+      least_cosine_(std::cos(most_angle_)), most_turn_(most_turn(radius_)) {}
 
 void pen_outline::add(const std::vector<pen_point>& points, bool closed, l3d_point_2d along) {
     find_chords(points, closed);
@@ -147,19 +158,17 @@ void pen_outline::add_cap(const chord& last) {
     }
 }
 
-/// Equal turns u lead from one point to the next, on a circle that is larger by r tan^2(u / 4). So
-/// its chords are as far inside of the arc, in their middle, as their ends are outside. The arc
-/// itself begins and ends on the circle: there the turn is by (1 + sqrt 2) / sqrt 8 of u.
-/// NUMERICS.md, section 20.
+/// Equal turns u lead from one point to the next, on a circle that is larger by r u^2 / 12 or so: a
+/// chord and its arc bound equal areas. The arc itself begins and ends on the circle: there the
+/// turn is by u / sqrt 2. A single chord has nothing to make up for what it cuts off.
 void pen_outline::find_turns(double angle, std::vector<l3d_point_2d>& turns) const {
-    constexpr double at_ends = (1 + std::numbers::sqrt2) / (2 * std::numbers::sqrt2);
+    constexpr double at_ends = 1 / std::numbers::sqrt2;
     constexpr double missing = 2 - 2 * at_ends; // turns by u that both ends together fall short of
-    // tan^2(u / 4) = a^2 / 8, for which an arc of angle a is no farther from its chord, either.
-    const double most_turn = 4 * std::atan(most_angle_ / std::sqrt(8.0));
-    const int pieces = static_cast<int>(std::ceil(angle / most_turn + missing));
-    const double turn = angle / (pieces - missing), quarter = std::tan(turn / 4);
-    const double radius = radius_ * (1 + quarter * quarter);
+    const int pieces = std::max(angle > most_angle_ ? 2 : 1,
+                                static_cast<int>(std::ceil(angle / most_turn_ + missing)));
+    const double turn = angle / (pieces - missing);
     const double cosine = std::cos(turn), sine = std::sin(turn);
+    const double radius = radius_ * std::sqrt(turn / sine);
     double x = radius * std::cos(turn * at_ends), y = radius * std::sin(turn * at_ends);
     turns.clear();
     for (int i = 1; i < pieces; ++i) { // a few hundred turns at most: rounding stays below 2^-40

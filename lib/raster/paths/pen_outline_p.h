@@ -61,6 +61,7 @@ private:
     l3d_path& result_;
     double radius_, most_angle_;
     double least_cosine_; ///< of a turn by that
+    double most_turn_;    ///< between points of an arc
     std::vector<chord> chords_;
     std::vector<l3d_point_2d> outline_; ///< that is being made
     std::vector<l3d_point_2d> turns_;

@@ -37,13 +37,14 @@ struct L3D_PUBLIC l3d_stroke {
 
 /// The path that a pen covers, to be filled with l3d_winding::nonzero.
 ///
-/// Curves become chords within l3d_flat_enough; round joins and caps are within it, too. Inside of
-/// a curve the chords meet in round joins, so all that is covered is within twice that distance. An
-/// outline of a single point shows a round or a square cap. Where the lines of a very short outline
-/// turn by half a turn, nothing is missing. Where a closed outline begins within a dash, its first
-/// and last dash are one. A dash without length shows a cap as a single point does; a square one is
-/// turned along the path. Expects: numbers; width at least 0; lengths of dashes at least 0, with a
-/// sum of 1e-3 or more.
+/// Curves become chords within l3d_flat_enough. Inside of a curve the chords meet in round joins,
+/// so what is covered along it is within twice that distance. Round joins at corners and caps
+/// become chords that change the area of no pixel by more than it: arcs and chords bound equal
+/// areas. An outline of a single point shows a round or a square cap. Where the lines of a very
+/// short outline turn by half a turn, nothing is missing. Where a closed outline begins within a
+/// dash, its first and last dash are one. A dash without length shows a cap as a single point does;
+/// a square one is turned along the path. Expects: numbers; width at least 0; lengths of dashes at
+/// least 0, with a sum of 1e-3 or more.
 ///          Otherwise the result is empty.
 /// Cost:    linear in chords and dashes; at most 10^6 dashes, the rest is left out.
 L3D_PUBLIC l3d_path l3d_stroked(const l3d_path& path, const l3d_stroke& pen);
