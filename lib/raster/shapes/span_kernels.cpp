@@ -172,16 +172,16 @@ bool cover_ends(std::uint32_t*, std::uint32_t*, const std::uint8_t*, std::uint32
 
 void cover_spans_in_lanes(const l3d_pixels& target, std::span<const covered_span> spans,
                           const std::uint8_t* all_values, std::uint32_t color) {
-    // Each row is on another page of memory, which no processor fetches by itself.
+    // Other rows are on other pages of memory, which no processor fetches by itself.
     constexpr std::size_t ahead = 8;
     for (std::size_t i = 0; i < spans.size(); ++i) {
-        if (i + ahead < spans.size()) {
-            const covered_span& later = spans[i + ahead];
+        const covered_span& s = spans[i];
+        if (const covered_span& later = spans[std::min(i + ahead, spans.size() - 1)];
+            later.row != s.row) {
             const std::uint32_t* const row = target.words + later.row * target.stride;
             hwy::Prefetch(row + later.first);
             hwy::Prefetch(row + later.beyond);
         }
-        const covered_span& s = spans[i];
         std::uint32_t* const row = target.words + s.row * target.stride;
         const std::uint8_t* const values = all_values + s.values;
         const auto before = static_cast<std::size_t>(s.between - s.first);
