@@ -6,28 +6,16 @@
 #include <array>
 #include <cmath>
 
-namespace {
-
-double length(l3d_point_2d p) {
-    return std::sqrt(p.x * p.x + p.y * p.y);
-}
-
-} // namespace
-
 l3d_detail::flat_plan l3d_detail::flat_steps(const l3d_curve_2d& curve, double distance) {
     const auto& p = curve.points;
     const bool plain = is_plain(curve);
-    const l3d_point_2d from = projected(p[0]), to = projected(p[3]);
-    const l3d_point_2d origin{(from.x + to.x) / 2, (from.y + to.y) / 2};
-    double reach = 0, least_weight = 1;
-    if (!plain) {
-        least_weight = p[0][2];
-        for (const auto& control : p) {
-            const l3d_point_2d at = projected(control);
-            reach = std::max(reach, length({at.x - origin.x, at.y - origin.y}));
-            least_weight = std::min(least_weight, control[2]);
-        }
-        reach += distance; // so far chords may be from the curve
+    std::array<l3d_point_2d, 4> hull;
+    std::ranges::transform(p, hull.begin(), projected);
+    const l3d_point_2d origin{(hull[0].x + hull[3].x) / 2, (hull[0].y + hull[3].y) / 2};
+    double least_weight = p[0][2];
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        hull[i] = {hull[i].x - origin.x, hull[i].y - origin.y};
+        least_weight = std::min(least_weight, p[i][2]);
     }
     // Second differences from the origin.
     std::array<l3d_point_2d, 2> bends;
@@ -37,13 +25,21 @@ l3d_detail::flat_plan l3d_detail::flat_steps(const l3d_curve_2d& curve, double d
         weights[i] = plain ? 0 : second(2);
         bends[i] = {second(0) - origin.x * weights[i], second(1) - origin.y * weights[i]};
     }
-    const double bend = std::max(length(bends[0]), length(bends[1]));
-    const double weight_bend = std::max(std::abs(weights[0]), std::abs(weights[1]));
-    const double second = 6 * (bend + reach * weight_bend);
+    // The most of bend - x weight for places x of chords. They are so near to the hull.
+    const auto most_of = [&](l3d_point_2d bend, double weight) {
+        double most = 0;
+        for (const l3d_point_2d& corner : hull) {
+            const double x = bend.x - corner.x * weight, y = bend.y - corner.y * weight;
+            most = std::max(most, x * x + y * y);
+        }
+        return std::sqrt(most) + distance * std::abs(weight);
+    };
+    const double second =
+        6 * std::max(most_of(bends[0], weights[0]), most_of(bends[1], weights[1]));
     if (second <= 8 * distance * least_weight)
         return {1, false};
-    const double third = 6 * (length({bends[1].x - bends[0].x, bends[1].y - bends[0].y}) +
-                              reach * std::abs(weights[1] - weights[0]));
+    const double third =
+        6 * most_of({bends[1].x - bends[0].x, bends[1].y - bends[0].y}, weights[1] - weights[0]);
     // The least 1 / h for which h^2 (second + 0.3 h third) is at most 16 times the distance.
     const double least = std::sqrt(second / (16 * distance * least_weight));
     const double inner = least * std::sqrt(1 + 0.3 * third / (second * least));

@@ -26,13 +26,13 @@ struct seen_box {
     /// Whether all of a curve is beyond one side. It lies in the hull of its control points.
     bool misses(const l3d_curve_2d& curve) const {
         const auto all = [&curve](auto beyond) {
-            return std::ranges::all_of(curve.points,
-                                       [&](const auto& p) { return beyond(projected(p)); });
+            return std::ranges::all_of(curve.points, beyond);
         };
-        return all([this](l3d_point_2d p) { return p.x < left; }) ||
-               all([this](l3d_point_2d p) { return p.x > right; }) ||
-               all([this](l3d_point_2d p) { return p.y < top; }) ||
-               all([this](l3d_point_2d p) { return p.y > bottom; });
+        // weights are above 0: what would be divided by one may as well be compared with it
+        return all([this](const auto& p) { return p[0] < left * p[2]; }) ||
+               all([this](const auto& p) { return p[0] > right * p[2]; }) ||
+               all([this](const auto& p) { return p[1] < top * p[2]; }) ||
+               all([this](const auto& p) { return p[1] > bottom * p[2]; });
     }
 };
 

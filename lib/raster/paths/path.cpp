@@ -54,12 +54,15 @@ void l3d_path::rational_to(const std::array<l3d_point_2d, 3>& points,
 void l3d_path::arc_to(l3d_point_2d center, l3d_point_2d radii, double turn, double begin,
                       double sweep) {
     const double cosine = std::cos(turn), sine = std::sin(turn);
-    const auto at = [&](double angle, double farther) {
-        const double x = radii.x * std::cos(angle) * farther;
-        const double y = radii.y * std::sin(angle) * farther;
+    const auto placed = [&](l3d_point_2d on_circle) {
+        const double x = radii.x * on_circle.x, y = radii.y * on_circle.y;
         return l3d_point_2d{center.x + cosine * x - sine * y, center.y + sine * x + cosine * y};
     };
-    const l3d_point_2d start = at(begin, 1);
+    const auto direction = [](double angle) {
+        return l3d_point_2d{std::cos(angle), std::sin(angle)};
+    };
+    l3d_point_2d from = direction(begin);
+    const l3d_point_2d start = placed(from);
     if (!open_)
         move_to(start);
     else if (start.x != last_.x || start.y != last_.y)
@@ -68,18 +71,18 @@ void l3d_path::arc_to(l3d_point_2d center, l3d_point_2d radii, double turn, doub
         std::max(1, static_cast<int>(std::ceil(
                         std::min(std::abs(sweep), 1000.0) / (std::numbers::pi / 2) - 1e-9)));
     const double half = sweep / pieces / 2, weight = std::cos(half);
-    const auto inner = [weight](l3d_point_2d end, l3d_point_2d middle) {
-        const double sum = 1 + 2 * weight;
+    const double tangent = std::sin(half) / weight;
+    const double sum = 1 + 2 * weight;
+    const auto inner = [&](l3d_point_2d end, l3d_point_2d middle) {
         return l3d_point_2d{(end.x + 2 * weight * middle.x) / sum,
                             (end.y + 2 * weight * middle.y) / sum};
     };
     for (int i = 0; i < pieces; ++i) {
-        const double middle_angle = begin + (2 * i + 1) * half;
-        const l3d_point_2d middle = at(middle_angle, 1 / weight);
-        const l3d_point_2d end = at(middle_angle + half, 1);
-        const double inner_weight = (1 + 2 * weight) / 3;
-        rational_to({inner(last_, middle), inner(end, middle), end},
-                    {inner_weight, inner_weight, 1});
+        const l3d_point_2d to = direction(begin + (2 * i + 1) * half + half);
+        const l3d_point_2d middle = placed({from.x - tangent * from.y, from.y + tangent * from.x});
+        const l3d_point_2d end = placed(to);
+        rational_to({inner(last_, middle), inner(end, middle), end}, {sum / 3, sum / 3, 1});
+        from = to;
     }
 }
 
