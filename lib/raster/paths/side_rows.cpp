@@ -112,22 +112,20 @@ struct window {
 
 /// The sum over edges of height * G(x), where G(x) is the area right of an edge from l to r of
 /// height 1, and left of x. It is 0 up to l, and (x - l)^2 / 2 (r - l) up to r. From there on it
-/// grows by one a pixel.
+/// grows by one a pixel. So it is b - i (1 - i / 2 (r - l)) for b = x - l or 0, and i = b or r - l.
 template <std::size_t Columns> struct area_sum {
     number first;
     std::array<number, Columns> sums;
 
     HWY_ATTR HWY_INLINE void add(number x0, number x1, number height) {
-        const number left = smallest(x0, x1), right = largest(x0, x1);
-        const number wide = right - left, zero = same(0), one = same(1);
+        const number left = smallest(x0, x1), wide = largest(x0, x1) - left, zero = same(0);
         const number least = same(std::numeric_limits<double>::min());
         const number scale = height * (same(0.5) / largest(wide, least));
-        number after_left = first - left, after_right = first - right;
+        number after_left = first - left;
         for (number& sum : sums) {
-            after_left = after_left + one;
-            after_right = after_right + one;
-            const number in = smallest(largest(after_left, zero), wide);
-            sum = sum + (in * in * scale + height * largest(after_right, zero));
+            after_left = after_left + same(1);
+            const number beyond = largest(after_left, zero), in = smallest(beyond, wide);
+            sum = sum + (height * beyond - in * (height - in * scale));
         }
     }
 };
@@ -186,6 +184,8 @@ HWY_ATTR HWY_INLINE void find_window(const side_block& block, const side_lanes& 
                                      double columns, window& result) {
     if (columns <= group / 2)
         find_window<group / 2, is_left>(block, lanes, y, full, at, result);
+    else if (columns <= group - 1)
+        find_window<group - 1, is_left>(block, lanes, y, full, at, result);
     else if (columns <= group)
         find_window<group, is_left>(block, lanes, y, full, at, result);
     else if (columns <= 2 * group)
