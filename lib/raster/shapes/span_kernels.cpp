@@ -104,31 +104,41 @@ HWY_INLINE bool cover_vector(D d, std::uint32_t* at, std::uint32_t color, const 
     return true;
 }
 
-/// The same of neighbours. Words that may be transparent are done one by one.
+/// One by one, as a word may be transparent.
 template <class Shares>
-void cover_run(std::uint32_t* at, std::size_t count, std::uint32_t color, const Shares& shares) {
-    const std::size_t lanes = hn::Lanes(words);
+HWY_NOINLINE void cover_each(std::uint32_t* at, std::size_t count, std::uint32_t color,
+                             const Shares& shares, std::size_t i) {
+    for (; i < count; ++i)
+        if (shares.one(i) > 0)
+            at[i] = blended_over_gap(at[i], color, shares.one(i));
+}
+
+/// Blends neighbours.
+template <class Shares>
+HWY_INLINE void cover_run(std::uint32_t* at, std::size_t count, std::uint32_t color,
+                          const Shares& shares) {
+    constexpr std::size_t lanes = hn::MaxLanes(words);
     std::size_t i = 0;
-    while (i + lanes <= count && cover_vector(words, at, color, shares, i))
-        i += lanes;
+    for (; i + lanes <= count; i += lanes)
+        if (!cover_vector(words, at, color, shares, i))
+            return cover_each(at, count, color, shares, i);
     // As many as a straight side of a path has.
     if (constexpr hn::CappedTag<std::uint32_t, 4> four;
         count - i == hn::MaxLanes(four) && cover_vector(four, at, color, shares, i))
         return;
-    // A mask is worth it for more than three words, and lets nothing beyond them be read.
-    if (const std::size_t left = count - i; left > 3 && left < lanes) {
-        const auto mask = hn::FirstN(words, left);
+    // A mask lets nothing beyond the last be read. Where it is not cheap, it is worth it for more
+    // than three words.
+    constexpr std::size_t few = masked_stores_are_cheap ? 0 : 3;
+    if (count - i > few) {
+        const auto mask = hn::FirstN(words, count - i);
         const word_lanes word = hn::MaskedLoad(mask, words, at + i);
-        if (hn::AllTrue(words, hn::Lt(word, hn::Set(words, 0x01000000)))) {
-            hn::BlendedStore(
+        if (hn::AllTrue(words, hn::Lt(word, hn::Set(words, 0x01000000))))
+            return hn::BlendedStore(
                 blended_lanes(words, word, hn::Set(words, color), shares.lanes(words, i)), mask,
                 words, at + i);
-            return;
-        }
     }
-    for (; i < count; ++i)
-        if (shares.one(i) > 0)
-            at[i] = blended_over_gap(at[i], color, shares.one(i));
+    if (i < count)
+        cover_each(at, count, color, shares, i);
 }
 
 struct equal_shares {
