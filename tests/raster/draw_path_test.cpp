@@ -177,12 +177,13 @@ double distance_to_segment(l3d_point_2d p, l3d_point_2d a, l3d_point_2d b) {
 TEST(flatten, keeps_curves_within_the_distance_of_their_chords) {
     std::mt19937 random(3);
     const l3d_detail::seen_box everything{-1e9, -1e9, 1e9, 1e9};
+    l3d_detail::flat_room room;
     double worst = 0;
     for (int n = 0; n < 600; ++n) {
         const double size = std::pow(10, uniform(random, -3, 2.5));
         const l3d_curve_2d curve = random_curve(random, size, n % 2 == 1);
         std::vector<l3d_point_2d> points{l3d_detail::projected(curve.points[0])};
-        l3d_detail::flatten(curve, l3d_flat_enough, everything,
+        l3d_detail::flatten(curve, l3d_flat_enough, everything, room,
                             [&](std::span<const l3d_point_2d> ends) {
                                 points.insert(points.end(), ends.begin(), ends.end());
                             });
@@ -233,11 +234,12 @@ TEST(draw_path, has_exact_areas_where_a_row_has_hundreds_of_edges) {
 /// The steps of the whole curve would be as small everywhere as its smallest weight needs them.
 TEST(flatten, takes_no_more_chords_the_more_weights_differ) {
     const l3d_detail::seen_box everything{-1e9, -1e9, 1e9, 1e9};
+    l3d_detail::flat_room room;
     for (const double k : {1.0, 10.0, 1e3, 1e6}) {
         l3d_curve_2d curve;
         curve.points = {{{0, 0, 1}, {200 * k, 0, k}, {200 / k, 200 / k, 1 / k}, {0, 200, 1}}};
         std::size_t chords = 0;
-        l3d_detail::flatten(curve, l3d_flat_enough, everything,
+        l3d_detail::flatten(curve, l3d_flat_enough, everything, room,
                             [&](std::span<const l3d_point_2d> to) { chords += to.size(); });
         EXPECT_LT(chords, 1000u) << k;
     }
@@ -246,6 +248,7 @@ TEST(flatten, takes_no_more_chords_the_more_weights_differ) {
 /// Chords whose ends lie on a curve are only inside of it. Those of the library are as far outside,
 /// and so sqrt 2 times as long.
 TEST(flatten, takes_chords_that_err_to_both_sides_alike) {
+    l3d_detail::flat_room room;
     for (const double radius : {5.0, 40.0, 300.0}) {
         l3d_path path;
         path.add_circle({0, 0}, radius);
@@ -253,7 +256,7 @@ TEST(flatten, takes_chords_that_err_to_both_sides_alike) {
         double least = radius, most = 0;
         l3d_point_2d from{radius, 0};
         l3d_detail::visit_flat(
-            path, l3d_flat_enough, {-1e9, -1e9, 1e9, 1e9}, [](l3d_point_2d) {},
+            path, l3d_flat_enough, {-1e9, -1e9, 1e9, 1e9}, room, [](l3d_point_2d) {},
             [&](std::span<const l3d_point_2d> ends) {
                 for (const l3d_point_2d& to : ends) {
                     most = std::max(most, std::hypot(to.x, to.y));

@@ -35,8 +35,10 @@ std::vector<chord> chords_of(const l3d_path& path) {
     std::vector<chord> result;
     l3d_point_2d begin{}, last{};
     const auto go = [&](l3d_point_2d to) { result.push_back({std::exchange(last, to), to}); };
+    l3d_detail::flat_room room;
     l3d_detail::visit_flat(
-        path, l3d_flat_enough, {-1e9, -1e9, 1e9, 1e9}, [&](l3d_point_2d p) { begin = last = p; },
+        path, l3d_flat_enough, {-1e9, -1e9, 1e9, 1e9}, room,
+        [&](l3d_point_2d p) { begin = last = p; },
         [&](std::span<const l3d_point_2d> ends) { std::ranges::for_each(ends, go); },
         [&](bool closed) {
             if (closed)

@@ -76,9 +76,11 @@ public:
             return;
         }
         std::vector<l3d_point_2d> ends{l3d_detail::projected(c.points[0])};
-        l3d_detail::flatten(c, l3d_flat_enough, seen, [&](std::span<const l3d_point_2d> some) {
-            ends.insert(ends.end(), some.begin(), some.end());
-        });
+        l3d_detail::flat_room room;
+        l3d_detail::flatten(c, l3d_flat_enough, seen, room,
+                            [&](std::span<const l3d_point_2d> some) {
+                                ends.insert(ends.end(), some.begin(), some.end());
+                            });
         const std::size_t count = ends.size() - 1;
         const auto place = [count](std::size_t step) { // what flat_step says
             if (step == 0 || step == count)

@@ -73,32 +73,37 @@ inline constexpr std::size_t flat_points_at_once = 8;
 /// Shape:   there is room for flat_points_at_once more.
 void find_flat_points(const l3d_curve_2d& curve, std::size_t steps, l3d_point_2d* points);
 
+/// Where the points of a curve lie until they are taken. Those who flatten many keep it: it takes
+/// as long to set up as a short curve does.
+using flat_room = std::array<l3d_point_2d, most_flat_steps + flat_points_at_once>;
+
 /// Calls lines(points) for the ends of chords, some at a time. What is not seen becomes one chord.
 template <class Lines>
-void flatten(const l3d_curve_2d& curve, double distance, const seen_box& seen, const Lines& lines) {
-    std::array<l3d_point_2d, most_flat_steps + flat_points_at_once> points;
+void flatten(const l3d_curve_2d& curve, double distance, const seen_box& seen, flat_room& room,
+             const Lines& lines) {
     std::size_t count = 1;
     const flat_plan plan = flat_steps(curve, distance);
     if (plan.steps > 1 && !seen.misses(curve)) {
         if (plan.halved) {
             const auto [first, second] = curve.split();
-            flatten(first, distance, seen, lines);
-            return flatten(second, distance, seen, lines);
+            flatten(first, distance, seen, room, lines);
+            return flatten(second, distance, seen, room, lines);
         }
         count = static_cast<std::size_t>(plan.steps);
-        find_flat_points(curve, count, points.data());
+        find_flat_points(curve, count, room.data());
     }
-    points[count - 1] = projected(curve.points[3]);
-    lines(std::span<const l3d_point_2d>(points.data(), count));
+    room[count - 1] = projected(curve.points[3]);
+    lines(std::span<const l3d_point_2d>(room.data(), count));
 }
 
 /// Calls begin(point), lines(points) and end(closed) for each outline of a path.
 template <class Begin, class Lines, class End>
-void visit_flat(const l3d_path& path, double distance, const seen_box& seen, const Begin& begin,
-                const Lines& lines, const End& end) {
+void visit_flat(const l3d_path& path, double distance, const seen_box& seen, flat_room& room,
+                const Begin& begin, const Lines& lines, const End& end) {
     struct {
         const double distance;
         const seen_box& seen;
+        flat_room& room;
         const Begin& begin_outline;
         const Lines& add_lines;
         const End& end_outline;
@@ -110,7 +115,7 @@ void visit_flat(const l3d_path& path, double distance, const seen_box& seen, con
             open = true;
         }
         void lines(std::span<const l3d_point_2d> to) { add_lines(to); }
-        void curve(const l3d_curve_2d& c) { flatten(c, distance, seen, add_lines); }
+        void curve(const l3d_curve_2d& c) { flatten(c, distance, seen, room, add_lines); }
         void close() {
             end_outline(true);
             open = false;
@@ -119,7 +124,7 @@ void visit_flat(const l3d_path& path, double distance, const seen_box& seen, con
             if (open)
                 end_outline(false);
         }
-    } visitor{distance, seen, begin, lines, end};
+    } visitor{distance, seen, room, begin, lines, end};
     path.visit(visitor);
     visitor.finish();
 }

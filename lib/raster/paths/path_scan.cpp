@@ -2,8 +2,6 @@
 // path_scan: chains come and go with the rows; clusters of their pieces become spans.
 #include "raster/paths/path_scan_p.h"
 
-#include "raster/paths/flat_curve_p.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -65,7 +63,7 @@ std::span<const covered_span> path_scan::convert(const order& wanted) {
 void path_scan::take_outlines(const l3d_path& path, std::uint8_t layer) {
     const seen_box seen{box_.left - 0.5, box_.top - 0.5, box_.right - 0.5, box_.bottom - 0.5};
     visit_flat(
-        path, l3d_flat_enough, seen, [&](l3d_point_2d to) { chains_.begin(to); },
+        path, l3d_flat_enough, seen, flat_room_, [&](l3d_point_2d to) { chains_.begin(to); },
         [&](std::span<const l3d_point_2d> to) { chains_.lines(to); },
         [&](bool) { chains_.end(layer); });
 }

@@ -4,6 +4,7 @@
 #define L3D_RASTER_PATHS_PATH_SCAN_P_H
 
 #include "raster/paths/covered_span_p.h"
+#include "raster/paths/flat_curve_p.h"
 #include "raster/paths/path.h"
 #include "raster/paths/path_chains_p.h"
 #include "raster/paths/row_areas_p.h"
@@ -100,6 +101,7 @@ private:
     int full_value_ = 255;
     fill_rules rules_;
     path_chains chains_;
+    flat_room flat_room_;
     std::vector<place> places_; ///< of the row, from left to right
     std::vector<place> begun_, merged_;
     std::vector<row_edge> edges_;

@@ -134,6 +134,7 @@ template <class Outline> struct chord_visitor {
     const Outline& outline;
     std::vector<pen_point> points;
     l3d_point_2d begin{};
+    flat_room room{};
 
     void move(l3d_point_2d to) {
         finish();
@@ -147,7 +148,7 @@ template <class Outline> struct chord_visitor {
     void curve(const l3d_curve_2d& c) {
         continue_outline();
         constexpr double far = std::numeric_limits<double>::max();
-        flatten(c, l3d_flat_enough, {-far, -far, far, far},
+        flatten(c, l3d_flat_enough, {-far, -far, far, far}, room,
                 [this](std::span<const l3d_point_2d> ends) {
                     for (const l3d_point_2d& p : ends)
                         points.push_back({p, true});
@@ -185,7 +186,7 @@ l3d_path l3d_stroked(const l3d_path& path, const l3d_stroke& pen) {
         else
             dashes.cut(points, closed);
     };
-    chord_visitor<decltype(add)> visitor{add, {}, {}};
+    chord_visitor<decltype(add)> visitor{add, {}, {}, {}};
     path.visit(visitor);
     visitor.finish();
     return result;
