@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 void l3d_path::move_to(l3d_point_2d to) {
     kinds_.push_back(kind::move);
@@ -84,6 +86,23 @@ void l3d_path::arc_to(l3d_point_2d center, l3d_point_2d radii, double turn, doub
         rational_to({inner(last_, middle), inner(end, middle), end}, {sum / 3, sum / 3, 1});
         from = to;
     }
+}
+
+/// As four arcs, whose ends need no sines: inner points are 2 w / (1 + 2 w) = 2 - sqrt 2 along the
+/// tangents, for w the cosine of an eighth of a turn.
+void l3d_path::add_circle(l3d_point_2d center, double radius) {
+    constexpr double along = 2 - std::numbers::sqrt2, weight = (1 + std::numbers::sqrt2) / 3;
+    const auto at = [&](double x, double y) {
+        return l3d_point_2d{center.x + radius * x, center.y + radius * y};
+    };
+    double x = 1, y = 0;
+    move_to(at(x, y));
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        rational_to({at(x - along * y, y + along * x), at(along * x - y, along * y + x), at(-y, x)},
+                    {weight, weight, 1});
+        x = -std::exchange(y, x);
+    }
+    close();
 }
 
 void l3d_path::close() {

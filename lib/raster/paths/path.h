@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <span>
 #include <vector>
 
@@ -70,11 +69,7 @@ public:
     void close();
 
     /// A full circle, an outline of its own.
-    void add_circle(l3d_point_2d center, double radius) {
-        move_to({center.x + radius, center.y});
-        arc_to(center, {radius, radius}, 0, 0, 2 * std::numbers::pi);
-        close();
-    }
+    void add_circle(l3d_point_2d center, double radius);
     /// A polygon, an outline of its own. Nothing if it has no corner.
     void add_polygon(l3d_outline_2d corners);
 
