@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -109,16 +110,17 @@ void path_scan::add_pair(chain& a, chain& b) {
         pair_spans result{spans_.room(count), values_.room(pair_spans::most_values * count),
                           values_.size()};
         // A single row is found sooner without lanes.
-        const std::uint32_t others = count > 1 ? cover_rows(pair, result) : 1;
+        std::uint32_t others = count > 1 ? cover_rows(pair, result) : 1;
         spans_.use(result.span_count);
         values_.use(result.value_count);
-        for (std::size_t lane = 0; lane < count; ++lane, ++row) {
-            if ((others >> lane & 1) == 0)
-                continue;
-            a.take_piece(walks[0].piece_of(blocks_[0], row, lane));
-            b.take_piece(walks[1].piece_of(blocks_[1], row, lane));
-            add_pair_row(row, a, b);
+        for (; others != 0; others &= others - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(others));
+            const std::int32_t other = row + static_cast<std::int32_t>(lane);
+            a.take_piece(walks[0].piece_of(blocks_[0], other, lane));
+            b.take_piece(walks[1].piece_of(blocks_[1], other, lane));
+            add_pair_row(other, a, b);
         }
+        row += static_cast<std::int32_t>(count);
     }
     a.leave_out();
     b.leave_out();
