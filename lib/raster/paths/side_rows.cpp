@@ -133,7 +133,7 @@ template <std::size_t Columns> struct area_sum {
 /// A pixel's area is the difference of the sums at its ends.
 template <std::size_t Columns, bool is_left>
 HWY_ATTR HWY_INLINE void find_window(const side_block& block, const side_lanes& lanes,
-                                     const row_heights& y, double full, std::size_t at,
+                                     const row_heights& y, double full, std::size_t at, bool joint,
                                      window& result) {
     const lane_integers di;
     area_sum<Columns> sum;
@@ -162,7 +162,8 @@ HWY_ATTR HWY_INLINE void find_window(const side_block& block, const side_lanes& 
         if (c < Columns) {
             const number area = sum.sums[c] - before;
             before = sum.sums[c];
-            store(area, &result.areas[c][at]);
+            if (joint)
+                store(area, &result.areas[c][at]);
             one = value(is_left ? area : height - area);
         }
         word = hn::Or(word, hn::ShiftLeftSame(one, shift_of(static_cast<int>(c % group))));
@@ -171,27 +172,23 @@ HWY_ATTR HWY_INLINE void find_window(const side_block& block, const side_lanes& 
             word = hn::Zero(di);
         }
     }
-    const number groups = lanes.columns() * same(1.0 / group);
-    const number used = largest({hn::Ceil(groups.v)}, same(1)) * same(group);
-    hn::Store(truncated(used), di, &result.used[at]);
     hn::Store(hn::Set(di, static_cast<std::int32_t>(Columns)), di, &result.known[at]);
-    hn::Store(truncated(sum.first), di, &result.first[at]);
 }
 
 template <bool is_left>
 HWY_ATTR HWY_INLINE void find_window(const side_block& block, const side_lanes& lanes,
                                      const row_heights& y, double full, std::size_t at,
-                                     double columns, window& result) {
+                                     double columns, bool joint, window& result) {
     if (columns <= group / 2)
-        find_window<group / 2, is_left>(block, lanes, y, full, at, result);
+        find_window<group / 2, is_left>(block, lanes, y, full, at, joint, result);
     else if (columns <= group - 1)
-        find_window<group - 1, is_left>(block, lanes, y, full, at, result);
+        find_window<group - 1, is_left>(block, lanes, y, full, at, joint, result);
     else if (columns <= group)
-        find_window<group, is_left>(block, lanes, y, full, at, result);
+        find_window<group, is_left>(block, lanes, y, full, at, joint, result);
     else if (columns <= 2 * group)
-        find_window<2 * group, is_left>(block, lanes, y, full, at, result);
+        find_window<2 * group, is_left>(block, lanes, y, full, at, joint, result);
     else
-        find_window<most_groups * group, is_left>(block, lanes, y, full, at, result);
+        find_window<most_groups * group, is_left>(block, lanes, y, full, at, joint, result);
 }
 
 /// All rows of both chains.
@@ -200,7 +197,41 @@ struct row_windows {
     alignas(64) double heights[rows];
     std::int32_t middle[rows]; ///< the value between both
     std::int32_t others[rows]; ///< not 0: the row is left to others
+    std::int32_t joint[rows];  ///< not 0: they share columns
+    /// Columns of the picture, as covered_span has them, if they do not.
+    std::int32_t first[rows], between[rows], beyond[rows], last[rows];
 };
+
+/// Where a window's values begin and end. They are whole groups.
+struct window_ends {
+    integers first, end;
+
+    HWY_ATTR HWY_INLINE window_ends(const side_lanes& lanes, std::size_t at, window& result) {
+        const lane_integers di;
+        first = truncated(lanes.least);
+        const number groups = lanes.columns() * same(1.0 / group);
+        const number used = largest({hn::Ceil(groups.v)}, same(1)) * same(group);
+        const integers count = truncated(used);
+        end = hn::Add(first, count);
+        hn::Store(first, di, &result.first[at]);
+        hn::Store(count, di, &result.used[at]);
+    }
+};
+
+/// Gives whether windows share columns in any row.
+HWY_ATTR HWY_INLINE bool find_ends(const side_pair& pair, const side_lanes& left,
+                                   const side_lanes& right, std::size_t at, row_windows& result) {
+    const lane_integers di;
+    const window_ends l(left, at, result.left), r(right, at, result.right);
+    const auto width = hn::Set(di, pair.width), x = hn::Set(di, pair.x);
+    const auto joint = hn::Gt(l.end, r.first);
+    hn::Store(hn::VecFromMask(di, joint), di, result.joint + at);
+    hn::Store(hn::Add(l.first, x), di, result.first + at);
+    hn::Store(hn::Add(l.end, x), di, result.between + at);
+    hn::Store(hn::Add(hn::Min(r.first, width), x), di, result.beyond + at);
+    hn::Store(hn::Add(hn::Min(r.end, width), x), di, result.last + at);
+    return !hn::AllFalse(di, joint);
+}
 
 HWY_ATTR HWY_INLINE void find_windows(const side_pair& pair, std::size_t at, row_windows& result) {
     const eight_doubles d;
@@ -225,8 +256,10 @@ HWY_ATTR HWY_INLINE void find_windows(const side_pair& pair, std::size_t at, row
     const auto most = [&](number columns) HWY_ATTR {
         return hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(done, columns.v)));
     };
-    find_window<true>(*pair.blocks[0], left, y, pair.full, at, most(left.columns()), result.left);
-    find_window<false>(*pair.blocks[1], right, y, pair.full, at, most(right.columns()),
+    const bool joint = find_ends(pair, left, right, at, result);
+    find_window<true>(*pair.blocks[0], left, y, pair.full, at, most(left.columns()), joint,
+                      result.left);
+    find_window<false>(*pair.blocks[1], right, y, pair.full, at, most(right.columns()), joint,
                        result.right);
 }
 
@@ -268,36 +301,36 @@ std::uint32_t put_rows(const side_pair& pair, const row_windows& windows, pair_s
             others |= 1U << i;
             continue;
         }
-        const std::int32_t first = windows.left.first[i], second = windows.right.first[i];
-        const std::int32_t between = first + windows.left.used[i];
-        const std::int32_t end = second + windows.right.used[i];
         const std::int32_t row = p.row + static_cast<std::int32_t>(i) + p.y;
-        if (between <= second && end - first > few) {
+        const std::int32_t first = windows.first[i], second = p.x + windows.right.first[i];
+        const std::int32_t end = second + windows.right.used[i];
+        if (windows.joint[i] == 0 && end - first > few) {
             put_words(windows.left, i, values);
-            const std::int32_t before = between - first;
+            const std::int32_t before = windows.left.used[i];
             put_words(windows.right, i, values + before);
             *span++ = {row,
-                       first + p.x,
-                       between + p.x,
-                       std::min(second, p.width) + p.x,
-                       std::min(end, p.width) + p.x,
+                       first,
+                       windows.between[i],
+                       windows.beyond[i],
+                       windows.last[i],
                        windows.middle[i],
                        place};
-            values += before + (end - second);
-            place += static_cast<std::size_t>(before + (end - second));
+            const std::int32_t count = before + windows.right.used[i];
+            values += count;
+            place += static_cast<std::size_t>(count);
             continue;
         }
         std::int32_t count = end - first;
-        if (between <= second) {
+        if (windows.joint[i] == 0) {
             std::memset(values, windows.middle[i], few);
             put_words(windows.left, i, values);
             put_words(windows.right, i, values + (second - first));
         } else {
             count = put_joint(windows, i, p.full, values);
         }
-        const std::int32_t last = std::min(first + count, p.width);
+        const std::int32_t last = std::min(first + count, p.x + p.width);
         if (first < last) {
-            *span++ = {row, first + p.x, last + p.x, last + p.x, last + p.x, 0, place};
+            *span++ = {row, first, last, last, last, 0, place};
             values += count;
             place += static_cast<std::size_t>(count);
         }
