@@ -183,7 +183,7 @@ bool cover_ends(std::uint32_t*, std::uint32_t*, const std::uint8_t*, std::uint32
 void cover_spans_in_lanes(const l3d_pixels& target, std::span<const covered_span> spans,
                           const std::uint8_t* all_values, std::uint32_t color) {
     // Other rows are on other pages of memory, which no processor fetches by itself.
-    constexpr std::size_t ahead = 8;
+    constexpr std::size_t ahead = 16;
     for (std::size_t i = 0; i < spans.size(); ++i) {
         const covered_span& s = spans[i];
         if (const covered_span& later = spans[std::min(i + ahead, spans.size() - 1)];
