@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// l3d_path: arcs against the ellipses that they are of.
+#include "raster/paths/path.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+namespace {
+
+struct curve_list {
+    std::vector<l3d_curve_2d> curves;
+    l3d_point_2d first{}, last{};
+
+    void move(l3d_point_2d to) { first = last = to; }
+    void line(l3d_point_2d to) { last = to; }
+    void curve(const l3d_curve_2d& c) {
+        curves.push_back(c);
+        last = {c.points[3][0] / c.points[3][2], c.points[3][1] / c.points[3][2]};
+    }
+    void close() {}
+};
+
+double uniform(std::mt19937& random, double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+/// Each of n curves leads through an n-th of the angles, and is in the middle of them at 1/2.
+void expect_arc(const curve_list& found, l3d_point_2d center, l3d_point_2d radii, double turn,
+                double begin, double sweep) {
+    const auto pieces = static_cast<double>(found.curves.size());
+    for (std::size_t i = 0; i < found.curves.size(); ++i)
+        for (const double t : {0.0, 0.2, 0.5, 0.7, 1.0}) {
+            const auto p = found.curves[i].evaluate(t);
+            const double dx = p[0] / p[2] - center.x, dy = p[1] / p[2] - center.y;
+            const double x = (dx * std::cos(turn) + dy * std::sin(turn)) / radii.x;
+            const double y = (dy * std::cos(turn) - dx * std::sin(turn)) / radii.y;
+            ASSERT_NEAR(std::hypot(x, y), 1, 1e-12);
+            if (t == 0.2 || t == 0.7)
+                continue;
+            const double angle = begin + sweep * (static_cast<double>(i) + t) / pieces;
+            ASSERT_NEAR(x, std::cos(angle), 1e-12);
+            ASSERT_NEAR(y, std::sin(angle), 1e-12);
+        }
+}
+
+TEST(path, has_arcs_that_are_on_their_ellipse) {
+    std::mt19937 random(5);
+    for (int n = 0; n < 2000; ++n) {
+        const l3d_point_2d center{uniform(random, -9, 9), uniform(random, -9, 9)};
+        const l3d_point_2d radii{uniform(random, 0.5, 30), uniform(random, 0.5, 30)};
+        const double turn = uniform(random, -4, 4), begin = uniform(random, -9, 9);
+        const double sweep = uniform(random, -13, 13);
+        l3d_path path;
+        path.arc_to(center, radii, turn, begin, sweep);
+        curve_list found;
+        path.visit(found);
+        const double quarters = std::abs(sweep) / (std::numbers::pi / 2);
+        ASSERT_EQ(found.curves.size(), static_cast<std::size_t>(std::ceil(quarters))) << n;
+        expect_arc(found, center, radii, turn, begin, sweep);
+    }
+}
+
+TEST(path, has_circles_that_end_exactly_where_they_begin) {
+    std::mt19937 random(6);
+    for (int n = 0; n < 200; ++n) {
+        const l3d_point_2d center{uniform(random, -900, 900), uniform(random, -900, 900)};
+        const double radius = uniform(random, 100, 300);
+        l3d_path path;
+        path.add_circle(center, radius);
+        curve_list found;
+        path.visit(found);
+        ASSERT_EQ(found.curves.size(), 4u);
+        expect_arc(found, center, {radius, radius}, 0, 0, 2 * std::numbers::pi);
+        EXPECT_EQ(found.first.x, found.last.x);
+        EXPECT_EQ(found.first.y, found.last.y);
+    }
+}
+
+} // namespace
