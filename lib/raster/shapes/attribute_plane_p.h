@@ -20,6 +20,15 @@ constexpr scan_point operator-(scan_point a, scan_point b) {
     return {a.x - b.x, a.y - b.y};
 }
 
+/// The planes of any number of numbers: base + along_x (x - base_x) + along_y (y - base_y), for each
+/// of them. Lives: borrows the arrays. Units: places in 1/256 pixel.
+struct plane_view {
+    double base_x = 0, base_y = 0;
+    const double* base = nullptr;
+    const double* along_x = nullptr;
+    const double* along_y = nullptr;
+};
+
 /// `Count` numbers at the corners of a polygon, and their planes.
 ///
 /// In double: along a sliver the two gradients are large and cancel. For corners within 64 pixels
@@ -68,6 +77,11 @@ public:
     /// The amounts that 1/256 pixel adds to a number.
     double along_x(std::size_t i) const { return along_x_[i]; }
     double along_y(std::size_t i) const { return along_y_[i]; }
+
+    /// Lives: borrows the planes.
+    plane_view view() const {
+        return {base_x_, base_y_, base_.data(), along_x_.data(), along_y_.data()};
+    }
 
     /// The amount that one column to the right adds.
     numbers per_column() const {

@@ -52,20 +52,29 @@ struct alignas(64) painting {
     std::vector<placed_cut> cuts;
     std::uint32_t color = white; ///< of the material
     std::int64_t written = 0;
-    std::vector<wide_row> waiting;      ///< of one triangle
+    wide_runs waiting;                  ///< of one triangle
     const l3d_shading* foggy = nullptr; ///< whose fog is before all, if it has any
     small_painter small;                ///< at rest unless lanes light normals.
 
     bool from_front = false; ///< what is painted first stays
+
+    fill_band band() const {
+        return {.words = target.words,
+                .word_pitch = target.stride,
+                .depths = nullptr,
+                .depth_pitch = 0,
+                .width = target.width,
+                .top = 0,
+                .bottom = target.height};
+    }
     static constexpr std::uint32_t white = wide_polygon::white;
 };
 
 /// A triangle as lanes fill it.
 template <class Shader, class Planes>
 wide_polygon painted_by(const Shader& shader, const Planes& plane, const painting& to) {
-    wide_polygon of{.light = shader.in_lanes(), .width = to.target.width, .color = to.color};
+    wide_polygon of{.planes = plane.view(), .light = shader.in_lanes(), .color = to.color};
     of.light.word = l3d_product_of_colors(to.color, of.light.word);
-    std::ranges::copy(plane.per_column(), of.step.begin());
     return of;
 }
 
@@ -162,17 +171,18 @@ void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_ver
     late_plane<Shader> plane(shader, v);
     if constexpr (has_lanes<Shader>)
         if (to.target.width >= fill_least_width && !to.foggy) { // pixel by pixel the same bits
-            to.waiting.clear();
+            const auto fill = [&] {
+                to.written += fill_wide_rows(to.band(), painted_by(shader, plane.get(), to),
+                                             to.waiting);
+                to.waiting.count = 0;
+            };
             visit_painted(to, v, plane, [&](std::int32_t row, std::int32_t start, columns span) {
-                wide_row& next = to.waiting.emplace_back();
-                next.words = to.target.row(row).data();
-                next.start = start;
-                next.begin = span.begin;
-                next.end = span.end;
-                std::ranges::copy(plane.get().at(start, row), next.value.begin());
+                to.waiting.add(row, start, span.begin, span.end);
+                if (to.waiting.is_full())
+                    fill();
             });
-            if (!to.waiting.empty())
-                to.written += fill_wide_rows(painted_by(shader, plane.get(), to), to.waiting);
+            if (to.waiting.count > 0)
+                fill();
             return;
         }
     visit_painted(to, v, plane, [&](std::int32_t row, std::int32_t start, columns span) {

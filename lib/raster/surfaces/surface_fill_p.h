@@ -85,10 +85,10 @@ private:
         if constexpr (has_normals<Shader>)
             target_.counts.note_normal_error(l3d_detail::normal_error(v, points, area2));
         const planes plane(points, values, area2);
-        const numbers step = plane.per_column();
         if constexpr (has_lanes<Shader>)
             if (target_.by_lanes)
-                return fill_in_lanes(rows, plane, step, farthest, nearest);
+                return fill_in_lanes(rows, plane, farthest, nearest);
+        const numbers step = plane.per_column();
         for (std::int32_t row = rows.top; row < rows.bottom; ++row)
             fill_row(row, plane, step, farthest, nearest);
         if constexpr (counts_unsolved<Shader>)
@@ -125,38 +125,30 @@ private:
     }
 
     /// The same as fill_row for each row, some of them at a time.
-    void fill_in_lanes(scan_rows rows, const planes& plane, const numbers& step, float farthest,
-                       float nearest) {
-        wide_polygon of{.farthest = farthest,
+    void fill_in_lanes(scan_rows rows, const planes& plane, float farthest, float nearest) {
+        wide_polygon of{.planes = plane.view(),
+                        .farthest = farthest,
                         .nearest = nearest,
                         .light = shader_.in_lanes(),
-                        .width = target_.band.width,
                         .unit = target_.coding.unit(),
                         .material = target_.material};
         of.light.word = target_.word_of(of.light.word);
-        std::ranges::copy(step, of.step.begin());
-        constexpr std::size_t together = 32;
-        std::array<wide_row, together> waiting;
-        std::size_t kept = 0;
+        wide_runs runs;
+        const auto fill = [&] {
+            target_.counts.written += fill_wide_rows(target_.band, of, runs);
+            runs.count = 0;
+        };
         for (std::int32_t row = rows.top; row < rows.bottom; ++row) {
             const std::int32_t start = target_.scan.first(row), begin = std::max(start, 0);
             const std::int32_t end = std::min(target_.scan.last(row), target_.band.width);
             if (begin >= end)
                 continue;
-            wide_row& next = waiting[kept++];
-            next = {.words = target_.words(row),
-                    .depths = target_.depths(row),
-                    .normals = target_.band.normals ? target_.normals(row) : nullptr,
-                    .start = start,
-                    .begin = begin,
-                    .end = end};
-            std::ranges::copy(plane.at(start, row), next.value.begin());
+            runs.add(row, start, begin, end);
             target_.counts.samples += end - begin;
-            if (kept == together)
-                target_.counts.written +=
-                    fill_wide_rows(of, {waiting.data(), std::exchange(kept, 0)});
+            if (runs.is_full())
+                fill();
         }
-        target_.counts.written += fill_wide_rows(of, {waiting.data(), kept});
+        fill();
     }
 
     void put(const float* values, std::int32_t x, std::int32_t row, std::uint32_t& word) {

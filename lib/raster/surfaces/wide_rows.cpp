@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/parallel/lane_doubles-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 #include "raster/parallel/store_where-inl.h"
 #include "raster/shaders/normal_code_p.h"
@@ -41,22 +42,50 @@ constexpr std::size_t numbers_of(row_kind kind) {
     }
 }
 
+/// The numbers of a polygon where its rows begin, of some rows side by side: attribute_planes::at,
+/// operation by operation.
+template <std::size_t Count> struct first_numbers {
+    alignas(64) float of[Count][wide_runs::room]; ///< inv_w only with a depth buffer
+
+    HWY_INLINE first_numbers(const plane_view& planes, const wide_runs& runs, bool with_depth) {
+        using some_floats = hn::Rebind<float, eight_doubles>;
+        using some_integers = hn::Rebind<std::int32_t, eight_doubles>;
+        const auto from_base = [](const std::int32_t* index, double base) HWY_ATTR {
+            const number whole{hn::PromoteTo(eight_doubles(), hn::Load(some_integers(), index))};
+            return same(l3d_subpixel_one) * (whole + same(0.5)) - same(base);
+        };
+        for (std::size_t i = 0; i < runs.count; i += lanes_at_once()) {
+            const number x = from_base(runs.start.data() + i, planes.base_x);
+            const number y = from_base(runs.row.data() + i, planes.base_y);
+            for (std::size_t n = with_depth ? 0 : 1; n < Count; ++n) {
+                const number value = same(planes.base[n]) + same(planes.along_x[n]) * x +
+                                     same(planes.along_y[n]) * y;
+                hn::Store(hn::DemoteTo(some_floats(), value.v), some_floats(), of[n] + i);
+            }
+        }
+    }
+};
+
 /// Operation by operation what the shaders do, so that each pixel gets the same bits.
 template <class D, row_kind Kind> class wide_filler {
 public:
-    HWY_INLINE explicit wide_filler(const wide_polygon& of)
-        : farthest_(hn::Set(D(), of.farthest)), nearest_(hn::Set(D(), of.nearest)),
-          last_fit_(of.width - lanes), material_(hn::Set(word_tag(), of.material)),
+    static constexpr std::size_t numbers = 1 + numbers_of(Kind);
+
+    HWY_INLINE wide_filler(const fill_band& band, const wide_polygon& of)
+        : band_(band), farthest_(hn::Set(D(), of.farthest)), nearest_(hn::Set(D(), of.nearest)),
+          last_fit_(band.width - lanes), material_(hn::Set(word_tag(), of.material)),
           unit_(hn::Set(word_tag(), of.unit)), color_(of.color),
           darkest_(hn::Set(D(), of.light.darkest)), brightest_(hn::Set(D(), of.light.brightest)),
           light_(of.light.light) {
-        for (std::size_t i = 0; i <= numbers; ++i)
-            step_[i] = hn::Set(D(), of.step[i]);
+        for (std::size_t i = 0; i < numbers; ++i)
+            step_[i] = hn::Set(D(), static_cast<float>(of.planes.along_x[i] * l3d_subpixel_one));
         word_ = hn::Set(word_tag(), of.light.word);
     }
 
-    HWY_INLINE std::int64_t fill(const wide_row& row) const {
-        return row.depths == nullptr ? fill_as<false>(row) : fill_as<true>(row);
+    HWY_INLINE std::int64_t fill(const wide_runs& runs, const first_numbers<numbers>& first,
+                                 std::size_t run) const {
+        return band_.depths == nullptr ? fill_as<false>(runs, first, run)
+                                       : fill_as<true>(runs, first, run);
     }
 
 private:
@@ -64,28 +93,30 @@ private:
     using int_tag = hn::RebindToSigned<D>;
     using word_tag = hn::RebindToUnsigned<D>;
     using word_vec = hn::Vec<word_tag>;
-    static constexpr std::size_t numbers = numbers_of(Kind);
     static constexpr std::int32_t lanes = static_cast<std::int32_t>(hn::MaxLanes(D()));
 
     /// The numbers of a row at its start.
     struct row_values {
-        vec at[numbers + 1];
+        vec at[numbers];
     };
 
     /// The last vector begins where it still fits the picture, and leaves what is done already.
-    template <bool TestsDepth> HWY_INLINE std::int64_t fill_as(const wide_row& row) const {
+    template <bool TestsDepth>
+    HWY_INLINE std::int64_t fill_as(const wide_runs& runs, const first_numbers<numbers>& first,
+                                    std::size_t run) const {
         const D d;
         const int_tag di;
         row_values values;
-        for (std::size_t i = 0; i <= numbers; ++i)
-            values.at[i] = hn::Set(d, row.value[i]);
-        std::uint32_t* const words = row.words;
-        float* const depths = row.depths;
-        std::uint32_t* const normals = row.normals;
-        const std::int32_t last = row.end;
-        const auto end = hn::Set(di, last), start = hn::Set(di, row.start);
+        for (std::size_t i = TestsDepth ? 0 : 1; i < numbers; ++i)
+            values.at[i] = hn::Set(d, first.of[i][run]);
+        const std::ptrdiff_t row = runs.row[run] - band_.top;
+        std::uint32_t* const words = band_.words + row * band_.word_pitch;
+        float* const depths = band_.depths + row * band_.depth_pitch;
+        std::uint32_t* const normals = band_.normals + row * band_.depth_pitch;
+        const std::int32_t last = runs.end[run];
+        const auto end = hn::Set(di, last), start = hn::Set(di, runs.start[run]);
         std::int64_t written = 0;
-        for (std::int32_t x = row.begin; x < last; x += lanes) {
+        for (std::int32_t x = runs.begin[run]; x < last; x += lanes) {
             const std::int32_t at = std::min(x, last_fit_);
             const auto column = hn::Add(hn::Load(di, columns), hn::Set(di, at));
             const vec k = hn::ConvertTo(d, hn::Sub(column, start));
@@ -165,7 +196,8 @@ private:
         return hn::ShiftRight<8>(hn::Add(hn::Add(n, hn::Set(dw, 1u)), hn::ShiftRight<8>(n)));
     }
 
-    vec farthest_, nearest_, step_[numbers + 1];
+    const fill_band& band_;
+    vec farthest_, nearest_, step_[numbers];
     std::int32_t last_fit_; ///< the last column where a vector fits the picture
     word_vec word_, material_, unit_;
     std::uint32_t color_;
@@ -176,39 +208,41 @@ private:
 /// Short rows leave fewer lanes idle in short vectors. Small polygons have no others, so the longer
 /// vectors are not even made ready for them.
 template <row_kind Kind>
-HWY_INLINE std::int64_t fill_rows_of(const wide_polygon& of, std::span<const wide_row> rows) {
+HWY_INLINE std::int64_t fill_rows_of(const fill_band& band, const wide_polygon& of,
+                                     const wide_runs& runs) {
     using all = hn::CappedTag<float, 16>;
     using some = hn::CappedTag<float, 8>;
-    const auto is_short = [](const wide_row& row) {
-        return row.end - row.begin <= static_cast<std::int32_t>(hn::MaxLanes(some()));
+    const auto is_short = [&](std::size_t run) {
+        return runs.end[run] - runs.begin[run] <= static_cast<std::int32_t>(hn::MaxLanes(some()));
     };
-    const wide_filler<some, Kind> narrow(of);
+    const wide_filler<some, Kind> narrow(band, of);
+    const first_numbers<narrow.numbers> first(of.planes, runs, band.depths != nullptr);
     std::int64_t written = 0;
     bool any_long = false;
-    for (const wide_row& row : rows)
-        if (is_short(row))
-            written += narrow.fill(row);
+    for (std::size_t run = 0; run < runs.count; ++run)
+        if (is_short(run))
+            written += narrow.fill(runs, first, run);
         else
             any_long = true;
     if (!any_long)
         return written;
-    const wide_filler<all, Kind> wide(of);
-    for (const wide_row& row : rows)
-        if (!is_short(row))
-            written += wide.fill(row);
+    const wide_filler<all, Kind> wide(band, of);
+    for (std::size_t run = 0; run < runs.count; ++run)
+        if (!is_short(run))
+            written += wide.fill(runs, first, run);
     return written;
 }
 
-std::int64_t fill_wide_rows(const wide_polygon& of, std::span<const wide_row> rows) {
+std::int64_t fill_wide_rows(const fill_band& band, const wide_polygon& of, const wide_runs& runs) {
     switch (of.light.by) {
     case row_kind::word:
-        return fill_rows_of<row_kind::word>(of, rows);
+        return fill_rows_of<row_kind::word>(band, of, runs);
     case row_kind::held:
-        return fill_rows_of<row_kind::held>(of, rows);
+        return fill_rows_of<row_kind::held>(band, of, runs);
     case row_kind::normal:
-        return fill_rows_of<row_kind::normal>(of, rows);
+        return fill_rows_of<row_kind::normal>(band, of, runs);
     default:
-        return fill_rows_of<row_kind::code>(of, rows);
+        return fill_rows_of<row_kind::code>(band, of, runs);
     }
 }
 
@@ -222,8 +256,8 @@ namespace l3d_detail {
 
 L3D_SIMD_TABLE(fill_wide_rows);
 
-std::int64_t fill_wide_rows(const wide_polygon& of, std::span<const wide_row> rows) {
-    return L3D_SIMD_CALL(fill_wide_rows)(of, rows);
+std::int64_t fill_wide_rows(const fill_band& band, const wide_polygon& of, const wide_runs& runs) {
+    return L3D_SIMD_CALL(fill_wide_rows)(band, of, runs);
 }
 
 } // namespace l3d_detail

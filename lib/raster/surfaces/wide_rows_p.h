@@ -3,10 +3,12 @@
 #ifndef L3D_RASTER_SURFACES_WIDE_ROWS_P_H
 #define L3D_RASTER_SURFACES_WIDE_ROWS_P_H
 
+#include "raster/shapes/attribute_plane_p.h"
+#include "raster/surfaces/fill_kernel_p.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace l3d_detail {
 
@@ -25,26 +27,31 @@ struct row_light {
     std::array<float, 3> light{}; ///< unit vector to the light
 };
 
-/// Columns [begin, end) of a row, and the numbers of the polygon at `start`: inv_w, then others.
+/// Columns [begin, end) of some rows of a polygon, whose numbers are counted from column `start`.
 ///
-/// Shape: the pointers are those of column 0. Without a depth buffer, `depths` is null and all is
-///        written. `normals` is for row_light::kind::code.
-struct wide_row {
-    static constexpr std::size_t most_numbers = 5;
+/// Shape: run i is in element i of each array.
+struct wide_runs {
+    static constexpr std::size_t room = 32;
 
-    std::uint32_t* words = nullptr;
-    float* depths = nullptr;
-    std::uint32_t* normals = nullptr;
-    std::int32_t start = 0, begin = 0, end = 0;
-    std::array<float, most_numbers> value{};
+    alignas(64) std::array<std::int32_t, room> row, start, begin, end;
+    std::size_t count = 0;
+
+    void add(std::int32_t in_row, std::int32_t from, std::int32_t first, std::int32_t behind) {
+        row[count] = in_row;
+        start[count] = from;
+        begin[count] = first;
+        end[count++] = behind;
+    }
+    bool is_full() const { return count == room; }
 };
 
 /// The data that all rows of a polygon have in common.
 struct wide_polygon {
-    std::array<float, wide_row::most_numbers> step{}; ///< what a column adds
-    float farthest = 0, nearest = 0;                  ///< inv_w is held between them
+    static constexpr std::size_t most_numbers = 5;
+
+    plane_view planes;                 ///< of inv_w, then of other numbers
+    float farthest = 0, nearest = 0;   ///< inv_w is held between them
     row_light light;
-    std::int32_t width = 0;        ///< of the picture; >= fill_least_width
     std::uint32_t unit = 0x010101; ///< a grey level of 1 in a word
     std::uint32_t material = 0;    ///< the rest of a word
     std::uint32_t color = white;   ///< that multiplies words, if they are painted
@@ -55,9 +62,11 @@ struct wide_polygon {
 ///
 /// The same bits as surface_fill gives pixel by pixel, and l3d_painter, with the shader that the
 /// light is of.
-/// Expects: 0 <= begin < end <= width; start <= begin. Words and depths of whole rows may be read
-///          and written back.
-std::int64_t fill_wide_rows(const wide_polygon& of, std::span<const wide_row> rows);
+/// Shape:   without a depth buffer, `depths` of the band is null and all is written. Its normals are
+///          for row_light::kind::code.
+/// Expects: rows of the band; 0 <= begin < end <= width; start <= begin. Words and depths of whole
+///          rows may be read and written back.
+std::int64_t fill_wide_rows(const fill_band& band, const wide_polygon& of, const wide_runs& runs);
 
 } // namespace l3d_detail
 
