@@ -38,16 +38,15 @@ void painter_cover::begin(l3d_size size, std::span<const l3d_painter_triangle> t
 
 void painter_cover::add(const l3d_painter_piece& piece) {
     place_cuts(piece, triangles_, *cuts_, placed_);
-    visit_rows(
-        scan_, triangles_[piece.triangle].v, placed_, size_.width, [](const auto&, auto) {},
-        [&](std::int32_t row, std::int32_t, columns span) {
-            std::uint64_t* const words = &pixels_[static_cast<std::size_t>(row) * words_];
-            visit_words(span, [words](std::size_t i, std::uint64_t mask) {
-                words[i] |= mask;
-                return true;
-            });
-            return true;
-        });
+    visit_rows(scan_, triangles_[piece.triangle].v, placed_, size_.width,
+               [&](std::int32_t row, std::int32_t, columns span) {
+                   std::uint64_t* const words = &pixels_[static_cast<std::size_t>(row) * words_];
+                   visit_words(span, [words](std::size_t i, std::uint64_t mask) {
+                       words[i] |= mask;
+                       return true;
+                   });
+                   return true;
+               });
 }
 
 bool painter_cover::covers(std::int32_t row, columns span) const {
@@ -68,12 +67,11 @@ bool painter_cover::hides_sides(const l3d_painter_piece& piece) const {
 bool painter_cover::hides(const l3d_painter_piece& piece) {
     place_cuts(piece, triangles_, *cuts_, placed_);
     bool hidden = true;
-    visit_rows(
-        scan_, triangles_[piece.triangle].v, placed_, size_.width, [](const auto&, auto) {},
-        [&](std::int32_t row, std::int32_t, columns span) {
-            hidden = hidden && covers(row, span);
-            return hidden;
-        });
+    visit_rows(scan_, triangles_[piece.triangle].v, placed_, size_.width,
+               [&](std::int32_t row, std::int32_t, columns span) {
+                   hidden = hidden && covers(row, span);
+                   return hidden;
+               });
     return hidden && hides_sides(piece);
 }
 

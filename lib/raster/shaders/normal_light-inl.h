@@ -28,7 +28,19 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> level_of_intensity(D d, hn::Vec<D> i
     return hn::BitCast(hn::RebindToUnsigned<D>(), hn::ConvertTo(hn::RebindToSigned<D>(), level));
 }
 
-/// Operation by operation what lambert_shader does, so that each pixel gets the same bits.
+/// l3d_product_of_colors of a colour and greys. A number n < 2^16 - 1 divided by 255 is (n + 1 + n
+/// / 256) / 256, both rounded down.
+template <class D> HWY_INLINE hn::Vec<D> colored(D d, std::uint32_t color, hn::Vec<D> level) {
+    const auto product = [&](std::uint32_t channel) HWY_ATTR {
+        const auto n = hn::Add(hn::Mul(hn::Set(d, channel & 255), level), hn::Set(d, 127u));
+        return hn::ShiftRight<8>(hn::Add(hn::Add(n, hn::Set(d, 1u)), hn::ShiftRight<8>(n)));
+    };
+    return hn::Or(hn::ShiftLeft<16>(product(color >> 16)),
+                  hn::Or(hn::ShiftLeft<8>(product(color >> 8)), product(color)));
+}
+
+/// Operation by operation what lambert_shader does, so that each pixel gets the same bits. That
+/// turns a cosine round where this does a product, which only changes the sign of either.
 template <class D> class normal_light {
 public:
     using vec = hn::Vec<D>;
@@ -38,23 +50,29 @@ public:
             light_[i] = hn::Set(D(), light[i]);
     }
 
-    HWY_INLINE vec intensity(vec x, vec y, vec z, hn::Mask<D> away) const {
-        const D d;
+    /// A normal's square, and its product with the light, turned to the eye.
+    struct squares {
+        vec square, product;
+    };
+    HWY_INLINE squares squares_of(vec x, vec y, vec z, hn::Mask<D> away) const {
         const vec square = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
-        const vec least = hn::Set(d, FLT_MIN);
-        const vec safe = hn::IfThenElse(hn::Gt(square, least), square, least);
         const vec product =
             hn::Add(hn::Add(hn::Mul(light_[0], x), hn::Mul(light_[1], y)), hn::Mul(light_[2], z));
-        const vec cosine = hn::Div(product, hn::Sqrt(safe));
+        return {square, hn::IfThenElse(away, hn::Neg(product), product)};
+    }
+
+    HWY_INLINE static vec intensity(const squares& of) {
+        const D d;
+        const vec least = hn::Set(d, FLT_MIN);
+        const vec safe = hn::IfThenElse(hn::Gt(of.square, least), of.square, least);
+        const vec cosine = hn::Div(of.product, hn::Sqrt(safe));
         const vec zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-        const vec turned = hn::IfThenElse(away, hn::Neg(cosine), cosine);
-        const vec lit = hn::IfThenElse(hn::Gt(turned, zero), turned, zero);
+        const vec lit = hn::IfThenElse(hn::Gt(cosine, zero), cosine, zero);
         return hn::Add(hn::Set(d, 0.1f),
                        hn::Mul(hn::Set(d, 0.9f), hn::IfThenElse(hn::Lt(lit, one), lit, one)));
     }
-
-    HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> level(vec x, vec y, vec z, hn::Mask<D> away) const {
-        return level_of_intensity(D(), intensity(x, y, z, away));
+    HWY_INLINE vec intensity(vec x, vec y, vec z, hn::Mask<D> away) const {
+        return intensity(squares_of(x, y, z, away));
     }
 
 private:

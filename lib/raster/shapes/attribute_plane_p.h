@@ -20,8 +20,8 @@ constexpr scan_point operator-(scan_point a, scan_point b) {
     return {a.x - b.x, a.y - b.y};
 }
 
-/// The planes of any number of numbers: base + along_x (x - base_x) + along_y (y - base_y), for each
-/// of them. Lives: borrows the arrays. Units: places in 1/256 pixel.
+/// The planes of any number of numbers: base + along_x (x - base_x) + along_y (y - base_y), for
+/// each of them. Lives: borrows the arrays. Units: places in 1/256 pixel.
 struct plane_view {
     double base_x = 0, base_y = 0;
     const double* base = nullptr;

@@ -3,21 +3,16 @@
 #include "raster/shapes/painter.h"
 
 #include "raster/parallel/chunks_p.h"
-#include "raster/shapes/attribute_plane_p.h"
 #include "raster/shapes/line_cover_p.h"
-#include "raster/shapes/open_pixels_p.h"
 #include "raster/shapes/overdraw_p.h"
+#include "raster/shapes/painted_triangle_p.h"
 #include "raster/shapes/piece_pixels_p.h"
-#include "raster/shapes/small_painter_p.h"
 #include "raster/shaders/lit_shader_p.h"
-#include "raster/shaders/shader_choice_p.h"
 #include "raster/shaders/surface_shader_p.h"
-#include "raster/surfaces/fill_kernel_p.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
-#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -41,155 +36,6 @@ struct painted_things {
     std::span<const l3d_painter_piece> pieces;
     std::span<const l3d_painter_cut> cuts;
 };
-
-/// Everything a triangle is painted by, in a band of rows. A worker writes to it at each row, so no
-/// two share a line of the caches.
-struct alignas(64) painting {
-    l3d_pixels target;
-    scan_rows rows;
-    scan_polygon scan;
-    open_pixels open; ///< if it is painted from front to back
-    std::vector<placed_cut> cuts;
-    std::uint32_t color = white; ///< of the material
-    std::int64_t written = 0;
-    wide_runs waiting;                  ///< of one triangle
-    const l3d_shading* foggy = nullptr; ///< whose fog is before all, if it has any
-    small_painter small;                ///< at rest unless lanes light normals.
-
-    bool from_front = false; ///< what is painted first stays
-
-    fill_band band() const {
-        return {.words = target.words,
-                .word_pitch = target.stride,
-                .depths = nullptr,
-                .depth_pitch = 0,
-                .width = target.width,
-                .top = 0,
-                .bottom = target.height};
-    }
-    static constexpr std::uint32_t white = wide_polygon::white;
-};
-
-/// A triangle as lanes fill it.
-template <class Shader, class Planes>
-wide_polygon painted_by(const Shader& shader, const Planes& plane, const painting& to) {
-    wide_polygon of{.planes = plane.view(), .light = shader.in_lanes(), .color = to.color};
-    of.light.word = l3d_product_of_colors(to.color, of.light.word);
-    return of;
-}
-
-/// The plane of a triangle's numbers, made when the first row of it is painted.
-template <class Shader> class late_plane {
-public:
-    using planes = attribute_planes<1 + Shader::components>;
-
-    late_plane(Shader& shader, const std::array<l3d_micro_vertex, 3>& v) : shader_(shader), v_(v) {}
-
-    void begin(const std::array<scan_point, 3>& points, std::int64_t area2) {
-        points_ = points;
-        area2_ = area2;
-    }
-
-    const planes& get() {
-        if (plane_)
-            return *plane_;
-        shader_.begin_polygon(v_);
-        std::array<typename planes::numbers, 3> values;
-        for (std::size_t i = 0; i < 3; ++i) {
-            values[i][0] = v_[i].inv_w;
-            shader_.corner(v_[i], values[i].data() + 1);
-        }
-        return plane_.emplace(points_, values, area2_);
-    }
-
-private:
-    Shader& shader_;
-    const std::array<l3d_micro_vertex, 3>& v_;
-    std::array<scan_point, 3> points_{};
-    std::int64_t area2_ = 0;
-    std::optional<planes> plane_;
-};
-
-/// Paints some columns of a row, pixel by pixel.
-template <class Shader>
-void paint_row(painting& to, Shader& shader, const attribute_planes<1 + Shader::components>& plane,
-               const std::array<l3d_micro_vertex, 3>& v, std::int32_t row, std::int32_t start,
-               columns span) {
-    constexpr std::size_t count = 1 + Shader::components;
-    const auto step = plane.per_column(), value = plane.at(start, row);
-    std::uint32_t* const words = to.target.row(row).data();
-    const auto range = std::minmax({v[0].inv_w, v[1].inv_w, v[2].inv_w});
-    const std::uint32_t fog =
-        to.foggy ? to.foggy->fog.in_row(to.foggy->background, row, to.target.height) : 0;
-    for (std::int32_t x = span.begin; x < span.end; ++x) {
-        const auto k = static_cast<float>(x - start);
-        std::array<float, count> here;
-        for (std::size_t i = 1; i < count; ++i)
-            here[i] = value[i] + step[i] * k;
-        const std::uint32_t word = shader.word(here.data() + 1);
-        words[x] = l3d_product_of_colors(to.color, word);
-        if (to.foggy) {
-            const float inv_w = std::clamp(value[0] + step[0] * k, range.first, range.second);
-            words[x] = l3d_fog::word(words[x], fog, to.foggy->fog.amount(inv_w));
-        }
-    }
-}
-
-/// Calls visit(row, start, columns) for the pixels of a triangle that are to be painted: all, or
-/// those that are open, and then taken.
-template <class Plane, class Visit>
-void visit_painted(painting& to, const std::array<l3d_micro_vertex, 3>& v, Plane& plane,
-                   const Visit& visit) {
-    const auto begin = [&](const std::array<scan_point, 3>& points, std::int64_t area2) {
-        plane.begin(points, area2);
-    };
-    visit_rows(to.scan, v, to.cuts, to.target.width, begin,
-               [&](std::int32_t row, std::int32_t start, columns span) {
-                   if (to.from_front)
-                       to.open.take(row, span, [&](columns of) { visit(row, start, of); });
-                   else
-                       visit(row, start, span);
-                   return true;
-               });
-}
-
-/// Whether something was painted in all of a triangle's box already.
-bool is_hidden(const painting& to, const std::array<l3d_micro_vertex, 3>& v) {
-    const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
-    const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
-    return !to.open.any(
-        {std::max(first_centre(top), to.rows.top), std::min(first_centre(bottom), to.rows.bottom)},
-        {std::max(first_centre(left), 0), std::min(first_centre(right), to.target.width)});
-}
-
-template <class Shader>
-void paint_triangle(painting& to, Shader& shader, const std::array<l3d_micro_vertex, 3>& v) {
-    if (!to.from_front)
-        to.small.finish(); // The triangle lies before what waits.
-    if (to.from_front && is_hidden(to, v))
-        return;
-    late_plane<Shader> plane(shader, v);
-    if constexpr (has_lanes<Shader>)
-        if (to.target.width >= fill_least_width && !to.foggy) { // pixel by pixel the same bits
-            const auto fill = [&] {
-                to.written += fill_wide_rows(to.band(), painted_by(shader, plane.get(), to),
-                                             to.waiting);
-                to.waiting.count = 0;
-            };
-            visit_painted(to, v, plane, [&](std::int32_t row, std::int32_t start, columns span) {
-                to.waiting.add(row, start, span.begin, span.end);
-                if (to.waiting.is_full())
-                    fill();
-            });
-            if (to.waiting.count > 0)
-                fill();
-            return;
-        }
-    visit_painted(to, v, plane, [&](std::int32_t row, std::int32_t start, columns span) {
-        paint_row(to, shader, plane.get(), v, row, start, span);
-        to.written += span.end - span.begin;
-    });
-}
 
 /// All rows in which a piece may have pixels, or its sides if its pixels are not known. Smooth ones
 /// have two pixels side by side in each step, and a step may begin a pixel before the end of a
@@ -226,7 +72,6 @@ struct l3d_painter::work_space {
             to.from_front = from_front;
             to.written = 0;
             to.foggy = nullptr;
-            to.small.rest();
             to.color = painting::white;
         }
     }
@@ -269,7 +114,7 @@ struct l3d_painter::work_space {
                 place_cuts(piece, what.triangles, what.cuts, to.cuts);
                 paint(piece, what.triangles[piece.triangle], to);
             }
-            to.small.finish();
+            to.light.finish();
             if (to.from_front)
                 clear_open(to, background);
             if constexpr (requires { paint.finish(to); })
@@ -316,12 +161,9 @@ template <class Shader> struct shaded_paint {
             shader.use_material(triangle.material);
         else if (!materials.empty())
             to.color = materials[triangle.material].color;
-        if constexpr (std::is_same_v<Shader, lambert_shader>)
-            if (to.small.takes(piece)) {
-                to.written += to.small.paint(piece, triangle, to.rows, to.color,
-                                             to.from_front ? &to.open : nullptr);
-                return;
-            }
+        if constexpr (has_lanes<Shader>)
+            if (piece.cover != 0 && to.by_lanes())
+                return paint_covered(to, shader, piece, triangle.v);
         paint_triangle(to, shader, triangle.v);
     }
 };
@@ -377,12 +219,9 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
                         std::span<const l3d_painter_piece> pieces,
                         std::span<const l3d_painter_cut> cuts) {
     work_->begin(target, has_overdraw(triangles, pieces));
-    for (painting& to : work_->of_worker) {
+    for (painting& to : work_->of_worker)
         if (shading.fog.is_on())
             to.foggy = &shading;
-        else if (target.width >= fill_least_width)
-            to.small.begin(target, shading);
-    }
     const std::span<const l3d_material> of_light =
         l3d_is_light(shading.mode) ? materials : std::span<const l3d_material>();
     with_shader(shading, materials, [&](const auto& shader) {

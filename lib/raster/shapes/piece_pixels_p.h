@@ -59,29 +59,37 @@ inline void place_cuts(const l3d_painter_piece& piece,
                        l3d_picture_plane(triangles[cuts[c].splitter].v), cuts[c].in_front});
 }
 
+/// The columns that all cuts keep of a row that begins at `start`.
+inline columns kept_by(std::span<const placed_cut> cuts, columns span, std::int32_t start,
+                       std::int32_t row) {
+    for (const placed_cut& cut : cuts) {
+        if (span.begin >= span.end)
+            break;
+        span = cut.kept(span, start, row);
+    }
+    return span;
+}
+
+inline std::array<scan_point, 3> places_of(const std::array<l3d_micro_vertex, 3>& v) {
+    return {{{v[0].x, v[0].y}, {v[1].x, v[1].y}, {v[2].x, v[2].y}}};
+}
+
 /// Calls visit(row, start, columns) for the rows of a triangle in which cuts leave it pixels of a
 /// picture of that width, until it says false. `start` is where the whole triangle's row begins.
-/// Before the first row begin(corners, area2) is called, with twice the triangle's area.
-template <class Begin, class Visit>
+template <class Visit>
 void visit_rows(scan_polygon& scan, const std::array<l3d_micro_vertex, 3>& v,
-                std::span<const placed_cut> cuts, int width, const Begin& begin,
-                const Visit& visit) {
-    const std::array<scan_point, 3> points{{{v[0].x, v[0].y}, {v[1].x, v[1].y}, {v[2].x, v[2].y}}};
+                std::span<const placed_cut> cuts, int width, const Visit& visit) {
+    const std::array<scan_point, 3> points = places_of(v);
     const std::int64_t area2 = cross(points[1] - points[0], points[2] - points[0]);
     if (area2 == 0)
         return;
     const scan_rows rows = scan.convert(std::span<const scan_point, 3>(points), area2 > 0);
     if (rows.top >= rows.bottom)
         return;
-    begin(points, area2);
     for (std::int32_t row = rows.top; row < rows.bottom; ++row) {
         const std::int32_t start = scan.first(row);
-        columns span{std::max(start, 0), std::min(scan.last(row), width)};
-        for (const placed_cut& cut : cuts) {
-            if (span.begin >= span.end)
-                break;
-            span = cut.kept(span, start, row);
-        }
+        const columns span =
+            kept_by(cuts, {std::max(start, 0), std::min(scan.last(row), width)}, start, row);
         if (span.begin < span.end && !visit(row, start, span))
             return;
     }

@@ -31,7 +31,8 @@ inline constexpr std::int64_t far_limit = std::int64_t{1} << 38;
 /// On each row it gives the first column whose centre is on the edge or right of it. That number
 /// depends on the two end points only, so two polygons that share the edge divide the row between
 /// them without gap and without overlap.
-/// Expects: upper.y < lower.y, and row's centre on the edge.
+/// Expects: upper.y < lower.y, and row's centre on the edge, or a row of the picture for the line
+///          alone.
 /// Cost:    one division for each edge; one addition and one product for each row.
 ///
 /// Exact, though in double. With D = 256 dy the column is ceil(n / D) = floor(m / 2D) for whole n
@@ -56,10 +57,20 @@ public:
 
     void step() { m_ += m_per_row_; }
 
-private:
-    static constexpr std::int64_t pixel = l3d_subpixel_one, half_pixel = pixel / 2;
     /// More than the least column, -2^15: what is truncated is then positive.
     static constexpr std::int32_t offset = 1 << 16;
+
+    /// The column k rows below is (first + k per_row) inverse, rounded down, minus `offset`.
+    ///
+    /// That is true of all of the edge's line and not of the edge alone, since all numbers stay
+    /// exact: per_row is below 2^34, so the 2^17 rows between corners add less than 2^51.
+    struct line {
+        double first = 0, per_row = 0, inverse = 0;
+    };
+    line from_there() const { return {m_, m_per_row_, inverse_}; }
+
+private:
+    static constexpr std::int64_t pixel = l3d_subpixel_one, half_pixel = pixel / 2;
 
     double m_, m_per_row_, inverse_;
 };

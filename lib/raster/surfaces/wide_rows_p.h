@@ -49,8 +49,8 @@ struct wide_runs {
 struct wide_polygon {
     static constexpr std::size_t most_numbers = 5;
 
-    plane_view planes;                 ///< of inv_w, then of other numbers
-    float farthest = 0, nearest = 0;   ///< inv_w is held between them
+    plane_view planes;               ///< of inv_w, then of other numbers
+    float farthest = 0, nearest = 0; ///< inv_w is held between them
     row_light light;
     std::uint32_t unit = 0x010101; ///< a grey level of 1 in a word
     std::uint32_t material = 0;    ///< the rest of a word
@@ -62,10 +62,11 @@ struct wide_polygon {
 ///
 /// The same bits as surface_fill gives pixel by pixel, and l3d_painter, with the shader that the
 /// light is of.
-/// Shape:   without a depth buffer, `depths` of the band is null and all is written. Its normals are
+/// Shape:   without a depth buffer, `depths` of the band is null and all is written. Its normals
+/// are
 ///          for row_light::kind::code.
-/// Expects: rows of the band; 0 <= begin < end <= width; start <= begin. Words and depths of whole
-///          rows may be read and written back.
+/// Expects: rows of the band; 0 <= begin, end <= width, start <= begin; no columns if begin >= end.
+///          Words and depths of whole rows may be read and written back.
 std::int64_t fill_wide_rows(const fill_band& band, const wide_polygon& of, const wide_runs& runs);
 
 } // namespace l3d_detail

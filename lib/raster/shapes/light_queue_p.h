@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// light_queue: pixels that are lit many at a time, however few of them are side by side.
+#ifndef L3D_RASTER_SHAPES_LIGHT_QUEUE_P_H
+#define L3D_RASTER_SHAPES_LIGHT_QUEUE_P_H
+
+#include "raster/surfaces/fill_kernel_p.h"
+#include "raster/surfaces/wide_rows_p.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace l3d_detail {
+
+/// Pixels that wait for their light.
+///
+/// Shape: the pixels of a part are side by side in the picture and in the arrays; parts follow each
+///        other. Whole vectors are written, so arrays are longer than their room.
+struct unlit_pixels {
+    static constexpr std::size_t room = 512; ///< 6 KB of arrays: they stay in the nearest cache
+    static constexpr std::size_t most_parts = room / 4; ///< rows of small triangles are so long
+    static constexpr std::int32_t longest_part = 64;
+    static constexpr std::size_t widest_vector = 16;
+
+    struct part {
+        std::uint32_t* to;
+        std::int32_t count;
+        std::int32_t fit; ///< pixels from there to the picture's side
+        std::uint32_t color;
+    };
+
+    alignas(64) std::array<float, room + widest_vector> square;  ///< of the normal
+    alignas(64) std::array<float, room + widest_vector> product; ///< of the normal and the light
+    alignas(64) std::array<std::uint32_t, room + widest_vector> word;
+    std::array<part, most_parts> parts;
+    std::size_t count = 0, part_count = 0;
+};
+
+/// Fills rows of polygons over each other by lambert's rule. The same bits as fill_wide_rows.
+///
+/// A root and a quotient are most of a pixel's time. Rows of small triangles would leave half of
+/// the lanes idle; here only what is cheap is done row by row.
+class light_queue {
+public:
+    /// Fills now or, at the latest, in finish(). Returns the number of pixels.
+    /// Expects: as fill_wide_rows without depths; row_light::kind::normal, and the same light and
+    ///          band until finish().
+    std::int64_t add(const fill_band& band, const wide_polygon& of, const wide_runs& runs);
+
+    /// Fills all that waits.
+    void finish();
+
+private:
+    unlit_pixels waiting_;
+};
+
+} // namespace l3d_detail
+
+#endif
