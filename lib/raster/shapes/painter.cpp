@@ -56,15 +56,17 @@ struct l3d_painter::work_space {
     /// With four, the last band to be done is an eighth of two workers' work. More would share it
     /// more evenly; but a triangle is set up in each band that it reaches.
     static constexpr int bands_per_worker = 4;
-    /// Of those, the reach is one item of work: some 10^4 cycles.
-    static constexpr std::size_t chunk_pieces = 4096;
+    /// Of so many pieces, finding their bands is one item of work: some 10^4 cycles.
+    static constexpr std::size_t chunk_pieces = 1024;
     /// So many pieces before their turn, triangles are asked for: some hundred cycles each, more
     /// than memory takes.
     static constexpr std::size_t ahead = 8, cache_line = 64;
 
     l3d_workers& workers;
     std::vector<painting> of_worker;
-    std::vector<scan_rows> reach; ///< of each piece; only if there is more than one band
+    /// The pieces of each chunk that reach each band: list band + bands chunk. A single band has
+    /// all.
+    std::vector<std::vector<std::uint32_t>> lists;
 
     void begin(l3d_pixels target, bool from_front) {
         for (painting& to : of_worker) {
@@ -84,36 +86,23 @@ struct l3d_painter::work_space {
         const int height = of_worker.front().target.height;
         const int bands =
             workers.count() > 1 ? std::min(bands_per_worker * workers.count(), height) : 1;
-        const std::size_t count = what.pieces.size();
-        if (bands > 1) {
-            reach.resize(count);
-            for_each_chunk(workers, count, chunk_pieces,
-                           [&](std::size_t begin, std::size_t end, std::size_t) {
-                               for (std::size_t i = begin; i < end; ++i)
-                                   reach[i] = reach_of(what.pieces[i], what);
-                           });
-        }
+        if (bands > 1)
+            list_pieces(what, bands, height);
         workers.for_each(bands, [&](int band, int worker) {
             painting& to = of_worker[static_cast<std::size_t>(worker)];
-            to.rows = {band * height / bands, (band + 1) * height / bands};
+            to.rows = rows_of(band, bands, height);
             to.scan.set_rows(to.rows);
             if (to.from_front)
                 to.open.open(to.rows, to.target.width);
             else
                 background.fill(to.target, {0, to.rows.top, to.target.width, to.rows.bottom});
             Paint paint = prototype;
-            for (std::size_t k = 0; k < count; ++k) {
-                const std::size_t i = to.from_front ? count - 1 - k : k;
-                if (k + ahead < count)
-                    fetch(what, to.from_front ? i - ahead : i + ahead);
-                if (bands > 1 && (reach[i].top >= to.rows.bottom || reach[i].bottom <= to.rows.top))
-                    continue;
-                const l3d_painter_piece& piece = what.pieces[i];
+            visit_pieces(what, to.from_front, band, bands, [&](const l3d_painter_piece& piece) {
                 if (to.from_front && piece.cover != 0 && !to.open.any(piece))
-                    continue;
+                    return;
                 place_cuts(piece, what.triangles, what.cuts, to.cuts);
                 paint(piece, what.triangles[piece.triangle], to);
-            }
+            });
             to.light.finish();
             if (to.from_front)
                 clear_open(to, background);
@@ -122,13 +111,75 @@ struct l3d_painter::work_space {
         });
     }
 
+    static scan_rows rows_of(int band, int bands, int height) {
+        return {band * height / bands, (band + 1) * height / bands};
+    }
+
+    void list_pieces(const painted_things& what, int bands, int height) {
+        const auto of_chunk = static_cast<std::size_t>(bands);
+        const std::size_t wanted = of_chunk * chunks_of(what.pieces.size(), chunk_pieces);
+        if (lists.size() < wanted)
+            lists.resize(wanted);
+        for_each_chunk(workers, what.pieces.size(), chunk_pieces,
+                       [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+                           const std::span own = std::span(lists).subspan(chunk * of_chunk, of_chunk);
+                           for (auto& list : own)
+                               list.clear();
+                           for (std::size_t i = begin; i < end; ++i)
+                               list_piece(reach_of(what.pieces[i], what), height,
+                                          static_cast<std::uint32_t>(i), own);
+                       });
+    }
+
+    /// Row r is in the band that holds it or in the one before, rounded as in rows_of: the last
+    /// whose first row is not below r.
+    static void list_piece(scan_rows reach, int height, std::uint32_t piece,
+                           std::span<std::vector<std::uint32_t>> lists) {
+        const int bands = static_cast<int>(lists.size());
+        const auto band_of = [&](std::int32_t row) { return ((row + 1) * bands - 1) / height; };
+        const std::int32_t top = std::max(reach.top, 0), bottom = std::min(reach.bottom, height);
+        if (top >= bottom)
+            return;
+        for (int band = band_of(top); band <= band_of(bottom - 1); ++band)
+            lists[static_cast<std::size_t>(band)].push_back(piece);
+    }
+
+    /// Calls visit(piece) for those that reach a band, in the order in which they are painted.
+    template <class Visit>
+    void visit_pieces(const painted_things& what, bool from_front, int band, int bands,
+                      const Visit& visit) const {
+        const std::size_t all = what.pieces.size();
+        if (bands == 1)
+            return visit_some(what, from_front, all, [](std::size_t k) { return k; }, visit);
+        const std::size_t chunks = chunks_of(all, chunk_pieces);
+        for (std::size_t k = 0; k < chunks; ++k) {
+            const std::size_t chunk = from_front ? chunks - 1 - k : k;
+            const auto& list = lists[chunk * static_cast<std::size_t>(bands) +
+                                     static_cast<std::size_t>(band)];
+            visit_some(what, from_front, list.size(), [&](std::size_t i) { return list[i]; }, visit);
+        }
+    }
+
+    /// Calls visit for pieces number_of(0) up to number_of(count - 1), or the other way round.
+    template <class Numbers, class Visit>
+    static void visit_some(const painted_things& what, bool from_front, std::size_t count,
+                           const Numbers& number_of, const Visit& visit) {
+        const auto piece = [&](std::size_t k) -> const l3d_painter_piece& {
+            return what.pieces[number_of(from_front ? count - 1 - k : k)];
+        };
+        for (std::size_t k = 0; k < count; ++k) {
+            if (k + ahead < count)
+                fetch(what.triangles[piece(k + ahead).triangle]);
+            visit(piece(k));
+        }
+    }
+
     /// In their order, triangles lie anywhere in memory.
-    static void fetch(const painted_things& what, std::size_t piece) {
-        const auto* const from =
-            reinterpret_cast<const char*>(&what.triangles[what.pieces[piece].triangle]);
-        for (std::size_t byte = 0; byte < sizeof(l3d_painter_triangle); byte += cache_line)
+    static void fetch(const l3d_painter_triangle& triangle) {
+        const auto* const from = reinterpret_cast<const char*>(&triangle);
+        for (std::size_t byte = 0; byte < sizeof(triangle); byte += cache_line)
             __builtin_prefetch(from + byte);
-        __builtin_prefetch(from + sizeof(l3d_painter_triangle) - 1);
+        __builtin_prefetch(from + sizeof(triangle) - 1);
     }
 
     static void clear_open(painting& to, const l3d_background& background) {
