@@ -35,6 +35,17 @@ struct row_of_needs {
 /// are compared.
 class sorted_members {
 public:
+    /// Whether no two have a cell in common, as on a surface of one layer.
+    static bool are_apart(std::span<const painter_entry> members) {
+        std::uint64_t taken = 0;
+        for (const painter_entry& member : members) {
+            if ((taken & member.cells) != 0)
+                return false;
+            taken |= member.cells;
+        }
+        return true;
+    }
+
     void sort(std::span<const painter_entry> members) {
         order_.clear();
         for (std::size_t i = 0; i < members.size(); ++i) // by rising numbers, of equals too
@@ -140,7 +151,10 @@ struct l3d_painter_order::work_space {
         to.found.clear();
         to.pairs = 0;
         for (int column = 0; column < tiles.columns(); ++column) {
-            sorted.sort(tiles.members(tiles.at(column, row)));
+            const auto members = tiles.members(tiles.at(column, row));
+            if (sorted_members::are_apart(members))
+                continue;
+            sorted.sort(members);
             sorted.visit_pairs([&](const painter_entry& own, const painter_entry& other) {
                 if (!own.may_meet(other))
                     return;

@@ -10,7 +10,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace l3d_detail {
@@ -30,42 +29,30 @@ public:
 
     /// Whether a pixel of these columns and rows is open. Expects: they lie in the rows.
     bool any(scan_rows rows, columns of) const {
-        for (std::int32_t row = rows.top; row < rows.bottom; ++row)
-            for (std::int32_t x = of.begin; x < of.end;) {
-                const part here(x, of.end);
+        for (std::int32_t x = of.begin; x < of.end;) {
+            const part here(x, of.end);
+            for (std::int32_t row = rows.top; row < rows.bottom; ++row)
                 if ((~taken(row)[here.word] & here.mask) != 0)
                     return true;
-                x = here.end;
-            }
+            x = here.end;
+        }
         return false;
     }
 
     /// Takes the columns of a row. Calls visit(columns) for each run of them that was open.
     template <class Visit> void take(std::int32_t row, columns of, const Visit& visit) {
+        if (of.begin >= of.end)
+            return;
         std::uint64_t* const words = taken(row);
-        constexpr std::int32_t none = -1;
-        std::int32_t run = none; // where a run begins that has not ended yet
-        for (std::int32_t x = of.begin; x < of.end;) {
-            const part here(x, of.end);
-            std::uint64_t open = ~words[here.word] & here.mask;
-            words[here.word] |= here.mask;
-            if (run != none && (open >> (x % bits) & 1) == 0)
-                visit(columns{std::exchange(run, none), x});
-            while (open != 0) {
-                const int first = std::countr_zero(open);
-                const int stop = first + std::countr_one(open >> first);
-                const std::int32_t word_at = x / bits * bits;
-                if (run == none)
-                    run = word_at + first;
-                if (word_at + stop == here.end)
-                    break;
-                visit(columns{std::exchange(run, none), word_at + stop});
-                open &= ~std::uint64_t{0} << stop; // a run that ends before the part's end
-            }
-            x = here.end;
-        }
-        if (run != none)
-            visit(columns{run, of.end});
+        const part first(of.begin, of.end);
+        if (first.end < of.end) // most rows of triangles lie in one word
+            return take_words(words, of, visit);
+        const std::uint64_t open = ~words[first.word] & first.mask;
+        words[first.word] |= first.mask;
+        if (open == first.mask)
+            visit(of);
+        else
+            visit_bits(open, of.begin / bits * bits, visit);
     }
 
     /// Whether a pixel of a piece is open. Expects: its pixels are known.
@@ -93,8 +80,41 @@ public:
         return open;
     }
 
+    /// Calls visit(columns) for each run of bits that are set; bit 0 is column x.
+    template <class Visit>
+    static void visit_bits(std::uint64_t open, std::int32_t x, const Visit& visit) {
+        while (open != 0) {
+            const int first = std::countr_zero(open);
+            const int length = std::countr_one(open >> first);
+            visit(columns{x + first, x + first + length});
+            open &= open + (open & -open); // without the lowest run
+        }
+    }
+
 private:
     static constexpr std::int32_t bits = 64;
+
+    /// take() of any columns.
+    template <class Visit> void take_words(std::uint64_t* words, columns of, const Visit& visit) {
+        columns run{of.begin, of.begin}; // open, and perhaps not at its end yet
+        for (std::int32_t x = of.begin; x < of.end;) {
+            const part here(x, of.end);
+            const std::uint64_t open = ~words[here.word] & here.mask;
+            words[here.word] |= here.mask;
+            visit_bits(open, x / bits * bits, [&](columns next) {
+                if (next.begin == run.end) {
+                    run.end = next.end;
+                    return;
+                }
+                if (run.begin < run.end)
+                    visit(run);
+                run = next;
+            });
+            x = here.end;
+        }
+        if (run.begin < run.end)
+            visit(run);
+    }
 
     /// The columns from x on that are in the same word.
     struct part {

@@ -178,13 +178,9 @@ inline void find_covered(painting& to, const l3d_painter_piece& piece) {
         if (in_row == 0 || row < to.rows.top || row >= to.rows.bottom)
             continue;
         const std::int32_t start = piece.left + std::countr_zero(in_row);
-        std::uint64_t wanted = to.from_front ? to.open.take(row, piece.left, in_row) : in_row;
-        while (wanted != 0) {
-            const int first = std::countr_zero(wanted);
-            const int behind = first + std::countr_one(wanted >> first);
-            to.found.add(row, start, piece.left + first, piece.left + behind);
-            wanted &= ~std::uint64_t{0} << behind;
-        }
+        open_pixels::visit_bits(to.from_front ? to.open.take(row, piece.left, in_row) : in_row,
+                                piece.left,
+                                [&](columns of) { to.found.add(row, start, of.begin, of.end); });
     }
 }
 

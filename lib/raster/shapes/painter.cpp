@@ -122,7 +122,8 @@ struct l3d_painter::work_space {
             lists.resize(wanted);
         for_each_chunk(workers, what.pieces.size(), chunk_pieces,
                        [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-                           const std::span own = std::span(lists).subspan(chunk * of_chunk, of_chunk);
+                           const std::span own =
+                               std::span(lists).subspan(chunk * of_chunk, of_chunk);
                            for (auto& list : own)
                                list.clear();
                            for (std::size_t i = begin; i < end; ++i)
@@ -150,13 +151,15 @@ struct l3d_painter::work_space {
                       const Visit& visit) const {
         const std::size_t all = what.pieces.size();
         if (bands == 1)
-            return visit_some(what, from_front, all, [](std::size_t k) { return k; }, visit);
+            return visit_some(
+                what, from_front, all, [](std::size_t k) { return k; }, visit);
         const std::size_t chunks = chunks_of(all, chunk_pieces);
         for (std::size_t k = 0; k < chunks; ++k) {
             const std::size_t chunk = from_front ? chunks - 1 - k : k;
-            const auto& list = lists[chunk * static_cast<std::size_t>(bands) +
-                                     static_cast<std::size_t>(band)];
-            visit_some(what, from_front, list.size(), [&](std::size_t i) { return list[i]; }, visit);
+            const auto& list =
+                lists[chunk * static_cast<std::size_t>(bands) + static_cast<std::size_t>(band)];
+            visit_some(
+                what, from_front, list.size(), [&](std::size_t i) { return list[i]; }, visit);
         }
     }
 
