@@ -10,7 +10,6 @@
 #include "raster/parallel/simd_dispatch_p.h"
 
 #include <algorithm>
-#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
@@ -50,21 +49,30 @@ struct edge_function {
     }
 };
 
+/// The bits of up to sixteen lanes. Byte by byte, since a wider load would wait for the stores.
+HWY_INLINE std::uint64_t bits_of(hn::Mask<ints> mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(ints(), mask, bytes);
+    return lanes > 8 ? bytes[0] | std::uint64_t{bytes[1]} << 8 : bytes[0];
+}
+
 HWY_INLINE std::uint64_t cover_of(const edge_function (&edges)[3], std::int32_t left,
                                   std::int32_t top) {
     constexpr std::int32_t width = std::min(lanes, side), height = std::max(lanes / side, 1);
     std::uint64_t cover = 0;
-    for (std::int32_t row = 0; row < side; row += height)
-        for (std::int32_t column = 0; column < side; column += width) {
-            const auto at = [&](std::size_t i)
-                                HWY_ATTR { return edges[i].at(left + column, top + row); };
-            const auto inside = hn::Gt(hn::Or(hn::Or(at(0), at(1)), at(2)), hn::Set(ints(), -1));
-            std::uint8_t bytes[8] = {};
-            hn::StoreMaskBits(ints(), inside, bytes);
-            std::uint64_t bits = 0;
-            std::memcpy(&bits, bytes, sizeof(bits));
-            cover |= bits << (side * row + column);
+    for (std::int32_t column = 0; column < side; column += width) {
+        int_vec at[3], down[3];
+        for (std::size_t i = 0; i < 3; ++i) {
+            at[i] = edges[i].at(left + column, top);
+            down[i] = hn::Set(ints(), height * edges[i].per_row);
         }
+        for (std::int32_t row = 0; row < side; row += height) {
+            const auto inside = hn::Gt(hn::Or(hn::Or(at[0], at[1]), at[2]), hn::Set(ints(), -1));
+            cover |= bits_of(inside) << (side * row + column);
+            for (std::size_t i = 0; i < 3; ++i)
+                at[i] = hn::Add(at[i], down[i]);
+        }
+    }
     return cover;
 }
 
