@@ -26,6 +26,7 @@ namespace l3d_detail {
 /// two share a line of the caches.
 struct alignas(64) painting {
     l3d_pixels target;
+    fill_band words{}; ///< those of the target
     scan_rows rows;
     scan_polygon scan;
     open_pixels open; ///< if it is painted from front to back
@@ -41,14 +42,15 @@ struct alignas(64) painting {
     /// Whether rows are filled in lanes, if the shader has them: pixel by pixel the same bits.
     bool by_lanes() const { return target.width >= fill_least_width && foggy == nullptr; }
 
-    fill_band band() const {
-        return {.words = target.words,
-                .word_pitch = target.stride,
-                .depths = nullptr,
-                .depth_pitch = 0,
-                .width = target.width,
-                .top = 0,
-                .bottom = target.height};
+    void paint_to(l3d_pixels picture) {
+        target = picture;
+        words = {.words = picture.words,
+                 .word_pitch = picture.stride,
+                 .depths = nullptr,
+                 .depth_pitch = 0,
+                 .width = picture.width,
+                 .top = 0,
+                 .bottom = picture.height};
     }
 };
 
@@ -129,9 +131,10 @@ void paint_runs(painting& to, const Shader& shader, late_plane<Shader>& plane,
     if (runs.count == 0)
         return;
     wide_polygon of{.planes = plane.get().view(), .light = shader.in_lanes(), .color = to.color};
-    of.light.word = l3d_product_of_colors(to.color, of.light.word);
-    to.written += of.light.by == row_light::kind::normal ? to.light.add(to.band(), of, runs)
-                                                         : fill_wide_rows(to.band(), of, runs);
+    if (of.light.by == row_light::kind::word)
+        of.light.word = l3d_product_of_colors(to.color, of.light.word);
+    to.written += of.light.by == row_light::kind::normal ? to.light.add(to.words, of, runs)
+                                                         : fill_wide_rows(to.words, of, runs);
 }
 
 /// Paints what cuts and open pixels leave of the rows that were found.

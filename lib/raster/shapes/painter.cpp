@@ -70,7 +70,7 @@ struct l3d_painter::work_space {
 
     void begin(l3d_pixels target, bool from_front) {
         for (painting& to : of_worker) {
-            to.target = target;
+            to.paint_to(target);
             to.from_front = from_front;
             to.written = 0;
             to.foggy = nullptr;
