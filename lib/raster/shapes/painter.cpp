@@ -132,8 +132,7 @@ struct l3d_painter::work_space {
                        });
     }
 
-    /// Row r is in the band that holds it or in the one before, rounded as in rows_of: the last
-    /// whose first row is not below r.
+    /// A row is in the last band whose first row is not below it, as rows_of divides them.
     static void list_piece(scan_rows reach, int height, std::uint32_t piece,
                            std::span<std::vector<std::uint32_t>> lists) {
         const int bands = static_cast<int>(lists.size());
