@@ -108,7 +108,13 @@ private:
         if (HWY_LIKELY(inside))
             take_vector<true>(d, from, i, count);
         else
-            take_vector<false>(d, from, i, count);
+            take_last(d, from, i, count);
+    }
+
+    /// Those at an array's end. Few are, so one copy of this serves all rows.
+    template <class D>
+    HWY_NOINLINE void take_last(D d, const row& from, std::size_t i, std::size_t count) {
+        take_vector<false>(d, from, i, count);
     }
 
     template <bool Inside, class D>
