@@ -26,6 +26,10 @@ struct painter_item {
     std::uint32_t triangle; ///< its place among those that were given
 
     static constexpr std::int32_t small_side = l3d_painter_piece::small_side;
+
+    bool box_meets(const painter_item& other) const {
+        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+    }
 };
 
 /// The items of a list of triangles, in its order.

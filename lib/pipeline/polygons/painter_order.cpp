@@ -59,12 +59,16 @@ public:
 
     /// Calls visit(member, later one) for those whose cells meet and whose ranges of depth do.
     template <class Visit> void visit_pairs(const Visit& visit) const {
-        for (std::size_t i = 0; i < order_.size(); ++i) {
-            const painter_entry& own = members_[order_[i] & 0xffffffff];
+        // Held here, they need not be read again after each visit.
+        const std::span<const std::uint64_t> order(order_), cells(cells_);
+        const std::span<const painter_entry> members = members_;
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const painter_entry& own = members[order[i] & 0xffffffff];
+            const std::uint64_t own_cells = own.cells;
             const std::uint64_t end = bits_of(own.nearest) << 32; // wholly in front from there on
-            for (std::size_t k = i + 1; k < order_.size() && order_[k] < end; ++k)
-                if ((cells_[k] & own.cells) != 0)
-                    visit(own, members_[order_[k] & 0xffffffff]);
+            for (std::size_t k = i + 1; k < order.size() && order[k] < end; ++k)
+                if ((cells[k] & own_cells) != 0)
+                    visit(own, members[order[k] & 0xffffffff]);
         }
     }
 
@@ -123,11 +127,17 @@ struct l3d_painter_order::work_space {
         return given[items[number].triangle].v;
     }
 
+    /// Whether the insides of two items meet. Where pixels are all that counts, their boxes tell it
+    /// of many that lie side by side.
+    bool do_meet(std::uint32_t a, std::uint32_t b) const {
+        return (!items.are_pixels_all() || items[a].box_meets(items[b])) &&
+               insides_meet(at(a), at(b));
+    }
+
     /// Whether an item must be painted after another that it may meet: it is in front of it
     /// somewhere. Two that have a pixel in common do meet.
     bool needs(const painter_entry& item, const painter_entry& other) const {
-        return ((item.is_exact && other.is_exact) ||
-                insides_meet(at(item.number), at(other.number))) &&
+        return ((item.is_exact && other.is_exact) || do_meet(item.number, other.number)) &&
                (other.nearest <= item.farthest ||
                 front_of(at(item.number), at(other.number)).first);
     }
