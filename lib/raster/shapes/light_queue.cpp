@@ -10,6 +10,7 @@
 #include "raster/parallel/lane_places-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 #include "raster/parallel/store_where-inl.h"
+#include "raster/shapes/attribute_plane_p.h"
 #include "raster/shaders/normal_light-inl.h"
 #include "raster/surfaces/first_numbers-inl.h"
 
@@ -63,17 +64,50 @@ void light_all(unlit_pixels& waiting) {
     waiting.count = waiting.part_count = 0;
 }
 
-/// The normals of a polygon, row by row.
-class normal_rows {
+/// attribute_planes of a triangle's normals, all numbers at a time, operation by operation.
+class normal_planes {
 public:
-    HWY_INLINE explicit normal_rows(const wide_polygon& of) : light_(of.light.light) {
-        for (std::size_t i = 1; i < numbers; ++i)
-            step_[i] =
-                hn::Set(row_floats(), static_cast<float>(of.planes.along_x[i] * l3d_subpixel_one));
+    HWY_INLINE explicit normal_planes(const unlit_triangle& of)
+        : base_x_(of.corners[0].x), base_y_(of.corners[0].y) {
+        using doubles = hn::CappedTag<double, unlit_triangle::numbers>;
+        using floats = hn::Rebind<float, doubles>;
+        const doubles d;
+        const scan_point d1 = of.corners[1] - of.corners[0], d2 = of.corners[2] - of.corners[0];
+        const double scale = 1.0 / static_cast<double>(cross(d1, d2));
+        const auto x1 = hn::Set(d, d1.x * scale), y1 = hn::Set(d, d1.y * scale);
+        const auto x2 = hn::Set(d, d2.x * scale), y2 = hn::Set(d, d2.y * scale);
+        for (std::size_t i = 0; i < unlit_triangle::numbers; i += hn::MaxLanes(d)) {
+            const auto at = [&](std::size_t corner) HWY_ATTR {
+                return hn::PromoteTo(d, hn::Load(floats(), of.normals[corner].data() + i));
+            };
+            const auto base = at(0), first = hn::Sub(at(1), base), second = hn::Sub(at(2), base);
+            hn::Store(base, d, base_ + i);
+            hn::Store(hn::Sub(hn::Mul(first, y2), hn::Mul(second, y1)), d, along_x_ + i);
+            hn::Store(hn::Sub(hn::Mul(second, x1), hn::Mul(first, x2)), d, along_y_ + i);
+        }
     }
 
-    static constexpr std::size_t numbers = 5; ///< inv_w, a normal, and how far it points away
-    using starts = first_numbers<1, numbers>;
+    HWY_INLINE plane_view view() const { return {base_x_, base_y_, base_, along_x_, along_y_}; }
+    HWY_INLINE float per_column(std::size_t i) const {
+        return static_cast<float>(along_x_[i] * l3d_subpixel_one);
+    }
+
+private:
+    double base_x_, base_y_;
+    HWY_ALIGN double base_[unlit_triangle::numbers], along_x_[unlit_triangle::numbers],
+        along_y_[unlit_triangle::numbers];
+};
+
+/// The normals of a triangle, row by row.
+class normal_rows {
+public:
+    HWY_INLINE normal_rows(const normal_planes& planes, const std::array<float, 3>& light)
+        : light_(light) {
+        for (std::size_t i = 0; i < unlit_triangle::numbers; ++i)
+            step_[i] = hn::Set(row_floats(), planes.per_column(i));
+    }
+
+    using starts = first_numbers<0, unlit_triangle::numbers>;
 
     /// Puts `count` pixels, from so many columns behind a row's start on.
     HWY_INLINE void put(const starts& first, std::size_t run, std::int32_t behind,
@@ -84,21 +118,23 @@ public:
             const auto at = [&](std::size_t n) HWY_ATTR {
                 return hn::Add(hn::Set(d, first.of[n][run]), hn::Mul(step_[n], k));
             };
-            const auto both = light_.squares_of(at(1), at(2), at(3), hn::Gt(at(4), hn::Zero(d)));
+            const auto both = light_.squares_of(at(0), at(1), at(2), hn::Gt(at(3), hn::Zero(d)));
             hn::StoreU(both.square, d, squares + i);
             hn::StoreU(both.product, d, products + i);
         }
     }
 
 private:
-    hn::Vec<row_floats> step_[numbers];
+    hn::Vec<row_floats> step_[unlit_triangle::numbers];
     normal_light<row_floats> light_;
 };
 
-std::int64_t queue_rows(const fill_band& band, const wide_polygon& of, const wide_runs& runs,
+std::int64_t queue_rows(const fill_band& band, const unlit_triangle& of, const wide_runs& runs,
                         unlit_pixels& waiting) {
-    const normal_rows normals(of);
-    const normal_rows::starts first(of.planes, runs);
+    const normal_planes planes(of);
+    const normal_rows normals(planes, of.light);
+    const normal_rows::starts first(planes.view(), runs);
+    std::size_t waiting_count = waiting.count, part_count = waiting.part_count; // in registers
     std::int64_t painted = 0;
     for (std::size_t run = 0; run < runs.count; ++run) {
         const std::int32_t end = runs.end[run];
@@ -106,17 +142,23 @@ std::int64_t queue_rows(const fill_band& band, const wide_polygon& of, const wid
         std::int32_t count = 0;
         for (std::int32_t x = runs.begin[run]; x < end; x += count) {
             count = std::min(end - x, unlit_pixels::longest_part);
-            if (waiting.count + static_cast<std::size_t>(count) > unlit_pixels::room ||
-                waiting.part_count == unlit_pixels::most_parts)
+            if (HWY_UNLIKELY(waiting_count + static_cast<std::size_t>(count) > unlit_pixels::room ||
+                             part_count == unlit_pixels::most_parts)) {
+                waiting.count = waiting_count;
+                waiting.part_count = part_count;
                 light_all(waiting);
+                waiting_count = part_count = 0;
+            }
             normals.put(first, run, x - runs.start[run], count,
-                        waiting.square.data() + waiting.count,
-                        waiting.product.data() + waiting.count);
-            waiting.parts[waiting.part_count++] = {words + x, count, band.width - x, of.color};
-            waiting.count += static_cast<std::size_t>(count);
+                        waiting.square.data() + waiting_count,
+                        waiting.product.data() + waiting_count);
+            waiting.parts[part_count++] = {words + x, count, band.width - x, of.color};
+            waiting_count += static_cast<std::size_t>(count);
             painted += count;
         }
     }
+    waiting.count = waiting_count;
+    waiting.part_count = part_count;
     return painted;
 }
 
@@ -131,7 +173,7 @@ namespace l3d_detail {
 L3D_SIMD_TABLE(light_all);
 L3D_SIMD_TABLE(queue_rows);
 
-std::int64_t light_queue::add(const fill_band& band, const wide_polygon& of,
+std::int64_t light_queue::add(const fill_band& band, const unlit_triangle& of,
                               const wide_runs& runs) {
     return L3D_SIMD_CALL(queue_rows)(band, of, runs, waiting_);
 }

@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_SHAPES_LIGHT_QUEUE_P_H
 #define L3D_RASTER_SHAPES_LIGHT_QUEUE_P_H
 
+#include "raster/shapes/scan_edge_p.h"
 #include "raster/surfaces/fill_kernel_p.h"
 #include "raster/surfaces/wide_rows_p.h"
 
@@ -36,16 +37,27 @@ struct unlit_pixels {
     std::size_t count = 0, part_count = 0;
 };
 
-/// Fills rows of polygons over each other by lambert's rule. The same bits as fill_wide_rows.
+/// A triangle that is to be lit by lambert's rule.
+struct unlit_triangle {
+    static constexpr std::size_t numbers = 4; ///< a normal, and how far it points away from the eye
+
+    std::array<scan_point, 3> corners;
+    alignas(16) std::array<std::array<float, numbers>, 3> normals; ///< at the corners
+    std::array<float, 3> light;                                    ///< unit vector to it
+    std::uint32_t color;                                           ///< that multiplies greys
+};
+
+/// Fills rows of triangles over each other by lambert's rule. The same bits as fill_wide_rows with
+/// attribute_planes.
 ///
 /// A root and a quotient are most of a pixel's time. Rows of small triangles would leave half of
 /// the lanes idle; here only what is cheap is done row by row.
 class light_queue {
 public:
     /// Fills now or, at the latest, in finish(). Returns the number of pixels.
-    /// Expects: as fill_wide_rows without depths; row_light::kind::normal, and the same light and
-    ///          band until finish().
-    std::int64_t add(const fill_band& band, const wide_polygon& of, const wide_runs& runs);
+    /// Expects: as fill_wide_rows without depths; corners that are not in a line, and the same band
+    ///          until finish().
+    std::int64_t add(const fill_band& band, const unlit_triangle& of, const wide_runs& runs);
 
     /// Fills all that waits.
     void finish();

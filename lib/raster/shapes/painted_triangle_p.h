@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace l3d_detail {
@@ -72,6 +73,14 @@ public:
         }
         const std::array<scan_point, 3> points = places_of(v_);
         return plane_.emplace(points, values, cross(points[1] - points[0], points[2] - points[0]));
+    }
+
+    /// What light_queue makes the same plane of. Expects: a shader of normals.
+    unlit_triangle unlit(std::uint32_t color) const {
+        unlit_triangle of{places_of(v_), {}, shader_.in_lanes().light, color};
+        for (std::size_t i = 0; i < v_.size(); ++i)
+            shader_.corner(v_[i], of.normals[i].data());
+        return of;
     }
 
 private:
@@ -130,11 +139,15 @@ void paint_runs(painting& to, const Shader& shader, late_plane<Shader>& plane,
                 const wide_runs& runs) {
     if (runs.count == 0)
         return;
-    wide_polygon of{.planes = plane.get().view(), .light = shader.in_lanes(), .color = to.color};
-    if (of.light.by == row_light::kind::word)
-        of.light.word = l3d_product_of_colors(to.color, of.light.word);
-    to.written += of.light.by == row_light::kind::normal ? to.light.add(to.words, of, runs)
-                                                         : fill_wide_rows(to.words, of, runs);
+    if constexpr (std::is_same_v<Shader, lambert_shader>) {
+        to.written += to.light.add(to.words, plane.unlit(to.color), runs);
+    } else {
+        wide_polygon of{
+            .planes = plane.get().view(), .light = shader.in_lanes(), .color = to.color};
+        if (of.light.by == row_light::kind::word)
+            of.light.word = l3d_product_of_colors(to.color, of.light.word);
+        to.written += fill_wide_rows(to.words, of, runs);
+    }
 }
 
 /// Paints what cuts and open pixels leave of the rows that were found.
