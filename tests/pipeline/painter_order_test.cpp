@@ -323,6 +323,23 @@ TEST(painter_order, the_cycle_of_three_rectangles) {
               0);
 }
 
+/// A corner of the first one, which has the farthest corner of all, is in front of the second one.
+/// It lies between the centres of two columns, so the boxes have no pixel in common.
+TEST(painter_order, triangles_that_meet_beside_all_pixels_are_ordered_for_their_sides) {
+    const auto corner = [](double x, double y, float inv_w) {
+        return l3d_micro_vertex{static_cast<int>(256 * x), static_cast<int>(256 * y), inv_w, {}};
+    };
+    const std::vector<l3d_painter_triangle> triangles{
+        {{corner(8, 5, 0.1f), corner(18.25, 10, 0.9f), corner(8, 15, 0.1f)}},
+        {{corner(18.0625, 2, 0.5f), corner(18.0625, 18, 0.5f), corner(28, 10, 0.5f)}}};
+    l3d_workers workers(1);
+    l3d_painter_order order(workers);
+    order.make(triangles, window, {.sides = true});
+    EXPECT_EQ(members_of(order.pieces()), (std::vector<std::uint32_t>{1, 0}));
+    order.make(triangles, window, {.sides = false});
+    EXPECT_EQ(members_of(order.pieces()), (std::vector<std::uint32_t>{0, 1}));
+}
+
 TEST(painter_order, nothing_and_what_covers_nothing) {
     painting painted;
     EXPECT_EQ(painted.paint({}, l3d_shade::error), std::vector<std::uint32_t>(57 * 41, 0u));
