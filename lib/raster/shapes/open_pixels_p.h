@@ -116,15 +116,15 @@ private:
             visit(run);
     }
 
-    /// The columns from x on that are in the same word.
+    /// The columns from x on that are in the same word. Expects: x >= 0.
     struct part {
         std::size_t word;
         std::int32_t end;
         std::uint64_t mask;
 
         part(std::int32_t x, std::int32_t most)
-            : word(static_cast<std::size_t>(x / bits)), end(std::min(x / bits * bits + bits, most)),
-              mask(~std::uint64_t{0} >> (bits - (end - x)) << (x % bits)) {}
+            : word(static_cast<std::uint32_t>(x) / bits), end(std::min((x | (bits - 1)) + 1, most)),
+              mask(~std::uint64_t{0} >> (bits - (end - x)) << (x & (bits - 1))) {}
     };
 
     /// Those of `wanted` that are open; bits as of take().

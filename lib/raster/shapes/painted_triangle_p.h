@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -156,9 +157,11 @@ void paint_rest_of_runs(painting& to, const Shader& shader, late_plane<Shader>& 
     const wide_runs& runs = to.found;
     wide_runs& left = to.left;
     left.count = 0;
-    for (std::size_t i = 0; i < runs.count; ++i) {
+    const std::span<const placed_cut> cuts(to.cuts); // not to be read again in each row
+    const std::size_t count = runs.count;
+    for (std::size_t i = 0; i < count; ++i) {
         const std::int32_t row = runs.row[i], start = runs.start[i];
-        const columns span = kept_by(to.cuts, {runs.begin[i], runs.end[i]}, start, row);
+        const columns span = kept_by(cuts, {runs.begin[i], runs.end[i]}, start, row);
         if (span.begin >= span.end)
             continue;
         visit_open(to, row, span, [&](columns of) {
