@@ -92,8 +92,7 @@ void l3d_workers::run(int items, item_call call, void* context) {
 }
 
 /// Each worker has a range, which it takes from its outer end. When that is empty, it steals from
-/// the others' ranges, its neighbours' first. It steals at the far end from their owner. It steals
-/// at the far end from their owner. It steals at the far end from their owner.
+/// the others' ranges, its neighbours' first. It steals at the far end from their owner.
 void l3d_workers::run_beside(int items, item_call call, void* context) {
     if (count_ == 1 || items <= 1)
         return run(items, call, context);
