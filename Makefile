@@ -204,6 +204,7 @@ run: ## build, then show the teapot: in a window, or as a PNG where there is no 
 
 test: packages-test $(if $(filter install,$(WITH)),packages-install) ## build and run every test; ends with "N passed, N failed"
 	+@$(call build,-k $(SLOW_FIRST) $(MADE_FIRST)) || true
+	+@$(if $(filter install,$(WITH)),$(build_other) || true)
 	+@$(call judge,$(TEST_LOGS))
 
 stress: packages-test ## what takes minutes: servers that die, a million shapes (make test WITH=stress adds all)

@@ -153,12 +153,13 @@ $(ICON): $(OUT)/bin/teapot_afd
 $(OUT)/lib/system/places.o: $(OUT)/place
 $(OUT)/lib/system/places.o: private CPPFLAGS += -DL3D_PREFIX='"$(PREFIX)"'
 
-# The library of the other numbers is the only thing that is still to be built then, by as many
-# processes as there are to spare: `+` hands them down. Nothing but its place and its names are looked
-# at, so it is compiled in a hurry, for one set of instructions.
+# The library of the other numbers is only looked at for its place and its names, so it is compiled in
+# a hurry, for one set of instructions. `make test` builds it before anything is run, since the check
+# of what is installed takes long and nothing else is left to run beside its end.
 STAGE := $(OUT)/stage
 OTHER := $(if $(filter fixed,$(REAL)),float,fixed)
 hurry := BUILD=$(BUILD)/hurry REAL=$(OTHER) CXXFLAGS="-O1 -DHWY_COMPILE_ONLY_STATIC"
+build_other = $(if $(dry_run),:,$(again) -k $(hurry) libraries)
 $(OUT)/log/installcheck.log: $(APPS) $(PLUGINS) $(DATA) $(PAGES) $(STATIC) $(SHARED) $(OUT)/$(NAME).pc FORCE
 	$(call say,TEST,installcheck)
 	$(Q)rm -rf $(STAGE)
