@@ -154,8 +154,8 @@ $(OUT)/lib/system/places.o: $(OUT)/place
 $(OUT)/lib/system/places.o: private CPPFLAGS += -DL3D_PREFIX='"$(PREFIX)"'
 
 # The library of the other numbers is only looked at for its place and its names, so it is compiled in
-# a hurry, for one set of instructions. `make test` builds it before anything is run, since the check
-# of what is installed takes long and nothing else is left to run beside its end.
+# a hurry, for one set of instructions. `make test` builds it before anything is run: the check of what
+# is installed takes minutes of one process, and has to begin with the others.
 STAGE := $(OUT)/stage
 OTHER := $(if $(filter fixed,$(REAL)),float,fixed)
 hurry := BUILD=$(BUILD)/hurry REAL=$(OTHER) CXXFLAGS="-O1 -DHWY_COMPILE_ONLY_STATIC"
