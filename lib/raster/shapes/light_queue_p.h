@@ -20,8 +20,9 @@ namespace l3d_detail {
 struct unlit_pixels {
     static constexpr std::size_t room = 512; ///< 6 KB of arrays: they stay in the nearest cache
     static constexpr std::size_t most_parts = room / 4; ///< rows of small triangles are so long
-    static constexpr std::int32_t longest_part = 64;
-    static constexpr std::size_t widest_vector = 16;
+    /// A longer run is several parts. An eighth of the room, so that little of it stays unused.
+    static constexpr std::int32_t longest_part = room / 8;
+    static constexpr std::size_t widest_vector = 16; ///< numbers in 512 bits
 
     struct part {
         std::uint32_t* to;

@@ -35,10 +35,16 @@ struct alignas(64) painting {
     std::vector<placed_cut> cuts;
     std::uint32_t color = white; ///< of the material
     std::int64_t written = 0;
-    wide_runs found, left;              ///< rows of one triangle: all, and what is left of them
-    const l3d_shading* foggy = nullptr; ///< whose fog is before all, if it has any
-    light_queue light;                  ///< what was painted and waits for its light
-    bool from_front = false;            ///< what is painted first stays
+    /// All rows of one triangle.
+    wide_runs found;
+    /// What cuts and open pixels leave of them.
+    wide_runs left;
+    /// The shading whose fog is before all. Null if it has none.
+    const l3d_shading* foggy = nullptr;
+    /// What was painted and waits for its light.
+    light_queue light;
+    /// Whether what is painted first stays.
+    bool from_front = false;
     static constexpr std::uint32_t white = wide_polygon::white;
 
     /// Whether rows are filled in lanes, if the shader has them: pixel by pixel the same bits.

@@ -182,7 +182,8 @@ bool cover_ends(std::uint32_t*, std::uint32_t*, const std::uint8_t*, std::uint32
 
 void cover_spans_in_lanes(const l3d_pixels& target, std::span<const covered_span> spans,
                           const std::uint8_t* all_values, std::uint32_t color) {
-    // Other rows are on other pages of memory, which no processor fetches by itself.
+    // Other rows are on other pages of memory, which no processor fetches by itself. So many spans
+    // take longer than memory does.
     constexpr std::size_t ahead = 16;
     for (std::size_t i = 0; i < spans.size(); ++i) {
         const covered_span& s = spans[i];

@@ -27,10 +27,13 @@ public:
     bool next(std::int32_t width, wide_runs& runs);
 
 private:
-    scan_rows rows_;            ///< that are still to be found
-    std::int32_t found_ = 0;    ///< rows that lines have been stepped by
-    bool is_long_left_ = false; ///< the side from the highest to the lowest corner
-    /// That of the long side, and those from the highest and to the lowest corner.
+    /// Those that are still to be found.
+    scan_rows rows_;
+    /// So many were found. The lines begin at the first of them.
+    std::int32_t found_ = 0;
+    /// Whether the side from the highest to the lowest corner, the long one, is on the left.
+    bool is_long_left_ = false;
+    /// Of the long side, of the one from the highest corner, of the one to the lowest corner.
     std::array<scan_edge::line, 3> lines_{};
 };
 
