@@ -36,10 +36,9 @@ struct level_jumps {
     }
 };
 
-/// Finds the jumps of the pixels of `where`, and perhaps of some beside them.
-/// Expects: `where` lies inside the picture; all have the same size; the rows' bits are clear;
-///          `grey`: the channels of all pixels are equal.
-void find_jumps(const l3d_pixels& picture, bool grey, jump_rule rule, const l3d_pixel_box& where,
+/// Finds the jumps of the pixels of `where`.
+/// Expects: `where` lies inside the picture; all have the same size; the rows' bits are clear.
+void find_jumps(const l3d_pixels& picture, jump_rule rule, const l3d_pixel_box& where,
                 level_jumps& jumps);
 
 } // namespace l3d_detail

@@ -90,7 +90,7 @@ void picture_refiner::find_contours(const drawn_frame& frame, int band, worker_s
         std::max(box.top - 1, frame.window.top), std::min(box.bottom + 1, frame.window.bottom));
     const l3d_pixel_box reached{drawn.left - 1, box.top, drawn.right + 1, box.bottom};
     const jump_rule rule = is_smooth(frame) ? jump_rule::smooth : jump_rule::any;
-    find_jumps(frame.target, is_grey(frame), rule, reached.intersected(box), jumps_);
+    find_jumps(frame.target, rule, reached.intersected(box), jumps_);
 
     contour_pixels& contours = each_band_[static_cast<std::size_t>(band)].contours;
     const drawn_depth depth(frame.depth.data(), frame.depth.pitch(), frame.window, frame.coarse);
