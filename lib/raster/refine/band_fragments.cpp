@@ -43,24 +43,28 @@ std::uint32_t band_fragments::first_in(std::int32_t word, std::int32_t y) const 
 
 /// Rows of quads that reach no marked pixel are left out, then columns that no row has a mark in.
 void band_fragments::add(const band_list& list, const band_item& item, bool levels) {
-    const l3d_pixel_box box = item.box.intersected(band_);
-    if (box.empty() || !bits_->any(box))
+    marked_ = bits_->bounds(item.box.intersected(band_));
+    if (marked_.empty())
         return;
     add_triangles(*item.part, item.triangle_begin, item.triangle_end);
     columns_.assign(bits_->row_words(), 0);
+    const std::int32_t first = marked_.left / pixel_bits::word_pixels;
+    const std::int32_t last = (marked_.right - 1) / pixel_bits::word_pixels;
     for (int row = item.cells.row_begin; row < item.cells.row_end; ++row) {
         // Rows are told by the centres that they may cover: one more on either side is reached.
         const band_rows& reached = list.rows(item)[row - item.cells.row_begin];
-        const std::int32_t top = std::max(reached.top - 1, box.top);
-        const std::int32_t bottom = std::min(reached.bottom + 1, box.bottom);
+        const std::int32_t top = std::max(reached.top - 1, marked_.top);
+        const std::int32_t bottom = std::min(reached.bottom + 1, marked_.bottom);
+        if (top >= bottom)
+            continue;
         std::uint64_t any = 0;
-        for (std::int32_t w = box.left / pixel_bits::word_pixels;
-             w * pixel_bits::word_pixels < box.right; ++w) {
-            std::uint64_t& columns = columns_[static_cast<std::size_t>(w)];
-            columns = 0;
+        for (std::int32_t w = first; w <= last; ++w) {
+            std::uint64_t columns = 0;
             for (std::int32_t y = top; y < bottom; ++y)
                 columns |= bits_->row(y)[w];
-            any |= columns &= pixel_bits::within(w, box.left, box.right);
+            columns &= pixel_bits::within(w, marked_.left, marked_.right);
+            columns_[static_cast<std::size_t>(w)] = columns;
+            any |= columns;
         }
         if (any != 0)
             add_row(*item.part, item.cells, row, levels);
@@ -84,23 +88,22 @@ void band_fragments::add_row(const l3d_surface_part& part, const grid_cells& cel
             squares_in({std::min(left, next_left), 0, std::max(right, next_right), 0});
         left = next_left;
         right = next_right;
-        if (!has_column(std::max(wide.left, band_.left), std::min(wide.right, band_.right)))
+        if (wide.right <= marked_.left || wide.left >= marked_.right ||
+            !has_column(std::max(wide.left, marked_.left), std::min(wide.right, marked_.right)))
             continue;
         const auto [top, bottom] = range_at(grid.y, p00);
         const auto [next_top, next_bottom] = range_at(grid.y, p00 + 1);
         const l3d_pixel_box high =
             squares_in({0, std::min(top, next_top), 0, std::max(bottom, next_bottom)});
         const l3d_pixel_box box =
-            l3d_pixel_box{wide.left, high.top, wide.right, high.bottom}.intersected(band_);
+            l3d_pixel_box{wide.left, high.top, wide.right, high.bottom}.intersected(marked_);
         if (!box.empty() && bits_->any(box))
             add_quad(part, p00, box, levels);
     }
 }
 
-/// Whether a column of [left, right) is marked in columns_. Expects: left >= 0.
+/// Whether a column of [left, right) is marked in columns_. Expects: 0 <= left < right.
 bool band_fragments::has_column(std::int32_t left, std::int32_t right) const {
-    if (left >= right)
-        return false;
     std::size_t word = pixel_bits::word_of(left);
     const std::size_t last = pixel_bits::word_of(right - 1);
     const std::uint64_t from = ~std::uint64_t{0} << pixel_bits::bit_of(left);
@@ -152,15 +155,23 @@ l3d_pixel_box band_fragments::reached(std::span<const l3d_micro_vertex> corners)
         box.right = std::max(box.right, v.x);
         box.bottom = std::max(box.bottom, v.y);
     }
-    return squares_in(box).intersected(band_);
+    return squares_in(box).intersected(marked_);
 }
 
 void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t color,
                                 const l3d_pixel_box& box, bool counts_once) {
-    if (box.empty())
+    const l3d_micro_vertex &a = corners[0], &b = corners[1], &c = corners[2], &d = corners.back();
+    const bool is_level = cross({c.x - a.x, c.y - a.y}, {d.x - b.x, d.y - b.y}) == 0;
+    if (box.empty() || is_level)
         return;
-    fragment_polygon polygon;
-    polygon.farthest = polygon.nearest = corners[0].inv_w;
+    float farthest = corners[0].inv_w, nearest = farthest;
+    for (const l3d_micro_vertex& v : corners.subspan(1)) {
+        farthest = std::min(farthest, v.inv_w);
+        nearest = std::max(nearest, v.inv_w);
+    }
+    if (!add_pairs(box, nearest))
+        return;
+    fragment_polygon& polygon = polygons_.emplace_back();
     for (std::size_t i = 0; i < 4; ++i) {
         const l3d_micro_vertex& v = corners[std::min(i, corners.size() - 1)];
         polygon.x[i] = v.x;
@@ -168,14 +179,17 @@ void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners, std::
         polygon.inv_w[i] = v.inv_w;
         for (std::size_t k = 0; k < 3; ++k)
             polygon.light[k][i] = v.normal[k];
-        polygon.farthest = std::min(polygon.farthest, v.inv_w);
-        polygon.nearest = std::max(polygon.nearest, v.inv_w);
     }
-    if (polygon.area2() == 0)
-        return;
+    polygon.farthest = farthest;
+    polygon.nearest = nearest;
     polygon.corners = static_cast<std::int32_t>(corners.size());
     polygon.color = color;
     polygon.counts_once = counts_once;
+}
+
+/// Pairs the next polygon with the marked pixels of its box where it may be seen. False if there is
+/// none.
+bool band_fragments::add_pairs(const l3d_pixel_box& box, float nearest) {
     const auto name = static_cast<std::uint32_t>(polygons_.size());
     const std::size_t pairs = pairs_.size();
     const auto last = static_cast<std::int32_t>(pixel_bits::word_of(box.right - 1));
@@ -189,11 +203,10 @@ void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners, std::
             const std::uint64_t before = of_word & ((marked & -marked) - 1);
             std::uint32_t index = first_in(w, y) + static_cast<std::uint32_t>(bits_in(before));
             for (; marked != 0; marked &= marked - 1, ++index)
-                if (polygon.nearest >= farthest_[index])
+                if (nearest >= farthest_[index])
                     pairs_.push_back({index, name});
         }
-    if (pairs_.size() != pairs)
-        polygons_.push_back(polygon);
+    return pairs_.size() != pairs;
 }
 
 void band_fragments::sort() {

@@ -88,6 +88,7 @@ private:
                   bool levels);
     void add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t color,
                     const l3d_pixel_box& box, bool counts_once);
+    bool add_pairs(const l3d_pixel_box& box, float nearest);
     std::uint32_t color_of(const l3d_surface_part& part, std::uint32_t material) const {
         return by_material_ ? material : colors_.empty() ? part.error_color : colors_[material];
     }
@@ -99,6 +100,7 @@ private:
     bool by_material_ = false;
     const pixel_bits* bits_ = nullptr;
     l3d_pixel_box band_;
+    l3d_pixel_box marked_; ///< holds all marked pixels that the item reaches
     std::vector<pixel> pixels_;
     std::vector<float> farthest_;        ///< what was drawn in each of these and around it
     std::vector<std::uint64_t> columns_; ///< marked in any row that some quads may reach

@@ -40,13 +40,9 @@ float drawn_depth::farthest(std::int32_t x, std::int32_t y) const {
     return result;
 }
 
-bool drawn_depth::hides(std::int32_t x, std::int32_t y, float inv_w, std::int32_t to_x,
-                        std::int32_t to_y) const {
+bool drawn_depth::hides_around(std::int32_t x, std::int32_t y, float inv_w) const {
     const neighbourhood near(x, y, window_);
-    const std::int32_t first_x = std::clamp(x + to_x, near.left, near.right);
-    const std::int32_t first_y = std::clamp(y + to_y, near.top, near.bottom);
-    if (!coarse_->drawn_at(first_x, first_y) || inv_w > first_[first_y * pitch_ + first_x] ||
-        !near.drawn(*coarse_))
+    if (!near.drawn(*coarse_))
         return false;
     const float* row = first_ + near.top * pitch_;
     for (std::int32_t i = near.top; i <= near.bottom; ++i, row += pitch_)

@@ -6,6 +6,7 @@
 #include "raster/surfaces/coarse_depth_p.h"
 #include "tool_2d/pixels.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -23,11 +24,19 @@ public:
     float farthest(std::int32_t x, std::int32_t y) const;
 
     /// Whether all pixels around one, and itself, show what is nearer than `inv_w`. It is fastest
-    /// if the one at (x + to_x, y + to_y) does not. Expects: |to_x|, |to_y| <= 1.
+    /// if the one at (x + to_x, y + to_y) does not.
+    /// Expects: (x, y) lies in the window; |to_x|, |to_y| <= 1.
     bool hides(std::int32_t x, std::int32_t y, float inv_w, std::int32_t to_x,
-               std::int32_t to_y) const;
+               std::int32_t to_y) const {
+        const std::int32_t first_x = std::clamp(x + to_x, window_.left, window_.right - 1);
+        const std::int32_t first_y = std::clamp(y + to_y, window_.top, window_.bottom - 1);
+        return coarse_->drawn_at(first_x, first_y) &&
+               !(inv_w > first_[first_y * pitch_ + first_x]) && hides_around(x, y, inv_w);
+    }
 
 private:
+    bool hides_around(std::int32_t x, std::int32_t y, float inv_w) const;
+
     const float* first_ = nullptr;
     std::ptrdiff_t pitch_ = 0;
     l3d_pixel_box window_;

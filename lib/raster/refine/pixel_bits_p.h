@@ -92,6 +92,17 @@ public:
         return false;
     }
 
+    /// The smallest box of those pixels of a box whose bits are set; empty if there are none.
+    l3d_pixel_box bounds(const l3d_pixel_box& box) const {
+        l3d_pixel_box result;
+        for (std::int32_t y = box.top; y < box.bottom; ++y)
+            for (std::int32_t w = box.left / word_pixels; w * word_pixels < box.right; ++w)
+                if (const std::uint64_t bits = row(y)[w] & within(w, box.left, box.right))
+                    result = result.united({w * word_pixels + std::countr_zero(bits), y,
+                                            (w + 1) * word_pixels - std::countl_zero(bits), y + 1});
+        return result;
+    }
+
 private:
     static constexpr std::uint32_t word_bits = word_pixels;
 
