@@ -11,15 +11,29 @@
 #include "error_report.h"
 #include "method_viewer.h"
 
+#include <initializer_list>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace {
 
 // Step 2 of 5: the application is a pipeline. The viewer of patches draws and has the keys.
 using teapot_pipeline = l3d_viewer<method_viewer>;
 using comparing_pipeline = l3d_viewer<comparison>;
+
+/// An option that names a file. Lives: borrows what the user said of it.
+struct named_file {
+    const char* option;
+    const std::string& file;
+};
+
+/// Errors: l3d_error(usage) for the first file that is wanted where none can be written.
+void refuse_files(bool none_is_written, std::initializer_list<named_file> files,
+                  const char* reason) {
+    for (const auto& [option, file] : files)
+        if (none_is_written && !file.empty())
+            throw l3d_error(l3d_exit::usage, std::string(option) + ": " + reason);
+}
 
 } // namespace
 
@@ -44,6 +58,9 @@ int main(int argc, char** argv) {
                           "FOLDER");
     program.options().has_result("--error-report");
     program.options().add("--quick", quick, "a small --error-report, in half a minute or so");
+    const named_file pictures{"--output", program.options().common().output},
+        reports{"--report", afd.report()}, depths{"--depth-output", afd.depth_output()},
+        bounds{"--error-output", afd.error_output()};
     l3d_camera camera;
     l3d_afd_settings settings;
     std::optional<l3d_method_choice> other;
@@ -55,12 +72,12 @@ int main(int argc, char** argv) {
             return false;
         }
         other = compared.choice();
-        for (const auto& [option, file] : {std::pair("--depth-output", &afd.depth_output()),
-                                           {"--error-output", &afd.error_output()}})
-            if (other && !file->empty())
-                throw l3d_error(l3d_exit::usage, std::string(option) +
-                                                     ": not with --compare, whose halves are two "
-                                                     "pictures");
+        refuse_files(other.has_value(), {depths, bounds},
+                     "not with --compare, whose halves are two pictures");
+        refuse_files(!folder.empty(), {pictures, reports, depths, bounds},
+                     "not with --error-report, which draws nothing");
+        if (quick && folder.empty())
+            throw l3d_error(l3d_exit::usage, "--quick: goes with --error-report");
         if (folder.empty())
             return true;
         const l3d_patch_scene scene(parts.applied(afd.model()));
