@@ -226,6 +226,54 @@ TEST(stroke, has_the_areas_of_its_caps_and_joins) {
     EXPECT_NEAR(area(dot, {.width = 6, .cap = l3d_cap::round}), 9 * pi, 0.1);
 }
 
+std::size_t edges_of(const l3d_path& path) {
+    return chords_of(path).size();
+}
+
+/// A plot is a line of many points. Each has one of the outline's on either side, as there is no
+/// corner to be seen, and joins of all kinds cover the same. Ends are square to the curve, those of
+/// dashes, too.
+TEST(stroke, of_many_points_of_a_curve_covers_what_that_of_the_curve_does) {
+    std::mt19937 random(11);
+    for (int n = 0; n < 400; ++n) {
+        // A quarter of a circle, nearly.
+        const double radius = uniform(random, 8, 24), way = 0.55 * radius;
+        const double left = uniform(random, 2, 10), top = uniform(random, 2, 6);
+        const std::array<l3d_point_2d, 4> net{{{left, top + radius},
+                                               {left, top + radius - way},
+                                               {left + radius - way, top},
+                                               {left + radius, top}}};
+        l3d_path curve, points;
+        curve.move_to(net[0]);
+        curve.line_to(net[0]);
+        curve.cubic_to(net[1], net[2], net[3]);
+        points.move_to(net[0]);
+        constexpr int count = 1000;
+        for (int i = 1; i <= count; ++i) {
+            const double t = double(i) / count, s = 1 - t;
+            const auto at = [&](double l3d_point_2d::*of) {
+                return s * s * (s * net[0].*of + 3 * t * net[1].*of) +
+                       t * t * (3 * s * net[2].*of + t * net[3].*of);
+            };
+            points.line_to({at(&l3d_point_2d::x), at(&l3d_point_2d::y)});
+        }
+        // At most three quarters of the circle.
+        l3d_stroke pen{.width = std::pow(2, uniform(random, -2, 3.5)),
+                       .join = static_cast<l3d_join>(n % 3)};
+        if (n % 2 == 1)
+            pen.dashes = {3, 2};
+        const l3d_path stroked = l3d_stroked(points, pen);
+        EXPECT_LT(edges_of(stroked), 2.3 * count) << n;
+        canvas one(width, height), other(width, height);
+        one.draw.draw_path(l3d_stroked(curve, pen), {.color = 0x00ffffff});
+        other.draw.draw_path(stroked, {.color = 0x00ffffff});
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                ASSERT_NEAR(one.at(x, y) & 255, other.at(x, y) & 255, pen.dashes.empty() ? 1 : 2)
+                    << n << ": " << x << ' ' << y;
+    }
+}
+
 TEST(stroke, cuts_dashes_by_length_along_lines_and_curves) {
     l3d_path line;
     line.move_to({2.5, 10.5});

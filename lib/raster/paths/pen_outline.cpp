@@ -57,20 +57,27 @@ void pen_outline::end_outline() {
 
 void pen_outline::find_chords(const std::vector<pen_point>& points, bool closed) {
     chords_.clear();
-    const auto go = [this](const pen_point& from, l3d_point_2d to) {
-        const double dx = to.x - from.at.x, dy = to.y - from.at.y;
-        const double length = std::sqrt(dx * dx + dy * dy); // of numbers below 2^32
-        if (!(length > 0))
-            return false;
-        chords_.push_back({from.at, to, dx / length, dy / length, length, from.smooth});
-        return true;
-    };
     pen_point last = points[0];
     for (std::size_t i = 1; i < points.size(); ++i)
-        if (go(last, points[i].at))
+        if (add_chord(last, points[i]))
             last = points[i];
+        else
+            last.leaves = points[i].leaves;
     if (closed)
-        go(last, points[0].at);
+        add_chord(last, points[0]);
+}
+
+/// False if it has no length. The pen is square to a curve where this begins or ends.
+bool pen_outline::add_chord(const pen_point& from, const pen_point& to) {
+    const double dx = to.at.x - from.at.x, dy = to.at.y - from.at.y;
+    const double length = std::sqrt(dx * dx + dy * dy); // of numbers below 2^32
+    if (!(length > 0))
+        return false;
+    const l3d_point_2d own{dx / length, dy / length};
+    const auto goes_on = [own](l3d_point_2d d) { return own.x * d.x + own.y * d.y > 0; };
+    chords_.push_back({from.at, to.at, length, goes_on(from.leaves) ? from.leaves : own,
+                       goes_on(to.arrives) ? to.arrives : own, from.smooth});
+    return true;
 }
 
 void pen_outline::add_dot(l3d_point_2d at, l3d_point_2d along) {
@@ -90,19 +97,20 @@ void pen_outline::add_side(bool closed) {
     if (closed)
         add_joint(chords_.back(), chords_.front());
     else
-        add_point(beside(chords_.front().from, chords_.front()));
+        add_point(beside(chords_.front().from, chords_.front().begins));
     for (std::size_t i = 1; i < chords_.size(); ++i)
         add_joint(chords_[i - 1], chords_[i]);
     if (!closed)
-        add_point(beside(chords_.back().to, chords_.back()));
+        add_point(beside(chords_.back().to, chords_.back().ends));
 }
 
 void pen_outline::add_joint(const chord& before, const chord& after) {
-    const double sine = before.x * after.y - before.y * after.x;
-    const double cosine = before.x * after.x + before.y * after.y;
-    if (after.smooth && cosine >= least_cosine_ && add_smooth_joint(before, after, sine, cosine))
+    const l3d_point_2d from = before.ends, to = after.begins;
+    const double sine = from.x * to.y - from.y * to.x;
+    const double cosine = from.x * to.x + from.y * to.y;
+    if (cosine >= least_cosine_ && add_small_joint(before, after, sine, cosine))
         return;
-    add_point(beside(after.from, before));
+    add_point(beside(after.from, from));
     if (sine > 0 || (sine == 0 && cosine < 0)) { // a turn to the right, y down: left is outside
         add_outer_joint(before, after, sine, cosine);
     } else if (sine < 0) {
@@ -111,22 +119,28 @@ void pen_outline::add_joint(const chord& before, const chord& after) {
         if (cosine <= 0 || aside > std::min(before.length, after.length))
             add_point(after.from);
     }
-    add_point(beside(after.from, after));
+    add_point(beside(after.from, to));
 }
 
-/// One point for a turn so small that its arc is nearly its chord. On the outside it lies on the
-/// arc, and the sides of both rectangles are at most r (1 - cos(turn / 2)) away. On the inside it
-/// is where these sides cross; nothing is done where that is beyond the middle of one of them.
-bool pen_outline::add_smooth_joint(const chord& before, const chord& after, double sine,
-                                   double cosine) {
+/// One point for a turn so small that its arc is nearly its chord, whatever the join: within a
+/// curve, and along the many points of a plot. On the outside it lies on the arc, and the sides of
+/// both rectangles are at most r (1 - cos(turn / 2)) away. On the inside it is where these sides
+/// cross; nothing is done where that is beyond the middle of one of them.
+bool pen_outline::add_small_joint(const chord& before, const chord& after, double sine,
+                                  double cosine) {
     const bool outside = sine > 0;
     const double along = radius_ * -sine / (1 + cosine);
     if (!outside && along > std::min(before.length, after.length) / 2)
         return false;
     const double scale = radius_ / (outside ? std::sqrt(2 * (1 + cosine)) : 1 + cosine);
-    add_point(
-        {after.from.x + scale * (before.y + after.y), after.from.y - scale * (before.x + after.x)});
+    add_point(between(before, after, scale));
     return true;
+}
+
+/// Beside a joint, in the middle between the left of both chords.
+l3d_point_2d pen_outline::between(const chord& before, const chord& after, double scale) {
+    return {after.from.x + scale * (before.ends.y + after.begins.y),
+            after.from.y - scale * (before.ends.x + after.begins.x)};
 }
 
 void pen_outline::add_outer_joint(const chord& before, const chord& after, double sine,
@@ -134,25 +148,22 @@ void pen_outline::add_outer_joint(const chord& before, const chord& after, doubl
     const l3d_join join = after.smooth ? l3d_join::round : pen_.join;
     if (join == l3d_join::round) {
         find_turns(std::atan2(sine, cosine), turns_);
-        return add_arc(after.from, before.y, -before.x, turns_);
+        return add_arc(after.from, {before.ends.y, -before.ends.x}, turns_);
     }
     // From corner to corner a miter is 1 / sin(half the angle between the chords) widths long. The
     // sine is the cosine of half the turn.
     const double half_cosine = std::sqrt(std::max((1 + cosine) / 2, 0.0));
-    if (join == l3d_join::miter && half_cosine * pen_.miter_limit >= 1) {
-        const double scale = radius_ / (1 + cosine);
-        add_point({after.from.x + scale * (before.y + after.y),
-                   after.from.y - scale * (before.x + after.x)});
-    }
+    if (join == l3d_join::miter && half_cosine * pen_.miter_limit >= 1)
+        add_point(between(before, after, radius_ / (1 + cosine)));
 }
 
 void pen_outline::add_cap(const chord& last) {
     if (pen_.cap == l3d_cap::round) {
         if (half_turn_.empty())
             find_turns(std::numbers::pi, half_turn_);
-        add_arc(last.to, last.y, -last.x, half_turn_);
+        add_arc(last.to, {last.ends.y, -last.ends.x}, half_turn_);
     } else if (pen_.cap == l3d_cap::square) {
-        const double x = radius_ * last.x, y = radius_ * last.y;
+        const double x = radius_ * last.ends.x, y = radius_ * last.ends.y;
         add_point({last.to.x + x + y, last.to.y + y - x});
         add_point({last.to.x + x - y, last.to.y + y + x});
     }
@@ -179,20 +190,23 @@ void pen_outline::find_turns(double angle, std::vector<l3d_point_2d>& turns) con
     }
 }
 
-void pen_outline::add_arc(l3d_point_2d center, double x, double y,
+void pen_outline::add_arc(l3d_point_2d center, l3d_point_2d left,
                           const std::vector<l3d_point_2d>& turns) {
     for (const l3d_point_2d& t : turns)
-        add_point({center.x + (x * t.x - y * t.y), center.y + (y * t.x + x * t.y)});
+        add_point(
+            {center.x + (left.x * t.x - left.y * t.y), center.y + (left.y * t.x + left.x * t.y)});
 }
 
 /// The other side is the left one on the way back.
 void pen_outline::reverse() {
+    const auto back = [](l3d_point_2d direction) {
+        return l3d_point_2d{-direction.x, -direction.y};
+    };
     std::ranges::reverse(chords_);
     bool mark = chords_.back().smooth; // a joint's mark goes to the chord that begins there now
     for (chord& c : chords_) {
         std::swap(c.from, c.to);
-        c.x = -c.x;
-        c.y = -c.y;
+        c.begins = back(std::exchange(c.ends, back(c.begins)));
         std::swap(c.smooth, mark);
     }
 }

@@ -13,7 +13,10 @@ namespace l3d_detail {
 /// An end of a chord.
 struct pen_point {
     l3d_point_2d at;
-    bool smooth; ///< two chords of one curve meet here
+    bool smooth = false; ///< two chords of one curve meet here
+    /// The directions of a curve that ends here and of one that begins, of length 1. (0, 0): that
+    /// of the chord.
+    l3d_point_2d arrives{}, leaves{};
 };
 
 /// Adds to a path, for each chain of chords, one outline, or two if the chain is closed.
@@ -32,29 +35,32 @@ private:
     /// From a point to the next one that is elsewhere.
     struct chord {
         l3d_point_2d from, to;
-        double x, y, length; ///< its direction
-        bool smooth;         ///< where it begins
+        double length;
+        l3d_point_2d begins, ends; ///< directions that the pen is square to
+        bool smooth;               ///< where it begins
     };
 
     void find_chords(const std::vector<pen_point>& points, bool closed);
+    bool add_chord(const pen_point& from, const pen_point& to);
     void add_dot(l3d_point_2d at, l3d_point_2d along);
     /// The side left of the direction of travel, from the first chord's beginning to the last one's
     /// end.
     void add_side(bool closed);
     void add_joint(const chord& before, const chord& after);
-    bool add_smooth_joint(const chord& before, const chord& after, double sine, double cosine);
+    bool add_small_joint(const chord& before, const chord& after, double sine, double cosine);
+    static l3d_point_2d between(const chord& before, const chord& after, double scale);
     void add_outer_joint(const chord& before, const chord& after, double sine, double cosine);
     void add_cap(const chord& last);
     /// Finds points near the circle about (0, 0), from the direction (1, 0) on.
     void find_turns(double angle, std::vector<l3d_point_2d>& turns) const;
     /// The same about a place, from another direction on.
-    void add_arc(l3d_point_2d center, double x, double y, const std::vector<l3d_point_2d>& turns);
+    void add_arc(l3d_point_2d center, l3d_point_2d left, const std::vector<l3d_point_2d>& turns);
     void add_point(l3d_point_2d p) { outline_.push_back(p); }
     void end_outline();
     void reverse();
 
-    l3d_point_2d beside(l3d_point_2d p, const chord& c) const {
-        return {p.x + radius_ * c.y, p.y - radius_ * c.x};
+    l3d_point_2d beside(l3d_point_2d p, l3d_point_2d direction) const {
+        return {p.x + radius_ * direction.y, p.y - radius_ * direction.x};
     }
 
     const l3d_stroke& pen_;

@@ -6,6 +6,7 @@
 #include "raster/paths/pen_outline_p.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -15,6 +16,57 @@
 namespace {
 
 using namespace l3d_detail;
+
+bool is_set(l3d_point_2d direction) {
+    return direction.x != 0 || direction.y != 0;
+}
+
+/// The same direction with length 1. (0, 0) has none.
+l3d_point_2d unit(l3d_point_2d v) {
+    const double length = std::hypot(v.x, v.y);
+    return length > 0 ? l3d_point_2d{v.x / length, v.y / length} : l3d_point_2d{};
+}
+
+/// The way between two points over the square of its length. Two chords of a circle that meet turn
+/// by half their lengths at either end, so its direction there is that of the sum of these.
+l3d_point_2d inverse_way(const pen_point& from, const pen_point& to) {
+    const double x = to.at.x - from.at.x, y = to.at.y - from.at.y, square = x * x + y * y;
+    return square > 0 ? l3d_point_2d{x / square, y / square} : l3d_point_2d{};
+}
+
+/// The direction of a curve at a part t of the chord that ends at point i. It turns evenly from the
+/// chord's beginning to its end, as along a circle. (0, 0): no curve.
+l3d_point_2d direction_at(const std::vector<pen_point>& points, std::size_t i, double t) {
+    const pen_point &from = points[i - 1], &to = points[i];
+    if (!to.smooth && !is_set(to.arrives))
+        return {};
+    const l3d_point_2d own = inverse_way(from, to);
+    const auto between = [&](const pen_point& a, const pen_point& b) {
+        const l3d_point_2d other = inverse_way(a, b);
+        return unit({own.x + other.x, own.y + other.y});
+    };
+    const l3d_point_2d first = from.smooth           ? between(points[i - 2], from)
+                               : is_set(from.leaves) ? from.leaves
+                                                     : unit(own);
+    const l3d_point_2d last = to.smooth ? between(to, points[i + 1]) : to.arrives;
+    return unit({std::lerp(first.x, last.x, t), std::lerp(first.y, last.y, t)});
+}
+
+/// The directions of a curve at its first and its last point: to the next control point that is
+/// elsewhere.
+std::array<l3d_point_2d, 2> end_directions(const l3d_curve_2d& c) {
+    const auto from = [&](std::size_t at, std::size_t first, int step) {
+        for (std::size_t i = first, n = 0; n < 3; ++n, i += static_cast<std::size_t>(step)) {
+            const auto &p = c.points[at], &q = c.points[i];
+            const l3d_point_2d way{q[0] * p[2] - p[0] * q[2], q[1] * p[2] - p[1] * q[2]};
+            if (is_set(way))
+                return unit(way);
+        }
+        return l3d_point_2d{};
+    };
+    const l3d_point_2d back = from(3, 2, -1);
+    return {from(0, 1, 1), {-back.x, -back.y}};
+}
 
 /// Cuts outlines into dashes.
 class dasher {
@@ -32,9 +84,9 @@ public:
         if (drawing())
             dash_.points.push_back(points[0]);
         for (std::size_t i = 1; i < points.size(); ++i)
-            go(points[i - 1], points[i]);
+            go(points[i - 1], points[i], [&](double t) { return direction_at(points, i, t); });
         if (closed)
-            go(points.back(), points[0]);
+            go(points.back(), points[0], [](double) { return l3d_point_2d{}; });
         if (held_)
             return outline_.add(points, true); // one dash is longer than all
         join_first();
@@ -64,29 +116,50 @@ private:
 
     double length() const { return pen_.dashes[turn_ % pen_.dashes.size()]; }
 
-    void go(const pen_point& from, const pen_point& to) {
+    /// Goes along a chord. direction_at(t) is that of the curve at a part of the chord; (0, 0):
+    /// that of the chord.
+    template <class DirectionAt>
+    void go(const pen_point& from, const pen_point& to, const DirectionAt& direction_at) {
         const double dx = to.at.x - from.at.x, dy = to.at.y - from.at.y;
         const double whole = std::sqrt(dx * dx + dy * dy);
         double done = 0;
+        pen_point next = to;
         if (whole > 0)
             dash_.along = {dx / whole, dy / whole};
         while (whole - done > left_ && dashes_ < most_dashes) {
             done += left_;
             const double t = done / whole;
+            const l3d_point_2d direction = direction_at(t);
             const pen_point cut{
-                {std::lerp(from.at.x, to.at.x, t), std::lerp(from.at.y, to.at.y, t)}, false};
+                {std::lerp(from.at.x, to.at.x, t), std::lerp(from.at.y, to.at.y, t)},
+                false,
+                direction,
+                direction};
+            if (is_set(direction))
+                dash_.along = direction;
+            // A chord that is cut may be so short that only the curve's directions tell how the pen
+            // goes on from it.
             if (drawing()) {
+                if (dash_.points.back().smooth)
+                    turn(dash_.points.back(), direction_at(0));
                 dash_.points.push_back(cut);
                 end_dash();
             }
             ++turn_;
             left_ = length();
-            if (drawing())
+            if (drawing()) {
                 dash_.points = {cut};
+                if (to.smooth)
+                    turn(next, direction_at(1));
+            }
         }
         left_ -= whole - done;
         if (drawing())
-            dash_.points.push_back(to);
+            dash_.points.push_back(next);
+    }
+
+    static void turn(pen_point& point, l3d_point_2d direction) {
+        point.arrives = point.leaves = direction;
     }
 
     /// The first dash of a closed outline waits for the last one.
@@ -147,6 +220,8 @@ template <class Outline> struct chord_visitor {
     }
     void curve(const l3d_curve_2d& c) {
         continue_outline();
+        const auto [leaves, arrives] = end_directions(c);
+        points.back().leaves = leaves;
         constexpr double far = std::numeric_limits<double>::max();
         flatten(c, l3d_flat_enough, {-far, -far, far, far}, room,
                 [this](std::span<const l3d_point_2d> ends) {
@@ -154,6 +229,7 @@ template <class Outline> struct chord_visitor {
                         points.push_back({p, true});
                 });
         points.back().smooth = false;
+        points.back().arrives = arrives;
     }
     void close() {
         outline(points, true);

@@ -38,7 +38,9 @@ struct L3D_PUBLIC l3d_stroke {
 /// The path that a pen covers, to be filled with l3d_winding::nonzero.
 ///
 /// Curves become chords within l3d_flat_enough. Inside of a curve the chords meet in round joins,
-/// so what is covered along it is within twice that distance. Round joins at corners and caps
+/// so what is covered along it is within twice that distance. Ends of curves and of dashes on them
+/// are square to the curve. Corners that turn so little that a disc's arc is within that distance
+/// of its chord have one point on either side, whatever the join. Other round joins, and caps,
 /// become chords that change the area of no pixel by more than it: arcs and chords bound equal
 /// areas. An outline of a single point shows a round or a square cap. Where the lines of a very
 /// short outline turn by half a turn, nothing is missing. Where a closed outline begins within a
