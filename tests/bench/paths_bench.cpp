@@ -312,6 +312,47 @@ void dashes_row(double width) {
         });
 }
 
+/// A line through many values: ten waves, or a walk of random steps, which covers most places many
+/// times.
+void plot_row(bool is_walk) {
+    constexpr int count = 10000;
+    constexpr double width = 3;
+    std::mt19937 random(6);
+    std::vector<l3d_point_2d> values;
+    double y = size.height / 2.0;
+    for (int i = 0; i < count; ++i) {
+        if (is_walk)
+            y += uniform(random, -3, 3);
+        else
+            y = size.height / 2.0 + 300 * std::sin(20 * std::numbers::pi * i / count);
+        values.push_back({12 + 1000.0 * i / count, y});
+    }
+    row(
+        is_walk ? "a random walk of 10^4 values" : "ten waves of 10^4 values",
+        [&](peers& p) {
+            p.path.clear();
+            p.path.move_to(values[0]);
+            for (const l3d_point_2d& v : values)
+                p.path.line_to(v);
+            p.draw.draw_path(l3d_stroked(p.path, {.width = width}), {.color = color});
+        },
+        [&](peers& p) {
+            cairo_set_line_width(p.cairo, width);
+            for (const l3d_point_2d& v : values)
+                cairo_line_to(p.cairo, v.x + 0.5, v.y + 0.5);
+            cairo_stroke(p.cairo);
+        },
+        [&](peers& p) {
+            p.agg_path.remove_all();
+            p.agg_path.move_to(values[0].x + 0.5, values[0].y + 0.5);
+            for (const l3d_point_2d& v : values)
+                p.agg_path.line_to(v.x + 0.5, v.y + 0.5);
+            agg::conv_stroke<agg::path_storage> stroke(p.agg_path);
+            stroke.width(width);
+            p.agg_fill(stroke);
+        });
+}
+
 /// A mesh of across x across patches, its net shaken.
 void mesh_row(int across) {
     std::mt19937 random(5);
@@ -395,6 +436,8 @@ int main() {
     map_row();
     dashes_row(3);
     dashes_row(12);
+    plot_row(false);
+    plot_row(true);
     mesh_row(1);
     mesh_row(6);
 }

@@ -23,7 +23,7 @@ bool is_set(l3d_point_2d direction) {
 
 /// The same direction with length 1. (0, 0) has none.
 l3d_point_2d unit(l3d_point_2d v) {
-    const double length = std::hypot(v.x, v.y);
+    const double length = std::sqrt(v.x * v.x + v.y * v.y); // of numbers below 2^64
     return length > 0 ? l3d_point_2d{v.x / length, v.y / length} : l3d_point_2d{};
 }
 
@@ -34,23 +34,33 @@ l3d_point_2d inverse_way(const pen_point& from, const pen_point& to) {
     return square > 0 ? l3d_point_2d{x / square, y / square} : l3d_point_2d{};
 }
 
-/// The direction of a curve at a part t of the chord that ends at point i. It turns evenly from the
-/// chord's beginning to its end, as along a circle. (0, 0): no curve.
-l3d_point_2d direction_at(const std::vector<pen_point>& points, std::size_t i, double t) {
-    const pen_point &from = points[i - 1], &to = points[i];
-    if (!to.smooth && !is_set(to.arrives))
-        return {};
-    const l3d_point_2d own = inverse_way(from, to);
-    const auto between = [&](const pen_point& a, const pen_point& b) {
-        const l3d_point_2d other = inverse_way(a, b);
-        return unit({own.x + other.x, own.y + other.y});
-    };
-    const l3d_point_2d first = from.smooth           ? between(points[i - 2], from)
-                               : is_set(from.leaves) ? from.leaves
-                                                     : unit(own);
-    const l3d_point_2d last = to.smooth ? between(to, points[i + 1]) : to.arrives;
-    return unit({std::lerp(first.x, last.x, t), std::lerp(first.y, last.y, t)});
-}
+/// The directions of a curve at both ends of a chord. (0, 0): no curve.
+struct chord_ends {
+    l3d_point_2d first, last;
+
+    /// The chord that ends at point i.
+    chord_ends(const std::vector<pen_point>& points, std::size_t i) {
+        const pen_point &from = points[i - 1], &to = points[i];
+        if (!to.smooth && !is_set(to.arrives))
+            return;
+        const l3d_point_2d own = inverse_way(from, to);
+        const auto between = [&](const pen_point& a, const pen_point& b) {
+            const l3d_point_2d other = inverse_way(a, b);
+            return unit({own.x + other.x, own.y + other.y});
+        };
+        first = from.smooth           ? between(points[i - 2], from)
+                : is_set(from.leaves) ? from.leaves
+                                      : unit(own);
+        last = to.smooth ? between(to, points[i + 1]) : to.arrives;
+    }
+    chord_ends() = default;
+
+    /// At a part t of the chord. It turns evenly from end to end, as along a circle.
+    l3d_point_2d at(double t) const {
+        return is_set(last) ? unit({std::lerp(first.x, last.x, t), std::lerp(first.y, last.y, t)})
+                            : l3d_point_2d{};
+    }
+};
 
 /// The directions of a curve at its first and its last point: to the next control point that is
 /// elsewhere.
@@ -84,9 +94,9 @@ public:
         if (drawing())
             dash_.points.push_back(points[0]);
         for (std::size_t i = 1; i < points.size(); ++i)
-            go(points[i - 1], points[i], [&](double t) { return direction_at(points, i, t); });
+            go(points[i - 1], points[i], [&] { return chord_ends(points, i); });
         if (closed)
-            go(points.back(), points[0], [](double) { return l3d_point_2d{}; });
+            go(points.back(), points[0], [] { return chord_ends(); });
         if (held_)
             return outline_.add(points, true); // one dash is longer than all
         join_first();
@@ -116,20 +126,20 @@ private:
 
     double length() const { return pen_.dashes[turn_ % pen_.dashes.size()]; }
 
-    /// Goes along a chord. direction_at(t) is that of the curve at a part of the chord; (0, 0):
-    /// that of the chord.
-    template <class DirectionAt>
-    void go(const pen_point& from, const pen_point& to, const DirectionAt& direction_at) {
+    /// Goes along a chord. find_ends() gives the curve's directions at its ends.
+    template <class FindEnds>
+    void go(const pen_point& from, const pen_point& to, const FindEnds& find_ends) {
         const double dx = to.at.x - from.at.x, dy = to.at.y - from.at.y;
         const double whole = std::sqrt(dx * dx + dy * dy);
         double done = 0;
         pen_point next = to;
         if (whole > 0)
             dash_.along = {dx / whole, dy / whole};
+        const chord_ends ends = whole > left_ ? find_ends() : chord_ends();
         while (whole - done > left_ && dashes_ < most_dashes) {
             done += left_;
             const double t = done / whole;
-            const l3d_point_2d direction = direction_at(t);
+            const l3d_point_2d direction = ends.at(t);
             const pen_point cut{
                 {std::lerp(from.at.x, to.at.x, t), std::lerp(from.at.y, to.at.y, t)},
                 false,
@@ -141,7 +151,7 @@ private:
             // goes on from it.
             if (drawing()) {
                 if (dash_.points.back().smooth)
-                    turn(dash_.points.back(), direction_at(0));
+                    turn(dash_.points.back(), ends.first);
                 dash_.points.push_back(cut);
                 end_dash();
             }
@@ -150,7 +160,7 @@ private:
             if (drawing()) {
                 dash_.points = {cut};
                 if (to.smooth)
-                    turn(next, direction_at(1));
+                    turn(next, ends.last);
             }
         }
         left_ -= whole - done;
