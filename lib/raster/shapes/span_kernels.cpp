@@ -77,20 +77,21 @@ void fill_spans_in_lanes(const l3d_pixels& target, std::span<const pixel_span> s
 }
 
 /// Words towards a colour by shares of 255, each channel to nearest. Two channels share a lane, 16
-/// bits each: sums stay below 2^16. Then t / 255 = (t + 1 + t / 256) / 256, rounded down each time.
+/// bits each: sums stay below 2^16. Of whole t, t / 255 to nearest is (u + u / 256) / 256 for
+/// u = t + 128, rounded down each time, up to t = 255^2.
+/// Expects: the highest eight bits of words and of the colour are 0.
 template <class D>
 HWY_INLINE hn::Vec<D> blended_lanes(D d, hn::Vec<D> word, hn::Vec<D> color, hn::Vec<D> share) {
     const auto low = hn::Set(d, 0x00ff00ff), rest = hn::Sub(hn::Set(d, 255), share);
     const auto mix = [&](hn::Vec<D> from, hn::Vec<D> to) {
         const auto sum =
-            hn::Add(hn::Add(hn::Mul(from, rest), hn::Mul(to, share)), hn::Set(d, 0x007f007f));
-        const auto more = hn::Add(hn::And(hn::ShiftRight<8>(sum), low), hn::Set(d, 0x00010001));
-        return hn::Add(sum, more);
+            hn::Add(hn::Add(hn::Mul(from, rest), hn::Mul(to, share)), hn::Set(d, 0x00800080));
+        return hn::Add(sum, hn::And(hn::ShiftRight<8>(sum), low));
     };
     const auto even = mix(hn::And(word, low), hn::And(color, low));
-    const auto odd = mix(hn::And(hn::ShiftRight<8>(word), hn::Set(d, 255)),
-                         hn::And(hn::ShiftRight<8>(color), hn::Set(d, 255)));
-    return hn::Or(hn::And(hn::ShiftRight<8>(even), low), hn::And(odd, hn::Set(d, 0x0000ff00)));
+    const auto odd =
+        mix(hn::And(hn::ShiftRight<8>(word), low), hn::And(hn::ShiftRight<8>(color), low));
+    return hn::Or(hn::And(hn::ShiftRight<8>(even), low), hn::AndNot(low, odd));
 }
 
 /// Blends a vector of neighbours. False, and nothing is done, if one may be transparent.
@@ -182,9 +183,10 @@ bool cover_ends(std::uint32_t*, std::uint32_t*, const std::uint8_t*, std::uint32
 
 void cover_spans_in_lanes(const l3d_pixels& target, std::span<const covered_span> spans,
                           const std::uint8_t* all_values, std::uint32_t color) {
-    // Other rows are on other pages of memory, which no processor fetches by itself. So many spans
-    // take longer than memory does.
-    constexpr std::size_t ahead = 16;
+    // Other rows are on other pages of memory, which no processor fetches by itself. Where rows are
+    // a power of two of bytes apart, a side of a shape has one set of lines in the first cache.
+    // Most processors have eight or more in a set, and two more may be in use.
+    constexpr std::size_t ahead = 6;
     for (std::size_t i = 0; i < spans.size(); ++i) {
         const covered_span& s = spans[i];
         if (const covered_span& later = spans[std::min(i + ahead, spans.size() - 1)];
