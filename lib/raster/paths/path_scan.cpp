@@ -91,7 +91,10 @@ void path_scan::add_pair(chain& a, chain& b) {
     std::array<side_walk, 2> walks{side_walk(a, chains_.corners()),
                                    side_walk(b, chains_.corners())};
     for (std::int32_t row = a.top(); row < a.bottom();) {
-        const auto count = std::min(side_block::rows, static_cast<std::size_t>(a.bottom() - row));
+        const auto left_over = static_cast<std::size_t>(a.bottom() - row);
+        const std::size_t straight =
+            std::min(walks[0].straight_rows(row), walks[1].straight_rows(row));
+        const std::size_t count = std::min(std::max(straight, side_block::rows), left_over);
         std::array<double, 2> places{walks[0].x(), walks[1].x()};
         for (std::size_t i = 0; i < 2; ++i) {
             walks[i].lay_out(row, count, blocks_[i]);

@@ -16,6 +16,8 @@ namespace l3d_detail {
 /// Units:   pixels; row r from y = r to r + 1.
 struct side_block {
     static constexpr std::size_t rows = 8;
+    /// Of one that is straight: cover_rows tells of each row by a bit.
+    static constexpr std::size_t most_straight_rows = 32;
     static constexpr std::size_t most_corners = 24;
     using lanes = std::array<double, rows>;
 
@@ -47,8 +49,13 @@ public:
     double begin() const { return begin_; }
     double end() const { return (behind_ - step_)->y; }
 
+    /// How many rows from `row` on it goes through before the row of its next corner, or to its
+    /// end. Expects: where it has gone to.
+    std::size_t straight_rows(std::int32_t row) const;
+
     /// Lays out so many rows from `row` on, and goes to their end.
-    /// Expects: where it has gone to; no more rows than a block has, nor than are left.
+    /// Expects: where it has gone to; no more rows than a block has or than are straight, nor than
+    ///          are left.
     void lay_out(std::int32_t row, std::size_t count, side_block& block);
 
     /// Where it is now.
@@ -58,6 +65,7 @@ public:
     row_piece piece_of(const side_block& block, std::int32_t row, std::size_t lane) const;
 
 private:
+    void skip_level();
     bool lay_out_straight(double end, side_block& block);
     double edge_at(double y);
 
@@ -74,7 +82,7 @@ struct side_pair {
     std::array<const side_block*, 2> blocks;
     /// The heights where both begin and end.
     double begin, end;
-    /// The row of the first lane, and how many there are.
+    /// The first row, and how many there are: more than a block's only if both are straight.
     std::int32_t row;
     std::size_t count;
     /// Columns from 0 to width - 1 are seen.

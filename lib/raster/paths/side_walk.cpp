@@ -11,6 +11,21 @@ side_walk::side_walk(const chain& of, const l3d_point_2d* corners)
       x_(of.piece().leaves.x), y_(of.piece().leaves.y), begin_(y_) {
     while ((behind_ - 2 * step_)->y == (behind_ - step_)->y)
         behind_ -= step_;
+    skip_level();
+}
+
+/// A level edge bounds no area.
+void side_walk::skip_level() {
+    for (; next_ != behind_ && next_->y == y_; next_ += step_)
+        x_ = next_->x;
+}
+
+std::size_t side_walk::straight_rows(std::int32_t row) const {
+    if (next_ + step_ == behind_)
+        return side_block::most_straight_rows;
+    // A whole number of rows, as far as a block goes.
+    const double rows = std::min<double>(next_->y - row, side_block::most_straight_rows);
+    return static_cast<std::size_t>(rows);
 }
 
 /// On the edge that leads to the next corner.
@@ -33,16 +48,12 @@ bool side_walk::lay_out_straight(double end, side_block& block) {
     if (next_->y == end) {
         x_ = next_->x;
         next_ += step_;
+        skip_level();
     }
     return true;
 }
 
 void side_walk::lay_out(std::int32_t row, std::size_t count, side_block& block) {
-    const auto skip_level = [this] {
-        for (; next_ != behind_ && next_->y == y_; next_ += step_)
-            x_ = next_->x;
-    };
-    skip_level();
     if (lay_out_straight(row + static_cast<double>(count), block))
         return;
     const std::ptrdiff_t step = step_;

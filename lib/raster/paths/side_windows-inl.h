@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// side_windows: a chain in rows of pixels, a row a lane, and what it covers to its right.
+#if defined(L3D_RASTER_PATHS_SIDE_WINDOWS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef L3D_RASTER_PATHS_SIDE_WINDOWS_INL_H
+#undef L3D_RASTER_PATHS_SIDE_WINDOWS_INL_H
+#else
+#define L3D_RASTER_PATHS_SIDE_WINDOWS_INL_H
+#endif
+
+#include "raster/parallel/lane_doubles-inl.h"
+#include "raster/paths/side_rows_p.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace l3d_detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// A window's values are in groups of columns, each a word. It has up to most_groups.
+constexpr std::size_t group = sizeof(std::uint32_t), most_groups = 4;
+constexpr std::size_t rows = side_block::rows;
+
+using lane_integers = hn::Rebind<std::int32_t, eight_doubles>;
+using integers = hn::Vec<lane_integers>;
+using mask = hn::Mask<eight_doubles>;
+
+HWY_ATTR HWY_INLINE number smallest(number a, number b) {
+    return {hn::Min(a.v, b.v)};
+}
+HWY_ATTR HWY_INLINE number floor_of(number a) {
+    return {hn::Floor(a.v)};
+}
+HWY_ATTR HWY_INLINE integers truncated(number x) {
+    return hn::DemoteTo(lane_integers(), x.v);
+}
+
+/// The byte of a word of four that is the i-th in memory.
+constexpr int shift_of(int i) {
+    return std::endian::native == std::endian::little ? 8 * i : 24 - 8 * i;
+}
+
+/// Rows of both chains: where they begin and end.
+struct row_heights {
+    number top, bottom;
+
+    HWY_ATTR HWY_INLINE row_heights(const side_pair& pair, std::size_t lane) {
+        const number row = {hn::Iota(eight_doubles(), pair.row + static_cast<double>(lane))};
+        top = largest(row, same(pair.begin));
+        bottom = smallest(row + same(1), same(pair.end));
+    }
+    HWY_ATTR HWY_INLINE number height() const { return bottom - top; }
+};
+
+HWY_ATTR HWY_INLINE number x_at(const straight_edge& edge, number y) {
+    const number x = same(edge.x0) + (y - same(edge.y0)) * same(edge.slope);
+    return smallest(largest(x, same(edge.least)), same(edge.most));
+}
+
+/// A chain in lanes.
+struct side_lanes {
+    number enters, leaves, corners, least, most;
+    mask few; ///< rows that have few enough corners, if it is not straight
+    std::size_t most_corners = 0;
+
+    HWY_ATTR HWY_INLINE side_lanes(const side_block& block, const row_heights& y, std::size_t at) {
+        const eight_doubles d;
+        if (block.straight) {
+            enters = x_at(block.edge, y.top);
+            leaves = x_at(block.edge, y.bottom);
+            corners = same(0);
+        } else {
+            enters = loaded(&block.enters[at]);
+            leaves = loaded(&block.leaves[at]);
+            corners = loaded(&block.corners[at]);
+        }
+        least = smallest(enters, leaves);
+        most = largest(enters, leaves);
+        if (block.straight)
+            return;
+        few = hn::Le(corners.v, hn::Set(d, block.few_corners));
+        most_corners = static_cast<std::size_t>(
+            hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(few, corners.v))));
+        for (std::size_t i = 0; i < most_corners; ++i) {
+            const mask some = has(i);
+            const number x = loaded(&block.x[i][at]);
+            least.v = hn::IfThenElse(some, hn::Min(least.v, x.v), least.v);
+            most.v = hn::IfThenElse(some, hn::Max(most.v, x.v), most.v);
+        }
+    }
+
+    /// Which rows have this corner.
+    HWY_ATTR HWY_INLINE mask has(std::size_t i) const {
+        return hn::Gt(corners.v, hn::Set(eight_doubles(), static_cast<double>(i)));
+    }
+    /// Of what it reaches.
+    HWY_ATTR HWY_INLINE number columns() const { return most - floor_of(least); }
+};
+
+/// What a chain covers to its right in columns from `first` on.
+struct window {
+    alignas(64) double areas[most_groups * group][rows];
+    std::int32_t words[most_groups][rows]; ///< of values
+    std::int32_t first[rows];
+    std::int32_t used[rows];  ///< columns that have values, some groups
+    std::int32_t known[rows]; ///< columns that have areas; in all others it is the height
+};
+
+/// The sum over edges of height * G(x), where G(x) is the area right of an edge from l to r of
+/// height 1, and left of x. It is 0 up to l, and (x - l)^2 / 2 (r - l) up to r. From there on it
+/// grows by one a pixel. So it is b - i (1 - i / 2 (r - l)) for b = x - l or 0, and i = b or r - l.
+template <std::size_t Columns> struct area_sum {
+    number first;
+    std::array<number, Columns> sums;
+
+    /// An edge that is the only one. It begins in the first column, so b is never below 0.
+    HWY_ATTR HWY_INLINE void set(number x0, number x1, number height) {
+        const edge e(x0, x1, height);
+        number beyond = first - e.left;
+        for (number& sum : sums) {
+            beyond = beyond + same(1);
+            sum = e.area(beyond);
+        }
+    }
+    /// One of several.
+    HWY_ATTR HWY_INLINE void add(number x0, number x1, number height) {
+        const edge e(x0, x1, height);
+        number after_left = first - e.left;
+        for (number& sum : sums) {
+            after_left = after_left + same(1);
+            sum = sum + e.area(largest(after_left, same(0)));
+        }
+    }
+
+private:
+    struct edge {
+        number left, wide, height, scale;
+
+        HWY_ATTR HWY_INLINE edge(number x0, number x1, number h)
+            : left(smallest(x0, x1)), wide(largest(x0, x1) - left), height(h) {
+            const number least = same(std::numeric_limits<double>::min());
+            scale = height * (same(0.5) / largest(wide, least));
+        }
+        HWY_ATTR HWY_INLINE number area(number beyond) const {
+            const number in = smallest(beyond, wide);
+            return height * beyond - in * (height - in * scale);
+        }
+    };
+};
+
+/// A pixel's area is the difference of the sums at its ends.
+template <std::size_t Columns, bool is_left>
+HWY_ATTR HWY_INLINE void find_window(const side_block& block, const side_lanes& lanes,
+                                     const row_heights& y, double full, std::size_t at, bool joint,
+                                     window& result) {
+    const lane_integers di;
+    area_sum<Columns> sum;
+    sum.first = floor_of(lanes.least);
+    const number height = y.height();
+    if (lanes.most_corners == 0) {
+        sum.set(lanes.enters, lanes.leaves, height);
+    } else {
+        sum.sums.fill(same(0));
+        number x = lanes.enters, from = y.top;
+        for (std::size_t i = 0; i < lanes.most_corners; ++i) {
+            const mask some = lanes.has(i);
+            const number next = {hn::IfThenElse(some, loaded(&block.x[i][at]).v, lanes.leaves.v)};
+            const number to = {hn::IfThenElse(some, loaded(&block.y[i][at]).v, y.bottom.v)};
+            sum.add(x, next, to - from);
+            x = next;
+            from = to;
+        }
+        sum.add(x, lanes.leaves, y.bottom - from);
+    }
+    const auto value = [&](number covered)
+                           HWY_ATTR { return truncated(covered * same(full) + same(0.5)); };
+    // Behind the columns that are known, all is right of the chain.
+    const integers rest = value(is_left ? height : same(0));
+    number before = same(0);
+    integers word = hn::Zero(di);
+    constexpr std::size_t all = (Columns + group - 1) / group * group;
+    for (std::size_t c = 0; c < all; ++c) {
+        integers one = rest;
+        if (c < Columns) {
+            const number area = sum.sums[c] - before;
+            before = sum.sums[c];
+            if (joint)
+                store(area, &result.areas[c][at]);
+            one = value(is_left ? area : height - area);
+        }
+        word = hn::Or(word, hn::ShiftLeftSame(one, shift_of(static_cast<int>(c % group))));
+        if (c % group == group - 1) {
+            hn::Store(word, di, &result.words[c / group][at]);
+            word = hn::Zero(di);
+        }
+    }
+    hn::Store(hn::Set(di, static_cast<std::int32_t>(Columns)), di, &result.known[at]);
+}
+
+/// Gives whether all windows are one group of columns.
+template <bool is_left>
+HWY_ATTR HWY_INLINE bool find_window(const side_block& block, const side_lanes& lanes,
+                                     const row_heights& y, double full, std::size_t at,
+                                     number columns, bool joint, window& result) {
+    const auto are_within = [&](std::size_t most) HWY_ATTR {
+        const eight_doubles d;
+        return hn::AllTrue(d, hn::Le(columns.v, hn::Set(d, static_cast<double>(most))));
+    };
+    const bool one_group = are_within(group);
+    if (!one_group) {
+        if (are_within(2 * group))
+            find_window<2 * group, is_left>(block, lanes, y, full, at, joint, result);
+        else
+            find_window<most_groups * group, is_left>(block, lanes, y, full, at, joint, result);
+    } else if (are_within(group / 2)) {
+        find_window<group / 2, is_left>(block, lanes, y, full, at, joint, result);
+    } else if (are_within(group - 1)) {
+        find_window<group - 1, is_left>(block, lanes, y, full, at, joint, result);
+    } else {
+        find_window<group, is_left>(block, lanes, y, full, at, joint, result);
+    }
+    return one_group;
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace l3d_detail
+HWY_AFTER_NAMESPACE();
+
+#endif
