@@ -40,9 +40,10 @@ l3d_detail::flat_plan l3d_detail::flat_steps(const l3d_curve_2d& curve, double d
         return {1, false};
     const double third =
         6 * most_of({bends[1].x - bends[0].x, bends[1].y - bends[0].y}, weights[1] - weights[0]);
-    // The least 1 / h for which h^2 (second + 0.3 h third) is at most 16 times the distance.
-    const double least = std::sqrt(second / (16 * distance * least_weight));
-    const double inner = least * std::sqrt(1 + 0.3 * third / (second * least));
+    // The least 1 / h for which h^2 (second + 0.3 h third) is at most 16 times the distance, but
+    // for the h in brackets: that of third = 0 serves. The quotients need not wait for the roots.
+    const double squared = second / (16 * distance * least_weight);
+    const double inner = std::sqrt(squared + 0.3 * third / second * std::sqrt(squared));
     const double steps = std::ceil(std::max(inner + 2 * (1 - flat_step_at_ends), 2.0));
     // Where one half bends less than the other, it saves more steps than it costs.
     constexpr double most_uneven_steps = 24;

@@ -16,6 +16,9 @@ namespace l3d_detail {
 
 /// The point that homogeneous coordinates stand for.
 inline l3d_point_2d projected(const l3d_curve_2d::point& p) {
+    // Ends mostly weigh 1. Who is asked waits for no division then.
+    if (p[2] == 1)
+        return {p[0], p[1]};
     return {p[0] / p[2], p[1] / p[2]};
 }
 
