@@ -55,7 +55,10 @@ public:
         *room(1) = last;
         use(1);
     }
+    /// Only so many are left. Expects: there are as many.
+    void keep(std::size_t first) { used_ = first; }
     T& back() { return room_[used_ - 1]; }
+    const T& operator[](std::size_t i) const { return room_[i]; }
     const T* data() const { return room_.data(); }
     std::span<const T> all() const { return {room_.data(), used_}; }
 

@@ -70,38 +70,50 @@ void path_chains::clear(std::int32_t width, std::int32_t height, l3d_point_2d mo
 
 void path_chains::begin(l3d_point_2d corner) {
     outline_ = corners_.size();
-    corners_.push_back(corner);
+    corners_.push({corner.x + move_.x, corner.y + move_.y});
+    reached_ = {corners_.back().x, corners_.back().x};
 }
 
-/// Moves the corners of the outline.
-path_chains::columns path_chains::move_corners() {
-    const auto corners = std::span(corners_).subspan(outline_);
+void path_chains::lines(std::span<const l3d_point_2d> corners) {
     const double dx = move_.x, dy = move_.y;
-    double least = corners[0].x + dx, most = least;
-    for (l3d_point_2d& c : corners) {
-        c = {c.x + dx, c.y + dy};
-        least = std::min(least, c.x);
-        most = std::max(most, c.x);
-    }
-    return {least, most};
+    // A bound has to wait for the one before it, so there are some of each.
+    constexpr std::size_t at_once = 4;
+    std::array<double, at_once> least, most;
+    least.fill(reached_.least);
+    most.fill(reached_.most);
+    l3d_point_2d* const to = corners_.room(corners.size());
+    const auto move = [&](std::size_t i, std::size_t k) {
+        to[i] = {corners[i].x + dx, corners[i].y + dy};
+        least[k] = std::min(least[k], to[i].x);
+        most[k] = std::max(most[k], to[i].x);
+    };
+    std::size_t i = 0;
+    for (; i + at_once <= corners.size(); i += at_once)
+        for (std::size_t k = 0; k < at_once; ++k)
+            move(i + k, k);
+    for (; i < corners.size(); ++i)
+        move(i, 0);
+    corners_.use(corners.size());
+    reached_ = {std::ranges::min(least), std::ranges::max(most)};
 }
 
 void path_chains::cut_at_sides() {
-    uncut_.assign(corners_.begin() + static_cast<std::ptrdiff_t>(outline_), corners_.end());
-    corners_.resize(outline_);
+    const auto uncut = corners_.all().subspan(outline_);
+    uncut_.assign(uncut.begin(), uncut.end());
+    corners_.keep(outline_);
     l3d_point_2d from = uncut_[0];
     for (const l3d_point_2d& to : uncut_) {
         const double left = std::min(from.x, to.x), right = std::max(from.x, to.x);
         const auto cross = [&](double side) {
             if (left < side && side < right) {
                 const double y = from.y + (side - from.x) * ((to.y - from.y) / (to.x - from.x));
-                corners_.push_back(
+                corners_.push(
                     {side, std::clamp(y, std::min(from.y, to.y), std::max(from.y, to.y))});
             }
         };
         cross(from.x < to.x ? 0 : width_);
         cross(from.x < to.x ? width_ : 0);
-        corners_.push_back({std::clamp(to.x, 0.0, width_), to.y});
+        corners_.push({std::clamp(to.x, 0.0, width_), to.y});
         from = to;
     }
 }
@@ -111,9 +123,8 @@ void path_chains::cut_at_sides() {
 /// chain's corners are beside each other.
 void path_chains::end(std::uint8_t layer) {
     const l3d_point_2d closing = corners_[outline_];
-    corners_.push_back(closing);
-    const columns reached = move_corners();
-    if (reached.least < 0 || reached.most > width_)
+    corners_.push(closing);
+    if (reached_.least < 0 || reached_.most > width_)
         cut_at_sides();
     const std::size_t last = corners_.size() - 1, before = chains_.size();
     // The next edge that leads the other way, or the last corner.
@@ -138,9 +149,9 @@ void path_chains::end(std::uint8_t layer) {
     bool down = corners_[begin].y < corners_[begin + 1].y;
     begin = place_of_turn(begin, last, down);
     const std::size_t again = begin - outline_;
-    corners_.resize(corners_.size() + again);
-    std::copy_n(corners_.begin() + static_cast<std::ptrdiff_t>(outline_ + 1), again,
-                corners_.end() - static_cast<std::ptrdiff_t>(again));
+    l3d_point_2d* const room = corners_.room(again);
+    std::copy_n(corners_.data() + outline_ + 1, again, room);
+    corners_.use(again);
     const std::size_t end = corners_.size() - 1;
     while (begin != end) {
         down = !down;
@@ -149,11 +160,11 @@ void path_chains::end(std::uint8_t layer) {
         begin = turn;
     }
     if (chains_.size() > before)
-        add_outline(before, reached);
+        add_outline(before);
 }
 
 /// The columns that it reaches, and the rows.
-void path_chains::add_outline(std::size_t first, const columns& reached) {
+void path_chains::add_outline(std::size_t first) {
     std::int32_t top = height_, bottom = 0;
     for (std::size_t i = first; i < chains_.size(); ++i) {
         top = std::min(top, chains_[i].top());
@@ -162,7 +173,7 @@ void path_chains::add_outline(std::size_t first, const columns& reached) {
     const auto column = [this](double x) {
         return static_cast<std::int32_t>(std::clamp(x, 0.0, width_));
     };
-    outlines_.push_back({{column(reached.least), top, column(reached.most) + 1, bottom},
+    outlines_.push_back({{column(reached_.least), top, column(reached_.most) + 1, bottom},
                          first,
                          chains_.size() - first,
                          false});

@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_PATHS_PATH_CHAINS_P_H
 #define L3D_RASTER_PATHS_PATH_CHAINS_P_H
 
+#include "raster/paths/covered_span_p.h"
 #include "raster/paths/path.h"
 #include "tool_2d/pixels.h"
 
@@ -125,9 +126,7 @@ public:
 
     /// Begins an outline, goes on with it, and closes it.
     void begin(l3d_point_2d corner);
-    void lines(std::span<const l3d_point_2d> corners) {
-        corners_.insert(corners_.end(), corners.begin(), corners.end());
-    }
+    void lines(std::span<const l3d_point_2d> corners);
     void end(std::uint8_t layer);
 
     /// The chains, and the corners that they are made of.
@@ -157,17 +156,18 @@ private:
         double least, most;
     };
 
-    columns move_corners();
     void cut_at_sides();
     void add_chain(std::size_t first, std::size_t last, bool down, std::uint8_t layer);
-    void add_outline(std::size_t first, const columns& reached);
+    void add_outline(std::size_t first);
 
     double width_ = 0;
     std::int32_t height_ = 0;
     std::int32_t top_ = 0;
     l3d_point_2d move_{};
     std::size_t outline_ = 0; ///< the place of its first corner
-    std::vector<l3d_point_2d> corners_, uncut_;
+    columns reached_{};       ///< by its corners
+    kept_list<l3d_point_2d> corners_;
+    std::vector<l3d_point_2d> uncut_;
     std::vector<chain> chains_;
     std::vector<outline> outlines_;
     std::vector<outline*> active_;
