@@ -94,7 +94,7 @@ void side_walk::lay_out(std::int32_t row, std::size_t count, side_block& block) 
     // by itself.
     const auto all = static_cast<double>((next - first) * step_);
     block.few_corners =
-        std::min<double>(side_block::most_corners, all / static_cast<double>(count) + 3);
+        std::min<double>(side_block::most_corners, all / static_cast<double>(count) + 4);
 }
 
 row_piece side_walk::piece_of(const side_block& block, std::int32_t row, std::size_t lane) const {
