@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// l3d_path: arcs against the ellipses that they are of.
+// l3d_path: arcs against the ellipses that they are of; coordinates that are moved.
 #include "raster/paths/path.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace {
@@ -21,6 +24,17 @@ struct curve_list {
         curves.push_back(c);
         last = {c.points[3][0] / c.points[3][2], c.points[3][1] / c.points[3][2]};
     }
+    void close() {}
+};
+
+struct corner_list {
+    std::vector<l3d_point_2d> corners;
+
+    void move(l3d_point_2d to) { corners.push_back(to); }
+    void lines(std::span<const l3d_point_2d> to) {
+        corners.insert(corners.end(), to.begin(), to.end());
+    }
+    void curve(const l3d_curve_2d&) {}
     void close() {}
 };
 
@@ -78,6 +92,35 @@ TEST(path, has_circles_that_end_exactly_where_they_begin) {
         EXPECT_EQ(found.first.x, found.last.x);
         EXPECT_EQ(found.first.y, found.last.y);
     }
+}
+
+/// Wherever the point is, and in both coordinates.
+TEST(path, moves_what_is_beyond_its_reach_and_tells_what_is_no_number) {
+    constexpr double most = 1 << 30, infinity = std::numeric_limits<double>::infinity();
+    const double beyond = std::nextafter(most, infinity);
+    for (std::size_t place = 0; place < 14; ++place)
+        for (const double value : {0.0, -0.0, 1e-320, most, beyond, infinity, std::nan("")})
+            for (const double sign : {1.0, -1.0}) {
+                std::vector<l3d_point_2d> corners;
+                for (int i = 0; i < 7; ++i)
+                    corners.push_back({i + 0.5, i - 0.5});
+                auto& [x, y] = corners[place / 2];
+                double& coordinate = place % 2 == 0 ? x : y;
+                coordinate = std::copysign(value, sign);
+                l3d_path path;
+                path.add_polygon(corners);
+                ASSERT_EQ(path.is_number(), !std::isnan(value)) << place << ", " << value;
+                if (std::isnan(value))
+                    continue;
+                coordinate = std::clamp(coordinate, -most, most);
+                corner_list found;
+                path.visit(found);
+                ASSERT_EQ(found.corners.size(), corners.size());
+                for (std::size_t i = 0; i < corners.size(); ++i) {
+                    ASSERT_EQ(found.corners[i].x, corners[i].x) << place << ", " << value;
+                    ASSERT_EQ(found.corners[i].y, corners[i].y) << place << ", " << value;
+                }
+            }
 }
 
 } // namespace

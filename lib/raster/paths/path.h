@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -95,10 +96,16 @@ private:
         return {std::clamp(p.x, -most, most), std::clamp(p.y, -most, most)};
     }
     bool all_within_reach() const {
-        std::size_t within = 0; // counts to the end, as comparisons go in lanes
+        // Whole numbers of the same bits have the same order, and those of no number come last. So
+        // differences tell by their highest bit, which lanes gather to the end.
+        constexpr auto limit = std::bit_cast<std::uint64_t>(most);
+        const auto rest = [](double x) {
+            return limit - std::bit_cast<std::uint64_t>(std::abs(x));
+        };
+        std::uint64_t beyond = 0;
         for (const l3d_point_2d& p : points_)
-            within += (std::abs(p.x) <= most ? 1U : 0U) + (std::abs(p.y) <= most ? 1U : 0U);
-        return within == 2 * points_.size();
+            beyond |= rest(p.x) | rest(p.y);
+        return beyond >> 63 == 0;
     }
     static l3d_curve_2d::point weighted(l3d_point_2d p, double weight) {
         return {p.x * weight, p.y * weight, weight};
