@@ -57,26 +57,29 @@ void pen_outline::end_outline() {
 
 void pen_outline::find_chords(const std::vector<pen_point>& points, bool closed) {
     chords_.clear();
-    pen_point last = points[0];
-    for (std::size_t i = 1; i < points.size(); ++i)
-        if (add_chord(last, points[i]))
-            last = points[i];
-        else
-            last.leaves = points[i].leaves;
+    const pen_point* last = points.data();
+    l3d_point_2d leaves = last->leaves;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        if (add_chord(*last, leaves, points[i]))
+            last = &points[i];
+        leaves = points[i].leaves;
+    }
     if (closed)
-        add_chord(last, points[0]);
+        add_chord(*last, leaves, points[0]);
 }
 
 /// False if it has no length. The pen is square to a curve where this begins or ends.
-bool pen_outline::add_chord(const pen_point& from, const pen_point& to) {
+bool pen_outline::add_chord(const pen_point& from, l3d_point_2d leaves, const pen_point& to) {
     const double dx = to.at.x - from.at.x, dy = to.at.y - from.at.y;
     const double length = std::sqrt(dx * dx + dy * dy); // of numbers below 2^32
     if (!(length > 0))
         return false;
     const l3d_point_2d own{dx / length, dy / length};
-    const auto goes_on = [own](l3d_point_2d d) { return own.x * d.x + own.y * d.y > 0; };
-    chords_.push_back({from.at, to.at, length, goes_on(from.leaves) ? from.leaves : own,
-                       goes_on(to.arrives) ? to.arrives : own, from.smooth});
+    const auto unless_back = [own](l3d_point_2d d) {
+        return own.x * d.x + own.y * d.y > 0 ? d : own;
+    };
+    chords_.push_back(
+        {from.at, to.at, length, unless_back(leaves), unless_back(to.arrives), from.smooth});
     return true;
 }
 

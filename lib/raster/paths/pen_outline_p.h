@@ -41,7 +41,7 @@ private:
     };
 
     void find_chords(const std::vector<pen_point>& points, bool closed);
-    bool add_chord(const pen_point& from, const pen_point& to);
+    bool add_chord(const pen_point& from, l3d_point_2d leaves, const pen_point& to);
     void add_dot(l3d_point_2d at, l3d_point_2d along);
     /// The side left of the direction of travel, from the first chord's beginning to the last one's
     /// end.

@@ -132,7 +132,7 @@ private:
         const double dx = to.at.x - from.at.x, dy = to.at.y - from.at.y;
         const double whole = std::sqrt(dx * dx + dy * dy);
         double done = 0;
-        pen_point next = to;
+        bool begins_here = false;
         if (whole > 0)
             dash_.along = {dx / whole, dy / whole};
         const chord_ends ends = whole > left_ ? find_ends() : chord_ends();
@@ -157,15 +157,16 @@ private:
             }
             ++turn_;
             left_ = length();
-            if (drawing()) {
+            begins_here = drawing();
+            if (begins_here)
                 dash_.points = {cut};
-                if (to.smooth)
-                    turn(next, ends.last);
-            }
         }
         left_ -= whole - done;
-        if (drawing())
-            dash_.points.push_back(next);
+        if (!drawing())
+            return;
+        dash_.points.push_back(to);
+        if (begins_here && to.smooth)
+            turn(dash_.points.back(), ends.last);
     }
 
     static void turn(pen_point& point, l3d_point_2d direction) {
