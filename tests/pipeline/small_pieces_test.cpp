@@ -3,12 +3,14 @@
 #include "pipeline/polygons/painter_items_p.h"
 #include "pipeline/polygons/painter_order.h"
 #include "pipeline/polygons/tile_cover_p.h"
+#include "pipeline/polygons/tile_sight_p.h"
 
 #include "painter_scenes.h"
 #include "raster/parallel/simd_target.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <random>
 #include <string>
@@ -151,6 +153,76 @@ TEST(small_pieces, tiles_know_the_pixels_that_a_triangle_covers) {
         EXPECT_GT(without, 50000);
     }
     l3d_set_simd_target("");
+}
+
+TEST(small_pieces, what_the_sort_shows_of_a_tile_is_found_with_any_instructions) {
+    std::mt19937 random(5);
+    std::vector<painter_entry> members;
+    for (std::uint32_t i = 0; i < 90; ++i) {
+        const std::uint64_t some = std::uint64_t{random()} << 32 | random();
+        const float farthest = 1 + static_cast<float>(random() % 16); // many are equally far
+        members.push_back({farthest, farthest + static_cast<float>(random() % 4),
+                           some & some >> (1 + i % 7), 3 * i, 0, 1});
+    }
+    for (const std::string& target : l3d_simd_targets()) {
+        ASSERT_TRUE(l3d_set_simd_target(target));
+        tile_fronts fronts;
+        std::vector<cell_sight> sight(members.size());
+        find_sight(members, fronts, sight.data());
+        for (std::size_t cell = 0; cell < fronts.size(); ++cell) {
+            const auto is_in = [&](std::uint64_t cells) { return (cells >> cell & 1) != 0; };
+            int last = -1;
+            for (int i = 0; i < 90; ++i)
+                if (const auto& own = members[static_cast<std::size_t>(i)];
+                    is_in(own.cells) &&
+                    (last < 0 || own.node() > members[static_cast<std::size_t>(last)].node()))
+                    last = i;
+            ASSERT_EQ(fronts[cell], last) << target;
+            for (int i = 0; i < 90; ++i) {
+                const auto at = static_cast<std::size_t>(i);
+                const bool is_near =
+                    is_in(members[at].cells) && i != last &&
+                    members[static_cast<std::size_t>(last)].farthest < members[at].nearest;
+                ASSERT_EQ(is_in(sight[at].shown), i == last) << target << ": " << i;
+                ASSERT_EQ(is_in(sight[at].doubtful), is_near) << target << ": " << i;
+            }
+        }
+    }
+    l3d_set_simd_target("");
+}
+
+/// Squares of some pixels beside each other that fill the picture, two triangles each.
+void add_layer(int pixels, float inv_w, std::vector<l3d_painter_triangle>& to) {
+    const auto corner = [&](int x, int y) {
+        return l3d_micro_vertex{256 * x, 256 * y, inv_w, {0, 0, 1}};
+    };
+    for (int y = 0; y < window.height; y += pixels)
+        for (int x = 0; x < window.width; x += pixels) {
+            const l3d_micro_vertex a = corner(x, y), b = corner(x + pixels, y),
+                                   c = corner(x + pixels, y + pixels), d = corner(x, y + pixels);
+            for (const std::array<l3d_micro_vertex, 3>& v : {std::array{a, b, c}, {a, c, d}})
+                to.push_back({v, static_cast<std::uint32_t>(to.size() + 1)});
+        }
+}
+
+TEST(small_pieces, behind_others_are_no_pieces_and_those_before_all_keep_their_order) {
+    for (const int pixels : {3, 11}) { // those that know their pixels, and larger ones
+        std::vector<l3d_painter_triangle> triangles;
+        add_layer(pixels, 0.5f, triangles);
+        const std::size_t in_front = triangles.size();
+        add_layer(pixels, 0.25f, triangles);
+        l3d_workers worker(1);
+        l3d_painter_order order(worker);
+        order.make(triangles, window, {.sides = false});
+        std::vector<std::uint32_t> painted;
+        for (const l3d_painter_piece& piece : order.pieces())
+            painted.push_back(piece.triangle);
+        EXPECT_EQ(order.counts().pairs, 0);
+        EXPECT_TRUE(std::ranges::is_sorted(painted));
+        EXPECT_FALSE(painted.empty());
+        EXPECT_LE(painted.size(), in_front);
+        EXPECT_LT(painted.back(), in_front);
+    }
 }
 
 /// Pieces painted by lambert's rule, and how many pixels that took.

@@ -6,12 +6,13 @@
 #include "pipeline/polygons/painter_components_p.h"
 #include "pipeline/polygons/painter_items_p.h"
 #include "pipeline/polygons/painter_knot_p.h"
-#include "pipeline/polygons/painter_overlap_p.h"
+#include "pipeline/polygons/painter_sight_p.h"
 #include "pipeline/polygons/painter_tiles_p.h"
 #include "raster/parallel/chunks_p.h"
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <vector>
 
 namespace {
@@ -35,17 +36,6 @@ struct row_of_needs {
 /// are compared.
 class sorted_members {
 public:
-    /// Whether no two have a cell in common, as on a surface of one layer.
-    static bool are_apart(std::span<const painter_entry> members) {
-        std::uint64_t taken = 0;
-        for (const painter_entry& member : members) {
-            if ((taken & member.cells) != 0)
-                return false;
-            taken |= member.cells;
-        }
-        return true;
-    }
-
     void sort(std::span<const painter_entry> members) {
         order_.clear();
         for (std::size_t i = 0; i < members.size(); ++i) // by rising numbers, of equals too
@@ -100,46 +90,34 @@ struct l3d_painter_order::work_space {
     l3d_size size{};
     way how;
     painter_items items;
+    painter_pairs pair_test{items};
     std::vector<l3d_sort_item> keys, other_keys; ///< of items, by their numbers
     std::vector<std::uint32_t> knot_members;
     painter_tiles tiles;
     std::vector<sorted_members> of_workers;
+    painter_sight sight;
     std::vector<row_of_needs> rows;
     std::vector<late_need> late; ///< rising
     ordered_components components;
     painter_knot knot;
-    std::vector<l3d_painter_piece> pieces;
+    std::vector<l3d_painter_piece> ordered; ///< of items that need an order
     std::vector<l3d_painter_cut> cuts;
+    std::vector<std::size_t> chunk_begins; ///< of each chunk's other pieces, and their end
+    /// All, the ordered ones first. They never become fewer: new ones would have to be cleared.
+    std::vector<l3d_painter_piece> pieces;
 
     /// By the farthest corner, as positive floats are ordered like their bits.
     void sort() {
         keys.clear();
         for (std::size_t chunk = 0; chunk < items.chunks(); ++chunk) {
             auto number = static_cast<std::uint32_t>(items.first(chunk));
-            for (const painter_item& item : items.of_chunk(chunk))
-                keys.push_back({std::bit_cast<std::uint32_t>(item.farthest), number++});
+            for (const painter_item& item : items.of_chunk(chunk)) {
+                if (sight.needs_order(number))
+                    keys.push_back({std::bit_cast<std::uint32_t>(item.farthest), number});
+                ++number;
+            }
         }
         l3d_radix_sort(keys, other_keys);
-    }
-
-    /// The corners of an item.
-    const std::array<l3d_micro_vertex, 3>& at(std::uint32_t number) const {
-        return given[items[number].triangle].v;
-    }
-
-    /// Whether the insides of two items meet. Where pixels are all that counts, their boxes tell it
-    /// of many that lie side by side.
-    bool do_meet(std::uint32_t a, std::uint32_t b) const {
-        return (!items.are_pixels_all() || items[a].box_meets(items[b])) &&
-               insides_meet(at(a), at(b));
-    }
-
-    /// Whether an item must be painted after another that it may meet: it is in front of it
-    /// somewhere. Two that have a pixel in common do meet.
-    bool needs(const painter_entry& item, const painter_entry& other) const {
-        return ((item.is_exact && other.is_exact) || do_meet(item.number, other.number)) &&
-               (other.nearest <= item.farthest ||
-                front_of(at(item.number), at(other.number)).first);
     }
 
     /// Finds what each item needs of those that are sorted after it. Meanwhile one worker sorts.
@@ -161,15 +139,18 @@ struct l3d_painter_order::work_space {
         to.found.clear();
         to.pairs = 0;
         for (int column = 0; column < tiles.columns(); ++column) {
-            const auto members = tiles.members(tiles.at(column, row));
-            if (sorted_members::are_apart(members))
+            const std::size_t tile = tiles.at(column, row);
+            tiles.keep_if(
+                tile, [&](const painter_entry& entry) { return sight.needs_order(entry.number); });
+            const auto members = tiles.members(tile);
+            if (are_apart(members))
                 continue;
             sorted.sort(members);
             sorted.visit_pairs([&](const painter_entry& own, const painter_entry& other) {
                 if (!own.may_meet(other))
                     return;
                 ++to.pairs;
-                if (needs(own, other))
+                if (pair_test.needs(own, other))
                     to.found.push_back({own.node(), other.node()});
             });
         }
@@ -189,7 +170,7 @@ struct l3d_painter_order::work_space {
                 if (!own.may_meet(other) || is_emitted(other))
                     continue;
                 ++counts.pairs;
-                if (needs(own, other))
+                if (pair_test.needs(own, other))
                     out.push_back(other.node());
             }
         });
@@ -206,7 +187,7 @@ struct l3d_painter_order::work_space {
     }
 
     /// Adds a piece that names its item, for now.
-    void emit(order_node node) { pieces.push_back({number_of(node), of_item}); }
+    void emit(order_node node) { ordered.push_back({number_of(node), of_item}); }
 
     /// Emits all items as they are sorted.
     void emit_sorted() {
@@ -214,22 +195,50 @@ struct l3d_painter_order::work_space {
             emit(order_node_of(key.key, key.index));
     }
 
+    static l3d_painter_piece piece_of(const painter_item& item) {
+        return {item.triangle, l3d_painter_cut::last, item.left, item.top, item.cover};
+    }
+
     /// From items to triangles, and what is known of them.
     void place_pieces() {
-        for_each_chunk(
-            workers, pieces.size(), chunk_pieces,
-            [&](std::size_t begin, std::size_t end, std::size_t) {
-                for (std::size_t i = begin; i < end; ++i) {
-                    if (i + ahead < end && pieces[i + ahead].cut == of_item)
-                        __builtin_prefetch(&items[pieces[i + ahead].triangle]);
-                    l3d_painter_piece& piece = pieces[i];
-                    if (piece.cut != of_item)
-                        continue;
-                    const painter_item& item = items[piece.triangle];
-                    piece = {item.triangle, l3d_painter_cut::last, item.left, item.top, item.cover};
-                }
-            });
+        count_whole();
+        pieces.resize(std::max(pieces.size(), piece_count()));
+        for_each_chunk(workers, ordered.size(), chunk_pieces,
+                       [&](std::size_t begin, std::size_t end, std::size_t) {
+                           for (std::size_t i = begin; i < end; ++i) {
+                               if (i + ahead < end && ordered[i + ahead].cut == of_item)
+                                   __builtin_prefetch(&items[ordered[i + ahead].triangle]);
+                               const l3d_painter_piece& piece = ordered[i];
+                               pieces[i] =
+                                   piece.cut == of_item ? piece_of(items[piece.triangle]) : piece;
+                           }
+                       });
+        workers.for_each(static_cast<int>(items.chunks()), [&](int index, int) {
+            const auto chunk = static_cast<std::size_t>(index);
+            auto number = static_cast<std::uint32_t>(items.first(chunk));
+            l3d_painter_piece* to = pieces.data() + ordered.size() + chunk_begins[chunk];
+            for (const painter_item& item : items.of_chunk(chunk))
+                if (sight.is_whole(number++))
+                    *to++ = piece_of(item);
+        });
     }
+
+    /// Finds where the pieces of each chunk begin that are seen wholly.
+    void count_whole() {
+        chunk_begins.assign(items.chunks() + 1, 0);
+        workers.for_each(static_cast<int>(items.chunks()), [&](int index, int) {
+            const auto chunk = static_cast<std::size_t>(index);
+            auto number = static_cast<std::uint32_t>(items.first(chunk));
+            const std::size_t end = number + items.of_chunk(chunk).size();
+            std::size_t count = 0;
+            for (; number < end; ++number)
+                count += sight.is_whole(number);
+            chunk_begins[chunk + 1] = count;
+        });
+        std::partial_sum(chunk_begins.begin(), chunk_begins.end(), chunk_begins.begin());
+    }
+
+    std::size_t piece_count() const { return ordered.size() + chunk_begins.back(); }
 
     void emit_component(std::span<const order_node> component, l3d_painter_order_counts& counts) {
         if (component.size() == 1)
@@ -239,7 +248,7 @@ struct l3d_painter_order::work_space {
         knot_members.clear();
         for (const order_node member : component)
             knot_members.push_back(items[number_of(member)].triangle);
-        knot.untie(size, given, knot_members, pieces, cuts);
+        knot.untie(size, given, knot_members, ordered, cuts);
     }
 
     /// Emits the items as they need each other.
@@ -282,7 +291,7 @@ void l3d_painter_order::begin(std::span<const l3d_painter_triangle> triangles,
     work_space& w = *work_;
     counts_ = {};
     counts_.triangles = static_cast<std::int64_t>(triangles.size());
-    w.pieces.clear();
+    w.ordered.clear();
     w.cuts.clear();
     w.given = triangles;
     w.size = size;
@@ -300,10 +309,12 @@ void l3d_painter_order::finish() {
     w.late.clear();
     if (w.how.resolve) {
         w.tiles.make(w.items, w.size, w.workers);
+        counts_.pairs += w.sight.find(w.tiles, w.pair_test, w.items.numbers(), w.workers);
         w.sort_and_find_late();
         for (const row_of_needs& row : w.rows)
             counts_.pairs += row.pairs;
     } else {
+        w.sight.forget();
         w.sort();
     }
     if (w.late.empty())
@@ -318,7 +329,7 @@ std::span<const l3d_painter_triangle> l3d_painter_order::triangles() const {
 }
 
 std::span<const l3d_painter_piece> l3d_painter_order::pieces() const {
-    return work_->pieces;
+    return {work_->pieces.data(), work_->piece_count()};
 }
 
 std::span<const l3d_painter_cut> l3d_painter_order::cuts() const {

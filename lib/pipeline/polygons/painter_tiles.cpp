@@ -29,7 +29,7 @@ painter_entry painter_tiles::box_entry(const painter_item& item, std::uint32_t n
 }
 
 bool painter_tiles::is_coverable(const painter_item& item) const {
-    if (shift_ != cell_bits || !items_->are_pixels_all())
+    if (!have_pixels())
         return false;
     const auto& v = items_->corners(item);
     const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
@@ -42,7 +42,7 @@ void painter_tiles::find_entries(std::size_t begin, std::size_t end, share_entri
     const painter_items& items = *items_;
     to.entries.clear();
     to.tiles.clear();
-    to.ends.assign(begins_.size() - 1, 0);
+    to.ends.assign(begins_.size(), 0);
     for (std::size_t chunk = begin; chunk < end; ++chunk) {
         auto number = static_cast<std::uint32_t>(items.first(chunk));
         for (const painter_item& item : items.of_chunk(chunk))
@@ -65,7 +65,8 @@ void painter_tiles::make(const painter_items& items, l3d_size size, l3d_workers&
     columns_ = ((size.width - 1) >> shift_) + 1;
     rows_ = ((size.height - 1) >> shift_) + 1;
     const std::size_t tiles = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-    begins_.resize(tiles + 1);
+    begins_.resize(tiles);
+    ends_.resize(tiles);
     is_sorted_.assign(tiles, false);
 
     // As many shares as workers. A share's members of a tile follow those of the share before.
@@ -81,19 +82,19 @@ void painter_tiles::make(const painter_items& items, l3d_size size, l3d_workers&
         begins_[t] = sum;
         for (share_entries& of : shares_)
             sum += std::exchange(of.ends[t], sum);
+        ends_[t] = sum;
     }
-    begins_[tiles] = sum;
     entries_.resize(sum);
     workers.for_each(static_cast<int>(shares_.size()), [&](int number, int) {
         share_entries& of = shares_[static_cast<std::size_t>(number)];
         for (std::size_t i = 0; i < of.entries.size(); ++i)
             entries_[of.ends[of.tiles[i]]++] = of.entries[i];
     });
-    heads_.assign(begins_.begin(), begins_.end() - 1);
+    heads_ = begins_;
 }
 
 void painter_tiles::sort(std::size_t tile) {
-    std::sort(entries_.begin() + begins_[tile], entries_.begin() + begins_[tile + 1],
+    std::sort(entries_.begin() + begins_[tile], entries_.begin() + ends_[tile],
               [](const painter_entry& a, const painter_entry& b) { return a.node() < b.node(); });
     is_sorted_[tile] = true;
 }

@@ -41,6 +41,17 @@ struct painter_entry {
     }
 };
 
+/// Whether no two have a cell in common, as on a surface of one layer.
+inline bool are_apart(std::span<const painter_entry> members) {
+    std::uint64_t taken = 0;
+    for (const painter_entry& member : members) {
+        if ((taken & member.cells) != 0)
+            return false;
+        taken |= member.cells;
+    }
+    return true;
+}
+
 /// For each tile of the picture the triangles that reach it.
 class painter_tiles {
 public:
@@ -60,7 +71,19 @@ public:
 
     /// The members of a tile, by rising numbers until they are sorted.
     std::span<const painter_entry> members(std::size_t tile) const {
-        return {entries_.data() + begins_[tile], entries_.data() + begins_[tile + 1]};
+        return {entries_.data() + begins_[tile], entries_.data() + ends_[tile]};
+    }
+
+    /// Whether tiles have a cell for each pixel, and most entries know their pixels.
+    bool have_pixels() const { return shift_ == cell_bits && items_->are_pixels_all(); }
+
+    /// Forgets the members of a tile for which `keep` is false. Threads may do so side by side.
+    template <class Keep> void keep_if(std::size_t tile, const Keep& keep) {
+        std::uint32_t end = begins_[tile];
+        for (std::uint32_t i = end; i < ends_[tile]; ++i)
+            if (keep(entries_[i]))
+                entries_[end++] = entries_[i];
+        ends_[tile] = end;
     }
 
     /// The members of a tile in the order of the sort. Those at its beginning for which `skip` is
@@ -69,7 +92,7 @@ public:
         if (!is_sorted_[tile])
             sort(tile);
         std::uint32_t& head = heads_[tile];
-        const std::uint32_t end = begins_[tile + 1];
+        const std::uint32_t end = ends_[tile];
         while (head < end && skip(entries_[head]))
             ++head;
         return {entries_.data() + head, end - head};
@@ -150,7 +173,7 @@ private:
 
     const painter_items* items_ = nullptr;
     int shift_ = cell_bits, columns_ = 0, rows_ = 0;
-    std::vector<std::uint32_t> begins_, heads_;
+    std::vector<std::uint32_t> begins_, ends_, heads_;
     std::vector<painter_entry> entries_;
     std::vector<bool> is_sorted_;
     std::vector<share_entries> shares_;
