@@ -164,6 +164,16 @@ std::vector<plain_triangle> triangles_of(const l3d_polygon_frame& frame) {
     return all;
 }
 
+/// The same by the list that painters get.
+std::vector<plain_triangle> listed_of(const l3d_polygon_frame& frame, l3d_workers& workers) {
+    std::vector<l3d_painter_triangle> list;
+    frame.list(list, workers);
+    std::vector<plain_triangle> all;
+    for (const l3d_painter_triangle& triangle : list)
+        all.push_back({triangle.v});
+    return all;
+}
+
 /// Whether all of `some` are among `all`, in this order.
 bool in_order(const std::vector<plain_triangle>& some, const std::vector<plain_triangle>& all) {
     std::size_t found = 0;
@@ -190,6 +200,11 @@ void check_frame(const l3d_polygon_model& model, const l3d_polygon_view& view,
         frame.make(model, view, how, workers);
         const auto found = triangles_of(frame);
         EXPECT_TRUE(in_order(expected.whole, found)) << target;
+        EXPECT_EQ(listed_of(frame, workers), found) << target;
+        l3d_polygon_frame of_list;
+        of_list.make(model, view, {how.cull, how.smooth, how.antialias, how.antialias}, workers);
+        EXPECT_EQ(of_list.parts().empty(), !how.antialias);
+        EXPECT_EQ(listed_of(of_list, workers), found) << target;
         const l3d_polygon_counts& counts = frame.counts();
         EXPECT_EQ(counts.back, expected.counts.back);
         EXPECT_EQ(counts.subpixel, expected.counts.subpixel);

@@ -107,7 +107,10 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
     if (is_solid && settings_.projection == l3d_projection::perspective)
         shading.fog = settings_.fog;
     frame_->make(model_, view,
-                 {.cull = settings_.cull, .smooth = smooth, .antialias = shading.antialias},
+                 {.cull = settings_.cull,
+                  .smooth = smooth,
+                  .antialias = shading.antialias,
+                  .parts = draws_parts(shading.antialias)},
                  workers_);
     report.polygons = frame_->counts();
     const std::vector<l3d_material> repainted(settings_.material ? model_.materials().size() + 1

@@ -23,6 +23,7 @@ private:
     void draw_solid(const scene& what, l3d_polygon_report& report) override;
     void draw_hidden_lines(const scene& what, l3d_polygon_report& report) override;
     const char* name() const override { return "zsort"; }
+    bool draws_parts(bool antialias) const override { return antialias; }
 
     std::int64_t smooth_edges(const scene& what);
     void make_order(const scene& what, bool with_sides, l3d_polygon_report& report);

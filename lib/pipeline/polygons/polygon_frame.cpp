@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -32,6 +33,12 @@ std::array<float, 3> turned(const l3d_matrix<double>& placement,
         result[static_cast<std::size_t>(i)] = static_cast<float>(
             placement(i, 0) * v[0] + placement(i, 1) * v[1] + placement(i, 2) * v[2]);
     return result;
+}
+
+/// A normal with a sign bit turned round, without a branch that no processor could foresee.
+void turn_round(const placed_vertices::normal& normal, std::uint32_t sign, float* to) {
+    for (std::size_t c = 0; c < 3; ++c)
+        to[c] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(normal[c]) ^ sign);
 }
 
 /// Whether the box of a triangle holds a pixel centre of the window or, if `squares`, reaches into
@@ -66,7 +73,7 @@ l3d_dice_view window_of(const l3d_polygon_view& view) {
 void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_view& view,
                              const way& how, l3d_workers& workers,
                              std::span<const std::size_t> ends) {
-    const frame_input in{model, view, window_of(view), how, ends};
+    const frame_input& in = input_.emplace(frame_input{model, view, window_of(view), how, ends});
     const double middle = placed(view.matrix(), model.centre())[2];
     const double radius = std::max(model.radius(), 1e-300) * (1 + 1e-9);
     depth_step_ = -0.5 / radius;
@@ -74,7 +81,7 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
 
     const std::size_t vertices = model.mesh().vertices.size();
     const std::size_t triangles = model.triangles().size();
-    const bool of_vertices = how.smooth && !model.has_creases();
+    const bool of_vertices = has_vertex_normals(in);
     const vertex_placing placing{view, in.window, depth_base_, depth_step_};
     vertices_.places.resize(vertices);
     if (of_vertices)
@@ -98,10 +105,12 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
     if (how.antialias)
         workers.for_each(static_cast<int>(count),
                          [&](int i, int) { make_border(chunks_[static_cast<std::size_t>(i)]); });
+    count_ = count;
     parts_.clear();
     counts_ = {};
     for (std::size_t i = 0; i < count; ++i) {
-        parts_.push_back(&chunks_[i].part);
+        if (how.parts)
+            parts_.push_back(&chunks_[i].part);
         counts_.add(chunks_[i].counts);
     }
 }
@@ -110,8 +119,9 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
     chunk& to = chunks_[index];
     to.part.triangles.clear();
     to.part.border.clear();
-    to.sides.clear();
     to.names.clear();
+    to.signs.clear();
+    to.pieces.clear();
     to.counts = {};
     const auto all = in.model.triangles();
     std::size_t begin = index * chunk_triangles;
@@ -135,20 +145,27 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
 void l3d_polygon_frame::add_whole(const frame_input& in, const chosen_triangles& chosen,
                                   chunk& to) {
     const std::size_t count = chosen.count - (chosen.clipped ? 1 : 0);
-    if (count == 0)
-        return;
-    const bool of_vertices = in.how.smooth && !in.model.has_creases();
-    l3d_micro_triangles& triangles = to.part.triangles;
+    const auto last = static_cast<std::ptrdiff_t>(count);
+    to.names.insert(to.names.end(), chosen.triangle.begin(), chosen.triangle.begin() + last);
+    to.signs.insert(to.signs.end(), chosen.sign.begin(), chosen.sign.begin() + last);
+    to.counts.drawn += last;
+    if (in.how.parts && count > 0)
+        add_to_part(in, chosen, count, to.part.triangles);
+    if (in.how.antialias)
+        note_turns(count, to);
+}
+
+void l3d_polygon_frame::add_to_part(const frame_input& in, const chosen_triangles& chosen,
+                                    std::size_t count, l3d_micro_triangles& triangles) const {
+    const bool of_vertices = has_vertex_normals(in), of_materials = !in.model.materials().empty();
     const std::size_t first = triangles.count;
     add_triangles(in.model.triangles(), vertices_, of_vertices, chosen, count, triangles);
-    to.counts.drawn += static_cast<std::int64_t>(count);
-    if (in.how.antialias)
-        note_turns(chosen, count, to);
+    if (of_vertices && !of_materials)
+        return;
     for (std::size_t i = 0; i < count; ++i) {
-        const l3d_model_triangle& triangle = in.model.triangles()[chosen.triangle[i]];
-        to.sides.push_back(static_cast<std::uint8_t>(triangle.sides));
-        if (!in.model.materials().empty())
-            triangles.materials.push_back(in.model.material_of(triangle.face));
+        if (of_materials)
+            triangles.materials.push_back(
+                in.model.material_of(in.model.triangles()[chosen.triangle[i]].face));
         if (of_vertices)
             continue;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -161,15 +178,13 @@ void l3d_polygon_frame::add_whole(const frame_input& in, const chosen_triangles&
 }
 
 /// Those of the last `count` triangles of the part.
-void l3d_polygon_frame::note_turns(const chosen_triangles& chosen, std::size_t count, chunk& to) {
-    const l3d_micro_triangles& all = to.part.triangles;
-    const std::size_t first = all.count - count;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::int64_t twice_area = all.double_area(first + i);
-        to.names.push_back(chosen.triangle[i]);
-        turns_[chosen.triangle[i]] = twice_area > 0   ? turn::right
-                                     : twice_area < 0 ? turn::left
-                                                      : turn::none;
+void l3d_polygon_frame::note_turns(std::size_t count, const chunk& of) {
+    const l3d_micro_triangles& all = of.part.triangles;
+    for (std::size_t i = all.count - count; i < all.count; ++i) {
+        const std::int64_t twice_area = all.double_area(i);
+        turns_[of.names[i]] = twice_area > 0   ? turn::right
+                              : twice_area < 0 ? turn::left
+                                               : turn::none;
     }
 }
 
@@ -212,12 +227,19 @@ l3d_polygon_frame::normal l3d_polygon_frame::normal_of(const frame_input& in, st
     return result;
 }
 
-void l3d_polygon_frame::add(const frame_input& in, const l3d_model_triangle& triangle,
-                            const std::array<l3d_micro_vertex, 3>& v, chunk& to) {
+void l3d_polygon_frame::add_piece(const frame_input& in, std::size_t number,
+                                  const std::array<l3d_micro_vertex, 3>& v, std::uint32_t sides,
+                                  chunk& to) {
+    const std::uint32_t material = in.model.material_of(in.model.triangles()[number].face);
+    to.pieces.push_back({v, 0, sides, material});
+    to.names.push_back(static_cast<std::uint32_t>(number));
+    to.signs.push_back(static_cast<std::uint32_t>(to.pieces.size()));
+    if (!in.how.parts)
+        return;
     if (in.model.materials().empty())
         to.part.triangles.add(v[0], v[1], v[2]);
     else
-        to.part.triangles.add(v[0], v[1], v[2], in.model.material_of(triangle.face));
+        to.part.triangles.add(v[0], v[1], v[2], material);
 }
 
 /// In a parallel projection, a clipped corner carries its depth as its parameter u.
@@ -245,12 +267,9 @@ void l3d_polygon_frame::add_clipped(const frame_input& in, std::size_t number, b
         }
         if (!may_be_seen(p[0], p[1], p[2], in.view.size(), in.how.antialias))
             continue;
-        add(in, triangle, p, to);
         // The pieces are a fan: the first side of the first and the last of the last are outside.
         const bool first = i == 0, last = i + 1 == pieces.count;
-        to.sides.push_back(static_cast<std::uint8_t>(first | 2 | last << 2));
-        if (in.how.antialias)
-            to.names.push_back(static_cast<std::uint32_t>(number));
+        add_piece(in, number, p, static_cast<std::uint32_t>(first | 2 | last << 2), to);
         seen = true;
     }
     if (seen && in.how.antialias)
@@ -262,27 +281,46 @@ void l3d_polygon_frame::add_clipped(const frame_input& in, std::size_t number, b
 std::vector<std::size_t> l3d_polygon_frame::ends() const {
     std::vector<std::size_t> ends;
     std::size_t end = 0;
-    for (const l3d_surface_part* part : parts_)
-        ends.push_back(end += part->triangles.count);
+    for (std::size_t part = 0; part < count_; ++part)
+        ends.push_back(end += chunks_[part].names.size());
     return ends;
 }
 
 void l3d_polygon_frame::list(std::vector<l3d_painter_triangle>& out, l3d_workers& workers) const {
     const std::vector<std::size_t> part_ends = ends();
     out.resize(part_ends.empty() ? 0 : part_ends.back());
-    workers.for_each(static_cast<int>(parts_.size()), [&](int number, int) {
+    workers.for_each(static_cast<int>(part_ends.size()), [&](int number, int) {
         const auto part = static_cast<std::size_t>(number);
-        const std::size_t count = parts_[part]->triangles.count;
+        const std::size_t count = chunks_[part].names.size();
         list_part(part, std::span(out).subspan(part_ends[part] - count, count));
     });
 }
 
 void l3d_polygon_frame::list_part(std::size_t part, std::span<l3d_painter_triangle> out) const {
-    const l3d_surface_part& from = *parts_[part];
-    const l3d_micro_triangles& triangles = from.triangles;
-    for (std::size_t i = 0; i < triangles.count; ++i)
-        out[i] = {{triangles.vertex(i, 0), triangles.vertex(i, 1), triangles.vertex(i, 2)},
-                  0,
-                  chunks_[part].sides[i],
-                  from.material_of(i)};
+    const chunk& of = chunks_[part];
+    const frame_input& in = *input_;
+    const bool of_vertices = has_vertex_normals(in), of_materials = !in.model.materials().empty();
+    const std::span<const l3d_model_triangle> triangles = in.model.triangles();
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const std::uint32_t sign = of.signs[i];
+        if (sign != 0 && sign != chosen_triangles::from_behind) {
+            out[i] = of.pieces[sign - 1];
+            continue;
+        }
+        const l3d_model_triangle& triangle = triangles[of.names[i]];
+        l3d_painter_triangle& to = out[i];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const placed_vertices::place& place = vertices_.places[triangle.corners[k]];
+            to.v[k].x = place[0];
+            to.v[k].y = place[1];
+            to.v[k].inv_w = std::bit_cast<float>(place[2]);
+            if (of_vertices)
+                turn_round(vertices_.normals[triangle.corners[k]], sign, to.v[k].normal);
+            else
+                std::ranges::copy(normal_of(in, of.names[i], k, sign != 0), to.v[k].normal);
+        }
+        to.color = 0;
+        to.sides = triangle.sides;
+        to.material = of_materials ? in.model.material_of(triangle.face) : 0;
+    }
 }

@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,8 +28,8 @@
 /// is stepped. In a parallel projection, inv_w is not 1 / distance. It is 2 at the nearest and 1 at
 /// the farthest end of the model's sphere, linear in between, as rasterizers need it.
 /// Expects: workers, model and view outlive each make().
-/// Cost:    keeps its memory: 32 bytes per vertex and 72 per triangle drawn. For anti-aliasing, 13
-///          more per triangle of the model, 4 per one drawn.
+/// Cost:    keeps its memory: 32 bytes per vertex and 8 per triangle drawn, 72 more in parts. For
+///          anti-aliasing, 13 more per triangle of the model.
 class l3d_polygon_frame {
 public:
     /// Which triangles are made, and how.
@@ -39,6 +40,8 @@ public:
         bool smooth = false;
         /// Also triangles that hold no pixel's centre, and the borders of parts.
         bool antialias = false;
+        /// Parts are made. Else triangles can only be listed. Expects: true for anti-aliasing.
+        bool parts = true;
     };
 
     /// Part i holds the model's triangles from `ends[i - 1]` up to `ends[i]`; without ends, parts
@@ -51,12 +54,13 @@ public:
         chunks_[part].part.error_color = word;
     }
 
-    /// Triangles ready for a rasterizer; no grids.
+    /// Triangles ready for a rasterizer; no grids. None if parts were not asked for.
     /// Lives:   until the next make.
     std::span<const l3d_surface_part* const> parts() const { return parts_; }
 
     /// The same triangles one by one, with the sides that are sides of faces. The outline of the
     /// rest of a clipped triangle.
+    /// Expects: model and view of the last make are still there.
     void list(std::vector<l3d_painter_triangle>& out, l3d_workers& workers) const;
 
     /// Where the parts of that list end.
@@ -72,9 +76,13 @@ private:
 
     struct chunk {
         l3d_surface_part part;
-        std::vector<std::uint8_t> sides;  ///< of each triangle of the part
-        std::vector<std::uint32_t> names; ///< what they are in the model, for anti-aliasing
-        l3d_diced_piece clipped;          ///< pieces of one triangle
+        /// The triangles that are drawn: what they are in the model. Those of a clipped one follow
+        /// each other.
+        std::vector<std::uint32_t> names;
+        /// A float's sign bit if one is seen from behind, else 0; of pieces, their place behind 1.
+        std::vector<std::uint32_t> signs;
+        std::vector<l3d_painter_triangle> pieces; ///< of clipped triangles
+        l3d_diced_piece clipped;                  ///< those of one triangle
         l3d_polygon_counts counts;
     };
 
@@ -89,23 +97,30 @@ private:
     using normal = std::array<float, 3>;
 
     void place_chunk(const frame_input& in, std::size_t index);
+    static bool has_vertex_normals(const frame_input& in) {
+        return in.how.smooth && !in.model.has_creases();
+    }
     void add_whole(const frame_input& in, const l3d_detail::chosen_triangles& chosen, chunk& to);
+    void add_to_part(const frame_input& in, const l3d_detail::chosen_triangles& chosen,
+                     std::size_t count, l3d_micro_triangles& triangles) const;
     static normal normal_of(const frame_input& in, std::size_t triangle, std::size_t corner,
                             bool from_behind);
-    static void add(const frame_input& in, const l3d_model_triangle& triangle,
-                    const std::array<l3d_micro_vertex, 3>& v, chunk& to);
+    static void add_piece(const frame_input& in, std::size_t number,
+                          const std::array<l3d_micro_vertex, 3>& v, std::uint32_t sides, chunk& to);
     void add_clipped(const frame_input& in, std::size_t number, bool from_behind, chunk& to);
-    void note_turns(const l3d_detail::chosen_triangles& chosen, std::size_t count, chunk& to);
+    void note_turns(std::size_t count, const chunk& of);
     void make_border(chunk& of) const;
     double depth_value(double distance) const { return depth_base_ + depth_step_ * distance; }
 
     /// How a triangle of the model turns in the picture.
     enum class turn : std::uint8_t { not_drawn, none, right, left, clipped };
 
+    std::optional<frame_input> input_; ///< of the last make
     l3d_detail::placed_vertices vertices_;
     l3d_detail::triangle_neighbours neighbours_;
     std::vector<turn> turns_; ///< of each triangle of the model, for anti-aliasing
     std::vector<chunk> chunks_;
+    std::size_t count_ = 0; ///< of chunks that are in use
     std::vector<const l3d_surface_part*> parts_;
     l3d_polygon_counts counts_;
     double depth_base_ = 0, depth_step_ = 0; ///< of a parallel projection

@@ -256,7 +256,7 @@ std::size_t choose_triangles(const triangle_choice& of, std::size_t begin, std::
         const auto seen = box.of(of.places[corners[0]].data(), of.places[corners[1]].data(),
                                  of.places[corners[2]].data());
         to.triangle[count] = static_cast<std::uint32_t>(t);
-        to.sign[count] = from_behind ? std::uint32_t{1} << 31 : 0;
+        to.sign[count] = from_behind ? chosen_triangles::from_behind : 0;
         count += seen == box_place::seen || seen == box_place::clipped;
         counts.offscreen += seen == box_place::outside;
         counts.subpixel += seen == box_place::subpixel;

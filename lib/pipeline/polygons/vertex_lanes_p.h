@@ -56,9 +56,10 @@ struct triangle_choice {
 /// Some triangles that may be seen, in the model's order.
 struct chosen_triangles {
     static constexpr std::size_t room = 256; ///< 2 KB: beside what they name in the nearest cache
+    static constexpr std::uint32_t from_behind = std::uint32_t{1} << 31; ///< a float's sign bit
 
     std::array<std::uint32_t, room> triangle;
-    std::array<std::uint32_t, room> sign; ///< a float's sign bit if it is seen from behind, else 0
+    std::array<std::uint32_t, room> sign; ///< from_behind if it is seen so, else 0
     std::size_t count = 0;
     bool clipped = false; ///< the last one has a corner that cannot be drawn
 };
