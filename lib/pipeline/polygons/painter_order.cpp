@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <vector>
 
 namespace {
@@ -33,8 +32,8 @@ struct row_of_needs {
 };
 
 /// The members of a tile in the order of the sort, and what decides most often whether two of them
-/// are compared.
-class sorted_members {
+/// are compared. Each worker has one, and writes to it at each member.
+class alignas(128) sorted_members {
 public:
     void sort(std::span<const painter_entry> members) {
         order_.clear();
@@ -102,7 +101,7 @@ struct l3d_painter_order::work_space {
     painter_knot knot;
     std::vector<l3d_painter_piece> ordered; ///< of items that need an order
     std::vector<l3d_painter_cut> cuts;
-    std::vector<std::size_t> chunk_begins; ///< of each chunk's other pieces, and their end
+    std::vector<std::size_t> chunk_begins; ///< of the other pieces of each chunk, and their end
     /// All, the ordered ones first. They never become fewer: new ones would have to be cleared.
     std::vector<l3d_painter_piece> pieces;
 
@@ -201,44 +200,43 @@ struct l3d_painter_order::work_space {
 
     /// From items to triangles, and what is known of them.
     void place_pieces() {
-        count_whole();
+        chunk_begins.assign(1, ordered.size());
+        for (std::size_t chunk = 0; chunk < items.chunks(); ++chunk) {
+            const std::size_t first = items.first(chunk);
+            chunk_begins.push_back(chunk_begins.back() +
+                                   sight.count_whole(first, first + items.of_chunk(chunk).size()));
+        }
         pieces.resize(std::max(pieces.size(), piece_count()));
-        for_each_chunk(workers, ordered.size(), chunk_pieces,
-                       [&](std::size_t begin, std::size_t end, std::size_t) {
-                           for (std::size_t i = begin; i < end; ++i) {
-                               if (i + ahead < end && ordered[i + ahead].cut == of_item)
-                                   __builtin_prefetch(&items[ordered[i + ahead].triangle]);
-                               const l3d_painter_piece& piece = ordered[i];
-                               pieces[i] =
-                                   piece.cut == of_item ? piece_of(items[piece.triangle]) : piece;
-                           }
-                       });
-        workers.for_each(static_cast<int>(items.chunks()), [&](int index, int) {
+        const std::size_t of_ordered = chunks_of(ordered.size(), chunk_pieces);
+        workers.for_each(static_cast<int>(of_ordered + items.chunks()), [&](int index, int) {
             const auto chunk = static_cast<std::size_t>(index);
-            auto number = static_cast<std::uint32_t>(items.first(chunk));
-            l3d_painter_piece* to = pieces.data() + ordered.size() + chunk_begins[chunk];
-            for (const painter_item& item : items.of_chunk(chunk))
-                if (sight.is_whole(number++))
-                    *to++ = piece_of(item);
+            if (chunk < of_ordered)
+                place_ordered(chunk * chunk_pieces,
+                              std::min((chunk + 1) * chunk_pieces, ordered.size()));
+            else
+                place_whole(chunk - of_ordered);
         });
     }
 
-    /// Finds where the pieces of each chunk begin that are seen wholly.
-    void count_whole() {
-        chunk_begins.assign(items.chunks() + 1, 0);
-        workers.for_each(static_cast<int>(items.chunks()), [&](int index, int) {
-            const auto chunk = static_cast<std::size_t>(index);
-            auto number = static_cast<std::uint32_t>(items.first(chunk));
-            const std::size_t end = number + items.of_chunk(chunk).size();
-            std::size_t count = 0;
-            for (; number < end; ++number)
-                count += sight.is_whole(number);
-            chunk_begins[chunk + 1] = count;
-        });
-        std::partial_sum(chunk_begins.begin(), chunk_begins.end(), chunk_begins.begin());
+    void place_ordered(std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (i + ahead < end && ordered[i + ahead].cut == of_item)
+                __builtin_prefetch(&items[ordered[i + ahead].triangle]);
+            const l3d_painter_piece& piece = ordered[i];
+            pieces[i] = piece.cut == of_item ? piece_of(items[piece.triangle]) : piece;
+        }
     }
 
-    std::size_t piece_count() const { return ordered.size() + chunk_begins.back(); }
+    /// Those of a chunk that are seen wholly.
+    void place_whole(std::size_t chunk) {
+        auto number = static_cast<std::uint32_t>(items.first(chunk));
+        l3d_painter_piece* to = pieces.data() + chunk_begins[chunk];
+        for (const painter_item& item : items.of_chunk(chunk))
+            if (sight.is_whole(number++))
+                *to++ = piece_of(item);
+    }
+
+    std::size_t piece_count() const { return chunk_begins.back(); }
 
     void emit_component(std::span<const order_node> component, l3d_painter_order_counts& counts) {
         if (component.size() == 1)

@@ -64,6 +64,15 @@ bool painter_sight::is_sort_right(std::span<const painter_entry> members,
     return true;
 }
 
+std::size_t painter_sight::count_whole(std::size_t begin, std::size_t end) const {
+    if (parts_.empty())
+        return 0;
+    std::size_t count = 0;
+    for (std::size_t number = begin; number < end; ++number)
+        count += parts_[number].seen > parts_[number].hidden; // both are 0 or 1
+    return count;
+}
+
 /// An item may lie in tiles of two workers, who write the same number.
 void painter_sight::note(const painter_entry& member, bool is_seen, bool is_hidden) {
     parts& of = parts_[member.number];

@@ -38,6 +38,8 @@ public:
     bool is_whole(std::uint32_t number) const {
         return !parts_.empty() && parts_[number].seen != 0 && parts_[number].hidden == 0;
     }
+    /// How many are, of those with numbers [begin, end).
+    std::size_t count_whole(std::size_t begin, std::size_t end) const;
 
 private:
     /// 1 if some of the item's pixels are.
@@ -45,8 +47,8 @@ private:
         std::uint8_t seen = 0, hidden = 0;
     };
 
-    /// A worker's: what is found of a tile's members.
-    struct found {
+    /// A worker's: what is found of a tile's members. No two share lines of the caches.
+    struct alignas(128) found {
         tile_fronts fronts;
         std::vector<cell_sight> of_members;
         std::int64_t pairs = 0; ///< compared, in all tiles

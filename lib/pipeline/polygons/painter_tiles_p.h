@@ -114,8 +114,10 @@ private:
     static constexpr int cell_bits = 3;                               ///< eight cells in a row
     static constexpr std::uint64_t first_column = 0x0101010101010101; ///< the first of each row
 
-    /// Entries of each share of the triangles, as they were found, and their tiles.
-    struct share_entries {
+    /// Entries of each share of the triangles, as they were found, and their tiles. A worker writes
+    /// to it at each entry, so no two share a line of the caches, nor a pair of lines, which some
+    /// processors fetch together.
+    struct alignas(128) share_entries {
         std::vector<painter_entry> entries;
         std::vector<std::uint32_t> tiles;
         std::vector<std::uint32_t> ends; ///< of the share in each tile

@@ -2,6 +2,7 @@
 // l3d_painter: spans, cut where planes meet, and shaded.
 #include "raster/shapes/painter.h"
 
+#include "raster/depth_buffer.h"
 #include "raster/parallel/chunks_p.h"
 #include "raster/shapes/line_cover_p.h"
 #include "raster/shapes/overdraw_p.h"
@@ -65,8 +66,10 @@ struct l3d_painter::work_space {
     l3d_workers& workers;
     std::vector<painting> of_worker;
     /// The pieces of each chunk that reach each band: list band + bands chunk. A single band has
-    /// all.
-    std::vector<std::vector<std::uint32_t>> lists;
+    /// all. A worker writes to the lists of a chunk at each piece: eight bands begin lines of the
+    /// caches, which no two workers share.
+    using list_of_pieces = std::vector<std::uint32_t>;
+    std::vector<list_of_pieces, line_allocator<list_of_pieces>> lists;
 
     void begin(l3d_pixels target, bool from_front) {
         for (painting& to : of_worker) {
@@ -134,7 +137,7 @@ struct l3d_painter::work_space {
 
     /// A row is in the last band whose first row is not below it, as rows_of divides them.
     static void list_piece(scan_rows reach, int height, std::uint32_t piece,
-                           std::span<std::vector<std::uint32_t>> lists) {
+                           std::span<list_of_pieces> lists) {
         const int bands = static_cast<int>(lists.size());
         const auto band_of = [&](std::int32_t row) { return ((row + 1) * bands - 1) / height; };
         const std::int32_t top = std::max(reach.top, 0), bottom = std::min(reach.bottom, height);
