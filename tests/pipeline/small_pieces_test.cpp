@@ -295,7 +295,7 @@ TEST(small_pieces, come_in_an_order_that_is_right_in_every_pixel) {
     std::int64_t pairs = 0, cuts = 0;
     for (unsigned seed = 1; seed <= 40; ++seed) {
         // Of the larger ones, tiles are larger than eight pixels.
-        const auto triangles = small_triangles(400, 1 + static_cast<int>(seed % 24), seed);
+        const auto triangles = small_triangles(400, 1 + static_cast<int>(3 * seed % 70), seed);
         const nearest_triangles exact = find_nearest(triangles, window);
         l3d_painter_order_counts counts;
         const auto numbers = numbers_of(triangles, 1, counts);

@@ -56,10 +56,11 @@ void painter_tiles::find_entries(std::size_t begin, std::size_t end, share_entri
 
 void painter_tiles::make(const painter_items& items, l3d_size size, l3d_workers& workers) {
     const double side = 2 * std::sqrt(items.mean_box());
-    constexpr int most = 7; // 128 pixels
+    constexpr int most = 7;            // 128 pixels
+    constexpr int most_for_pixels = 5; // 32 pixels
     shift_ =
         std::clamp(static_cast<int>(std::lround(std::log2(std::max(side, 1.0)))), cell_bits, most);
-    if (items.are_pixels_all() && shift_ == cell_bits + 1)
+    if (items.are_pixels_all() && shift_ <= most_for_pixels)
         shift_ = cell_bits;
     items_ = &items;
     columns_ = ((size.width - 1) >> shift_) + 1;

@@ -57,8 +57,8 @@ class painter_tiles {
 public:
     /// Tiles about twice as wide as the mean box, and of at least eight pixels: fewer would list
     /// each triangle often, larger ones would list together what does not meet. Where they would
-    /// have 16, they have eight, if pixels are all that counts. Then most triangles are known by
-    /// those that they cover.
+    /// have 16 or 32, they have eight, if pixels are all that counts. Then most triangles are known
+    /// by those that they cover, and most pairs need not be compared.
     /// Lives: borrows the items until the next make.
     void make(const painter_items& items, l3d_size size, l3d_workers& workers);
 

@@ -9,7 +9,9 @@
 
 #include "raster/parallel/simd_dispatch_p.h"
 
+#include <algorithm>
 #include <bit>
+#include <limits>
 #include <tuple>
 
 HWY_BEFORE_NAMESPACE();
@@ -18,8 +20,6 @@ namespace HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr std::size_t cells = std::tuple_size_v<tile_fronts>;
 
 using ints = hn::CappedTag<std::int32_t, 16>;
 using int_vec = hn::Vec<ints>;
@@ -46,35 +46,68 @@ HWY_INLINE std::uint64_t bits_of(int_mask mask) {
     return bits[0] | std::uint64_t{bits[1]} << 8;
 }
 
+/// What is painted last in each cell of a tile.
+class front_cells {
+public:
+    HWY_INLINE explicit front_cells(std::span<const painter_entry> members) {
+        for (std::size_t v = 0; v < vectors; ++v) {
+            farthest_[v] = set(0);
+            front_[v] = set(-1);
+        }
+        for (std::size_t i = 0; i < members.size(); ++i) {
+            const int_vec own = set(members[i].farthest);
+            for (std::size_t v = 0; v < vectors; ++v) {
+                // Of equals, the one of the greater number is painted later.
+                const int_mask last =
+                    hn::AndNot(hn::Lt(own, farthest_[v]), lanes_of(members[i].cells >> lanes * v));
+                farthest_[v] = hn::IfThenElse(last, own, farthest_[v]);
+                front_[v] = hn::IfThenElse(last, set(static_cast<std::int32_t>(i)), front_[v]);
+            }
+        }
+    }
+
+    HWY_INLINE void store(tile_fronts& fronts) const {
+        for (std::size_t v = 0; v < vectors; ++v)
+            hn::StoreU(front_[v], ints(), fronts.data() + lanes * v);
+    }
+
+    /// Nothing that is painted last reaches farther. Infinite if nothing is painted.
+    HWY_INLINE float farthest_of_all() const {
+        constexpr float none = std::numeric_limits<float>::infinity();
+        int_vec least = set(none);
+        for (std::size_t v = 0; v < vectors; ++v)
+            least =
+                hn::Min(least, hn::IfThenElse(hn::Lt(front_[v], set(0)), set(none), farthest_[v]));
+        return std::bit_cast<float>(hn::GetLane(hn::MinOfLanes(ints(), least)));
+    }
+
+    /// Where what is painted last does not lie wholly in front of `nearest`.
+    HWY_INLINE std::uint64_t not_before(float nearest) const {
+        std::uint64_t bits = 0;
+        for (std::size_t v = 0; v < vectors; ++v)
+            bits |= bits_of(hn::Lt(farthest_[v], set(nearest))) << lanes * v;
+        return bits;
+    }
+
+private:
+    static constexpr std::size_t vectors = std::tuple_size_v<tile_fronts> / lanes;
+
+    int_vec farthest_[vectors], front_[vectors];
+};
+
 void find_sight(std::span<const painter_entry> members, tile_fronts& fronts, cell_sight* of) {
-    int_vec farthest[cells / lanes], front[cells / lanes];
-    for (std::size_t v = 0; v < cells / lanes; ++v) {
-        farthest[v] = set(0);
-        front[v] = set(-1);
-    }
+    const front_cells cells(members);
+    cells.store(fronts);
+    std::fill_n(of, members.size(), cell_sight{0, 0});
+    for (std::size_t cell = 0; cell < fronts.size(); ++cell)
+        if (fronts[cell] >= 0)
+            of[fronts[cell]].shown |= std::uint64_t{1} << cell;
+    const float farthest = cells.farthest_of_all(); // most members that are hidden lie behind it
     for (std::size_t i = 0; i < members.size(); ++i) {
-        const int_vec own = set(members[i].farthest);
-        for (std::size_t v = 0; v < cells / lanes; ++v) {
-            // Of equals, the one of the greater number is painted later.
-            const int_mask last =
-                hn::AndNot(hn::Lt(own, farthest[v]), lanes_of(members[i].cells >> lanes * v));
-            farthest[v] = hn::IfThenElse(last, own, farthest[v]);
-            front[v] = hn::IfThenElse(last, set(static_cast<std::int32_t>(i)), front[v]);
-        }
+        const std::uint64_t hidden = members[i].cells & ~of[i].shown;
+        if (hidden != 0 && members[i].nearest > farthest)
+            of[i].doubtful = hidden & cells.not_before(members[i].nearest);
     }
-    for (std::size_t i = 0; i < members.size(); ++i) {
-        cell_sight sight{0, 0};
-        for (std::size_t v = 0; v < cells / lanes; ++v) {
-            const int_mask shown = hn::Eq(front[v], set(static_cast<std::int32_t>(i)));
-            const int_mask near = hn::Lt(farthest[v], set(members[i].nearest));
-            sight.shown |= bits_of(shown) << lanes * v;
-            sight.doubtful |= bits_of(near) << lanes * v;
-        }
-        sight.doubtful &= members[i].cells & ~sight.shown;
-        of[i] = sight;
-    }
-    for (std::size_t v = 0; v < cells / lanes; ++v)
-        hn::StoreU(front[v], ints(), fronts.data() + lanes * v);
 }
 
 } // namespace
