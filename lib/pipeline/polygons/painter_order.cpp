@@ -208,7 +208,7 @@ struct l3d_painter_order::work_space {
         }
         pieces.resize(std::max(pieces.size(), piece_count()));
         const std::size_t of_ordered = chunks_of(ordered.size(), chunk_pieces);
-        workers.for_each(static_cast<int>(of_ordered + items.chunks()), [&](int index, int) {
+        workers.for_each_beside(static_cast<int>(of_ordered + items.chunks()), [&](int index, int) {
             const auto chunk = static_cast<std::size_t>(index);
             if (chunk < of_ordered)
                 place_ordered(chunk * chunk_pieces,

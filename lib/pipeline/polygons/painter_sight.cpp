@@ -17,7 +17,7 @@ std::int64_t painter_sight::find(const painter_tiles& tiles, const painter_pairs
     of_workers_.resize(static_cast<std::size_t>(workers.count()));
     for (found& of : of_workers_)
         of.pairs = 0;
-    workers.for_each(tiles.rows(), [&](int row, int worker) {
+    workers.for_each_beside(tiles.rows(), [&](int row, int worker) {
         for (int column = 0; column < tiles.columns(); ++column)
             look(tiles.members(tiles.at(column, row)), pairs,
                  of_workers_[static_cast<std::size_t>(worker)]);

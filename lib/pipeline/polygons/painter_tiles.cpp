@@ -86,7 +86,7 @@ void painter_tiles::make(const painter_items& items, l3d_size size, l3d_workers&
         ends_[t] = sum;
     }
     entries_.resize(sum);
-    workers.for_each(static_cast<int>(shares_.size()), [&](int number, int) {
+    workers.for_each_beside(static_cast<int>(shares_.size()), [&](int number, int) {
         share_entries& of = shares_[static_cast<std::size_t>(number)];
         for (std::size_t i = 0; i < of.entries.size(); ++i)
             entries_[of.ends[of.tiles[i]]++] = of.entries[i];

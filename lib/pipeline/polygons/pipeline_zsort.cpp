@@ -37,7 +37,7 @@ void l3d_pipeline_zsort::make_order(const scene& what, bool with_sides,
     std::vector<l3d_painter_triangle>& triangles = stages_->triangles;
     triangles.resize(ends.empty() ? 0 : ends.back());
     stages_->order.begin(triangles, ends, what.target.size(), {.sides = with_sides});
-    workers().for_each(static_cast<int>(ends.size()), [&](int number, int) {
+    workers().for_each_beside(static_cast<int>(ends.size()), [&](int number, int) {
         const auto part = static_cast<std::size_t>(number);
         const std::size_t begin = part > 0 ? ends[part - 1] : 0;
         what.frame.list_part(part, std::span(triangles).subspan(begin, ends[part] - begin));

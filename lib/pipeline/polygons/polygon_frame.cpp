@@ -100,8 +100,8 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
         neighbours_.make(model);
         turns_.assign(triangles, turn::not_drawn);
     }
-    workers.for_each(static_cast<int>(count),
-                     [&](int i, int) { place_chunk(in, static_cast<std::size_t>(i)); });
+    workers.for_each_beside(static_cast<int>(count),
+                            [&](int i, int) { place_chunk(in, static_cast<std::size_t>(i)); });
     if (how.antialias)
         workers.for_each(static_cast<int>(count),
                          [&](int i, int) { make_border(chunks_[static_cast<std::size_t>(i)]); });

@@ -15,11 +15,12 @@ constexpr std::size_t chunks_of(std::size_t items, std::size_t chunk) {
     return (items + chunk - 1) / chunk;
 }
 
-/// Calls work(begin, end, chunk's number) once for each chunk, on any worker.
-/// Expects: as l3d_workers::for_each; chunk > 0.
+/// Calls work(begin, end, chunk's number) once for each chunk, on any worker. Most chunks meet the
+/// same worker whenever a range of so many items is worked on.
+/// Expects: as l3d_workers::for_each_beside; chunk > 0.
 template <class Work>
 void for_each_chunk(l3d_workers& workers, std::size_t items, std::size_t chunk, const Work& work) {
-    workers.for_each(static_cast<int>(chunks_of(items, chunk)), [&](int number, int) {
+    workers.for_each_beside(static_cast<int>(chunks_of(items, chunk)), [&](int number, int) {
         const std::size_t begin = static_cast<std::size_t>(number) * chunk;
         work(begin, std::min(begin + chunk, items), static_cast<std::size_t>(number));
     });
