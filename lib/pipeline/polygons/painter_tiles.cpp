@@ -2,8 +2,6 @@
 // painter_tiles: found by each worker for its share of the triangles, then put beside each other.
 #include "pipeline/polygons/painter_tiles_p.h"
 
-#include "raster/parallel/chunks_p.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -38,20 +36,45 @@ bool painter_tiles::is_coverable(const painter_item& item) const {
     return right - left <= reach && bottom - top <= reach;
 }
 
-void painter_tiles::find_entries(std::size_t begin, std::size_t end, share_entries& to) const {
+/// The number of tiles that meet its box.
+std::size_t painter_tiles::tiles_of(const painter_item& item) const {
+    const int columns = ((item.right - 1) >> shift_) - (item.left >> shift_) + 1;
+    const int rows = ((item.bottom - 1) >> shift_) - (item.top >> shift_) + 1;
+    return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+}
+
+/// As many shares as workers, of as many items each as chunks allow.
+void painter_tiles::share_out(const painter_items& items, int workers) {
+    shares_.resize(static_cast<std::size_t>(workers));
+    std::size_t chunk = 0, count = 0;
+    for (std::size_t i = 0; i < shares_.size(); ++i) {
+        shares_[i].first_chunk = chunk;
+        for (const std::size_t wanted = items.count() * (i + 1) / shares_.size();
+             chunk < items.chunks() && count < wanted; ++chunk)
+            count += items.of_chunk(chunk).size();
+        shares_[i].end_chunk = chunk;
+    }
+}
+
+void painter_tiles::find_entries(share_entries& to) const {
     const painter_items& items = *items_;
-    to.entries.clear();
-    to.tiles.clear();
     to.ends.assign(begins_.size(), 0);
-    for (std::size_t chunk = begin; chunk < end; ++chunk) {
+    std::size_t count = 0; // in a register
+    for (std::size_t chunk = to.first_chunk; chunk < to.end_chunk; ++chunk) {
         auto number = static_cast<std::uint32_t>(items.first(chunk));
-        for (const painter_item& item : items.of_chunk(chunk))
+        for (const painter_item& item : items.of_chunk(chunk)) {
+            if (const std::size_t most = count + tiles_of(item); most > to.entries.size()) {
+                to.entries.resize(most + most / 2);
+                to.tiles.resize(to.entries.size());
+            }
             for_each(item, number++, [&](std::size_t tile, const painter_entry& entry) {
-                to.entries.push_back(entry);
-                to.tiles.push_back(static_cast<std::uint32_t>(tile));
+                to.entries[count] = entry;
+                to.tiles[count++] = static_cast<std::uint32_t>(tile);
                 ++to.ends[tile];
             });
+        }
     }
+    to.count = count;
 }
 
 void painter_tiles::make(const painter_items& items, l3d_size size, l3d_workers& workers) {
@@ -70,14 +93,14 @@ void painter_tiles::make(const painter_items& items, l3d_size size, l3d_workers&
     ends_.resize(tiles);
     is_sorted_.assign(tiles, false);
 
-    // As many shares as workers. A share's members of a tile follow those of the share before.
-    const std::size_t share = std::max<std::size_t>(
-        1, chunks_of(items.chunks(), static_cast<std::size_t>(workers.count())));
-    shares_.resize(chunks_of(items.chunks(), share));
-    for_each_chunk(workers, items.chunks(), share,
-                   [&](std::size_t begin, std::size_t end, std::size_t number) {
-                       find_entries(begin, end, shares_[number]);
-                   });
+    // A share's members of a tile follow those of the share before.
+    share_out(items, workers.count());
+    const auto for_each_share = [&](const auto& work) {
+        workers.for_each_beside(workers.count(), [&](int number, int) {
+            work(shares_[static_cast<std::size_t>(number)]);
+        });
+    };
+    for_each_share([&](share_entries& of) { find_entries(of); });
     std::uint32_t sum = 0;
     for (std::size_t t = 0; t < tiles; ++t) {
         begins_[t] = sum;
@@ -86,9 +109,8 @@ void painter_tiles::make(const painter_items& items, l3d_size size, l3d_workers&
         ends_[t] = sum;
     }
     entries_.resize(sum);
-    workers.for_each_beside(static_cast<int>(shares_.size()), [&](int number, int) {
-        share_entries& of = shares_[static_cast<std::size_t>(number)];
-        for (std::size_t i = 0; i < of.entries.size(); ++i)
+    for_each_share([&](share_entries& of) {
+        for (std::size_t i = 0; i < of.count; ++i)
             entries_[of.ends[of.tiles[i]]++] = of.entries[i];
     });
     heads_ = begins_;

@@ -118,7 +118,9 @@ private:
     /// to it at each entry, so no two share a line of the caches, nor a pair of lines, which some
     /// processors fetch together.
     struct alignas(128) share_entries {
-        std::vector<painter_entry> entries;
+        std::size_t first_chunk = 0, end_chunk = 0; ///< of the items
+        std::size_t count = 0;                      ///< of entries
+        std::vector<painter_entry> entries;         ///< and some that are not in use
         std::vector<std::uint32_t> tiles;
         std::vector<std::uint32_t> ends; ///< of the share in each tile
     };
@@ -170,7 +172,9 @@ private:
 
     painter_entry box_entry(const painter_item& item, std::uint32_t number, int column,
                             int row) const;
-    void find_entries(std::size_t begin, std::size_t end, share_entries& to) const;
+    std::size_t tiles_of(const painter_item& item) const;
+    void share_out(const painter_items& items, int workers);
+    void find_entries(share_entries& to) const;
     void sort(std::size_t tile);
 
     const painter_items* items_ = nullptr;

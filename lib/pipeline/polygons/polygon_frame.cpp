@@ -73,27 +73,31 @@ l3d_dice_view window_of(const l3d_polygon_view& view) {
 void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_view& view,
                              const way& how, l3d_workers& workers,
                              std::span<const std::size_t> ends) {
-    const frame_input& in = input_.emplace(frame_input{model, view, window_of(view), how, ends});
+    const std::size_t triangles = model.triangles().size();
+    constexpr std::size_t in_block = l3d_facing_block::triangles; // chunks are of whole blocks
+    const std::size_t in_chunk =
+        std::clamp(triangles / chunks_wanted / in_block * in_block, least_chunk, most_chunk);
+    const frame_input& in =
+        input_.emplace(frame_input{model, view, window_of(view), how, ends, in_chunk});
     const double middle = placed(view.matrix(), model.centre())[2];
     const double radius = std::max(model.radius(), 1e-300) * (1 + 1e-9);
     depth_step_ = -0.5 / radius;
     depth_base_ = 1.5 - depth_step_ * middle;
 
     const std::size_t vertices = model.mesh().vertices.size();
-    const std::size_t triangles = model.triangles().size();
     const bool of_vertices = has_vertex_normals(in);
     const vertex_placing placing{view, in.window, depth_base_, depth_step_};
     vertices_.places.resize(vertices);
     if (of_vertices)
         vertices_.normals.resize(vertices);
-    for_each_chunk(workers, vertices, chunk_triangles,
+    for_each_chunk(workers, vertices, in_chunk,
                    [&](std::size_t begin, std::size_t end, std::size_t) {
                        place_vertices(placing, model.mesh().vertices,
                                       of_vertices ? model.vertex_normals()
                                                   : std::span<const l3d_polygon_model::direction>(),
                                       begin, end, vertices_);
                    });
-    const std::size_t count = ends.empty() ? chunks_of(triangles, chunk_triangles) : ends.size();
+    const std::size_t count = ends.empty() ? chunks_of(triangles, in_chunk) : ends.size();
     if (chunks_.size() < count)
         chunks_.resize(count);
     if (how.antialias) {
@@ -124,8 +128,8 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
     to.pieces.clear();
     to.counts = {};
     const auto all = in.model.triangles();
-    std::size_t begin = index * chunk_triangles;
-    std::size_t end = std::min(begin + chunk_triangles, all.size());
+    std::size_t begin = index * in.in_chunk;
+    std::size_t end = std::min(begin + in.in_chunk, all.size());
     if (!in.ends.empty()) {
         begin = index > 0 ? in.ends[index - 1] : 0;
         end = in.ends[index];
