@@ -38,7 +38,9 @@ public:
     /// What is ordered, and how.
     struct way {
         bool resolve = true; ///< else the painter's algorithm of old: sorted, and nothing compared
-        bool sides = true;   ///< their sides are drawn; else what covers no pixel is left out
+        /// Their sides are drawn. Else what covers no pixel is left out, and may be what is behind
+        /// others in all of its pixels.
+        bool sides = true;
     };
 
     /// Orders triangles of a picture of a size. Those that cover no area are left out.
