@@ -115,8 +115,8 @@ private:
     static constexpr std::uint64_t first_column = 0x0101010101010101; ///< the first of each row
 
     /// Entries of each share of the triangles, as they were found, and their tiles. A worker writes
-    /// to it at each entry, so no two share a line of the caches, nor a pair of lines, which some
-    /// processors fetch together.
+    /// to it at each entry. So no two share a line of the caches, nor a pair of lines: some
+    /// processors fetch two together.
     struct alignas(128) share_entries {
         std::size_t first_chunk = 0, end_chunk = 0; ///< of the items
         std::size_t count = 0;                      ///< of entries
