@@ -71,6 +71,14 @@ public:
             hn::StoreU(front_[v], ints(), fronts.data() + lanes * v);
     }
 
+    /// The cells of a member.
+    HWY_INLINE std::uint64_t of(std::size_t member) const {
+        std::uint64_t bits = 0;
+        for (std::size_t v = 0; v < vectors; ++v)
+            bits |= bits_of(hn::Eq(front_[v], set(static_cast<std::int32_t>(member)))) << lanes * v;
+        return bits;
+    }
+
     /// Nothing that is painted last reaches farther. Infinite if nothing is painted.
     HWY_INLINE float farthest_of_all() const {
         constexpr float none = std::numeric_limits<float>::infinity();
@@ -98,10 +106,17 @@ private:
 void find_sight(std::span<const painter_entry> members, tile_fronts& fronts, cell_sight* of) {
     const front_cells cells(members);
     cells.store(fronts);
-    std::fill_n(of, members.size(), cell_sight{0, 0});
-    for (std::size_t cell = 0; cell < fronts.size(); ++cell)
-        if (fronts[cell] >= 0)
-            of[fronts[cell]].shown |= std::uint64_t{1} << cell;
+    // To look for one member takes as long as to look at some cells.
+    constexpr std::size_t few = std::tuple_size_v<tile_fronts> / 4;
+    if (members.size() <= few) {
+        for (std::size_t i = 0; i < members.size(); ++i)
+            of[i] = {cells.of(i), 0};
+    } else {
+        std::fill_n(of, members.size(), cell_sight{0, 0});
+        for (std::size_t cell = 0; cell < fronts.size(); ++cell)
+            if (fronts[cell] >= 0)
+                of[fronts[cell]].shown |= std::uint64_t{1} << cell;
+    }
     const float farthest = cells.farthest_of_all(); // most members that are hidden lie behind it
     for (std::size_t i = 0; i < members.size(); ++i) {
         const std::uint64_t hidden = members[i].cells & ~of[i].shown;
