@@ -196,7 +196,7 @@ void dashes_row(double width) {
 /// times.
 void plot_row(bool is_walk) {
     constexpr int count = 10000;
-    constexpr double width = 3;
+    const l3d_stroke pen{.width = 3};
     std::mt19937 random(6);
     std::vector<l3d_point_2d> values;
     double y = size.height / 2.0;
@@ -214,10 +214,11 @@ void plot_row(bool is_walk) {
             p.path.move_to(values[0]);
             for (const l3d_point_2d& v : values)
                 p.path.line_to(v);
-            p.draw.draw_path(l3d_stroked(p.path, {.width = width}), {.color = color});
+            p.draw.draw_path(l3d_stroked(p.path, pen), {.color = color});
         },
         [&](peers& p) {
-            cairo_set_line_width(p.cairo, width);
+            cairo_set_line_width(p.cairo, pen.width);
+            cairo_set_miter_limit(p.cairo, pen.miter_limit);
             for (const l3d_point_2d& v : values)
                 cairo_line_to(p.cairo, v.x + 0.5, v.y + 0.5);
             cairo_stroke(p.cairo);
@@ -228,7 +229,8 @@ void plot_row(bool is_walk) {
             for (const l3d_point_2d& v : values)
                 p.agg_path.line_to(v.x + 0.5, v.y + 0.5);
             agg::conv_stroke<agg::path_storage> stroke(p.agg_path);
-            stroke.width(width);
+            stroke.width(pen.width);
+            stroke.miter_limit(pen.miter_limit);
             p.agg_fill(stroke);
         });
 }
