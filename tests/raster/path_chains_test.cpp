@@ -131,7 +131,7 @@ TEST(path_chains, know_outlines_that_share_no_pixel_with_the_box_of_another) {
     EXPECT_EQ(apart_of({square(3, 3), square(5.6, 3), square(30, 3)}), 1u);
     EXPECT_EQ(apart_of({square(3, 3), square(3, 5.6), square(30, 3)}), 1u);
     EXPECT_EQ(apart_of({square(3, 3), square(3, 3), square(3, 60)}), 1u);
-    EXPECT_EQ(apart_of({square(3, 3), square(-20, 3)}), 2u); // at the left side it has no area
+    EXPECT_EQ(apart_of({square(3, 3), square(-20, 3)}), 1u); // the other one is left out
     // Very many beside each other are not looked at.
     std::vector<corners> many;
     for (int i = 0; i < 200; ++i)
@@ -147,6 +147,10 @@ TEST(path_chains, are_none_where_nothing_is_seen) {
     EXPECT_EQ(chains_of({{1, 1}, {9, 1}, {1, 1}, {9, 1}}), 0u);
     EXPECT_EQ(chains_of({{1, -3}, {9, -1}, {5, -2}}), 0u);
     EXPECT_EQ(chains_of({{1, 11}, {9, 12}, {5, 13}}), 0u);
+    EXPECT_EQ(chains_of({{-9, 1}, {0, 5}, {-4, 9}}), 0u);
+    EXPECT_EQ(chains_of({{15, 1}, {99, 5}, {20, 9}}), 0u);
+    EXPECT_EQ(chains_of({{-9, 1}, {0.1, 5}, {-4, 9}}), 2u);
+    EXPECT_EQ(chains_of({{14.9, 1}, {99, 5}, {20, 9}}), 2u);
 }
 
 } // namespace

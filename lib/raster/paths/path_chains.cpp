@@ -120,10 +120,13 @@ void path_chains::cut_at_sides() {
 
 /// Chains begin at an edge that is not level, where the last one that was not led the other way.
 /// The outline's first corners are there again behind its last one, up to the first turn: so each
-/// chain's corners are beside each other.
+/// chain's corners are beside each other. A dashed line may have a million outlines beside the
+/// picture.
 void path_chains::end(std::uint8_t layer) {
     const l3d_point_2d closing = corners_[outline_];
     corners_.push(closing);
+    if (reached_.most <= 0 || reached_.least >= width_)
+        return corners_.keep(outline_); // closed beside the picture, it winds about no place in it
     if (reached_.least < 0 || reached_.most > width_)
         cut_at_sides();
     const std::size_t last = corners_.size() - 1, before = chains_.size();
