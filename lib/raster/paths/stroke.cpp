@@ -23,7 +23,7 @@ bool is_set(l3d_point_2d direction) {
 
 /// The same direction with length 1. (0, 0) has none.
 l3d_point_2d unit(l3d_point_2d v) {
-    const double length = std::sqrt(v.x * v.x + v.y * v.y); // of numbers below 2^64
+    const double length = std::sqrt(v.x * v.x + v.y * v.y); // of numbers below 2^500
     return length > 0 ? l3d_point_2d{v.x / length, v.y / length} : l3d_point_2d{};
 }
 
