@@ -169,6 +169,7 @@ std::vector<plain_triangle> listed_of(const l3d_polygon_frame& frame, l3d_worker
     std::vector<l3d_painter_triangle> list;
     frame.list(list, workers);
     std::vector<plain_triangle> all;
+    all.reserve(list.size());
     for (const l3d_painter_triangle& triangle : list)
         all.push_back({triangle.v});
     return all;

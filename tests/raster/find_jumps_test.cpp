@@ -27,9 +27,10 @@ struct picture {
 
     /// A channel's level; beyond its ends, the picture goes on with its last pixels.
     int level(std::int32_t x, std::int32_t y, int shift) const {
-        x = std::clamp(x, 0, size.width - 1);
-        y = std::clamp(y, 0, size.height - 1);
-        return static_cast<int>(words[static_cast<std::size_t>(y * size.width + x)] >> shift & 255);
+        const auto column = static_cast<std::size_t>(std::clamp(x, 0, size.width - 1));
+        const auto row = static_cast<std::size_t>(std::clamp(y, 0, size.height - 1));
+        const auto width = static_cast<std::size_t>(size.width);
+        return static_cast<int>(words[row * width + column] >> shift & 255);
     }
 
     /// Whether there is a jump from a pixel to the next one in a direction, as the rule says it.

@@ -101,9 +101,9 @@ TEST(path, moves_what_is_beyond_its_reach_and_tells_what_is_no_number) {
     for (std::size_t place = 0; place < 14; ++place)
         for (const double value : {0.0, -0.0, 1e-320, most, beyond, infinity, std::nan("")})
             for (const double sign : {1.0, -1.0}) {
-                std::vector<l3d_point_2d> corners;
-                for (int i = 0; i < 7; ++i)
-                    corners.push_back({i + 0.5, i - 0.5});
+                std::vector<l3d_point_2d> corners(7);
+                for (std::size_t i = 0; i < corners.size(); ++i)
+                    corners[i] = {double(i) + 0.5, double(i) - 0.5};
                 auto& [x, y] = corners[place / 2];
                 double& coordinate = place % 2 == 0 ? x : y;
                 coordinate = std::copysign(value, sign);
