@@ -56,10 +56,13 @@ struct triangle_choice {
 /// Some triangles that may be seen, in the model's order.
 struct chosen_triangles {
     static constexpr std::size_t room = 256; ///< 2 KB: beside what they name in the nearest cache
-    static constexpr std::uint32_t from_behind = std::uint32_t{1} << 31; ///< a float's sign bit
+    /// The sign bit of a float.
+    static constexpr std::uint32_t from_behind = std::uint32_t{1} << 31;
 
     std::array<std::uint32_t, room> triangle;
-    std::array<std::uint32_t, room> sign; ///< from_behind if it is seen so, else 0
+    /// What normals are turned round by: from_behind, or 0 for triangles that are seen from the
+    /// front.
+    std::array<std::uint32_t, room> sign;
     std::size_t count = 0;
     bool clipped = false; ///< the last one has a corner that cannot be drawn
 };

@@ -95,11 +95,16 @@ public:
     /// The smallest box of those pixels of a box whose bits are set; empty if there are none.
     l3d_pixel_box bounds(const l3d_pixel_box& box) const {
         l3d_pixel_box result;
+        const std::int32_t first = box.left / word_pixels;
         for (std::int32_t y = box.top; y < box.bottom; ++y)
-            for (std::int32_t w = box.left / word_pixels; w * word_pixels < box.right; ++w)
-                if (const std::uint64_t bits = row(y)[w] & within(w, box.left, box.right))
-                    result = result.united({w * word_pixels + std::countr_zero(bits), y,
-                                            (w + 1) * word_pixels - std::countl_zero(bits), y + 1});
+            for (std::int32_t w = first; w * word_pixels < box.right; ++w) {
+                const std::uint64_t bits = row(y)[w] & within(w, box.left, box.right);
+                if (bits == 0)
+                    continue;
+                const std::int32_t left = w * word_pixels + std::countr_zero(bits);
+                const std::int32_t right = (w + 1) * word_pixels - std::countl_zero(bits);
+                result = result.united({left, y, right, y + 1});
+            }
         return result;
     }
 
