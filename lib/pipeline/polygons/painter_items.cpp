@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/parallel/lane_integers-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 
 #include <algorithm>
@@ -38,17 +39,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using ints = hn::CappedTag<std::int32_t, 16>;
-using int_vec = hn::Vec<ints>;
-using int_mask = hn::Mask<ints>;
-constexpr std::size_t lanes = hn::MaxLanes(ints());
 constexpr std::int32_t side = painter_item::small_side;
 
-HWY_INLINE int_vec set(std::int32_t value) {
-    return hn::Set(ints(), value);
-}
 HWY_INLINE int_vec least_of(const int_vec (&v)[3]) {
     return hn::Min(hn::Min(v[0], v[1]), v[2]);
 }

@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/parallel/lane_integers-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 
 #include <algorithm>
@@ -16,12 +17,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using ints = hn::CappedTag<std::int32_t, 16>;
-using int_vec = hn::Vec<ints>;
 constexpr std::int32_t side = l3d_painter_piece::small_side;
-constexpr auto lanes = static_cast<std::int32_t>(hn::MaxLanes(ints()));
+constexpr auto at_once = static_cast<std::int32_t>(lanes);
 
 /// Not negative where a centre is inside of an edge.
 ///
@@ -32,42 +29,34 @@ struct edge_function {
     std::int32_t per_column, per_row;
     int_vec pattern; ///< what the pixels of a vector have more than their first
 
-    HWY_INLINE void set(const l3d_micro_vertex& a, const l3d_micro_vertex& b, std::int32_t x,
-                        std::int32_t y) {
+    HWY_INLINE void go_from(const l3d_micro_vertex& a, const l3d_micro_vertex& b, std::int32_t x,
+                            std::int32_t y) {
         const std::int32_t dx = b.x - a.x, dy = b.y - a.y;
         const bool is_left_or_top = dy < 0 || (dy == 0 && dx > 0);
         first = dx * (y - a.y) - dy * (x - a.x) - (is_left_or_top ? 0 : 1);
         per_column = -l3d_subpixel_one * dy;
         per_row = l3d_subpixel_one * dx;
         const int_vec place = hn::Iota(ints(), 0);
-        pattern =
-            hn::Add(hn::Mul(hn::And(place, hn::Set(ints(), side - 1)), hn::Set(ints(), per_column)),
-                    hn::Mul(hn::ShiftRight<3>(place), hn::Set(ints(), per_row)));
+        pattern = hn::Add(hn::Mul(hn::And(place, set(side - 1)), set(per_column)),
+                          hn::Mul(hn::ShiftRight<3>(place), set(per_row)));
     }
     HWY_INLINE int_vec at(std::int32_t column, std::int32_t row) const {
-        return hn::Add(pattern, hn::Set(ints(), first + column * per_column + row * per_row));
+        return hn::Add(pattern, set(first + column * per_column + row * per_row));
     }
 };
 
-/// The bits of up to sixteen lanes. Byte by byte, since a wider load would wait for the stores.
-HWY_INLINE std::uint64_t bits_of(hn::Mask<ints> mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(ints(), mask, bytes);
-    return lanes > 8 ? bytes[0] | std::uint64_t{bytes[1]} << 8 : bytes[0];
-}
-
 HWY_INLINE std::uint64_t cover_of(const edge_function (&edges)[3], std::int32_t left,
                                   std::int32_t top) {
-    constexpr std::int32_t width = std::min(lanes, side), height = std::max(lanes / side, 1);
+    constexpr std::int32_t width = std::min(at_once, side), height = std::max(at_once / side, 1);
     std::uint64_t cover = 0;
     for (std::int32_t column = 0; column < side; column += width) {
         int_vec at[3], down[3];
         for (std::size_t i = 0; i < 3; ++i) {
             at[i] = edges[i].at(left + column, top);
-            down[i] = hn::Set(ints(), height * edges[i].per_row);
+            down[i] = set(height * edges[i].per_row);
         }
         for (std::int32_t row = 0; row < side; row += height) {
-            const auto inside = hn::Gt(hn::Or(hn::Or(at[0], at[1]), at[2]), hn::Set(ints(), -1));
+            const auto inside = hn::Gt(hn::Or(hn::Or(at[0], at[1]), at[2]), set(-1));
             cover |= bits_of(inside) << (side * row + column);
             for (std::size_t i = 0; i < 3; ++i)
                 at[i] = hn::Add(at[i], down[i]);
@@ -87,9 +76,9 @@ void cover_tiles_of(const std::array<l3d_micro_vertex, 3>& v, const cover_tiles&
     for (std::size_t i = 0; i < 3; ++i) {
         const l3d_micro_vertex &a = v[i], &b = v[(i + 1) % 3];
         if (area > 0)
-            edges[i].set(a, b, x, y);
+            edges[i].go_from(a, b, x, y);
         else
-            edges[i].set(b, a, x, y);
+            edges[i].go_from(b, a, x, y);
     }
     for (std::int32_t row = 0; row < tiles.rows; ++row)
         for (std::int32_t column = 0; column < tiles.columns; ++column)

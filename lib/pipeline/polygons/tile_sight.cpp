@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/parallel/lane_integers-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 
 #include <algorithm>
@@ -19,16 +20,6 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using ints = hn::CappedTag<std::int32_t, 16>;
-using int_vec = hn::Vec<ints>;
-using int_mask = hn::Mask<ints>;
-constexpr std::size_t lanes = hn::MaxLanes(ints());
-
-HWY_INLINE int_vec set(std::int32_t value) {
-    return hn::Set(ints(), value);
-}
 /// Floats that are not negative are ordered like their bits.
 HWY_INLINE int_vec set(float value) {
     return set(std::bit_cast<std::int32_t>(value));
@@ -38,12 +29,6 @@ HWY_INLINE int_vec set(float value) {
 HWY_INLINE int_mask lanes_of(std::uint64_t wanted) {
     return hn::TestBit(set(static_cast<std::int32_t>(wanted)),
                        hn::Shl(set(1), hn::Iota(ints(), 0)));
-}
-
-HWY_INLINE std::uint64_t bits_of(int_mask mask) {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(ints(), mask, bits);
-    return bits[0] | std::uint64_t{bits[1]} << 8;
 }
 
 /// What is painted last in each cell of a tile.

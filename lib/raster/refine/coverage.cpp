@@ -7,32 +7,23 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/parallel/lane_integers-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
-#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using ints = hn::CappedTag<std::int32_t, 16>;
-using floats = hn::RebindToFloat<ints>;
-constexpr std::size_t lanes = hn::MaxLanes(ints());
 using pattern = sample_pattern;
 
 /// The lanes of a mask as bits from `row` on, added to those of a column.
-HWY_INLINE void add_bits(hn::Mask<ints> inside, std::size_t row, std::size_t column, coverage& to) {
-    std::uint8_t mask[8] = {};
-    hn::StoreMaskBits(ints(), inside, mask);
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, mask, sizeof bits);
-    to.word[column / 2] |= std::uint64_t{bits} << (pattern::rows * (column % 2) + row);
+HWY_INLINE void add_bits(int_mask inside, std::size_t row, std::size_t column, coverage& to) {
+    to.word[column / 2] |= bits_of(inside) << (pattern::rows * (column % 2) + row);
 }
 
 template <std::size_t Lines> HWY_INLINE coverage covered_by_lines(const pixel_line* lines) {

@@ -81,9 +81,7 @@ public:
         const float_vec there =
             hn::GatherIndex(floats(), band_.depths, hn::IfThenElseZero(asked_, middle));
         const int_mask asked = hn::AndNot(mask_of(hn::Lt(there, nearest_)), asked_);
-        std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(ints(), asked, bits);
-        unsigned left = bits[0] | static_cast<unsigned>(bits[1]) << 8;
+        std::uint64_t left = bits_of(asked);
         if (left == 0)
             return;
         lane_array<std::int32_t> first, columns, rows;

@@ -29,10 +29,6 @@ HWY_INLINE float_vec set(float value) {
     return hn::Set(floats(), value);
 }
 
-HWY_INLINE int_vec set(std::int32_t value) {
-    return hn::Set(ints(), value);
-}
-
 HWY_INLINE int_mask mask_of(hn::Mask<floats> mask) {
     return hn::RebindMask(ints(), mask);
 }

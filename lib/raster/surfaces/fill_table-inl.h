@@ -7,9 +7,8 @@
 #define L3D_RASTER_SURFACES_FILL_TABLE_INL_H
 #endif
 
+#include "raster/parallel/lane_integers-inl.h"
 #include "raster/surfaces/fill_kernel_p.h"
-
-#include <hwy/highway.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -18,8 +17,6 @@ HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
 
 /// Pixels of a row filled together. Fixed, because a pixel's bits depend on where its run begins.
 constexpr std::int32_t run = 16;
@@ -32,14 +29,7 @@ alignas(64) constexpr std::int32_t run_columns[run] = {0, 1, 2,  3,  4,  5,  6, 
 /// Larger polygons are not for the lanes, so they have at most so many rows and columns + 1.
 constexpr std::int32_t most_pixels = 64;
 
-using ints = hn::CappedTag<std::int32_t, 16>;
-using floats = hn::RebindToFloat<ints>;
-using int_vec = hn::Vec<ints>;
-using float_vec = hn::Vec<floats>;
-using int_mask = hn::Mask<ints>;
-
-/// Polygons set up together, one in each lane of a vector.
-constexpr std::size_t lanes = hn::MaxLanes(ints());
+/// Polygons are set up together, one in each lane of a vector.
 static_assert(lanes <= fill_queue::widest_vector);
 
 /// How a pixel's grey comes from `lit`, which is a plane over the polygon.
