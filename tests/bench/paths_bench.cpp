@@ -238,7 +238,7 @@ void plot_row(bool is_walk) {
 /// A mesh of across x across patches, its net shaken.
 void mesh_row(int across) {
     std::mt19937 random(5);
-    const auto side = std::size_t(3 * across + 1);
+    const auto side = 3 * std::size_t(across) + 1;
     std::vector<l3d_point_2d> net(side * side);
     for (std::size_t r = 0; r < side; ++r)
         for (std::size_t k = 0; k < side; ++k) {

@@ -136,14 +136,13 @@ TEST(small_pieces, tiles_know_the_pixels_that_a_triangle_covers) {
                 const int left = (triangle.v[0].x >> 8) / side * side - 4 * side;
                 const int top = (triangle.v[0].y >> 8) / side * side - 3 * side;
                 const cover_tiles tiles{left, top, 7, 6};
-                std::array<std::uint64_t, 7 * 6> covers;
+                std::array<std::uint64_t, std::size_t{7} * 6> covers;
                 tile_cover(triangle.v, tiles, covers.data());
                 for (int row = 0; row < side * tiles.rows; ++row)
                     for (int column = 0; column < side * tiles.columns; ++column) {
-                        const auto tile =
-                            static_cast<std::size_t>(row / side * tiles.columns + column / side);
+                        const int tile = row / side * tiles.columns + column / side;
                         const int bit = side * (row % side) + column % side;
-                        const bool is_covered = (covers[tile] >> bit & 1) != 0;
+                        const bool is_covered = (covers[std::size_t(tile)] >> bit & 1) != 0;
                         ASSERT_EQ(is_covered, covers_pixel(triangle.v, left + column, top + row))
                             << target << ": " << column << ", " << row;
                         ++(is_covered ? count : without);

@@ -133,12 +133,14 @@ TEST(path_chains, know_outlines_that_share_no_pixel_with_the_box_of_another) {
     EXPECT_EQ(apart_of({square(3, 3), square(3, 3), square(3, 60)}), 1u);
     EXPECT_EQ(apart_of({square(3, 3), square(-20, 3)}), 1u); // the other one is left out
     // Very many beside each other are not looked at.
-    std::vector<corners> many;
-    for (int i = 0; i < 200; ++i)
-        many.push_back(square(4 * i, 3));
-    EXPECT_EQ(apart_of(many), 0u);
+    std::vector<corners> many(200);
     for (std::size_t i = 0; i < many.size(); ++i)
-        many[i] = square(4.0 * double(i % 20), 4.0 * double(i / 20));
+        many[i] = square(4.0 * double(i), 3);
+    EXPECT_EQ(apart_of(many), 0u);
+    for (std::size_t i = 0; i < many.size(); ++i) {
+        const std::size_t column = i % 20, row = i / 20;
+        many[i] = square(4.0 * double(column), 4.0 * double(row));
+    }
     EXPECT_EQ(apart_of(many), 200u);
 }
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -22,7 +23,7 @@ using namespace l3d_detail;
 struct late_need {
     order_node item, before;
 
-    friend auto operator<=>(const late_need&, const late_need&) = default;
+    std::pair<order_node, order_node> both() const { return {item, before}; }
 };
 
 /// What a row of tiles found.
@@ -130,7 +131,8 @@ struct l3d_painter_order::work_space {
         });
         for (const row_of_needs& row : rows)
             late.insert(late.end(), row.found.begin(), row.found.end());
-        std::ranges::sort(late); // a pair may be there more than once, from two tiles
+        // A need may be there more than once, from two tiles.
+        std::ranges::sort(late, {}, &late_need::both);
     }
 
     void find_late(int row, sorted_members& sorted) {
