@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Smooth edges of what is thinner than a pixel.
+// Smooth edges of what is thinner than a pixel, and of light that changes within one.
 #include "beside_larger.h"
 
 #include "pipeline/pipeline_afd.h"
@@ -10,31 +10,53 @@
 
 namespace {
 
-/// Pixels that are far off in a picture that a teapot fills.
-int far_off(const l3d_fog& fog) {
-    const auto greys = [&](l3d_size size, bool smooth) {
+/// Draws a teapot that fills the picture.
+struct teapot_view {
+    l3d_camera camera;
+    l3d_fog fog = {};
+
+    std::vector<int> greys(l3d_size size, bool smooth) const {
         l3d_afd_settings settings;
         settings.threads = 1;
         settings.antialias = smooth;
         settings.fog = fog;
-        l3d_pipeline_afd pipeline(l3d_memory_canvas(size), l3d_patch_model::teapot(),
-                                  {.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0}}, settings);
+        l3d_pipeline_afd pipeline(l3d_memory_canvas(size), l3d_patch_model::teapot(), camera,
+                                  settings);
         pipeline.frame_all();
         pipeline.draw_event();
         return pipeline_tests::greys_drawn(pipeline);
-    };
-    return pipeline_tests::pixels_far_off(greys, {320, 240}, 30);
-}
+    }
+
+    int far_off(l3d_size size, int levels) const {
+        return pipeline_tests::pixels_far_off(
+            [&](l3d_size of, bool smooth) { return greys(of, smooth); }, size, levels);
+    }
+};
+
+constexpr l3d_camera from_aside{.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0}};
 
 /// Below the body a bright rim, half a pixel wide, lies between a dark side and the background.
 TEST(thin_rim, is_no_row_of_beads) {
-    // What was measured: 17, and 51 where the dark side's levels are taken for the rim's.
-    EXPECT_LE(far_off({}), 25);
+    // What was measured: 7. Those beside the rim show dark light alone if they keep the level of
+    // their middle; 51 where the dark side's levels are taken for the rim's.
+    EXPECT_LE((teapot_view{from_aside}.far_off({320, 240}, 30)), 10);
 }
 
 TEST(thin_rim, is_no_row_of_beads_in_fog) {
     // What was measured: 5, and 26 where the dark side's levels are taken for the rim's.
-    EXPECT_LE(far_off({.near = 5, .far = 12, .color = 0x202020}), 10);
+    EXPECT_LE((teapot_view{from_aside, {.near = 5, .far = 12, .color = 0x202020}}.far_off(
+                  {320, 240}, 30)),
+              10);
+}
+
+/// Light rises or falls by a hundred levels within the pixels beside an outline. Its mean is not
+/// that of a place in the middle.
+TEST(steep_light, is_the_mean_of_each_pixel) {
+    const l3d_camera from_above{.eye = {1.5, 7.5, 3}, .target = {0.2, 1.2, 0}};
+    const int aside = teapot_view{from_aside}.far_off({400, 300}, 12);
+    const int above = teapot_view{from_above}.far_off({400, 300}, 12);
+    EXPECT_LE(aside, 76);
+    EXPECT_LE(above, 148);
 }
 
 } // namespace

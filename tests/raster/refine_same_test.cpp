@@ -80,6 +80,18 @@ TEST(RefineSame, WhateverTheThreadsAndBands) {
         }
 }
 
+/// Its bright outlines, on either side of where bands end, reach into the dark pixels beside them.
+TEST(RefineSame, WhereverBandsEndBesideSteepLight) {
+    for (int n = 0; n < 20; ++n) {
+        const surface_parts scene{tube(0.02 * n, 1.5 + 0.05 * n, 1.5)};
+        surface_picture one(64, 48, 1, {48});
+        draw(one, scene, l3d_shade::levels, 1);
+        surface_picture other(64, 48, 1, {8});
+        draw(other, scene, l3d_shade::levels, 1);
+        EXPECT_EQ(one.words, other.words) << n;
+    }
+}
+
 TEST(RefineSame, WhateverTheInstructions) {
     for (const l3d_shade mode : modes)
         for (unsigned n = 0; n < 4; ++n) {

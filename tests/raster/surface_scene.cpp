@@ -80,6 +80,29 @@ surface_parts random_scene(unsigned seed, l3d_size size, int sheets) {
     return all;
 }
 
+l3d_surface_part tube(double direction, double radius, double light) {
+    constexpr int columns = 51, rows = 12;
+    constexpr double half_turn = 3.14159265358979, length = 90, level = 229.5;
+    const double along_x = std::cos(direction), along_y = std::sin(direction);
+    l3d_micro_grid grid;
+    grid.resize(columns, rows + 1);
+    for (int row = 0; row <= rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            // Round by more than a half, so that the borders lie behind.
+            const double angle = 0.6 * half_turn * (2.0 * column / (columns - 1) - 1);
+            const double aside = radius * std::sin(angle), along = length * (row - rows / 2) / rows;
+            const auto place = [](double pixels) {
+                return static_cast<std::int32_t>(std::lround(256 * pixels));
+            };
+            surface_picture::set(grid, row, column,
+                                 {place(32 + along * along_x - aside * along_y),
+                                  place(24 + along * along_y + aside * along_x),
+                                  static_cast<float>(1 / (100 - radius * std::cos(angle))),
+                                  {static_cast<float>(level * std::cos(angle - light)), 0, 0}});
+        }
+    return part_of(grid);
+}
+
 l3d_shading scene_shading(l3d_shade mode) {
     return {mode, scene_light, {-0.4f, 0.3f, -1}, {0.004f, 0, 0}, {0, -0.004f, 0}};
 }

@@ -19,6 +19,10 @@ std::vector<const l3d_surface_part*> pointers(const surface_parts& all);
 /// Sheets over, through and beside each other, with triangles strewn in.
 surface_parts random_scene(unsigned seed, l3d_size size, int sheets);
 
+/// A tube round a line through (32, 24), seen from its side. Both of its outlines are folds. Its
+/// levels are those of a light that comes from beside the eye. Units: pixels, radians.
+l3d_surface_part tube(double direction, double radius, double light);
+
 /// Lit by scene_light; each pixel looks along a ray of its own.
 l3d_shading scene_shading(l3d_shade mode);
 

@@ -25,12 +25,6 @@ HWY_INLINE int_vec set(float value) {
     return set(std::bit_cast<std::int32_t>(value));
 }
 
-/// Which of a vector's cells are wanted: lane i stands for bit i.
-HWY_INLINE int_mask lanes_of(std::uint64_t wanted) {
-    return hn::TestBit(set(static_cast<std::int32_t>(wanted)),
-                       hn::Shl(set(1), hn::Iota(ints(), 0)));
-}
-
 /// What is painted last in each cell of a tile.
 class front_cells {
 public:

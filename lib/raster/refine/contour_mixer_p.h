@@ -53,12 +53,17 @@ public:
     /// Expects: a simple pixel.
     bool mix(const contour_pixel& pixel, std::uint32_t& word) const;
 
-private:
+    /// From one pixel to another.
     struct step {
         std::int32_t x, y;
 
         step operator-() const { return {-x, -y}; }
     };
+    /// Whether light that is steep at a fold reaches into the next pixel of the surface: then the
+    /// level in the middle of that is not the mean.
+    bool shades_next(const contour_pixel& pixel, step& to) const;
+
+private:
     /// A side's level in the middle of its share: the drawn ones of two pixels, `way` of the
     /// difference beyond the first; or a level of all channels.
     struct side {

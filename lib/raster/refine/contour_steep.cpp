@@ -12,6 +12,9 @@ namespace l3d_detail {
 
 namespace {
 
+/// The mean of levels that differ by no more has the mean of their light.
+constexpr float calm = 8;
+
 /// What the area beside a straight contour may differ by from the share.
 constexpr float straight = 1.0f / 16;
 
@@ -22,15 +25,19 @@ constexpr float least_way = 0.1f;
 /// along an axis, of its root and of its square. And that part's area.
 struct share_means {
     float root = 0, way = 0, square = 0, area = 0;
+    std::array<float, 2> nearest{}, farthest{}; ///< ways in two columns, or rows
 
     /// The way to the centre, negative on the other side; its change from one end of the pixel to
     /// the other.
     share_means(float to_centre, float slope) {
         // Two places that give the mean of a cubic.
         constexpr float place = 0.28867513f;
-        for (const float aside : {-place, place}) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            const float aside = i == 0 ? -place : place;
             const float far = std::max(to_centre + 0.5f + aside * slope, 0.0f);
             const float near = std::max(to_centre - 0.5f + aside * slope, 0.0f);
+            farthest[i] = far;
+            nearest[i] = near;
             area += 0.5f * (far - near);
             root += 1.0f / 3 * (far * std::sqrt(far) - near * std::sqrt(near));
             way += 0.25f * (far * far - near * near);
@@ -41,6 +48,20 @@ struct share_means {
             way /= area;
             square /= area;
         }
+    }
+
+    /// The mean of a function of the way: at three places of each column (Gauss).
+    template <class Function> float mean(const Function& of) const {
+        constexpr float aside = 0.7745967f, middle = 4.0f / 9, other = 5.0f / 18;
+        float sum = 0;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const float centre = 0.5f * (farthest[i] + nearest[i]);
+            const float half = 0.5f * (farthest[i] - nearest[i]);
+            if (half > 0)
+                sum += half * (middle * of(centre) +
+                               other * (of(centre - aside * half) + of(centre + aside * half)));
+        }
+        return sum / area;
     }
 };
 
@@ -132,6 +153,13 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
     const float twist = slope(bend13, bend02, 3, 0);
     const float second = squares - (places[0] + places[1]) * mean + places[0] * places[1];
     found.all = levels[0] + (mean - places[0]) * rise01 + second * bend02;
+    const float steep = *std::ranges::max_element(levels) - *std::ranges::min_element(levels);
+    if (steep > calm && means.area > 0)
+        found.all = tables_.level_at_light(means.mean([&](float at) {
+            const float v = folds ? std::sqrt(at) : at;
+            return tables_.light_at_level(levels[0] +
+                                          (v - places[0]) * (rise01 + (v - places[1]) * bend02));
+        }));
     return std::abs(second * (mean - places[2]) * twist) * share < doubt_;
 }
 

@@ -18,10 +18,13 @@ public:
     /// The light of a level of 255.
     Real light(std::uint32_t level) const { return light_[level]; }
 
+    /// The level of ambient light alone, and the most that others add up to white.
+    static constexpr Real ambient = Real(25.5), most_lit = Real(229.5);
+
     /// The level of a surface whose level above the ambient one is `lit`, as l3d_micro_vertex has
     /// it.
     static Real level_of(Real lit) {
-        return Real(25.5) + (lit > 0 ? (lit < Real(229.5) ? lit : Real(229.5)) : Real(0));
+        return ambient + (lit > 0 ? (lit < most_lit ? lit : most_lit) : Real(0));
     }
 
     /// Its light.
@@ -37,6 +40,20 @@ public:
         return light_[below] +
                (held - static_cast<Real>(below)) * (light_[below + 1] - light_[below]);
     }
+
+    /// The level that has this light, as light_at_level finds it. It need not be whole.
+    Real level_at_light(Real light) const {
+        std::size_t below = level(light);
+        if (below > 0 && light < light_[below])
+            --below;
+        if (below + 1 == light_.size())
+            return Real(255);
+        return static_cast<Real>(below) +
+               (light - light_[below]) / (light_[below + 1] - light_[below]);
+    }
+
+    /// The lights of all levels that are whole numbers.
+    const std::array<Real, 256>& lights() const { return light_; }
 
     /// The level whose light is nearest as levels go: its ends are the light of level -+ 1/2.
     std::uint32_t level(Real light) const {

@@ -8,6 +8,8 @@
 #include <hwy/highway.h>
 
 #include "raster/parallel/simd_dispatch_p.h"
+#include "raster/refine/linear_light_p.h"
+#include "raster/refine/polygon_levels-inl.h"
 
 #include <algorithm>
 #include <array>
@@ -17,26 +19,12 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using ints = hn::CappedTag<std::int32_t, pair_measures::widest_vector>;
-using floats = hn::RebindToFloat<ints>;
-using int_vec = hn::Vec<ints>;
-using float_vec = hn::Vec<floats>;
-constexpr std::size_t lanes = hn::MaxLanes(ints());
-
-HWY_INLINE float_vec set(float value) {
-    return hn::Set(floats(), value);
-}
-
-HWY_INLINE float_vec within(float_vec v) {
-    return hn::Min(hn::Max(v, hn::Zero(floats())), set(1));
-}
+static_assert(lanes <= pair_measures::widest_vector);
 
 /// a / b, or 0 where b is 0.
 HWY_INLINE float_vec quotient(float_vec a, float_vec b) {
     const auto none = hn::Eq(b, hn::Zero(floats()));
-    return hn::IfThenZeroElse(none, hn::Div(a, hn::IfThenElse(none, set(1), b)));
+    return hn::IfThenZeroElse(none, hn::Div(a, hn::IfThenElse(none, set(1.0f), b)));
 }
 
 /// The integral of x, held within the pixel, along y from one end of a side to the other, held so,
@@ -51,7 +39,7 @@ HWY_INLINE float_vec area_beside(float_vec ax, float_vec ay, float_vec bx, float
     // Between `low` and `high`, x rises steadily: 0 outside on the left, 1 outside on the right.
     const float_vec inside =
         hn::Mul(hn::Mul(set(0.5f), hn::Sub(last, first)), hn::Add(last, first));
-    const float_vec beyond = hn::Max(hn::Sub(high, hn::Max(low, set(1))), hn::Zero(floats()));
+    const float_vec beyond = hn::Max(hn::Sub(high, hn::Max(low, set(1.0f))), hn::Zero(floats()));
     const float_vec width = hn::Sub(high, low);
     const float_vec mean = hn::IfThenElse(hn::Eq(width, hn::Zero(floats())), first,
                                           quotient(hn::Add(inside, beyond), width));
@@ -97,8 +85,8 @@ public:
         along1_y_ = hn::Sub(y_[2], y_[0]);
         along2_x_ = hn::Sub(x_[3], x_[1]);
         along2_y_ = hn::Sub(y_[3], y_[1]);
-        inverse_ =
-            quotient(set(1), hn::Sub(hn::Mul(along1_x_, along2_y_), hn::Mul(along1_y_, along2_x_)));
+        inverse_ = quotient(set(1.0f),
+                            hn::Sub(hn::Mul(along1_x_, along2_y_), hn::Mul(along1_y_, along2_x_)));
         mean_x_ = mean_of(x_);
         mean_y_ = mean_of(y_);
     }
@@ -116,14 +104,9 @@ public:
         hn::StoreU(x, d, to.x.data() + at);
         hn::StoreU(y, d, to.y.data() + at);
 
-        // Parts of the diagonals from the mean of the corners.
-        const float_vec h_x = hn::Sub(x, mean_x_), h_y = hn::Sub(y, mean_y_);
-        const float_vec s =
-            hn::Mul(hn::Sub(hn::Mul(h_x, along2_y_), hn::Mul(h_y, along2_x_)), inverse_);
-        const float_vec t =
-            hn::Mul(hn::Sub(hn::Mul(along1_x_, h_y), hn::Mul(along1_y_, h_x)), inverse_);
+        const float_vec s = first_part(x, y), t = second_part(x, y);
         store_depth(to, at, s, t);
-        store_level(to, at, s, t);
+        store_levels(to, at, s, t);
     }
 
 private:
@@ -157,7 +140,7 @@ private:
         int_vec halves[2] = {hn::Zero(di), hn::Zero(di)};
         for (int row = 0; row < mask_side; ++row) {
             const float_vec y = set((static_cast<float>(row) + 0.5f) / mask_side);
-            float_vec from = set(0), end = set(1);
+            float_vec from = set(0.0f), end = set(1.0f);
             for (std::size_t i = 0; i < 4; ++i) {
                 const float_vec x = hn::Add(x_[i], hn::Mul(hn::Sub(y, y_[i]), slope[i]));
                 const auto bounds_left = hn::AndNot(level[i], is_left[i]);
@@ -180,7 +163,7 @@ private:
     /// A bit for each sample of a row that is before a place.
     static HWY_INLINE int_vec below(float_vec place) {
         const ints di;
-        const float_vec count = hn::Add(hn::Mul(within(place), set(mask_side)), set(0.5f));
+        const float_vec count = hn::Add(hn::Mul(within(place), set(float{mask_side})), set(0.5f));
         const int_vec samples = hn::ConvertTo(di, count);
         return hn::Sub(hn::Shl(hn::Set(di, 1), samples), hn::Set(di, 1));
     }
@@ -192,54 +175,58 @@ private:
         const float_vec first = hn::Sub(inv_w[2], inv_w[0]), second = hn::Sub(inv_w[3], inv_w[1]);
         const float_vec mean = mean_of(inv_w);
         const float_vec there = hn::Add(mean, hn::Add(hn::Mul(s, first), hn::Mul(t, second)));
-        const float_vec first1 = hn::Mul(first, inverse_), second1 = hn::Mul(second, inverse_);
+        const plane_slopes slopes = slopes_of(inv_w);
         hn::StoreU(hn::Min(hn::Max(there, load(numbers_.farthest)), load(numbers_.nearest)), d,
                    to.inv_w.data() + at);
-        hn::StoreU(hn::Sub(hn::Mul(first1, along2_y_), hn::Mul(second1, along1_y_)), d,
-                   to.of_x.data() + at);
-        hn::StoreU(hn::Sub(hn::Mul(second1, along1_x_), hn::Mul(first1, along2_x_)), d,
-                   to.of_y.data() + at);
+        hn::StoreU(slopes.of_x, d, to.of_x.data() + at);
+        hn::StoreU(slopes.of_y, d, to.of_y.data() + at);
     }
 
-    HWY_INLINE void store_level(pair_measures& to, std::size_t at, float_vec s, float_vec t) const {
-        const auto is_quad = hn::Gt(load(numbers_.is_quad), hn::Zero(floats()));
-        hn::StoreU(hn::IfThenElse(is_quad, level_of_quad(s, t), level_of_triangle(s, t)), floats(),
+    /// The level at the mean place, and how far apart levels are in the pixel, but for bends. What
+    /// is darker than the ambient light, or brighter than white, counts as these.
+    HWY_INLINE void store_levels(pair_measures& to, std::size_t at, float_vec s,
+                                 float_vec t) const {
+        const floats d;
+        const polygon_levels levels{{load(numbers_.level[0]), load(numbers_.level[1]),
+                                     load(numbers_.level[2]), load(numbers_.level[3])},
+                                    load(numbers_.ab),
+                                    load(numbers_.ad),
+                                    load(numbers_.bc),
+                                    load(numbers_.dc)};
+        const auto is_quad = hn::Gt(load(numbers_.is_quad), hn::Zero(d));
+        hn::StoreU(hn::IfThenElse(is_quad, levels.of_quad(s, t), levels.of_triangle(s, t)), d,
                    to.level.data() + at);
+        float_vec least = set(linear_light::most_lit), most = set(0.0f);
+        for (const float_vec corner : levels.corner) {
+            least = hn::Min(least, corner);
+            most = hn::Max(most, corner);
+        }
+        const float_vec range =
+            hn::Sub(hn::Min(most, set(linear_light::most_lit)), hn::Max(least, set(0.0f)));
+        const plane_slopes slopes = slopes_of(levels.corner);
+        const float_vec across = hn::Add(hn::Abs(slopes.of_x), hn::Abs(slopes.of_y));
+        hn::StoreU(hn::Min(range, across), d, to.spread.data() + at);
     }
 
-    /// The bilinear map of a quad's corners' levels, and its sides' bends, at the parameters that a
-    /// parallelogram would have. As level_lanes, for one place.
-    HWY_INLINE float_vec level_of_quad(float_vec s, float_vec t) const {
-        const float_vec ab = load(numbers_.ab), ad = load(numbers_.ad);
-        const float_vec bc = load(numbers_.bc), dc = load(numbers_.dc);
-        const float_vec half = set(0.5f), one = set(1), four = set(4);
-        const float_vec u = within(hn::Add(half, hn::Sub(s, t)));
-        const float_vec v = within(hn::Add(half, hn::Add(s, t)));
-        const float_vec u1 = hn::Sub(one, u), v1 = hn::Sub(one, v);
-        const float_vec low =
-            hn::Add(hn::Mul(u1, load(numbers_.level[0])), hn::Mul(u, load(numbers_.level[1])));
-        const float_vec high =
-            hn::Add(hn::Mul(u1, load(numbers_.level[3])), hn::Mul(u, load(numbers_.level[2])));
-        const float_vec of_u =
-            hn::Mul(hn::Mul(four, hn::Mul(u, u1)), hn::Add(hn::Mul(v1, ab), hn::Mul(v, dc)));
-        const float_vec of_v =
-            hn::Mul(hn::Mul(four, hn::Mul(v, v1)), hn::Add(hn::Mul(u1, ad), hn::Mul(u, bc)));
-        return hn::Add(hn::Add(hn::Mul(v1, low), hn::Mul(v, high)), hn::Add(of_u, of_v));
+    /// What a number of the corners rises by in a pixel, on the plane along both diagonals.
+    struct plane_slopes {
+        float_vec of_x, of_y;
+    };
+    HWY_INLINE plane_slopes slopes_of(const float_vec (&of)[4]) const {
+        const float_vec first = hn::Mul(hn::Sub(of[2], of[0]), inverse_);
+        const float_vec second = hn::Mul(hn::Sub(of[3], of[1]), inverse_);
+        return {hn::Sub(hn::Mul(first, along2_y_), hn::Mul(second, along1_y_)),
+                hn::Sub(hn::Mul(second, along1_x_), hn::Mul(first, along2_x_))};
     }
 
-    /// The parabola through a triangle's corners and the middles of its sides. With d = c, the
-    /// place is (1/4 - s) a + (1/4 - t) b + (1/2 + s + t) c.
-    HWY_INLINE float_vec level_of_triangle(float_vec s, float_vec t) const {
-        const float_vec ab = load(numbers_.ab), ac = load(numbers_.ad), bc = load(numbers_.bc);
-        const float_vec b = within(hn::Sub(set(0.25f), t));
-        const float_vec c = within(hn::Add(set(0.5f), hn::Add(s, t)));
-        const float_vec a = hn::Sub(hn::Sub(set(1), b), c);
-        const float_vec bends =
-            hn::Add(hn::Mul(hn::Mul(a, b), ab),
-                    hn::Add(hn::Mul(hn::Mul(a, c), ac), hn::Mul(hn::Mul(b, c), bc)));
-        return hn::Add(
-            hn::Add(hn::Mul(a, load(numbers_.level[0])), hn::Mul(b, load(numbers_.level[1]))),
-            hn::Add(hn::Mul(c, load(numbers_.level[2])), hn::Mul(set(4), bends)));
+    /// The parts of both diagonals that lead from the mean of the corners to a place.
+    HWY_INLINE float_vec first_part(float_vec x, float_vec y) const {
+        const float_vec h_x = hn::Sub(x, mean_x_), h_y = hn::Sub(y, mean_y_);
+        return hn::Mul(hn::Sub(hn::Mul(h_x, along2_y_), hn::Mul(h_y, along2_x_)), inverse_);
+    }
+    HWY_INLINE float_vec second_part(float_vec x, float_vec y) const {
+        const float_vec h_x = hn::Sub(x, mean_x_), h_y = hn::Sub(y, mean_y_);
+        return hn::Mul(hn::Sub(hn::Mul(along1_x_, h_y), hn::Mul(along1_y_, h_x)), inverse_);
     }
 
     const pair_numbers& numbers_;
@@ -296,7 +283,7 @@ std::uint64_t samples_above(float at, float of_x, float of_y) {
 void pair_measures::resize(std::size_t count) {
     // The last vector may be only begun.
     const std::size_t room = count + widest_vector;
-    for (auto* const numbers : {&area, &x, &y, &inv_w, &of_x, &of_y, &level})
+    for (auto* const numbers : {&area, &x, &y, &inv_w, &of_x, &of_y, &level, &spread})
         if (numbers->size() < room)
             numbers->resize(room);
     for (auto* const bits : {&top, &bottom})

@@ -22,6 +22,7 @@ struct pair_measures {
     std::vector<float> x, y; ///< the mean of its corners, each brought into the pixel
     std::vector<float> inv_w, of_x, of_y; ///< the polygon's plane of depth: there; per pixel
     std::vector<float> level;             ///< in mode l3d_shade::levels: of the light there
+    std::vector<float> spread;            ///< how far apart levels are in the pixel, nearly
 
     static constexpr std::size_t widest_vector = 16;
     void resize(std::size_t count);

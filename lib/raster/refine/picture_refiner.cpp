@@ -53,6 +53,7 @@ std::int64_t picture_refiner::refine(const drawn_frame& frame, l3d_workers& work
     const int bands = (frame.window.bottom - frame.window.top + frame.rows - 1) / frame.rows;
     const l3d_size size = frame.target.size();
     each_worker_.resize(static_cast<std::size_t>(workers.count()));
+    bands_ = static_cast<std::size_t>(bands);
     if (each_band_.size() < static_cast<std::size_t>(bands))
         each_band_.resize(static_cast<std::size_t>(bands));
     jumps_.resize(size);
@@ -127,6 +128,7 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
                               frame.colors,
                               frame.shading.place_error};
     const contour_mixer mixer(drawn, cuts_);
+    mark_rims(box, band, mixer);
     for (const contour_pixel& pixel : space.contours.pixels()) {
         if (others_.has(pixel.x, pixel.y))
             continue;
@@ -136,6 +138,30 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
         else
             space.refined.push_back({pixel.x, pixel.y, word});
     }
+}
+
+/// Marks pixels beside folds where light is steep. Contours above and below the band have some.
+void picture_refiner::mark_rims(const l3d_pixel_box& box, int band, const contour_mixer& mixer) {
+    const auto mark = [&](const contour_pixel& pixel) {
+        contour_mixer::step to{};
+        if (!mixer.shades_next(pixel, to))
+            return;
+        const std::int32_t x = pixel.x + to.x, y = pixel.y + to.y;
+        if (y >= box.top && y < box.bottom && !contour_bits_.has(x, y))
+            others_.set(x, y);
+    };
+    const auto of_band = [&](int of) {
+        const bool is_there = of >= 0 && static_cast<std::size_t>(of) < bands_;
+        return is_there ? each_band_[static_cast<std::size_t>(of)].contours.pixels()
+                        : std::span<const contour_pixel>();
+    };
+    const auto above = of_band(band - 1), below = of_band(band + 1);
+    for (auto pixel = above.rbegin(); pixel != above.rend() && pixel->y == box.top - 1; ++pixel)
+        mark(*pixel);
+    for (const contour_pixel& pixel : of_band(band))
+        mark(pixel);
+    for (auto pixel = below.begin(); pixel != below.end() && pixel->y == box.bottom; ++pixel)
+        mark(*pixel);
 }
 
 /// Marks both sides of jumps between pixels that no contour divides. Beside a fold, the shading of

@@ -7,6 +7,7 @@
 #include "raster/refine/band_fragments_p.h"
 #include "raster/refine/border_edges_p.h"
 #include "raster/refine/contour_edges_p.h"
+#include "raster/refine/contour_mixer_p.h"
 #include "raster/refine/contour_pixels_p.h"
 #include "raster/refine/find_jumps_p.h"
 #include "raster/refine/pixel_bits_p.h"
@@ -69,9 +70,11 @@ private:
 
     void find_contours(const drawn_frame& frame, int band, worker_space& space);
     void mix_contours(const drawn_frame& frame, int band);
+    void mark_rims(const l3d_pixel_box& box, int band, const contour_mixer& mixer);
     void mark_others(const drawn_frame& frame, const l3d_pixel_box& box);
     void resolve(const drawn_frame& frame, int band, worker_space& space);
 
+    std::size_t bands_ = 0; ///< of the frame
     level_jumps jumps_;
     contour_cuts cuts_;
     pixel_bits contour_bits_; ///< pixels that contours pass through

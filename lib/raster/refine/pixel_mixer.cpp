@@ -2,6 +2,7 @@
 // pixel_mixer: samples tell what is seen, areas how much of it.
 #include "raster/refine/pixel_mixer_p.h"
 
+#include "raster/refine/mean_level_p.h"
 #include "raster/refine/pixel_centroid_p.h"
 
 #include <algorithm>
@@ -16,6 +17,9 @@ namespace {
 /// eighth of the brightest. If 3 of 64 samples are wrong, that is 3/512 of the light. A level goes
 /// as the 2.4th root, so it is a quarter of that off: by 0.6 levels at most.
 constexpr float harmless_contrast = 1.0f / 256, harmless_part = 1.0f / 8;
+
+/// Levels that differ by no more are told by the one in the middle.
+constexpr float calm = 4;
 
 /// Slivers, which no sample meets, may be missing up to this area in all.
 constexpr float harmless_area = 1.0f / 64;
@@ -186,8 +190,11 @@ light_sum pixel_mixer::light_of(Shader& shader, const band_fragments& band, cons
         constexpr std::uint32_t white = 0xffffff;
         const double x = corner.x + double{l3d_subpixel_one * measures_.x[of.pair]};
         const double y = corner.y + double{l3d_subpixel_one * measures_.y[of.pair]};
-        const light_sum light = light_sum::of_level(
-            measures_.level[of.pair], has_color_ ? polygon.color : white, linear_light_tables());
+        const bool is_calm = of.seen == 0 || of.area * measures_.spread[of.pair] <= calm;
+        const float level =
+            is_calm ? measures_.level[of.pair] : mean_level(polygon, corner, of.seen);
+        const light_sum light =
+            light_sum::of_level(level, has_color_ ? polygon.color : white, linear_light_tables());
         return fog_->over(light, polygon, x, y);
     } else {
         const auto [x, y] = centroid_in_pixel(polygon, corner);

@@ -2,6 +2,8 @@
 // sampled_pixel: samples that are covered, samples that are seen.
 #include "raster/refine/sampled_pixel_p.h"
 
+#include "raster/refine/mean_level_p.h"
+
 #include <algorithm>
 #include <array>
 
@@ -36,7 +38,30 @@ pixel_plane depth_of(const fragment_polygon& polygon, scan_point pixel) {
             half_unit * planes.along_y(0)};
 }
 
+/// A bit for each of 8 x 8 cells that has a sample, as pair_measures has them.
+std::uint64_t cells_of(const coverage& samples) {
+    std::uint64_t cells = 0;
+    for (std::size_t column = 0; column < sample_pattern::columns; ++column) {
+        std::uint64_t rows = samples.word[column / 2] >> sample_pattern::rows * (column % 2);
+        rows &= 0xffffffff;
+        rows |= rows >> 1 | rows >> 2 | rows >> 3; // bit 4 r: a row from 4 r to 4 r + 3 has one
+        rows &= 0x11111111;
+        rows = (rows | rows << 16) & 0x0000ffff0000ffff; // to bit 8 r
+        rows = (rows | rows << 8) & 0x00ff00ff00ff00ff;
+        rows = (rows | rows << 4) & 0x0101010101010101;
+        cells |= rows << column;
+    }
+    return cells;
+}
+
 } // namespace
+
+/// In mode l3d_shade::levels: the mean light where the polygon is seen.
+light_sum sampled_pixel::light_of_levels(const fragment& of, bool has_color) const {
+    constexpr std::uint32_t white = 0xffffff;
+    return light_sum::of_level(mean_level(*of.polygon, corner_, cells_of(of.seen)),
+                               has_color ? of.polygon->color : white, linear_light_tables());
+}
 
 void sampled_pixel::add(const fragment_polygon& polygon) {
     fragments_.push_back({&polygon, {}});

@@ -41,6 +41,7 @@ private:
     };
 
     void hide();
+    light_sum light_of_levels(const fragment& of, bool has_color) const;
 
     scan_point corner_;
     std::vector<fragment> fragments_; ///< nearest corner first
@@ -60,7 +61,12 @@ light_sum sampled_pixel::light(Shader& shader, const fragment_fog& fog, bool has
         covered += share;
         const double half_each = 0.5 / m.count;
         const double x = corner_.x + half_each * m.x, y = corner_.y + half_each * m.y;
-        sum.add(fog.over(light_at(shader, *f.polygon, has_color, x, y), *f.polygon, x, y), share);
+        light_sum light;
+        if constexpr (has_bends<Shader>)
+            light = light_of_levels(f, has_color);
+        else
+            light = light_at(shader, *f.polygon, has_color, x, y);
+        sum.add(fog.over(light, *f.polygon, x, y), share);
     }
     empty = closed && covered > 0 ? 0.0f : 1 - covered;
     if (empty > 0 || covered <= 0)
