@@ -20,7 +20,8 @@ inline constexpr std::int32_t l3d_subpixel_one = 1 << l3d_subpixel_bits;
 ///
 /// Units: x, y in 1/256 pixel from the top left corner of the picture, |x|, |y| <= 2^23.
 ///        inv_w = 1 / distance along the view axis, in 1 / world units, > 0.
-///        normal = dS/du x dS/dv in world space, any length, not yet turned to the eye.
+///        normal = the direction of dS/du x dS/dv in world space, not yet turned to the eye: a
+///        unit vector, or zero. Fast fills rely on that.
 ///
 /// In frames of mode l3d_shade::levels the three numbers of `normal` are others.
 /// - [0] is the level 229.5 n.l, n turned to the eye. (The grey is round(25.5 + max(0, level)).)

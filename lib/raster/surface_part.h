@@ -53,7 +53,7 @@ struct L3D_PUBLIC l3d_border_edge {
 ///
 /// Shape:   the grid may be empty (rows < 2); triangles may be none.
 /// Expects: blocks in order, the last of block_rows (block_columns) ending with the grid's last row
-///          (column) of quads; the grid's normals have unit length or are zero.
+///          (column) of quads; normals have unit length or are zero.
 struct L3D_PUBLIC l3d_surface_part {
     /// The regular part.
     l3d_micro_grid grid;
