@@ -30,7 +30,8 @@ l3d_vector<T, N> l3d_midpoint_of(const l3d_vector<T, N>& a, const l3d_vector<T, 
     return result;
 }
 
-/// Makes the control values of a cubic its coefficients: a + t (b + t (c + t d)).
+/// Turns the four control values of a cubic Bezier polynomial into its coefficients:
+/// a + t (b + t (c + t d)).
 template <class T> constexpr void l3d_to_powers(T& a, T& b, T& c, T& d) {
     const T first = b - a, second = c - b, third = d - c;
     const T bend = second - first;

@@ -10,14 +10,14 @@
 #include <cstddef>
 #include <vector>
 
-/// The knots of one direction, and the part of it that is wanted.
+/// The knots of a B-spline surface along u or v, and the part of the surface that is wanted.
 ///
 /// Shape: the number of control points along it is points(); knots do not decrease, and
 ///        knots[degree] <= from < to <= knots[points()].
 struct L3D_PUBLIC l3d_bspline_direction {
     int degree = 0; ///< of the polynomials between knots; 3 for cubic ones
-    std::vector<double>
-        knots; ///< parameters where the polynomials meet, each as often as it counts
+    /// Parameters where the polynomials meet; one of multiplicity m stands m times.
+    std::vector<double> knots;
     /// The range of the parameter that is part of the surface.
     double from = 0, to = 0;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_clip_to_plane: what of a convex polygon is on one side of a plane in space, or a line in 2D.
+// l3d_clip_to_plane: the part of a convex polygon on one side of a plane in space, or a line in 2D.
 #ifndef L3D_GEOM_CLIP_TO_PLANE_H
 #define L3D_GEOM_CLIP_TO_PLANE_H
 
@@ -7,15 +7,15 @@
 #include <span>
 #include <vector>
 
-/// Keeps what of a convex polygon is in front of a plane.
+/// Keeps the part of a convex polygon that is in front of a plane.
 ///
 /// A corner within `thickness` of the plane is on it: it is kept, and no edge is cut there. So a
 /// plane through corners cuts between them, and leaves no slivers.
 /// Shape:   `side` gives the signed distance of a vertex, front positive. `cut` gives the index of
 ///          the vertex where the edge between two vertices crosses the plane; the one in front
-///          comes first. Both polygons of an edge ask the same. So there is no crack if `cut`
-///          computes from these two alone. `kept` gets the corners, in order, and loses what it
-///          held.
+///          comes first. The two polygons of an edge ask for the same cut, so there is no crack if
+///          `cut` computes from these two vertices alone. `kept` gets the corners, in order, and
+///          loses what it held.
 /// Expects: a corner at least.
 /// Errors:  false, and `kept` is empty, if nothing is in front.
 /// Cost:    a call of `side` for each corner, at most two of `cut`.

@@ -25,8 +25,8 @@ template <class T> struct L3D_PUBLIC l3d_coordinate {
         transform_stage = 0;
     }
 
-    /// Moves it, unless this stage has been done already. Expects: a stage that is not 0; what
-    /// comes one after another has different stages.
+    /// Applies the matrix, unless `stage` was the last stage done. Expects: a stage that is not 0;
+    /// transformations that follow each other have different stages.
     void transform(const l3d_matrix<T>& matrix, int stage) {
         if (transform_stage == stage)
             return;
@@ -38,7 +38,7 @@ template <class T> struct L3D_PUBLIC l3d_coordinate {
     l3d_point<T> transformed; ///< in the end a position in the picture, in pixels
     /// For programs that need places between the two again, in camera space for example.
     std::array<l3d_point<T>, 2> transformed_intermediates;
-    int transform_stage = 0; ///< the last one that was done; 0 for none
+    int transform_stage = 0; ///< the last stage done; 0 for none
 };
 
 /// The vertices of one or several polygons.

@@ -11,7 +11,8 @@
 /// A linear map of homogeneous points: m * v with v a column, so (a * b) * v is a * (b * v).
 ///
 /// Shape:   m(row, column), both 0 to 3; a translation is in column 3. Stored by columns, as OpenGL
-/// does. Cost:    in fixed point each component of a product is rounded once.
+///          does.
+/// Cost:    in fixed point each component of a product is rounded once.
 template <class T> class L3D_PUBLIC l3d_matrix {
 public:
     /// Uninitialised, as a number is; l3d_matrix<T>{} is all zero.
@@ -56,7 +57,7 @@ private:
     l3d_vector<T, 4> columns_[4];
 };
 
-/// Leaves every vector as it is.
+/// The map that leaves every vector as it is.
 template <class T> l3d_matrix<T> l3d_identity() noexcept {
     l3d_matrix<T> result{};
     for (int i = 0; i < 4; ++i)
@@ -64,7 +65,7 @@ template <class T> l3d_matrix<T> l3d_identity() noexcept {
     return result;
 }
 
-/// Adds (x, y, z) to points (w = 1), and nothing to directions (w = 0).
+/// The map that adds (x, y, z) to points (w = 1), and nothing to directions (w = 0).
 template <class T> l3d_matrix<T> l3d_translation(double x, double y, double z) noexcept {
     l3d_matrix<T> result = l3d_identity<T>();
     result(0, 3) = l3d_from_double<T>(x);
@@ -73,7 +74,8 @@ template <class T> l3d_matrix<T> l3d_translation(double x, double y, double z) n
     return result;
 }
 
-/// Turns about an axis through the origin, counterclockwise for one at whom the axis points.
+/// The map that turns about an axis through the origin, counterclockwise for one at whom the axis
+/// points.
 ///
 /// Units:   radians; the axis may have any length but zero.
 /// Source:  Rodrigues' formula: R = c I + s [a]x + (1 - c) a a^T for a unit axis a.

@@ -21,8 +21,8 @@
 /// Lives:   borrows both lists.
 template <class T> struct L3D_PUBLIC l3d_polygon_3d {
     std::span<const l3d_point<T>> vertices; ///< the list that the indices are of
-    std::span<const std::uint32_t>
-        corners; ///< indices of its corners, clockwise from outside in left-handed axes
+    /// Indices of its corners, clockwise from outside in left-handed axes.
+    std::span<const std::uint32_t> corners;
 
     /// The place of a corner. Expects: i < corners.size().
     const l3d_point<T>& corner(std::size_t i) const { return vertices[corners[i]]; }
@@ -47,7 +47,8 @@ template <class T> struct L3D_PUBLIC l3d_polygon_3d {
 /// Units: world units; the book's value.
 inline constexpr double l3d_plane_thickness = 0.001;
 
-/// A vertex on the way from one in front to one behind, where the distance from a plane is 0.
+/// The vertex on the way from one in front of a plane to one behind it where the distance from the
+/// plane is 0. `front_side` and `behind_side` are the distances of the two.
 template <class T>
 l3d_point<T> l3d_between(const l3d_point<T>& front, const l3d_point<T>& behind, T front_side,
                          T behind_side) noexcept {

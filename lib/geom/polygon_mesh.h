@@ -15,10 +15,10 @@
 #include <string>
 #include <vector>
 
-/// Vertices, and faces that name them by index; nothing of pixels or of how it is drawn.
+/// Vertices, and faces that name them by index, with colours, materials and parts.
 ///
-/// Flat arrays, as a million vectors of three indices would cost more for their headers and
-/// allocations than for what is in them.
+/// The arrays are flat, since a million vectors of three indices would cost more for their headers
+/// and allocations than for what is in them.
 /// Shape:   counterclockwise faces are seen from outside. Arrays said to be optional are empty or
 ///          have the stated size.
 /// Cost:    a face of n corners takes 4 n + 4 bytes, 4 more each with a colour and a material; a

@@ -12,9 +12,7 @@
 template <class T> using l3d_position = l3d_vector<T, 2>;
 
 /// How far p is to the right of the way from a to b: positive to the right, 0 on the line. Right is
-/// inside of a polygon whose corners run clockwise on the screen. Right is inside of a polygon
-/// whose corners run clockwise on the screen. Right is inside of a polygon whose corners run
-/// clockwise on the screen.
+/// inside of a polygon whose corners run clockwise on the screen.
 ///
 /// Units:   pixels times the length of the way.
 /// Expects: coordinates less than 2^29 in fixed point, where the sign is exact. In floating point
@@ -58,6 +56,7 @@ template <class T> struct L3D_PUBLIC l3d_crossing_2d {
     double t;           ///< 0 at p, 1 at q
 };
 
+/// The crossing of the way from p to q with the line through a and b.
 /// Expects: p and q on different sides of the line, neither on it.
 template <class T>
 l3d_crossing_2d<T> l3d_cross_line_2d(const l3d_position<T>& p, const l3d_position<T>& q,

@@ -21,7 +21,7 @@ struct L3D_PUBLIC l3d_turn {
     double cosine = 1, sine = 0;
 };
 
-/// Units:   degrees, any finite number; multiples of 90 are exact.
+/// Cosine and sine of an angle. Units: degrees, any finite number; multiples of 90 are exact.
 inline l3d_turn l3d_turn_by(double degrees) noexcept {
     // remquo leaves at most 45 degrees, where neither function suffers from pi being rounded.
     int quarters = 0;
@@ -40,7 +40,7 @@ inline l3d_turn l3d_turn_by(double degrees) noexcept {
     }
 }
 
-/// Multiplies the three coordinates.
+/// The map that multiplies the three coordinates.
 template <class T> l3d_matrix<T> l3d_scaling(double x, double y, double z) noexcept {
     l3d_matrix<T> m = l3d_identity<T>();
     m(0, 0) = l3d_from_double<T>(x);
@@ -63,8 +63,9 @@ template <class T> l3d_matrix<T> turning(int from, int to, double degrees) noexc
 
 } // namespace l3d_detail
 
-/// These turn y towards z, z towards x, x towards y. Let a thumb point along the axis: of the left
-/// hand if the axes are left-handed, else of the right hand. Then they turn as its fingers bend.
+/// Turns about the x axis, y towards z. Let a thumb point along the axis: of the left hand if the
+/// axes are left-handed, else of the right hand. The turn is in the direction in which its fingers
+/// bend.
 /// Units:   degrees.
 template <class T> l3d_matrix<T> l3d_rotation_x(double degrees) noexcept {
     return l3d_detail::turning<T>(1, 2, degrees);

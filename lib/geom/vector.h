@@ -139,7 +139,7 @@ template <class Wide, int N> constexpr Wide raw_length(const Wide (&raw)[N]) noe
 
 } // namespace l3d_detail
 
-/// Fixed point rounds once, after the sum.
+/// The dot product. Fixed point rounds once, after the sum.
 template <class T, int N> T l3d_dot(const l3d_vector<T, N>& a, const l3d_vector<T, N>& b) noexcept {
     if constexpr (l3d_is_fixed<T>) {
         l3d_fixed_sum<T> sum;
@@ -156,7 +156,7 @@ template <class T, int N> T l3d_dot(const l3d_vector<T, N>& a, const l3d_vector<
     }
 }
 
-/// Fixed point rounds once per component.
+/// The cross product. Fixed point rounds once per component.
 template <class T>
 l3d_vector<T, 3> l3d_cross(const l3d_vector<T, 3>& a, const l3d_vector<T, 3>& b) noexcept {
     if constexpr (l3d_is_fixed<T>) {
@@ -175,7 +175,7 @@ l3d_vector<T, 3> l3d_cross(const l3d_vector<T, 3>& a, const l3d_vector<T, 3>& b)
     }
 }
 
-/// Fixed point rounds the root, nothing before it.
+/// The Euclidean length. Fixed point rounds the root, nothing before it.
 template <class T, int N> T l3d_length(const l3d_vector<T, N>& v) noexcept {
     if constexpr (l3d_is_fixed<T>) {
         using storage = typename T::storage;

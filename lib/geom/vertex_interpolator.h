@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <vector>
 
-/// Moves every vertex of a list straight and evenly to its place in another list; all arrive with
-/// the last step, exactly.
+/// Moves every vertex of a list straight and evenly to its place in another list. With the last
+/// step, all arrive exactly.
 ///
 /// Each step starts from the two ends, not from the step before: nothing drifts.
 /// Expects: in fixed point, that a vertex's way times the number of steps is in range.

@@ -19,15 +19,15 @@ struct L3D_PUBLIC l3d_stage_times : l3d_common_times {
     double error_map = 0; ///< bounding the error of each pixel; not part of total
 };
 
-/// One frame.
+/// The report of one frame of patches.
 struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     double tolerance_px = 0; ///< the error of places that was asked for, in pixels
     double near = 0; ///< nearest distance drawn: the camera's, unless rounding asks for more
     l3d_stage_times time_ms;  ///< what each stage took, in milliseconds
     std::int64_t patches = 0; ///< of all instances, seen or not
     l3d_dice_counts dice;     ///< patches seen, steps, and the certified bounds
-    std::int64_t pixels_kept =
-        0; ///< pixels that stay from the last frame, as nothing changed there
+    /// Pixels that stay from the last frame, as nothing changed there.
+    std::int64_t pixels_kept = 0;
 
     /// Pixels that any outline's bound reaches, where nothing is certain about what is seen. It is
     /// none_counted if nobody asked, or if only a part of the picture was drawn.

@@ -25,10 +25,11 @@ public:
     using create_call = std::function<std::unique_ptr<l3d_surface_method>(
         const l3d_rasterizer_factory& rasterizers, l3d_workers& workers)>;
 
+    /// The factory of the library's own method.
     l3d_method_factory();
 
-    /// Reports and messages call the method by this name. Only a method whose counts bound the
-    /// error can draw mode `error`.
+    /// A factory of methods that `create` makes, called by this name in reports and messages. Only
+    /// a method whose counts bound the error can draw mode `error`.
     l3d_method_factory(std::string name, create_call create, bool has_bound = false);
 
     /// The name that reports and messages give the method.
@@ -36,10 +37,10 @@ public:
     /// Whether the method's counts bound the error of each frame.
     bool has_bound() const { return has_bound_; }
 
-    /// Whether the wireframe shows the steps of this method.
+    /// Whether it makes the library's own method, whose steps the wireframe shows.
     bool is_default() const { return is_default_; }
 
-    /// Never null.
+    /// Makes a method; never null.
     /// Errors: what the call throws.
     /// Lives:  the method borrows the workers.
     std::unique_ptr<l3d_surface_method> create(const l3d_rasterizer_factory& rasterizers,

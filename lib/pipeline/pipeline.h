@@ -16,7 +16,8 @@ struct L3D_PUBLIC l3d_frame_times {
     double write = 0; ///< writing picture files
 };
 
-/// A program is a subclass of this; the dispatcher turns outside events into these calls.
+/// The application: a program derives from this class, and the dispatcher turns outside events
+/// into its calls.
 ///
 /// Order:   events first, then update_event, then draw_event, then frame_event, once per frame.
 /// Lives:   borrowed by the dispatcher; owns (or borrows from main) its screen and rasterizer.
@@ -30,7 +31,7 @@ public:
     /// Set to true to ask the dispatcher to finish after the current frame.
     bool done = false;
 
-    /// Anything happened; comes before the call below that it leads to, if there is one.
+    /// Any event; called before the more special call below, if there is one for it.
     virtual void any_event(const l3d_event& event) { static_cast<void>(event); }
 
     /// A key was pressed: ASCII code or l3d_key. With Alt or Super held, or a character with Ctrl,
@@ -59,8 +60,8 @@ public:
     /// The picture that draw_event drew has been shown and stored.
     virtual void frame_event(const l3d_frame_times& times) { static_cast<void>(times); }
 
-    /// Nobody wants the picture of this frame, which update_event was called for. True if it need
-    /// not be drawn, since later pictures do not depend on it; else it is drawn all the same.
+    /// Called in place of draw_event, after update_event, where nobody wants the frame's picture.
+    /// True if later pictures do not depend on it; else the dispatcher has it drawn all the same.
     virtual bool skip_event() { return false; }
 
     /// Whether nothing changes until the next event, however much time goes by. In a window the

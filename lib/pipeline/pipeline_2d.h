@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_2d: what every program that draws with the 2D rasterizer has; the programs add the
-// drawing.
+// l3d_pipeline_2d: what all programs that draw with the 2D rasterizer have in common.
 #ifndef L3D_PIPELINE_PIPELINE_2D_H
 #define L3D_PIPELINE_PIPELINE_2D_H
 
@@ -12,12 +11,12 @@
 
 /// A pipeline with a screen and a rasterizer for it. q and Escape end it; it survives resizes.
 ///
-/// A subclass has the world: it overrides `draw`, and what else of l3d_pipeline it answers to. One
-/// with keys of its own passes those that it does not know to l3d_pipeline_2d::key_event.
+/// A subclass overrides `draw`, and the calls of l3d_pipeline that it answers. One with keys of its
+/// own passes those that it does not know to l3d_pipeline_2d::key_event.
 /// Lives:   owns screen and rasterizer.
 class L3D_PUBLIC l3d_pipeline_2d : public l3d_pipeline {
 public:
-    /// Errors:  as l3d_rasterizer_factory::create_2d.
+    /// A pipeline that draws on this canvas. Errors: as l3d_rasterizer_factory::create_2d.
     explicit l3d_pipeline_2d(l3d_canvas canvas);
 
     /// Where the pictures are shown.
@@ -33,7 +32,7 @@ public:
     void draw_event() final;
 
 private:
-    /// Draws a picture on top of the last one; nothing clears it but `clear_buffer`, and a resize.
+    /// Draws on top of the last picture: only `clear_buffer` and a resize clear it.
     virtual void draw(l3d_rasterizer_2d& rasterizer) = 0;
 
     std::unique_ptr<l3d_screen> screen_;

@@ -26,17 +26,17 @@ public:
     void pointer_event(const l3d_event& event) override;
     void resize_event(l3d_size size) override;
     void update_event(double seconds) override;
-    /// Without an own update_event time changes nothing but what controls() do. A subclass that has
-    /// one overrides this, too.
+    /// Time alone changes only what controls() change. A subclass that overrides update_event
+    /// overrides this, too.
     bool is_at_rest() const override { return controls_.is_at_rest(); }
 
 protected:
     void draw_overlay() override;
 
-    /// What the scale of mode `error` is of. A subclass that knows more than bounds says so.
+    /// The title of the scale of mode `error`. A subclass that knows more than bounds says so.
     virtual std::string error_scale_title() const { return "bound of the error, in pixels"; }
 
-    /// What a subclass tells in every picture. The viewer's panels come beside it.
+    /// A panel that a subclass has in every picture. The viewer's panels keep clear of it.
     virtual l3d_standing_panel standing_panel() { return {}; }
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts that the reports of all frames have in common.
+// The parts of frame reports that patches and polygons share.
 #ifndef L3D_PIPELINE_REPORT_PARTS_H
 #define L3D_PIPELINE_REPORT_PARTS_H
 
@@ -19,7 +19,7 @@ struct L3D_PUBLIC l3d_common_times {
     double write = 0;   ///< writing picture files; not part of total
 };
 
-/// A frame of any kind.
+/// What the reports of all frames have in common.
 struct L3D_PUBLIC l3d_common_report {
     int frame = 0;              ///< its number, from 0; skipped frames count
     std::string method;         ///< the name of the method that filled surfaces

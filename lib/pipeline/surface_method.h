@@ -58,12 +58,12 @@ public:
     l3d_surface_method& operator=(const l3d_surface_method&) = delete;
     virtual ~l3d_surface_method() = default;
 
-    /// Whether counts() say how far depth is off, and levels of frames that are shaded so.
+    /// Whether counts() bound the error of depth.
     bool certifies_depth() const { return do_certifies_depth(); }
-    /// Whether counts() say how many levels greys are off, in frames shaded like this.
+    /// Whether counts() bound the error of greys, in frames shaded like this.
     bool certifies_shade(const l3d_shading& shading) const { return do_certifies_shade(shading); }
 
-    /// Whether a frame may be a part of a picture.
+    /// Whether it can draw a part of a picture alone (l3d_method_frame::part).
     bool draws_parts() const { return do_draws_parts(); }
 
     /// Draws a frame; adds what its stages took to `times`.

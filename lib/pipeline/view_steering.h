@@ -51,7 +51,7 @@ public:
     void go_home();
     /// Shows everything along the line of sight.
     void frame_all();
-    /// Keeps what is seen of the model, after the picture has another size. A camera that a program
+    /// Keeps the view of the model after the picture has got another size. A camera that a program
     /// placed itself stays as it is.
     void resized();
 
@@ -60,9 +60,10 @@ public:
     void turn(double around_up, double around_right);
     /// Multiplies the distance from the target, unless that leads too near or too far.
     void approach(double factor) { approach(factor, camera_.target); }
-    /// The model is seen from here, by a person who stands upright before its front.
+    /// Moves the eye to this direction from the target, at the same distance. The three numbers are
+    /// steps along the axes of l3d_upright, such as (0, 0, 1) for the front. Expects: not all 0.
     void look_from(double right, double up, double front);
-    /// The model is seen from the other side.
+    /// Moves the eye to the opposite side.
     void look_from_opposite();
 
     /// The place under the pointer becomes the middle of the picture, which the eye turns about.

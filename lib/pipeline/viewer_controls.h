@@ -19,19 +19,19 @@
 #include <utility>
 #include <vector>
 
-/// A line of a viewer's help, and the keys that it tells of.
+/// A row of a viewer's help, and what its keys do.
 struct L3D_PUBLIC l3d_viewer_row {
     const char* keys; ///< as the help calls them
     const char* text; ///< what they do
 
-    /// By ASCII code or l3d_key; none for what is done elsewhere.
+    /// What to do for each key, an ASCII code or l3d_key; none for what is done elsewhere.
     std::vector<std::pair<int, std::function<void()>>> actions{};
 };
 
 /// A panel that a viewer has in its picture all the time, and where.
 struct L3D_PUBLIC l3d_standing_panel {
     l3d_panel panel{};                            ///< empty for none
-    l3d_corner corner = l3d_corner::bottom_right; ///< that it wants
+    l3d_corner corner = l3d_corner::bottom_right; ///< where it stands
 };
 
 /// The controls of all viewers: the eye turns about its target and comes nearer, turntable, pause,
@@ -95,7 +95,7 @@ public:
     /// The looks of the panels, with letters as large as the window and its display ask for.
     l3d_panel_style panel_style() const;
 
-    /// Shows for so many seconds, or until the first key, which key lists all others.
+    /// Shows a hint for so many seconds, or until the first key: which key lists all others.
     void show_hint(double seconds) { hint_seconds_ = seconds; }
 
     /// A line that is shown until the next key. Expects: an action of a row is running.

@@ -9,13 +9,14 @@
 #include <algorithm>
 #include <cstdint>
 
-/// The highest byte of a pixel word of which such a share is empty. Expects: from 0 to 1.
+/// The highest byte of the word of a pixel that is transparent by this share, in its place.
+/// Expects: a share from 0 to 1.
 inline std::uint32_t l3d_transparency_of(float share) {
     return static_cast<std::uint32_t>(255 * share + 0.5f) << 24;
 }
 
-/// The ground of a picture: one colour, two that pass into each other from top to bottom, or none.
-/// At first it is black.
+/// The background of a picture: one colour, two that pass into each other from top to bottom, or
+/// none. By default it is black.
 ///
 /// Each row has one colour, so a part of a picture is the same however it is drawn.
 struct L3D_PUBLIC l3d_background {
@@ -25,7 +26,8 @@ struct L3D_PUBLIC l3d_background {
     /// One colour. Units: 0x00RRGGBB.
     static constexpr l3d_background color(std::uint32_t word) { return {word, word}; }
 
-    /// Quiet and bluish, darker above. Grey surfaces stand out by their hue, also in the shade.
+    /// Quiet and bluish, darker above. Grey surfaces stand out from its hue, also where they are
+    /// dark.
     static constexpr l3d_background gradient() { return {0x00333b46, 0x00707a86}; }
 
     /// Nothing: pixel words there are l3d_pixels::transparent, and a PNG gets an alpha channel.
@@ -52,12 +54,12 @@ struct L3D_PUBLIC l3d_background {
         return result;
     }
 
-    /// Makes a box of a picture empty. Expects: the box lies in the picture.
+    /// Fills a box of a picture with this background. Expects: the box lies in the picture.
     void fill(const l3d_pixels& picture, const l3d_pixel_box& box) const {
         for (int row = box.top; row < box.bottom; ++row)
             std::ranges::fill(l3d_row(picture, row, box), word(row, picture.height));
     }
-    /// Makes a picture empty.
+    /// Fills a picture with this background.
     void fill(const l3d_pixels& picture) const { fill(picture, l3d_whole(picture.size())); }
 
     friend bool operator==(const l3d_background&, const l3d_background&) = default;

@@ -10,10 +10,11 @@
 #include <cstdint>
 #include <optional>
 
-/// Fog, or depth cueing if its colour is black. Surfaces nearer than `near` are as without, those
-/// from `far` on have its colour; between them it grows in proportion to the distance.
+/// Fog, or depth cueing if its colour is black. Surfaces nearer than `near` look as without fog,
+/// and those from `far` on have its colour. Between the two, fog grows in proportion to the
+/// distance. By default there is none.
 ///
-/// Units: distances along the view axis, in the world. At first there is none.
+/// Units: distances along the view axis, in world units.
 struct L3D_PUBLIC l3d_fog {
     float near = 0;                       ///< where it begins
     float far = 0;                        ///< where it hides everything
@@ -29,7 +30,7 @@ struct L3D_PUBLIC l3d_fog {
         return static_cast<std::uint32_t>(255 * held + 0.5F);
     }
 
-    /// The colour of a surface behind it, each channel a mean of the two.
+    /// The colour of a surface behind it: in each channel the mean of the two, weighted.
     /// Units: pixel words without transparency; the amount from 0 to 255.
     static std::uint32_t word(std::uint32_t surface, std::uint32_t fog, std::uint32_t amount) {
         return l3d_screen_info::light_native(surface, 255 - amount) +

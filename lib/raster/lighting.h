@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The parts of white that a light has: red, green, blue. Units: 1 is white; more is brighter.
+/// The red, green and blue of a light. Units: 1 in each is white; more is brighter.
 using l3d_light_color = std::array<float, 3>;
 
 /// A light so far away that its rays are parallel.
@@ -21,8 +21,8 @@ struct L3D_PUBLIC l3d_far_light {
     friend bool operator==(const l3d_far_light&, const l3d_far_light&) = default;
 };
 
-/// Ambient light, the first light's colour, and further lights. At first, the usual light: a white
-/// one, and a tenth of ambient light.
+/// Ambient light, the first light's colour, and further lights. By default, the usual light: a
+/// white one, and a tenth of ambient light.
 ///
 /// With n the unit normal, turned to the eye, a channel of a pixel is
 ///
@@ -48,7 +48,7 @@ struct L3D_PUBLIC l3d_lighting {
                            of};
     }
 
-    /// Whether it is what it is at first.
+    /// Whether it is the default.
     bool is_usual() const { return *this == l3d_lighting(); }
 
     friend bool operator==(const l3d_lighting&, const l3d_lighting&) = default;

@@ -29,8 +29,8 @@ struct L3D_PUBLIC l3d_placement_2d {
                 {-s, c}};
     }
 
-    /// What fills a window, fitted onto a viewport, each a box from a corner to the one opposite.
-    /// If both axes of one run against those of the other, the picture is mirrored.
+    /// The placement that fits a window onto a viewport, each a box from one corner to the opposite
+    /// one. Along an axis whose corners are in opposite order in the two, the picture is mirrored.
     /// Expects: a window whose corners differ in x and in y.
     static l3d_placement_2d window_to_viewport(l3d_point_2d window_from, l3d_point_2d window_to,
                                                l3d_point_2d viewport_from,

@@ -39,7 +39,7 @@ struct L3D_PUBLIC l3d_line_2d {
 /// Shape: rows of `width` values from 0 to 255, `pitch` values apart. 0 repeats a single row.
 /// Lives: borrows the values.
 struct L3D_PUBLIC l3d_coverage_2d {
-    /// The first column and row, and how many there are. Not negative are the latter.
+    /// The first column and row, and the numbers of columns and rows, which are not negative.
     int left = 0, top = 0, width = 0, height = 0;
     const std::uint8_t* values = nullptr; ///< of the first row
     std::ptrdiff_t pitch = 0;             ///< from one row to the next
@@ -53,19 +53,18 @@ struct L3D_PUBLIC l3d_coverage_2d {
 /// The closed outline of an area: its corners in order, the last one joined to the first.
 using l3d_outline_2d = std::span<const l3d_point_2d>;
 
-/// The fill rule: which points are inside of outlines that cross themselves or each other. Either
-/// outlines wind around such a point, clockwise less anticlockwise, not zero times; or an odd
-/// number of times.
+/// The fill rule: which points are inside of outlines that cross themselves or each other. It
+/// counts how often the outlines wind around a point, clockwise less anticlockwise.
 enum class L3D_PUBLIC l3d_winding {
-    nonzero, ///< clockwise less anticlockwise, not zero times
-    even_odd ///< an odd number of times
+    nonzero, ///< inside if this number is not zero
+    even_odd ///< inside if it is odd
 };
 
-/// In which numbers two colours are mixed.
+/// The numbers in which two colours are mixed.
 enum class L3D_PUBLIC l3d_blending {
-    coded, ///< in those of pixel words: fast, and what most programs do
-    /// In the light that they stand for, by the sRGB curve: as two colours mix for an eye that is
-    /// too far away to tell them apart. Thin bright lines keep their light on a dark ground.
+    coded, ///< those of pixel words: fast, and what most programs do
+    /// Amounts of light, by the sRGB curve: as two colours mix for an eye that is too far away to
+    /// tell them apart. Thin bright lines keep their light on a dark ground.
     linear
 };
 
@@ -116,7 +115,7 @@ private:
     virtual void do_draw_outlines(std::span<const l3d_outline_2d> outlines, l3d_winding inside,
                                   std::uint32_t color) = 0;
 
-    /// Unless a kind of output has a way of its own, a line is a batch of one.
+    /// Unless a kind of output has a way of its own, a line is drawn as a batch of one.
     virtual void do_draw_line(int x0, int y0, int x1, int y1, std::uint32_t color);
 
     /// Unless a kind of output can mix colours, what is covered by half or more gets the colour.
@@ -143,7 +142,7 @@ private:
 /// Lives:   borrows the implementation, which must outlive it.
 class L3D_PUBLIC l3d_rasterizer_2d {
 public:
-    /// Lives: borrows what draws.
+    /// A rasterizer in front of this implementation. Lives: borrows it.
     explicit l3d_rasterizer_2d(l3d_rasterizer_2d_imp& imp) : imp_(imp) {}
 
     /// Makes every pixel 0, black.
@@ -253,8 +252,8 @@ public:
     /// of a pixel is farther from the curve than 1/2 + 2^-20 along either axis. No point of the
     /// curve is farther from such a sample than 3/2 along both. Pixels are drawn in the order of
     /// the curve, and those at the corner of a right angle are left out. The same pixels however
-    /// much is outside. Cost:    some additions for each pixel, found by adaptive forward
-    /// differences.
+    /// much is outside.
+    /// Cost:    some additions for each pixel, by adaptive forward differences.
     void draw_curves(const l3d_path& path, std::uint32_t color) {
         imp_.do_draw_curves(path, color);
     }
@@ -268,11 +267,12 @@ public:
     /// that share a border leave no crack and no double hit there. Patches with coordinates that
     /// are not finite are left out.
     /// Cost:    a quarter of a patch, along u or v, is diced as finely as its worst place needs,
-    /// and so are its neighbours across common borders; a patch into 512 x 512 at most.
+    ///          and so are its neighbours across common borders; a patch into 512 x 512 at most.
     void draw_mesh(std::span<const l3d_mesh_patch> patches) { imp_.do_draw_mesh(patches); }
 
-    /// Afterwards, everything drawn so far is in the target's pixels. Call it before anybody else
-    /// reads or writes them; what others wrote is drawn upon by what is drawn next.
+    /// Completes the picture: afterwards, everything drawn so far is in the target's pixels. Call
+    /// it before anybody else reads or writes them. What is drawn next goes on top of what they
+    /// wrote.
     void finish() { imp_.do_finish(); }
 
 private:

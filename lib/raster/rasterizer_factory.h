@@ -10,7 +10,7 @@
 
 #include <memory>
 
-/// Makes what draws points, lines and polygons, and what fills surfaces: of one kind both.
+/// Makes what draws points, lines and polygons, and what fills surfaces, both of one kind.
 class L3D_PUBLIC l3d_rasterizer_factory {
 public:
     l3d_rasterizer_factory() = default;
@@ -18,13 +18,13 @@ public:
     l3d_rasterizer_factory& operator=(const l3d_rasterizer_factory&) = delete;
     virtual ~l3d_rasterizer_factory() = default;
 
-    /// Never null.
+    /// Makes what draws into these pixels; never null.
     /// Errors:  l3d_error(no_backend); a kind whose screen factory can serve throws none.
     std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(l3d_pixels target) const {
         return do_create_2d(target);
     }
 
-    /// Never null.
+    /// Makes what fills surfaces; never null.
     /// Errors:  as create_2d.
     /// Lives:   borrows the workers.
     std::unique_ptr<l3d_surface_rasterizer> create_surface(l3d_workers& workers) const {

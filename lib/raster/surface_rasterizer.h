@@ -20,7 +20,7 @@
 #include <span>
 #include <utility>
 
-/// The data that stay the same for a frame.
+/// How the surfaces of a frame get their colours.
 struct L3D_PUBLIC l3d_shading {
     l3d_shade mode = l3d_shade::lambert; ///< how the colour of a pixel is found
     std::array<float, 3> light{0, 0, 1}; ///< unit vector towards the light, world space
@@ -100,7 +100,7 @@ struct L3D_PUBLIC l3d_surface_counts {
 
     std::int64_t refined = 0; ///< pixels at edges, whose light is a mean over their squares
 
-    /// Both together: of other parts of the picture.
+    /// Adds the counts of other parts of the picture.
     void add(const l3d_surface_counts& other) {
         quads += other.quads;
         samples += other.samples;

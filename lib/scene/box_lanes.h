@@ -39,7 +39,7 @@ public:
         set(count_++, box);
     }
 
-    /// Expects: there is a box at that index.
+    /// Replaces a box. Expects: there is a box at that index.
     void set(std::size_t index, const l3d_slanted_box& box) {
         for (int i = 0; i < 3; ++i) {
             const auto at = static_cast<std::size_t>(i);

@@ -10,8 +10,8 @@
 
 #include <string>
 
-/// Least near distance, and of the target from the eye. Depth is kept as 1 / distance in a float,
-/// which goes up to 3e38.
+/// The least near distance, and the least distance of the target from the eye. Depth is kept as
+/// 1 / distance in a float, which goes up to 3e38.
 inline constexpr double l3d_least_distance = 1e-32;
 
 /// How far from the origin an eye may be in x, y and z. The largest models reach to 1e12 there, and
@@ -55,7 +55,8 @@ struct L3D_PUBLIC l3d_camera {
     vector up{0.0, 1.0, 0.0};     ///< the direction that is upright in the picture, any length
     double fov = 38;              ///< full vertical angle of view, in degrees
     double near = 0.1; ///< least distance along the view axis that is drawn, in world units
-    /// No point is farther from any eye: at most sqrt(3) 1.001e15.
+    /// Farthest distance along the view axis that is drawn, in world units. The default hides
+    /// nothing: no point is farther from any eye than sqrt(3) 1.001e15.
     double far = 1e16;
 
     friend bool operator==(const l3d_camera&, const l3d_camera&) = default;
@@ -71,9 +72,10 @@ struct L3D_PUBLIC l3d_camera {
     /// Sine of the angle between `up` and the line of sight.
     double up_sine() const;
 
-    /// Why no picture is defined, naming the value at fault; "" if one is. It asks for finite
-    /// numbers, the eye within l3d_farthest_eye, the target within 1e12, the two not in one place,
-    /// up_sine() at least l3d_least_up_sine, 0 < fov < 180, l3d_least_distance <= near < far.
+    /// Why this camera defines no picture, naming the value at fault; "" if it does. It asks for
+    /// finite numbers, the eye within l3d_farthest_eye, the target within 1e12, the two not in one
+    /// place, up_sine() at least l3d_least_up_sine, 0 < fov < 180, l3d_least_distance <= near <
+    /// far.
     std::string complaint() const;
 
     /// Whether complaint() has nothing to say.

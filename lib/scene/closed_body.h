@@ -8,10 +8,9 @@
 
 #include <span>
 
-/// Whether normals point out of a closed body. Whether normals point out of a closed body. Whether
-/// normals point out of a closed body. 1 if the patches are proven to be all of the surface of a
-/// body and their normals dS/du x dS/dv point out of it. -1 if they point into it, 0 if that cannot
-/// be proven.
+/// Whether normals point out of a closed body. 1 if the patches are proven to be all of the surface
+/// of a body and their normals dS/du x dS/dv point out of it. -1 if they point into it, 0 if that
+/// cannot be proven.
 ///
 /// The proof has two parts. Every edge that is not collapsed into a point is an edge of exactly one
 /// other patch, with the same control points in the opposite direction. So the surface has no

@@ -17,7 +17,7 @@ struct L3D_PUBLIC l3d_seen_counts {
     std::int64_t subpixel = 0;  ///< left out: what is around it holds no pixel centre
     std::int64_t clipped = 0;   ///< of those drawn, at the near plane, the far one or guard band
 
-    /// Both together: of other shapes.
+    /// Adds the counts of other shapes.
     void add(const l3d_seen_counts& other) {
         drawn += other.drawn;
         offscreen += other.offscreen;
@@ -54,8 +54,9 @@ struct L3D_PUBLIC l3d_surface_certificate {
     /// tolerance. Its normals turn faster than quads of six pixels can follow, or one of them
     /// vanishes. Slits beside a block that may be off by more count as one quad.
     std::int64_t unshaded_quads = 0;
-    unsigned without_normals = 0; ///< bit 4 * row + column, or 0, of blocks that are seen and may
-                                  ///< have none
+    /// Bit 4 * row + column, or bit 0, is set for a block that is seen and may have places without
+    /// a normal.
+    unsigned without_normals = 0;
     /// The depth of these, but for what their corners are off a plane by (l3d_most_off_plane).
     double depth_without_normals = 0;
 
@@ -98,7 +99,7 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     double shade_bound = 0;
     std::int64_t unshaded_quads = 0; ///< quads of which the bound of shades says nothing
 
-    /// Both together: of other patches.
+    /// Adds the counts of other patches.
     void add(const l3d_dice_counts& other) {
         l3d_seen_counts::add(other);
         behind += other.behind;
@@ -124,7 +125,7 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
         unshaded_quads += other.unshaded_quads;
     }
 
-    /// A piece of surface, and the slits along its sides.
+    /// Adds the bounds of a piece of surface, and of the slits along its sides.
     void add_surface(const l3d_surface_certificate& of, double slit_depth) {
         depth_bound_px = std::max({depth_bound_px, of.depth, slit_depth});
         normal_off = std::max(normal_off, of.normal);
@@ -132,7 +133,7 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
         unshaded_quads += of.unshaded_quads;
     }
 
-    /// An edge polyline of so many points, and its certified error.
+    /// Adds an edge polyline of so many points, and its certified error.
     void add_edge(std::size_t points, double bound) {
         samples += static_cast<std::int64_t>(points);
         bound_px = std::max(bound_px, bound);

@@ -38,18 +38,19 @@ L3D_PUBLIC l3d_camera l3d_framed(const l3d_camera& camera, l3d_size size, const 
 L3D_PUBLIC l3d_camera l3d_framed_parallel(const l3d_camera& camera, l3d_size size,
                                           const l3d_reach& reach);
 
-/// Whether a picture of that size shows all of a model, at 60 % or more of its width or height, and
-/// not at one side: nearly at a border with much room opposite.
+/// Whether a picture of that size shows all of a model well: at 60 % or more of its width or
+/// height, and not near one border with much room opposite.
 /// Expects: a valid camera.
 L3D_PUBLIC bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3d_reach& reach);
 
-/// Why nothing of a model is in a picture, as "behind the eye"; "" if something may be. It is
-/// "smaller than a pixel", too, if its picture is less than one pixel wide and high.
+/// Why nothing of a model is in a picture, such as "behind the eye"; "" if something may be. A
+/// model whose picture is less than one pixel wide and high is "smaller than a pixel".
 /// Expects: a valid camera. In parallel projection nothing is behind the eye.
 L3D_PUBLIC std::string l3d_why_unseen(const l3d_camera& camera, l3d_size size,
                                       const l3d_reach& reach, bool is_parallel = false);
 
-/// What l3d_why_unseen says of a model that is. It may cover the middle of a pixel even so.
+/// What l3d_why_unseen says of a model smaller than a pixel, which may still cover a pixel's
+/// middle.
 inline constexpr const char* l3d_smaller_than_a_pixel = "smaller than a pixel";
 
 /// What pipelines say of a model whose faces or patches are all points or lines.

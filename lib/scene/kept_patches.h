@@ -5,16 +5,16 @@
 
 #include "base/public.h"
 
-/// Which patches, and parts of them, are done although they need not be. Only who measures or
-/// judges a rule has a use for that.
+/// Patches, and parts of them, that are drawn although a rule could leave them out. It serves those
+/// who measure or judge a rule.
 struct L3D_PUBLIC l3d_kept_patches {
-    bool outside = false;    ///< such that nothing of them lies in the picture
-    bool centreless = false; ///< such that cover no pixel's centre
-    bool hidden = false;     ///< such that lie behind what is drawn
-    bool backs = false;      ///< whose back alone is turned to the eye
-    bool dicing = false;     ///< of what a point may stand for
+    bool outside = false;    ///< those outside the picture
+    bool centreless = false; ///< those that cover no pixel's centre
+    bool hidden = false;     ///< those behind what is drawn
+    bool backs = false;      ///< those that show only their back
+    bool dicing = false;     ///< those that could be drawn as a point each, without dicing
 
-    /// All of them, as if no rule could leave any out.
+    /// All of them, as if there were no rule.
     static constexpr l3d_kept_patches all() { return {true, true, true, true, true}; }
 
     friend bool operator==(const l3d_kept_patches&, const l3d_kept_patches&) = default;

@@ -25,7 +25,7 @@ class l3d_surface_bends;
 struct l3d_model_file;
 struct l3d_patch_points;
 
-/// The largest coordinates, as magnitudes, of a patch's control points and of those of its edges.
+/// The largest magnitudes of coordinates of a patch's control points, and of those of its edges.
 ///
 /// Shape: edges in the order of l3d_edge_polylines.
 struct L3D_PUBLIC l3d_patch_reach {
@@ -55,6 +55,7 @@ public:
     l3d_patch_model& operator=(const l3d_patch_model&) = default;
     ~l3d_patch_model() = default;
 
+    /// A model of these patches, in white.
     /// Expects: finite coordinates of magnitude at most 1e12.
     explicit l3d_patch_model(std::vector<patch> patches);
 
@@ -67,7 +68,7 @@ public:
     ///         patches, and for patches that from_patches refuses.
     static l3d_patch_model load(const std::string& file);
 
-    /// The model of patches that may be anything.
+    /// A model of patches whose coordinates are not known to be good.
     /// Errors: nothing, with "name: patch and point: what" in `why`, if a coordinate is NaN,
     ///         infinite or beyond 1e12.
     static std::optional<l3d_patch_model> checked(std::vector<patch> patches, std::string_view name,
@@ -140,7 +141,8 @@ public:
     /// The largest coordinates of a patch. Expects: as normals.
     const l3d_patch_reach& reach(std::size_t index) const;
 
-    /// Whether it is proven to be a body, and where its normals point: l3d_orientation_of.
+    /// Whether it is proven to be a closed body, and where its normals point (l3d_orientation_of):
+    /// 1 outwards, -1 inwards, 0 if that is not proven.
     int orientation() const;
 
     /// The corner of the box of all control points with the smallest x, y and z.

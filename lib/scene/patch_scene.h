@@ -21,6 +21,7 @@
 /// Lives: shares the model.
 class L3D_PUBLIC l3d_patch_instance {
 public:
+    /// This model, placed so.
     /// Expects: a placement that l3d_patch_scene::complaint has nothing to say of.
     l3d_patch_instance(const l3d_patch_model& model, const l3d_matrix<double>& placement);
 
@@ -30,7 +31,7 @@ public:
     /// Puts the same model elsewhere. Expects: as the constructor.
     void place(const l3d_matrix<double>& placement);
 
-    /// Makes all of it of one material; without one, the model's own are seen.
+    /// Gives all of it one material; without one, the model's own are seen.
     void paint(const std::optional<l3d_material>& material) { material_ = material; }
     /// The material that all of it is made of, if it is not the model's.
     const std::optional<l3d_material>& material() const { return material_; }
@@ -103,12 +104,13 @@ public:
     /// is 0, 0, 0, 1), has finite numbers, can be inverted, and leaves coordinates at most 1e12.
     static std::string complaint(const l3d_patch_model& model, const l3d_matrix<double>& placement);
 
+    /// Adds an instance: this model, placed so.
     /// Errors: throws l3d_error with what complaint() says, and adds nothing.
     void add(const l3d_patch_model& model,
              const l3d_matrix<double>& placement = l3d_identity<double>());
 
-    /// The same, an instance for each opacity that the model's materials have. If these are more
-    /// than may be transparent yet, opacities are rounded up to whole parts of what may.
+    /// As add, with one instance for each opacity that the model's materials have. If these are
+    /// more than the transparent instances that the scene may still get, opacities are rounded up.
     /// Errors: as add.
     void add_by_opacity(const l3d_patch_model& model,
                         const l3d_matrix<double>& placement = l3d_identity<double>());
@@ -126,8 +128,8 @@ public:
     void place(std::size_t index, const l3d_patch_model& model,
                const l3d_matrix<double>& placement);
 
-    /// Makes all of an instance of one material; without one, its model's own are seen again. It
-    /// stays so when the instance is placed elsewhere, until another model comes to its place.
+    /// Gives all of an instance one material; without one, its model's own are seen again. It stays
+    /// so when the instance is placed elsewhere, until another model comes to its place.
     /// Expects: an index of instances().
     void paint(std::size_t index, const std::optional<l3d_material>& material);
 
@@ -189,9 +191,10 @@ public:
     /// The number of patches of all instances together.
     std::int64_t patch_count() const { return patch_count_; }
 
-    /// The box of everything; two points at the origin if there is nothing.
+    /// The corner of the box of everything with the smallest x, y and z; the origin if there is
+    /// nothing.
     const vector& least() const { return extent().least; }
-    /// The corner of that box with the largest x, y and z.
+    /// The corner of that box with the largest x, y and z, likewise.
     const vector& most() const { return extent().most; }
 
     /// Bound of the terms that a world point's coordinates are summed up from, in all: their

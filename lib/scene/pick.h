@@ -61,7 +61,7 @@ struct L3D_PUBLIC l3d_pick {
     /// All of it, a line each: name, value and error. Patches count from 0.
     std::string text() const;
 
-    /// Patch, parameters and point in one line, as digits go that a picture has room for.
+    /// Patch, parameters and point in one line, with no more digits than a picture has room for.
     std::string line() const;
 };
 

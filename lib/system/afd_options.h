@@ -23,8 +23,8 @@ public:
     l3d_afd_options(const l3d_afd_options&) = delete;
     l3d_afd_options& operator=(const l3d_afd_options&) = delete;
 
-    /// As --eye, --target and the others say; what they leave out is as teapot_view() has it, for
-    /// the direction that is up.
+    /// The camera that --eye, --target and the others ask for. What they leave out is that of
+    /// teapot_view(), turned to the direction that is up.
     /// Errors: l3d_error(usage) that names the option if the values do not make a camera.
     l3d_camera camera() const;
 
@@ -34,14 +34,14 @@ public:
     /// Errors: as the other.
     l3d_camera camera(const std::function<l3d_camera(const l3d_camera&)>& framed) const;
 
-    /// Errors: l3d_error(usage) for a light of no direction.
+    /// The settings that the options ask for. Errors: l3d_error(usage) for a light of no direction.
     l3d_afd_settings settings() const;
 
     /// The model asked for, or the teapot; notes on what is skipped go to stderr.
     /// Errors: l3d_error(bad_input) with file and line, or for a file without patches.
     l3d_patch_model model() const;
 
-    /// As given; empty for the teapot.
+    /// The name of the model's file, as given; empty for the teapot.
     const std::string& model_file() const { return model_file_; }
 
     /// What people call the model: the file's name without its folder and ending, or "Utah teapot".
@@ -77,11 +77,11 @@ public:
     /// if it was not given.
     const std::optional<l3d_vector<double, 2>>& pick() const { return pick_; }
 
-    /// Refuses the place of --pick if a picture of that size has none.
+    /// Refuses a place of --pick outside a picture of that size.
     /// Errors:  l3d_error(usage).
     void check_pick(l3d_size size) const;
 
-    /// Neither a model nor a camera was asked for.
+    /// Whether neither a model nor a camera was asked for.
     bool shows_the_usual() const;
 
 private:

@@ -15,7 +15,7 @@
 #include <string>
 #include <utility>
 
-/// The event loop as an object: a program plugs in its pipeline and its screen and starts it.
+/// The event loop of a program, which plugs in its pipeline and its screen and starts it.
 ///
 /// Lives:   borrows pipeline and screen. Made before them (step 3 of 5), so it dies after them;
 ///          a signal that ended the loop is delivered then, when everything is closed.
@@ -67,6 +67,7 @@ public:
     l3d_dispatcher_factory& operator=(const l3d_dispatcher_factory&) = delete;
     virtual ~l3d_dispatcher_factory() = default;
 
+    /// Makes a dispatcher with these settings.
     /// Errors: l3d_error(usage) if the settings name an output that cannot be meant.
     std::unique_ptr<l3d_dispatcher> create(const l3d_frame_settings& settings) const {
         return do_create(settings);

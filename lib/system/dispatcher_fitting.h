@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// l3d_dispatcher_fitting: the dispatcher of screens that may or may not be windows.
+// l3d_dispatcher_fitting: a dispatcher for screens that may or may not be windows.
 #ifndef L3D_SYSTEM_DISPATCHER_FITTING_H
 #define L3D_SYSTEM_DISPATCHER_FITTING_H
 
 #include "base/public.h"
 #include "system/dispatcher.h"
 
-/// Once it knows the screen, becomes the dispatcher of windows or the one without a display.
+/// Once it knows the screen, it works as the dispatcher of windows or as the one without a display.
 class L3D_PUBLIC l3d_dispatcher_fitting final : public l3d_dispatcher {
 public:
     /// Errors:  as l3d_frame_writer.

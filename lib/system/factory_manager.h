@@ -45,11 +45,12 @@ public:
     void add(l3d_backend row);
 
     /// Takes the back-end named by --backend, else by the environment's L3D_BACKEND, else by the
-    /// program itself. If none is named, it asks at a terminal. Else it takes the first automatic
-    /// row that can serve. If nobody would see the pictures, stderr gets a line about it. The
-    /// output then becomes `program`.png, unless a back-end was named that shows nothing. False:
-    /// --list-backends or --diagnose was given and answered, or the answer at the prompt was q; the
-    /// program ends well.
+    /// program itself. If none is named, it asks at a terminal, and elsewhere takes the first
+    /// automatic row that can serve. If nobody would see the pictures, stderr gets a line about it.
+    /// The output then becomes `program`.png, unless a back-end was named that shows nothing.
+    ///
+    /// Returns: false if the program ends well without pictures: --list-backends or --diagnose was
+    ///          answered, or the answer at the prompt was q.
     ///
     /// Errors:  l3d_error: usage for an unknown name; no_display if no display can be opened
     ///          (naming DISPLAY and its value); no_backend, with all reasons, otherwise.
@@ -58,12 +59,14 @@ public:
     /// The same with the prompt's streams named; `may_ask` says whether both are a terminal.
     bool choose(l3d_options& options, std::istream& in, std::ostream& out, bool may_ask);
 
-    /// Expects: choose() was true.
+    /// The row that choose() took. Expects: choose() was true.
     const l3d_backend& chosen() const;
 
+    /// Makes a screen of the chosen back-end.
     /// Errors: l3d_error(no_backend) with the reason. Expects: choose() was true.
     std::unique_ptr<l3d_screen> create_screen(const l3d_screen_request& request) const;
 
+    /// Makes a dispatcher of the chosen back-end.
     /// Errors: as l3d_dispatcher_factory::create. Expects: choose() was true.
     std::unique_ptr<l3d_dispatcher> create_dispatcher(const l3d_frame_settings& settings) const;
 

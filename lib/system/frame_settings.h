@@ -11,17 +11,18 @@
 
 /// The settings with which a dispatcher is made.
 struct L3D_PUBLIC l3d_frame_settings {
-    /// Units: frames; 0: until the pipeline is done (with a window), one (without a display).
+    /// The number of frames; 0: until the pipeline is done (with a window), one (without a
+    /// display).
     int frames = 0;
 
-    /// The first of these whose picture is wanted; those before only pass. Expects: less than
-    /// `frames`, or 0.
+    /// The first frame whose picture is wanted; of those before it, only the time passes. Expects:
+    /// less than `frames`, or 0.
     int first_frame = 0;
 
-    /// Whether a frame whose file is there already only passes, too.
+    /// Whether frames whose file is there already are left out, too.
     bool resume = false;
 
-    /// Units: frames per second; 0: as many as can be made; empty: what the screen is good for.
+    /// Frames per second; 0: as many as can be made; empty: what the screen is good for.
     std::optional<double> fps;
 
     /// Whether update_event gets 1 / fps instead of the time measured. Always so without a
@@ -37,7 +38,7 @@ struct L3D_PUBLIC l3d_frame_settings {
     /// The beginning of lines on stderr.
     std::string program = "l3d";
 
-    /// Units: seconds; the step of time that frames without a measured one get. The same for every
+    /// The time from frame to frame where it is not measured, in seconds. It is the same for every
     /// screen, so that their pictures are.
     double step() const { return 1 / (fps && *fps > 0 ? *fps : 60); }
 };

@@ -82,13 +82,14 @@ public:
 
     /// Three finite numbers X,Y,Z.
     void add(const std::string& name, l3d_vector<double, 3>& value, const std::string& help);
-    /// An option that may be given several times; `take` gets each text in its order, and what it
-    /// refuses it names in an l3d_error. Each time it is given replaces no other.
+    /// An option that may be given several times. `take` gets each text in turn; it throws an
+    /// l3d_error that names what it refuses. --help prints `preset`.
     void add_each(const std::string& name, const std::string& help, const std::string& kind,
                   const std::string& preset, std::function<void(const std::string&)> take);
 
-    /// "gradient", "none", or a colour R,G,B of whole numbers from 0 to 255. Nothing is given by
-    /// default: the help says what that means. With "none", files that are written have alpha.
+    /// A background: "gradient", "none", or a colour R,G,B of whole numbers from 0 to 255. It is
+    /// empty unless given; `help` says what that means. With "none", files that are written have
+    /// alpha.
     void add(const std::string& name, std::optional<l3d_background>& value,
              const std::string& help);
 
@@ -100,7 +101,7 @@ public:
     void add(const std::string& name, std::optional<l3d_vector<double, 2>>& value,
              const std::string& help);
 
-    /// WIDTHxHEIGHT, each from 1 to l3d_largest_side.
+    /// A size WIDTHxHEIGHT, each from 1 to l3d_largest_side.
     void add(const std::string& name, l3d_size& value, const std::string& help);
 
     /// One of a few words, each meaning a value, as in {{"afd", kind::afd}, {"exact",
@@ -119,7 +120,7 @@ public:
     /// The same with the stream named that --help and --version are printed on.
     bool parse(int argc, const char* const* argv, std::ostream& out);
 
-    /// Marks an option that has a result of its own beside pictures, such as a report.
+    /// Says that an option has a result of its own beside pictures, such as a report.
     /// Expects: it was added.
     void has_result(const std::string& name) { with_results_.push_back(name); }
 
@@ -144,7 +145,7 @@ public:
     /// Replaces --output, for a program (or factory manager) that has a better default.
     void set_output(const std::string& name) { common_.output = name; }
 
-    /// Names the back-end of a program that is about it, unless the user names another.
+    /// The back-end that is taken unless the user names one, for a program that is about it.
     void prefer_backend(const std::string& name) { common_.usual_backend = name; }
 
     /// The request for a screen. Unless the user gives a title, it is the program's name.

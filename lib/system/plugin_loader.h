@@ -12,15 +12,15 @@
 #include <string>
 #include <utility>
 
-/// Loads object plug-ins: shared libraries with the interface of pipeline/object_plugin.h, which
-/// is C, has a version, and does not depend on how l3d itself was built.
+/// Loads object plug-ins: shared libraries with the interface of object_plugin.h, which is C, has a
+/// version, and does not depend on how l3d itself was built.
 ///
 /// Lives:   the objects need the loader no more; each holds its library, which is closed with the
 ///          last of them.
 class L3D_PUBLIC l3d_plugin_loader {
 public:
-    /// `program` is what lines on stderr begin with; `folder` is where plug-ins find relative names
-    /// of files.
+    /// A loader whose lines on stderr begin with `program`. `seed` begins the random numbers of
+    /// plug-ins, and `folder` is where they look for relative names of files.
     l3d_plugin_loader(std::string program, std::uint64_t seed, std::string folder = ".")
         : program_(std::move(program)), folder_(std::move(folder)), random_(seed) {}
 

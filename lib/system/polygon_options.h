@@ -10,7 +10,7 @@
 #include "system/afd_options.h"
 #include "system/options.h"
 
-/// The pipeline, which finds out what is in front.
+/// The pipelines that a program may draw a model with.
 enum class L3D_PUBLIC l3d_pipeline_kind {
     afd,     ///< patches by adaptive forward differencing
     zsort,   ///< triangles from far to near, cut where no order is right
@@ -36,6 +36,7 @@ public:
     /// Errors: l3d_error(bad_input) with file and line.
     l3d_polygon_model model() const;
 
+    /// The settings that the options ask for.
     /// Errors: as l3d_afd_options::settings; l3d_error(usage) for what only patches have, such as
     ///         --depth-output and --net.
     l3d_polygon_settings settings() const;

@@ -29,7 +29,7 @@
 /// Lives:   a local object of main, which outlives what it creates.
 class L3D_PUBLIC l3d_program {
 public:
-    /// The purpose is what --help begins with; it has the keys, too.
+    /// A program of this name. --help begins with `purpose`, which should list the keys, too.
     l3d_program(std::string name, const std::string& purpose, l3d_size default_size);
 
     /// The same with a caption, which --help begins with. Windows show it, unless their frames are

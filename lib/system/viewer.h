@@ -25,8 +25,7 @@
 
 /// A `Pipeline` with l3d_viewer_controls and a report of each frame, for which --turntable,
 /// --report, --explain, --statistics, --depth-output and --error-output do what they say. Without
-/// --eye and
-/// --target it frames its model.
+/// --eye and --target it frames its model.
 ///
 /// Lives:   borrows the options.
 template <class Pipeline> class L3D_PUBLIC l3d_viewer final : public Pipeline {
@@ -72,9 +71,10 @@ public:
             reports_->add(this->report().json());
     }
 
-    /// After the last frame: its distances, the bounds of its pixels, what it did not need, what
-    /// all frames took, why it is empty, and what --pick asks for. Errors:  l3d_error(failure) that
-    /// names the file and the system's reason.
+    /// Tells of the last frame what the options ask for: its distances, the bounds of its pixels,
+    /// what it did not need, what all frames took, and --pick. It also says why a picture is empty.
+    /// Call it once the dispatcher has ended.
+    /// Errors:  l3d_error(failure) that names the file and the system's reason.
     void finish() const {
         if constexpr (requires { this->depth(); })
             if (const std::string& file = asked_.depth_output(); !file.empty())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_error: the only exception type the library throws, and only while setting up.
+// l3d_error: what the library throws where a program cannot go on; never while it draws.
 #ifndef L3D_TOOL_2D_ERROR_H
 #define L3D_TOOL_2D_ERROR_H
 

@@ -87,7 +87,7 @@ struct L3D_PUBLIC l3d_event {
     bool logo = false;
 };
 
-/// A thing a dispatcher can pull events from (the book's marker class, given its two calls).
+/// A thing that a dispatcher pulls events from.
 class L3D_PUBLIC l3d_event_source {
 public:
     l3d_event_source() = default;

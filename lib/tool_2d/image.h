@@ -11,10 +11,10 @@
 #include <memory>
 #include <new>
 
-/// A stride for rows of so many words: an odd number of cache lines of 64 bytes, longer by a word
-/// to two lines. If rows were 4096 bytes apart, a column's pixels would share a set of the cache. A
-/// row's loads would wait for stores to the row above, since processors tell addresses apart by
-/// their last 12 bits. A frame of 1024 x 768 would take a tenth more time.
+/// A stride for rows of `width` words: an odd number of cache lines of 64 bytes, from one word to
+/// two lines longer. If rows were 4096 bytes apart, a column's pixels would share a set of the
+/// cache. A row's loads would wait for stores to the row above, since processors tell addresses
+/// apart by their last 12 bits. A frame of 1024 x 768 would take a tenth more time.
 inline std::ptrdiff_t l3d_padded_stride(int width) {
     constexpr std::ptrdiff_t words_per_line = 16;
     return ((width / words_per_line + 1) | 1) * words_per_line;
@@ -25,6 +25,7 @@ class L3D_PUBLIC l3d_image {
 public:
     l3d_image() = default;
 
+    /// A black image with rows of `stride` words.
     /// Expects: width and height not negative, stride >= width.
     /// Errors:  std::bad_alloc.
     l3d_image(l3d_size size, std::ptrdiff_t stride)
@@ -33,7 +34,7 @@ public:
         assert(size.width >= 0 && size.height >= 0 && stride >= size.width);
     }
 
-    /// Lives:   the view ends when the image does, or is assigned to.
+    /// A view of the words. Lives: it ends when the image does, or is assigned to.
     l3d_pixels pixels() { return {words_.get(), size_.width, size_.height, stride_}; }
 
 private:

@@ -57,7 +57,7 @@ L3D_PUBLIC void l3d_write_image(const std::string& path, const l3d_pixels& pixel
 /// Errors:  l3d_error(bad_input) that names the path and the reason.
 L3D_PUBLIC l3d_image l3d_read_png(const std::string& path, l3d_alpha alpha = l3d_alpha::none);
 
-/// Whether a file holds a whole PNG or PPM of that size, whose kind its name says as for
+/// Whether a file holds a whole PNG or PPM of that size. Its name says which kind, as for
 /// l3d_write_image. False, without a reason, if there is no file, or one that was cut off or
 /// damaged on the disk.
 /// Cost:    reads and unpacks the file.

@@ -42,13 +42,13 @@ struct L3D_PUBLIC l3d_pixels {
     /// Width and height, in pixels.
     l3d_size size() const { return {width, height}; }
 
-    /// Expects: 0 <= y < height.
+    /// The words of a row of the picture. Expects: 0 <= y < height.
     std::span<std::uint32_t> row(int y) const {
         assert(y >= 0 && y < height);
         return {words + y * stride, static_cast<std::size_t>(width)};
     }
 
-    /// The same words of the same memory.
+    /// Whether both are views of the same words in memory.
     friend bool operator==(const l3d_pixels&, const l3d_pixels&) = default;
 };
 
@@ -76,7 +76,7 @@ struct L3D_PUBLIC l3d_pixel_box {
                 std::min(bottom, other.bottom)};
     }
 
-    /// The smallest that holds both.
+    /// The smallest box that holds both.
     l3d_pixel_box united(const l3d_pixel_box& other) const {
         if (empty() || other.empty())
             return empty() ? other : *this;
@@ -84,7 +84,7 @@ struct L3D_PUBLIC l3d_pixel_box {
                 std::max(bottom, other.bottom)};
     }
 
-    /// Where each pixel is a square of scale x scale.
+    /// The box where each pixel is a square of scale x scale.
     l3d_pixel_box scaled(int scale) const {
         return {scale * left, scale * top, scale * right, scale * bottom};
     }

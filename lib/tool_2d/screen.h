@@ -88,7 +88,7 @@ enum class L3D_PUBLIC l3d_remote {
     off,       ///< whole pictures, as to a display of this machine
 };
 
-/// The properties that a program wants of its screen.
+/// What a program wants of its screen.
 struct L3D_PUBLIC l3d_screen_request {
     l3d_size size{1024, 768};  ///< of the picture, in pixels of the program; see scale
     std::string title = "l3d"; ///< UTF-8, for people
@@ -97,7 +97,7 @@ struct L3D_PUBLIC l3d_screen_request {
     /// and the picture is larger than `size` by as much as the display is finer than 96 dots an
     /// inch.
     int scale = 0;
-    /// How pictures travel to a display; nothing to screens that are no window.
+    /// How pictures travel to a display. Screens that are no windows ignore it.
     l3d_remote remote = l3d_remote::automatic;
 };
 
@@ -114,7 +114,7 @@ struct L3D_PUBLIC l3d_service {
 
     level how = level::fully; ///< the answer in one word
     std::string why{};        ///< one line, naming values, if not `fully`
-    bool is_seen = true;      ///< whether somebody sees the pictures, unless they are written
+    bool is_seen = true;      ///< whether somebody sees pictures that are not written to files
 
     /// Whether pictures can be shown, this way or another.
     bool serves() const { return how == level::fully || how == level::partly; }
@@ -131,6 +131,7 @@ public:
     /// Whether this kind can serve here and now. Errors: says so in its result.
     l3d_service service() const { return do_service(); }
 
+    /// Makes a screen.
     /// Errors:  null, with the reason in `refusal`, if this kind cannot serve here.
     std::unique_ptr<l3d_screen> create(const l3d_screen_request& request,
                                        l3d_service& refusal) const {

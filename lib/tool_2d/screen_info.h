@@ -57,7 +57,7 @@ struct L3D_PUBLIC l3d_channel {
 ///
 /// Shape:   pixels[(r * green + g) * blue + b] shows level r of `red` levels, g of `green`, b of
 ///          `blue`; on a ramp, `red` counts the grays, and the others are 1.
-/// Expects: 2 to 256 levels of each, but for those ones.
+/// Expects: 2 to 256 levels each; on a ramp, of `red` alone.
 struct L3D_PUBLIC l3d_palette {
     int red = 0;                       ///< levels of red, or of gray on a ramp
     int green = 0;                     ///< levels of green; 1 on a ramp

@@ -12,7 +12,7 @@
 /// Shape:   rows are longer than the picture, so that nobody comes to rely on stride == width.
 class L3D_PUBLIC l3d_screen_memory final : public l3d_screen {
 public:
-    /// Expects: width and height at least 1.
+    /// A screen of this size. Expects: width and height at least 1.
     /// Errors:  std::bad_alloc.
     explicit l3d_screen_memory(l3d_size size);
 

@@ -33,7 +33,7 @@ struct leaving_out_case {
 /// Lives: the models, as long as this does.
 class leaving_out_cases {
 public:
-    /// Expects: data/teapot.bpt can be read. Errors:  std::runtime_error if it cannot.
+    /// Expects: data/teapot.bpt can be read. Errors: std::runtime_error if it cannot.
     leaving_out_cases();
 
     static constexpr l3d_size size{640, 480};

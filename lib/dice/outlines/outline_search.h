@@ -12,7 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Finds the pixels near outlines. Finds the pixels near outlines. Finds the pixels near outlines.
+/// Finds the pixels near outlines.
+///
 /// Cuts patches in halves until each half is proven to have no visible outline, or its outline is
 /// nearly straight. The straight outline is put into a mask, as wide as the bound.
 ///

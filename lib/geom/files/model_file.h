@@ -56,16 +56,17 @@ struct L3D_PUBLIC l3d_model_file {
     std::vector<std::uint32_t> patch_materials{};    ///< optional, one per patch, as a face has it
     std::vector<l3d_material_file> material_files{}; ///< what the mesh's materials look like
     std::vector<l3d_part_run> patch_parts{};         ///< optional, runs of patches with names
-    /// What of the model's x and y is to be seen: `w` of .obj. For programs in two dimensions.
+    /// The part of the model's x and y that is to be seen: `w` of .obj. For programs in two
+    /// dimensions.
     std::optional<l3d_model_window> window{};
-    /// Where it is to be seen: `s` of .obj. Units: shares of the picture, from the left and from
-    /// below.
+    /// The part of the picture that the window fills: `s` of .obj. Units: shares of the picture,
+    /// from the left and from below.
     std::optional<l3d_model_window> viewport{};
 
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;
 };
 
-/// Reads another file that a model names, from the model's own folder: its bytes.
+/// Gives the bytes of another file that a model names, in the model's own folder.
 /// Errors:  nothing, and the reason in `why`.
 using l3d_other_files =
     std::function<std::optional<std::string>(const std::string& name, std::string& why)>;
@@ -75,7 +76,8 @@ using l3d_other_files =
 L3D_PUBLIC std::optional<l3d_model_format> l3d_model_format_of(std::string_view text);
 
 /// Reads a model of any of the formats. docs/FORMATS.md says what of each is read, skipped with a
-/// note, and refused. A format whose numbers are in files of their own needs the other function.
+/// note, and refused. A model whose numbers are in files of their own, as in glTF, needs
+/// l3d_read_model_with.
 ///
 /// Coordinates are finite and at most l3d_bpt_largest_coordinate in magnitude; the mesh is valid.
 /// Errors:  nothing, and `why` = "name:line: what is wrong". In the binary part of a file, the line
@@ -85,7 +87,7 @@ L3D_PUBLIC std::optional<l3d_model_format> l3d_model_format_of(std::string_view 
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model(std::string_view text,
                                                         std::string_view name, std::string& why);
 
-/// The same with the files that the model names: the buffers of glTF.
+/// As l3d_read_model, with the files that the model names: the buffers of glTF.
 /// Errors:  as those of l3d_read_model.
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_files& files,
                                                              std::string_view text,

@@ -28,7 +28,7 @@ class l3d_polygon_wires;
 /// The parts of faces that are shown.
 enum class L3D_PUBLIC l3d_polygon_style {
     solid,        ///< faces, filled
-    wireframe,    ///< the sides of all faces, of culled ones not
+    wireframe,    ///< the sides of all faces but culled ones
     hidden_lines, ///< the sides, without what faces hide
 };
 
@@ -83,10 +83,9 @@ struct L3D_PUBLIC l3d_polygon_settings {
 
 /// Draws a model of polygons; a subclass finds which polygon is in front.
 ///
-/// Has the controls that its help overlay lists.
+/// It has the controls that its help overlay lists.
 /// Expects: a valid camera; light not zero; threads >= 1; a shade of normals
-/// (l3d_shades_of_normals), as
-///          polygons have neither bounds nor exact derivatives.
+///          (l3d_shades_of_normals), as polygons have neither bounds nor exact derivatives.
 /// Lives:   owns screen, rasterizers and workers; shares the model.
 class L3D_PUBLIC l3d_pipeline_polygons : public l3d_pipeline {
 public:
@@ -98,12 +97,13 @@ public:
     /// The last frame drawn; the hash is counted when asked for.
     l3d_polygon_report report() const;
 
-    /// From where the model is drawn, and how; the next draw_event draws what they say then. A
-    /// program with a dispatcher calls redraw() after a change.
+    /// The eye that the next frame is drawn for; a reference to change it. The next draw_event
+    /// draws what camera and settings say then. A program with a dispatcher calls redraw() after a
+    /// change.
     l3d_camera& camera() { return camera_; }
     /// How the model is to be drawn; a reference to change it.
     l3d_polygon_settings& settings() { return settings_; }
-    /// Asks for the next frame to be drawn, whatever has changed.
+    /// Asks for the next frame to be drawn: camera or settings may differ.
     void redraw() { stale_ = true; }
 
     /// Moves the camera along the line of sight, and beside it, so that the whole model is seen:
@@ -117,14 +117,14 @@ public:
     /// l3d_without_area; "" if it may show something.
     std::string why_empty() const;
 
-    /// Whether more than two thirds of what one might see of the model is seen from behind, as an
-    /// open sheet is that faces the other way. Without its back faces little of it would be shown.
-    /// Of a closed body each half is a half, whichever way it faces.
+    /// Whether the eye looks at the back of more than two thirds of the model, as of an open sheet
+    /// that faces the other way. Then little is left of it without back faces. Faces count by their
+    /// area in the picture, hidden ones too; so half of a closed body is seen from behind.
     /// Cost: linear in triangles.
     bool turns_its_back() const;
 
-    /// What is seen at (x, y) of the picture: l3d_polygon_pick_at, with the camera and settings of
-    /// now.
+    /// What is seen at (x, y) of the picture: l3d_polygon_pick_at, with the present camera and
+    /// settings.
     std::optional<l3d_polygon_pick> pick(double x, double y) const;
 
     /// The viewer's keys, mouse and lines of text.
@@ -135,8 +135,8 @@ public:
     void pointer_event(const l3d_event& event) override;
     void resize_event(l3d_size size) override;
     void update_event(double seconds) override;
-    /// Without an own update_event time changes nothing but what controls() do. A subclass that has
-    /// one overrides this, too.
+    /// Time alone changes only what controls() change. A subclass that overrides update_event
+    /// overrides this, too.
     bool is_at_rest() const override { return controls_.is_at_rest(); }
     void draw_event() override;
     void frame_event(const l3d_frame_times& times) override;
@@ -154,7 +154,7 @@ protected:
         std::span<const l3d_material> materials; ///< theirs; none if all are plain
         l3d_shading shading;                     ///< light, and the way to shade
         bool count_pixels;                       ///< as in the settings
-        bool smooth_lines;                       ///< sides that are drawn as lines are
+        bool smooth_lines;                       ///< whether sides are drawn as smooth lines
     };
 
     /// Errors:  as l3d_rasterizer_factory::create_2d.

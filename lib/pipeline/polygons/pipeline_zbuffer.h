@@ -13,11 +13,12 @@
 
 struct l3d_painter_triangle;
 
-/// Any order; each pixel knows how near it is. Through the CPU's surface rasterizer or Mesa's.
+/// Draws polygons in any order; a depth buffer says in each pixel which one is nearest. The surface
+/// rasterizer is the CPU's or Mesa's.
 class L3D_PUBLIC l3d_pipeline_zbuffer : public l3d_pipeline_polygons {
 public:
-    /// `method` names it in reports; `surfaces` makes what fills, and may be of another kind than
-    /// the canvas'.
+    /// A pipeline that draws this model on this canvas. `surfaces` makes the rasterizer that fills,
+    /// and may be of another kind than the canvas has. `method` is its name in reports.
     /// Errors:  as l3d_rasterizer_factory::create_surface.
     l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                          const l3d_polygon_settings& settings,

@@ -14,6 +14,7 @@
 /// With anti-aliasing, a depth buffer tells afterwards which of the painted pixels are at edges.
 class L3D_PUBLIC l3d_pipeline_zsort : public l3d_pipeline_polygons {
 public:
+    /// A pipeline that draws this model on this canvas.
     /// Errors:  as l3d_rasterizer_factory::create_2d.
     l3d_pipeline_zsort(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                        const l3d_polygon_settings& settings);

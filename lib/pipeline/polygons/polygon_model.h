@@ -85,11 +85,12 @@ public:
     /// Triangle i is in block i / l3d_facing_block::triangles.
     std::span<const l3d_facing_block> facing_blocks() const { return contents_->facing_blocks; }
 
-    /// Unit vectors, counterclockwise corners seen from their tips; zero for a face of no area.
+    /// The unit normals of faces, seen from whose tips corners run counterclockwise; zero for a
+    /// face of no area.
     std::span<const direction> face_normals() const { return contents_->face_normals; }
 
-    /// The mesh's own if it has any, else the mean of the faces around, weighted by area. Unit
-    /// vectors; zero where no face is. At creases, corner_normal has others.
+    /// The normals of vertices: the mesh's own if it has any, else the mean of the faces around,
+    /// weighted by area. Unit vectors; zero where no face is. At creases, corner_normal has others.
     std::span<const direction> vertex_normals() const { return contents_->vertex_normals; }
 
     /// The normal that a triangle is lit with at a corner: its vertex's, or another one where the
@@ -114,7 +115,7 @@ public:
     l3d_polygon_model part_painted(std::size_t part, const l3d_material& material) const;
 
     /// A model that shows some parts alone; what belongs to no part is left out. It keeps its mesh,
-    /// and turns about the same centre: triangles() has those that are shown.
+    /// and turns about the same centre; triangles() has only those that are shown.
     /// Expects: indices of parts().names().
     l3d_polygon_model only(std::span<const std::size_t> parts) const;
 
@@ -134,7 +135,7 @@ public:
     /// The corner of the model's box with the largest x, y and z.
     const vector& most() const { return contents_->most; }
 
-    /// The middle of the box, and how far the farthest vertex is from it.
+    /// The middle of the box.
     vector centre() const { return contents_->centre(); }
     /// The distance from centre() to the farthest vertex.
     double radius() const { return contents_->radius; }

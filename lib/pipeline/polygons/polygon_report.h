@@ -14,7 +14,7 @@
 struct L3D_PUBLIC l3d_polygon_counts : l3d_seen_counts {
     std::int64_t back = 0; ///< left out: seen from behind
 
-    /// Both together: of other triangles.
+    /// Adds the counts of other triangles.
     void add(const l3d_polygon_counts& other) {
         l3d_seen_counts::add(other);
         back += other.back;
@@ -36,7 +36,7 @@ struct L3D_PUBLIC l3d_polygon_times : l3d_common_times {
     double order = 0; ///< sorting, comparing, cutting; 0 with a depth buffer
 };
 
-/// One frame.
+/// The report of one frame of polygons.
 struct L3D_PUBLIC l3d_polygon_report : l3d_common_report {
     l3d_polygon_times time_ms;   ///< what each stage took, in milliseconds
     std::int64_t faces = 0;      ///< of the model

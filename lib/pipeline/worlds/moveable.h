@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_moveable: something that flies: a place, three axes of its own, and what it has been pushed
-// to.
+// l3d_moveable: something that flies: a place, three axes of its own, and a motion.
 #ifndef L3D_PIPELINE_WORLDS_MOVEABLE_H
 #define L3D_PIPELINE_WORLDS_MOVEABLE_H
 
@@ -67,7 +66,7 @@ public:
     ///          1 again, so that no rounding adds up.
     void update(double seconds);
 
-    /// World coordinates to those of the three axes with the place as origin, and back.
+    /// From the world to the three axes with the place as origin.
     l3d_matrix<T> viewing_transform() const;
     /// From the three axes with the place as origin to the world.
     l3d_matrix<T> inverse_viewing_transform() const;

@@ -51,14 +51,14 @@ public:
     using real = l3d_real;
 
     l3d_object() = default;
-    /// Expects: mesh.is_valid().
+    /// An object of these polygons. Expects: mesh.is_valid().
     explicit l3d_object(l3d_polygon_mesh mesh) { set_mesh(std::move(mesh)); }
     l3d_object& operator=(const l3d_object&) = delete;
     virtual ~l3d_object() = default;
 
     std::string name; ///< for messages; need not differ from others
 
-    /// Expects: mesh.is_valid().
+    /// Replaces its polygons. Expects: mesh.is_valid().
     void set_mesh(l3d_polygon_mesh mesh);
     /// The polygons, in the object's own coordinates.
     const l3d_polygon_mesh& mesh() const { return mesh_; }
@@ -88,7 +88,7 @@ public:
 
 protected:
     /// A copy in depth of all but the behaviour.
-    l3d_object(const l3d_object& other); // without its behaviour
+    l3d_object(const l3d_object& other);
 
 private:
     virtual void do_update(double seconds);

@@ -13,7 +13,7 @@
 /// A left-handed world. A program populates it in the constructor of a subclass.
 class L3D_PUBLIC l3d_world {
 public:
-    /// The size of the pictures at first, for the camera.
+    /// An empty world, whose camera makes pictures of this size.
     explicit l3d_world(l3d_size size) : camera(size) {}
     l3d_world(const l3d_world&) = delete;
     l3d_world& operator=(const l3d_world&) = delete;
@@ -21,9 +21,8 @@ public:
 
     l3d_camera_left_handed<l3d_real> camera;          ///< where the world is seen from
     std::vector<std::unique_ptr<l3d_object>> objects; ///< all that is in the world
-    l3d_draw_order order =
-        l3d_draw_order::far_first; ///< how polygons are put in front of each other
-    bool frozen = false;           ///< only the camera moves
+    l3d_draw_order order = l3d_draw_order::far_first; ///< in which order polygons are drawn
+    bool frozen = false;                              ///< only the camera moves
 
     /// Lets time pass for every object, then for the camera. Units: seconds.
     void update_all(double seconds);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_placed_image: a picture to be drawn in another one.
+// l3d_placed_image: an image, and where it is drawn in a picture.
 #ifndef L3D_RASTER_IMAGES_PLACED_IMAGE_H
 #define L3D_RASTER_IMAGES_PLACED_IMAGE_H
 
@@ -7,7 +7,7 @@
 #include "raster/placement_2d.h"
 #include "tool_2d/pixels.h"
 
-/// Which colour a pixel gets from an image.
+/// How a pixel gets its colour from an image.
 enum class L3D_PUBLIC l3d_image_filter {
     /// That of the image's pixel whose square holds the sample: hard edges, no new colours. A
     /// sample on a side belongs to what is right of or below it, in the image.
@@ -23,7 +23,7 @@ enum class L3D_PUBLIC l3d_image_filter {
 /// An image and its place. Its pixel (i, j) is a square around (i, j), as in l3d_rasterizer_2d, so
 /// a placement that moves nothing draws it into the picture's top left corner.
 struct L3D_PUBLIC l3d_placed_image {
-    l3d_pixels pixels;                                ///< Lives: borrowed while drawing
+    l3d_pixels pixels;                                ///< the image; borrowed while drawing
     l3d_placement_2d place{};                         ///< of the image in the picture
     l3d_image_filter filter = l3d_image_filter::area; ///< which colour a pixel gets
     bool transparent = false; ///< the words' highest byte says how transparent they are

@@ -16,7 +16,8 @@
 /// the system does not let run delays only the item that it has begun.
 class L3D_PUBLIC l3d_workers {
 public:
-    /// Expects: threads >= 1. With 1, all work is done by the caller, in order.
+    /// So many threads, the caller's included. With 1, the caller does all work, in order.
+    /// Expects: threads >= 1.
     explicit l3d_workers(int threads);
     l3d_workers(const l3d_workers&) = delete;
     l3d_workers& operator=(const l3d_workers&) = delete;

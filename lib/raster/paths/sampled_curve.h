@@ -10,8 +10,8 @@
 #include <numbers>
 #include <vector>
 
-/// The points of a circle at t = 0, 1/n, 2/n and so on, t = 1 being the first one again: the
-/// corners of a regular polygon, from the right on towards larger y.
+/// Points of a circle, evenly spaced: the corners of a regular polygon with `resolution` sides,
+/// from the right on towards larger y. The first one is not repeated at the end.
 /// Expects: resolution >= 1.
 inline std::vector<l3d_point_2d> l3d_sampled_circle(l3d_point_2d center, double radius,
                                                     int resolution) {
@@ -24,7 +24,7 @@ inline std::vector<l3d_point_2d> l3d_sampled_circle(l3d_point_2d center, double 
     return result;
 }
 
-/// The points of a quadratic Bezier curve at t = 0, 1 / (n - 1), ..., 1, both its ends included.
+/// Points of a quadratic Bezier curve at t = 0, 1 / (n - 1), ..., 1, where n is `resolution`.
 /// Expects: resolution >= 2.
 inline std::vector<l3d_point_2d> l3d_sampled_quadratic(l3d_point_2d from, l3d_point_2d control,
                                                        l3d_point_2d to, int resolution) {

@@ -45,8 +45,8 @@ struct L3D_PUBLIC l3d_stroke {
 /// areas. An outline of a single point shows a round or a square cap. Where the lines of a very
 /// short outline turn by half a turn, nothing is missing. Where a closed outline begins within a
 /// dash, its first and last dash are one. A dash without length shows a cap as a single point does;
-/// a square one is turned along the path. Expects: numbers; width at least 0; lengths of dashes at
-/// least 0, with a sum of 1e-3 or more.
+/// a square one is turned along the path.
+/// Expects: numbers; width at least 0; lengths of dashes at least 0, with a sum of 1e-3 or more.
 ///          Otherwise the result is empty.
 /// Cost:    linear in chords and dashes; at most 10^6 dashes, the rest is left out.
 L3D_PUBLIC l3d_path l3d_stroked(const l3d_path& path, const l3d_stroke& pen);

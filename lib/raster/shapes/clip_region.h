@@ -14,10 +14,10 @@
 struct L3D_PUBLIC l3d_clip_region {
     l3d_point_2d least{}, most{}; ///< its corners, top left and bottom right; both belong to it
 
-    /// What a point is beside of, added up.
+    /// The bits of outcode(), one for each side of the box.
     static constexpr unsigned left = 1, right = 2, below = 4, above = 8;
 
-    /// Beyond which sides a point is; 0 if it is inside.
+    /// The sides that a point is beyond, as a sum of bits; 0 if it is inside.
     unsigned outcode(l3d_point_2d p) const {
         return (p.x < least.x ? left : 0) | (p.x > most.x ? right : 0) |
                (p.y > most.y ? below : 0) | (p.y < least.y ? above : 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_font: a face of letters, and text drawn with it.
+// l3d_font: a typeface, and text drawn with it.
 #ifndef L3D_RASTER_SHAPES_FONT_H
 #define L3D_RASTER_SHAPES_FONT_H
 
@@ -19,8 +19,7 @@
 ///
 /// Units:   sizes are the height of the face's em square in pixels; a capital is some 0.7 of it.
 /// Expects: sizes of at least 1 where they are whole numbers. Copies share what they have drawn, so
-/// all of them belong to one
-///          thread.
+///          all of them belong to one thread.
 /// Cost:    a letter is made once for each size. Then it is one l3d_coverage_2d.
 class L3D_PUBLIC l3d_font {
 public:

@@ -58,10 +58,10 @@ public:
     /// Adds lines with a word before the first, such as a key. Such words form a column.
     void add(const std::string& key, const std::string& text);
 
-    /// Adds lines that begin where words before lines do, such as what all the others are about.
+    /// Adds a title: lines that begin at the left, where keys do.
     void add_title(const std::string& text);
 
-    /// Adds a scale: a bar of colours that pass into each other, and under its ends their names.
+    /// Adds a scale: a bar of colours that pass into each other, with a text under each end.
     /// Expects: at least two colours, which are pixel words.
     void add_scale(std::vector<std::uint32_t> colors, std::string first, std::string last) {
         rows_.push_back({std::move(first), std::move(last), std::move(colors), false});
@@ -73,10 +73,10 @@ public:
     /// Whether nothing was added.
     bool empty() const { return rows_.empty(); }
 
-    /// Divides the lines among as few panels as leave half of a picture free, each for itself. If
-    /// there are several, each says that this key shows the next. One panel that covers more
-    /// is the answer for pictures so small that others would have hardly any line. If even its
-    /// smallest letters would leave lines out, pages cover more, too.
+    /// Divides the lines among as few panels as possible, each of which leaves half of a picture
+    /// free. If there are several, each says that `key` shows the next. Pictures so small that a
+    /// panel would have hardly any line get one panel, which covers more. If even its smallest
+    /// letters would leave lines out, there are several again, and they cover more, too.
     std::vector<l3d_panel> pages(l3d_size picture, const std::string& key,
                                  const l3d_panel_style& style) const;
 

@@ -17,8 +17,8 @@
 /// are the same, too; only where GL computes colours, in Gouraud-shaded polygons, smooth lines and
 /// coverage, may red, green and blue differ by 1. The CPU draws what GL cannot draw exactly. This
 /// includes polygons that reach further than 8191 pixels from the middle of the picture, and
-/// pictures larger than GL's largest. Cost:    drawing gathers; the picture goes to GL with the
-/// first batch after finish, set_target
+/// pictures larger than GL's largest.
+/// Cost:    drawing gathers; the picture goes to GL with the first batch after finish, set_target
 ///          or a change of hands, and comes back in finish.
 class l3d_rasterizer_2d_mesa_imp final : public l3d_rasterizer_2d_imp {
 public:
