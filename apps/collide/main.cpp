@@ -143,7 +143,7 @@ int main(int argc, char** argv) {
                     .keys = l3d_world_keys()},
         {960, 720});
     int count = 24;
-    program.options().add("--bodies", count, "how many there are", 1, 200);
+    program.options().add("--bodies", count, "number of bodies", 1, 200);
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         auto canvas = program.create_canvas();

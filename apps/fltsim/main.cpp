@@ -56,9 +56,9 @@ int main(int argc, char** argv) {
                                     .keys = l3d_world_keys()},
                         {960, 600});
     std::string plugin;
-    program.options().add("--plugin", plugin,
-                          "one object more, by a shared library; without it, l3d's pyramid.so",
-                          "FILE");
+    program.options().add(
+        "--plugin", plugin,
+        "a shared library that makes one more object; without it, l3d's pyramid.so", "FILE");
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         auto canvas = program.create_canvas();

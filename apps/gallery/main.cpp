@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
     const l3d_afd_options afd(program.options());
     bool glossy = false;
     program.options().add("--glossy", glossy,
-                          "highlights; --error-output bounds each of their pixels most closely");
+                          "surfaces with highlights; --error-output bounds each pixel closely");
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         l3d_camera camera = afd.camera();

@@ -47,8 +47,8 @@ int main(int argc, char** argv) {
     const l3d_method_option method(program.options(), "--method", "afd",
                                    "how surfaces are drawn: ");
     const l3d_method_option compared(program.options(), "--compare", "",
-                                     "draw the right half by this method, and the left, which "
-                                     "--report, --explain and --statistics tell of, as without: ");
+                                     "draw the right half by this method; --report, --explain and "
+                                     "--statistics tell of the left: ");
     const l3d_part_options parts(program.options());
     std::string folder;
     bool quick = false;

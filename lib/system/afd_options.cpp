@@ -99,21 +99,22 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
         "FILE");
     // Vertices lie on a grid of 1/256 pixel, which with the weights of docs/NUMERICS.md, section 9,
     // takes 0.0069: finer ones only add quads.
+    options.add("--tolerance", tolerance_, settings_.tolerance,
+                "largest error of places and depth allowed, in pixels; kept down to 0.01; below, "
+                "the report "
+                "says what was reached",
+                0.005, 1000.0);
     options.add(
-        "--tolerance", tolerance_, settings_.tolerance,
-        "largest error of places and depth allowed, in pixels; kept down to 0.01, below that the "
-        "report's bound says what is",
-        0.005, 1000.0);
-    options.add("--shade-tolerance", settings_.shade_tolerance,
-                "largest error of a grey allowed, in levels of 255, as far as quads of 6 pixels "
-                "keep it; for --shade lambert",
-                1.0, 255.0);
+        "--shade-tolerance", settings_.shade_tolerance,
+        "largest error of a grey allowed, in levels of 255, for --shade lambert; kept where "
+        "quads of 6 pixels are small enough",
+        1.0, 255.0);
     options.add("--lateral-only", settings_.lateral_only,
                 "keep places in the picture within the tolerance, and neither depth nor shade");
     options.add("--most-samples", most_samples_,
                 "what a frame may spend on patches that have to be cut or clipped, in samples; "
-                "unasked, 65536 and 2 a pixel, more below 0.05 px; the report tells what it did "
-                "not suffice for",
+                "without it 65536 and 2 a pixel, more below 0.05 px; the report tells where it did "
+                "not suffice",
                 1, std::numeric_limits<int>::max());
     options.add("--eye", eye_,
                 "where the camera is; without it and --target, where the whole model is seen");
@@ -121,7 +122,7 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--up", camera_.up, "what is upright in the picture");
     options.add("--fov", camera_.fov, "vertical field of view in degrees", 0.001, 179.9);
     options.add("--near", near_, camera_.near,
-                "nearest distance that is drawn; less, unasked, of small models",
+                "nearest distance that is drawn; without it, less for small models",
                 l3d_least_distance, largest);
     options.add("--far", camera_.far, "farthest distance that is drawn", least_positive, largest);
     options.add_choice<l3d_shade>(
@@ -164,7 +165,7 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--turntable", turntable_, "degrees that the eye turns from frame to frame", -360.0,
                 360.0);
     options.add("--threads", threads_,
-                "threads to draw with; unasked, as many as processors, at most " +
+                "threads to draw with; without it, as many as processors, at most " +
                     std::to_string(most_threads_unasked) + "; the picture is the same for any",
                 1, 1024);
     options.add(
@@ -183,7 +184,8 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--explain", explain_, "tell what the last frame did not need, and why");
     options.add("--statistics", statistics_,
                 "tell at the end how many polygons were drawn, in how many seconds");
-    options.add("--keep-all", keep_all_, "leave nothing out");
+    options.add("--keep-all", keep_all_,
+                "do all work, also what rules leave out; the picture is as good");
     options.add("--pick", pick_,
                 "tell what the last frame shows at this place, in pixels from the left upper "
                 "corner: patch, parameters, point, normal and curvature, each with its error");

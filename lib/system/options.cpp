@@ -126,19 +126,19 @@ void l3d_options::add_common(l3d_size default_size) {
     add("--size", common_.size, "size of the picture");
     add_number(
         app, "--scale", common_.scale, "",
-        "side of a pixel in the window, in the display's pixels; by itself the window is as much "
-        "larger as Xft.dpi is above 96",
+        "side of a pixel in the window, in the display's pixels; without it, the window grows as "
+        "Xft.dpi exceeds 96",
         "NUMBER", 1, l3d_largest_scale);
-    add("--title", common_.title, "title of the window (by itself what it shows, and the program)",
-        "TEXT");
+    add("--title", common_.title,
+        "title of the window (without it, what it shows, and the program)", "TEXT");
     add_choice("--remote", common_.remote,
                "send only what changed, coarse while it moves, and share no memory; auto: if the "
                "display is reached over a network",
                {{"auto", l3d_remote::automatic}, {"on", l3d_remote::on}, {"off", l3d_remote::off}});
     add_batch();
     add_number(app, "--fps", common_.fps, "",
-               "frames per second; 0: no limit (by itself 60, or 15 on a remote display)", "NUMBER",
-               0.0, 1000.0);
+               "frames per second; 0: no limit (without it 60, or 15 on a remote display)",
+               "NUMBER", 0.0, 1000.0);
     add_number(app, "--seed", common_.seed, l3d_number_text(common_.seed),
                "where random numbers start", "NUMBER", std::uint64_t{0},
                std::numeric_limits<std::uint64_t>::max());

@@ -16,13 +16,14 @@ l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_opt
     : shared_(shared) {
     options.add_choice<l3d_pipeline_kind>(
         "--pipeline", pipeline_,
-        "who is in front: patches by afd; polygons sorted and cut, by a depth buffer, or by GL",
+        "afd draws patches; zsort sorts and cuts polygons, zbuffer has a depth buffer, mesa has GL "
+        "draw them",
         {{"afd", l3d_pipeline_kind::afd},
          {"zsort", l3d_pipeline_kind::zsort},
          {"zbuffer", l3d_pipeline_kind::zbuffer},
          {"mesa", l3d_pipeline_kind::mesa}});
     options.add("--parallel", parallel_, "parallel projection of polygons");
-    options.add("--hidden-lines", hidden_lines_, "lines of polygons, what is hidden removed");
+    options.add("--hidden-lines", hidden_lines_, "lines of polygons, without what faces hide");
     options.add("--all-faces", all_faces_, "draw faces seen from behind, too");
     options.add("--rotate", rotation_,
                 "degrees that polygons are turned about x, y and z, round their middle");
