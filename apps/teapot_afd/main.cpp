@@ -47,8 +47,8 @@ int main(int argc, char** argv) {
     const l3d_method_option method(program.options(), "--method", "afd",
                                    "how surfaces are drawn: ");
     const l3d_method_option compared(program.options(), "--compare", "",
-                                     "draw the right half by this method; --report, --explain and "
-                                     "--statistics tell of the left: ");
+                                     "draw the right half by this method (--report, --explain and "
+                                     "--statistics tell of the left one): ");
     const l3d_part_options parts(program.options());
     std::string folder;
     bool quick = false;
