@@ -12,7 +12,8 @@
 /// Units:   pixels, y down.
 /// Source:  Cohen, Sutherland; in Newman, Sproull: Principles of Interactive Computer Graphics.
 struct L3D_PUBLIC l3d_clip_region {
-    l3d_point_2d least{}, most{}; ///< its corners, top left and bottom right; both belong to it
+    /// Its corners, top left and bottom right; both belong to it.
+    l3d_point_2d least{}, most{};
 
     /// The bits of outcode(), one for each side of the box.
     static constexpr unsigned left = 1, right = 2, below = 4, above = 8;
